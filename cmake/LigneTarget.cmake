@@ -1,0 +1,24 @@
+# One library target per folder. A folder's headers are reached as "NAME/file.hpp" through an include directory that holds
+# this folder alone, so a file can include another folder only when its target links that folder's target: an include
+# that the architecture forbids does not compile.
+
+add_library(ligne_flags INTERFACE)
+target_compile_options(ligne_flags INTERFACE -Wall -Wextra -ffp-contract=off)
+if(LIGNE_WERROR)
+  target_compile_options(ligne_flags INTERFACE -Werror)
+endif()
+if(LIGNE_SANITIZE)
+  target_compile_options(ligne_flags INTERFACE -fsanitize=${LIGNE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(ligne_flags INTERFACE -fsanitize=${LIGNE_SANITIZE})
+endif()
+
+# ligne_library(NAME SOURCES file... LINKS target... PRIVATE_LINKS target...)
+function(ligne_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  set(gate ${CMAKE_BINARY_DIR}/include/${name})
+  file(MAKE_DIRECTORY ${gate})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${gate}/${name} SYMBOLIC)
+  add_library(ligne_${name} STATIC ${ARG_SOURCES})
+  target_include_directories(ligne_${name} PUBLIC ${gate})
+  target_link_libraries(ligne_${name} PUBLIC ${ARG_LINKS} PRIVATE ligne_flags ${ARG_PRIVATE_LINKS})
+endfunction()

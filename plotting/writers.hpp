@@ -1,0 +1,45 @@
+#pragma once
+/// Writers of drawings. All give their bytes back; writing them to a file is plotting/output_file.hpp's.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "drawing/drawing.hpp"
+#include "drawing/result_models.hpp"
+#include "drawing/statistics.hpp"
+#include "plotting/page.hpp"
+
+namespace ligne {
+
+struct PlotOptions {
+  Page page;
+  double pen_width_mm = 0.35;
+  bool hidden_solid = false;
+  std::string title;    ///< document title, may be empty
+  double dpi = 150;     ///< PNG
+};
+
+/// SVG: width, height and viewBox in mm, one Inkscape layer group per layer with the style on it, one path per polyline.
+std::string write_svg(const Drawing& drawing, const PlotOptions& options);
+/// PDF of true size, one page.
+std::string write_pdf(const Drawing& drawing, const PlotOptions& options);
+/// PNG on white, for looking.
+std::string write_png(const Drawing& drawing, const PlotOptions& options);
+
+/// What the JSON drawing holds beside page and pens: docs/drawing-format.md.
+struct DrawingDocument {
+  const StrokeModel* strokes = nullptr;
+  const std::vector<Region>* regions = nullptr;
+  const PaintOrder* order = nullptr;
+  std::function<SourceEdge(std::uint32_t)> source;  ///< the source edge of that number
+  glm::dmat4 model_to_page{1};
+  bool perspective = false;
+  std::string method;
+  Statistics statistics;
+};
+std::string write_json(const DrawingDocument& document, const PlotOptions& options);
+
+}  // namespace ligne

@@ -1,0 +1,45 @@
+#pragma once
+/// The drawing: named layers of polylines, in page millimetres.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drawing/stroke.hpp"
+#include "geometry/point.hpp"
+
+namespace ligne {
+
+/// Polylines as index arrays: polyline i has points [begin[i], begin[i + 1]). A closed polyline repeats its first point.
+struct Polylines {
+  std::vector<Point2> points;
+  std::vector<std::uint32_t> begin{0};
+
+  std::size_t size() const { return begin.size() - 1; }
+  std::span<const Point2> operator[](std::size_t i) const {
+    return {points.data() + begin[i], points.data() + begin[i + 1]};
+  }
+};
+
+/// A layer's name is also its id: the line classes of drawing/stroke.hpp, "hidden", "horizon", "axes", "text", "debug".
+struct Layer {
+  std::string name;
+  Polylines lines;
+};
+
+/// Layers in the order in which they are painted. Layers without lines are left out.
+struct Drawing {
+  std::vector<Layer> layers;
+};
+
+/// Every line once: where strokes lie on each other within `tolerance_mm` one of them stands for all (by class, then the
+/// nearer, then the lower source), and a hidden stroke gives way to every visible one. Strokes whose `may_coincide` is
+/// false are only held against those where it is true. Order: by source and parameter.
+void remove_coincident_strokes(StrokeModel& model, double tolerance_mm);
+
+/// Joins strokes that continue each other into polylines, per layer. Where more than two strokes of a layer meet the
+/// straightest continue each other.
+Drawing make_drawing(const StrokeModel& model);
+
+}  // namespace ligne

@@ -1,0 +1,36 @@
+#pragma once
+/// The other visibility models that a method may produce beside strokes: regions, order, spans, pixels.
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace ligne {
+
+/// A visible part of a face on the page.
+struct Region {
+  std::uint32_t face = 0;                      ///< face of the scene
+  std::vector<std::vector<Point2>> contours;  ///< page mm; the first is outer, the others holes
+};
+
+/// Faces (or pieces of them) in painting order, farthest first.
+struct PaintOrder {
+  std::vector<std::uint32_t> faces;
+};
+
+/// A run of one scan line on which one face is seen.
+struct Span {
+  std::uint32_t line = 0;
+  double x_from = 0, x_to = 0;  ///< page mm
+  std::uint32_t face = 0;
+};
+
+/// One face per pixel, row by row from the top; 0xffffffff where nothing is seen.
+struct PixelModel {
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint32_t> face;
+  std::vector<float> depth;
+};
+
+}  // namespace ligne

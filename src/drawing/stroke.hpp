@@ -1,0 +1,59 @@
+#pragma once
+/// Strokes: what a visibility method says of the edges.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "geometry/lattice.hpp"
+
+namespace ligne {
+
+/// Class of a line, decided on the 3D edge; in order of precedence where lines coincide on the page.
+enum class LineClass : std::uint8_t {
+  outline,       ///< one of its two faces looks at the viewer, the other away
+  border,        ///< one face
+  intersection,  ///< of two penetrating faces
+  crease,        ///< normals differ by more than the crease angle, or more than two faces
+  mesh,          ///< all others
+};
+inline constexpr std::size_t kLineClassCount = 5;
+inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{"outline", "border", "intersection", "crease",
+                                                                               "mesh"};
+
+/// A set of classes.
+struct LineClasses {
+  std::uint8_t bits = 0;
+  bool has(LineClass c) const { return (bits >> static_cast<unsigned>(c)) & 1u; }
+  void add(LineClass c) { bits = static_cast<std::uint8_t>(bits | (1u << static_cast<unsigned>(c))); }
+};
+
+/// A straight piece of one source edge, visible or hidden as a whole.
+struct Stroke {
+  double t_from = 0, t_to = 1;  ///< parameters on the source edge in model space, t_from < t_to
+  LatticePoint from, to;
+  float z_from = 0, z_to = 0;  ///< depths at the two ends; smaller is nearer
+  std::uint32_t source = 0;    ///< source edge, as numbered by StrokeModel
+  LineClass line_class = LineClass::mesh;
+  bool visible = true;
+  bool may_coincide = true;  ///< false only where the method knows that no other stroke lies on this one
+};
+
+/// Where a stroke comes from: an edge of the scene, or the common segment of two penetrating faces.
+struct SourceEdge {
+  std::array<Point3, 2> ends{};  ///< model coordinates; a stroke's parameter runs from the first to the second
+  std::array<std::uint32_t, 2> faces{0xffffffffu, 0xffffffffu};  ///< the faces that meet here, 0xffffffff where there is none
+  bool intersection = false;
+};
+
+/// All strokes of one study. Sources below `edge_count` are edges of the scene, by index; the others are the
+/// intersections, in order.
+struct StrokeModel {
+  Lattice lattice;
+  std::vector<Stroke> strokes;
+  std::uint32_t edge_count = 0;
+  std::vector<SourceEdge> intersections;
+};
+
+}  // namespace ligne

@@ -1,0 +1,28 @@
+#include "geometry/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ligne {
+
+Lattice Lattice::covering(const Rect& page_mm) {
+  Lattice lattice;
+  if (page_mm.empty()) return lattice;
+  const double half = std::max({page_mm.width(), page_mm.height(), 1e-9}) / 2;
+  // One step of slack on every side keeps rounded coordinates inside the limit.
+  const int exponent = static_cast<int>(std::ceil(std::log2(half / (kLatticeLimit - 2))));
+  lattice.step_mm = std::ldexp(1.0, exponent);
+  const Point2 centre = (page_mm.min + page_mm.max) * 0.5;
+  lattice.origin_mm = {std::round(centre.x / lattice.step_mm) * lattice.step_mm,
+                       std::round(centre.y / lattice.step_mm) * lattice.step_mm};
+  return lattice;
+}
+
+LatticePoint Lattice::snap(Point2 mm) const {
+  constexpr double limit = kLatticeLimit;
+  const double x = std::clamp((mm.x - origin_mm.x) / step_mm, -limit, limit);
+  const double y = std::clamp((mm.y - origin_mm.y) / step_mm, -limit, limit);
+  return {static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))};
+}
+
+}  // namespace ligne

@@ -1,0 +1,70 @@
+#pragma once
+/// Cameras, and where the picture lies on the page.
+
+#include <optional>
+#include <string_view>
+
+#include <glm/mat4x4.hpp>
+
+#include "geometry/point.hpp"
+#include "scene/scene.hpp"
+
+namespace ligne {
+
+/// What the user asked for.
+struct CameraRequest {
+  std::string_view named_view = "iso";  ///< used when neither direction nor eye is given
+  std::optional<Point3> direction;      ///< line of sight, from the viewer into the scene: parallel projection
+  std::optional<Point3> eye;            ///< perspective
+  std::optional<Point3> target;         ///< default: the centre of the scene's bounding box
+  double fov_degrees = 35;              ///< vertical angle of view
+  std::optional<Point3> up;
+  Axis up_axis = Axis::z;
+};
+
+/// A camera: an orthonormal frame (right, down, forward) and an eye. Camera coordinates of a point p are
+/// x = right . (p - eye), y = down . (p - eye), w = forward . (p - eye).
+struct Camera {
+  bool perspective = false;
+  Point3 eye{0, 0, 0};  ///< parallel: a point of the scene, the centre of its bounding box
+  Point3 right{1, 0, 0}, down{0, -1, 0}, forward{0, 0, -1};
+  double fov_degrees = 35;
+  double target_distance = 1;  ///< perspective: distance of the plane on which a true scale holds
+};
+
+inline constexpr std::string_view kNamedViews[] = {"front", "back", "left", "right", "top", "bottom", "iso", "dimetric",
+                                                   "trimetric"};
+
+/// Throws std::invalid_argument with one line when the request has no meaning (unknown name, zero direction, eye equal to
+/// target, a field of view outside (0, 180)).
+/// The up vector: the one given, else the up axis; when it is parallel to the line of sight the next axis in the order
+/// x -> y -> z -> x after the up axis is taken.
+Camera make_camera(const CameraRequest& request, const Scene& scene);
+
+/// The rectangle of the page that may be drawn on, in page mm (x right, y down).
+struct Frame {
+  Rect area;
+};
+
+/// A camera with its place on the page. `model_to_page` maps (x, y, z, 1) to (X, Y, Z, W): the page point is
+/// (X/W, Y/W) in mm and Z/W is the depth, which grows with the distance from the viewer. Planes stay planes. In parallel
+/// projection W is 1 and the depth is in page mm; in perspective the depth is D - D^2/w scaled to page mm, w the distance
+/// along the line of sight and D the target distance, so that it is 0 and has slope 1 at the target.
+struct View {
+  Camera camera;
+  double scale = 1;  ///< page mm per model unit (in perspective: on the target plane)
+  glm::dmat4 model_to_page{1};
+  Rect window;  ///< page mm; what lies outside is clipped away
+  double near_distance = 0;  ///< perspective: w of the near plane, > 0
+};
+
+/// Extent of the scene on the drawing plane at a scale of 1 mm per model unit, clipped to the field of view in perspective.
+/// Empty when nothing is in view.
+Rect projected_extent(const Scene& scene, const Camera& camera);
+
+/// Places the camera's picture on the page: centred on `frame`, scaled to fit it, or at `scale` page mm per model unit when
+/// that is given; then what would leave `window` (the page) is clipped.
+View make_view(const Scene& scene, const Camera& camera, const Frame& frame, const Rect& window,
+               std::optional<double> scale = std::nullopt);
+
+}  // namespace ligne

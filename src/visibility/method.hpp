@@ -1,0 +1,60 @@
+#pragma once
+/// The interface of every visibility method. It knows no implementation; src/visibility/registry.hpp lists them.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "drawing/result_models.hpp"
+#include "drawing/statistics.hpp"
+#include "drawing/stroke.hpp"
+#include "view/projected_scene.hpp"
+
+namespace ligne {
+
+/// What a method can produce.
+enum Product : std::uint8_t {
+  kStrokes = 1,
+  kRegions = 2,
+  kOrder = 4,
+  kSpans = 8,
+  kPixels = 16,
+};
+
+struct MethodTraits {
+  std::string_view name;     ///< as on the command line
+  std::string_view summary;  ///< one line
+  std::uint8_t products = kStrokes;
+  bool exact = true;         ///< exact on the lattice, or limited by a resolution
+  bool penetration = true;   ///< draws penetrating faces right
+  std::string_view paper;    ///< author, title, year
+};
+
+struct StudyOptions {
+  bool hidden_strokes = false;             ///< give the hidden pieces too
+  std::function<void(double)> progress{};  ///< called with the fraction done, from one thread at a time; may be empty
+};
+
+/// What was found. Models that a method does not produce stay empty.
+struct VisibilityResult {
+  std::optional<StrokeModel> strokes;
+  std::optional<std::vector<Region>> regions;
+  std::optional<PaintOrder> order;
+  std::optional<std::vector<Span>> spans;
+  std::optional<PixelModel> pixels;
+  Statistics statistics;
+};
+
+/// A method holds no state: study() may be called from several threads, and the same input gives the same result whatever
+/// the number of threads (which is the caller's oneTBB arena).
+class Method {
+ public:
+  virtual ~Method() = default;
+  virtual const MethodTraits& traits() const = 0;
+  virtual VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const = 0;
+};
+
+}  // namespace ligne
