@@ -9,6 +9,7 @@
 
 #include "view/clip.hpp"
 #include "view/edge_classes.hpp"
+#include "view/spatial_order.hpp"
 
 namespace ligne {
 namespace {
@@ -141,11 +142,12 @@ ProjectedScene project(const Scene& scene, const Topology& topology, const View&
   const ClipVolume volume{view.window, view.near_distance};
   if (project_vertices(scene, view, volume, out)) {
     out.triangles = topology.triangles;
-    return out;
+  } else {
+    Clipper clipper(scene, view, volume, out);
+    clipper.clip_triangles(topology.triangles);
+    clipper.clip_edges();
   }
-  Clipper clipper(scene, view, volume, out);
-  clipper.clip_triangles(topology.triangles);
-  clipper.clip_edges();
+  order_spatially(out);
   return out;
 }
 

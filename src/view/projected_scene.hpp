@@ -31,14 +31,15 @@ struct EdgeSelection {
   double crease_degrees = 30;
 };
 
-/// The scene as the camera sees it. Vertices [0, scene vertices) are those of the scene, vertices after them were made by
-/// clipping. Triangles without area on the lattice (seen edge on) are kept: their edges are lines too.
+/// The scene as the camera sees it. Vertices are numbered along a Morton curve over the page, whatever their numbers in the
+/// scene; faces and source edges keep the scene's numbers. Triangles without area on the lattice (seen edge on) are kept:
+/// their edges are lines too.
 struct ProjectedScene {
   Lattice lattice;
   View view;
   std::vector<ProjectedVertex> vertices;
   std::vector<Triangle> triangles;   ///< what is inside the view volume; vertex indices are those of `vertices`
-  std::vector<ProjectedEdge> edges;  ///< candidates of the selected classes, ordered by source
+  std::vector<ProjectedEdge> edges;  ///< candidates of the selected classes
   /// Where edges were clipped: per candidate edge the part of its source edge that is inside. Empty when nothing was.
   std::vector<std::array<double, 2>> edge_parts;
   std::uint32_t source_count = 0;   ///< number of edges of the topology

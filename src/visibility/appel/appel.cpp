@@ -115,7 +115,7 @@ class StrokeMaker {
   bool hidden_too_;
 };
 
-/// Runs work(i, search, strokes) for i in [0, n) in blocks; strokes come out in order.
+/// Runs work(i, search, strokes) for i in [0, n) in blocks; strokes come out in that order.
 template <class Work>
 void study_lines(std::size_t n, const ProjectedScene& scene, const Facets& facets, const CellGrid& grid,
                  double coincidence_steps, const StudyOptions& options, std::vector<Stroke>& strokes, TestCounts& counts,
@@ -151,7 +151,8 @@ Point3 to_model(const ProjectedScene& scene, const ProjectedVertex& v) {
 }
 
 double page_length(const Line& line) {
-  return std::hypot(double(line.p1.x) - line.p0.x, double(line.p1.y) - line.p0.y);
+  const double dx = double(line.p1.x) - line.p0.x, dy = double(line.p1.y) - line.p0.y;
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 }  // namespace
@@ -206,7 +207,7 @@ VisibilityResult AppelMethod::study(const ProjectedScene& scene, const StudyOpti
                 const ProjectedVertex &a = scene.vertices[edge.v0], &b = scene.vertices[edge.v1];
                 if (a.p == b.p) return;  // seen end on
                 const Line line{a.p, b.p, a.z, b.z, edge.face0, edge.face1};
-                std::vector<Part> parts = search.find(line);
+                std::vector<Part>& parts = search.find(line);
                 drop_specks(parts, page_length(line), least);
                 const auto thin = [&](std::uint32_t f) { return f < facets.face_is_thin.size() && facets.face_is_thin[f]; };
                 const bool may_coincide = search.near_side() || thin(edge.face0) || thin(edge.face1);
@@ -217,7 +218,7 @@ VisibilityResult AppelMethod::study(const ProjectedScene& scene, const StudyOpti
               [&](std::size_t i, VisibleParts& search, std::vector<Stroke>& out) {
                 const Intersection& s = intersections[i];
                 const Line line{s.from.p, s.to.p, s.from.z, s.to.z, s.face0, s.face1};
-                std::vector<Part> parts = search.find(line);
+                std::vector<Part>& parts = search.find(line);
                 drop_specks(parts, page_length(line), least);
                 maker.add(line, parts, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection,
                           true, out);

@@ -9,8 +9,8 @@ namespace ligne::appel {
 namespace {
 
 // Adjustable parameters.
-constexpr std::size_t kLeafFacets = 48;   ///< a list longer than this is split
-constexpr double kSizeFactor = 0.8;      ///< side of a top-level cell over the mean extent of a facet
+constexpr std::size_t kLeafFacets = 96;   ///< a list longer than this is split
+constexpr double kSizeFactor = 1.5;      ///< side of a top-level cell over the mean extent of a facet
 constexpr double kCellsPerFacet = 1.0;    ///< at most so many top-level cells
 constexpr double kMinCells = 256;
 constexpr double kSmallestCell = 64;      ///< steps; smaller cells are not split
@@ -64,6 +64,17 @@ Meeting meet(const FacetFunctions& g, const Facet& f, const CellSquare& square, 
   return covers ? Meeting::covers : Meeting::meets;
 }
 
+struct PageBox {
+  double left, right, top, bottom;
+};
+
+PageBox page_box(const Facet& f, const ProjectedVertex* vertices) {
+  const LatticePoint a = vertices[f.v[0]].p, b = vertices[f.v[1]].p, c = vertices[f.v[2]].p;
+  const auto [left, right] = std::minmax({a.x, b.x, c.x});
+  const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
+  return {double(left), double(right), double(top), double(bottom)};
+}
+
 void sort_by_depth(CellFacet* begin, CellFacet* end) {
   std::sort(begin, end, [](const CellFacet& a, const CellFacet& b) {
     return a.z_near != b.z_near ? a.z_near < b.z_near : a.facet < b.facet;
@@ -86,6 +97,7 @@ struct CellGrid::Build {
   void find_covers();
   void fill();
   void split_overfull();
+  void finish_list(CellFacet* list, std::size_t n, const CellSquare& square) const;
   void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
              std::uint32_t arena_index);
 
@@ -104,14 +116,12 @@ bool CellGrid::Build::choose_cells() {
   double extent = 0;
   double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300;
   for (const Facet& f : facets) {
-    const LatticePoint a = scene.vertices[f.v[0]].p, b = scene.vertices[f.v[1]].p, c = scene.vertices[f.v[2]].p;
-    const auto [left, right] = std::minmax({a.x, b.x, c.x});
-    const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
-    extent += (double(right) - left) + (double(bottom) - top);
-    x0 = std::min<double>(x0, left);
-    x1 = std::max<double>(x1, right);
-    y0 = std::min<double>(y0, top);
-    y1 = std::max<double>(y1, bottom);
+    const PageBox box = page_box(f, scene.vertices.data());
+    extent += (box.right - box.left) + (box.bottom - box.top);
+    x0 = std::min(x0, box.left);
+    x1 = std::max(x1, box.right);
+    y0 = std::min(y0, box.top);
+    y1 = std::max(y1, box.bottom);
   }
   if (facets.empty()) return false;
   const double n = static_cast<double>(facets.size());
@@ -138,10 +148,7 @@ void CellGrid::Build::find_ranges() {
   tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
     const std::size_t last = std::min(facets.size(), (block + 1) * kBlock);
     for (std::size_t i = block * kBlock; i < last; ++i) {
-      const Facet& f = facets[i];
-      const LatticePoint a = scene.vertices[f.v[0]].p, b = scene.vertices[f.v[1]].p, c = scene.vertices[f.v[2]].p;
-      const auto [left, right] = std::minmax({a.x, b.x, c.x});
-      const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
+      const auto [left, right, top, bottom] = page_box(facets[i], scene.vertices.data());
       ranges[i] = {clamped((left - margin - grid.x_) * inverse, grid.columns_),
                    clamped((right + margin - grid.x_) * inverse, grid.columns_),
                    clamped((top - margin - grid.y_) * inverse, grid.rows_),
@@ -224,7 +231,7 @@ void CellGrid::Build::fill() {
     for_each_meeting(row0, row1, false, [&](std::size_t i, std::size_t cell, Meeting, double z_near, double) {
       if (!kept(cell, z_near)) return;
       Cell& c = grid.cells_[cell];
-      list[c.begin + c.count++] = {static_cast<std::uint32_t>(i), round_down(z_near)};
+      list[c.begin + c.count++] = {static_cast<std::uint32_t>(i), round_down(z_near), {}};
     });
   });
 }
@@ -241,13 +248,22 @@ void CellGrid::Build::split_overfull() {
       Cell& cell = grid.cells_[i];
       CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
       if (cell.count <= kLeafFacets) {
-        sort_by_depth(list, list + cell.count);
+        finish_list(list, cell.count, grid.top_square(i));
         continue;
       }
       inherited.assign(list, list + cell.count);
       split(cell, grid.top_square(i), inherited, arena, static_cast<std::uint32_t>(k + 1));
     }
   });
+}
+
+void CellGrid::Build::finish_list(CellFacet* list, std::size_t n, const CellSquare& square) const {
+  sort_by_depth(list, list + n);
+  const double margin = options.margin_steps;
+  for (std::size_t i = 0; i < n; ++i) {
+    const PageBox b = page_box(facets[list[i].facet], scene.vertices.data());
+    list[i].box = square.box(b.left - margin, b.right + margin, b.top - margin, b.bottom + margin);
+  }
 }
 
 void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
@@ -268,7 +284,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
       double z_near = 0, z_far = 0;
       const Meeting m = meet(g, f, child, options.margin_steps, z_near, z_far);
       if (m == Meeting::apart || (options.drop_hidden && z_near > covers[k])) continue;
-      lists[k].push_back({entry.facet, round_down(z_near)});
+      lists[k].push_back({entry.facet, round_down(z_near), {}});
       if (m == Meeting::covers) covers[k] = std::min(covers[k], round_up(z_far + f.touch));
     }
   }
@@ -288,13 +304,13 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     Cell child;
     child.cover = covers[k];
     child.arena = arena_index;
+    const CellSquare child_square{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
     if (worth_it && lists[k].size() > kLeafFacets && size >= kSplitSide * kSmallestCell) {
-      const CellSquare child_square{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
       split(child, child_square, lists[k], arena, arena_index);
     } else {
       child.begin = static_cast<std::uint32_t>(arena.list.size());
       child.count = static_cast<std::uint32_t>(lists[k].size());
-      sort_by_depth(lists[k].data(), lists[k].data() + lists[k].size());
+      finish_list(lists[k].data(), lists[k].size(), child_square);
       arena.list.insert(arena.list.end(), lists[k].begin(), lists[k].end());
     }
     arena.children[first + k] = child;

@@ -18,9 +18,29 @@
 
 namespace ligne::appel {
 
+/// A rectangle inside a cell in 256ths of the cell's side, rounded outwards.
+struct CellBox {
+  std::uint8_t left = 0, right = 255, top = 0, bottom = 255;
+  bool meets(const CellBox& o) const { return left <= o.right && right >= o.left && top <= o.bottom && bottom >= o.top; }
+};
+
+/// Square part of the page lattice.
+struct CellSquare {
+  double x = 0, y = 0, size = 0;
+
+  /// The box of the rectangle [x0, x1] x [y0, y1] as far as it lies in the square. Rounding is monotone: boxes of
+  /// rectangles that meet in the square meet.
+  CellBox box(double x0, double x1, double y0, double y1) const {
+    const double parts = 256 / size;
+    const auto part = [&](double v) { return static_cast<std::uint8_t>(v <= 0 ? 0 : v >= 255 ? 255 : v); };
+    return {part((x0 - x) * parts), part((x1 - x) * parts), part((y0 - y) * parts), part((y1 - y) * parts)};
+  }
+};
+
 struct CellFacet {
   std::uint32_t facet = 0;
   float z_near = 0;  ///< nearest depth in the cell
+  CellBox box{};     ///< of its projection
 };
 
 struct Cell {
@@ -29,11 +49,6 @@ struct Cell {
   std::uint32_t count = 0;  ///< length of the list, or kSplit
   float cover = std::numeric_limits<float>::infinity();
   std::uint32_t arena = 0;
-};
-
-/// Square part of the page lattice.
-struct CellSquare {
-  double x = 0, y = 0, size = 0;
 };
 
 inline constexpr int kSplitSide = 4;

@@ -12,13 +12,12 @@
 
 namespace ligne::appel {
 
-/// A triangle that hides. 32 bytes, so that two fit in a cache line.
+/// A triangle that hides.
 struct Facet {
   std::uint32_t v[3];       ///< projected vertices, positively turned
   std::uint32_t face;       ///< face of the scene
   float z_near, z_far;      ///< bounds of its depth, rounded outwards
   float touch;              ///< surfaces within this depth of it touch it; see touch_tolerance()
-  std::uint32_t triangle;   ///< triangle of the projected scene
 };
 
 /// Depth within which something touches a facet of the given depth gradient (absolute values summed, mm per step).

@@ -1,6 +1,7 @@
 #pragma once
 /// The part of a line that one facet hides: Appel's elementary operation, on the lattice.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -39,34 +40,46 @@ inline HiddenInterval hidden_interval(const Line& line, const Facet& facet, cons
   const LatticePoint corners[4] = {a.p, b.p, c.p, a.p};
   const double dx = double(line.p1.x) - line.p0.x, dy = double(line.p1.y) - line.p0.y;
 
-  // The corners against the line: all on one side of it, and the facet is beside it. Two corners close to it, and a side
-  // of the facet lies along it.
-  double f[3];
-  const double close = coincidence_steps * (std::abs(dx) + std::abs(dy));
-  int left = 0, right = 0, at = 0;
+  // The corners against the line. A facet with no corner on one bank of it and at most one corner on it is beside it.
+  // Before it is dismissed: do two of its corners lie so close to the line, or the line so close to two of its corners,
+  // that a side may lie along it? (Distance of a corner from the line: |f| / |d|; of the line from a side: at most |f| /
+  // |side|.)
+  const auto size = [](double x, double y) { return std::abs(x) + std::abs(y); };
+  double sx[3], sy[3], f[3];
+  int left = 0, right = 0;
+  double longest = size(dx, dy);
   for (int i = 0; i < 3; ++i) {
+    sx[i] = double(corners[i + 1].x) - corners[i].x;
+    sy[i] = double(corners[i + 1].y) - corners[i].y;
+    longest = std::max(longest, size(sx[i], sy[i]));
     f[i] = dx * (double(corners[i].y) - line.p0.y) - dy * (double(corners[i].x) - line.p0.x);
     left += f[i] > 0;
     right += f[i] < 0;
-    at += std::abs(f[i]) <= close;
   }
-  if (at >= 2) near_side = true;
-  if ((left == 0 || right == 0) && left + right == 3 && at == 0) return {};
+  const double close = coincidence_steps * longest;
+  const bool maybe_near = (std::abs(f[0]) <= close) + (std::abs(f[1]) <= close) + (std::abs(f[2]) <= close) >= 2;
+  if (maybe_near) {
+    const double close_to_line = coincidence_steps * size(dx, dy);
+    near_side |= (std::abs(f[0]) <= close_to_line) + (std::abs(f[1]) <= close_to_line) + (std::abs(f[2]) <= close_to_line) >= 2;
+  } else if ((left == 0 || right == 0) && left + right >= 2) {
+    return {};
+  }
 
   // The line against the sides.
   Bank bank = Bank::both;
   double e0[3], e1[3];
   for (int i = 0; i < 3; ++i) {
-    const double sx = double(corners[i + 1].x) - corners[i].x, sy = double(corners[i + 1].y) - corners[i].y;
-    const double q0 = sx * (double(line.p0.y) - corners[i].y) - sy * (double(line.p0.x) - corners[i].x);
-    const double q1 = sx * (double(line.p1.y) - corners[i].y) - sy * (double(line.p1.x) - corners[i].x);
+    const double q0 = sx[i] * (double(line.p0.y) - corners[i].y) - sy[i] * (double(line.p0.x) - corners[i].x);
+    const double q1 = sx[i] * (double(line.p1.y) - corners[i].y) - sy[i] * (double(line.p1.x) - corners[i].x);
     e0[i] = q0;
     e1[i] = q1;
-    const double close_to_side = coincidence_steps * (std::abs(sx) + std::abs(sy));
-    if (std::abs(q0) <= close_to_side && std::abs(q1) <= close_to_side) near_side = true;
+    if (maybe_near) {
+      const double close_to_side = coincidence_steps * size(sx[i], sy[i]);
+      near_side |= std::abs(q0) <= close_to_side && std::abs(q1) <= close_to_side;
+    }
     if (q0 <= 0 && q1 <= 0) {
       if (q0 < 0 || q1 < 0) return {};
-      bank = sx * dx + sy * dy > 0 ? Bank::left : Bank::right;
+      bank = sx[i] * dx + sy[i] * dy > 0 ? Bank::left : Bank::right;
     } else if (q0 < 0) {
       const double t = q0 / (q0 - q1);
       if (t > from) from = t;

@@ -152,7 +152,7 @@ class LeafSearch {
       for (std::size_t k = i + 1; k < items_.size(); ++k) {
         const Item& b = items_[k];
         if (b.z_near > a.z_far) break;  // items are ordered by z_near
-        if (b.left > a.right || b.right < a.left || b.top > a.bottom || b.bottom < a.top) continue;
+        if (!a.box.meets(b.box) || a.face == b.face) continue;
         test(a, b, cell, square);
       }
     }
@@ -165,8 +165,8 @@ class LeafSearch {
     std::uint32_t id, face;
     std::array<std::uint32_t, 3> v;
     float z_near, z_far, touch;
-    std::int32_t left, right, top, bottom;
-    Corners corners;
+    CellBox box;
+    std::array<LatticePoint, 3> p;
   };
 
   void load(const Cell& cell) {
@@ -174,12 +174,9 @@ class LeafSearch {
     const CellFacet* list = grid_.list(cell);
     for (std::uint32_t i = 0; i < cell.count; ++i) {
       const Facet& f = facets_[list[i].facet];
-      Item item{list[i].facet, f.face, {f.v[0], f.v[1], f.v[2]}, list[i].z_near, f.z_far, f.touch, 0, 0, 0, 0,
-                corners_of(f, scene_.vertices.data())};
-      const auto& p = item.corners.p;
-      std::tie(item.left, item.right) = std::minmax({p[0].p.x, p[1].p.x, p[2].p.x});
-      std::tie(item.top, item.bottom) = std::minmax({p[0].p.y, p[1].p.y, p[2].p.y});
-      items_.push_back(item);
+      const ProjectedVertex* v = scene_.vertices.data();
+      items_.push_back({list[i].facet, f.face, {f.v[0], f.v[1], f.v[2]}, list[i].z_near, f.z_far, f.touch, list[i].box,
+                        {v[f.v[0]].p, v[f.v[1]].p, v[f.v[2]].p}});
     }
   }
 
@@ -191,22 +188,21 @@ class LeafSearch {
 
   /// Whether a side of `a` has all of `b` on its outer side or along it: the projections have no common inside.
   static bool apart(const Item& a, const Item& b) {
-    const auto& p = a.corners.p;
-    const auto& q = b.corners.p;
     for (int i = 0; i < 3; ++i) {
-      const LatticePoint s = p[i].p, e = p[(i + 1) % 3].p;
-      if (orientation(s, e, q[0].p) <= 0 && orientation(s, e, q[1].p) <= 0 && orientation(s, e, q[2].p) <= 0) return true;
+      const LatticePoint s = a.p[i], e = a.p[(i + 1) % 3];
+      if (orientation(s, e, b.p[0]) <= 0 && orientation(s, e, b.p[1]) <= 0 && orientation(s, e, b.p[2]) <= 0) return true;
     }
     return false;
   }
 
   void test(const Item& a, const Item& b, const Cell& cell, const CellSquare& square) {
-    if (a.face == b.face || common_corners(a, b) > 1) return;
-    if (apart(a, b) || apart(b, a)) return;
-    const Heights b_over_a = heights_over(a.corners, a.touch, b.corners);
+    if (common_corners(a, b) > 1 || apart(a, b) || apart(b, a)) return;
+    const Corners ca = corners_of(facets_[a.id], scene_.vertices.data());
+    const Corners cb = corners_of(facets_[b.id], scene_.vertices.data());
+    const Heights b_over_a = heights_over(ca, a.touch, cb);
     if (b_over_a.on + b_over_a.above == 3 && b_over_a.on < 2) return;
     if (b_over_a.on + b_over_a.below == 3 && b_over_a.on < 2) return;
-    const Heights a_over_b = heights_over(b.corners, b.touch, a.corners);
+    const Heights a_over_b = heights_over(cb, b.touch, ca);
     const bool b_along = b_over_a.on == 2, a_along = a_over_b.on == 2;
     if (b_along || a_along) {
       if (b_along && a_over_b.on < 2) add_side(a, b, b_over_a);
@@ -216,7 +212,7 @@ class LeafSearch {
     if (b_over_a.on == 3 || a_over_b.on == 3) return;  // coplanar: they touch
     if (a_over_b.above + a_over_b.on == 3 || a_over_b.below + a_over_b.on == 3) return;
     const bool swapped = a.id > b.id;
-    const auto segment = swapped ? common_segment(b.corners, a.corners, a_over_b) : common_segment(a.corners, b.corners, b_over_a);
+    const auto segment = swapped ? common_segment(cb, ca, a_over_b) : common_segment(ca, cb, b_over_a);
     if (!segment || !seen_in(*segment, square, margin_, cell.cover)) return;
     pairs.push_back(swapped ? Pair{b.id, a.id} : Pair{a.id, b.id});
   }

@@ -4,27 +4,32 @@
 
 namespace ligne::appel {
 
-const std::vector<Part>& VisibleParts::find(const Line& line) {
+std::vector<Part>& VisibleParts::find(const Line& line) {
   parts_.clear();
   near_side_ = false;
-  grid_.for_each_leaf(line, [&](const Cell& cell, const CellSquare&, double from, double to) {
+  grid_.for_each_leaf(line, [&](const Cell& cell, const CellSquare& square, double from, double to) {
     ++counts_.leaves;
     if (cell.cover < line.z(from) && cell.cover < line.z(to)) {
       ++counts_.covered;
       return;
     }
-    search_leaf(line, cell, from, to);
+    search_leaf(line, cell, square, from, to);
   });
   return parts_;
 }
 
-void VisibleParts::search_leaf(const Line& line, const Cell& cell, double from, double to) {
+void VisibleParts::search_leaf(const Line& line, const Cell& cell, const CellSquare& square, double from, double to) {
   open_.assign(1, {from, to});
   one_sided_.clear();
   const double z_far = std::max(line.z(from), line.z(to));
+  const double dx = double(line.p1.x) - line.p0.x, dy = double(line.p1.y) - line.p0.y;
+  const double x0 = line.p0.x + from * dx, x1 = line.p0.x + to * dx;
+  const double y0 = line.p0.y + from * dy, y1 = line.p0.y + to * dy;
+  const CellBox box = square.box(std::min(x0, x1), std::max(x0, x1), std::min(y0, y1), std::max(y0, y1));
   const CellFacet* entry = grid_.list(cell);
   const CellFacet* const end = entry + cell.count;
   for (; entry != end && entry->z_near <= z_far; ++entry) {
+    if (!entry->box.meets(box)) continue;
     const Facet& facet = facets_[entry->facet];
     if (facet.face == line.face0 || facet.face == line.face1) continue;
     ++counts_.facet_tests;

@@ -30,14 +30,15 @@ class VisibleParts {
                double coincidence_steps)
       : vertices_(scene.vertices.data()), facets_(facets.data()), grid_(grid), coincidence_steps_(coincidence_steps) {}
 
-  /// Finds the visible parts of the line, in order, disjoint; parts that touch are one. Afterwards near_side() tells
+  /// Finds the visible parts of the line, in order, disjoint; parts that touch are one. They are the caller's to change
+  /// until the next call. Afterwards near_side() tells
   /// whether a side of a facet in front of the line or level with it lies along the line.
-  const std::vector<Part>& find(const Line& line);
+  std::vector<Part>& find(const Line& line);
   bool near_side() const { return near_side_; }
   const TestCounts& counts() const { return counts_; }
 
  private:
-  void search_leaf(const Line& line, const Cell& cell, double from, double to);
+  void search_leaf(const Line& line, const Cell& cell, const CellSquare& square, double from, double to);
   void take(double from, double to);
   void take_one_sided();
 

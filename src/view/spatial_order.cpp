@@ -1,0 +1,85 @@
+#include "view/spatial_order.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+namespace ligne {
+namespace {
+
+constexpr int kMortonBits = 10;  ///< per coordinate: a million squares over the page
+constexpr std::size_t kGrain = 32'768;
+
+std::uint32_t spread_bits(std::uint32_t v) {
+  v = (v | (v << 8)) & 0x00ff00ffu;
+  v = (v | (v << 4)) & 0x0f0f0f0fu;
+  v = (v | (v << 2)) & 0x33333333u;
+  return (v | (v << 1)) & 0x55555555u;
+}
+
+std::uint32_t morton(LatticePoint p) {
+  const auto square = [](std::int32_t v) {
+    const auto shifted = static_cast<std::uint32_t>(v + kLatticeLimit);  // 0 .. 2^26
+    return std::min(shifted >> (26 - kMortonBits), (1u << kMortonBits) - 1);
+  };
+  return spread_bits(square(p.x)) | (spread_bits(square(p.y)) << 1);
+}
+
+/// The stable order of n things by key(i) < key_count: order[k] is the k-th.
+template <class Key>
+std::vector<std::uint32_t> counting_order(std::size_t n, std::size_t key_count, Key key) {
+  std::vector<std::uint32_t> next(key_count + 1, 0), order(n);
+  for (std::size_t i = 0; i < n; ++i) ++next[key(i) + 1];
+  for (std::size_t k = 0; k < key_count; ++k) next[k + 1] += next[k];
+  for (std::size_t i = 0; i < n; ++i) order[next[key(i)]++] = static_cast<std::uint32_t>(i);
+  return order;
+}
+
+template <class T>
+std::vector<T> in_order(const std::vector<T>& items, const std::vector<std::uint32_t>& order) {
+  std::vector<T> sorted(items.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, items.size(), kGrain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) sorted[i] = items[order[i]];
+  });
+  return sorted;
+}
+
+template <class Work>
+void for_each_index(std::size_t n, Work work) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kGrain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
+  });
+}
+
+}  // namespace
+
+void order_spatially(ProjectedScene& scene) {
+  const std::size_t n = scene.vertices.size();
+  {
+    std::vector<std::uint32_t> number(n);
+    for_each_index(n, [&](std::size_t i) { number[i] = morton(scene.vertices[i].p); });
+    const auto order = counting_order(n, std::size_t{1} << (2 * kMortonBits), [&](std::size_t i) { return number[i]; });
+    scene.vertices = in_order(scene.vertices, order);
+    for_each_index(n, [&](std::size_t k) { number[order[k]] = static_cast<std::uint32_t>(k); });
+    for_each_index(scene.triangles.size(), [&](std::size_t i) {
+      for (std::uint32_t& v : scene.triangles[i].v) v = number[v];
+    });
+    for_each_index(scene.edges.size(), [&](std::size_t i) {
+      scene.edges[i].v0 = number[scene.edges[i].v0];
+      scene.edges[i].v1 = number[scene.edges[i].v1];
+    });
+  }
+  scene.triangles = in_order(scene.triangles, counting_order(scene.triangles.size(), n, [&](std::size_t i) {
+                               const auto& v = scene.triangles[i].v;
+                               return std::min({v[0], v[1], v[2]});
+                             }));
+  const auto order = counting_order(scene.edges.size(), n, [&](std::size_t i) {
+    return std::min(scene.edges[i].v0, scene.edges[i].v1);
+  });
+  scene.edges = in_order(scene.edges, order);
+  if (!scene.edge_parts.empty()) scene.edge_parts = in_order(scene.edge_parts, order);
+}
+
+}  // namespace ligne
