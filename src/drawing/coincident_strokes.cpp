@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -174,15 +175,19 @@ void Precedence::try_one(const Stroke& stroke) {
   seen_.push_back(0);
 }
 
+double median(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 /// What the choice of the cell size rests on.
 struct Extent {
-  double total_length = 0;
-  std::size_t count = 0;
+  std::vector<float> lengths;
   LatticePoint min{kLatticeLimit, kLatticeLimit}, max{-kLatticeLimit, -kLatticeLimit};
 
   void add(const Stroke& s) {
-    total_length += length(s.from, s.to);
-    ++count;
+    lengths.push_back(static_cast<float>(length(s.from, s.to)));
     for (const LatticePoint p : {s.from, s.to}) {
       min = {std::min(min.x, p.x), std::min(min.y, p.y)};
       max = {std::max(max.x, p.x), std::max(max.y, p.y)};
@@ -195,13 +200,13 @@ struct Extent {
   double side() const { return std::max(double(max.x) - min.x, double(max.y) - min.y); }
 };
 
-/// Cells as small as the strokes, or as their mean distance when they are long, but never so small that the strokes cross
-/// more than kCellsPerStroke of them on the average, and always larger than the reach of the tolerance.
-double cell_size(const Extent& flagged, const Extent& all, double tolerance_steps) {
-  const double mean = all.total_length / static_cast<double>(all.count);
-  const double mean_flagged = flagged.total_length / static_cast<double>(flagged.count);
-  const double distance = flagged.side() / std::sqrt(static_cast<double>(all.count));
-  return std::max({std::min({mean, mean_flagged, distance}), mean / kCellsPerStroke, 8 * tolerance_steps});
+/// Cells as small as the common stroke, or as the mean distance of strokes when these are long, but never so small that the
+/// strokes cross more than kCellsPerStroke of them on the average, and always larger than the reach of the tolerance.
+double cell_size(Extent& flagged, Extent& all, double tolerance_steps) {
+  const double mean = std::accumulate(all.lengths.begin(), all.lengths.end(), 0.0) / static_cast<double>(all.lengths.size());
+  const double distance = flagged.side() / std::sqrt(static_cast<double>(all.lengths.size()));
+  const double wish = std::min({median(all.lengths), median(flagged.lengths), distance});
+  return std::max({wish, mean / kCellsPerStroke, 8 * tolerance_steps});
 }
 
 /// A stroke in the order in which they are tried.
@@ -244,7 +249,7 @@ class Participants {
     }
   }
 
-  bool none() const { return flagged_.count == 0; }
+  bool none() const { return flagged_.lengths.empty(); }
   double cell() const { return cell_; }
   bool has(const Stroke& s) const {
     if (s.may_coincide || !in_reach(s)) return flagged(s);
