@@ -34,12 +34,21 @@ struct Stroke {
   double t_from = 0, t_to = 1;  ///< parameters on the source edge in model space, t_from < t_to
   LatticePoint from, to;
   float z_from = 0, z_to = 0;  ///< depths at the two ends; smaller is nearer
-  float w_from = 1, w_to = 1;  ///< distances along the sight, in any unit (1 in parallel projection): see cut()
+  float w_from = 1, w_to = 1;  ///< distances along the line of sight at the two ends (to one factor); 1 in parallel projection
   std::uint32_t source = 0;    ///< source edge, as numbered by StrokeModel
   LineClass line_class = LineClass::mesh;
   bool visible = true;
   bool may_coincide = true;  ///< false only where the method knows that no other stroke lies on this one
 };
+
+/// Parameter on the source edge at the fraction `s` of the stroke's length on the page. Perspective foreshortens: with the
+/// homogeneous weights w the page point at the model fraction u is ((1-u) w0 p0 + u w1 p1) / ((1-u) w0 + u w1), hence
+/// s = u w1 / ((1-u) w0 + u w1) and u = s w0 / ((1-s) w1 + s w0). Depth is linear on the page, w is linear in u.
+inline double source_parameter(const Stroke& stroke, double s) {
+  const double numerator = s * stroke.w_from;
+  const double u = numerator / ((1 - s) * stroke.w_to + numerator);
+  return stroke.t_from + u * (stroke.t_to - stroke.t_from);
+}
 
 /// Where a stroke comes from: an edge of the scene, or the common segment of two penetrating faces.
 struct SourceEdge {
