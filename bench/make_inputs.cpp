@@ -10,7 +10,7 @@ namespace {
 using namespace ligne::bench;
 
 /// Mean sides of the boxes: 10,000 give 1.41 million pairs of triangles that cross; 1,000 have as many neighbours each.
-constexpr double kSideOf10000 = 0.0637, kSideOf1000 = 0.1372;
+constexpr double kSideOf10000 = 0.06294, kSideOf1000 = 0.1356;
 constexpr std::uint64_t kBoxSeed = 20240607;
 constexpr int kBlock = 8;
 
