@@ -1,0 +1,192 @@
+/// The checker itself: right drawings pass, and each kind of fault is found and measured.
+
+#include "check.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "box_drawer.hpp"
+
+namespace ligne::check {
+namespace {
+
+const Viewer kOblique{.forward = {-1, 2, -0.7}};
+const Viewer kPerspective{.perspective = true, .eye = {4, -3, 2.5}, .forward = {-3.5, 3.5, -2}};
+/// Sampled lengths are right to a sample at each end.
+constexpr double kSampling = 0.25;
+
+double stroke_length(const DrawnStroke& s) { return glm::distance(s.points[0], s.points[1]); }
+
+/// Draws the part of the edge on the page that its ends and its interval say.
+void place_points(const DrawingFile& drawing, DrawnStroke& stroke) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    stroke.points[k] = page_point(drawing.model_to_page, stroke.ends[0] + (stroke.ends[1] - stroke.ends[0]) * stroke.interval[k]);
+  }
+}
+
+void expect_right(const std::vector<Box>& boxes, const Viewer& viewer) {
+  const Scene scene = box_scene(boxes);
+  const Report report = check_drawing(scene, draw_boxes(boxes, viewer), {});
+  EXPECT_GT(report.drawn, 100);
+  EXPECT_EQ(report.drawn_wrong(), 0) << to_text(report, 10);
+  EXPECT_EQ(report.not_drawn(), 0) << to_text(report, 10);
+  // What cannot be told is next to the ends of strokes only.
+  EXPECT_LT(report.share(report.drawn_undecided + report.missing_undecided), 0.005) << to_text(report, 10);
+}
+
+const std::vector<Box> kCube{{}};
+const std::vector<Box> kApart{{}, {{-1.5, 0.7, -0.4}, {-0.3, 1.4, 0.6}}, {{0.2, -2, -1}, {0.4, -1.2, 1.7}}};
+const std::vector<Box> kTouching{{}, {{1, 0, 0}, {2, 1, 1}}, {{0, 0, 1}, {1, 1, 2}}, {{0.25, -0.5, 0.25}, {0.75, 0, 0.75}}};
+
+TEST(EmbreeCheck, RightDrawingsPass) {
+  for (const Viewer& viewer : {kOblique, kPerspective}) {
+    expect_right(kCube, viewer);
+    expect_right(kApart, viewer);
+    expect_right(kTouching, viewer);
+  }
+}
+
+TEST(EmbreeCheck, RightDrawingsPassFarFromTheOrigin) {
+  std::vector<Box> boxes = kApart;
+  const Point3 far{559705, 4380220, 1700};
+  for (Box& box : boxes) box.low += far, box.high += far;
+  const Scene scene = box_scene(boxes);
+  DrawingFile drawing = draw_boxes(boxes, kOblique);
+  // Bring the picture back to the sheet.
+  const Point2 away = page_point(drawing.model_to_page, far) - Point2{105, 148.5};
+  drawing.model_to_page[0][3] -= away.x, drawing.model_to_page[1][3] -= away.y;
+  for (DrawnStroke& s : drawing.strokes) place_points(drawing, s);
+  const Report report = check_drawing(scene, drawing, {});
+  EXPECT_EQ(report.drawn_wrong() + report.not_drawn(), 0) << to_text(report, 10);
+}
+
+TEST(EmbreeCheck, FindsAHiddenEdgeThatIsDrawn) {
+  for (const Viewer& viewer : {kOblique, kPerspective}) {
+    DrawingFile drawing = draw_boxes(kCube, viewer);
+    ASSERT_EQ(drawing.strokes.size(), 9u);
+    DrawnStroke hidden;
+    hidden.kind = kCrease;
+    hidden.ends = {Point3{0, 1, 0}, Point3{0, 0, 0}};  // (0, 1, 0) is the corner that neither viewer sees
+    place_points(drawing, hidden);
+    drawing.strokes.push_back(hidden);
+    const Report report = check_drawing(box_scene(kCube), drawing, {});
+    EXPECT_NEAR(report.hidden_drawn, stroke_length(hidden), kSampling) << to_text(report, 10);
+    EXPECT_EQ(report.not_drawn(), 0);
+    ASSERT_EQ(report.findings.size(), 1u);
+    EXPECT_EQ(report.findings[0].a, hidden.ends[0]);
+  }
+}
+
+TEST(EmbreeCheck, FindsAVisibleEdgeThatIsNotDrawn) {
+  for (const Viewer& viewer : {kOblique, kPerspective}) {
+    for (std::size_t i = 0; i < 9; ++i) {
+      DrawingFile drawing = draw_boxes(kCube, viewer);
+      const double length = stroke_length(drawing.strokes[i]);
+      drawing.strokes.erase(drawing.strokes.begin() + static_cast<std::ptrdiff_t>(i));
+      const Report report = check_drawing(box_scene(kCube), drawing, {});
+      EXPECT_NEAR(report.missing, length, kSampling) << to_text(report, 10);
+      EXPECT_EQ(report.drawn_wrong(), 0);
+    }
+  }
+}
+
+TEST(EmbreeCheck, FindsStrokesThatAreTooLongOrTooShort) {
+  DrawingFile drawing = draw_boxes(kApart, kOblique);
+  const auto cut = std::find_if(drawing.strokes.begin(), drawing.strokes.end(),
+                                [](const DrawnStroke& s) { return s.interval[1] < 0.9 && s.interval[0] == 0; });
+  ASSERT_NE(cut, drawing.strokes.end());
+  const double unit = glm::distance(page_point(drawing.model_to_page, cut->ends[0]), page_point(drawing.model_to_page, cut->ends[1]));
+  for (const double change_mm : {+2.0, -2.0}) {
+    DrawingFile wrong = drawing;
+    DrawnStroke& s = wrong.strokes[static_cast<std::size_t>(cut - drawing.strokes.begin())];
+    s.interval[1] += change_mm / unit;
+    place_points(wrong, s);
+    const Report report = check_drawing(box_scene(kApart), wrong, {});
+    EXPECT_NEAR(report.hidden_drawn, change_mm > 0 ? 2 : 0, kSampling) << to_text(report, 10);
+    EXPECT_NEAR(report.missing, change_mm > 0 ? 0 : 2, kSampling) << to_text(report, 10);
+  }
+}
+
+TEST(EmbreeCheck, FindsStrokesAtTheWrongPlace) {
+  DrawingFile drawing = draw_boxes(kCube, kOblique);
+  for (const double offset_mm : {0.01, 0.05}) {
+    DrawingFile moved = drawing;
+    for (DrawnStroke& s : moved.strokes) s.points[0].x += offset_mm, s.points[1].x += offset_mm;
+    const Report report = check_drawing(box_scene(kCube), moved, {});
+    EXPECT_NEAR(report.misplaced, offset_mm > 0.02 ? report.drawn : 0, 1e-6) << to_text(report, 10);
+    if (offset_mm < 0.02) {
+      EXPECT_EQ(report.missing, 0) << to_text(report, 10);
+    } else {
+      EXPECT_GT(report.missing, 0.5 * report.drawn);  // lines along x hide their offset
+    }
+  }
+}
+
+TEST(EmbreeCheck, FindsLinesThatAreNone) {
+  DrawingFile drawing = draw_boxes(kCube, kOblique);
+  drawing.strokes[0].kind = kMesh;
+  DrawnStroke diagonal;
+  diagonal.kind = kCrease;
+  diagonal.ends = {Point3{1, 0, 0}, Point3{0, 0, 1}};
+  place_points(drawing, diagonal);
+  drawing.strokes.push_back(diagonal);
+  CheckOptions options;
+  options.kinds = kAllKinds;
+  const Report report = check_drawing(box_scene(kCube), drawing, options);
+  EXPECT_NEAR(report.no_line, stroke_length(drawing.strokes[0]) + stroke_length(diagonal), 1e-6) << to_text(report, 10);
+  EXPECT_EQ(report.hidden_drawn, 0);
+}
+
+TEST(EmbreeCheck, FindsIntersectionsThatAreNotDrawn) {
+  const std::vector<Box> boxes{{}, {{0.3, -0.5, 0.3}, {0.7, 0.5, 0.7}}};
+  const Scene scene = box_scene(boxes);
+  DrawingFile drawing = draw_boxes(boxes, kOblique);
+  const Report without = check_drawing(scene, drawing, {});
+  EXPECT_EQ(without.drawn_wrong() + without.missing, 0) << to_text(without, 10);
+
+  // The bar pierces the face y = 0 in a square; the bar hides two of its sides.
+  const Point3 square[4] = {{0.3, 0, 0.3}, {0.7, 0, 0.3}, {0.7, 0, 0.7}, {0.3, 0, 0.7}};
+  const DrawingFile bare = drawing;
+  double length = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    DrawnStroke side;
+    side.kind = kIntersection;
+    side.ends = {square[k], square[(k + 1) % 4]};
+    place_points(drawing, side);
+    DrawingFile alone = bare;
+    alone.strokes = {side};
+    if (check_drawing(scene, alone, {}).hidden_drawn > 0) continue;
+    length += stroke_length(side);
+    drawing.strokes.push_back(side);
+  }
+  EXPECT_EQ(drawing.strokes.size(), bare.strokes.size() + 2);
+  EXPECT_NEAR(without.intersections_missing, length, 0.3 * length) << to_text(without, 10);
+  const Report with = check_drawing(scene, drawing, {});
+  EXPECT_EQ(with.drawn_wrong() + with.not_drawn(), 0) << to_text(with, 10);
+}
+
+TEST(EmbreeCheck, ReadsDrawings) {
+  const DrawingFile drawing = parse_drawing(R"({"format":"ligne-drawing","version":1,
+    "page":{"width_mm":297,"height_mm":210},"view":{"matrix":[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16],"perspective":true},
+    "strokes":[{"class":"border","visible":false,"source":{"edge":7,"ends":[[1,2,3],[4,5,6]],"faces":[3,null]},
+    "interval":[0.25,0.5],"points":[[10,20],[30,40]]},
+    {"class":"intersection","visible":true,"source":{"edge":null,"ends":[[1,2,3],[4,5,6]],"faces":[3,4]},
+    "interval":[0,1],"points":[[1,2],[3,4]]}]})");
+  EXPECT_EQ(drawing.width_mm, 297);
+  EXPECT_EQ(drawing.model_to_page[2][1], 10);
+  ASSERT_EQ(drawing.strokes.size(), 2u);
+  EXPECT_EQ(drawing.strokes[0].kind, kBorder);
+  EXPECT_EQ(drawing.strokes[0].edge, 7u);
+  EXPECT_FALSE(drawing.strokes[0].visible);
+  EXPECT_EQ(drawing.strokes[0].interval[1], 0.5);
+  EXPECT_EQ(drawing.strokes[1].points[1].y, 4);
+  EXPECT_FALSE(drawing.strokes[1].edge.has_value());
+  EXPECT_THROW(parse_drawing("{"), std::runtime_error);
+  EXPECT_THROW(parse_drawing(R"({"format":"ligne-scene","version":1})"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace ligne::check

@@ -1,0 +1,42 @@
+#pragma once
+/// The JSON drawing, as a stranger reads it: docs/drawing-format.md.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "checked_scene.hpp"
+#include "geometry/point.hpp"
+#include "page_map.hpp"
+
+namespace ligne::check {
+
+struct DrawnStroke {
+  LineKind kind = kMesh;
+  bool visible = true;
+  std::array<Point3, 2> ends{};        ///< of the source edge, model coordinates
+  std::array<double, 2> interval{0, 1};  ///< parameters on the source edge
+  std::optional<std::uint32_t> edge;     ///< number of the source edge; none for an intersection
+  std::array<Point2, 2> points{};        ///< page mm
+};
+
+struct DrawingFile {
+  double width_mm = 210, height_mm = 297;
+  Rows model_to_page{};
+  std::optional<Rect> window;           ///< page mm; the sheet where the drawing names none
+  std::optional<double> near_distance;  ///< smallest W that is drawn
+  std::vector<DrawnStroke> strokes;
+};
+
+/// Throws std::runtime_error with one line.
+DrawingFile read_drawing(const std::filesystem::path& file);
+DrawingFile parse_drawing(std::string_view text);
+
+/// "outline" and so on; throws std::runtime_error for another name.
+LineKind kind_of(std::string_view name);
+std::string_view name_of(LineKind kind);
+
+}  // namespace ligne::check
