@@ -34,6 +34,7 @@ struct Stroke {
   double t_from = 0, t_to = 1;  ///< parameters on the source edge in model space, t_from < t_to
   LatticePoint from, to;
   float z_from = 0, z_to = 0;  ///< depths at the two ends; smaller is nearer
+  float w_from = 1, w_to = 1;  ///< distances along the sight, in any unit (1 in parallel projection): see cut()
   std::uint32_t source = 0;    ///< source edge, as numbered by StrokeModel
   LineClass line_class = LineClass::mesh;
   bool visible = true;

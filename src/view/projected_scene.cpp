@@ -1,0 +1,152 @@
+#include "view/projected_scene.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include "view/clip.hpp"
+#include "view/edge_classes.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::size_t kGrain = 16'384;
+/// Roundings of the projection itself: a handful of double operations on coordinates as large as the largest.
+constexpr double kProjectionRounding = 0x1p-50;
+
+double input_error_mm(const Scene& scene, const View& view) {
+  double error = 0;
+  for (const Object& object : scene.objects) error = std::max(error, object.precision);
+  double largest = 0;
+  for (const Point3& v : scene.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return view.scale * std::max(error, kProjectionRounding * largest);
+}
+
+ProjectedVertex to_vertex(const HomogeneousPoint& p, const Lattice& lattice) {
+  return {lattice.snap({p.x / p.w, p.y / p.w}), p.z / p.w};
+}
+
+/// Projects all vertices; returns whether every one lies in the view volume. Those that do not are left for the clipping.
+bool project_vertices(const Scene& scene, const View& view, const ClipVolume& volume, ProjectedScene& out) {
+  std::atomic<bool> all_inside{true};
+  out.vertices.resize(scene.vertices.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, out.vertices.size(), kGrain), [&](const auto& range) {
+    bool inside = true;
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const HomogeneousPoint p = to_homogeneous(view, scene.vertices[i]);
+      if (volume.contains(p)) {
+        out.vertices[i] = to_vertex(p, out.lattice);
+      } else {
+        inside = false;
+      }
+    }
+    if (!inside) all_inside = false;
+  });
+  return all_inside;
+}
+
+/// Clips triangles and candidate edges that leave the view volume.
+class Clipper {
+ public:
+  Clipper(const Scene& scene, const View& view, const ClipVolume& volume, ProjectedScene& out)
+      : scene_(scene), view_(view), volume_(volume), out_(out) {
+    inside_.resize(scene.vertices.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, inside_.size(), kGrain), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        inside_[i] = volume_.contains(to_homogeneous(view_, scene_.vertices[i]));
+      }
+    });
+  }
+
+  void clip_triangles(const std::vector<Triangle>& triangles) {
+    std::vector<HomogeneousPoint> contour;
+    for (const Triangle& t : triangles) {
+      if (inside_[t.v[0]] && inside_[t.v[1]] && inside_[t.v[2]]) {
+        out_.triangles.push_back(t);
+        continue;
+      }
+      contour.clear();
+      for (const std::uint32_t v : t.v) contour.push_back(to_homogeneous(view_, scene_.vertices[v]));
+      clip_contour(contour, volume_);
+      if (contour.size() < 3) continue;
+      const auto first = static_cast<std::uint32_t>(out_.vertices.size());
+      for (const HomogeneousPoint& p : contour) out_.vertices.push_back(to_vertex(p, out_.lattice));
+      for (std::uint32_t k = 1; k + 1 < contour.size(); ++k) {
+        out_.triangles.push_back({{first, first + k, first + k + 1}, t.face});
+      }
+    }
+  }
+
+  void clip_edges() {
+    out_.edge_parts.reserve(out_.edges.size());
+    std::size_t kept = 0;
+    for (const ProjectedEdge& edge : out_.edges) {
+      if (inside_[edge.v0] && inside_[edge.v1]) {
+        out_.edges[kept++] = edge;
+        out_.edge_parts.push_back({0, 1});
+        continue;
+      }
+      const HomogeneousPoint a = to_homogeneous(view_, scene_.vertices[edge.v0]);
+      const HomogeneousPoint b = to_homogeneous(view_, scene_.vertices[edge.v1]);
+      const auto part = clip_segment(a, b, volume_);
+      if (!part) continue;
+      ProjectedEdge clipped = edge;
+      if ((*part)[0] > 0) clipped.v0 = add_vertex(interpolate(a, b, (*part)[0]));
+      if ((*part)[1] < 1) clipped.v1 = add_vertex(interpolate(a, b, (*part)[1]));
+      out_.edges[kept++] = clipped;
+      out_.edge_parts.push_back(*part);
+    }
+    out_.edges.resize(kept);
+  }
+
+ private:
+  std::uint32_t add_vertex(const HomogeneousPoint& p) {
+    out_.vertices.push_back(to_vertex(p, out_.lattice));
+    return static_cast<std::uint32_t>(out_.vertices.size() - 1);
+  }
+
+  const Scene& scene_;
+  const View& view_;
+  const ClipVolume& volume_;
+  ProjectedScene& out_;
+  std::vector<std::uint8_t> inside_;
+};
+
+void select_edges(const Scene& scene, const Topology& topology, const Camera& camera, const EdgeSelection& selection,
+                  ProjectedScene& out) {
+  const std::vector<LineClass> classes = classify_edges(scene, topology, camera, selection.crease_degrees);
+  std::size_t count = 0;
+  for (const LineClass c : classes) count += selection.classes.has(c);
+  out.edges.reserve(count);
+  for (std::size_t e = 0; e < classes.size(); ++e) {
+    if (!selection.classes.has(classes[e])) continue;
+    const Edge& edge = topology.edges[e];
+    out.edges.push_back({edge.v0, edge.v1, edge.face0, edge.face1, static_cast<std::uint32_t>(e), classes[e]});
+  }
+}
+
+}  // namespace
+
+ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection) {
+  ProjectedScene out;
+  out.view = view;
+  out.lattice = Lattice::covering(view.window);
+  out.source_count = static_cast<std::uint32_t>(topology.edges.size());
+  out.with_intersections = selection.classes.has(LineClass::intersection);
+  out.input_error_mm = input_error_mm(scene, view);
+  select_edges(scene, topology, view.camera, selection, out);
+  const ClipVolume volume{view.window, view.near_distance};
+  if (project_vertices(scene, view, volume, out)) {
+    out.triangles = topology.triangles;
+    return out;
+  }
+  Clipper clipper(scene, view, volume, out);
+  clipper.clip_triangles(topology.triangles);
+  clipper.clip_edges();
+  return out;
+}
+
+}  // namespace ligne

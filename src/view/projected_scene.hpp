@@ -1,6 +1,7 @@
 #pragma once
 /// The projected scene: what every visibility method starts from.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct ProjectedVertex {
 
 /// A candidate edge: a line that is drawn where it is visible.
 struct ProjectedEdge {
-  std::uint32_t v0 = 0, v1 = 0;  ///< projected vertices
-  std::uint32_t source = 0;      ///< edge of the topology
+  std::uint32_t v0 = 0, v1 = 0;        ///< projected vertices
+  std::uint32_t face0 = kNone, face1 = kNone;  ///< its first two faces
+  std::uint32_t source = 0;            ///< edge of the topology
   LineClass line_class = LineClass::mesh;
 };
 
@@ -35,16 +37,23 @@ struct ProjectedScene {
   Lattice lattice;
   View view;
   std::vector<ProjectedVertex> vertices;
-  std::vector<Triangle> triangles;
+  std::vector<Triangle> triangles;   ///< what is inside the view volume; vertex indices are those of `vertices`
   std::vector<ProjectedEdge> edges;  ///< candidates of the selected classes, ordered by source
-  bool with_intersections = false;   ///< the selection has class intersection
-  /// Error of the input's own coordinates on the page, in lattice steps (x and y alike), and in depth at the nearest
-  /// vertex: surfaces closer than this touch. See docs/numerics.md.
-  double input_error_steps = 0;
-  double input_error_depth = 0;
+  /// Where edges were clipped: per candidate edge the part of its source edge that is inside. Empty when nothing was.
+  std::vector<std::array<double, 2>> edge_parts;
+  std::uint32_t source_count = 0;   ///< number of edges of the topology
+  bool with_intersections = false;  ///< the selection has class intersection
+  /// Error of the input's own coordinates in page mm at the target plane: surfaces closer than this touch.
+  double input_error_mm = 0;
+
+  /// Page mm by model unit at depth z, over that at the target plane: 1 in parallel projection. Errors in x and y grow with
+  /// it, errors in depth with its square.
+  double magnification(double z) const {
+    return view.camera.perspective ? 1 - z / (view.scale * view.camera.target_distance) : 1;
+  }
 };
 
 /// Projects, clips to the view's window and near plane, snaps to the lattice, and classifies the edges.
-ProjectedScene project(const Scene& scene, Topology&& topology, const View& view, const EdgeSelection& selection);
+ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection);
 
 }  // namespace ligne

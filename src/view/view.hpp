@@ -30,6 +30,7 @@ struct Camera {
   Point3 right{1, 0, 0}, down{0, -1, 0}, forward{0, 0, -1};
   double fov_degrees = 35;
   double target_distance = 1;  ///< perspective: distance of the plane on which a true scale holds
+  double aspect = 1.41421356;  ///< perspective: width by height of the field of view
 };
 
 inline constexpr std::string_view kNamedViews[] = {"front", "back", "left", "right", "top", "bottom", "iso", "dimetric",
@@ -37,8 +38,9 @@ inline constexpr std::string_view kNamedViews[] = {"front", "back", "left", "rig
 
 /// Throws std::invalid_argument with one line when the request has no meaning (unknown name, zero direction, eye equal to
 /// target, a field of view outside (0, 180)).
-/// The up vector: the one given, else the up axis; when it is parallel to the line of sight the next axis in the order
-/// x -> y -> z -> x after the up axis is taken.
+/// The up vector: the one given, else the up axis. When it is parallel to the line of sight the up axis is taken instead of
+/// the one given, and where that is parallel too the model's back (looking down) or front (looking up), as in the named
+/// views top and bottom. The model's front is seen along +y when z is up, along -z when y is up, along +z when x is up.
 Camera make_camera(const CameraRequest& request, const Scene& scene);
 
 /// The rectangle of the page that may be drawn on, in page mm (x right, y down).
@@ -52,11 +54,27 @@ struct Frame {
 /// along the line of sight and D the target distance, so that it is 0 and has slope 1 at the target.
 struct View {
   Camera camera;
-  double scale = 1;  ///< page mm per model unit (in perspective: on the target plane)
+  double scale = 1;     ///< page mm per model unit (in perspective: on the target plane)
+  Point2 offset{0, 0};  ///< page mm of the camera's axis
   glm::dmat4 model_to_page{1};
   Rect window;  ///< page mm; what lies outside is clipped away
   double near_distance = 0;  ///< perspective: w of the near plane, > 0
 };
+
+/// A point before the division by w; see View::model_to_page.
+struct HomogeneousPoint {
+  double x = 0, y = 0, z = 0, w = 1;
+};
+
+/// The point through View::model_to_page, computed from its difference to the eye (which is exact where the matrix's
+/// translation cancels).
+HomogeneousPoint to_homogeneous(const View& view, const Point3& p);
+
+/// The model point that is drawn at the page point with the depth: the inverse of model_to_page.
+Point3 to_model_point(const View& view, Point2 page_mm, double depth);
+
+/// (right, down, forward) of p, see Camera.
+Point3 camera_coordinates(const Camera& camera, const Point3& p);
 
 /// Extent of the scene on the drawing plane at a scale of 1 mm per model unit, clipped to the field of view in perspective.
 /// Empty when nothing is in view.

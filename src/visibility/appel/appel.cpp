@@ -1,0 +1,253 @@
+#include "visibility/appel/appel.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "visibility/appel/cell_grid.hpp"
+#include "visibility/appel/facet.hpp"
+#include "visibility/appel/intersections.hpp"
+#include "visibility/appel/visible_parts.hpp"
+#include "visibility/tolerances.hpp"
+
+// Phases: (1) facets, (2) the screen grid with covers, (3) intersections that are not behind covers, (4) every line through
+// the cells it crosses, nearest facets first, until nothing of it is left. See docs/methods/appel.md.
+
+namespace ligne {
+namespace {
+
+using namespace appel;
+
+class Clock {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double s = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return s;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Joins parts over hidden gaps shorter than the least length and drops parts that are shorter; what remains of a line that
+/// is shorter as a whole is the line or nothing. Lengths are in page steps.
+void drop_specks(std::vector<Part>& parts, double length, double least) {
+  if (parts.empty() || (parts.size() == 1 && parts[0].from == 0 && parts[0].to == 1)) return;
+  if (length <= least) {
+    double visible = 0;
+    for (const Part& p : parts) visible += p.to - p.from;
+    parts.assign(visible > 0.5 ? 1 : 0, Part{0, 1});
+    return;
+  }
+  std::size_t n = 0;
+  for (const Part& p : parts) {
+    if (n > 0 && (p.from - parts[n - 1].to) * length <= least) {
+      parts[n - 1].to = p.to;
+    } else {
+      parts[n++] = p;
+    }
+  }
+  parts.resize(n);
+  std::erase_if(parts, [&](const Part& p) { return (p.to - p.from) * length <= least; });
+  if (!parts.empty() && parts.front().from * length <= least) parts.front().from = 0;
+  if (!parts.empty() && (1 - parts.back().to) * length <= least) parts.back().to = 1;
+}
+
+/// Turns visible parts into strokes.
+class StrokeMaker {
+ public:
+  StrokeMaker(const ProjectedScene& scene, bool hidden_too) : scene_(scene), hidden_too_(hidden_too) {}
+
+  void add(const Line& line, const std::vector<Part>& parts, std::array<double, 2> range, std::uint32_t source,
+           LineClass line_class, bool may_coincide, std::vector<Stroke>& out) const {
+    double end = 0;
+    for (const Part& part : parts) {
+      if (hidden_too_ && part.from > end) {
+        out.push_back(stroke(line, {end, part.from}, range, source, line_class, may_coincide, false));
+      }
+      out.push_back(stroke(line, part, range, source, line_class, may_coincide, true));
+      end = part.to;
+    }
+    if (hidden_too_ && end < 1) out.push_back(stroke(line, {end, 1}, range, source, line_class, may_coincide, false));
+  }
+
+ private:
+  Stroke stroke(const Line& line, Part part, std::array<double, 2> range, std::uint32_t source, LineClass line_class,
+                bool may_coincide, bool visible) const {
+    Stroke s;
+    s.from = point(line, part.from);
+    s.to = point(line, part.to);
+    s.t_from = range[0] + (range[1] - range[0]) * model_parameter(line, part.from);
+    s.t_to = range[0] + (range[1] - range[0]) * model_parameter(line, part.to);
+    s.z_from = static_cast<float>(line.z(part.from));
+    s.z_to = static_cast<float>(line.z(part.to));
+    if (scene_.view.camera.perspective) {
+      s.w_from = static_cast<float>(1 / scene_.magnification(line.z(part.from)));
+      s.w_to = static_cast<float>(1 / scene_.magnification(line.z(part.to)));
+    }
+    s.source = source;
+    s.line_class = line_class;
+    s.visible = visible;
+    s.may_coincide = may_coincide;
+    return s;
+  }
+
+  static LatticePoint point(const Line& line, double t) {
+    if (t == 0) return line.p0;
+    if (t == 1) return line.p1;
+    return {static_cast<std::int32_t>(std::lround(line.p0.x + t * (double(line.p1.x) - line.p0.x))),
+            static_cast<std::int32_t>(std::lround(line.p0.y + t * (double(line.p1.y) - line.p0.y)))};
+  }
+
+  /// Parameter in model space of the page parameter t: weights are the distances along the sight, one over magnification.
+  double model_parameter(const Line& line, double t) const {
+    if (!scene_.view.camera.perspective || t == 0 || t == 1) return t;
+    const double m0 = scene_.magnification(line.z0), m1 = scene_.magnification(line.z1);
+    return t * m1 / ((1 - t) * m0 + t * m1);
+  }
+
+  const ProjectedScene& scene_;
+  bool hidden_too_;
+};
+
+/// Runs work(i, search, strokes) for i in [0, n) in blocks; strokes come out in order.
+template <class Work>
+void study_lines(std::size_t n, const ProjectedScene& scene, const Facets& facets, const CellGrid& grid,
+                 double coincidence_steps, const StudyOptions& options, std::vector<Stroke>& strokes, TestCounts& counts,
+                 Work work) {
+  constexpr std::size_t kBlock = 4096;
+  const std::size_t blocks = (n + kBlock - 1) / kBlock;
+  std::vector<std::vector<Stroke>> found(blocks);
+  std::vector<TestCounts> block_counts(blocks);
+  std::mutex progress_mutex;
+  std::size_t done = 0;
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    VisibleParts search(scene, facets.facets, grid, coincidence_steps);
+    std::vector<Stroke>& out = found[block];
+    for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) work(i, search, out);
+    block_counts[block] = search.counts();
+    if (options.progress) {
+      const std::lock_guard lock(progress_mutex);
+      options.progress(static_cast<double>(++done) / static_cast<double>(blocks));
+    }
+  });
+  std::vector<std::size_t> first(blocks + 1, strokes.size());
+  for (std::size_t b = 0; b < blocks; ++b) first[b + 1] = first[b] + found[b].size();
+  strokes.resize(first[blocks]);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+    std::copy(found[b].begin(), found[b].end(), strokes.begin() + static_cast<std::ptrdiff_t>(first[b]));
+    std::vector<Stroke>().swap(found[b]);
+  });
+  for (const TestCounts& c : block_counts) counts += c;
+}
+
+Point3 to_model(const ProjectedScene& scene, const ProjectedVertex& v) {
+  return to_model_point(scene.view, scene.lattice.to_mm(v.p), v.z);
+}
+
+double page_length(const Line& line) {
+  return std::hypot(double(line.p1.x) - line.p0.x, double(line.p1.y) - line.p0.y);
+}
+
+}  // namespace
+
+const MethodTraits& AppelMethod::traits() const {
+  static const MethodTraits traits{
+      "appel", "every edge against the faces that can hide it, by exact intervals; the default for line drawings", kStrokes,
+      true, true,
+      "A. Appel, The notion of quantitative invisibility, 1967; R. Galimberti, U. Montanari, An algorithm for hidden line "
+      "elimination, 1969"};
+  return traits;
+}
+
+VisibilityResult AppelMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+  VisibilityResult result;
+  StrokeModel model;
+  model.lattice = scene.lattice;
+  model.edge_count = scene.source_count;
+  const double step = scene.lattice.step_mm;
+  const double coincidence_steps = coincidence_mm(scene) / step;
+  const double least = kLeastPartMm / step;
+  Clock clock;
+
+  // 1. Facets.
+  const Facets facets = make_facets(scene, coincidence_steps);
+  result.statistics.time("facets", clock.lap());
+
+  // 2. The screen grid. Few candidate lines need few of its cells.
+  constexpr std::size_t kManyLines = 4;
+  CellGrid::Options grid_options;
+  grid_options.margin_steps = coincidence_steps + 1;
+  grid_options.drop_hidden = !(options.hidden_strokes && scene.with_intersections);
+  if (!scene.with_intersections && scene.edges.size() * kManyLines < facets.facets.size()) {
+    grid_options.only_along = &scene.edges;
+  }
+  const CellGrid grid(scene, facets.facets, grid_options);
+  result.statistics.time("grid", clock.lap());
+
+  // 3. Intersections.
+  std::vector<Intersection> intersections;
+  if (scene.with_intersections) {
+    intersections = find_intersections(scene, facets.facets, grid, grid_options.margin_steps);
+  }
+  result.statistics.time("intersections", clock.lap());
+
+  // 4. Lines.
+  const StrokeMaker maker(scene, options.hidden_strokes);
+  TestCounts counts;
+  study_lines(scene.edges.size(), scene, facets, grid, coincidence_steps, options, model.strokes, counts,
+              [&](std::size_t i, VisibleParts& search, std::vector<Stroke>& out) {
+                const ProjectedEdge& edge = scene.edges[i];
+                const ProjectedVertex &a = scene.vertices[edge.v0], &b = scene.vertices[edge.v1];
+                if (a.p == b.p) return;  // seen end on
+                const Line line{a.p, b.p, a.z, b.z, edge.face0, edge.face1};
+                std::vector<Part> parts = search.find(line);
+                drop_specks(parts, page_length(line), least);
+                const auto thin = [&](std::uint32_t f) { return f < facets.face_is_thin.size() && facets.face_is_thin[f]; };
+                const bool may_coincide = search.near_side() || thin(edge.face0) || thin(edge.face1);
+                const auto range = scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i];
+                maker.add(line, parts, range, edge.source, edge.line_class, may_coincide, out);
+              });
+  study_lines(intersections.size(), scene, facets, grid, coincidence_steps, {}, model.strokes, counts,
+              [&](std::size_t i, VisibleParts& search, std::vector<Stroke>& out) {
+                const Intersection& s = intersections[i];
+                const Line line{s.from.p, s.to.p, s.from.z, s.to.z, s.face0, s.face1};
+                std::vector<Part> parts = search.find(line);
+                drop_specks(parts, page_length(line), least);
+                maker.add(line, parts, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection,
+                          true, out);
+              });
+  // Only the intersections that are drawn are numbered.
+  std::vector<std::uint32_t> number(intersections.size(), kNone);
+  for (Stroke& s : model.strokes) {
+    if (s.source < scene.source_count) continue;
+    const std::uint32_t i = s.source - scene.source_count;
+    if (number[i] == kNone) {
+      number[i] = static_cast<std::uint32_t>(model.intersections.size());
+      const Intersection& x = intersections[i];
+      model.intersections.push_back({{to_model(scene, x.from), to_model(scene, x.to)}, {x.face0, x.face1}, true});
+    }
+    s.source = scene.source_count + number[i];
+  }
+  result.statistics.time("lines", clock.lap());
+
+  Statistics& statistics = result.statistics;
+  statistics.count("facets", facets.facets.size());
+  statistics.count("candidate edges", scene.edges.size());
+  statistics.count("grid leaves", grid.leaf_count());
+  statistics.count("grid entries", grid.entry_count());
+  statistics.count("intersection segments tested", intersections.size());
+  statistics.count("leaves visited", counts.leaves);
+  statistics.count("leaves behind their cover", counts.covered);
+  statistics.count("line-facet tests", counts.facet_tests);
+  statistics.count("strokes", model.strokes.size());
+  result.strokes = std::move(model);
+  return result;
+}
+
+}  // namespace ligne

@@ -1,0 +1,43 @@
+#include "view/clip.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace ligne {
+
+HomogeneousPoint interpolate(const HomogeneousPoint& a, const HomogeneousPoint& b, double t) {
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z), a.w + t * (b.w - a.w)};
+}
+
+void clip_contour(std::vector<HomogeneousPoint>& contour, const ClipVolume& volume) {
+  std::vector<HomogeneousPoint> kept;
+  for (int plane = 0; plane < ClipVolume::kPlanes && !contour.empty(); ++plane) {
+    kept.clear();
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const HomogeneousPoint& a = contour[i];
+      const HomogeneousPoint& b = contour[i + 1 == contour.size() ? 0 : i + 1];
+      const double da = volume.distance(plane, a), db = volume.distance(plane, b);
+      if (da >= 0) kept.push_back(a);
+      if ((da >= 0) == (db >= 0)) continue;
+      // Both faces on an edge must cut it at the same point to the last bit, whichever way round they run through it.
+      const bool forward = std::tie(a.x, a.y, a.z, a.w) < std::tie(b.x, b.y, b.z, b.w);
+      kept.push_back(forward ? interpolate(a, b, da / (da - db)) : interpolate(b, a, db / (db - da)));
+    }
+    contour.swap(kept);
+  }
+}
+
+std::optional<std::array<double, 2>> clip_segment(const HomogeneousPoint& a, const HomogeneousPoint& b,
+                                                  const ClipVolume& volume) {
+  double from = 0, to = 1;
+  for (int plane = 0; plane < ClipVolume::kPlanes; ++plane) {
+    const double da = volume.distance(plane, a), db = volume.distance(plane, b);
+    if (da < 0 && db < 0) return std::nullopt;
+    if (da < 0) from = std::max(from, da / (da - db));
+    if (db < 0) to = std::min(to, da / (da - db));
+  }
+  if (!(from < to)) return std::nullopt;
+  return std::array<double, 2>{from, to};
+}
+
+}  // namespace ligne

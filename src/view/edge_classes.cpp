@@ -1,0 +1,122 @@
+#include "view/edge_classes.hpp"
+
+#include <cmath>
+#include <unordered_map>
+
+#include <glm/geometric.hpp>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+namespace ligne {
+namespace {
+
+/// A face as high as an A4 sheet whose plane makes an angle of this sine with the sight is 1 micrometre wide on the page.
+constexpr double kEdgeOnSine = 0.001 / 297;
+/// Float32 coordinates turn the normals of small faces by about this much; an edge at the crease angle itself is no crease.
+constexpr double kCreaseSlackDegrees = 0.01;
+constexpr std::size_t kGrain = 16'384;
+
+struct FacePlane {
+  glm::vec3 normal{0, 0, 0};  ///< unit length; zero for a face without area
+  std::int8_t facing = 0;
+};
+
+std::int8_t facing_of(const Point3& normal, const Point3& on_face, const Camera& camera) {
+  const Point3 sight = camera.perspective ? on_face - camera.eye : camera.forward;
+  const double d = glm::dot(normal, sight);
+  if (std::abs(d) <= kEdgeOnSine * glm::length(sight)) return 0;
+  return d < 0 ? 1 : -1;
+}
+
+std::vector<FacePlane> face_planes(const Scene& scene, const Camera& camera) {
+  std::vector<FacePlane> planes(scene.faces.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, planes.size(), kGrain), [&](const auto& range) {
+    for (std::size_t f = range.begin(); f < range.end(); ++f) {
+      const Point3 normal = face_normal(scene, static_cast<std::uint32_t>(f));
+      planes[f].normal = normal;
+      planes[f].facing = facing_of(normal, scene.vertices[scene.faces.contour(f, 0)[0]], camera);
+    }
+  });
+  return planes;
+}
+
+/// Gives faces without area the plane of the face across their longest edge.
+void mend_flat_faces(const Scene& scene, const Topology& topology, std::vector<FacePlane>& planes) {
+  bool any = false;
+  for (const FacePlane& plane : planes) any = any || plane.normal == glm::vec3{0, 0, 0};
+  if (!any) return;
+  struct Neighbour {
+    double length = -1;
+    std::uint32_t face = kNone;
+    bool turned = false;
+  };
+  std::unordered_map<std::uint32_t, Neighbour> neighbours;
+  const auto offer = [&](std::uint32_t flat, std::uint32_t other, std::size_t e) {
+    if (planes[flat].normal != glm::vec3{0, 0, 0} || planes[other].normal == glm::vec3{0, 0, 0}) return;
+    const Edge& edge = topology.edges[e];
+    const double length = glm::length(scene.vertices[edge.v1] - scene.vertices[edge.v0]);
+    Neighbour& best = neighbours[flat];
+    if (length > best.length) best = {length, other, (topology.edge_flags[e] & kEdgeUnlikeWound) != 0};
+  };
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    const Edge& edge = topology.edges[e];
+    if (edge.face1 == kNone) continue;
+    offer(edge.face0, edge.face1, e);
+    offer(edge.face1, edge.face0, e);
+  }
+  std::vector<std::pair<std::uint32_t, FacePlane>> mended;
+  for (const auto& [flat, neighbour] : neighbours) {
+    if (neighbour.face == kNone) continue;
+    FacePlane plane = planes[neighbour.face];
+    if (neighbour.turned) plane = {-plane.normal, static_cast<std::int8_t>(-plane.facing)};
+    mended.emplace_back(flat, plane);
+  }
+  for (const auto& [flat, plane] : mended) planes[flat] = plane;
+}
+
+}  // namespace
+
+std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera) {
+  const auto planes = face_planes(scene, camera);
+  std::vector<std::int8_t> facings(planes.size());
+  for (std::size_t f = 0; f < planes.size(); ++f) facings[f] = planes[f].facing;
+  return facings;
+}
+
+std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,
+                                      double crease_degrees) {
+  std::vector<FacePlane> planes = face_planes(scene, camera);
+  mend_flat_faces(scene, topology, planes);
+  const double degree = 3.14159265358979323846 / 180;
+  const float crease_cosine = static_cast<float>(std::cos(std::min(180.0, crease_degrees + kCreaseSlackDegrees) * degree));
+  std::vector<LineClass> classes(topology.edges.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, classes.size(), kGrain), [&](const auto& range) {
+    for (std::size_t e = range.begin(); e < range.end(); ++e) {
+      const Edge& edge = topology.edges[e];
+      const std::uint8_t flags = topology.edge_flags[e];
+      LineClass& result = classes[e];
+      if (flags & kEdgeInner) {
+        result = LineClass::mesh;
+      } else if (edge.face1 == kNone) {
+        result = LineClass::border;
+      } else if (flags & kEdgeManyFaces) {
+        result = LineClass::crease;
+      } else {
+        const FacePlane& a = planes[edge.face0];
+        const FacePlane& b = planes[edge.face1];
+        const int turn = flags & kEdgeUnlikeWound ? -1 : 1;
+        if (a.facing != b.facing * turn) {
+          result = LineClass::outline;
+        } else if (flags & kEdgeFileHidden) {
+          result = LineClass::mesh;
+        } else {
+          const float cosine = glm::dot(a.normal, b.normal) * static_cast<float>(turn);
+          result = cosine < crease_cosine ? LineClass::crease : LineClass::mesh;
+        }
+      }
+    }
+  });
+  return classes;
+}
+
+}  // namespace ligne

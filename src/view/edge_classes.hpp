@@ -1,0 +1,22 @@
+#pragma once
+/// Classes of edges for one view.
+
+#include <vector>
+
+#include "drawing/stroke.hpp"
+#include "scene/topology.hpp"
+#include "view/view.hpp"
+
+namespace ligne {
+
+/// Which way a face looks: +1 towards the viewer, -1 away, 0 when it is seen edge on.
+std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera);
+
+/// The class of every edge: border (one face), outline (one of its faces looks at the viewer, the other does not; a face
+/// seen edge on looks neither way), crease (normals differ by more than the angle, or more than two faces), mesh (all
+/// others). Faces that are wound against each other are compared as if one were turned round. A face without area takes
+/// the plane of its neighbour across its longest edge.
+std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,
+                                      double crease_degrees);
+
+}  // namespace ligne

@@ -1,0 +1,165 @@
+#pragma once
+/// The screen grid: for every cell the facets that may be seen in it.
+///
+/// A uniform grid over the page whose overfull cells are split into 4 x 4 children, again and again. Every cell knows the
+/// depth of the nearest facet that covers it whole (its cover); what lies behind the cover is not listed, and a line behind
+/// it needs no further test. Cells are listed with a margin around them, so that a line that runs along the border of a
+/// cell meets in that cell all facets on both of its banks.
+///
+/// Invariants: a facet whose projection comes within `margin` of a cell is in the list of every leaf there, unless it is
+/// behind the leaf's cover. Lists are ordered by z_near. A child's cover is not behind its parent's.
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "visibility/appel/facet.hpp"
+#include "visibility/appel/hidden_interval.hpp"
+
+namespace ligne::appel {
+
+struct CellFacet {
+  std::uint32_t facet = 0;
+  float z_near = 0;  ///< nearest depth in the cell
+};
+
+struct Cell {
+  static constexpr std::uint32_t kSplit = 0xffffffffu;
+  std::uint32_t begin = 0;  ///< first entry of the list, or first child, in the arena
+  std::uint32_t count = 0;  ///< length of the list, or kSplit
+  float cover = std::numeric_limits<float>::infinity();
+  std::uint32_t arena = 0;
+};
+
+/// Square part of the page lattice.
+struct CellSquare {
+  double x = 0, y = 0, size = 0;
+};
+
+inline constexpr int kSplitSide = 4;
+
+class CellGrid {
+ public:
+  struct Options {
+    double margin_steps = 0;
+    /// Leave out of the lists what is behind the cover. Off when all intersections are wanted, the hidden ones too.
+    bool drop_hidden = true;
+    /// When not null: only the cells that these lines run through are filled.
+    const std::vector<ProjectedEdge>* only_along = nullptr;
+  };
+
+  CellGrid(const ProjectedScene& scene, const std::vector<Facet>& facets, const Options& options);
+
+  /// Calls visit(cell, square, from, to) for every leaf that the line runs through, in order; [from, to] is the line's part
+  /// in it, and neighbouring parts share their ends to the last bit. visit returns nothing.
+  template <class Visit>
+  void for_each_leaf(const Line& line, Visit visit) const;
+
+  /// Calls visit(cell, square) for every leaf below top-level cell i.
+  template <class Visit>
+  void for_each_leaf_of(std::size_t i, Visit visit) const;
+
+  std::size_t top_cell_count() const { return cells_.size(); }
+  const CellFacet* list(const Cell& cell) const { return arenas_[cell.arena].list.data() + cell.begin; }
+  std::size_t entry_count() const;
+  std::size_t leaf_count() const;
+
+ private:
+  struct Arena {
+    std::vector<Cell> children;
+    std::vector<CellFacet> list;
+  };
+  struct Build;
+
+  template <class Visit>
+  void walk(const Line& line, double x, double y, double size, int columns, int rows, const Cell* cells, double from,
+            double to, const Visit& visit) const;
+  template <class Visit>
+  void visit_leaves(const Cell& cell, const CellSquare& square, const Visit& visit) const;
+  CellSquare top_square(std::size_t i) const {
+    return {x_ + double(i % columns_) * size_, y_ + double(i / columns_) * size_, size_};
+  }
+
+  double x_ = 0, y_ = 0, size_ = 1;
+  int columns_ = 1, rows_ = 1;
+  std::vector<Cell> cells_;
+  std::vector<Arena> arenas_;
+};
+
+template <class Visit>
+void CellGrid::for_each_leaf(const Line& line, Visit visit) const {
+  walk(line, x_, y_, size_, columns_, rows_, cells_.data(), 0, 1, visit);
+}
+
+/// Walks a uniform grid along the line: at each step the next border crossed is the nearer one of the next vertical and the
+/// next horizontal border.
+template <class Visit>
+void CellGrid::walk(const Line& line, double x, double y, double size, int columns, int rows, const Cell* cells,
+                    double from, double to, const Visit& visit) const {
+  const double inverse = 1 / size;
+  const double x0 = line.p0.x, y0 = line.p0.y;
+  const double dx = double(line.p1.x) - x0, dy = double(line.p1.y) - y0;
+  const auto clamped = [](double v, int n) { return v < 0 ? 0 : v >= n ? n - 1 : static_cast<int>(v); };
+  int column = clamped((x0 + from * dx - x) * inverse, columns);
+  int row = clamped((y0 + from * dy - y) * inverse, rows);
+  const int last_column = clamped((x0 + to * dx - x) * inverse, columns);
+  const int last_row = clamped((y0 + to * dy - y) * inverse, rows);
+  const int step_x = last_column >= column ? 1 : -1, step_y = last_row >= row ? 1 : -1;
+  const auto border_t = [](double border, double origin, double d) { return (border - origin) / d; };
+  double t = from;
+  while (true) {
+    double next = to;
+    bool across = false, down = false;
+    if (column != last_column) {
+      next = border_t(x + (column + (step_x > 0)) * size, x0, dx);
+      across = true;
+    }
+    if (row != last_row) {
+      const double next_y = border_t(y + (row + (step_y > 0)) * size, y0, dy);
+      if (!across || next_y < next) {
+        next = next_y;
+        across = false;
+        down = true;
+      }
+    }
+    next = next < t ? t : next > to ? to : next;
+    if (t < next || from == to) {
+      const Cell& cell = cells[static_cast<std::size_t>(row) * columns + column];
+      const CellSquare square{x + column * size, y + row * size, size};
+      if (cell.count == Cell::kSplit) {
+        if (cell.cover < line.z(t) && cell.cover < line.z(next)) {
+          visit(cell, square, t, next);
+        } else {
+          walk(line, square.x, square.y, size / kSplitSide, kSplitSide, kSplitSide,
+               arenas_[cell.arena].children.data() + cell.begin, t, next, visit);
+        }
+      } else {
+        visit(cell, square, t, next);
+      }
+    }
+    t = next;
+    if (!across && !down) return;
+    if (across) column += step_x;
+    if (down) row += step_y;
+  }
+}
+
+template <class Visit>
+void CellGrid::for_each_leaf_of(std::size_t i, Visit visit) const {
+  visit_leaves(cells_[i], top_square(i), visit);
+}
+
+template <class Visit>
+void CellGrid::visit_leaves(const Cell& cell, const CellSquare& square, const Visit& visit) const {
+  if (cell.count != Cell::kSplit) {
+    visit(cell, square);
+    return;
+  }
+  const double child = square.size / kSplitSide;
+  for (int k = 0; k < kSplitSide * kSplitSide; ++k) {
+    visit_leaves(arenas_[cell.arena].children[cell.begin + k],
+                 {square.x + (k % kSplitSide) * child, square.y + (k / kSplitSide) * child, child}, visit);
+  }
+}
+
+}  // namespace ligne::appel

@@ -1,0 +1,41 @@
+#pragma once
+/// The triangles of a projected scene, prepared for tests against lines and cells.
+///
+/// Notation: a facet has corners p0, p1, p2 on the lattice, turned so that orientation(p0, p1, p2) > 0. Its side i runs from
+/// p_i to p_(i+1); E_i(q) = orientation(p_i, p_(i+1), q) is positive inside. Depth over its plane is
+/// z(q) = (E_1(q) z_0 + E_2(q) z_1 + E_0(q) z_2) / area, with area = orientation(p0, p1, p2).
+
+#include <cstdint>
+#include <vector>
+
+#include "view/projected_scene.hpp"
+
+namespace ligne::appel {
+
+/// A triangle that hides. 32 bytes, so that two fit in a cache line.
+struct Facet {
+  std::uint32_t v[3];       ///< projected vertices, positively turned
+  std::uint32_t face;       ///< face of the scene
+  float z_near, z_far;      ///< bounds of its depth, rounded outwards
+  float touch;              ///< surfaces within this depth of it touch it; see touch_tolerance()
+  std::uint32_t triangle;   ///< triangle of the projected scene
+};
+
+/// Depth within which something touches a facet of the given depth gradient (absolute values summed, mm per step).
+/// The lattice moves a facet and an edge by at most half a step each in x and in y; the input's own error moves both too.
+/// See docs/numerics.md, "Touching".
+double touch_tolerance(const ProjectedScene& scene, double gradient, double z_near);
+
+/// The facets of the triangles that have area on the lattice; and which faces have a triangle that is seen edge on (its
+/// height on the page is below `thin_steps`), whose edges therefore lie on each other.
+struct Facets {
+  std::vector<Facet> facets;
+  std::vector<std::uint8_t> face_is_thin;
+};
+Facets make_facets(const ProjectedScene& scene, double thin_steps);
+
+/// A double rounded to float towards minus or plus infinity.
+float round_down(double v);
+float round_up(double v);
+
+}  // namespace ligne::appel

@@ -1,0 +1,302 @@
+#include "visibility/appel/intersections.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include <oneapi/tbb/parallel_for.h>
+
+// Per leaf all pairs of facets that may meet in depth and on the page are tested by the sides of their corners: above or
+// below the other's plane, or on it within the touching tolerance. "On" counts as above, so that a segment through a common
+// corner of two facets is found once. Pairs that pass are put together over all leaves, and only then cut.
+
+namespace ligne::appel {
+namespace {
+
+/// Roundings of a height over a plane: a dozen operations on products of a determinant and a depth.
+constexpr double kHeightRounding = 0x1p-49;
+
+struct Corners {
+  std::array<ProjectedVertex, 3> p;
+  double area;
+};
+
+Corners corners_of(const Facet& f, const ProjectedVertex* vertices) {
+  Corners c{{vertices[f.v[0]], vertices[f.v[1]], vertices[f.v[2]]}, 0};
+  c.area = orientation(c.p[0].p, c.p[1].p, c.p[2].p);
+  return c;
+}
+
+/// Heights of the other's corners over the plane of `plane` (positive: farther from the viewer), times its area; those
+/// within the touching tolerance are zero.
+struct Heights {
+  std::array<double, 3> h;
+  int above = 0, below = 0, on = 0;
+};
+
+Heights heights_over(const Corners& plane, float touch, const Corners& other) {
+  Heights r;
+  for (int i = 0; i < 3; ++i) {
+    const LatticePoint q = other.p[i].p;
+    const double w2 = orientation(plane.p[0].p, plane.p[1].p, q);
+    const double w0 = orientation(plane.p[1].p, plane.p[2].p, q);
+    const double w1 = orientation(plane.p[2].p, plane.p[0].p, q);
+    const double a = w0 * plane.p[0].z, b = w1 * plane.p[1].z, c = w2 * plane.p[2].z, z = plane.area * other.p[i].z;
+    const double h = z - (a + b + c);
+    const double tolerance = touch * plane.area + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
+    if (std::abs(h) <= tolerance) {
+      r.h[i] = 0;
+      ++r.on;
+    } else {
+      r.h[i] = h;
+      ++(h > 0 ? r.above : r.below);
+    }
+  }
+  return r;
+}
+
+struct PagePoint {
+  double x, y, z;
+};
+
+/// Where the boundary of `c`, whose corners have heights h over a plane, passes from "on or above" to "below".
+std::array<PagePoint, 2> crossings(const Corners& c, const Heights& heights) {
+  std::array<PagePoint, 2> points{};
+  int n = 0;
+  for (int i = 0; i < 3 && n < 2; ++i) {
+    const int k = (i + 1) % 3;
+    const double hi = heights.h[i], hk = heights.h[k];
+    if ((hi >= 0) == (hk >= 0)) continue;
+    const double t = hi / (hi - hk);
+    const ProjectedVertex &a = c.p[i], &b = c.p[k];
+    points[n++] = {a.p.x + t * (double(b.p.x) - a.p.x), a.p.y + t * (double(b.p.y) - a.p.y), a.z + t * (b.z - a.z)};
+  }
+  return points;
+}
+
+/// The part of the segment over a convex region given by E_i >= 0, E linear: parameters, or nothing.
+template <int N>
+std::optional<std::array<double, 2>> clip(const std::array<double, N>& e0, const std::array<double, N>& e1) {
+  double from = 0, to = 1;
+  for (int i = 0; i < N; ++i) {
+    if (e0[i] < 0 && e1[i] < 0) return std::nullopt;
+    if (e0[i] < 0) from = std::max(from, e0[i] / (e0[i] - e1[i]));
+    if (e1[i] < 0) to = std::min(to, e0[i] / (e0[i] - e1[i]));
+  }
+  if (!(from < to)) return std::nullopt;
+  return std::array<double, 2>{from, to};
+}
+
+struct Segment {
+  PagePoint from, to;
+};
+
+PagePoint along(const Segment& s, double t) {
+  return {s.from.x + t * (s.to.x - s.from.x), s.from.y + t * (s.to.y - s.from.y), s.from.z + t * (s.to.z - s.from.z)};
+}
+
+/// The part of the segment that lies over the facet on the page.
+std::optional<Segment> clip_to_facet(const Segment& s, const Corners& facet) {
+  std::array<double, 3> e0{}, e1{};
+  for (int i = 0; i < 3; ++i) {
+    const LatticePoint a = facet.p[i].p, b = facet.p[(i + 1) % 3].p;
+    const double sx = double(b.x) - a.x, sy = double(b.y) - a.y;
+    e0[i] = sx * (s.from.y - a.y) - sy * (s.from.x - a.x);
+    e1[i] = sx * (s.to.y - a.y) - sy * (s.to.x - a.x);
+  }
+  const auto part = clip<3>(e0, e1);
+  if (!part) return std::nullopt;
+  return Segment{along(s, (*part)[0]), along(s, (*part)[1])};
+}
+
+bool seen_in(const Segment& s, const CellSquare& square, double margin, float cover) {
+  const double x0 = square.x - margin, x1 = square.x + square.size + margin;
+  const double y0 = square.y - margin, y1 = square.y + square.size + margin;
+  const auto part = clip<4>({s.from.x - x0, x1 - s.from.x, s.from.y - y0, y1 - s.from.y},
+                            {s.to.x - x0, x1 - s.to.x, s.to.y - y0, y1 - s.to.y});
+  if (!part) return false;
+  return !(along(s, (*part)[0]).z > cover && along(s, (*part)[1]).z > cover);
+}
+
+std::optional<Segment> common_segment(const Corners& a, const Corners& b, const Heights& b_over_a) {
+  const auto ends = crossings(b, b_over_a);
+  return clip_to_facet({ends[0], ends[1]}, a);
+}
+
+/// A side of facet `side_of` that lies in the plane of facet `plane`, its third corner above or below.
+struct SideInPlane {
+  std::uint32_t plane, v0, v1, side_of;
+  bool above;
+  auto key() const { return std::tie(plane, v0, v1); }
+};
+
+struct Pair {
+  std::uint32_t a, b;  ///< facets: the plane, and the one whose boundary is cut by it
+  friend auto operator<=>(const Pair&, const Pair&) = default;
+};
+
+/// What one task works with.
+class LeafSearch {
+ public:
+  LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double margin)
+      : scene_(scene), facets_(facets), grid_(grid), margin_(margin) {}
+
+  void search(const Cell& cell, const CellSquare& square) {
+    if (cell.count < 2) return;
+    load(cell);
+    sides_.clear();
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      const Item& a = items_[i];
+      for (std::size_t k = i + 1; k < items_.size(); ++k) {
+        const Item& b = items_[k];
+        if (b.z_near > a.z_far) break;  // items are ordered by z_near
+        if (b.left > a.right || b.right < a.left || b.top > a.bottom || b.bottom < a.top) continue;
+        test(a, b, cell, square);
+      }
+    }
+    match_sides(cell, square);
+  }
+  std::vector<Pair> pairs;
+
+ private:
+  struct Item {
+    std::uint32_t id, face;
+    std::array<std::uint32_t, 3> v;
+    float z_near, z_far, touch;
+    std::int32_t left, right, top, bottom;
+    Corners corners;
+  };
+
+  void load(const Cell& cell) {
+    items_.clear();
+    const CellFacet* list = grid_.list(cell);
+    for (std::uint32_t i = 0; i < cell.count; ++i) {
+      const Facet& f = facets_[list[i].facet];
+      Item item{list[i].facet, f.face, {f.v[0], f.v[1], f.v[2]}, list[i].z_near, f.z_far, f.touch, 0, 0, 0, 0,
+                corners_of(f, scene_.vertices.data())};
+      const auto& p = item.corners.p;
+      std::tie(item.left, item.right) = std::minmax({p[0].p.x, p[1].p.x, p[2].p.x});
+      std::tie(item.top, item.bottom) = std::minmax({p[0].p.y, p[1].p.y, p[2].p.y});
+      items_.push_back(item);
+    }
+  }
+
+  static int common_corners(const Item& a, const Item& b) {
+    int n = 0;
+    for (const std::uint32_t v : a.v) n += v == b.v[0] || v == b.v[1] || v == b.v[2];
+    return n;
+  }
+
+  /// Whether a side of `a` has all of `b` on its outer side or along it: the projections have no common inside.
+  static bool apart(const Item& a, const Item& b) {
+    const auto& p = a.corners.p;
+    const auto& q = b.corners.p;
+    for (int i = 0; i < 3; ++i) {
+      const LatticePoint s = p[i].p, e = p[(i + 1) % 3].p;
+      if (orientation(s, e, q[0].p) <= 0 && orientation(s, e, q[1].p) <= 0 && orientation(s, e, q[2].p) <= 0) return true;
+    }
+    return false;
+  }
+
+  void test(const Item& a, const Item& b, const Cell& cell, const CellSquare& square) {
+    if (a.face == b.face || common_corners(a, b) > 1) return;
+    if (apart(a, b) || apart(b, a)) return;
+    const Heights b_over_a = heights_over(a.corners, a.touch, b.corners);
+    if (b_over_a.on + b_over_a.above == 3 && b_over_a.on < 2) return;
+    if (b_over_a.on + b_over_a.below == 3 && b_over_a.on < 2) return;
+    const Heights a_over_b = heights_over(b.corners, b.touch, a.corners);
+    const bool b_along = b_over_a.on == 2, a_along = a_over_b.on == 2;
+    if (b_along || a_along) {
+      if (b_along && a_over_b.on < 2) add_side(a, b, b_over_a);
+      if (a_along && b_over_a.on < 2) add_side(b, a, a_over_b);
+      return;
+    }
+    if (b_over_a.on == 3 || a_over_b.on == 3) return;  // coplanar: they touch
+    if (a_over_b.above + a_over_b.on == 3 || a_over_b.below + a_over_b.on == 3) return;
+    const bool swapped = a.id > b.id;
+    const auto segment = swapped ? common_segment(b.corners, a.corners, a_over_b) : common_segment(a.corners, b.corners, b_over_a);
+    if (!segment || !seen_in(*segment, square, margin_, cell.cover)) return;
+    pairs.push_back(swapped ? Pair{b.id, a.id} : Pair{a.id, b.id});
+  }
+
+  void add_side(const Item& plane, const Item& other, const Heights& heights) {
+    int off = 0;
+    while (heights.h[off] == 0) ++off;
+    const std::uint32_t p = other.v[(off + 1) % 3], q = other.v[(off + 2) % 3];
+    sides_.push_back({plane.id, std::min(p, q), std::max(p, q), other.id, heights.h[off] > 0});
+  }
+
+  /// A side in a plane is a penetration when one facet on it is above the plane and another below; the lower one is cut,
+  /// whose side counts as above.
+  void match_sides(const Cell& cell, const CellSquare& square) {
+    if (sides_.size() < 2) return;
+    std::sort(sides_.begin(), sides_.end(), [](const SideInPlane& a, const SideInPlane& b) {
+      return std::tie(a.plane, a.v0, a.v1, a.above, a.side_of) < std::tie(b.plane, b.v0, b.v1, b.above, b.side_of);
+    });
+    for (std::size_t i = 0; i < sides_.size();) {
+      std::size_t end = i + 1;
+      while (end < sides_.size() && sides_[end].key() == sides_[i].key()) ++end;
+      if (!sides_[i].above && sides_[end - 1].above) {
+        const Pair pair{sides_[i].plane, sides_[i].side_of};
+        const Corners a = corners_of(facets_[pair.a], scene_.vertices.data());
+        const Corners b = corners_of(facets_[pair.b], scene_.vertices.data());
+        const auto segment = common_segment(a, b, heights_over(a, facets_[pair.a].touch, b));
+        if (segment && seen_in(*segment, square, margin_, cell.cover)) pairs.push_back(pair);
+      }
+      i = end;
+    }
+  }
+
+  const ProjectedScene& scene_;
+  const std::vector<Facet>& facets_;
+  const CellGrid& grid_;
+  double margin_;
+  std::vector<Item> items_;
+  std::vector<SideInPlane> sides_;
+};
+
+std::vector<Pair> find_pairs(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
+                             double margin) {
+  constexpr std::size_t kCellsPerTask = 256;
+  const std::size_t n = grid.top_cell_count(), tasks = (n + kCellsPerTask - 1) / kCellsPerTask;
+  std::vector<std::vector<Pair>> found(tasks);
+  tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+    LeafSearch search(scene, facets, grid, margin);
+    for (std::size_t i = task * kCellsPerTask; i < std::min(n, (task + 1) * kCellsPerTask); ++i) {
+      grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare& square) { search.search(cell, square); });
+    }
+    found[task] = std::move(search.pairs);
+  });
+  std::vector<Pair> pairs;
+  for (const auto& f : found) pairs.insert(pairs.end(), f.begin(), f.end());
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+ProjectedVertex rounded(const PagePoint& p) {
+  return {{static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))}, p.z};
+}
+
+}  // namespace
+
+std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
+                                             const CellGrid& grid, double margin_steps) {
+  const std::vector<Pair> pairs = find_pairs(scene, facets, grid, margin_steps);
+  std::vector<Intersection> result;
+  result.reserve(pairs.size());
+  for (const Pair& pair : pairs) {
+    const Facet &fa = facets[pair.a], &fb = facets[pair.b];
+    const Corners a = corners_of(fa, scene.vertices.data()), b = corners_of(fb, scene.vertices.data());
+    const auto segment = common_segment(a, b, heights_over(a, fa.touch, b));
+    if (!segment) continue;
+    const Intersection i{rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face),
+                         std::max(fa.face, fb.face)};
+    if (!(i.from.p == i.to.p)) result.push_back(i);
+  }
+  return result;
+}
+
+}  // namespace ligne::appel
