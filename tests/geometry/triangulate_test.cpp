@@ -1,0 +1,313 @@
+#include "geometry/triangulate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "geometry/predicates.hpp"
+
+namespace ligne {
+namespace {
+
+using Contour = std::vector<Point2>;
+using Polygon = std::vector<Contour>;
+
+struct Flat {
+  std::vector<Point2> points;
+  std::vector<std::uint32_t> contour_end;
+};
+
+Flat flatten(const Polygon& polygon) {
+  Flat flat;
+  for (const Contour& contour : polygon) {
+    flat.points.insert(flat.points.end(), contour.begin(), contour.end());
+    flat.contour_end.push_back(static_cast<std::uint32_t>(flat.points.size()));
+  }
+  return flat;
+}
+
+double twice_area(const Contour& c) {
+  double sum = 0;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Point2 a = c[i] - c[0], b = c[(i + 1) % c.size()] - c[0];
+    sum += a.x * b.y - a.y * b.x;
+  }
+  return sum;
+}
+
+double polygon_area(const Polygon& polygon) {
+  double area = std::abs(twice_area(polygon[0]));
+  for (std::size_t i = 1; i < polygon.size(); ++i) area -= std::abs(twice_area(polygon[i]));
+  return area / 2;
+}
+
+/// Even-odd rule over all contours; the point must lie on no edge.
+bool inside(const Polygon& polygon, Point2 p) {
+  bool odd = false;
+  for (const Contour& c : polygon) {
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      Point2 a = c[i], b = c[(i + 1) % c.size()];
+      if ((a.y > p.y) == (b.y > p.y)) continue;
+      if (a.y > b.y) std::swap(a, b);
+      odd ^= orientation_sign(a, b, p) > 0;
+    }
+  }
+  return odd;
+}
+
+struct Bounds {
+  Point2 min{1e300, 1e300}, max{-1e300, -1e300};
+};
+
+Bounds bounds(const Contour& c) {
+  Bounds box;
+  for (const Point2 p : c) {
+    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+  }
+  return box;
+}
+
+/// Every triangle has area, the winding of the outer contour; areas add up; a sampled point lies in exactly one triangle
+/// when it lies in the polygon and in none otherwise.
+void expect_partition(const Polygon& polygon, int samples = 400) {
+  const Flat flat = flatten(polygon);
+  const auto triangles = triangulate(flat.points, flat.contour_end);
+  const double direction = twice_area(polygon[0]) < 0 ? -1 : 1;
+  double area = 0;
+  for (const auto& t : triangles) {
+    const Contour corners{flat.points[t[0]], flat.points[t[1]], flat.points[t[2]]};
+    EXPECT_EQ(orientation_sign(corners[0], corners[1], corners[2]), direction);
+    area += std::abs(twice_area(corners)) / 2;
+  }
+  EXPECT_NEAR(area, polygon_area(polygon), 1e-12 * std::abs(twice_area(polygon[0])));
+  const Bounds box = bounds(polygon[0]);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> x(box.min.x, box.max.x), y(box.min.y, box.max.y);
+  for (int i = 0; i < samples; ++i) {
+    const Point2 p(x(random), y(random));
+    int hits = 0;
+    for (const auto& t : triangles) {
+      const Point2 a = flat.points[t[0]], b = flat.points[t[1]], c = flat.points[t[2]];
+      const int ab = orientation_sign(a, b, p), bc = orientation_sign(b, c, p), ca = orientation_sign(c, a, p);
+      hits += ab == bc && bc == ca;
+    }
+    EXPECT_EQ(hits, inside(polygon, p) ? 1 : 0) << "at " << p.x << ", " << p.y;
+  }
+}
+
+/// The same for every winding, for a turned start, for the mirror image and with each corner doubled.
+void expect_partition_in_every_form(const Polygon& polygon) {
+  expect_partition(polygon);
+  Polygon form = polygon;
+  std::reverse(form[0].begin(), form[0].end());
+  expect_partition(form);
+  for (std::size_t i = 1; i < form.size(); i += 2) std::reverse(form[i].begin(), form[i].end());
+  expect_partition(form);
+  form = polygon;
+  for (Contour& c : form) std::rotate(c.begin(), c.begin() + 1, c.end());
+  expect_partition(form);
+  form = polygon;
+  for (Contour& c : form) {
+    for (Point2& p : c) p = {p.y, -p.x};
+  }
+  expect_partition(form);
+  for (Contour& c : form) {
+    Contour doubled;
+    for (const Point2 p : c) doubled.insert(doubled.end(), {p, p});
+    c = doubled;
+  }
+  expect_partition(form);
+}
+
+Contour rectangle(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+Contour star(std::mt19937_64& random, int corners) {
+  std::uniform_real_distribution<double> radius(0.05, 1);
+  Contour c;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners, r = radius(random);
+    c.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  return c;
+}
+
+Contour comb(int teeth) {
+  Contour c{{0, -1}};
+  c.emplace_back(2.0 * teeth, -1);
+  for (int i = teeth; i-- > 0;) {
+    c.emplace_back(2 * i + 2, 10);
+    c.emplace_back(2 * i + 1, 0);
+  }
+  c.emplace_back(0, 10);
+  return c;
+}
+
+TEST(Triangulate, SmallPolygons) {
+  expect_partition_in_every_form({{{0, 0}, {1, 0}, {0, 1}}});
+  expect_partition_in_every_form({rectangle(0, 0, 2, 1)});
+  expect_partition_in_every_form({{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}});
+  expect_partition_in_every_form({{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 3}, {1, 3}, {0, 3}, {0, 2}}});
+}
+
+TEST(Triangulate, TriangleCountOfSimplePolygons) {
+  std::mt19937_64 random(11);
+  for (int corners = 3; corners < 60; ++corners) {
+    const Flat flat = flatten({star(random, corners)});
+    EXPECT_EQ(triangulate(flat.points, flat.contour_end).size(), static_cast<std::size_t>(corners - 2));
+  }
+  // A hole adds its corners and two for its bridge.
+  const Flat flat = flatten({rectangle(0, 0, 9, 9), rectangle(1, 1, 2, 2), rectangle(4, 4, 6, 5)});
+  EXPECT_EQ(triangulate(flat.points, flat.contour_end).size(), 4u + 2 * (4 + 2) - 2);
+}
+
+TEST(Triangulate, RandomStars) {
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 60; ++i) expect_partition_in_every_form({star(random, 5 + 3 * i)});
+}
+
+TEST(Triangulate, Combs) {
+  for (const int teeth : {1, 2, 7, 50}) expect_partition_in_every_form({comb(teeth)});
+}
+
+TEST(Triangulate, CombWithHolesInItsTeeth) {
+  Polygon polygon{comb(12)};
+  for (int i = 0; i < 12; ++i) polygon.push_back({{2 * i + 1.0, -0.9}, {2 * i + 1.4, -0.5}, {2 * i + 0.6, -0.5}});
+  expect_partition_in_every_form(polygon);
+}
+
+TEST(Triangulate, HolesOnAGrid) {
+  for (const int n : {1, 2, 5, 9}) {
+    Polygon polygon{rectangle(0, 0, 2 * n + 1, 2 * n + 1)};
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < n; ++k) polygon.push_back(rectangle(2 * i + 1, 2 * k + 1, 2 * i + 2, 2 * k + 2));
+    }
+    expect_partition_in_every_form(polygon);
+  }
+}
+
+TEST(Triangulate, HolesThatTouchEachOtherAtCorners) {
+  Polygon polygon{rectangle(0, 0, 8, 8)};
+  for (int i = 1; i < 7; ++i) polygon.push_back(rectangle(i, i, i + 1, i + 1));
+  expect_partition_in_every_form(polygon);
+  // A ring of holes encloses an island that only touches the rest at corners.
+  Polygon ring{rectangle(0, 0, 5, 5)};
+  ring.push_back({{2, 1}, {3, 1}, {2.5, 1.5}});
+  ring.push_back({{1, 2}, {2, 1}, {1.5, 2.5}, {1, 3}});
+  ring.push_back({{1, 3}, {2, 4}, {1.2, 4}});
+  ring.push_back({{2, 4}, {3, 1}, {4, 4}});
+  expect_partition_in_every_form(ring);
+}
+
+TEST(Triangulate, HolesThatTouchEachOtherAlongEdges) {
+  expect_partition_in_every_form({rectangle(0, 0, 6, 4), rectangle(1, 1, 3, 3), rectangle(3, 1, 5, 3)});
+  expect_partition_in_every_form({rectangle(0, 0, 6, 6), rectangle(1, 1, 3, 3), rectangle(3, 2, 5, 5)});
+}
+
+TEST(Triangulate, HolesThatTouchTheOuterContour) {
+  expect_partition_in_every_form({rectangle(0, 0, 4, 4), {{0, 0}, {3, 1}, {1, 3}}});          // at a corner
+  expect_partition_in_every_form({rectangle(0, 0, 4, 4), {{2, 0}, {3, 2}, {1, 2}}});          // at the middle of an edge
+  expect_partition_in_every_form({rectangle(0, 0, 4, 4), rectangle(1, 0, 2, 2)});             // along an edge
+  expect_partition_in_every_form({rectangle(0, 0, 4, 4), rectangle(1, 0, 2, 4)});             // cuts it in two
+  expect_partition_in_every_form({rectangle(0, 0, 4, 4), rectangle(0, 0, 4, 1)});
+  expect_partition_in_every_form({rectangle(0, 0, 4, 4), {{2, 0}, {4, 2}, {2, 4}, {0, 2}}});  // four corners are left
+}
+
+TEST(Triangulate, HoleEqualToTheOuterContourLeavesNothing) {
+  const Flat flat = flatten({rectangle(0, 0, 4, 4), rectangle(0, 0, 4, 4)});
+  EXPECT_TRUE(triangulate(flat.points, flat.contour_end).empty());
+}
+
+TEST(Triangulate, OuterContourThatTouchesItself) {
+  expect_partition_in_every_form({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}});                 // a corner on an edge
+  expect_partition_in_every_form({{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}});         // two parts, one corner
+  expect_partition_in_every_form({{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {1, 2}, {1, 5}, {4, 4}}});  // a keyhole
+  expect_partition_in_every_form({{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 3}, {2, 3}, {2, 4}, {4, 4}, {4, 2}, {2, 2},
+                                   {2, 3}, {0, 3}}});                                        // a hole joined by a slit
+}
+
+TEST(Triangulate, SpikesAndRepeatedCorners) {
+  expect_partition_in_every_form({{{0, 0}, {4, 0}, {7, 0}, {4, 0}, {4, 4}, {0, 4}}});         // outward
+  expect_partition_in_every_form({{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 1}, {2, 4}, {0, 4}}});  // inward
+  expect_partition_in_every_form({{{0, 0}, {4, 0}, {9, 0}, {3, 0}, {4, 4}, {0, 4}}});         // folds back past its start
+  expect_partition_in_every_form({{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}}});
+}
+
+TEST(Triangulate, ContoursWithoutAreaGiveNothing) {
+  for (const Contour& contour : {Contour{{0, 0}, {1, 1}, {2, 2}}, Contour{{3, 3}, {3, 3}, {3, 3}}, Contour{{0, 0}, {1, 0}},
+                                 Contour{{0, 0}, {5, 0}, {2, 0}, {7, 0}}, Contour{}}) {
+    const Flat flat = flatten({contour});
+    EXPECT_TRUE(triangulate(flat.points, flat.contour_end).empty());
+  }
+  const Flat flat = flatten({rectangle(0, 0, 4, 4), {{1, 1}, {2, 2}, {3, 3}}, {{1, 2}, {1, 2}}});
+  EXPECT_EQ(triangulate(flat.points, flat.contour_end).size(), 2u);
+}
+
+TEST(Triangulate, CoordinatesThatAreNotFiniteGiveNothing) {
+  const Flat flat = flatten({{{0, 0}, {NAN, 0}, {1, 1}, {0, 1}}});
+  EXPECT_TRUE(triangulate(flat.points, flat.contour_end).empty());
+}
+
+TEST(Triangulate, VeryLargeAndVerySmallCoordinates) {
+  for (const double size : {1e-300, 1e-30, 1e30, 1e300}) {
+    const Flat flat = flatten({{{0, 0}, {size, 0}, {size, size}, {size / 2, size / 4}, {0, size}}});
+    EXPECT_EQ(triangulate(flat.points, flat.contour_end).size(), 3u) << size;
+  }
+}
+
+// No promise but termination and triangles of the right winding.
+TEST(Triangulate, CrossingContoursTerminate) {
+  std::mt19937_64 random(13);
+  std::uniform_int_distribution<int> coordinate(0, 12), count(1, 4), corners(0, 14);
+  for (int i = 0; i < 4000; ++i) {
+    Polygon polygon(count(random));
+    for (Contour& c : polygon) {
+      for (int k = corners(random); k > 0; --k) c.emplace_back(coordinate(random), coordinate(random));
+    }
+    const Flat flat = flatten(polygon);
+    for (const auto& t : triangulate(flat.points, flat.contour_end)) {
+      const int sign = orientation_sign(flat.points[t[0]], flat.points[t[1]], flat.points[t[2]]);
+      EXPECT_NE(sign, 0);
+    }
+  }
+}
+
+// Random unions of grid cells, taken as outer contour and holes by following their border: all sorts of touching.
+TEST(Triangulate, RandomCellPolygonsThatTouchEverywhere) {
+  std::mt19937_64 random(17);
+  for (int round = 0; round < 300; ++round) {
+    constexpr int n = 7;
+    Polygon polygon{rectangle(0, 0, n, n)};
+    std::bernoulli_distribution taken(0.1 + 0.8 * (round % 10) / 10.0);
+    for (int x = 0; x < n; ++x) {
+      for (int y = 0; y < n; ++y) {
+        if (taken(random)) polygon.push_back(rectangle(x, y, x + 1, y + 1));
+      }
+    }
+    expect_partition(polygon, 60);
+  }
+}
+
+TEST(Triangulate, TenThousandCornersAreQuick) {
+  std::mt19937_64 random(23);
+  Polygon grid{rectangle(0, 0, 101, 101)};
+  for (int i = 0; i < 50; ++i) {
+    for (int k = 0; k < 50; ++k) grid.push_back(rectangle(2 * i + 1, 2 * k + 1, 2 * i + 2, 2 * k + 2));
+  }
+  for (const Polygon& polygon : {Polygon{star(random, 10000)}, Polygon{comb(5000)}, grid}) {
+    const Flat flat = flatten(polygon);
+    const auto start = std::chrono::steady_clock::now();
+    const auto triangles = triangulate(flat.points, flat.contour_end);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    RecordProperty("seconds", std::to_string(seconds.count()));
+    EXPECT_LT(seconds.count(), 30) << "expected well under a second without sanitizers";
+    EXPECT_GE(triangles.size(), 9998u);
+  }
+}
+
+}  // namespace
+}  // namespace ligne
