@@ -1,0 +1,206 @@
+/// The JSON drawing, version 1: docs/drawing-format.md. Written as a stream; only strings go through a library. Strokes are
+/// formatted in parallel, a batch of chunks at a time, and put together in their order.
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <nlohmann/json.hpp>
+#include <oneapi/tbb/parallel_for.h>
+
+#include "plotting/number_text.hpp"
+#include "plotting/writers.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable: strokes to a chunk, chunks to a batch.
+constexpr std::size_t kChunkStrokes = 4096;
+constexpr std::size_t kBatchChunks = 64;
+
+constexpr std::uint32_t kNoFace = 0xffffffffu;
+
+/// Decimals of points that lie on no lattice: a nanometre.
+constexpr int kPageDecimals = 6;
+constexpr int kMostDecimals = 12;
+
+std::string json_string(std::string_view text) {
+  using nlohmann::json;
+  return json(std::string(text)).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+void append_integer(std::string& out, std::uint64_t value) {
+  char text[kNumberBytes];
+  out.append(text, write_fixed(text, static_cast<std::int64_t>(value), 0, false));
+}
+
+void append_point(std::string& out, Point2 p, int decimals) {
+  out += '[';
+  append_rounded(out, p.x, decimals);
+  out += ',';
+  append_rounded(out, p.y, decimals);
+  out += ']';
+}
+
+void append_point(std::string& out, const Point3& p) {
+  for (int i = 0; i < 3; ++i) {
+    out += i == 0 ? '[' : ',';
+    append_shortest(out, p[i]);
+  }
+  out += ']';
+}
+
+void append_face(std::string& out, std::uint32_t face) {
+  if (face == kNoFace) {
+    out += "null";
+  } else {
+    append_integer(out, face);
+  }
+}
+
+/// As many decimals as tell neighbouring lattice points apart: half a step and less.
+int lattice_decimals(const Lattice& lattice) {
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(lattice.step_mm / 2))), 0, kMostDecimals);
+}
+
+void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, const DrawingDocument& document,
+                   int decimals) {
+  out += "{\"class\":\"";
+  out += kLineClassNames[static_cast<std::size_t>(s.line_class)];
+  out += s.visible ? "\",\"visible\":true" : "\",\"visible\":false";
+  out += ",\"source\":{\"edge\":";
+  if (s.source < model.edge_count) {
+    append_integer(out, s.source);
+  } else {
+    out += "null";
+  }
+  if (document.source) {
+    const SourceEdge edge = document.source(s.source);
+    out += ",\"ends\":[";
+    append_point(out, edge.ends[0]);
+    out += ',';
+    append_point(out, edge.ends[1]);
+    out += "],\"faces\":[";
+    append_face(out, edge.faces[0]);
+    out += ',';
+    append_face(out, edge.faces[1]);
+    out += ']';
+  }
+  out += "},\"interval\":[";
+  append_shortest(out, s.t_from);
+  out += ',';
+  append_shortest(out, s.t_to);
+  out += "],\"points\":[";
+  append_point(out, model.lattice.to_mm(s.from), decimals);
+  out += ',';
+  append_point(out, model.lattice.to_mm(s.to), decimals);
+  out += "]}";
+}
+
+/// Appends "[item,\nitem,...]": append_item(text, i) for every i below n, called from several threads.
+template <class AppendItem>
+void append_array(std::string& out, std::size_t n, const AppendItem& append_item) {
+  out += '[';
+  std::vector<std::string> texts(kBatchChunks);
+  for (std::size_t batch = 0; batch < n; batch += kBatchChunks * kChunkStrokes) {
+    tbb::parallel_for(std::size_t{0}, kBatchChunks, [&](std::size_t chunk) {
+      std::string& text = texts[chunk];
+      text.clear();
+      const std::size_t first = batch + chunk * kChunkStrokes;
+      for (std::size_t i = first; i < std::min(n, first + kChunkStrokes); ++i) {
+        text += i == 0 ? "\n" : ",\n";
+        append_item(text, i);
+      }
+    });
+    for (const std::string& text : texts) out += text;
+  }
+  out += n == 0 ? "]" : "\n]";
+}
+
+void append_contour(std::string& out, const std::vector<Point2>& contour) {
+  out += '[';
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    if (i > 0) out += ',';
+    append_point(out, contour[i], kPageDecimals);
+  }
+  out += ']';
+}
+
+void append_region(std::string& out, const Region& region) {
+  out += "{\"face\":";
+  append_face(out, region.face);
+  out += ",\"outer\":";
+  append_contour(out, region.contours.empty() ? std::vector<Point2>{} : region.contours[0]);
+  out += ",\"holes\":[";
+  for (std::size_t i = 1; i < region.contours.size(); ++i) {
+    if (i > 1) out += ',';
+    append_contour(out, region.contours[i]);
+  }
+  out += "]}";
+}
+
+void append_head(std::string& out, const DrawingDocument& document, const Page& page) {
+  out += "{\"format\":\"ligne-drawing\",\"version\":1,\n\"page\":{\"width_mm\":";
+  append_shortest(out, page.width_mm);
+  out += ",\"height_mm\":";
+  append_shortest(out, page.height_mm);
+  out += ",\"margin_mm\":";
+  append_shortest(out, page.margin_mm);
+  out += "},\n\"view\":{\"perspective\":";
+  out += document.perspective ? "true" : "false";
+  out += ",\"matrix\":";
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      out += row + column == 0 ? '[' : ',';
+      append_shortest(out, document.model_to_page[column][row]);
+    }
+  }
+  out += "]},\n\"method\":" + json_string(document.method);
+}
+
+/// Counts only: times differ from run to run, and the same input gives the same bytes.
+void append_stats(std::string& out, const Statistics& statistics) {
+  out += ",\n\"stats\":{\"counts\":{";
+  bool first = true;
+  for (const auto& [name, count] : statistics.counts) {
+    if (!first) out += ',';
+    first = false;
+    out += json_string(name) + ':';
+    append_integer(out, count);
+  }
+  out += "}}\n}\n";
+}
+
+}  // namespace
+
+std::string write_json(const DrawingDocument& document, const PlotOptions& options) {
+  std::string out;
+  append_head(out, document, options.page);
+  if (const StrokeModel* const model = document.strokes) {
+    out += ",\n\"lattice\":{\"origin_mm\":[";
+    append_shortest(out, model->lattice.origin_mm.x);
+    out += ',';
+    append_shortest(out, model->lattice.origin_mm.y);
+    out += "],\"step_mm\":";
+    append_shortest(out, model->lattice.step_mm);
+    out += "},\n\"strokes\":";
+    const int decimals = lattice_decimals(model->lattice);
+    append_array(out, model->strokes.size(), [&](std::string& text, std::size_t i) {
+      append_stroke(text, model->strokes[i], *model, document, decimals);
+    });
+  }
+  if (document.regions) {
+    out += ",\n\"regions\":";
+    append_array(out, document.regions->size(),
+                 [&](std::string& text, std::size_t i) { append_region(text, (*document.regions)[i]); });
+  }
+  if (document.order) {
+    out += ",\n\"order\":";
+    append_array(out, document.order->faces.size(),
+                 [&](std::string& text, std::size_t i) { append_face(text, document.order->faces[i]); });
+  }
+  append_stats(out, document.statistics);
+  return out;
+}
+
+}  // namespace ligne

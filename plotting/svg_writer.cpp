@@ -1,0 +1,235 @@
+/// SVG. Cairo's own SVG surface knows no layers, repeats the style on every path and writes clip paths, so it is not used: the
+/// polylines go into Cairo paths, as for every other format, and these are read back and written down here. Chunks of
+/// polylines are worked on in parallel and put together in their order.
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "plotting/cairo_path.hpp"
+#include "plotting/number_text.hpp"
+#include "plotting/writers.hpp"
+
+namespace ligne {
+namespace {
+
+/// Coordinates are written to a tenth of a micrometre.
+constexpr int kDecimals = 4;
+constexpr double kUnitsPerMm = 10000;
+static_assert(kUnitsPerMm == 1e4 && kDecimals == 4);
+
+/// Attributes: lengths of pages, pens and dashes.
+constexpr int kAttributeDecimals = 6;
+
+/// Finest device unit for Cairo's fixed point: 1/256 of it is a nanometre.
+constexpr double kFinestDevice = 4096;
+
+/// Adjustable: points to a chunk.
+constexpr std::size_t kChunkPoints = 8192;
+
+/// Device units to a millimetre: a power of two that keeps the largest coordinate within half of Cairo's range.
+double device_units(double largest_mm) {
+  double units = kFinestDevice;
+  while (largest_mm * units > kCairoLimit - 1) units /= 2;
+  return units;
+}
+
+// ---- Text -----------------------------------------------------------------------------------------------------------
+
+/// Length of the well-formed UTF-8 sequence that is an XML character at the start of the text, 0 when there is none.
+std::size_t xml_character(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return lead >= 0x20 || lead == '\t' || lead == '\n' || lead == '\r' ? 1 : 0;
+  const std::size_t count = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  std::uint32_t code = lead & (0xffu >> (count + 1));
+  for (std::size_t i = 1; i < count; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+    code = code << 6 | (byte(i) & 0x3f);
+  }
+  constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xd800 && code < 0xe000;
+  const bool character = code >= least[count] && code <= 0x10ffff && !surrogate && code != 0xfffe && code != 0xffff;
+  return lead >= 0xc2 && lead < 0xf8 && character ? count : 0;
+}
+
+/// Escaped; what is not an XML character becomes U+FFFD.
+std::string xml_text(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t count = xml_character(text);
+    switch (count == 0 ? '\0' : text[0]) {
+      case '\0': out += "\xef\xbf\xbd"; break;
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      default: out += text.substr(0, count);
+    }
+    text.remove_prefix(std::max<std::size_t>(count, 1));
+  }
+  return out;
+}
+
+std::string number(double value) {
+  std::string text;
+  append_rounded(text, value, kAttributeDecimals);
+  return text;
+}
+
+std::string color_text(const std::array<double, 3>& color) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const double c : color) {
+    const auto level = static_cast<unsigned>(std::lround(c * 255));
+    text += digits[level / 16];
+    text += digits[level % 16];
+  }
+  if (text[1] == text[2] && text[3] == text[4] && text[5] == text[6]) text = {text[0], text[1], text[3], text[5]};
+  return text;
+}
+
+// ---- Paths ----------------------------------------------------------------------------------------------------------
+
+/// A point in units of 10^-kDecimals mm.
+struct UnitPoint {
+  std::int64_t x, y;
+  friend bool operator==(UnitPoint, UnitPoint) = default;
+};
+
+/// Writes paths, each in the shorter of the two ways: with absolute points, or relative ones. The relative moves are
+/// differences of the rounded absolute points, so that no rounding adds up.
+class PathWriter {
+ public:
+  void begin(Point2 mm) { points_.assign(1, units(mm)); }
+  void line_to(Point2 mm) {
+    const UnitPoint p = units(mm);
+    if (p != points_.back()) points_.push_back(p);
+  }
+  /// A line shorter than a unit is none.
+  void end(bool closed) {
+    if (closed && points_.size() > 1 && points_.front() == points_.back()) points_.pop_back();
+    if (points_.size() > 1) {
+      write(absolute_, 'L', false);
+      write(relative_, 'l', true);
+      out_ += "<path d=\"";
+      out_ += absolute_.size() <= relative_.size() ? absolute_ : relative_;
+      out_ += closed ? "Z\"/>\n" : "\"/>\n";
+    }
+    points_.clear();
+  }
+  std::string take() { return std::move(out_); }
+
+ private:
+  static UnitPoint units(Point2 mm) { return {std::llround(mm.x * kUnitsPerMm), std::llround(mm.y * kUnitsPerMm)}; }
+
+  void write(std::string& text, char command, bool relative) {
+    text.resize(points_.size() * 2 * kNumberBytes);
+    char* p = text.data();
+    const auto pair = [&p](UnitPoint v) {
+      p = write_fixed(p, v.x, kDecimals, true);
+      *p++ = ' ';
+      p = write_fixed(p, v.y, kDecimals, true);
+    };
+    *p++ = 'M';
+    pair(points_[0]);
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      *p++ = i == 1 ? command : ' ';
+      const UnitPoint origin = relative ? points_[i - 1] : UnitPoint{0, 0};
+      pair({points_[i].x - origin.x, points_[i].y - origin.y});
+    }
+    text.resize(static_cast<std::size_t>(p - text.data()));
+  }
+
+  std::vector<UnitPoint> points_;
+  std::string absolute_, relative_, out_;
+};
+
+struct Chunk {
+  std::size_t first, last;
+};
+
+std::vector<Chunk> chunks_of(const Polylines& lines) {
+  std::vector<Chunk> chunks;
+  for (std::size_t i = 0; i < lines.size();) {
+    const std::size_t first = i;
+    while (i < lines.size() && (i == first || lines.begin[i + 1] - lines.begin[first] <= kChunkPoints)) ++i;
+    chunks.push_back({first, i});
+  }
+  return chunks;
+}
+
+std::string chunk_text(const Polylines& lines, Chunk chunk, double device) {
+  // The surface is never drawn on: only the path is of interest.
+  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+  const CairoContext cairo(cairo_create(surface.get()));
+  cairo_scale(cairo.get(), device, device);
+  add_polylines(cairo.get(), lines, chunk.first, chunk.last);
+  const CairoPath path(cairo_copy_path(cairo.get()));
+  check_cairo(path->status);
+
+  PathWriter writer;
+  bool open = false;
+  for (int i = 0; i < path->num_data; i += path->data[i].header.length) {
+    const cairo_path_data_t* const data = path->data + i;
+    switch (data->header.type) {
+      case CAIRO_PATH_MOVE_TO:
+        if (open) writer.end(false);
+        writer.begin({data[1].point.x, data[1].point.y});
+        open = true;
+        break;
+      case CAIRO_PATH_LINE_TO: writer.line_to({data[1].point.x, data[1].point.y}); break;
+      case CAIRO_PATH_CLOSE_PATH:
+        writer.end(true);
+        open = false;
+        break;
+      case CAIRO_PATH_CURVE_TO: break;  // there is none
+    }
+  }
+  if (open) writer.end(false);
+  return writer.take();
+}
+
+std::string layer_start(const Layer& layer, const LineStyle& style) {
+  const std::string name = xml_text(layer.name);
+  const bool dashed = !style.dashes_mm.empty();
+  std::string text = "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + name + "\" id=\"" + name +
+                     "\" fill=\"none\" stroke=\"" + color_text(style.color) + "\" stroke-width=\"" + number(style.width_mm) +
+                     "\" stroke-linecap=\"" + (dashed ? "butt" : "round") + "\" stroke-linejoin=\"round\"";
+  for (std::size_t i = 0; i < style.dashes_mm.size(); ++i) {
+    text += i == 0 ? " stroke-dasharray=\"" : " ";
+    text += number(style.dashes_mm[i]);
+  }
+  return text + (dashed ? "\">\n" : ">\n");
+}
+
+}  // namespace
+
+std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
+  const std::string width = number(options.page.width_mm), height = number(options.page.height_mm);
+  std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                    "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+                    "version=\"1.1\" width=\"" + width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " +
+                    height + "\">\n";
+  if (!options.title.empty()) svg += "<title>" + xml_text(options.title) + "</title>\n";
+
+  const double device = device_units(largest_coordinate(drawing, options.page));
+  for (const Layer& layer : drawing.layers) {
+    const std::vector<Chunk> chunks = chunks_of(layer.lines);
+    std::vector<std::string> texts(chunks.size());
+    tbb::parallel_for(std::size_t{0}, chunks.size(),
+                      [&](std::size_t i) { texts[i] = chunk_text(layer.lines, chunks[i], device); });
+    std::size_t size = svg.size();
+    for (const std::string& text : texts) size += text.size();
+    svg.reserve(size);
+    svg += layer_start(layer, layer_style(layer.name, options.pen_width_mm, options.hidden_solid));
+    for (const std::string& text : texts) svg += text;
+    svg += "</g>\n";
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace ligne

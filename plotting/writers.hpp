@@ -34,7 +34,7 @@ struct DrawingDocument {
   const StrokeModel* strokes = nullptr;
   const std::vector<Region>* regions = nullptr;
   const PaintOrder* order = nullptr;
-  std::function<SourceEdge(std::uint32_t)> source;  ///< the source edge of that number
+  std::function<SourceEdge(std::uint32_t)> source;  ///< the source edge of that number; called from several threads at once
   glm::dmat4 model_to_page{1};
   bool perspective = false;
   std::string method;

@@ -1,0 +1,46 @@
+#pragma once
+/// The one way in which polylines come into Cairo, and how Cairo's objects are held. Private to plotting.
+
+#include <cstddef>
+#include <memory>
+
+#include <cairo.h>
+
+#include "drawing/drawing.hpp"
+#include "plotting/page.hpp"
+
+namespace ligne {
+
+struct CairoFree {
+  void operator()(cairo_t* c) const { cairo_destroy(c); }
+  void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+  void operator()(cairo_path_t* p) const { cairo_path_destroy(p); }
+};
+using CairoContext = std::unique_ptr<cairo_t, CairoFree>;
+using CairoSurface = std::unique_ptr<cairo_surface_t, CairoFree>;
+using CairoPath = std::unique_ptr<cairo_path_t, CairoFree>;
+
+/// Throws std::runtime_error with Cairo's own words when `status` is an error.
+void check_cairo(cairo_status_t status);
+
+/// Cairo keeps path coordinates as 24.8 fixed point of the device unit: below 2^23 units, to 1/256 of a unit.
+inline constexpr double kCairoLimit = 1 << 23;
+
+/// Largest distance from zero of any coordinate of the drawing or of the page, in mm.
+double largest_coordinate(const Drawing& drawing, const Page& page);
+
+/// Adds polylines [first, last) to the current path of the context, in its user space. A closed polyline becomes a closed path.
+void add_polylines(cairo_t* cairo, const Polylines& lines, std::size_t first, std::size_t last);
+
+/// Pen of a layer: width, colour, dashes, caps and joins, `units_per_mm` to a millimetre in the context's user space.
+/// Solid lines have round ends; dashes have flat ones, so that dash and gap keep their lengths.
+void set_line_style(cairo_t* cairo, const LineStyle& style, double units_per_mm);
+
+/// Strokes the polylines with that style as one path: Cairo's vector surfaces take time with the square of the number of
+/// strokes. `lines` in mm, `units_per_mm` device units to a millimetre.
+void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& style, double units_per_mm);
+
+/// Keeps what Cairo writes in a string.
+cairo_status_t append_to_string(void* string, const unsigned char* bytes, unsigned int count);
+
+}  // namespace ligne

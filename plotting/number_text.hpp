@@ -1,0 +1,25 @@
+#pragma once
+/// Numbers as text, fast and the same on every machine.
+
+#include <cstdint>
+#include <string>
+
+namespace ligne {
+
+/// Most bytes that append_fixed and append_shortest write.
+inline constexpr std::size_t kNumberBytes = 32;
+
+/// 10^n, 0 <= n <= 15.
+std::int64_t power_of_ten(int n);
+
+/// Writes value / 10^decimals without trailing zeros, and returns the end. A leading zero before the point is left out when
+/// `bare_point`: "-.5" instead of "-0.5".
+char* write_fixed(char* out, std::int64_t value, int decimals, bool bare_point);
+
+/// Appends the shortest decimal number that reads back as the same double; "null" for what is not finite.
+void append_shortest(std::string& out, double value);
+
+/// Appends the number rounded to so many decimals, with the leading zero.
+void append_rounded(std::string& out, double value, int decimals);
+
+}  // namespace ligne

@@ -1,0 +1,40 @@
+#include "drawing/stroke_index.hpp"
+
+namespace ligne {
+
+StrokeIndex::Cell& StrokeIndex::cell(std::uint64_t key) {
+  std::uint32_t& number = cell_table_[key];
+  if (number == kNone) {
+    number = static_cast<std::uint32_t>(cells_.size());
+    cells_.emplace_back();
+  }
+  return cells_[number];
+}
+
+std::uint32_t StrokeIndex::add_end(LatticePoint p, std::uint32_t segment) {
+  std::uint32_t& point = point_table_[KeyTable::key(p)];
+  if (point == kNone) {
+    point = static_cast<std::uint32_t>(points_.size());
+    Cell& home = cell(grid_.cell_of(p));
+    points_.push_back({p, kNone, home.first_point});
+    home.first_point = point;
+  }
+  arms_.push_back({segment, points_[point].first_arm});
+  points_[point].first_arm = static_cast<std::uint32_t>(arms_.size() - 1);
+  return point;
+}
+
+void StrokeIndex::insert(std::uint32_t segment, LatticePoint from, LatticePoint to) {
+  const std::uint64_t homes[] = {grid_.cell_of(from), grid_.cell_of(to)};
+  grid_.walk(from, to, [&](std::uint64_t key) {
+    if (key == homes[0] || key == homes[1]) return false;
+    Cell& passed = cell(key);
+    throughs_.push_back({segment, passed.first_through});
+    passed.first_through = static_cast<std::uint32_t>(throughs_.size() - 1);
+    return false;
+  });
+  const std::uint32_t a = add_end(from, segment), b = add_end(to, segment);
+  pair_table_[pair_key(a, b)] = segment;
+}
+
+}  // namespace ligne

@@ -1,0 +1,87 @@
+#pragma once
+/// Finds, among segments of the page, those that may lie on a given one.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "drawing/key_table.hpp"
+#include "geometry/lattice.hpp"
+
+namespace ligne {
+
+/// A uniform grid of square cells over the page.
+class SegmentGrid {
+ public:
+  /// Side of the cells, and the distance within which a point counts as on a segment, in lattice steps.
+  SegmentGrid(double cell, double tolerance) : cell_(cell), margin_(tolerance + kRounding) {}
+
+  std::uint64_t cell_of(LatticePoint p) const { return KeyTable::key(index(p.x), index(p.y)); }
+
+  /// Calls visit(cell) for every cell within the tolerance of the segment until it returns true; true when it did.
+  template <class Visit>
+  bool walk(LatticePoint from, LatticePoint to, const Visit& visit) const;
+
+  /// The point may lie on the line of the segment.
+  bool near(LatticePoint p, LatticePoint from, LatticePoint to, double segment_length) const {
+    return std::abs(orientation(from, to, p)) <= margin_ * segment_length;
+  }
+
+ private:
+  static constexpr double kRounding = 2;  ///< steps; more than the rounding of any position worked out here
+
+  std::int32_t index(double v) const { return static_cast<std::int32_t>(std::floor(v / cell_)); }
+
+  double cell_, margin_;
+};
+
+/// A uniform grid (kept as a hash table of its cells) over segments, numbered by the caller.
+///
+/// Where two segments coincide, each end of their common interval is an end of one of them, and lies on the other. So it
+/// is enough to ask which segments pass an end of the new one, and which ends lie along the new one. A cell therefore
+/// keeps two lists: the segments that pass through without ending in it, and the points in it at which segments end, each
+/// with its segments. Segments that share an end are met at their other ends, or, when they share both, by a table of the
+/// pairs of ends: a point where thousands of segments meet costs each of them nothing.
+class StrokeIndex {
+ public:
+  /// As for SegmentGrid.
+  StrokeIndex(double cell, double tolerance) : grid_(cell, tolerance) {}
+
+  void insert(std::uint32_t segment, LatticePoint from, LatticePoint to);
+
+  /// Calls found(segment) for every inserted segment that may coincide with from-to; some more than once.
+  template <class Found>
+  void query(LatticePoint from, LatticePoint to, const Found& found) const;
+
+ private:
+  static constexpr std::uint32_t kNone = KeyTable::kNone;
+
+  struct Cell {
+    std::uint32_t first_through = kNone, first_point = kNone;
+  };
+  struct EndPoint {
+    LatticePoint p;
+    std::uint32_t first_arm = kNone, next = kNone;
+  };
+  struct Link {
+    std::uint32_t segment, next;
+  };
+
+  static std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+  }
+  Cell& cell(std::uint64_t key);
+  std::uint32_t add_end(LatticePoint p, std::uint32_t segment);
+
+  SegmentGrid grid_;
+  KeyTable cell_table_, point_table_, pair_table_;
+  std::vector<Cell> cells_;
+  std::vector<EndPoint> points_;
+  std::vector<Link> arms_, throughs_;
+};
+
+}  // namespace ligne
+
+#include "drawing/stroke_index.inl.hpp"

@@ -1,0 +1,66 @@
+#pragma once
+/// The visiting parts of SegmentGrid and StrokeIndex.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "drawing/stroke_index.hpp"
+#include "drawing/stroke_overlap.hpp"
+
+namespace ligne {
+
+template <class Visit>
+bool SegmentGrid::walk(LatticePoint from, LatticePoint to, const Visit& visit) const {
+  const double dx = double(to.x) - from.x, dy = double(to.y) - from.y;
+  // Slab by slab along the longer direction, called u here; v is the other one, and |dv/du| <= 1.
+  const bool flat = std::abs(dx) >= std::abs(dy);
+  const double u0 = flat ? from.x : from.y, v0 = flat ? from.y : from.x;
+  const double u1 = flat ? to.x : to.y;
+  const double slope = dx == 0 && dy == 0 ? 0 : flat ? dy / dx : dx / dy;
+  const double u_min = std::min(u0, u1), u_max = std::max(u0, u1);
+  for (std::int32_t i = index(u_min - margin_), last = index(u_max + margin_); i <= last; ++i) {
+    const double slab_from = std::clamp(i * cell_ - margin_, u_min, u_max);
+    const double slab_to = std::clamp((i + 1) * cell_ + margin_, u_min, u_max);
+    const double v_from = v0 + (slab_from - u0) * slope, v_to = v0 + (slab_to - u0) * slope;
+    const std::int32_t j_last = index(std::max(v_from, v_to) + margin_);
+    for (std::int32_t j = index(std::min(v_from, v_to) - margin_); j <= j_last; ++j) {
+      if (visit(flat ? KeyTable::key(i, j) : KeyTable::key(j, i))) return true;
+    }
+  }
+  return false;
+}
+
+template <class Found>
+void StrokeIndex::query(LatticePoint from, LatticePoint to, const Found& found) const {
+  const auto visit_links = [&](const std::vector<Link>& links, std::uint32_t first) {
+    for (std::uint32_t i = first; i != kNone; i = links[i].next) found(links[i].segment);
+  };
+  // Segments that pass an end of this one.
+  for (const LatticePoint p : {from, to}) {
+    const std::uint32_t c = cell_table_.find(grid_.cell_of(p));
+    if (c == kNone) continue;
+    visit_links(throughs_, cells_[c].first_through);
+    for (std::uint32_t e = cells_[c].first_point; e != kNone; e = points_[e].next) {
+      if (points_[e].p != from && points_[e].p != to) visit_links(arms_, points_[e].first_arm);
+    }
+  }
+  // Ends along this one.
+  const double segment_length = length(from, to);
+  grid_.walk(from, to, [&](std::uint64_t key) {
+    const std::uint32_t c = cell_table_.find(key);
+    if (c == kNone) return false;
+    for (std::uint32_t e = cells_[c].first_point; e != kNone; e = points_[e].next) {
+      const LatticePoint p = points_[e].p;
+      if (p != from && p != to && grid_.near(p, from, to, segment_length)) visit_links(arms_, points_[e].first_arm);
+    }
+    return false;
+  });
+  // The segment with the same ends.
+  const std::uint32_t a = point_table_.find(KeyTable::key(from)), b = point_table_.find(KeyTable::key(to));
+  if (a == kNone || b == kNone) return;
+  const std::uint32_t same = pair_table_.find(pair_key(a, b));
+  if (same != kNone) found(same);
+}
+
+}  // namespace ligne
