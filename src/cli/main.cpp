@@ -1,1 +1,85 @@
-int main() {}
+/// The command `ligne`. Exit status: 0 done, 1 the input or the work failed, 2 the command line is wrong.
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <string>
+
+#include "cli/draw.hpp"
+#include "cli/errors.hpp"
+#include "cli/info.hpp"
+#include "cli/methods.hpp"
+#include "cli/text.hpp"
+#include "plotting/output_file.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr int kDone = 0, kFailed = 1, kUsage = 2;
+constexpr std::size_t kHelpColumn = 34;
+
+constexpr const char* kFooter = R"(ligne COMMAND --help tells the options of a command.
+
+Examples:
+  ligne draw gearbox.obj -o gearbox.svg
+  ligne info gearbox.obj
+  ligne methods)";
+
+int run(int argc, char** argv) {
+  CLI::App app("Draws 3D polygon scenes as clean lines, hidden parts removed.", "ligne");
+  app.get_formatter()->column_width(kHelpColumn);
+  app.set_version_flag("--version", "ligne " LIGNE_VERSION);
+  app.footer(kFooter);
+  app.require_subcommand(0, 1);
+
+  DrawOptions draw;
+  InfoOptions info;
+  MethodsOptions methods;
+  setup_draw(app, draw);
+  setup_info(app, info);
+  setup_methods(app, methods);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0) throw UsageError(e.what());
+    std::ostringstream text;
+    app.exit(e, text, text);
+    write_output("-", text.str());
+    return kDone;
+  }
+
+  if (app.got_subcommand("draw")) {
+    run_draw(draw);
+  } else if (app.got_subcommand("info")) {
+    run_info(info);
+  } else if (app.got_subcommand("methods")) {
+    run_methods(methods);
+  } else {
+    throw UsageError("there is no command: draw, info or methods; see ligne --help");
+  }
+  return kDone;
+}
+
+}  // namespace
+}  // namespace ligne
+
+int main(int argc, char** argv) {
+  // A reader that goes away early is an error of the write, not a signal.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return ligne::run(argc, argv);
+  } catch (const ligne::UsageError& e) {
+    ligne::say(e.what());
+    return ligne::kUsage;
+  } catch (const std::bad_alloc&) {
+    ligne::say("there is not enough memory");
+  } catch (const std::exception& e) {
+    ligne::say(e.what());
+  } catch (...) {
+    ligne::say("the work failed for an unknown reason");
+  }
+  return ligne::kFailed;
+}

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Runs ligne with the arguments given. Installs the packages and builds the program first, where that is still to be done.
+set -euo pipefail
+
+root=$(cd -P "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
+folder=$root/build/release
+program=$folder/src/cli/ligne
+stamp=$folder/.ligne-built
+sources=("$root/src" "$root/plotting" "$root/cmake" "$root/CMakeLists.txt" "$root/scripts/setup.sh")
+
+# Nothing that the build reads is newer than the last build. A folder is newer when a file in it came or went.
+is_built() { [[ -x $program && -e $stamp && -z $(find "${sources[@]}" -newer "$stamp" -print -quit) ]]; }
+
+if ! is_built; then
+  mkdir -p "$folder"
+  (
+    # Two runs at once build once.
+    if command -v flock >/dev/null 2>&1; then
+      exec 9>"$folder/.ligne-lock"
+      flock 9
+    fi
+    source "$root/scripts/setup.sh"
+    if ! is_built; then
+      # What is edited while the build runs is newer than this mark, and is built the next time.
+      touch "$folder/.ligne-started"
+      install_packages "$build_packages"
+      build "$folder" -DCMAKE_BUILD_TYPE=Release -DLIGNE_TESTS=OFF -DLIGNE_BENCH=OFF
+      mv "$folder/.ligne-started" "$stamp"
+    fi
+  )
+fi
+exec "$program" "$@"

@@ -1,0 +1,99 @@
+# Set-up shared by ligne.sh and test.sh: the packages, and the build. To be sourced by bash; $root is the project's folder.
+
+# One package a line: Debian package, what shows that it is there (command, pkg-config name or header), why.
+# A line that begins with "optional" is a package that the build can do without.
+readonly build_packages='
+g++                  cmd:c++                         C++20 compiler
+cmake                cmd:cmake                       build
+ninja-build          cmd:ninja                       build
+pkg-config           cmd:pkg-config                  finds Cairo
+libcairo2-dev        pc:cairo                        SVG, PDF and PNG
+libglm-dev           hdr:glm/glm.hpp                 vectors and matrices
+libtinygltf-dev      hdr:tiny_gltf.h                 glTF files
+libcli11-dev         hdr:CLI/CLI.hpp                 command line
+libtbb-dev           hdr:oneapi/tbb/task_arena.h     threads
+nlohmann-json3-dev   hdr:nlohmann/json.hpp           JSON
+libtinyobjloader-dev hdr:tiny_obj_loader.h           OBJ files
+optional libdraco-dev hdr:draco/compression/decode.h compressed glTF files
+'
+readonly test_packages='
+libgtest-dev         hdr:gtest/gtest.h               unit tests
+libbenchmark-dev     hdr:benchmark/benchmark.h       benchmarks
+libembree-dev        hdr:embree3/rtcore.h            ray casting, to check visibility with
+librsvg2-bin         cmd:rsvg-convert                an independent reader of our SVG
+poppler-utils        cmd:pdftotext                   an independent reader of our PDF
+libpugixml-dev       hdr:pugixml.hpp                 reads SVG back
+'
+
+# True when the probe (cmd:, pc: or hdr:) finds its thing.
+is_there() {
+  case $1 in
+    cmd:*) command -v "${1#cmd:}" >/dev/null 2>&1 ;;
+    pc:*) pkg-config --exists "${1#pc:}" >/dev/null 2>&1 ;;
+    hdr:*) printf '#if !__has_include(<%s>)\n#error missing\n#endif\n' "${1#hdr:}" | c++ -x c++ -E - >/dev/null 2>&1 ;;
+  esac
+}
+
+# Installs the packages of a list that are missing.
+install_packages() {
+  local package probe why need=() optional=() missing=()
+  while read -r package probe why; do
+    if [[ $package == optional ]]; then
+      read -r package probe why <<<"$probe $why"
+      optional+=("$package")
+    fi
+    [[ -z $package ]] || need+=("$package $probe")
+  done <<<"$1"
+
+  if ! command -v apt-get >/dev/null 2>&1; then
+    for why in "${need[@]}"; do
+      read -r package probe <<<"$why"
+      [[ " ${optional[*]} " == *" $package "* ]] || is_there "$probe" || missing+=("$package")
+    done
+    [[ ${#missing[@]} -eq 0 ]] && return
+    echo "ligne: there is no apt-get here; please install what Debian calls: ${missing[*]}" >&2
+    return 1
+  fi
+
+  local names=() installed
+  for why in "${need[@]}"; do names+=("${why%% *}"); done
+  installed=" $(dpkg-query -W -f '${db:Status-Status}:${Package} ' "${names[@]}" 2>/dev/null || true) "
+  for package in "${names[@]}"; do
+    [[ $installed == *" installed:$package "* ]] || missing+=("$package")
+  done
+  [[ ${#missing[@]} -eq 0 ]] && return
+
+  local as_root=()
+  if [[ $(id -u) -ne 0 ]]; then
+    as_root=(sudo -n)
+    if ! sudo -n true 2>/dev/null; then
+      echo "ligne: packages are missing, please install them: sudo apt-get install ${missing[*]}" >&2
+      return 1
+    fi
+  fi
+  tell "installing ${missing[*]}"
+  mkdir -p "$root/build"
+  local log=$root/build/install.log apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600)
+  if ! { "${apt[@]}" update && "${apt[@]}" install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1 </dev/null; then
+    cat "$log" >&2
+    return 1
+  fi
+}
+
+# A word to whoever watches; standard output belongs to the program.
+tell() { if [[ -t 2 ]]; then echo "$* ..." >&2; fi; }
+
+# build FOLDER CMAKE-ARGUMENT...: configures and builds; the log is shown only when that fails.
+build() {
+  local folder=$1 log=$1/build.log
+  shift
+  mkdir -p "$folder"
+  tell "building ligne"
+  # A folder that was moved is configured anew.
+  if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then rm -f "$folder/CMakeCache.txt"; fi
+  if ! { cmake -S "$root" -B "$folder" -G Ninja "$@" && cmake --build "$folder"; } >"$log" 2>&1 </dev/null; then
+    cat "$log" >&2
+    echo "ligne: the build failed; its log is $log" >&2
+    return 1
+  fi
+}

@@ -1,0 +1,16 @@
+#pragma once
+/// Errors of the command line.
+
+#include <stdexcept>
+#include <string>
+
+namespace ligne {
+
+/// The command line is wrong: one line on standard error, exit status 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+  UsageError(const std::string& option, const std::string& cause) : std::runtime_error(option + ": " + cause) {}
+};
+
+}  // namespace ligne

@@ -1,0 +1,257 @@
+#include "cli/info.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/methods.hpp"
+#include "cli/option_helpers.hpp"
+#include "cli/placement.hpp"
+#include "cli/scene_facts.hpp"
+#include "cli/stages.hpp"
+#include "cli/text.hpp"
+#include "plotting/output_file.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Objects named one by one in the text; the JSON names them all.
+constexpr std::size_t kMostObjectLines = 20;
+
+struct Info {
+  LoadedModels models;
+  SceneFacts scene;
+  ViewFacts view;
+  Placement placement;
+  Axis up_axis = Axis::z;
+  const Method* method = nullptr;
+};
+
+std::string point_text(const Point3& p) { return rounded(p.x) + ", " + rounded(p.y) + ", " + rounded(p.z); }
+
+std::string axis_name(Axis axis) { return std::string(1, "xyz"[static_cast<unsigned>(axis)]); }
+
+/// A label in a column of its own.
+std::string line(const std::string& label, const std::string& value) {
+  constexpr std::size_t width = 15;
+  return "  " + label + std::string(label.size() < width ? width - label.size() : 1, ' ') + value + "\n";
+}
+
+std::size_t sum(const SceneFacts& scene, std::size_t ObjectFacts::*member) {
+  std::size_t n = 0;
+  for (const ObjectFacts& object : scene.objects) n += object.*member;
+  return n;
+}
+
+std::string closedness(const ObjectFacts& object) {
+  if (object.solid()) return "closed, windings agree";
+  if (object.closed()) return "closed, windings disagree at " + std::to_string(object.unlike_wound_edges) + " edges";
+  if (object.faces == 0) return "no faces";
+  return "open: " + std::to_string(object.border_edges) + " border edges, " + std::to_string(object.many_face_edges) +
+         " edges of more than two faces";
+}
+
+/// What the scene means for a method, as far as its traits tell.
+std::string meaning(const MethodTraits& traits) {
+  std::string text = precision_name(traits);
+  text += traits.penetration ? "; faces that penetrate each other are drawn right"
+                             : "; faces that penetrate each other are not drawn right";
+  if (!(traits.products & kStrokes)) text += "; gives no lines";
+  return text;
+}
+
+std::string file_text(const ModelFile& file) {
+  std::string text = file.name + "\n";
+  text += line("format", std::string(to_string(file.report.format)));
+  text += line("as stored", std::to_string(file.report.faces) + " faces, " + std::to_string(file.report.triangles) +
+                                " triangles, " + std::to_string(file.report.vertices) + " vertices");
+  for (const auto& [kind, count] : file.warnings.counts()) text += line("mended", std::to_string(count) + " " + kind);
+  return text;
+}
+
+std::string objects_text(const SceneFacts& scene) {
+  std::size_t closed = 0, solid = 0;
+  for (const ObjectFacts& object : scene.objects) {
+    closed += object.closed();
+    solid += object.solid();
+  }
+  std::string text = line("objects", std::to_string(scene.objects.size()) + ", " + std::to_string(closed) + " closed, " +
+                                         std::to_string(solid) + " of them with windings that agree");
+  for (std::size_t i = 0; i < std::min(scene.objects.size(), kMostObjectLines); ++i) {
+    const ObjectFacts& object = scene.objects[i];
+    text += line("", (object.name.empty() ? "object " + std::to_string(i) : one_line(object.name)) + ": " +
+                         std::to_string(object.faces) + " faces, " + closedness(object));
+  }
+  if (scene.objects.size() > kMostObjectLines) {
+    text += line("", "and " + std::to_string(scene.objects.size() - kMostObjectLines) + " more");
+  }
+  return text;
+}
+
+std::string text_of(const Info& info) {
+  std::string text;
+  for (const ModelFile& file : info.models.files) text += file_text(file);
+  const SceneFacts& scene = info.scene;
+  text += "scene\n" + objects_text(scene);
+  text += line("vertices", std::to_string(scene.vertices));
+  text += line("faces", std::to_string(scene.faces) + ", " + std::to_string(scene.faces_with_holes) + " with holes");
+  text += line("triangles", std::to_string(scene.triangles));
+  text +=
+      line("edges", std::to_string(scene.edges) + ", " + std::to_string(sum(scene, &ObjectFacts::border_edges)) +
+                        " border, " + std::to_string(sum(scene, &ObjectFacts::many_face_edges)) + " of more than two faces");
+  text += line("bounding box", point_text(scene.bounds[0]) + " to " + point_text(scene.bounds[1]));
+  text += line("up axis", axis_name(info.up_axis));
+  text += line("precision", rounded(scene.precision, 3) + " model units");
+
+  text += "view\n";
+  for (std::size_t c = 0; c < kLineClassCount; ++c) {
+    // The lines where faces penetrate each other are not edges of the scene: a method finds them.
+    if (static_cast<LineClass>(c) == LineClass::intersection) continue;
+    text += line(std::string(kLineClassNames[c]), std::to_string(info.view.edges[c]) + " edges");
+  }
+  text += line("depth", rounded(info.view.nearest) + " to " + rounded(info.view.farthest) + " along the line of sight");
+  const Page& page = info.placement.page;
+  text += line("page", rounded(page.width_mm) + " x " + rounded(page.height_mm) + " mm");
+  text += line("picture", info.placement.picture.empty()
+                              ? "nothing is in view"
+                              : rounded(info.placement.picture.width(), 4) + " x " +
+                                    rounded(info.placement.picture.height(), 4) + " mm, " +
+                                    rounded(info.placement.view.scale, 4) + " mm per model unit" +
+                                    (info.placement.larger_than_page() ? ", larger than the page" : ""));
+  text += "methods\n";
+  for (const Method* method : all_methods()) {
+    const MethodTraits& traits = method->traits();
+    text += line(std::string(traits.name), meaning(traits) + (method == info.method ? " (chosen)" : ""));
+  }
+  return text;
+}
+
+Json json_of(const Point3& p) { return Json::array({p.x, p.y, p.z}); }
+
+Json file_json(const ModelFile& file) {
+  Json json;
+  json["file"] = file.name;
+  json["format"] = to_string(file.report.format);
+  json["stored"] = {{"faces", file.report.faces}, {"triangles", file.report.triangles}, {"vertices", file.report.vertices}};
+  json["warnings"] = Json::object();
+  for (const auto& [kind, count] : file.warnings.counts()) json["warnings"][kind] = count;
+  return json;
+}
+
+Json object_json(const ObjectFacts& object) {
+  Json json;
+  json["name"] = object.name;
+  json["vertices"] = object.vertices;
+  json["faces"] = object.faces;
+  json["border_edges"] = object.border_edges;
+  json["many_face_edges"] = object.many_face_edges;
+  json["unlike_wound_edges"] = object.unlike_wound_edges;
+  json["closed"] = object.closed();
+  json["windings_agree"] = object.unlike_wound_edges == 0;
+  return json;
+}
+
+std::string json_of(const Info& info) {
+  Json json{{"format", "ligne-info"}, {"version", 1}};
+  json["files"] = Json::array();
+  for (const ModelFile& file : info.models.files) json["files"].push_back(file_json(file));
+
+  const SceneFacts& facts = info.scene;
+  Json scene;
+  scene["vertices"] = facts.vertices;
+  scene["faces"] = facts.faces;
+  scene["faces_with_holes"] = facts.faces_with_holes;
+  scene["triangles"] = facts.triangles;
+  scene["edges"] = facts.edges;
+  scene["border_edges"] = sum(facts, &ObjectFacts::border_edges);
+  scene["many_face_edges"] = sum(facts, &ObjectFacts::many_face_edges);
+  scene["bounds"] = Json::array({json_of(facts.bounds[0]), json_of(facts.bounds[1])});
+  scene["up_axis"] = axis_name(info.up_axis);
+  scene["precision"] = facts.precision;
+  scene["objects"] = Json::array();
+  for (const ObjectFacts& object : facts.objects) scene["objects"].push_back(object_json(object));
+  json["scene"] = std::move(scene);
+
+  Json view;
+  view["edges"] = Json::object();
+  for (std::size_t c = 0; c < kLineClassCount; ++c) {
+    if (static_cast<LineClass>(c) != LineClass::intersection)
+      view["edges"][std::string(kLineClassNames[c])] = info.view.edges[c];
+  }
+  view["depth"] = Json::array({info.view.nearest, info.view.farthest});
+  view["perspective"] = info.placement.view.camera.perspective;
+  view["page_mm"] = Json::array({info.placement.page.width_mm, info.placement.page.height_mm});
+  view["picture_mm"] = info.placement.picture.empty()
+                           ? Json(nullptr)
+                           : Json::array({info.placement.picture.width(), info.placement.picture.height()});
+  view["mm_per_unit"] = info.placement.view.scale;
+  json["view"] = std::move(view);
+
+  json["methods"] = Json::array();
+  for (const Method* method : all_methods()) {
+    const MethodTraits& traits = method->traits();
+    json["methods"].push_back(Json{{"name", traits.name}, {"chosen", method == info.method}, {"meaning", meaning(traits)}});
+  }
+  // Names come from the file as they are, UTF-8 or not.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void check(const InfoOptions& options) {
+  check(options.page);
+  if (options.output.format && *options.output.format != OutputFormat::json) {
+    throw UsageError("--format", "info is written as text, or as json");
+  }
+  if (options.output.file) refuse_input_as_output("--output", *options.output.file, options.model.files);
+  if (!options.run.stats_json.empty()) {
+    refuse_input_as_output("--stats-json", options.run.stats_json, options.model.files);
+    if (options.run.stats_json == options.output.file.value_or("-")) {
+      throw UsageError("--stats-json", options.run.stats_json + " is the output file too");
+    }
+  }
+}
+
+void inform(const InfoOptions& options) {
+  Info info;
+  RunReport run;
+  info.method = &method_of(options.method);
+  info.models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
+  const Scene& scene = info.models.scene;
+  info.up_axis = options.view.up_axis.value_or(scene.up_axis);
+  Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
+  info.scene = scene_facts(scene, topology);
+  timed(run.stages, "project", [&] {
+    info.placement = place(scene, camera_of(options.view, scene), options.page);
+    const EdgeSelection all{parse_edges("all"), options.method.crease_degrees};
+    info.view = view_facts(scene, project(scene, std::move(topology), info.placement.view, all));
+  });
+  const bool json = options.json || options.output.format.has_value();
+  write_output(options.output.file.value_or("-"), json ? json_of(info) : text_of(info));
+  if (options.run.stats) std::fputs(report_text(run).c_str(), stderr);
+  if (!options.run.stats_json.empty()) write_output(options.run.stats_json, report_json(run));
+}
+
+}  // namespace
+
+void setup_info(CLI::App& app, InfoOptions& options) {
+  CLI::App* info = app.add_subcommand("info", "What a scene contains, and what that means for each method");
+  add_model_options(*info, options.model);
+  info->add_flag("--json", options.json, "as JSON")->group("Output");
+  add_view_options(*info, options.view);
+  add_method_options(*info, options.method);
+  add_page_options(*info, options.page);
+  add_output_options(*info, options.output);
+  add_run_options(*info, options.run);
+  info->footer("Examples:\n  ligne info gearbox.obj\n  ligne info flange.glb --view top --json -o flange.json");
+}
+
+void run_info(const InfoOptions& options) {
+  check(options);
+  run_with_threads(options.run, [&] { inform(options); });
+}
+
+}  // namespace ligne

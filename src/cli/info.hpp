@@ -1,0 +1,28 @@
+#pragma once
+/// ligne info: what a scene contains, and what that means for each method.
+
+#include "cli/method_options.hpp"
+#include "cli/models.hpp"
+#include "cli/output_options.hpp"
+#include "cli/page_options.hpp"
+#include "cli/run_options.hpp"
+#include "cli/view_options.hpp"
+
+namespace ligne {
+
+struct InfoOptions {
+  ModelOptions model;
+  ViewOptions view;
+  MethodOptions method;
+  PageOptions page;
+  OutputOptions output;  ///< default: text to standard output
+  RunOptions run;
+  bool json = false;
+};
+
+void setup_info(CLI::App& app, InfoOptions& options);
+
+/// Throws UsageError, InputError, std::runtime_error.
+void run_info(const InfoOptions& options);
+
+}  // namespace ligne

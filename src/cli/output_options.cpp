@@ -1,0 +1,45 @@
+#include "cli/output_options.hpp"
+
+#include <stdexcept>
+#include <system_error>
+
+#include "cli/option_helpers.hpp"
+
+namespace ligne {
+
+void add_output_options(CLI::App& app, OutputOptions& options) {
+  CLI::Option* file = add_parsed(
+      app, "-o,--output", "FILE", options.file,
+      [](const std::string& text) {
+        if (text.empty()) throw std::invalid_argument("the name of the file is empty");
+        return text;
+      },
+      "file to write; - is standard output");
+  CLI::Option* format =
+      add_parsed(app, "--format", "NAME", options.format, parse_format, "svg pdf png json (default: by the suffix)");
+  for (CLI::Option* option : {file, format}) option->group("Output");
+}
+
+OutputFormat format_of(const OutputOptions& options) {
+  if (!options.file) throw UsageError("--output", "there is no output file: -o FILE, or -o - --format NAME");
+  if (options.format) return *options.format;
+  if (*options.file == "-") throw UsageError("--output", "standard output needs a --format: svg, pdf, png or json");
+  try {
+    return format_of_suffix(*options.file);
+  } catch (const std::invalid_argument& e) {
+    throw UsageError("--output", e.what());
+  }
+}
+
+void refuse_input_as_output(const std::string& option, const std::filesystem::path& file,
+                            std::span<const std::string> inputs) {
+  if (file == "-") return;
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    if (std::filesystem::equivalent(file, input, error) && !error) {
+      throw UsageError(option, file.string() + " is an input too, and would be lost");
+    }
+  }
+}
+
+}  // namespace ligne

@@ -1,0 +1,175 @@
+#include "cli/parse.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "cli/text.hpp"
+
+namespace ligne {
+namespace {
+
+[[noreturn]] void fail(std::string_view text, const std::string& cause) {
+  throw std::invalid_argument((text.empty() ? "an empty text" : "\"" + std::string(text) + "\"") + " " + cause);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// The number, or nothing.
+std::optional<double> number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::string with_unit(std::string_view unit) { return unit.empty() ? "" : " " + std::string(unit); }
+
+}  // namespace
+
+std::string list_of(std::span<const std::string_view> names) {
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) list += i + 1 == names.size() ? " or " : ", ";
+    list += names[i];
+  }
+  return list;
+}
+
+double parse_number(std::string_view text) {
+  const std::optional<double> value = number(text);
+  if (!value) fail(text, "is not a number");
+  return *value;
+}
+
+double parse_positive(std::string_view text) {
+  const double value = parse_number(text);
+  if (!(value > 0)) throw std::invalid_argument(std::string(text) + " is not greater than 0");
+  return value;
+}
+
+double parse_between(std::string_view text, double low, double high, std::string_view unit) {
+  const double value = parse_number(text);
+  if (!(value > low && value < high)) {
+    throw std::invalid_argument(std::string(text) + " is not between " + shortest(low) + " and " + shortest(high) +
+                                with_unit(unit));
+  }
+  return value;
+}
+
+double parse_within(std::string_view text, double low, double high, std::string_view unit) {
+  const double value = parse_number(text);
+  if (!(value >= low && value <= high)) {
+    throw std::invalid_argument(std::string(text) + " is not from " + shortest(low) + " to " + shortest(high) +
+                                with_unit(unit));
+  }
+  return value;
+}
+
+unsigned parse_count(std::string_view text, unsigned low, unsigned high) {
+  unsigned value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < low || value > high) {
+    fail(text, "is not a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+  }
+  return value;
+}
+
+Point3 parse_point(std::string_view text) {
+  const std::vector<std::string_view> parts = split(text, ',');
+  if (parts.size() != 3) fail(text, "is not three numbers X,Y,Z");
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::optional<double> value = number(parts[i]);
+    if (!value) fail(text, "is not three numbers X,Y,Z");
+    values[i] = *value;
+  }
+  return {values[0], values[1], values[2]};
+}
+
+Point3 parse_vector(std::string_view text) {
+  const Point3 vector = parse_point(text);
+  if (vector == Point3(0, 0, 0)) fail(text, "has no direction");
+  return vector;
+}
+
+std::size_t parse_choice(std::string_view text, std::span<const std::string_view> names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == text) return i;
+  }
+  fail(text, "is not one of " + list_of(names));
+}
+
+Axis parse_axis(std::string_view text) {
+  constexpr std::string_view names[] = {"x", "y", "z"};
+  return static_cast<Axis>(parse_choice(text, names));
+}
+
+LineClasses parse_edges(std::string_view text) {
+  LineClasses classes;
+  for (const std::string_view word : split(text, ',')) {
+    bool known = false;
+    for (std::size_t i = 0; i < kLineClassCount; ++i) {
+      const LineClass line_class = static_cast<LineClass>(i);
+      const bool in_group = word == "all" || (word == "feature" && line_class != LineClass::mesh);
+      if (in_group || word == kLineClassNames[i]) {
+        classes.add(line_class);
+        known = true;
+      }
+    }
+    if (!known) {
+      fail(word, "is not one of " + list_of(kLineClassNames).replace(list_of(kLineClassNames).rfind(" or "), 4, ", ") +
+                     ", feature or all");
+    }
+  }
+  return classes;
+}
+
+std::optional<double> parse_scale(std::string_view text) {
+  if (text == "fit") return std::nullopt;
+  const std::vector<std::string_view> parts = split(text, ':');
+  if (parts.size() == 2) {
+    const std::optional<double> n = number(parts[0]), m = number(parts[1]);
+    if (n && m && *n > 0 && *m > 0 && std::isnormal(*n / *m)) return *n / *m;
+  }
+  fail(text, "is neither fit nor a ratio N:M, such as 1:50");
+}
+
+double parse_unit_mm(std::string_view text) {
+  constexpr std::pair<std::string_view, double> units[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+  for (const auto& [name, mm] : units) {
+    if (name == text) return mm;
+  }
+  const std::optional<double> mm = number(text);
+  if (!mm || !(*mm > 0)) fail(text, "is neither mm, cm, m, in nor a number of mm above 0");
+  return *mm;
+}
+
+OutputFormat parse_format(std::string_view text) {
+  return static_cast<OutputFormat>(parse_choice(text, kOutputFormatNames));
+}
+
+OutputFormat format_of_suffix(const std::filesystem::path& file) {
+  std::string suffix = file.extension().string();
+  for (char& c : suffix) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  for (std::size_t i = 0; i < std::size(kOutputFormatNames); ++i) {
+    if (suffix == "." + std::string(kOutputFormatNames[i])) return static_cast<OutputFormat>(i);
+  }
+  fail(file.string(), "does not end in .svg, .pdf, .png or .json, and there is no --format");
+}
+
+}  // namespace ligne

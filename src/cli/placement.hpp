@@ -1,0 +1,21 @@
+#pragma once
+/// The picture's place on the page.
+
+#include "cli/page_options.hpp"
+#include "view/view.hpp"
+
+namespace ligne {
+
+struct Placement {
+  Page page;
+  View view;
+  Rect picture;  ///< page mm that the whole scene takes, before anything is clipped; empty when nothing is in view
+
+  /// Something lies outside the sheet and is clipped away.
+  bool larger_than_page() const;
+};
+
+/// Chooses the page's orientation and puts the camera's picture on it.
+Placement place(const Scene& scene, const Camera& camera, const PageOptions& options);
+
+}  // namespace ligne

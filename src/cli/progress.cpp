@@ -1,0 +1,50 @@
+#include "cli/progress.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace ligne {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{500};
+constexpr int kBarCells = 40;
+
+}  // namespace
+
+ProgressBar::ProgressBar(const RunOptions& options) {
+  const auto now = std::chrono::steady_clock::now();
+  switch (options.progress) {
+    case ShowProgress::never:
+      break;
+    case ShowProgress::always:
+      wanted_ = true;
+      show_from_ = now;
+      break;
+    case ShowProgress::automatic:
+      wanted_ = !options.quiet && isatty(STDERR_FILENO) != 0;
+      show_from_ = now + kPatience;
+      break;
+  }
+}
+
+ProgressBar::~ProgressBar() {
+  if (drawn_) std::fputs("\r\x1b[K", stderr);
+}
+
+void ProgressBar::update(double fraction) {
+  if (!wanted_ || !std::isfinite(fraction)) return;
+  const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100);
+  if (percent == percent_ || std::chrono::steady_clock::now() < show_from_) return;
+  percent_ = percent;
+  drawn_ = true;
+  const int full = percent * kBarCells / 100;
+  const std::string bar =
+      "\r[" + std::string(full, '#') + std::string(kBarCells - full, ' ') + "] " + std::to_string(percent) + "%";
+  std::fwrite(bar.data(), 1, bar.size(), stderr);
+}
+
+}  // namespace ligne

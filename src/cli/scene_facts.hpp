@@ -1,0 +1,47 @@
+#pragma once
+/// What can be said of a scene before a method has seen it.
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "drawing/stroke.hpp"
+#include "scene/scene.hpp"
+#include "scene/topology.hpp"
+#include "view/projected_scene.hpp"
+
+namespace ligne {
+
+struct ObjectFacts {
+  std::string name;
+  std::size_t vertices = 0, faces = 0;
+  std::size_t border_edges = 0;        ///< one face
+  std::size_t many_face_edges = 0;     ///< more than two faces
+  std::size_t unlike_wound_edges = 0;  ///< its two faces disagree on which side is outside
+
+  /// Closed: no border, every edge has two faces.
+  bool closed() const { return faces > 0 && border_edges == 0 && many_face_edges == 0; }
+  /// Closed, and the windings agree: back faces may be culled.
+  bool solid() const { return closed() && unlike_wound_edges == 0; }
+};
+
+struct SceneFacts {
+  std::size_t vertices = 0, faces = 0, faces_with_holes = 0, triangles = 0, edges = 0;
+  std::array<Point3, 2> bounds{};  ///< least and greatest corner; both zero when there is no vertex
+  double precision = 0;            ///< largest of the objects
+  std::vector<ObjectFacts> objects;
+};
+
+/// Counts over a finished scene and its topology.
+SceneFacts scene_facts(const Scene& scene, const Topology& topology);
+
+struct ViewFacts {
+  std::array<std::size_t, kLineClassCount> edges{};  ///< candidates of each class
+  double nearest = 0, farthest = 0;                  ///< along the line of sight from the viewer or the centre, model units
+};
+
+/// Counts over a scene projected with all classes selected. A source edge that clipping cut counts once.
+ViewFacts view_facts(const Scene& scene, const ProjectedScene& projected);
+
+}  // namespace ligne

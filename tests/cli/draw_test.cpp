@@ -1,0 +1,262 @@
+/// Every option of `ligne draw`, by what it changes.
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "program.hpp"
+
+namespace ligne::test {
+namespace {
+
+using nlohmann::json;
+
+class DrawTest : public ProgramTest {
+ protected:
+  /// The JSON drawing of the arguments.
+  json drawn(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "draw");
+    arguments.insert(arguments.end(), {"-o", "-", "--format", "json"});
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return outcome.status == 0 ? json::parse(outcome.out) : json();
+  }
+};
+
+/// Numbers of strokes by class; hidden ones under "hidden".
+std::map<std::string, int> strokes_by_class(const json& drawing) {
+  std::map<std::string, int> counts;
+  for (const json& stroke : drawing["strokes"]) {
+    ++counts[stroke["visible"].get<bool>() ? stroke["class"].get<std::string>() : "hidden"];
+  }
+  return counts;
+}
+
+struct Extent {
+  double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300;
+  double width() const { return right - left; }
+  double height() const { return bottom - top; }
+};
+
+Extent extent(const json& drawing) {
+  Extent box;
+  for (const json& stroke : drawing["strokes"]) {
+    for (const json& point : stroke["points"]) {
+      box.left = std::min(box.left, point[0].get<double>());
+      box.right = std::max(box.right, point[0].get<double>());
+      box.top = std::min(box.top, point[1].get<double>());
+      box.bottom = std::max(box.bottom, point[1].get<double>());
+    }
+  }
+  return box;
+}
+
+constexpr double kMicrometre = 1e-3;
+
+TEST_F(DrawTest, TrueScaleSizeAndPlace) {
+  const Extent box = extent(drawn({"cube.obj", "--view", "front", "--scale", "2:1"}));
+  EXPECT_NEAR(box.width(), 40, kMicrometre);
+  EXPECT_NEAR(box.height(), 40, kMicrometre);
+  EXPECT_NEAR(box.left + box.right, 210, kMicrometre);
+  EXPECT_NEAR(box.top + box.bottom, 297, kMicrometre);
+  EXPECT_NEAR(extent(drawn({"cube.obj", "--view", "front", "--scale", "1:10", "--unit", "cm"})).width(), 20, kMicrometre);
+  EXPECT_NEAR(extent(drawn({"cube.obj", "--view", "front", "--scale", "1:10", "--unit", "25"})).width(), 50, kMicrometre);
+}
+
+TEST_F(DrawTest, FitFillsThePageWithinItsMargins) {
+  const Extent portrait = extent(drawn({"cube.obj", "--view", "front"}));
+  EXPECT_NEAR(portrait.width(), 190, kMicrometre);
+  const Extent wide = extent(drawn({"square.obj", "--view", "front", "--margin", "2cm"}));
+  EXPECT_NEAR(wide.left, 20, kMicrometre) << "the page lies on its side by itself";
+  EXPECT_NEAR(wide.right, 277, kMicrometre);
+  EXPECT_NEAR(extent(drawn({"square.obj", "--view", "front", "--portrait"})).width(), 190, kMicrometre);
+  EXPECT_NEAR(extent(drawn({"cube.obj", "--view", "front", "--landscape"})).height(), 190, kMicrometre);
+  EXPECT_NEAR(extent(drawn({"cube.obj", "--view", "front", "--page", "A3"})).width(), 277, kMicrometre);
+  EXPECT_NEAR(extent(drawn({"square.obj", "--view", "front", "--page", "10cmx20cm"})).width(), 80, kMicrometre);
+}
+
+TEST_F(DrawTest, ViewsAndAxes) {
+  // The square lies in x, y: wide from the front, a line from the top, and upright when x is up.
+  EXPECT_NEAR(extent(drawn({"square.obj", "--view", "front", "--scale", "1:1"})).width(), 40, kMicrometre);
+  EXPECT_NEAR(extent(drawn({"square.obj", "--view", "top", "--scale", "1:1"})).height(), 0, kMicrometre);
+  EXPECT_NEAR(extent(drawn({"square.obj", "--direction", "0,0,-1", "--scale", "1:1"})).width(), 40, kMicrometre);
+  EXPECT_NEAR(extent(drawn({"square.obj", "--direction", "0,0,-1", "--up", "1,0,0", "--scale", "1:1"})).height(), 40,
+              kMicrometre);
+  EXPECT_NEAR(extent(drawn({"square.obj", "--direction", "0,0,-1", "--up-axis", "x", "--scale", "1:1"})).height(), 40,
+              kMicrometre);
+  for (const char* view : {"back", "left", "right", "bottom", "iso", "dimetric", "trimetric"}) {
+    EXPECT_FALSE(drawn({"cube.obj", "--view", view})["strokes"].empty()) << view;
+  }
+}
+
+TEST_F(DrawTest, Perspective) {
+  // The front face of the cube stands 90 before the eye, the target plane 100.
+  const Extent box = extent(drawn({"cube.obj", "--eye", "0,0,100", "--target", "0,0,0", "--scale", "1:1"}));
+  EXPECT_NEAR(box.width(), 20 * 100.0 / 90, kMicrometre);
+  const std::vector<std::string> near{"cube.obj", "--eye", "0,0,40", "--scale", "1:1", "--fov"};
+  auto narrow = near, wide = near;
+  narrow.push_back("20");
+  wide.push_back("90");
+  EXPECT_LT(extent(drawn(narrow)).height(), extent(drawn(wide)).height()) << "a narrow view cuts the cube off";
+}
+
+TEST_F(DrawTest, ClassesCreaseAndHiddenLines) {
+  EXPECT_EQ(strokes_by_class(drawn({"cube.obj"})), (std::map<std::string, int>{{"outline", 6}, {"crease", 3}}));
+  EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--edges", "outline"})), (std::map<std::string, int>{{"outline", 6}}));
+  EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--crease", "91"})), (std::map<std::string, int>{{"outline", 6}}));
+  EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--crease", "91", "--edges", "all"})),
+            (std::map<std::string, int>{{"outline", 6}, {"mesh", 3}}));
+  EXPECT_EQ(strokes_by_class(drawn({"square.obj"})), (std::map<std::string, int>{{"border", 4}}));
+  EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--hidden", "dashed", "--view", "dimetric"}))["hidden"], 3);
+  EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--hidden", "none", "--view", "dimetric"})).count("hidden"), 0u);
+}
+
+TEST_F(DrawTest, HiddenLinesAreDashedOrSolid) {
+  ASSERT_EQ(run({"draw", "cube.obj", "--view", "dimetric", "--hidden", "dashed", "-o", "d.svg"}).status, 0);
+  ASSERT_EQ(run({"draw", "cube.obj", "--view", "dimetric", "--hidden", "solid", "-o", "s.svg"}).status, 0);
+  const std::string dashed = contents(file("d.svg")), solid = contents(file("s.svg"));
+  EXPECT_NE(dashed.find("stroke-dasharray"), std::string::npos);
+  EXPECT_EQ(solid.find("stroke-dasharray"), std::string::npos);
+  EXPECT_NE(solid.find("id=\"hidden\""), std::string::npos);
+}
+
+TEST_F(DrawTest, EveryMethodByName) {
+  const json methods = json::parse(run({"methods", "--json"}).out);
+  for (const json& method : methods["methods"]) {
+    const auto& products = method["produces"];
+    if (std::find(products.begin(), products.end(), "strokes") == products.end()) continue;
+    const std::string name = method["name"];
+    EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--method", name})),
+              strokes_by_class(drawn({"cube.obj", "--method", "auto"})))
+        << name;
+  }
+}
+
+TEST_F(DrawTest, FormatsBySuffixAndByName) {
+  const std::pair<const char*, const char*> formats[] = {
+      {"svg", "<?xml"}, {"pdf", "%PDF-"}, {"png", "\x89PNG"}, {"json", "{"}};
+  for (const auto& [format, mark] : formats) {
+    const std::string name = std::string("out.") + format;
+    ASSERT_EQ(run({"draw", "cube.obj", "-o", name}).status, 0) << name;
+    EXPECT_EQ(contents(file(name)).rfind(mark, 0), 0u) << name;
+    const Outcome to_pipe = run({"draw", "cube.obj", "-o", "-", "--format", format});
+    EXPECT_EQ(to_pipe.out, contents(file(name))) << name;
+    ASSERT_EQ(run({"draw", "cube.obj", "-o", "other", "--format", format}).status, 0);
+    EXPECT_EQ(contents(file("other")), contents(file(name))) << name;
+  }
+}
+
+TEST_F(DrawTest, PenTitleAndResolution) {
+  const std::string plain = run({"draw", "cube.obj", "-o", "-", "--format", "svg"}).out;
+  EXPECT_NE(plain.find("stroke-width=\"0.35\""), std::string::npos) << plain;
+  const std::string wide =
+      run({"draw", "cube.obj", "-o", "-", "--format", "svg", "--pen-width", "1mm", "--title", "A <cube> & co"}).out;
+  EXPECT_NE(wide.find("stroke-width=\"1\""), std::string::npos) << wide;
+  EXPECT_NE(wide.find("A &lt;cube&gt; &amp; co"), std::string::npos) << wide;
+  const std::string png = run({"draw", "cube.obj", "-o", "-", "--format", "png", "--dpi", "25.4", "--page", "100x50"}).out;
+  ASSERT_GT(png.size(), 24u);
+  const auto big_endian = [&](std::size_t at) {
+    return (static_cast<unsigned char>(png[at + 2]) << 8) + static_cast<unsigned char>(png[at + 3]);
+  };
+  EXPECT_EQ(big_endian(16), 100);
+  EXPECT_EQ(big_endian(20), 50);
+}
+
+TEST_F(DrawTest, StatsToErrorAndFile) {
+  const Outcome outcome = run({"draw", "cube.obj", "-o", "out.svg", "--stats", "--stats-json", "stats.json"});
+  ASSERT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind("method ", 0), 0u) << outcome.err;
+  const json stats = json::parse(contents(file("stats.json")));
+  EXPECT_EQ(stats["format"], "ligne-stats");
+  EXPECT_FALSE(stats["counts"].empty());
+  std::set<std::string> stages;
+  for (const auto& [name, seconds] : stats["stages"].items()) {
+    stages.insert(name);
+    EXPECT_GE(seconds.get<double>(), 0);
+    EXPECT_NE(outcome.err.find("  " + name + " "), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(stages, (std::set<std::string>{"read", "topology", "project", "study", "drawing", "write", "output"}));
+}
+
+TEST_F(DrawTest, SameBytesForAnyNumberOfThreads) {
+  const std::string model = LIGNE_SOURCE_DIR "/examples/models/stair-tower.obj";
+  const auto bytes = [&](const char* threads) {
+    return run({"draw", model, "-q", "-o", "-", "--format", "svg", "--hidden", "dashed", "--threads", threads}).out;
+  };
+  const std::string one = bytes("1");
+  EXPECT_GT(one.size(), 10000u);
+  EXPECT_EQ(one, bytes("2"));
+  EXPECT_EQ(one, bytes("7"));
+}
+
+TEST_F(DrawTest, ProgressIsForTerminalsUnlessAskedFor) {
+  EXPECT_EQ(run({"draw", "cube.obj", "-o", "out.svg"}).err, "");
+  EXPECT_EQ(run({"draw", "cube.obj", "-o", "out.svg", "--progress", "never"}).err, "");
+  const std::string model = LIGNE_SOURCE_DIR "/examples/models/stair-tower.obj";
+  EXPECT_NE(run({"draw", model, "-o", "out.svg", "--progress", "always"}).err.find("%"), std::string::npos);
+}
+
+TEST_F(DrawTest, WarningsAreOneLineEachAndQuietIsQuiet) {
+  write("doubtful.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\nf 1 1 2\nf 2 2 3\n");
+  const Outcome loud = run({"draw", "doubtful.obj", "-o", "out.svg"});
+  EXPECT_EQ(loud.status, 0);
+  EXPECT_EQ(loud.error_lines(), 1u) << loud.err;
+  EXPECT_EQ(loud.err.rfind("ligne: doubtful.obj: warning: 2 ", 0), 0u) << loud.err;
+  EXPECT_EQ(run({"draw", "doubtful.obj", "-o", "out.svg", "-q"}).err, "");
+}
+
+TEST_F(DrawTest, EmptyDrawingIsAWarningAndAFile) {
+  const Outcome outcome = run({"draw", "square.obj", "--edges", "crease", "-o", "out.svg"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err.rfind("ligne: square.obj: warning: ", 0), 0u) << outcome.err;
+  EXPECT_NE(contents(file("out.svg")).find("</svg>"), std::string::npos);
+  const Outcome behind = run({"draw", "cube.obj", "--eye", "0,0,100", "--target", "0,0,200", "-o", "behind.pdf"});
+  EXPECT_EQ(behind.status, 0) << behind.err;
+  EXPECT_EQ(behind.error_lines(), 1u) << behind.err;
+  EXPECT_EQ(contents(file("behind.pdf")).rfind("%PDF-", 0), 0u);
+}
+
+TEST_F(DrawTest, PictureLargerThanThePageIsAWarning) {
+  const Outcome outcome = run({"draw", "cube.obj", "--scale", "100:1", "-o", "out.svg"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err.rfind("ligne: cube.obj: warning: the picture is larger than the page", 0), 0u) << outcome.err;
+}
+
+TEST_F(DrawTest, SeveralModelsMakeOneScene) {
+  const auto together = strokes_by_class(drawn({"cube.obj", "square.obj"}));
+  EXPECT_GE(together.at("outline"), 6);
+  EXPECT_GT(together.at("border"), 0);
+}
+
+TEST_F(DrawTest, MergedCoplanarFacesHaveNoLineBetweenThem) {
+  write("strip.obj", "v 0 0 0\nv 10 0 0\nv 20 0 0\nv 0 10 0\nv 10 10 0\nv 20 10 0\nf 1 2 5 4\nf 2 3 6 5\n");
+  EXPECT_EQ(strokes_by_class(drawn({"strip.obj", "--edges", "all"}))["mesh"], 1);
+  EXPECT_EQ(strokes_by_class(drawn({"strip.obj", "--edges", "all", "--merge-coplanar"})).count("mesh"), 0u);
+}
+
+TEST_F(DrawTest, NamesWithSpacesAndUtf8) {
+  std::filesystem::copy_file(file("cube.obj"), file("le cube \xc3\xa9t\xc3\xa9.obj"));
+  EXPECT_EQ(run({"draw", "le cube \xc3\xa9t\xc3\xa9.obj", "-o", "une \xc3\xa9toile 'x'.svg"}).status, 0);
+  EXPECT_TRUE(exists("une \xc3\xa9toile 'x'.svg"));
+  std::filesystem::copy_file(file("cube.obj"), file("-dash.obj"));
+  EXPECT_EQ(run({"draw", "-o", "dash.svg", "--", "-dash.obj"}).status, 0);
+}
+
+TEST_F(DrawTest, NothingButTheOutputIsWritten) {
+  ASSERT_EQ(run({"draw", "cube.obj", "-o", "out.svg"}).status, 0);
+  EXPECT_EQ(new_files(), std::vector<std::string>{"out.svg"});
+}
+
+TEST_F(DrawTest, ExampleModelsAreDrawnWithoutWarnings) {
+  for (const char* name : {"gear-pair.json", "pipe-tee.json", "stair-tower.obj"}) {
+    const Outcome outcome = run({"draw", std::string(LIGNE_SOURCE_DIR "/examples/models/") + name, "-o", "out.svg"});
+    EXPECT_EQ(outcome.status, 0) << name;
+    EXPECT_EQ(outcome.err, "") << name;
+  }
+}
+
+}  // namespace
+}  // namespace ligne::test

@@ -1,0 +1,140 @@
+/// Every way to get the command line wrong: exit status, one line on standard error, no file left behind.
+
+#include <filesystem>
+#include <fstream>
+
+#include "program.hpp"
+
+namespace ligne::test {
+namespace {
+
+constexpr int kFailed = 1, kUsage = 2;
+
+struct Mistake {
+  const char* name;
+  std::vector<std::string> arguments;
+  int status;
+  std::string start;  ///< of the line, behind "ligne: "
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; }
+
+class Mistakes : public ProgramTest, public testing::WithParamInterface<Mistake> {};
+
+TEST_P(Mistakes, AreOneLineAndLeaveNothing) {
+  const Outcome outcome = run(GetParam().arguments);
+  EXPECT_EQ(outcome.status, GetParam().status) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
+  EXPECT_EQ(outcome.err.rfind("ligne: " + GetParam().start, 0), 0u) << outcome.err;
+  EXPECT_EQ(new_files(), std::vector<std::string>{});
+}
+
+Mistake draw(const char* name, std::vector<std::string> options, const std::string& start) {
+  std::vector<std::string> arguments{"draw", "cube.obj", "-o", "out.svg"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return {name, arguments, kUsage, start};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Options, Mistakes,
+    testing::Values(
+        draw("ViewUnknown", {"--view", "behind"}, "--view: \"behind\" is not one of front, "),
+        draw("DirectionZero", {"--direction", "0,0,0"}, "--direction: \"0,0,0\" has no direction"),
+        draw("DirectionShort", {"--direction", "1,2"}, "--direction: \"1,2\" is not three numbers X,Y,Z"),
+        draw("DirectionWithView", {"--view", "top", "--direction", "1,0,0"}, "--"),
+        draw("EyeWithDirection", {"--eye", "1,0,0", "--direction", "1,0,0"}, "--"),
+        draw("EyeWords", {"--eye", "here"}, "--eye: \"here\" is not three numbers X,Y,Z"),
+        draw("EyeIsTarget", {"--eye", "100,0,0", "--target", "100,0,0"}, ""),
+        draw("TargetAlone", {"--target", "0,0,0"}, "--target"), draw("FovAlone", {"--fov", "40"}, "--fov"),
+        draw("FovLarge", {"--eye", "99,0,0", "--fov", "200"}, "--fov: 200 is not between 0 and 180 degrees\n"),
+        draw("FovZero", {"--eye", "99,0,0", "--fov", "0"}, "--fov: 0 is not between 0 and 180 degrees\n"),
+        draw("UpZero", {"--up", "0,0,0"}, "--up: "), draw("UpAxis", {"--up-axis", "w"}, "--up-axis: "),
+        draw("Method", {"--method", "magic"}, "--method: \"magic\" is not one of auto, "),
+        draw("Edges", {"--edges", "outline,all,none"}, "--edges: \"none\" is not one of outline, "),
+        draw("EdgesEmpty", {"--edges", ""}, "--edges: "), draw("CreaseNegative", {"--crease", "-1"}, "--crease: -1 is not "),
+        draw("CreaseLarge", {"--crease", "181"}, "--crease: 181 is not from 0 to 180 degrees\n"),
+        draw("Hidden", {"--hidden", "dotted"}, "--hidden: \"dotted\" is not one of none, dashed or solid\n"),
+        draw("Page", {"--page", "A11"}, "--page: "), draw("PageNothing", {"--page", "0x0"}, "--"),
+        draw("PageTwice", {"--landscape", "--portrait"}, "--"), draw("MarginUnit", {"--margin", "1ft"}, "--margin: "),
+        draw("MarginNegative", {"--margin", "-1"}, "--margin: "),
+        draw("MarginLarge", {"--margin", "11cm"}, "--margin: 110 mm leaves nothing of a page of 210 x 297 mm\n"),
+        draw("PenZero", {"--pen-width", "0"}, "--pen-width: "), draw("PenWide", {"--pen-width", "6cm"}, "--pen-width: "),
+        draw("Scale", {"--scale", "half"}, "--scale: "), draw("ScaleZero", {"--scale", "0:1"}, "--scale: "),
+        draw("Unit", {"--unit", "ell"}, "--unit: "), draw("Dpi", {"--dpi", "0"}, "--dpi: "),
+        draw("Format", {"--format", "dxf"}, "--format: \"dxf\" is not one of svg, pdf, png or json\n"),
+        draw("ThreadsZero", {"--threads", "0"}, "--threads: "), draw("ThreadsHalf", {"--threads", "1.5"}, "--threads: "),
+        draw("Progress", {"--progress", "often"}, "--progress: "),
+        draw("StatsFileEmpty", {"--stats-json", ""}, "--stats-json: "),
+        draw("StatsIsOutput", {"--stats-json", "out.svg"}, "--stats-json: out.svg is the output file too\n"),
+        draw("StatsIsInput", {"--stats-json", "cube.obj"}, "--stats-json: cube.obj is an input too"),
+        draw("Unknown", {"--frobnicate"}, ""), draw("ValueMissing", {"--fov"}, "--fov"),
+        draw("Twice", {"--crease", "10", "--crease", "20"}, "--crease"), draw("LineBreak", {"--view", "a\nb"}, "--view: ")),
+    [](const auto& info) { return std::string(info.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, Mistakes,
+    testing::Values(
+        Mistake{"NoCommand", {}, kUsage, "there is no command"}, Mistake{"UnknownCommand", {"paint"}, kUsage, ""},
+        Mistake{"NoModel", {"draw", "-o", "out.svg"}, kUsage, "MODEL"}, Mistake{"InfoNoModel", {"info"}, kUsage, "MODEL"},
+        Mistake{"NoOutput", {"draw", "cube.obj"}, kUsage, "--output: there is no output file"},
+        Mistake{"OutputEmpty", {"draw", "cube.obj", "-o", ""}, kUsage, "--output: "},
+        Mistake{
+            "NoSuffix", {"draw", "cube.obj", "-o", "out"}, kUsage, "--output: \"out\" does not end in .svg, .pdf, .png or"},
+        Mistake{
+            "UnknownSuffix", {"draw", "cube.obj", "-o", "out.dxf"}, kUsage, "--output: \"out.dxf\" does not end in .svg"},
+        Mistake{"StandardOutputNeedsFormat", {"draw", "cube.obj", "-o", "-"}, kUsage, "--output: standard output needs a"},
+        Mistake{"OutputIsInput",
+                {"draw", "cube.obj", "-o", "./cube.obj", "--format", "svg"},
+                kUsage,
+                "--output: ./cube.obj is an"},
+        Mistake{"OutputIsSecondInput",
+                {"draw", "cube.obj", "square.obj", "-o", "square.obj", "--format", "svg"},
+                kUsage,
+                "--output: "},
+        Mistake{"InfoOverInput", {"info", "cube.obj", "-o", "cube.obj"}, kUsage, "--output: cube.obj is an input too"},
+        Mistake{"InfoFormat", {"info", "cube.obj", "--format", "svg"}, kUsage, "--format: info is written as text"},
+        Mistake{"MethodsExtra", {"methods", "appel"}, kUsage, ""},
+        Mistake{"ModelMissing", {"draw", "no such.obj", "-o", "out.svg"}, kFailed, "no such.obj: "},
+        Mistake{"ModelIsFolder", {"draw", ".", "-o", "out.svg"}, kFailed, ".: "},
+        Mistake{"SecondModelMissing", {"draw", "cube.obj", "none.stl", "-o", "out.svg"}, kFailed, "none.stl: "},
+        Mistake{"ModelBroken", {"draw", "broken.obj", "-o", "out.svg"}, kFailed, "broken.obj:4: "},
+        Mistake{"InfoModelMissing", {"info", "none.obj"}, kFailed, "none.obj: "},
+        Mistake{"FolderMissing", {"draw", "cube.obj", "-o", "none/out.svg"}, kFailed, "none/out.svg: "},
+        Mistake{"StatsFolderMissing",
+                {"info", "cube.obj", "-o", "/dev/null", "--stats-json", "none/s.json"},
+                kFailed,
+                "none/s.json: "}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST_F(ProgramTest, FailureKeepsTheEarlierDrawing) {
+  write("out.svg", "earlier");
+  EXPECT_EQ(run({"draw", "broken.obj", "-o", "out.svg"}).status, kFailed);
+  EXPECT_EQ(contents(file("out.svg")), "earlier");
+}
+
+TEST_F(ProgramTest, FullDeviceIsAFailure) {
+  if (!std::filesystem::exists("/dev/full")) return;
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"draw", "cube.obj", "-o", "-", "--format", "svg"}, {"info", "cube.obj"}, {"methods"}, {"--help"}}) {
+    const Outcome outcome = run_ligne(folder_, arguments, "/dev/full");
+    EXPECT_EQ(outcome.status, kFailed) << arguments[0];
+    EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
+  }
+}
+
+TEST_F(ProgramTest, ReaderThatGoesAwayIsNoCrash) {
+  // A pipe whose reading end is closed already.
+  const std::string command = "cd '" + folder_.string() +
+                              "' && { sleep 0.2; '" LIGNE_PROGRAM
+                              "' draw cube.obj -o - --format svg 2> err; echo $? > status; } | true; sleep 0.1";
+  ASSERT_EQ(std::system(("bash -c \"" + command + "\"").c_str()) == -1, false);
+  for (int i = 0; i < 50 && contents(file("status")).empty(); ++i) std::system("sleep 0.1");
+  EXPECT_EQ(contents(file("status")), "1\n");
+  const std::string err = contents(file("err"));
+  EXPECT_EQ(err.rfind("ligne: ", 0), 0u) << err;
+  EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+}
+
+}  // namespace
+}  // namespace ligne::test

@@ -1,0 +1,47 @@
+#pragma once
+/// Runs the built program in a folder of its own.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ligne::test {
+
+struct Outcome {
+  int status = -1;  ///< exit status, or 128 + signal
+  std::string out, err;
+
+  std::size_t error_lines() const;
+};
+
+/// Runs the program with these arguments; the folder is its current one. `out_file` takes standard output when it is given.
+Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                  const std::filesystem::path& out_file = {});
+
+/// The bytes of a file.
+std::string contents(const std::filesystem::path& file);
+
+/// A fresh folder per test, with models in it: cube.obj (edge 20, y up), square.obj (open),
+/// and broken.obj.
+class ProgramTest : public testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  Outcome run(const std::vector<std::string>& arguments) const { return run_ligne(folder_, arguments); }
+  void write(const std::string& name, std::string_view text) const;
+  std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+  bool exists(const std::string& name) const { return std::filesystem::exists(file(name)); }
+  /// Names of the files that were not there at the start, sorted.
+  std::vector<std::string> new_files() const;
+
+  std::filesystem::path folder_;
+
+ private:
+  std::vector<std::string> files_at_start_;
+};
+
+}  // namespace ligne::test
