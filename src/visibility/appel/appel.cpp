@@ -93,7 +93,7 @@ class StrokeMaker {
     s.source = source;
     s.line_class = line_class;
     s.visible = visible;
-    s.may_coincide = may_coincide;
+    s.may_coincide = may_coincide || !visible;  // the search stops when a line is hidden, before it has seen all neighbours
     return s;
   }
 
