@@ -9,7 +9,10 @@ namespace ligne::appel {
 namespace {
 
 // Adjustable parameters.
-constexpr std::size_t kLeafFacets = 96;   ///< a list longer than this is split
+constexpr std::size_t kLeafFacets = 24;      ///< a list longer than this is split if large facets may cover children
+constexpr std::size_t kCrowdedFacets = 256;  ///< a list longer than this is split anyway
+constexpr double kLargeSize = 2.5;           ///< facets longer than so many sides of the cell are large
+constexpr double kLargePart = 0.25;          ///< what part of the list must be large facets
 constexpr double kSizeFactor = 1.5;      ///< side of a top-level cell over the mean extent of a facet
 constexpr double kCellsPerFacet = 1.0;    ///< at most so many top-level cells
 constexpr double kMinCells = 256;
@@ -96,6 +99,7 @@ struct CellGrid::Build {
   void mark_wanted();
   void find_covers();
   void fill();
+  bool worth_splitting(const CellFacet* list, std::size_t n, double size) const;
   void split_overfull();
   void finish_list(CellFacet* list, std::size_t n, const CellSquare& square) const;
   void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
@@ -236,6 +240,15 @@ void CellGrid::Build::fill() {
   });
 }
 
+/// Facets larger than the cell cover children of it and hide what is behind; a crowd of small ones is only spread.
+bool CellGrid::Build::worth_splitting(const CellFacet* list, std::size_t n, double size) const {
+  if (n <= kLeafFacets || size < kSplitSide * kSmallestCell) return false;
+  if (n > kCrowdedFacets) return true;
+  std::size_t large = 0;
+  for (std::size_t i = 0; i < n; ++i) large += facets[list[i].facet].size > kLargeSize * size;
+  return static_cast<double>(large) > kLargePart * static_cast<double>(n);
+}
+
 void CellGrid::Build::split_overfull() {
   // A fixed number of arenas, so that the structure does not depend on the number of threads.
   constexpr std::size_t kArenas = 64;
@@ -247,7 +260,7 @@ void CellGrid::Build::split_overfull() {
     for (std::size_t i = n * k / kArenas; i < n * (k + 1) / kArenas; ++i) {
       Cell& cell = grid.cells_[i];
       CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
-      if (cell.count <= kLeafFacets) {
+      if (!worth_splitting(list, cell.count, grid.size_)) {
         finish_list(list, cell.count, grid.top_square(i));
         continue;
       }
@@ -277,8 +290,15 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
   sort_by_depth(inherited.data(), inherited.data() + inherited.size());
   for (const CellFacet& entry : inherited) {
     const Facet& f = facets[entry.facet];
+    const PageBox box = page_box(f, scene.vertices.data());
+    const auto child_at = [&](double v) { return v < 0 ? 0 : v >= kSplitSide ? kSplitSide - 1 : static_cast<int>(v); };
+    const int left = child_at((box.left - options.margin_steps - square.x) / size);
+    const int right = child_at((box.right + options.margin_steps - square.x) / size);
+    const int top = child_at((box.top - options.margin_steps - square.y) / size);
+    const int bottom = child_at((box.bottom + options.margin_steps - square.y) / size);
     const FacetFunctions g(f, scene.vertices.data());
-    for (int k = 0; k < kChildren; ++k) {
+    for (int k = top * kSplitSide + left; k <= bottom * kSplitSide + right; ++k) {
+      if (k % kSplitSide < left || k % kSplitSide > right) continue;
       if (options.drop_hidden && entry.z_near > covers[k]) continue;
       const CellSquare child{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
       double z_near = 0, z_far = 0;
@@ -293,7 +313,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     if (options.drop_hidden) std::erase_if(lists[k], [&](const CellFacet& c) { return c.z_near > covers[k]; });
     total += lists[k].size();
   }
-  const bool worth_it = total < kGain * kChildren * static_cast<double>(inherited.size());
+  const bool gained = total < kGain * kChildren * static_cast<double>(inherited.size());
   const auto first = static_cast<std::uint32_t>(arena.children.size());
   arena.children.resize(first + kChildren);
   inherited.clear();
@@ -305,7 +325,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     child.cover = covers[k];
     child.arena = arena_index;
     const CellSquare child_square{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
-    if (worth_it && lists[k].size() > kLeafFacets && size >= kSplitSide * kSmallestCell) {
+    if (gained && worth_splitting(lists[k].data(), lists[k].size(), size)) {
       split(child, child_square, lists[k], arena, arena_index);
     } else {
       child.begin = static_cast<std::uint32_t>(arena.list.size());
