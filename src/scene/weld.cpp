@@ -34,8 +34,8 @@ std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
 
 std::uint32_t hash(const Point3& p) {
   // Odd multipliers keep the coordinates apart before one finalizer takes them all.
-  const std::uint64_t sum =
-      bits(p.x) * 0x9e3779b97f4a7c15u + std::rotl(bits(p.y) * 0xc2b2ae3d27d4eb4fu, 21) + std::rotl(bits(p.z) * 0x165667b19e3779f9u, 42);
+  const std::uint64_t sum = bits(p.x) * 0x9e3779b97f4a7c15u + std::rotl(bits(p.y) * 0xc2b2ae3d27d4eb4fu, 21) +
+                            std::rotl(bits(p.z) * 0x165667b19e3779f9u, 42);
   return static_cast<std::uint32_t>(mix(sum) >> 32);
 }
 
