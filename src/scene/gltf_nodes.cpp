@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 
 #include "scene/polygon_faces.hpp"
 
