@@ -229,8 +229,8 @@ void finish_scene(Scene& scene, Warnings& warnings) {
   Dropped dropped;
   {
     const Weld weld = weld_vertices(scene);
-    dropped = scene.faces.all_triangles() ? clean_triangles(scene, weld, warnings)
-                                          : PolygonCleaner(scene, weld, warnings).run();
+    dropped =
+        scene.faces.all_triangles() ? clean_triangles(scene, weld, warnings) : PolygonCleaner(scene, weld, warnings).run();
   }
   warnings.add(kDegenerate, dropped.degenerate);
   warnings.add(kNotFinite, dropped.not_finite);

@@ -25,10 +25,13 @@ using Range = tbb::blocked_range<std::size_t>;
 std::size_t component_size(int type) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return 1;
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
-    default: return 4;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return 2;
+    default:
+      return 4;
   }
 }
 
@@ -38,16 +41,16 @@ bool is_index_type(int type) {
 }
 
 /// `count` elements of `element_size` bytes in a buffer view.
-GltfElements in_view(GltfDocument& document, const std::string& place, int view_index, std::size_t offset,
-                     std::size_t count, std::size_t element_size, int component_type, bool may_stride) {
+GltfElements in_view(GltfDocument& document, const std::string& place, int view_index, std::size_t offset, std::size_t count,
+                     std::size_t element_size, int component_type, bool may_stride) {
   const tinygltf::BufferView& view = document.model.bufferViews[static_cast<std::size_t>(view_index)];
   const std::size_t stride = may_stride && view.byteStride != 0 ? view.byteStride : element_size;
   if (stride < element_size) document.fail(place, "its elements are larger than their byteStride");
   const bool fits = count == 0 || (offset <= view.byteLength && element_size <= view.byteLength - offset &&
                                    count - 1 <= (view.byteLength - offset - element_size) / stride);
   if (!fits) {
-    document.fail(place, std::to_string(count) + " elements do not fit into bufferView " + std::to_string(view_index) + " of " +
-                             std::to_string(view.byteLength) + " bytes");
+    document.fail(place, std::to_string(count) + " elements do not fit into bufferView " + std::to_string(view_index) +
+                             " of " + std::to_string(view.byteLength) + " bytes");
   }
   const std::span<const std::byte> bytes = document.buffers.get(static_cast<std::size_t>(view.buffer));
   // A view lies inside its buffer (gltf_json.cpp). Without elements the offset may lie anywhere.
@@ -80,8 +83,9 @@ GltfAccessor open(GltfDocument& document, std::size_t index, std::size_t compone
     accessor.sparse_indices = in_view(document, accessor.place + ", sparse indices", indices.bufferView,
                                       static_cast<std::size_t>(indices.byteOffset), count,
                                       component_size(indices.componentType), indices.componentType, false);
-    accessor.sparse_values = in_view(document, accessor.place + ", sparse values", values.bufferView,
-                                     static_cast<std::size_t>(values.byteOffset), count, element_size, from.componentType, false);
+    accessor.sparse_values =
+        in_view(document, accessor.place + ", sparse values", values.bufferView, static_cast<std::size_t>(values.byteOffset),
+                count, element_size, from.componentType, false);
   }
   return accessor;
 }
@@ -97,12 +101,18 @@ T load(const std::byte* from) {
 template <class Work>
 auto with_type(int component_type, const Work& work) {
   switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return work(std::int8_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return work(std::uint8_t{});
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return work(std::int16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return work(std::uint16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return work(std::uint32_t{});
-    default: return work(float{});
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return work(std::int8_t{});
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return work(std::uint8_t{});
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return work(std::int16_t{});
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return work(std::uint16_t{});
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return work(std::uint32_t{});
+    default:
+      return work(float{});
   }
 }
 
@@ -161,7 +171,8 @@ Met read_elements(const GltfElements& from, bool normalized, const Put& put) {
   }
   return with_type(from.component_type, [&](auto type) {
     using T = decltype(type);
-    const double scale = normalized && std::is_integral_v<T> ? 1.0 / static_cast<double>(std::numeric_limits<T>::max()) : 1.0;
+    const double scale =
+        normalized && std::is_integral_v<T> ? 1.0 / static_cast<double>(std::numeric_limits<T>::max()) : 1.0;
     return read_as<T>(from, scale, put);
   });
 }
@@ -173,14 +184,15 @@ double read_moved(const GltfDocument& document, const GltfAccessor& accessor, st
     if (met.bad != kAllGood) document.fail(accessor.place, std::string(what) + std::to_string(met.bad) + " is not finite");
     return met.largest;
   };
-  double largest = check(read_elements(accessor.elements, accessor.normalized,
-                                       [&](std::size_t i, const Point3& p) { out[i] = move(p); }),
-                         "position ");
+  double largest =
+      check(read_elements(accessor.elements, accessor.normalized, [&](std::size_t i, const Point3& p) { out[i] = move(p); }),
+            "position ");
   const GltfElements& indices = accessor.sparse_indices;
   for (std::size_t i = 0; i < indices.count; ++i) {
     const std::uint32_t at = load_index(indices, i);
     if (at >= accessor.count()) {
-      document.fail(accessor.place, "sparse index " + std::to_string(at) + " of " + std::to_string(accessor.count()) + " elements");
+      document.fail(accessor.place,
+                    "sparse index " + std::to_string(at) + " of " + std::to_string(accessor.count()) + " elements");
     }
   }
   // One after the other, so that of two values for one element the last one stands, whatever the number of threads.
@@ -251,7 +263,8 @@ void read_indices(const GltfDocument& document, const GltfAccessor& accessor, st
   for (std::size_t i = 0; i < accessor.sparse_indices.count; ++i) {
     const std::uint32_t at = load_index(accessor.sparse_indices, i), index = load_index(accessor.sparse_values, i);
     if (at >= accessor.count()) {
-      document.fail(accessor.place, "sparse index " + std::to_string(at) + " of " + std::to_string(accessor.count()) + " elements");
+      document.fail(accessor.place,
+                    "sparse index " + std::to_string(at) + " of " + std::to_string(accessor.count()) + " elements");
     }
     check(at, index);
     out[at] = first_vertex + index;

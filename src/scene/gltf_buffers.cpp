@@ -18,7 +18,8 @@ constexpr std::array<std::uint8_t, 256> base64_table() {
   std::array<std::uint8_t, 256> table{};
   table.fill(kNotBase64);
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < letters.size(); ++i) table[static_cast<unsigned char>(letters[i])] = static_cast<std::uint8_t>(i);
+  for (std::size_t i = 0; i < letters.size(); ++i)
+    table[static_cast<unsigned char>(letters[i])] = static_cast<std::uint8_t>(i);
   return table;
 }
 
@@ -45,7 +46,8 @@ std::string percent_decode(std::string_view uri) {
 
 /// Whether a decoded uri is a relative path that stays in its folder on every system.
 bool stays_in_folder(const std::string& path) {
-  if (path.empty() || path.front() == '/' || path.find_first_of(std::string_view(":\\\0", 3)) != std::string::npos) return false;
+  if (path.empty() || path.front() == '/' || path.find_first_of(std::string_view(":\\\0", 3)) != std::string::npos)
+    return false;
   for (const std::filesystem::path& part : std::filesystem::path(path)) {
     if (part == "..") return false;
   }
@@ -81,7 +83,11 @@ std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
 
 GltfBuffers::GltfBuffers(std::vector<GltfBufferEntry> entries, std::span<const std::byte> chunk,
                          std::filesystem::path folder, std::string name)
-    : entries_(std::move(entries)), bytes_(entries_.size()), chunk_(chunk), folder_(std::move(folder)), name_(std::move(name)) {}
+    : entries_(std::move(entries)),
+      bytes_(entries_.size()),
+      chunk_(chunk),
+      folder_(std::move(folder)),
+      name_(std::move(name)) {}
 
 std::span<const std::byte> GltfBuffers::get(std::size_t buffer) {
   const GltfBufferEntry& entry = entries_[buffer];

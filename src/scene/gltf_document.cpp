@@ -42,7 +42,8 @@ Chunks split_glb(std::span<const std::byte> bytes, const std::string& name) {
     const std::uint32_t kind = word(bytes, at + 4);
     at += kChunkHeader;
     if (size > length - at) {
-      throw InputError(name, "GLB: chunk " + std::to_string(i) + " of " + std::to_string(size) + " bytes does not fit into the file");
+      throw InputError(
+          name, "GLB: chunk " + std::to_string(i) + " of " + std::to_string(size) + " bytes does not fit into the file");
     }
     if (i == 0 && kind != kJsonChunk) throw InputError(name, "GLB: the first chunk is not JSON");
     if (i == 0) chunks.json = as_text(bytes.subspan(at, size));
@@ -54,7 +55,9 @@ Chunks split_glb(std::span<const std::byte> bytes, const std::string& name) {
 
 }  // namespace
 
-void GltfDocument::fail(const std::string& place, const std::string& cause) const { throw InputError(name, place + ": " + cause); }
+void GltfDocument::fail(const std::string& place, const std::string& cause) const {
+  throw InputError(name, place + ": " + cause);
+}
 
 GltfDocument open_gltf(std::span<const std::byte> bytes, bool binary, const std::filesystem::path& folder,
                        const std::string& name) {

@@ -13,8 +13,8 @@
 namespace ligne {
 
 struct GltfDocument {
-  std::string name;        ///< stands in error messages
-  tinygltf::Model model;   ///< geometry and materials alone, checked (see gltf_json.hpp); its buffers are empty
+  std::string name;       ///< stands in error messages
+  tinygltf::Model model;  ///< geometry and materials alone, checked (see gltf_json.hpp); its buffers are empty
   GltfBuffers buffers;
   std::size_t file_bytes;  ///< size of the file itself
 

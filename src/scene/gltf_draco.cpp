@@ -40,7 +40,8 @@ std::unique_ptr<draco::Mesh> decode_mesh(std::span<const std::byte> bytes, std::
 
 }  // namespace
 
-DracoMesh decode_draco(std::span<const std::byte> bytes, int position_id, const std::string& name, const std::string& place) {
+DracoMesh decode_draco(std::span<const std::byte> bytes, int position_id, const std::string& name,
+                       const std::string& place) {
   const auto fail = [&](const std::string& cause) { throw InputError(name, place + ": its Draco mesh is " + cause); };
   std::string cause;
   const std::unique_ptr<draco::Mesh> mesh = decode_mesh(bytes, cause);
@@ -71,8 +72,8 @@ DracoMesh decode_draco(std::span<const std::byte> bytes, int position_id, const 
 #else
 
 DracoMesh decode_draco(std::span<const std::byte>, int, const std::string& name, const std::string& place) {
-  throw InputError(name, place + ": needs the glTF extension " + kDracoExtension +
-                             ", and this program was built without libdraco");
+  throw InputError(
+      name, place + ": needs the glTF extension " + kDracoExtension + ", and this program was built without libdraco");
 }
 
 #endif

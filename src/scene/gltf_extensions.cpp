@@ -10,9 +10,19 @@ namespace ligne {
 namespace {
 
 /// Families and names that change materials, textures, lights, animations or notes, but no geometry.
-constexpr std::array<std::string_view, 13> kHarmlessPrefixes{
-    "KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",       "EXT_lights_", "ADOBE_materials_",
-    "KHR_techniques_", "KHR_animation_", "KHR_xmp",   "KHR_audio",     "EXT_structural_", "AGI_"};
+constexpr std::array<std::string_view, 13> kHarmlessPrefixes{"KHR_materials_",
+                                                             "KHR_texture_",
+                                                             "EXT_texture_",
+                                                             "MSFT_texture_",
+                                                             "KHR_lights_",
+                                                             "EXT_lights_",
+                                                             "ADOBE_materials_",
+                                                             "KHR_techniques_",
+                                                             "KHR_animation_",
+                                                             "KHR_xmp",
+                                                             "KHR_audio",
+                                                             "EXT_structural_",
+                                                             "AGI_"};
 
 }  // namespace
 

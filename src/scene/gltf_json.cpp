@@ -41,7 +41,8 @@ void check_depth(std::string_view text, const std::string& name) {
       in_string = true;
     } else if (c == '{' || c == '[') {
       if (++depth > kMaxJsonDepth) {
-        throw InputError(name, "JSON: nested deeper than " + std::to_string(kMaxJsonDepth) + " levels at byte " + std::to_string(i));
+        throw InputError(
+            name, "JSON: nested deeper than " + std::to_string(kMaxJsonDepth) + " levels at byte " + std::to_string(i));
       }
     } else if (c == '}' || c == ']') {
       --depth;
@@ -131,7 +132,8 @@ class Item {
   std::size_t whole(const json& v, const char* key) const {
     if (v.is_number_unsigned()) return v.get<std::size_t>();
     // Some exporters write 3.0.
-    if (v.is_number_float() && v.get<double>() >= 0 && v.get<double>() <= kMaxWhole && std::floor(v.get<double>()) == v.get<double>()) {
+    if (v.is_number_float() && v.get<double>() >= 0 && v.get<double>() <= kMaxWhole &&
+        std::floor(v.get<double>()) == v.get<double>()) {
       return static_cast<std::size_t>(v.get<double>());
     }
     fail(std::string(key) + " is not a whole number from 0 on");
@@ -148,8 +150,12 @@ class Item {
 class Checker {
  public:
   Checker(const json& root, const std::string& name) : name_(name), root_(root, "glTF", name) {
-    for (const auto& [key, size] : {std::pair{"scenes", &scenes_}, {"nodes", &nodes_}, {"meshes", &meshes_},
-                                    {"materials", &materials_}, {"accessors", &accessors_}, {"bufferViews", &views_},
+    for (const auto& [key, size] : {std::pair{"scenes", &scenes_},
+                                    {"nodes", &nodes_},
+                                    {"meshes", &meshes_},
+                                    {"materials", &materials_},
+                                    {"accessors", &accessors_},
+                                    {"bufferViews", &views_},
                                     {"buffers", &buffers_}}) {
       const json* list = root_.array(key);
       *size = list ? list->size() : 0;
@@ -160,7 +166,10 @@ class Checker {
     check_version();
     check_extensions();
     CheckedGltf out;
-    each("buffers", "buffer ", [&](const Item& item) { out.buffers.push_back(buffer(item)); return json(); });
+    each("buffers", "buffer ", [&](const Item& item) {
+      out.buffers.push_back(buffer(item));
+      return json();
+    });
     json text;
     text["asset"]["version"] = "2.0";
     if (const auto scene = root_.index("scene", scenes_)) text["scene"] = *scene;
@@ -219,7 +228,8 @@ class Checker {
     }
     json out{{"buffer", buffer}, {"byteOffset", offset}, {"byteLength", length}};
     if (const auto stride = item.whole("byteStride")) {
-      if (*stride < 4 || *stride > 252 || *stride % 4 != 0) item.fail("byteStride " + std::to_string(*stride) + " is not a multiple of 4 up to 252");
+      if (*stride < 4 || *stride > 252 || *stride % 4 != 0)
+        item.fail("byteStride " + std::to_string(*stride) + " is not a multiple of 4 up to 252");
       out["byteStride"] = *stride;
     }
     return out;
@@ -297,7 +307,8 @@ class Checker {
     const auto extensions = item.object("extensions");
     if (const auto draco = extensions ? extensions->object(kDracoExtension) : std::nullopt) {
       const std::size_t view = draco->required_index("bufferView", views_);
-      const std::size_t id = draco->required_object("attributes").required_index("POSITION", std::numeric_limits<int>::max());
+      const std::size_t id =
+          draco->required_object("attributes").required_index("POSITION", std::numeric_limits<int>::max());
       out["extensions"][kDracoExtension] = {{"bufferView", view}, {"attributes", {{"POSITION", id}}}};
     }
     return out;
@@ -321,7 +332,8 @@ class Checker {
 
 /// Line of a byte of the text, from 1 on.
 std::size_t line_of(std::string_view text, std::size_t byte) {
-  return 1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size())), '\n'));
+  return 1 + static_cast<std::size_t>(
+                 std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size())), '\n'));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 
 #include "scene/polygon_faces.hpp"
 
@@ -103,7 +102,8 @@ std::vector<GltfInstance> list_instances(const GltfDocument& document) {
 }
 
 double largest_stretch(const glm::dmat4& matrix) {
-  // Largest eigenvalue of the symmetric matrix A^T A in closed form (Smith, "Eigenvalues of a symmetric 3 x 3 matrix", 1961).
+  // Largest eigenvalue of the symmetric matrix A^T A in closed form (Smith, "Eigenvalues of a symmetric 3 x 3 matrix",
+  // 1961).
   const glm::dmat3 a(matrix);
   const glm::dmat3 s = glm::transpose(a) * a;
   const double mean = (s[0][0] + s[1][1] + s[2][2]) / 3;

@@ -16,8 +16,8 @@ struct GltfInstance {
   glm::dmat4 to_world{1};
 };
 
-/// The nodes with a mesh of the default scene, or below all root nodes when the file names no scene, parents before children.
-/// Throws InputError when the nodes are not a strict tree.
+/// The nodes with a mesh of the default scene, or below all root nodes when the file names no scene, parents before
+/// children. Throws InputError when the nodes are not a strict tree.
 std::vector<GltfInstance> list_instances(const GltfDocument& document);
 
 /// Largest stretch of a direction by the linear part of a transform: its largest singular value.

@@ -20,8 +20,8 @@
 namespace ligne {
 namespace {
 
-/// Triangles, and vertices, to which a small file may grow by using its meshes many times: above that a file has no more than
-/// it has bytes.
+/// Triangles, and vertices, to which a small file may grow by using its meshes many times: above that a file has no more
+/// than it has bytes.
 constexpr std::size_t kMaxInstanced = std::size_t{1} << 25;
 /// Bits of a float32 significand, the hidden one counted.
 constexpr int kFloatDigits = std::numeric_limits<float>::digits;
@@ -38,9 +38,7 @@ struct Primitive {
   int material = -1;
 
   std::size_t vertex_count() const { return draco ? draco->positions.size() : positions.count(); }
-  std::size_t corner_count() const {
-    return draco ? draco->corners.size() : indices ? indices->count() : positions.count();
-  }
+  std::size_t corner_count() const { return draco ? draco->corners.size() : indices ? indices->count() : positions.count(); }
   std::size_t triangle_count() const {
     const std::size_t n = corner_count();
     if (draco || mode == TINYGLTF_MODE_TRIANGLES) return n / 3;
@@ -86,7 +84,8 @@ class Reader {
         document_.fail("node " + std::to_string(instance.node),
                        "meshes used many times come to more than " + std::to_string(limit) + " triangles or vertices");
       }
-      if (model_.nodes[instance.node].skin >= 0) warnings_.add("skinned meshes taken as they are stored, without their skeleton");
+      if (model_.nodes[instance.node].skin >= 0)
+        warnings_.add("skinned meshes taken as they are stored, without their skeleton");
     }
     if (vertices_ >= kNone || triangles_ >= kNone / 3) document_.fail("scene", "too many vertices or triangles");
   }
@@ -132,7 +131,8 @@ class Reader {
     const auto [entry, is_new] = draco_.try_emplace(key);
     if (is_new) {
       const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(key.first)];
-      const auto bytes = document_.buffers.get(static_cast<std::size_t>(view.buffer)).subspan(view.byteOffset, view.byteLength);
+      const auto bytes =
+          document_.buffers.get(static_cast<std::size_t>(view.buffer)).subspan(view.byteOffset, view.byteLength);
       entry->second = decode_draco(bytes, key.second, document_.name, "bufferView " + std::to_string(key.first));
     }
     return entry->second;
@@ -253,15 +253,15 @@ class Reader {
   Warnings& warnings_;
   Scene scene_;
   std::vector<std::optional<std::vector<Primitive>>> meshes_;
-  std::map<std::pair<int, int>, DracoMesh> draco_;           ///< by bufferView and id of the positions
-  std::vector<std::pair<int, std::size_t>> materials_;       ///< material (-1: none) and number of faces, in order
+  std::map<std::pair<int, int>, DracoMesh> draco_;      ///< by bufferView and id of the positions
+  std::vector<std::pair<int, std::size_t>> materials_;  ///< material (-1: none) and number of faces, in order
   std::size_t vertices_ = 0, triangles_ = 0, primitives_ = 0;
 };
 
 }  // namespace
 
-Scene read_gltf(std::span<const std::byte> bytes, bool binary, const std::filesystem::path& folder,
-                const std::string& name, ReadReport& report, Warnings& warnings) {
+Scene read_gltf(std::span<const std::byte> bytes, bool binary, const std::filesystem::path& folder, const std::string& name,
+                ReadReport& report, Warnings& warnings) {
   GltfDocument document = open_gltf(bytes, binary, folder, name);
   report.format = binary ? ModelFormat::glb : ModelFormat::gltf;
   return Reader(document, warnings).run(report);

@@ -109,7 +109,9 @@ class ObjectMerger {
       const std::uint32_t low = ends(sorted[i]).first;
       const std::uint32_t bucket_end = bucket[low - object_.vertex_begin];
       const auto first = sorted.begin() + i, last = sorted.begin() + bucket_end;
-      std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) { return std::pair(ends(a).second, a) < std::pair(ends(b).second, b); });
+      std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
+        return std::pair(ends(a).second, a) < std::pair(ends(b).second, b);
+      });
       for (; i < bucket_end;) {
         std::uint32_t same = i + 1;
         while (same < bucket_end && ends(sorted[same]).second == ends(sorted[i]).second) ++same;
@@ -201,7 +203,7 @@ class ObjectMerger {
   std::vector<Point3> normal_;                        ///< per face: area vector of its outer contour
   std::vector<std::uint32_t> region_of_;              ///< per face
   std::vector<Region> regions_;
-  std::vector<std::uint32_t> begin_, end_;            ///< per region: its new faces
+  std::vector<std::uint32_t> begin_, end_;  ///< per region: its new faces
 };
 
 /// The faces of the new scene, one after the other.

@@ -22,8 +22,8 @@ SpanningPlane spanning_plane(std::span<const Point3> points);
 
 /// Largest distance from its spanning plane that rounding gives a point of a polygon that was planar before its coordinates
 /// were rounded: each coordinate is off by `precision` or less, so each point by sqrt(3) precision = e. The plane carries
-/// the errors of a, b, c with the weights 1 - s - t, s, t: |1 - s - t| + |s| + |t| <= 4 + 2 + 1, and the point itself adds one
-/// more: 8 e. To this comes what double arithmetic itself loses over the span of the points.
+/// the errors of a, b, c with the weights 1 - s - t, s, t: |1 - s - t| + |s| + |t| <= 4 + 2 + 1, and the point itself adds
+/// one more: 8 e. To this comes what double arithmetic itself loses over the span of the points.
 double planarity_tolerance(double precision, double span);
 
 /// Largest distance from the chord of two points that rounding gives a third point on it: an error of the chord and one of

@@ -28,7 +28,8 @@ std::vector<std::byte> read_bytes(const fs::path& file, const std::string& name)
   std::error_code failure;
   const fs::file_status status = fs::status(file, failure);
   if (!fs::exists(status)) {
-    if (failure && failure != std::errc::no_such_file_or_directory) throw InputError(name, failure.message());
+    const bool absent = failure == std::errc::no_such_file_or_directory || failure == std::errc::not_a_directory;
+    if (failure && !absent) throw InputError(name, failure.message());
     throw InputError(name, "there is no such file");
   }
   if (fs::is_directory(status)) throw InputError(name, "is a directory, not a model file");

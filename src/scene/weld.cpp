@@ -19,6 +19,8 @@ namespace {
 
 constexpr unsigned kPartBits = 7;
 constexpr std::size_t kParts = std::size_t{1} << kPartBits;
+/// Entries by which the memory is asked for in advance: the vertices of a part lie all over the scene.
+constexpr std::size_t kAhead = 16;
 /// Vertices that one task hashes and sorts into parts.
 constexpr std::size_t kBlock = std::size_t{1} << 15;
 
@@ -34,8 +36,8 @@ std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
 
 std::uint32_t hash(const Point3& p) {
   // Odd multipliers keep the coordinates apart before one finalizer takes them all.
-  const std::uint64_t sum =
-      bits(p.x) * 0x9e3779b97f4a7c15u + std::rotl(bits(p.y) * 0xc2b2ae3d27d4eb4fu, 21) + std::rotl(bits(p.z) * 0x165667b19e3779f9u, 42);
+  const std::uint64_t sum = bits(p.x) * 0x9e3779b97f4a7c15u + std::rotl(bits(p.y) * 0xc2b2ae3d27d4eb4fu, 21) +
+                            std::rotl(bits(p.z) * 0x165667b19e3779f9u, 42);
   return static_cast<std::uint32_t>(mix(sum) >> 32);
 }
 
@@ -92,13 +94,16 @@ std::size_t weld_part(const Scene& scene, std::span<const Entry> entries, std::v
   const std::size_t mask = size - 1;
   std::vector<Entry> table(size, kFree);
   std::size_t repeated = 0, object = 0;
-  for (const Entry& e : entries) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Entry& e = entries[i];
+    if (i + kAhead < entries.size()) {
+      __builtin_prefetch(&scene.vertices[entries[i + kAhead].vertex]);
+      __builtin_prefetch(&table[entries[i + kAhead].hash & mask]);
+    }
     while (e.vertex >= scene.objects[object].vertex_end) ++object;
     const std::uint32_t object_begin = scene.objects[object].vertex_begin;
     for (std::size_t slot = e.hash & mask;; slot = (slot + 1) & mask) {
       Entry& there = table[slot];
-      // What another object has left here is of no use any more: ranges ascend, so its place can be taken, but only at the
-      // end of the search, for an equal vertex of this object may stand behind it.
       if (there.vertex == kNone) {
         there = e;
         break;

@@ -26,12 +26,8 @@ inline std::string base64(std::span<const std::uint8_t> bytes) {
 /// Collects buffer views and accessors in one buffer.
 class Builder {
  public:
-  json root{{"asset", {{"version", "2.0"}}},
-            {"buffers", json::array()},
-            {"bufferViews", json::array()},
-            {"accessors", json::array()},
-            {"meshes", json::array()},
-            {"nodes", json::array()}};
+  json root{{"asset", {{"version", "2.0"}}}, {"buffers", json::array()}, {"bufferViews", json::array()},
+            {"accessors", json::array()},    {"meshes", json::array()},  {"nodes", json::array()}};
 
   /// Adds a buffer view that holds the values; returns its index.
   template <class T>
@@ -103,10 +99,11 @@ class Builder {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// The unit square of two triangles.
+/// The unit square of two triangles: accessor 0 holds the positions, accessor 1 the indices.
 inline Builder square() {
   Builder b;
-  b.mesh(b.accessor<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, 3), b.accessor<std::uint16_t>({0, 1, 2, 0, 2, 3}, 1));
+  const int positions = b.accessor<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, 3);
+  b.mesh(positions, b.accessor<std::uint16_t>({0, 1, 2, 0, 2, 3}, 1));
   return b;
 }
 

@@ -56,9 +56,7 @@ json nodes(std::initializer_list<json> children) {
 }
 
 json sparse(const json& change) {
-  json out{{"count", 1},
-           {"indices", {{"bufferView", 1}, {"componentType", 5123}}},
-           {"values", {{"bufferView", 0}}}};
+  json out{{"count", 1}, {"indices", {{"bufferView", 1}, {"componentType", 5123}}}, {"values", {{"bufferView", 0}}}};
   out.merge_patch(change);
   return out;
 }
@@ -171,8 +169,9 @@ TEST_P(GltfUri, OutsideOfTheFolderIsRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GltfUri,
-                         testing::Values("../a.bin", "/etc/passwd", "%2e%2e/a.bin", "a/%2E./../../b.bin", "..%2fa.bin", "%2Fetc/passwd",
-                                         "file:///etc/passwd", "http://example.org/a.bin", "C:\\a.bin", "..\\a.bin", "", "a%00b"));
+                         testing::Values("../a.bin", "/etc/passwd", "%2e%2e/a.bin", "a/%2E./../../b.bin", "..%2fa.bin",
+                                         "%2Fetc/passwd", "file:///etc/passwd", "http://example.org/a.bin", "C:\\a.bin",
+                                         "..\\a.bin", "", "a%00b"));
 
 TEST(GltfHostile, MissingFile) {
   Builder b = square();

@@ -73,7 +73,8 @@ TYPED_TEST(GltfIndices, AreRead) {
 
 TYPED_TEST(GltfIndices, OutOfRangeIsAnError) {
   Builder b;
-  b.mesh(b.accessor<float>({0, 0, 0, 1, 0, 0, 1, 1, 0}, 3), b.accessor<TypeParam>({2, 1, std::numeric_limits<TypeParam>::max()}, 1));
+  b.mesh(b.accessor<float>({0, 0, 0, 1, 0, 0, 1, 1, 0}, 3),
+         b.accessor<TypeParam>({2, 1, std::numeric_limits<TypeParam>::max()}, 1));
   EXPECT_THROW(read(b.text()), InputError);
 }
 
@@ -106,7 +107,8 @@ TEST(GltfReader, InterleavedPositions) {
   Builder b;
   const int view = b.view<float>({9, 9, 9, 0, 0, 0, 9, 9, 9, 1, 0, 0, 9, 9, 9, 0, 1, 0});
   b.root["bufferViews"][view]["byteStride"] = 24;
-  b.root["accessors"].push_back({{"bufferView", view}, {"byteOffset", 12}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
+  b.root["accessors"].push_back(
+      {{"bufferView", view}, {"byteOffset", 12}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
   b.mesh(0, -1);
   EXPECT_EQ(read(b.text()).scene.vertices, (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
@@ -252,7 +254,8 @@ TEST(GltfReader, ImagesAreNotLookedAt) {
 TEST(GltfReader, BufferInAFileOfTheFolder) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "ligne gltf";
   std::filesystem::create_directories(folder / "sub");
-  std::ofstream(folder / "sub" / "a b.bin", std::ios::binary) << std::string(48, '\0') << std::string("\0\0\1\0\2\0\0\0\2\0\3\0", 12);
+  std::ofstream(folder / "sub" / "a b.bin", std::ios::binary)
+      << std::string(48, '\0') << std::string("\0\0\1\0\2\0\0\0\2\0\3\0", 12);
   Builder b = square();
   b.root["buffers"].push_back({{"byteLength", 60}, {"uri", "sub/a%20b.bin"}});
   EXPECT_EQ(corners(read(b.text(), false, folder).scene), (Corners{0, 1, 2, 0, 2, 3}));

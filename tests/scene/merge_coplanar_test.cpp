@@ -18,8 +18,9 @@ using Keep = std::function<bool(int, int)>;
 
 /// Quadrilaterals of a grid of unit cells in the plane z = height(x, y), those that `keep` names, seen from above
 /// counter-clockwise; cut into triangles when asked.
-Scene grid(int columns, int rows, const Keep& keep, bool triangles = false,
-           const std::function<double(int, int)>& height = [](int, int) { return 0.0; }) {
+Scene grid(
+    int columns, int rows, const Keep& keep, bool triangles = false,
+    const std::function<double(int, int)>& height = [](int, int) { return 0.0; }) {
   Scene scene;
   for (int y = 0; y <= rows; ++y) {
     for (int x = 0; x <= columns; ++x) scene.vertices.emplace_back(x, y, height(x, y));
@@ -64,7 +65,8 @@ double area(const Scene& scene, std::size_t f, std::size_t c) {
 /// Corners of a contour as points, turned so that the least one comes first.
 std::vector<std::array<double, 3>> points(const Scene& scene, std::size_t f, std::size_t c) {
   std::vector<std::array<double, 3>> out;
-  for (const std::uint32_t v : contour(scene, f, c)) out.push_back({scene.vertices[v].x, scene.vertices[v].y, scene.vertices[v].z});
+  for (const std::uint32_t v : contour(scene, f, c))
+    out.push_back({scene.vertices[v].x, scene.vertices[v].y, scene.vertices[v].z});
   std::rotate(out.begin(), std::min_element(out.begin(), out.end()), out.end());
   return out;
 }
@@ -75,7 +77,8 @@ const Keep kAll = [](int, int) { return true; };
 
 TEST(MergeCoplanar, GridWithHole) {
   for (const bool triangles : {false, true}) {
-    const Scene scene = merged(grid(3, 3, [](int x, int y) { return x != 1 || y != 1; }, triangles));
+    const Scene scene = merged(grid(
+        3, 3, [](int x, int y) { return x != 1 || y != 1; }, triangles));
     ASSERT_EQ(scene.faces.size(), 1u);
     ASSERT_EQ(scene.faces.contour_count(0), 2u);
     EXPECT_EQ(points(scene, 0, 0), (Points{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}}));
@@ -168,7 +171,8 @@ TEST(MergeCoplanar, BentFacesStayApart) {
   const auto roof = [](int x, int) { return x <= 2 ? 0.5 * x : 2 - 0.5 * x; };
   const Scene scene = merged(grid(4, 3, kAll, true, roof));
   ASSERT_EQ(scene.faces.size(), 2u);
-  EXPECT_EQ(points(scene, 0, 0), (Points{{0, 0, 0}, {2, 0, 1}, {2, 3, 1}, {0, 3, 0}})) << "the ridge has lost its vertices on both sides";
+  EXPECT_EQ(points(scene, 0, 0), (Points{{0, 0, 0}, {2, 0, 1}, {2, 3, 1}, {0, 3, 0}}))
+      << "the ridge has lost its vertices on both sides";
 }
 
 TEST(MergeCoplanar, GentleCurvesAreNotFlattened) {

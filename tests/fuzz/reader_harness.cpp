@@ -1,0 +1,80 @@
+#include "reader_harness.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "scene/reader.hpp"
+
+namespace ligne {
+namespace {
+
+[[noreturn]] void fail(const char* what) {
+  std::fprintf(stderr, "broken invariant: %s\n", what);
+  std::abort();
+}
+
+void need(bool holds, const char* what) {
+  if (!holds) fail(what);
+}
+
+std::vector<ModelFormat> formats_of(std::string_view kind) {
+  if (kind == "gltf") return {ModelFormat::gltf};
+  if (kind == "glb") return {ModelFormat::glb};
+  if (kind == "obj") return {ModelFormat::obj};
+  if (kind == "stl") return {ModelFormat::stl_ascii, ModelFormat::stl_binary};
+  if (kind == "ply") return {ModelFormat::ply};
+  if (kind == "asc") return {ModelFormat::asc_3d_studio};
+  if (kind == "scene") return {ModelFormat::ligne_scene};
+  fail("no such kind of file");
+}
+
+void check_scene(const Scene& scene) {
+  std::uint32_t vertex = 0, face = 0;
+  for (const Object& object : scene.objects) {
+    need(object.vertex_begin == vertex && object.face_begin == face, "objects own contiguous ranges");
+    vertex = object.vertex_end;
+    face = object.face_end;
+    for (std::size_t f = object.face_begin; f < object.face_end; ++f) {
+      for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+        need(scene.faces.contour(f, c).size() >= 3, "contours have three corners or more");
+        for (const std::uint32_t v : scene.faces.contour(f, c)) {
+          need(v >= object.vertex_begin && v < object.vertex_end, "faces name vertices of their object");
+        }
+      }
+    }
+    need(std::isfinite(object.precision), "precisions are finite");
+  }
+  need(vertex == scene.vertices.size() && face == scene.faces.size(), "objects cover the scene");
+  need(scene.face_material.empty() || scene.face_material.size() == scene.faces.size(), "a material per face");
+  for (const std::uint32_t m : scene.face_material) need(m < scene.materials.size(), "materials exist");
+  need(scene.corner_flags.empty() || scene.corner_flags.size() == scene.faces.corners().size(), "flags per corner");
+  for (const Point3& p : scene.vertices) need(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "vertices are finite");
+  for (const Detail& detail : scene.details) need(detail.face < scene.faces.size(), "details lie on faces");
+}
+
+void need_one_line(const InputError& error) {
+  for (const char c : std::string_view(error.what())) need(static_cast<unsigned char>(c) >= 0x20, "an error is one line");
+}
+
+}  // namespace
+
+void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
+  try {
+    detect_format(bytes, "." + std::string(kind), "fuzz");
+  } catch (const InputError& error) {
+    need_one_line(error);
+  }
+  for (const ModelFormat format : formats_of(kind)) {
+    try {
+      Warnings warnings;
+      check_scene(read_scene(bytes, format, {}, "fuzz", {.merge_coplanar = true}, warnings));
+    } catch (const InputError& error) {
+      need_one_line(error);
+    }
+  }
+}
+
+}  // namespace ligne

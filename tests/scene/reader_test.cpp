@@ -1,0 +1,229 @@
+// What belongs to no format of its own: telling formats apart, files that are none, several scenes in one, precision.
+
+#include "scene/reader.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "reader_tools.hpp"
+#include "scene/precision.hpp"
+#include "scene/text_lines.hpp"
+
+namespace ligne {
+namespace {
+
+using namespace reader_test;
+
+std::string detected(const std::string& text, std::string_view suffix = "") {
+  try {
+    return std::string(to_string(detect_format(bytes_of(text), suffix, "M")));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(DetectFormat, ByContent) {
+  EXPECT_EQ(detected("glTF\x02"), "glTF binary");
+  EXPECT_EQ(detected("ply\r\nformat"), "PLY");
+  EXPECT_EQ(detected(" \n{\"asset\": {\"version\": \"2.0\"}}"), "glTF");
+  EXPECT_EQ(detected("\xEF\xBB\xBF{\"asset\": {}, \"extras\": {\"format\": 1}}"), "glTF");
+  EXPECT_EQ(detected("{\"a\": \"\\\"format\", \"format\" : \"ligne-scene\"}"), "ligne scene");
+  EXPECT_EQ(detected("{\"format\": \"ligne-scene\"}", ".obj"), "ligne scene");
+  EXPECT_EQ(detected("solid x\nfacet"), "STL");
+  EXPECT_EQ(detected("\r\n\r\nsolid\r\n facet"), "STL");
+  EXPECT_EQ(detected("# nothing\n\no a\nv 1 2 3\n"), "OBJ");
+  EXPECT_EQ(detected("mtllib a.mtl\n", ".stl"), "OBJ");
+  EXPECT_EQ(detected("Ambient light color: Red=0.3\r\n"), "3D Studio ASCII");
+  EXPECT_EQ(detected("\n\n  Named object: \"a\"\n", ".txt"), "3D Studio ASCII");
+}
+
+TEST(DetectFormat, BySuffixWhereContentDoesNotDecide) {
+  EXPECT_EQ(detected("# nothing", ".OBJ"), "OBJ");
+  EXPECT_EQ(detected(std::string(100, '\0'), ".stl"), "STL binary");
+  EXPECT_EQ(detected("facet", ".stl"), "STL");
+}
+
+TEST(DetectFormat, FilesThatAreNoModels) {
+  const std::string unknown = "M: not a model file that is known (glTF, OBJ, STL, PLY, 3D Studio ASCII, ligne scene)";
+  EXPECT_EQ(detected(""), "M: is empty");
+  EXPECT_EQ(detected("", ".obj"), "M: is empty");
+  EXPECT_EQ(detected(" \r\n\t\n", ".obj"), "M: holds nothing but white space");
+  EXPECT_EQ(detected("\x89PNG\r\n\x1a\n", ".obj"), "M: is a PNG image, not a model");
+  EXPECT_EQ(detected(std::string("II*\0", 4)), "M: is a TIFF image, not a model");
+  EXPECT_EQ(detected("PK\x03\x04"), "M: is a ZIP archive, not a model");
+  EXPECT_EQ(detected("\xFF\xFEv\0", ".obj"), "M: is UTF-16 text; UTF-8 is needed");
+  EXPECT_EQ(detected("hello\n", ".txt"), unknown);
+  EXPECT_EQ(detected(std::string("v 0 0 0\n\0", 9), ".obj"), unknown);
+  EXPECT_EQ(detected("hello\n", ".asc"), unknown);
+  EXPECT_EQ(detected("ncols        43\nnrows        89\n", ".asc"), "M: is an ESRI ASCII grid; draw it with: ligne surface --grid");
+  EXPECT_EQ(detected("\r\nNCOLS 43\r\n", ".asc"), "M: is an ESRI ASCII grid; draw it with: ligne surface --grid");
+}
+
+/// A folder of its own for a test, removed at its end.
+class Files : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / ("ligne_reader_test_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string error(const std::filesystem::path& file) const {
+    Warnings warnings;
+    try {
+      read_scene(file, {}, warnings);
+    } catch (const InputError& e) {
+      std::string what = e.what();
+      const std::string name = file.string();
+      EXPECT_EQ(what.substr(0, name.size()), name);
+      return what.substr(name.size());
+    }
+    return "no error";
+  }
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(Files, OneClearLineForWhatIsNoFile) {
+  EXPECT_EQ(error(folder_ / "absent.obj"), ": there is no such file");
+  EXPECT_EQ(error(folder_), ": is a directory, not a model file");
+  EXPECT_EQ(error(write("empty.obj", "")), ": is empty");
+  EXPECT_EQ(error(write("file", "x") / "below.obj"), ": there is no such file");
+  const auto closed = write("closed.obj", "v 0 0 0\n");
+  std::filesystem::permissions(closed, std::filesystem::perms::none);
+  EXPECT_EQ(error(closed), geteuid() == 0 ? ": holds no faces" : ": can not be opened for reading");
+}
+
+TEST_F(Files, NamesAndLinesStandInFront) { EXPECT_EQ(error(write("a.obj", "v 0 0 0\nf 1 1\n")), ":2: face with 2 corners, needs 3 or more"); }
+
+TEST_F(Files, ReadsWhatIsThere) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  while (text.size() < 3'000'000) text += "f 1 2 3\n";
+  Warnings warnings;
+  ReadReport report;
+  read_scene(write("a.obj", text), {}, warnings, &report);
+  EXPECT_EQ(report.faces, (text.size() - 24) / 8);
+}
+
+TEST(ReadScene, ModelFilesThatAreNone) {
+  LIGNE_NEED_MODELS(folder);
+  Warnings warnings;
+  const auto error = [&](const char* file) {
+    try {
+      read_scene(folder / file, {}, warnings);
+    } catch (const InputError& e) {
+      return std::string(e.what()).substr(folder.string().size() + 1);
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(error("west_bijou_gully.asc"), "west_bijou_gully.asc: is an ESRI ASCII grid; draw it with: ligne surface --grid");
+  EXPECT_EQ(error("jacksboro_dem_16bit.png"), "jacksboro_dem_16bit.png: is a PNG image, not a model");
+  EXPECT_EQ(error("runout_dem_float32.tif"), "runout_dem_float32.tif: is a TIFF image, not a model");
+}
+
+TEST(ReadScene, FormatOfEveryModel) {
+  LIGNE_NEED_MODELS(folder);
+  const std::pair<const char*, ModelFormat> formats[] = {
+      {"2CylinderEngine.glb", ModelFormat::glb},    {"lantern/Lantern.gltf", ModelFormat::gltf}, {"beetle.obj", ModelFormat::obj},
+      {"featuretype.stl", ModelFormat::stl_binary}, {"octagonal_pocket.ply", ModelFormat::ply},  {"CITY.ASC", ModelFormat::asc_3d_studio},
+      {"1002_tray_bottom.stl", ModelFormat::stl_ascii}};
+  for (const auto& [file, format] : formats) {
+    Warnings warnings;
+    ReadReport report;
+    EXPECT_FALSE(read_scene(folder / file, {true}, warnings, &report).faces.empty());
+    EXPECT_EQ(report.format, format) << file;
+  }
+}
+
+Scene plate(std::uint8_t flag, const char* material) {
+  Scene scene;
+  scene.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::uint32_t square[] = {0, 1, 2, 3};
+  scene.faces.add_face(square);
+  scene.objects.push_back({"plate", 0, 4, 0, 1, 1e-9});
+  if (flag) scene.corner_flags.assign(4, flag);
+  if (material) {
+    scene.materials.resize(2);
+    scene.materials[1].name = material;
+    scene.face_material = {1};
+  }
+  return scene;
+}
+
+TEST(AppendScene, ShiftsEveryIndex) {
+  Scene a = plate(0, nullptr);
+  Scene b = plate(kCornerInner, "red");
+  const std::uint32_t hole[] = {0, 1, 2};
+  b.faces.add_hole(hole);
+  b.corner_flags.resize(7, 0);
+  b.details.push_back({0, 1, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
+  b.lights.emplace_back();
+  append_scene(a, std::move(b));
+  expect_sound(a);
+  EXPECT_EQ(a.objects[1].vertex_begin, 4u);
+  EXPECT_EQ(a.faces.contour(1, 1)[2], 6u);
+  EXPECT_EQ(a.face_material, (std::vector<std::uint32_t>{0, 2}));
+  EXPECT_EQ(a.materials[2].name, "red");
+  EXPECT_EQ(a.corner_flags, (std::vector<std::uint8_t>{0, 0, 0, 0, 2, 2, 2, 2, 0, 0, 0}));
+  EXPECT_EQ(a.details[0].face, 1u);
+  EXPECT_EQ(a.details[0].material, 2u);
+  EXPECT_EQ(a.lights.size(), 1u);
+  append_scene(a, plate(0, nullptr));
+  expect_sound(a);
+  EXPECT_EQ(a.face_material[2], 3u);
+  EXPECT_EQ(a.corner_flags.size(), 15u);
+}
+
+TEST(AppendScene, ToNothingAndTrianglesToPolygons) {
+  Scene all;
+  append_scene(all, plate(0, nullptr));
+  EXPECT_EQ(all.objects.size(), 1u);
+  Scene triangle = plate(0, nullptr);
+  triangle.faces = {};
+  triangle.faces.add_triangle(0, 1, 2);
+  append_scene(triangle, std::move(all));
+  expect_sound(triangle);
+  EXPECT_EQ(triangle.faces.contour(1, 0)[0], 4u);
+}
+
+TEST(Precision, OfBinaryNumbers) {
+  EXPECT_EQ(half_ulp_float32(1), std::ldexp(1.0, -24));
+  EXPECT_EQ(half_ulp_float32(1.999), std::ldexp(1.0, -24));
+  EXPECT_EQ(half_ulp_float32(2), std::ldexp(1.0, -23));
+  EXPECT_EQ(half_ulp_double(1), std::ldexp(1.0, -53));
+  EXPECT_EQ(half_ulp_double(0), 0);
+  EXPECT_GT(half_ulp_double(5e-324), -1);
+}
+
+TEST(Precision, OfDecimalNumbers) {
+  const auto precision = [](std::initializer_list<const char*> words) {
+    DecimalPrecision p;
+    for (const char* word : words) p.add(word, *parse_number(word));
+    return p.value();
+  };
+  EXPECT_DOUBLE_EQ(precision({"-2598.325684", "16.175011", "-2500"}), 0.5e-6);   // six decimals
+  EXPECT_DOUBLE_EQ(precision({"0.187321", "0.00447467", "-0.0378297"}), 0.5e-6);  // six digits
+  EXPECT_DOUBLE_EQ(precision({"3.556000e+002", "1.5e-17"}), 0.5e-4);
+  EXPECT_EQ(precision({"1", "0.5", "12.25"}), half_ulp_double(12.25));  // by hand
+  EXPECT_EQ(precision({"1000000", "5"}), half_ulp_double(1e6));         // whole numbers
+  EXPECT_EQ(precision({"0.1234567890123456789"}), half_ulp_double(0.123));
+  EXPECT_EQ(precision({"0.000000"}), 0);
+}
+
+TEST(Precision, NumbersAsWritten) {
+  EXPECT_EQ(parse_number("+1.5"), 1.5);
+  EXPECT_EQ(parse_number("1e-999"), 0.0);
+  EXPECT_EQ(parse_number("0." + std::string(400, '0') + "1"), 0.0);
+  for (const char* word : {"", "+", "-", "+-1", "1e999", "inf", "-nan", "1.5x", "0x1", "1,5", " 1", "1 "}) EXPECT_FALSE(parse_number(word)) << word;
+  EXPECT_EQ(parse_integer("-7"), -7);
+  for (const char* word : {"", "7.0", "99999999999999999999", "a"}) EXPECT_FALSE(parse_integer(word)) << word;
+}
+
+}  // namespace
+}  // namespace ligne
