@@ -42,7 +42,7 @@ void StrokeIndex::query(LatticePoint from, LatticePoint to, const Found& found) 
     if (c == kNone) continue;
     visit_links(throughs_, cells_[c].first_through);
     for (std::uint32_t e = cells_[c].first_point; e != kNone; e = points_[e].next) {
-      if (points_[e].p != from && points_[e].p != to) visit_links(arms_, points_[e].first_arm);
+      if (points_[e].p != p) visit_links(arms_, points_[e].first_arm);
     }
   }
   // Ends along this one.
