@@ -20,7 +20,7 @@ constexpr std::size_t kBatchChunks = 64;
 
 constexpr std::uint32_t kNoFace = 0xffffffffu;
 
-/// Decimals of points that lie on no lattice: a nanometre.
+/// Decimals of page points, at the least: a nanometre.
 constexpr int kPageDecimals = 6;
 constexpr int kMostDecimals = 12;
 
@@ -58,9 +58,9 @@ void append_face(std::string& out, std::uint32_t face) {
   }
 }
 
-/// As many decimals as tell neighbouring lattice points apart: half a step and less.
+/// Enough decimals to tell neighbouring lattice points apart: half a step and less.
 int lattice_decimals(const Lattice& lattice) {
-  return std::clamp(static_cast<int>(std::ceil(-std::log10(lattice.step_mm / 2))), 0, kMostDecimals);
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(lattice.step_mm / 2))), kPageDecimals, kMostDecimals);
 }
 
 void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, const DrawingDocument& document,

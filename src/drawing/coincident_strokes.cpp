@@ -25,7 +25,7 @@ namespace ligne {
 namespace {
 
 // Adjustable: a stroke may cross this many cells of the index on the average.
-constexpr double kCellsPerStroke = 16;
+constexpr double kCellsPerStroke = 64;
 
 std::size_t rank(const Stroke& s) { return (s.visible ? 0 : kLineClassCount) + static_cast<std::size_t>(s.line_class); }
 
@@ -169,7 +169,7 @@ void Precedence::try_one(const Stroke& stroke) {
     losses_.assign(1, loss);
     cut(standing_[i], losses_);
   }
-  index_.insert(static_cast<std::uint32_t>(standing_.size()), stroke.from, stroke.to);
+  index_.insert(stroke.from, stroke.to);
   standing_.push_back(stroke);
   stands_.push_back(true);
   seen_.push_back(0);

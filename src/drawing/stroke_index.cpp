@@ -24,7 +24,9 @@ std::uint32_t StrokeIndex::add_end(LatticePoint p, std::uint32_t segment) {
   return point;
 }
 
-void StrokeIndex::insert(std::uint32_t segment, LatticePoint from, LatticePoint to) {
+void StrokeIndex::insert(LatticePoint from, LatticePoint to) {
+  const auto segment = static_cast<std::uint32_t>(segments_.size());
+  segments_.push_back({from, to, static_cast<float>(length(from, to))});
   const std::uint64_t homes[] = {grid_.cell_of(from), grid_.cell_of(to)};
   grid_.walk(from, to, [&](std::uint64_t key) {
     if (key == homes[0] || key == homes[1]) return false;

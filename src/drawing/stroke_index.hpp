@@ -37,7 +37,7 @@ class SegmentGrid {
   double cell_, margin_;
 };
 
-/// A uniform grid (kept as a hash table of its cells) over segments, numbered by the caller.
+/// A uniform grid (kept as a hash table of its cells) over segments, which are numbered as they come in.
 ///
 /// Where two segments coincide, each end of their common interval is an end of one of them, and lies on the other. So it
 /// is enough to ask which segments pass an end of the new one, and which ends lie along the new one. A cell therefore
@@ -49,7 +49,7 @@ class StrokeIndex {
   /// As for SegmentGrid.
   StrokeIndex(double cell, double tolerance) : grid_(cell, tolerance) {}
 
-  void insert(std::uint32_t segment, LatticePoint from, LatticePoint to);
+  void insert(LatticePoint from, LatticePoint to);
 
   /// Calls found(segment) for every inserted segment that may coincide with from-to; some more than once.
   template <class Found>
@@ -58,6 +58,10 @@ class StrokeIndex {
  private:
   static constexpr std::uint32_t kNone = KeyTable::kNone;
 
+  struct Segment {
+    LatticePoint from, to;
+    float length;
+  };
   struct Cell {
     std::uint32_t first_through = kNone, first_point = kNone;
   };
@@ -77,6 +81,7 @@ class StrokeIndex {
 
   SegmentGrid grid_;
   KeyTable cell_table_, point_table_, pair_table_;
+  std::vector<Segment> segments_;
   std::vector<Cell> cells_;
   std::vector<EndPoint> points_;
   std::vector<Link> arms_, throughs_;

@@ -33,16 +33,19 @@ bool SegmentGrid::walk(LatticePoint from, LatticePoint to, const Visit& visit) c
 
 template <class Found>
 void StrokeIndex::query(LatticePoint from, LatticePoint to, const Found& found) const {
-  const auto visit_links = [&](const std::vector<Link>& links, std::uint32_t first) {
-    for (std::uint32_t i = first; i != kNone; i = links[i].next) found(links[i].segment);
-  };
   // Segments that pass an end of this one.
   for (const LatticePoint p : {from, to}) {
     const std::uint32_t c = cell_table_.find(grid_.cell_of(p));
     if (c == kNone) continue;
-    visit_links(throughs_, cells_[c].first_through);
+    const auto visit_near = [&](const std::vector<Link>& links, std::uint32_t first) {
+      for (std::uint32_t i = first; i != kNone; i = links[i].next) {
+        const Segment& s = segments_[links[i].segment];
+        if (grid_.near(p, s.from, s.to, s.length)) found(links[i].segment);
+      }
+    };
+    visit_near(throughs_, cells_[c].first_through);
     for (std::uint32_t e = cells_[c].first_point; e != kNone; e = points_[e].next) {
-      if (points_[e].p != from && points_[e].p != to) visit_links(arms_, points_[e].first_arm);
+      if (points_[e].p != p) visit_near(arms_, points_[e].first_arm);
     }
   }
   // Ends along this one.
@@ -52,7 +55,8 @@ void StrokeIndex::query(LatticePoint from, LatticePoint to, const Found& found) 
     if (c == kNone) return false;
     for (std::uint32_t e = cells_[c].first_point; e != kNone; e = points_[e].next) {
       const LatticePoint p = points_[e].p;
-      if (p != from && p != to && grid_.near(p, from, to, segment_length)) visit_links(arms_, points_[e].first_arm);
+      if (p == from || p == to || !grid_.near(p, from, to, segment_length)) continue;
+      for (std::uint32_t i = points_[e].first_arm; i != kNone; i = arms_[i].next) found(arms_[i].segment);
     }
     return false;
   });

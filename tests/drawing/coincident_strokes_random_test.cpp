@@ -54,7 +54,7 @@ std::vector<Stroke> random_strokes(std::uint32_t seed, int count, int jitter) {
   std::vector<Stroke> strokes;
   for (int i = 0; i < count; ++i) {
     const LatticePoint d = directions[random() % std::size(directions)];
-    const int offset = 500 * int(random() % 3), from = int(random() % 500) - 250, to = from + 1 + int(random() % 120);
+    const int offset = 500 * int(random() % 3), from = int(random() % 500) - 250, to = from + 4 + int(random() % 120);
     const auto point = [&](int k) {
       const auto off = [&] { return jitter == 0 ? 0 : int(random() % (2 * jitter + 1)) - jitter; };
       return LatticePoint{offset + k * d.x + off(), k * d.y + off()};
@@ -137,7 +137,7 @@ TEST(CoincidentStrokesRandom, ThousandsOnOneLineAndFromOnePointStayFast) {
   for (int i = 0; i < count; ++i) {
     const int from = int(random() % 20000000), to = from + 1000 + int(random() % 10000000);
     line.strokes.push_back(stroke({from, 0}, {to, 0}, LineClass::mesh, std::uint32_t(i)));
-    fan.strokes.push_back(stroke({0, 0}, {200 * (i + 1), 100 * (i + 1)}, LineClass::mesh, std::uint32_t(i)));
+    fan.strokes.push_back(stroke({0, 0}, {200 * (i + 1), 100 * (i + 1)}, LineClass::mesh, random()));
   }
   remove_coincident_strokes(line, kTolerance);
   EXPECT_LT(line.strokes.size(), 1000u);

@@ -1,0 +1,66 @@
+/// Files compared byte by byte with tests/golden/. Run with LIGNE_UPDATE_GOLDENS=1 to write them anew.
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include "sample_drawing.hpp"
+
+namespace ligne {
+namespace {
+
+std::string golden_file(const std::string& name) { return LIGNE_SOURCE_DIR "/tests/golden/" + name; }
+
+/// An empty text, or what is different.
+std::string difference(const std::string& name, const std::string& text) {
+  std::ifstream in(golden_file(name), std::ios::binary);
+  if (!in) return name + " is missing";
+  const std::string wanted{std::istreambuf_iterator<char>(in), {}};
+  if (wanted == text) return "";
+  const auto at = static_cast<std::size_t>(std::mismatch(wanted.begin(), wanted.end(), text.begin(), text.end()).first - wanted.begin());
+  return name + " differs at byte " + std::to_string(at) + ": " + text.substr(at, 60);
+}
+
+void expect_golden(const std::string& name, const std::string& text) {
+  if (std::getenv("LIGNE_UPDATE_GOLDENS")) std::ofstream(golden_file(name), std::ios::binary) << text;
+  EXPECT_EQ(difference(name, text), "");
+}
+
+std::string sample_svg() {
+  PlotOptions options;
+  options.title = "A < B & \"C\"";
+  return write_svg(sample_drawing(), options);
+}
+
+std::string sample_json() {
+  const StrokeModel strokes = sample_strokes();
+  const std::vector<Region> regions{{3, {{{0, 0}, {10, 0}, {5.0000004, 7.5}}, {{4, 1}, {6, 1}, {5, 2}}}}};
+  const PaintOrder order{{2, 0, 1}};
+  DrawingDocument document;
+  document.strokes = &strokes;
+  document.regions = &regions;
+  document.order = &order;
+  document.source = [&](std::uint32_t source) { return sample_source(strokes, source); };
+  document.model_to_page[3][0] = 105;
+  document.method = "appel";
+  document.statistics.count("edges", 2);
+  document.statistics.time("total", 1.25);
+  return write_json(document, {});
+}
+
+TEST(Golden, Svg) { expect_golden("sample.svg", sample_svg()); }
+TEST(Golden, Json) { expect_golden("sample.json", sample_json()); }
+
+TEST(Golden, TheComparisonCanFail) {
+  std::string svg = sample_svg();
+  ++svg[svg.size() / 2];
+  EXPECT_NE(difference("sample.svg", svg), "");
+  EXPECT_NE(difference("sample.svg", sample_svg() + " "), "");
+  EXPECT_NE(difference("sample.svg", sample_svg().substr(1)), "");
+  EXPECT_NE(difference("no-such-golden.svg", ""), "");
+}
+
+}  // namespace
+}  // namespace ligne

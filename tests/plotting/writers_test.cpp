@@ -1,0 +1,230 @@
+#include <map>
+#include <random>
+
+#include <expat.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <oneapi/tbb/global_control.h>
+
+#include "sample_drawing.hpp"
+
+namespace ligne {
+namespace {
+
+// ---- SVG ------------------------------------------------------------------------------------------------------------
+
+struct Element {
+  std::string name;
+  std::map<std::string, std::string> attributes;
+};
+struct Xml {
+  std::string error;
+  std::vector<Element> elements;
+  std::string text;
+};
+
+Xml parse_xml(const std::string& bytes) {
+  Xml xml;
+  XML_Parser parser = XML_ParserCreateNS(nullptr, '|');
+  XML_SetUserData(parser, &xml);
+  XML_SetElementHandler(
+      parser,
+      [](void* user, const XML_Char* name, const XML_Char** attributes) {
+        Element element{name, {}};
+        for (; *attributes; attributes += 2) element.attributes[attributes[0]] = attributes[1];
+        static_cast<Xml*>(user)->elements.push_back(element);
+      },
+      [](void*, const XML_Char*) {});
+  XML_SetCharacterDataHandler(
+      parser, [](void* user, const XML_Char* text, int n) { static_cast<Xml*>(user)->text.append(text, std::size_t(n)); });
+  if (XML_Parse(parser, bytes.data(), int(bytes.size()), 1) != XML_STATUS_OK) {
+    xml.error = XML_ErrorString(XML_GetErrorCode(parser));
+  }
+  XML_ParserFree(parser);
+  return xml;
+}
+
+const std::string kSvg = "http://www.w3.org/2000/svg|", kInkscape = "http://www.inkscape.org/namespaces/inkscape|";
+
+TEST(Svg, IsLayersOfPathsAndNothingElse) {
+  const Xml xml = parse_xml(write_svg(sample_drawing(), {}));
+  ASSERT_EQ(xml.error, "");
+  std::vector<std::string> layers;
+  for (const Element& e : xml.elements) {
+    if (e.name == kSvg + "svg") {
+      EXPECT_EQ(e.attributes.at("width"), "210mm");
+      EXPECT_EQ(e.attributes.at("height"), "297mm");
+      EXPECT_EQ(e.attributes.at("viewBox"), "0 0 210 297");
+    } else if (e.name == kSvg + "g") {
+      layers.push_back(e.attributes.at("id"));
+      EXPECT_EQ(e.attributes.at(kInkscape + "groupmode"), "layer");
+      EXPECT_EQ(e.attributes.at(kInkscape + "label"), layers.back());
+      EXPECT_EQ(e.attributes.at("fill"), "none");
+      EXPECT_EQ(e.attributes.at("stroke"), "#000");
+      EXPECT_EQ(e.attributes.count("stroke-dasharray"), layers.back() == "hidden");
+    } else {
+      EXPECT_EQ(e.name, kSvg + "path");
+      EXPECT_EQ(e.attributes.size(), 1u) << "only the path data";
+    }
+  }
+  EXPECT_EQ(layers, (std::vector<std::string>{"hidden", "mesh", "outline"}));
+}
+
+TEST(Svg, IsWellFormedWhateverTheTitle) {
+  const std::pair<std::string, std::string> titles[] = {
+      {"z = sin(x) < 1 & \"y\" > '2'", "z = sin(x) < 1 & \"y\" > '2'"},
+      {"ligne claire \xc3\xa9t\xc3\xa9 \xf0\x9f\x96\x8b", "ligne claire \xc3\xa9t\xc3\xa9 \xf0\x9f\x96\x8b"},
+      {std::string("a\0b\x01", 4), "a\xef\xbf\xbd" "b\xef\xbf\xbd"},
+      {"\xff\xc3(", "\xef\xbf\xbd\xef\xbf\xbd("},
+      {"\xed\xa0\x80", "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd"},
+      {"\xc0\x80 \xe2\x82", "\xef\xbf\xbd\xef\xbf\xbd \xef\xbf\xbd\xef\xbf\xbd"}};
+  for (const auto& [title, shown] : titles) {
+    PlotOptions options;
+    options.title = title;
+    const Xml xml = parse_xml(write_svg({}, options));
+    EXPECT_EQ(xml.error, "");
+    EXPECT_NE(xml.text.find(shown), std::string::npos) << xml.text;
+  }
+}
+
+TEST(Svg, LeavesOutLinesThatAreShorterThanItsUnit) {
+  Drawing drawing;
+  add_line(drawing, "mesh", {{1, 1}, {1.00000001, 1}});
+  add_line(drawing, "mesh", {{2, 2}, {2.00000001, 2}, {3, 2}});
+  const std::string svg = write_svg(drawing, {});
+  EXPECT_NE(svg.find("\n<path d=\"M2 2L3 2\"/>\n</g>"), std::string::npos) << svg;
+}
+
+TEST(Svg, DoesNotDependOnTheNumberOfThreads) {
+  std::mt19937 random(1);
+  Drawing drawing;
+  for (int i = 0; i < 30000; ++i) {
+    const auto coordinate = [&] { return double(random() % 2000000) * 1e-4; };
+    add_line(drawing, "mesh", {{coordinate(), coordinate()}, {coordinate(), coordinate()}, {coordinate(), coordinate()}});
+  }
+  const auto with_threads = [&](std::size_t n) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, n);
+    return write_svg(drawing, {});
+  };
+  EXPECT_TRUE(with_threads(1) == with_threads(4));
+}
+
+// ---- PDF ------------------------------------------------------------------------------------------------------------
+
+TEST(Pdf, IsOnePageOfTrueSizeWithoutADate) {
+  PlotOptions options;
+  options.page = parse_page("100x50mm");
+  options.title = "Title";
+  const std::string pdf = write_pdf(sample_drawing(), options);
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_NE(pdf.find("/MediaBox [ 0 0 283.464567 141.732283 ]"), std::string::npos);
+  EXPECT_NE(pdf.find("/Count 1\n"), std::string::npos);
+  EXPECT_NE(pdf.find("(Title)"), std::string::npos);
+  EXPECT_EQ(pdf.find("Date"), std::string::npos);
+  EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos) << "lines, not pixels";
+  EXPECT_EQ(pdf, write_pdf(sample_drawing(), options));
+}
+
+TEST(Pdf, EveryPageSizeWorks) {
+  for (const char* page : {"A0", "A6", "1x1", "0.1x0.1", "100000x10", "100000x100000"}) {
+    PlotOptions options;
+    options.page = parse_page(page);
+    EXPECT_FALSE(write_pdf(sample_drawing(), options).empty()) << page;
+  }
+  EXPECT_FALSE(write_pdf({}, {}).empty()) << "nothing drawn";
+}
+
+// ---- PNG ------------------------------------------------------------------------------------------------------------
+
+std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+TEST(Png, HasTheSizeOfThePage) {
+  PlotOptions options;
+  options.dpi = 25.4;
+  std::string png = write_png(sample_drawing(), options);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(big_endian(png, 16), 210u);
+  EXPECT_EQ(big_endian(png, 20), 297u);
+  options.dpi = 150;
+  png = write_png(sample_drawing(), options);
+  EXPECT_EQ(big_endian(png, 16), 1240u);
+  EXPECT_EQ(big_endian(png, 20), 1754u);
+  EXPECT_NE(png, write_png({}, options)) << "nothing was drawn";
+}
+
+TEST(Png, RefusesWhatIsTooLarge) {
+  PlotOptions options;
+  for (const double dpi : {1e6, 1e300, 0.0, -1.0, std::nan("")}) {
+    options.dpi = dpi;
+    EXPECT_THROW(write_png({}, options), std::runtime_error) << dpi;
+  }
+}
+
+// ---- JSON -----------------------------------------------------------------------------------------------------------
+
+TEST(Json, SaysWhatTheDocumentHolds) {
+  const StrokeModel strokes = sample_strokes();
+  DrawingDocument document;
+  document.strokes = &strokes;
+  document.source = [&](std::uint32_t source) { return sample_source(strokes, source); };
+  document.perspective = true;
+  for (int i = 0; i < 16; ++i) document.model_to_page[i % 4][i / 4] = i + 0.5;
+  document.method = "na\"me\xff";
+  document.statistics.count("edges", 12345678901234u);
+  document.statistics.time("total", 1.5);
+  const std::string text = write_json(document, {});
+  const auto json = nlohmann::json::parse(text);
+  EXPECT_EQ(json["format"], "ligne-drawing");
+  EXPECT_EQ(json["version"], 1);
+  EXPECT_EQ(json["page"]["width_mm"], 210);
+  EXPECT_EQ(json["page"]["margin_mm"], 10);
+  EXPECT_EQ(json["view"]["perspective"], true);
+  for (int i = 0; i < 16; ++i) EXPECT_EQ(json["view"]["matrix"][i], i + 0.5) << "row by row";
+  ASSERT_EQ(json["strokes"].size(), 2u);
+  const auto& first = json["strokes"][0];
+  EXPECT_EQ(first["class"], "outline");
+  EXPECT_EQ(first["visible"], true);
+  EXPECT_EQ(first["source"], nlohmann::json::parse(R"({"edge":0,"ends":[[0.1,0,0],[1e-7,2.5,-3]],"faces":[7,null]})"));
+  EXPECT_EQ(first["interval"], nlohmann::json::parse("[0,0.25]"));
+  EXPECT_EQ(first["points"], nlohmann::json::parse("[[100,100],[110,100.125]]"));
+  EXPECT_EQ(json["strokes"][1]["visible"], false);
+  EXPECT_TRUE(json["strokes"][1]["source"]["edge"].is_null());
+  EXPECT_EQ(json["stats"]["counts"]["edges"], 12345678901234u);
+  EXPECT_FALSE(json["stats"].contains("seconds")) << "times differ from run to run";
+  EXPECT_FALSE(json.contains("regions"));
+  EXPECT_FALSE(json.contains("order"));
+}
+
+TEST(Json, PointsReadBackToTheSameLatticePoint) {
+  for (const char* page : {"A0", "A4", "10x10"}) {
+    StrokeModel strokes;
+    strokes.lattice = Lattice::covering(parse_page(page).sheet());
+    std::mt19937 random(2);
+    const auto coordinate = [&] { return static_cast<std::int32_t>(random() % kLatticeLimit); };
+    for (int i = 0; i < 20000; ++i) {
+      Stroke s;
+      s.from = {coordinate(), -coordinate()};
+      s.to = {-coordinate(), coordinate()};
+      s.t_from = 1e-10 * coordinate();
+      strokes.strokes.push_back(s);
+    }
+    DrawingDocument document;
+    document.strokes = &strokes;
+    const auto json = nlohmann::json::parse(write_json(document, {}));
+    ASSERT_EQ(json["strokes"].size(), strokes.strokes.size());
+    for (std::size_t i = 0; i < strokes.strokes.size(); ++i) {
+      const auto& points = json["strokes"][i]["points"];
+      const Stroke& s = strokes.strokes[i];
+      ASSERT_EQ(strokes.lattice.snap({points[0][0], points[0][1]}), s.from);
+      ASSERT_EQ(strokes.lattice.snap({points[1][0], points[1][1]}), s.to);
+      ASSERT_EQ(json["strokes"][i]["interval"][0].get<double>(), s.t_from);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ligne
