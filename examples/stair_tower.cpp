@@ -24,7 +24,7 @@ Solid plinth() {
   Solid solid{"plinth", {}, {}};
   const ProfilePoint profile[] = {{0, -0.54},    {3.9, -0.54}, {3.9, -0.36}, {3.55, -0.36},
                                   {3.55, -0.18}, {3.2, -0.18}, {3.2, 0},     {0, 0}};
-  add_turned_quads(solid, {}, profile, 80);
+  add_turned_quads(solid, {}, profile, 72);
   return solid;
 }
 
@@ -64,7 +64,7 @@ Solid balusters() {
   return solid;
 }
 
-/// A helical rail of rectangular section.
+/// A helical rail of rectangular section. Its upper and lower sides are twisted, so all sides are triangles.
 Solid rail() {
   Solid solid{"rail", {}, {}};
   constexpr double half_width = 0.045, half_height = 0.03;
@@ -81,7 +81,14 @@ Solid rail() {
       section.push_back(static_cast<std::uint32_t>(solid.vertices.size()));
       solid.vertices.push_back(Frame{}.at(polar(kRailRadius + dr, angle), h + dh));
     }
-    if (!sections.empty()) solid.add_bore_wall(sections.back(), section);
+    if (!sections.empty()) {
+      const Ring& last = sections.back();
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t next = (k + 1) % 4;
+        solid.faces.push_back({{last[next], last[k], section[k]}, {}});
+        solid.faces.push_back({{last[next], section[k], section[next]}, {}});
+      }
+    }
     sections.push_back(std::move(section));
   }
   solid.add_top(sections.front());
@@ -106,7 +113,7 @@ Solid entablature() {
   Solid solid{"entablature", {}, {}};
   const ProfilePoint profile[] = {{2.5, 7},     {3.0, 7},     {3.0, 7.2},     {3.04, 7.2},
                                   {3.04, 7.45}, {3.25, 7.55}, {3.25, kEaves}, {2.5, kEaves}};
-  add_turned_quads(solid, {}, profile, 80);
+  add_turned_quads(solid, {}, profile, 72);
   return solid;
 }
 
@@ -122,7 +129,7 @@ Solid dome() {
     profile.push_back({kDomeRadius * std::cos(angle), kDomeBase + kDomeRadius * std::sin(angle)});
   }
   profile.push_back({0, kDomeBase + kDomeRadius});
-  add_turned_quads(solid, {}, profile, 60);
+  add_turned_quads(solid, {}, profile, 54);
   return solid;
 }
 
