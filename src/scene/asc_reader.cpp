@@ -120,7 +120,7 @@ class AscReader {
     Point3 p;
     for (int k = 0; k < 3; ++k) {
       const std::string_view word = take_field(line, keys[k]);
-      const std::optional<double> value = parse_number(word);
+      const std::optional<double> value = number_in(word);
       if (!value) throw error(shown(word) + " is not a coordinate");
       precision.add(word, *value);
       p[k] = *value;

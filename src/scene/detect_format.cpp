@@ -72,7 +72,7 @@ bool is_obj_statement(std::string_view line) {
   if (keyword != "v" && keyword != "f") return false;
   for (int k = 0; k < 3; ++k) {
     const std::string_view word = take_word(line);
-    if (!parse_number(keyword == "v" ? word : word.substr(0, word.find('/')))) return false;
+    if (!number_in(keyword == "v" ? word : word.substr(0, word.find('/')))) return false;
   }
   return true;
 }

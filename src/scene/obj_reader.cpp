@@ -109,7 +109,7 @@ class StatementStream : public std::streambuf {
     int n = 0;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
       if (word[0] == '#') break;
-      const std::optional<double> value = parse_number(word);
+      const std::optional<double> value = number_in(word);
       if (!value) return fail(shown(word) + " is not a coordinate of a vertex");
       if (n < 3) {
         vertex.position[n] = *value;

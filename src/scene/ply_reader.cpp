@@ -59,7 +59,7 @@ class TextData {
   PlyValue take(PlyType type) {
     const std::string_view word = take_word(line_);
     if (word.empty()) throw error("line with too few numbers");
-    const std::optional<double> value = parse_number(word);
+    const std::optional<double> value = number_in(word);
     if (!value || (!is_float(type) && *value != std::trunc(*value))) {
       throw error(shown(word) + (is_float(type) ? " is not a number" : " is not a whole number"));
     }

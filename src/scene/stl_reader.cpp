@@ -58,7 +58,7 @@ Point3 take_vertex(Words& words, DecimalPrecision& precision) {
   for (int k = 0; k < 3; ++k) {
     const std::string_view word = words.take();
     if (word.empty()) throw words.error("the file ends in a vertex");
-    const std::optional<double> value = parse_number(word);
+    const std::optional<double> value = number_in(word);
     if (!value) throw words.error(shown(word) + " is not a coordinate of a vertex");
     precision.add(word, *value);
     p[k] = *value;

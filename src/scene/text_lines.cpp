@@ -70,7 +70,7 @@ bool starts_with_ignoring_case(std::string_view text, std::string_view beginning
          std::equal(beginning.begin(), beginning.end(), text.begin(), [](char a, char b) { return lower(a) == lower(b); });
 }
 
-std::optional<double> parse_number(std::string_view word) {
+std::optional<double> number_in(std::string_view word) {
   word = without_plus(word);
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);

@@ -40,7 +40,7 @@ bool starts_with_ignoring_case(std::string_view text, std::string_view beginning
 
 /// The value of a word that is a decimal number and nothing else, correctly rounded. Numbers too small for a double are 0;
 /// nothing for words, nan, inf and numbers too large for a double.
-std::optional<double> parse_number(std::string_view word);
+std::optional<double> number_in(std::string_view word);
 /// The value of a word that is a whole number and nothing else.
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
