@@ -46,7 +46,7 @@ Solid studs(const std::string& name, const Frame& flange, int count, double circ
                                     {stud_radius, high - chamfer},
                                     {stud_radius - chamfer, high},
                                     {0, high}};
-    add_turned(solid, frame, profile, 36);
+    add_turned(solid, frame, profile, 24);
     const std::vector<Point2> hexagon = circle({0, 0}, nut_radius, 6, angle);
     solid.add_prism(frame, hexagon, from - nut_height, from + sunk);
     solid.add_prism(frame, hexagon, to - sunk, to + nut_height);
