@@ -14,8 +14,8 @@ const Frame kUp{};
 Solid run_pipe() {
   Solid solid{"run", {}, {}};
   // Bore 64, wall 8, weld-neck flanges with a raised face at both ends.
-  const ProfilePoint profile[] = {{32, -122}, {52, -122}, {52, -120}, {76, -120}, {76, -104}, {50, -104}, {40, -84},
-                                  {40, 84},   {50, 104},  {76, 104},  {76, 120},  {52, 120},  {52, 122},  {32, 122}};
+  const ProfilePoint profile[] = {{32, -122}, {52, -122}, {52, -120}, {76, -120}, {76, -104}, {50, -104}, {40, -92},
+                                  {40, 92},   {50, 104},  {76, 104},  {76, 120},  {52, 120},  {52, 122},  {32, 122}};
   add_turned(solid, kRight, profile, kPipeSegments);
   return solid;
 }
@@ -24,7 +24,7 @@ Solid branch() {
   Solid solid{"branch", {}, {}};
   // Its foot ends inside the wall of the run: above the bore (32) and below the outside at its own radius (33.4).
   constexpr double foot = 32.6;
-  const ProfilePoint profile[] = {{16, foot}, {22, foot}, {22, 78},  {31, 94}, {56, 94},
+  const ProfilePoint profile[] = {{16, foot}, {22, foot}, {22, 83},  {31, 94}, {56, 94},
                                   {56, 108},  {36, 108},  {36, 110}, {16, 110}};
   add_turned(solid, kUp, profile, kPipeSegments);
   return solid;
@@ -46,7 +46,7 @@ Solid studs(const std::string& name, const Frame& flange, int count, double circ
                                     {stud_radius, high - chamfer},
                                     {stud_radius - chamfer, high},
                                     {0, high}};
-    add_turned(solid, frame, profile, 36);
+    add_turned(solid, frame, profile, 24);
     const std::vector<Point2> hexagon = circle({0, 0}, nut_radius, 6, angle);
     solid.add_prism(frame, hexagon, from - nut_height, from + sunk);
     solid.add_prism(frame, hexagon, to - sunk, to + nut_height);

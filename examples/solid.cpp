@@ -1,6 +1,7 @@
 #include "solid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
@@ -14,7 +15,9 @@ Ring reversed(Ring ring) {
   return ring;
 }
 
-/// A length with up to four decimals.
+/// Lengths are written with up to four decimals.
+constexpr double kUnitsPerLength = 1e4;
+
 std::string length(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.4f", value);
@@ -22,6 +25,17 @@ std::string length(double value) {
   trimmed.erase(trimmed.find_last_not_of('0') + 1);
   if (trimmed.back() == '.') trimmed.pop_back();
   return trimmed == "-0" ? "0" : trimmed;
+}
+
+/// Whether the four points, rounded as they are written, lie in one plane exactly.
+bool flat_when_written(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  __extension__ using Wide = __int128;
+  const auto whole = [](double value) { return static_cast<Wide>(std::llround(value * kUnitsPerLength)); };
+  const auto difference = [&](const Point3& p) {
+    return std::array<Wide, 3>{whole(p.x) - whole(a.x), whole(p.y) - whole(a.y), whole(p.z) - whole(a.z)};
+  };
+  const auto u = difference(b), v = difference(c), w = difference(d);
+  return u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]) == 0;
 }
 
 std::string index_list(const Ring& ring) {
@@ -45,7 +59,12 @@ void Solid::add_wall(const Ring& lower, const Ring& upper) {
   assert(lower.size() == upper.size());
   for (std::size_t i = 0; i < lower.size(); ++i) {
     const std::size_t j = (i + 1) % lower.size();
-    faces.push_back({{lower[i], lower[j], upper[j], upper[i]}, {}});
+    if (flat_when_written(vertices[lower[i]], vertices[lower[j]], vertices[upper[j]], vertices[upper[i]])) {
+      faces.push_back({{lower[i], lower[j], upper[j], upper[i]}, {}});
+    } else {
+      faces.push_back({{lower[i], lower[j], upper[j]}, {}});
+      faces.push_back({{lower[i], upper[j], upper[i]}, {}});
+    }
   }
 }
 

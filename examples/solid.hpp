@@ -37,7 +37,7 @@ struct Solid {
 
   Ring add_ring(const Frame& frame, std::span<const Point2> outline, double h);
   /// Side walls between two rings of one length, `upper` further along the axis; outside is away from the axis, or towards
-  /// it for the wall of a bore.
+  /// it for the wall of a bore. Quadrilaterals, and two triangles where rounding would bend one.
   void add_wall(const Ring& lower, const Ring& upper);
   void add_bore_wall(const Ring& lower, const Ring& upper);
   /// A flat face that looks along the axis, or against it.

@@ -24,7 +24,7 @@ Solid plinth() {
   Solid solid{"plinth", {}, {}};
   const ProfilePoint profile[] = {{0, -0.54},    {3.9, -0.54}, {3.9, -0.36}, {3.55, -0.36},
                                   {3.55, -0.18}, {3.2, -0.18}, {3.2, 0},     {0, 0}};
-  add_turned_quads(solid, {}, profile, 80);
+  add_turned_quads(solid, {}, profile, 64);
   return solid;
 }
 
@@ -59,12 +59,12 @@ Solid balusters() {
   Solid solid{"balusters", {}, {}};
   for (int i = 0; i < kSteps; ++i) {
     const double angle = kStepAngle * (i + 0.5);
-    solid.add_prism({}, circle(polar(kRailRadius, angle), 0.022, 14, angle), kRiser * (i + 1) - 0.03, rail_height(angle));
+    solid.add_prism({}, circle(polar(kRailRadius, angle), 0.022, 13, angle), kRiser * (i + 1) - 0.03, rail_height(angle));
   }
   return solid;
 }
 
-/// A helical rail of rectangular section.
+/// A helical rail of rectangular section. Its upper and lower sides are twisted, so all sides are triangles.
 Solid rail() {
   Solid solid{"rail", {}, {}};
   constexpr double half_width = 0.045, half_height = 0.03;
@@ -81,7 +81,14 @@ Solid rail() {
       section.push_back(static_cast<std::uint32_t>(solid.vertices.size()));
       solid.vertices.push_back(Frame{}.at(polar(kRailRadius + dr, angle), h + dh));
     }
-    if (!sections.empty()) solid.add_bore_wall(sections.back(), section);
+    if (!sections.empty()) {
+      const Ring& last = sections.back();
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t next = (k + 1) % 4;
+        solid.faces.push_back({{last[next], last[k], section[k]}, {}});
+        solid.faces.push_back({{last[next], section[k], section[next]}, {}});
+      }
+    }
     sections.push_back(std::move(section));
   }
   solid.add_top(sections.front());
@@ -97,7 +104,7 @@ Solid columns() {
   for (int i = 0; i < kColumns; ++i) {
     Frame frame;
     frame.origin = frame.at(polar(kColumnCircle, 2 * kPi * (i + 0.5) / kColumns), 0);
-    add_turned_quads(solid, frame, profile, 18);
+    add_turned_quads(solid, frame, profile, 16);
   }
   return solid;
 }
@@ -106,7 +113,7 @@ Solid entablature() {
   Solid solid{"entablature", {}, {}};
   const ProfilePoint profile[] = {{2.5, 7},     {3.0, 7},     {3.0, 7.2},     {3.04, 7.2},
                                   {3.04, 7.45}, {3.25, 7.55}, {3.25, kEaves}, {2.5, kEaves}};
-  add_turned_quads(solid, {}, profile, 80);
+  add_turned_quads(solid, {}, profile, 64);
   return solid;
 }
 
@@ -114,7 +121,7 @@ constexpr double kDomeRadius = 2.85, kDomeBase = kEaves + 0.2;
 
 Solid dome() {
   Solid solid{"dome", {}, {}};
-  constexpr int rings = 12;
+  constexpr int rings = 10;
   std::vector<ProfilePoint> profile{
       {0, kEaves - 0.05}, {kDomeRadius + 0.12, kEaves - 0.05}, {kDomeRadius + 0.12, kDomeBase}, {kDomeRadius, kDomeBase}};
   for (int i = 1; i < rings; ++i) {
@@ -122,7 +129,7 @@ Solid dome() {
     profile.push_back({kDomeRadius * std::cos(angle), kDomeBase + kDomeRadius * std::sin(angle)});
   }
   profile.push_back({0, kDomeBase + kDomeRadius});
-  add_turned_quads(solid, {}, profile, 60);
+  add_turned_quads(solid, {}, profile, 48);
   return solid;
 }
 

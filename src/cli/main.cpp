@@ -3,12 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
+#include <memory>
 #include <new>
 #include <sstream>
 #include <string>
 
 #include "cli/draw.hpp"
 #include "cli/errors.hpp"
+#include "cli/help.hpp"
 #include "cli/info.hpp"
 #include "cli/methods.hpp"
 #include "cli/text.hpp"
@@ -18,7 +20,6 @@ namespace ligne {
 namespace {
 
 constexpr int kDone = 0, kFailed = 1, kUsage = 2;
-constexpr std::size_t kHelpColumn = 34;
 
 constexpr const char* kFooter = R"(ligne COMMAND --help tells the options of a command.
 
@@ -27,9 +28,22 @@ Examples:
   ligne info gearbox.obj
   ligne methods)";
 
+/// CLI11's own complaint in our words.
+std::string complaint(const CLI::ParseError& e) {
+  const std::string text = e.what();
+  const std::size_t colon = text.find(": ");
+  if (colon == std::string::npos) return text;
+  if (dynamic_cast<const CLI::ExtrasError*>(&e)) return "not known: " + text.substr(colon + 2) + "; see ligne --help";
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&e)) {
+    const bool repeated = text.find("At Most") != std::string::npos;
+    return text.substr(0, colon) + (repeated ? ": given more than once" : ": its value is missing");
+  }
+  return text;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Draws 3D polygon scenes as clean lines, hidden parts removed.", "ligne");
-  app.get_formatter()->column_width(kHelpColumn);
+  app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", "ligne " LIGNE_VERSION);
   app.footer(kFooter);
   app.require_subcommand(0, 1);
@@ -44,7 +58,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() != 0) throw UsageError(e.what());
+    if (e.get_exit_code() != 0) throw UsageError(complaint(e));
     std::ostringstream text;
     app.exit(e, text, text);
     write_output("-", text.str());

@@ -95,11 +95,13 @@ TEST_F(DrawTest, Perspective) {
   // The front face of the cube stands 90 before the eye, the target plane 100.
   const Extent box = extent(drawn({"cube.obj", "--eye", "0,0,100", "--target", "0,0,0", "--scale", "1:1"}));
   EXPECT_NEAR(box.width(), 20 * 100.0 / 90, kMicrometre);
-  const std::vector<std::string> near{"cube.obj", "--eye", "0,0,40", "--scale", "1:1", "--fov"};
-  auto narrow = near, wide = near;
-  narrow.push_back("20");
-  wide.push_back("90");
-  EXPECT_LT(extent(drawn(narrow)).height(), extent(drawn(wide)).height()) << "a narrow view cuts the cube off";
+  // Of a slat 20 high, 40 before the eye, an angle of 20 degrees shows 2 * 40 * tan(10 degrees).
+  write("slat.obj", "v -1 -10 0\nv 1 -10 0\nv 1 10 0\nv -1 10 0\nf 1 2 3 4\n");
+  const auto height = [&](const char* fov) {
+    return extent(drawn({"slat.obj", "--eye", "0,0,40", "--scale", "1:1", "--fov", fov})).height();
+  };
+  EXPECT_NEAR(height("20"), 14.1061, kMicrometre);
+  EXPECT_NEAR(height("90"), 20, kMicrometre);
 }
 
 TEST_F(DrawTest, ClassesCreaseAndHiddenLines) {

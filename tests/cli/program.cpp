@@ -57,18 +57,19 @@ std::string contents(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
-                  const std::filesystem::path& out_file) {
+Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments, int out_fd) {
   static std::atomic<int> counter = 0;
   const std::string stem =
       (std::filesystem::temp_directory_path() / ("ligne-" + std::to_string(getpid()) + "-" + std::to_string(counter++)))
           .string();
-  const std::filesystem::path out = out_file.empty() ? stem + ".out" : out_file.string(), err = stem + ".err";
+  const std::string out = stem + ".out", err = stem + ".err";
+  const bool captured = out_fd < 0;
 
   std::vector<char*> argv{const_cast<char*>("ligne")};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  const int out_fd = open_for_writing(out), err_fd = open_for_writing(err);
+  if (captured) out_fd = open_for_writing(out);
+  const int err_fd = open_for_writing(err);
   const pid_t child = fork();
   if (child == 0) {
     if (chdir(folder.c_str()) == 0 && dup2(out_fd, 1) == 1 && dup2(err_fd, 2) == 2) execv(LIGNE_PROGRAM, argv.data());
@@ -83,7 +84,7 @@ Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::st
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   outcome.err = contents(err);
   std::filesystem::remove(err);
-  if (out_file.empty()) {
+  if (captured) {
     outcome.out = contents(out);
     std::filesystem::remove(out);
   }

@@ -17,9 +17,9 @@ struct Outcome {
   std::size_t error_lines() const;
 };
 
-/// Runs the program with these arguments; the folder is its current one. `out_file` takes standard output when it is given.
-Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
-                  const std::filesystem::path& out_file = {});
+/// Runs the program with these arguments; the folder is its current one. Standard output goes to the descriptor `out_fd`,
+/// which is closed, or else into the outcome.
+Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments, int out_fd = -1);
 
 /// The bytes of a file.
 std::string contents(const std::filesystem::path& file);
