@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <unordered_map>
 
 #include <glm/geometric.hpp>
@@ -55,8 +56,10 @@ bool visible_along(const Sight& sight, const SampledEdge& edge, std::size_t i, d
   });
 }
 
-bool hidden_around(const Sight& sight, const PageMap& map, const SampledEdge& edge, std::size_t i, double tolerance,
-                   double reach_mm) {
+/// `own_faces`: those that meet at the edge. A place beside the edge that they hide is judged on them: where the surface
+/// beside a line is seen, the line is within the tolerance of what is seen.
+bool hidden_around(const Sight& sight, const PageMap& map, const SampledEdge& edge, std::size_t i,
+                   std::span<const std::uint32_t> own_faces, double tolerance, double reach_mm) {
   const auto blocked = [&](const Point3& q) { return sight.blocked(q, tolerance, Touching::generous); };
   for (const double part : kAlong) {
     if (!blocked(edge.sample(i, part * reach_mm))) return false;
@@ -64,7 +67,12 @@ bool hidden_around(const Sight& sight, const PageMap& map, const SampledEdge& ed
   const Point3 q = edge.sample(i);
   for (int k = 0; k < kCircle; ++k) {
     const double angle = 2 * 3.14159265358979323846 * k / kCircle;
-    if (!blocked(map.shifted(q, {reach_mm * std::cos(angle), reach_mm * std::sin(angle)}))) return false;
+    const Point3 beside = map.shifted(q, {reach_mm * std::cos(angle), reach_mm * std::sin(angle)});
+    if (!blocked(beside)) return false;
+    for (const std::uint32_t face : own_faces) {
+      const auto on_face = sight.in_front(beside, face);
+      if (on_face && !blocked(*on_face)) return false;
+    }
   }
   return true;
 }
@@ -92,6 +100,15 @@ SegmentKey segment_key(const Point3& a, const Point3& b) {
   return key;
 }
 
+/// Fields of view are as wide by their height as an A sheet that lies.
+constexpr double kFieldAspect = 1.41421356;
+
+Rect window_of(const DrawingFile& drawing, const CheckOptions& options) {
+  if (drawing.window) return *drawing.window;
+  const Rect sheet{{0, 0}, {drawing.width_mm, drawing.height_mm}};
+  return field_of_view(drawing.model_to_page, sheet, options.fov_degrees, kFieldAspect);
+}
+
 class Checker {
  public:
   Checker(const Scene& scene, const DrawingFile& drawing, const CheckOptions& options)
@@ -99,8 +116,7 @@ class Checker {
         drawing_(drawing),
         options_(options),
         checked_(make_checked_scene(scene)),
-        map_(drawing.model_to_page, checked_.box,
-             drawing.window ? *drawing.window : Rect{{0, 0}, {drawing.width_mm, drawing.height_mm}}, drawing.near_distance),
+        map_(drawing.model_to_page, checked_.box, window_of(drawing, options), drawing.near_distance),
         sight_(checked_, map_),
         kinds_(checked_.edges.size()) {
     tbb::parallel_for(std::size_t{0}, kinds_.size(), [&](std::size_t e) {
@@ -129,19 +145,38 @@ class Checker {
     }
   };
 
+  /// What lies in the model where a stroke says that it comes from.
+  struct Source {
+    std::uint8_t kinds = 0;  ///< classes of all edges there
+    std::vector<std::uint32_t> faces;
+  };
+
+  Source intersection_source(const DrawnStroke& stroke) const {
+    Source source{kIntersection, {}};
+    for (const auto& face : stroke.faces) {
+      if (face && *face < checked_.faces.size()) source.faces.push_back(*face);
+    }
+    return source;
+  }
+
   void check_strokes() {
-    std::unordered_map<SegmentKey, std::uint8_t, SegmentHash> possible;
+    std::unordered_map<SegmentKey, Source, SegmentHash> sources;
     for (std::size_t e = 0; e < kinds_.size(); ++e) {
       const CheckedEdge& edge = checked_.edges[e];
-      possible[segment_key(scene_.vertices[edge.v0], scene_.vertices[edge.v1])] |= kinds_[e];
+      Source& source = sources[segment_key(scene_.vertices[edge.v0], scene_.vertices[edge.v1])];
+      source.kinds |= kinds_[e];
+      source.faces.insert(source.faces.end(), edge.faces.begin(), edge.faces.end());
     }
     std::vector<Tally> tallies(drawing_.strokes.size());
     tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t i) {
       const DrawnStroke& stroke = drawing_.strokes[i];
       if (!stroke.visible) return;
-      const auto found = possible.find(segment_key(stroke.ends[0], stroke.ends[1]));
-      const std::uint8_t kinds = stroke.kind == kIntersection ? kIntersection : found == possible.end() ? 0 : found->second;
-      tallies[i] = check_stroke(stroke, kinds);
+      const auto found = sources.find(segment_key(stroke.ends[0], stroke.ends[1]));
+      if (stroke.kind == kIntersection) {
+        tallies[i] = check_stroke(stroke, intersection_source(stroke));
+      } else {
+        tallies[i] = check_stroke(stroke, found == sources.end() ? Source{} : found->second);
+      }
     });
     for (std::size_t i = 0; i < tallies.size(); ++i) {
       const Tally& t = tallies[i];
@@ -154,7 +189,7 @@ class Checker {
     }
   }
 
-  Tally check_stroke(const DrawnStroke& stroke, std::uint8_t kinds) const {
+  Tally check_stroke(const DrawnStroke& stroke, const Source& source) const {
     const Point3 a = checked_.box.into(stroke.ends[0]), b = checked_.box.into(stroke.ends[1]);
     const SampledEdge edge(map_, a, b, {stroke.interval[0], stroke.interval[1]}, options_.step_mm);
     Tally tally;
@@ -164,7 +199,7 @@ class Checker {
       const Point2 owed = map_.page(a + (b - a) * stroke.interval[k]);
       if (!(glm::distance(owed, stroke.points[k]) <= options_.tolerance_mm)) tally.what = kMisplaced;
     }
-    if (!(kinds & stroke.kind)) tally.what = kinds == 0 ? kNoEdge : kOtherClass;
+    if (!(source.kinds & stroke.kind)) tally.what = source.kinds == 0 ? kNoEdge : kOtherClass;
     if (!(options_.kinds & stroke.kind)) tally.what = kNotAsked;
     if (tally.what != nullptr) {
       tally.add_wrong(tally.length, middle);
@@ -173,7 +208,7 @@ class Checker {
     for (std::size_t i = 0; i < edge.size(); ++i) {
       const Point3 q = edge.sample(i);
       if (!sight_.blocked(q, checked_.largest_tolerance, Touching::generous)) continue;
-      if (hidden_around(sight_, map_, edge, i, checked_.largest_tolerance, options_.tolerance_mm)) {
+      if (hidden_around(sight_, map_, edge, i, source.faces, checked_.largest_tolerance, options_.tolerance_mm)) {
         tally.what = kHidden;
         tally.add_wrong(edge.share_mm(), map_.page(q));
       } else {

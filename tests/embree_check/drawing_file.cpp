@@ -30,6 +30,7 @@ DrawnStroke read_stroke(const Json& j) {
   for (std::size_t k = 0; k < 2; ++k) {
     stroke.ends[k] = point3(source.at("ends").at(k));
     stroke.interval[k] = j.at("interval").at(k).get<double>();
+    if (!source.at("faces").at(k).is_null()) stroke.faces[k] = source.at("faces").at(k).get<std::uint32_t>();
   }
   stroke.points = {point2(points.front()), point2(points.back())};
   return stroke;

@@ -67,6 +67,10 @@ class PageMap {
   Point3 viewer_{0, 0, 0};  ///< the eye, or the direction to the viewer
 };
 
+/// The part of the sheet that a field of view fills in perspective; `aspect` is its width by its height. In parallel projection
+/// the sheet itself.
+Rect field_of_view(const Rows& model_to_page, const Rect& sheet, double fov_degrees, double aspect);
+
 /// Parameter on the segment in space of the point at parameter u of its image, wa and wb being W at its ends.
 inline double parameter_in_space(double u, double wa, double wb) { return u * wa / (u * wa + (1 - u) * wb); }
 

@@ -38,6 +38,18 @@ void set_direction(Query& query, const Point3& direction) {
   query.v = glm::cross(direction, query.u);
 }
 
+Query query_to_viewer(const PageMap& map, const Point3& q, double tolerance, Touching touching) {
+  const Sightline line = map.to_viewer(q);
+  Query query{};
+  rtcInitIntersectContext(&query.context);
+  query.origin = q;
+  query.length = line.length;
+  query.tolerance = tolerance;
+  query.touching = touching;
+  set_direction(query, line.direction);
+  return query;
+}
+
 RTCRay float_ray(const Query& query, bool start_behind) {
   const double back = start_behind ? kStartBehind : 0;
   const Point3 o = query.origin - query.direction * back;
@@ -145,17 +157,17 @@ Sight::~Sight() {
 }
 
 bool Sight::blocked(const Point3& q, double tolerance, Touching touching) const {
-  const Sightline line = rays_->map.to_viewer(q);
-  Query query{};
-  rtcInitIntersectContext(&query.context);
-  query.origin = q;
-  query.length = line.length;
-  query.tolerance = tolerance;
-  query.touching = touching;
-  set_direction(query, line.direction);
+  Query query = query_to_viewer(rays_->map, q, tolerance, touching);
   RTCRay ray = float_ray(query, true);
   rtcOccluded1(rays_->boxes, &query.context, &ray);
   return ray.tfar < 0;
+}
+
+std::optional<Point3> Sight::in_front(const Point3& q, std::uint32_t face) const {
+  const Query query = query_to_viewer(rays_->map, q, 0, Touching::strict);
+  const auto distance = rays_->meets(face, query);
+  if (!distance) return std::nullopt;
+  return q + query.direction * *distance;
 }
 
 std::optional<Hit> Sight::seen_at(Point2 mm) const {
