@@ -125,9 +125,10 @@ class Checker {
   }
 
   Report run() {
-    check_strokes();
-    check_edges();
-    if (options_.kinds & kIntersection) check_intersections();
+    const StrokeGrid drawn = visible_strokes();
+    const StrokeGrid visible(check_edges(drawn), options_.tolerance_mm);
+    check_strokes(visible);
+    if (options_.kinds & kIntersection) check_intersections(drawn);
     std::stable_sort(report_.findings.begin(), report_.findings.end(),
                      [](const Finding& l, const Finding& r) { return l.length_mm > r.length_mm; });
     return std::move(report_);
@@ -139,6 +140,7 @@ class Checker {
     double length = 0, wrong = 0, undecided = 0, visible = 0;
     Point2 at{0, 0};
     const char* what = nullptr;
+    std::vector<PageSegment> seen;  ///< of an edge: round its visible samples
     void add_wrong(double mm, Point2 place) {
       if (wrong == 0) at = place;
       wrong += mm;
@@ -159,7 +161,8 @@ class Checker {
     return source;
   }
 
-  void check_strokes() {
+  /// `visible`: where edges that should be drawn are visible.
+  void check_strokes(const StrokeGrid& visible) {
     std::unordered_map<SegmentKey, Source, SegmentHash> sources;
     for (std::size_t e = 0; e < kinds_.size(); ++e) {
       const CheckedEdge& edge = checked_.edges[e];
@@ -173,9 +176,9 @@ class Checker {
       if (!stroke.visible) return;
       const auto found = sources.find(segment_key(stroke.ends[0], stroke.ends[1]));
       if (stroke.kind == kIntersection) {
-        tallies[i] = check_stroke(stroke, intersection_source(stroke));
+        tallies[i] = check_stroke(stroke, intersection_source(stroke), visible);
       } else {
-        tallies[i] = check_stroke(stroke, found == sources.end() ? Source{} : found->second);
+        tallies[i] = check_stroke(stroke, found == sources.end() ? Source{} : found->second, visible);
       }
     });
     for (std::size_t i = 0; i < tallies.size(); ++i) {
@@ -189,7 +192,7 @@ class Checker {
     }
   }
 
-  Tally check_stroke(const DrawnStroke& stroke, const Source& source) const {
+  Tally check_stroke(const DrawnStroke& stroke, const Source& source, const StrokeGrid& visible) const {
     const Point3 a = checked_.box.into(stroke.ends[0]), b = checked_.box.into(stroke.ends[1]);
     const SampledEdge edge(map_, a, b, {stroke.interval[0], stroke.interval[1]}, options_.step_mm);
     Tally tally;
@@ -211,7 +214,7 @@ class Checker {
       if (hidden_around(sight_, map_, edge, i, source.faces, checked_.largest_tolerance, options_.tolerance_mm)) {
         tally.what = kHidden;
         tally.add_wrong(edge.share_mm(), map_.page(q));
-      } else {
+      } else if (!visible.near(map_.page(q))) {  // else a line is owed here, whosever it is
         tally.undecided += edge.share_mm();
       }
     }
@@ -226,27 +229,30 @@ class Checker {
     return StrokeGrid(std::move(segments), options_.tolerance_mm);
   }
 
-  void check_edges() {
-    const StrokeGrid grid = visible_strokes();
+  /// Gives back where edges that should be drawn are visible.
+  std::vector<PageSegment> check_edges(const StrokeGrid& drawn) {
+    std::vector<PageSegment> seen;
     std::vector<Tally> tallies(checked_.edges.size());
     tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t e) {
       const bool owed = kinds_[e] != 0 && (kinds_[e] & ~options_.kinds) == 0;
-      if (owed) tallies[e] = check_edge(checked_.edges[e], grid);
+      if (owed) tallies[e] = check_edge(checked_.edges[e], drawn);
     });
     for (std::size_t e = 0; e < tallies.size(); ++e) {
       const Tally& t = tallies[e];
       report_.visible += t.visible;
       report_.missing += t.wrong;
       report_.missing_undecided += t.undecided;
+      seen.insert(seen.end(), t.seen.begin(), t.seen.end());
       if (t.wrong == 0) continue;
       const CheckedEdge& edge = checked_.edges[e];
       const auto kind = static_cast<LineKind>(kinds_[e] & (~kinds_[e] + 1));
       report_.findings.push_back({"visible but not drawn (" + std::string(name_of(kind)) + ")", t.wrong, t.at, std::nullopt,
                                   scene_.vertices[edge.v0], scene_.vertices[edge.v1]});
     }
+    return seen;
   }
 
-  Tally check_edge(const CheckedEdge& candidate, const StrokeGrid& grid) const {
+  Tally check_edge(const CheckedEdge& candidate, const StrokeGrid& drawn) const {
     Tally tally;
     const Point3 &a = checked_.points[candidate.v0], &b = checked_.points[candidate.v1];
     const auto part = map_.clip(a, b, options_.tolerance_mm);
@@ -255,9 +261,10 @@ class Checker {
     for (std::size_t i = 0; i < edge.size(); ++i) {
       const Point3 q = edge.sample(i);
       const Point2 at = map_.page(q);
-      const bool drawn = grid.near(at);
       if (sight_.blocked(q, candidate.tolerance, Touching::strict)) continue;
-      if (drawn) {
+      const double half = edge.share_mm() / 2;
+      tally.seen.push_back({map_.page(edge.sample(i, -half)), map_.page(edge.sample(i, half))});
+      if (drawn.near(at)) {
         tally.visible += edge.share_mm();
       } else if (visible_along(sight_, edge, i, candidate.tolerance, options_.tolerance_mm)) {
         tally.visible += edge.share_mm();
@@ -269,11 +276,10 @@ class Checker {
     return tally;
   }
 
-  void check_intersections() {
-    const StrokeGrid grid = visible_strokes();
+  void check_intersections(const StrokeGrid& drawn) {
     for (const SeenCrossing& c : find_intersections_seen(checked_, map_, sight_, options_)) {
       report_.intersections_seen += c.length_mm;
-      if (grid.near(c.at)) continue;
+      if (drawn.near(c.at)) continue;
       report_.intersections_missing += c.length_mm;
       report_.findings.push_back({"intersection visible but not drawn: faces " + std::to_string(c.faces[0]) + " and " +
                                       std::to_string(c.faces[1]),

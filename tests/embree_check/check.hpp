@@ -5,7 +5,8 @@
 /// points of the same depth round it on the page are all certainly blocked.
 /// Visible but not drawn: no stroke passes within the tolerance, and the point and its edge within the tolerance before and
 /// after it are certainly visible.
-/// Undecided: blocked here and visible there within the tolerance.
+/// Undecided: blocked here and visible there within the tolerance. A stroke of this kind is right where another edge that should
+/// be drawn is visible within the tolerance: lines that coincide are drawn once, as either.
 
 #include <cstdint>
 #include <optional>
