@@ -161,7 +161,7 @@ class Checker {
     return source;
   }
 
-  /// `visible`: where edges that should be drawn are visible.
+  /// `visible`: where edges that should or may be drawn are visible.
   void check_strokes(const StrokeGrid& visible) {
     std::unordered_map<SegmentKey, Source, SegmentHash> sources;
     for (std::size_t e = 0; e < kinds_.size(); ++e) {
@@ -229,13 +229,15 @@ class Checker {
     return StrokeGrid(std::move(segments), options_.tolerance_mm);
   }
 
-  /// Gives back where edges that should be drawn are visible.
+  /// Gives back where edges that should or may be drawn are visible.
   std::vector<PageSegment> check_edges(const StrokeGrid& drawn) {
     std::vector<PageSegment> seen;
     std::vector<Tally> tallies(checked_.edges.size());
     tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t e) {
-      const bool owed = kinds_[e] != 0 && (kinds_[e] & ~options_.kinds) == 0;
-      if (owed) tallies[e] = check_edge(checked_.edges[e], drawn);
+      if (!(kinds_[e] & options_.kinds)) return;
+      tallies[e] = check_edge(checked_.edges[e], drawn);
+      const bool owed = (kinds_[e] & ~options_.kinds) == 0;  // else it may be drawn, and may be left out
+      if (!owed) tallies[e].wrong = tallies[e].undecided = tallies[e].visible = 0;
     });
     for (std::size_t e = 0; e < tallies.size(); ++e) {
       const Tally& t = tallies[e];
