@@ -1,23 +1,27 @@
 /// PDF, through Cairo's PDF surface.
 ///
 /// That surface keeps coordinates as 24.8 fixed point of its unit, which is the point: 1.4 micrometres. So the drawing is made
-/// on a recording surface of a finer unit, with coordinates that are whole numbers of it, and painted with a scale; Cairo
-/// then writes it as a form with a content stream of whole numbers, placed by one matrix.
+/// on a recording surface of a finer unit and painted with a scale; Cairo then writes it as a form with a content stream in
+/// that unit, placed by one matrix.
+
+#include <cmath>
 
 #include <cairo-pdf.h>
 
 #include "plotting/cairo_path.hpp"
 #include "plotting/writers.hpp"
 
-#include <cmath>
-
 namespace ligne {
 namespace {
 
 constexpr double kPointsPerMm = 72 / 25.4;
 
-/// Finest unit: a thousandth of a point, 0.35 micrometres. Powers of ten, since Cairo writes matrices as decimal numbers.
-constexpr double kFinestUnits = 1000;
+/// Units to a point: a power of ten, since Cairo writes matrices as decimal numbers. Cairo 1.16 aborts on recording surfaces
+/// that are painted smaller than about 1:500, so no finer than this.
+constexpr double kFinestUnits = 100;
+
+/// Coordinates are rounded to this part of a unit: 0.44 micrometres. Cairo's own 256ths would only make longer numbers.
+constexpr double kPartsOfUnit = 8;
 
 double units_per_point(double largest_mm) {
   double units = kFinestUnits;
@@ -25,11 +29,11 @@ double units_per_point(double largest_mm) {
   return units;
 }
 
-/// The polylines with coordinates that are whole numbers of device units.
-Polylines rounded(const Polylines& lines, double units_per_mm) {
+/// The polylines with coordinates that are whole numbers of parts.
+Polylines rounded(const Polylines& lines, double parts_per_mm) {
   Polylines result = lines;
   for (Point2& p : result.points) {
-    p = {std::round(p.x * units_per_mm) / units_per_mm, std::round(p.y * units_per_mm) / units_per_mm};
+    p = {std::round(p.x * parts_per_mm) / parts_per_mm, std::round(p.y * parts_per_mm) / parts_per_mm};
   }
   return result;
 }
@@ -44,7 +48,7 @@ std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
   const CairoSurface recording(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &extents));
   const CairoContext pen(cairo_create(recording.get()));
   for (const Layer& layer : drawing.layers) {
-    stroke_polylines(pen.get(), rounded(layer.lines, units * kPointsPerMm),
+    stroke_polylines(pen.get(), rounded(layer.lines, kPartsOfUnit * units * kPointsPerMm),
                      layer_style(layer.name, options.pen_width_mm, options.hidden_solid), units * kPointsPerMm);
   }
 

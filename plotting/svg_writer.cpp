@@ -19,7 +19,6 @@ namespace {
 /// Coordinates are written to a tenth of a micrometre.
 constexpr int kDecimals = 4;
 constexpr double kUnitsPerMm = 10000;
-static_assert(kUnitsPerMm == 1e4 && kDecimals == 4);
 
 /// Attributes: lengths of pages, pens and dashes.
 constexpr int kAttributeDecimals = 6;
@@ -30,7 +29,7 @@ constexpr double kFinestDevice = 4096;
 /// Adjustable: points to a chunk.
 constexpr std::size_t kChunkPoints = 8192;
 
-/// Device units to a millimetre: a power of two that keeps the largest coordinate within half of Cairo's range.
+/// Device units to a millimetre: a power of two that keeps the largest coordinate within Cairo's range.
 double device_units(double largest_mm) {
   double units = kFinestDevice;
   while (largest_mm * units > kCairoLimit - 1) units /= 2;

@@ -41,6 +41,15 @@ struct Stroke {
   bool may_coincide = true;  ///< false only where the method knows that no other stroke lies on this one
 };
 
+/// Parameter on the source edge at the fraction `s` of the stroke's length on the page. Perspective foreshortens: with the
+/// homogeneous weights w the page point at the model fraction u is ((1-u) w0 p0 + u w1 p1) / ((1-u) w0 + u w1), hence
+/// s = u w1 / ((1-u) w0 + u w1) and u = s w0 / ((1-s) w1 + s w0). Depth is linear on the page, w is linear in u.
+inline double source_parameter(const Stroke& stroke, double s) {
+  const double numerator = s * stroke.w_from;
+  const double u = numerator / ((1 - s) * stroke.w_to + numerator);
+  return stroke.t_from + u * (stroke.t_to - stroke.t_from);
+}
+
 /// Where a stroke comes from: an edge of the scene, or the common segment of two penetrating faces.
 struct SourceEdge {
   std::array<Point3, 2> ends{};  ///< model coordinates; a stroke's parameter runs from the first to the second

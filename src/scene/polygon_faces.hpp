@@ -43,6 +43,10 @@ class PolygonFaces {
 
   std::span<const std::uint32_t> corners() const { return corners_; }
   std::span<std::uint32_t> corners() { return corners_; }
+  /// Leaves the first n faces. Requires all_triangles() and n <= size().
+  void truncate_triangles(std::size_t n) { corners_.resize(3 * n); }
+  /// Room for that many corners in all.
+  void reserve_corners(std::size_t n) { corners_.reserve(n); }
   void shrink_to_fit();
 
  private:

@@ -93,15 +93,15 @@ class StrokeMaker {
     s.source = source;
     s.line_class = line_class;
     s.visible = visible;
-    s.may_coincide = may_coincide;
+    s.may_coincide = may_coincide || !visible;  // the search stops when a line is hidden, before it has seen all neighbours
     return s;
   }
 
   static LatticePoint point(const Line& line, double t) {
     if (t == 0) return line.p0;
     if (t == 1) return line.p1;
-    return {static_cast<std::int32_t>(std::lround(line.p0.x + t * (double(line.p1.x) - line.p0.x))),
-            static_cast<std::int32_t>(std::lround(line.p0.y + t * (double(line.p1.y) - line.p0.y)))};
+    return {static_cast<std::int32_t>(std::lround(line.p0.x + t * line.dx)),
+            static_cast<std::int32_t>(std::lround(line.p0.y + t * line.dy))};
   }
 
   /// Parameter in model space of the page parameter t: weights are the distances along the sight, one over magnification.
@@ -151,8 +151,7 @@ Point3 to_model(const ProjectedScene& scene, const ProjectedVertex& v) {
 }
 
 double page_length(const Line& line) {
-  const double dx = double(line.p1.x) - line.p0.x, dy = double(line.p1.y) - line.p0.y;
-  return std::sqrt(dx * dx + dy * dy);
+  return std::sqrt(line.dx * line.dx + line.dy * line.dy);
 }
 
 }  // namespace
@@ -206,7 +205,7 @@ VisibilityResult AppelMethod::study(const ProjectedScene& scene, const StudyOpti
                 const ProjectedEdge& edge = scene.edges[i];
                 const ProjectedVertex &a = scene.vertices[edge.v0], &b = scene.vertices[edge.v1];
                 if (a.p == b.p) return;  // seen end on
-                const Line line{a.p, b.p, a.z, b.z, edge.face0, edge.face1};
+                const Line line(a, b, edge.face0, edge.face1);
                 std::vector<Part>& parts = search.find(line);
                 drop_specks(parts, page_length(line), least);
                 const auto thin = [&](std::uint32_t f) { return f < facets.face_is_thin.size() && facets.face_is_thin[f]; };
@@ -217,7 +216,7 @@ VisibilityResult AppelMethod::study(const ProjectedScene& scene, const StudyOpti
   study_lines(intersections.size(), scene, facets, grid, coincidence_steps, {}, model.strokes, counts,
               [&](std::size_t i, VisibleParts& search, std::vector<Stroke>& out) {
                 const Intersection& s = intersections[i];
-                const Line line{s.from.p, s.to.p, s.from.z, s.to.z, s.face0, s.face1};
+                const Line line(s.from, s.to, s.face0, s.face1);
                 std::vector<Part>& parts = search.find(line);
                 drop_specks(parts, page_length(line), least);
                 maker.add(line, parts, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection,

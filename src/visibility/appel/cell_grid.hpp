@@ -18,10 +18,25 @@
 
 namespace ligne::appel {
 
-/// A rectangle inside a cell in 256ths of the cell's side, rounded outwards.
-struct CellBox {
-  std::uint8_t left = 0, right = 255, top = 0, bottom = 255;
-  bool meets(const CellBox& o) const { return left <= o.right && right >= o.left && top <= o.bottom && bottom >= o.top; }
+/// A rectangle inside a cell in 128ths of the cell's side, rounded outwards: four seven-bit numbers in one word, so that
+/// two boxes are compared by one subtraction.
+class CellBox {
+ public:
+  CellBox() = default;
+  CellBox(std::uint32_t left, std::uint32_t right, std::uint32_t top, std::uint32_t bottom)
+      : bits_(left | (127 - right) << 8 | top << 16 | (127 - bottom) << 24) {}
+
+  /// Byte by byte: left <= right', 127 - right <= 127 - left', top <= bottom', 127 - bottom <= 127 - top'. Where that holds
+  /// the high bit set beforehand survives the subtraction.
+  bool meets(CellBox o) const {
+    constexpr std::uint32_t kHigh = 0x80808080u, kLow = 0x7f7f7f7fu;
+    const std::uint32_t complement = kLow - o.bits_;  // 127 - left', right', 127 - top', bottom'
+    const std::uint32_t swapped = (complement & 0xff00ff00u) >> 8 | (complement & 0x00ff00ffu) << 8;
+    return (((swapped | kHigh) - bits_) & kHigh) == kHigh;
+  }
+
+ private:
+  std::uint32_t bits_ = 0;  ///< the whole cell
 };
 
 /// Square part of the page lattice.
@@ -31,8 +46,8 @@ struct CellSquare {
   /// The box of the rectangle [x0, x1] x [y0, y1] as far as it lies in the square. Rounding is monotone: boxes of
   /// rectangles that meet in the square meet.
   CellBox box(double x0, double x1, double y0, double y1) const {
-    const double parts = 256 / size;
-    const auto part = [&](double v) { return static_cast<std::uint8_t>(v <= 0 ? 0 : v >= 255 ? 255 : v); };
+    const double parts = 128 / size;
+    const auto part = [](double v) { return static_cast<std::uint32_t>(v <= 0 ? 0 : v >= 127 ? 127 : v); };
     return {part((x0 - x) * parts), part((x1 - x) * parts), part((y0 - y) * parts), part((y1 - y) * parts)};
   }
 };
@@ -113,7 +128,7 @@ void CellGrid::walk(const Line& line, double x, double y, double size, int colum
                     double from, double to, const Visit& visit) const {
   const double inverse = 1 / size;
   const double x0 = line.p0.x, y0 = line.p0.y;
-  const double dx = double(line.p1.x) - x0, dy = double(line.p1.y) - y0;
+  const double dx = line.dx, dy = line.dy;
   const auto clamped = [](double v, int n) { return v < 0 ? 0 : v >= n ? n - 1 : static_cast<int>(v); };
   int column = clamped((x0 + from * dx - x) * inverse, columns);
   int row = clamped((y0 + from * dy - y) * inverse, rows);

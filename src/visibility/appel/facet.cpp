@@ -69,6 +69,7 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps) {
       f.z_near = round_down(z_near);
       f.z_far = round_up(std::max({a.z, b.z, c.z}));
       f.touch = round_up(touch_tolerance(scene, gradient, z_near));
+      f.size = round_up(length);
     }
     kept[block + 1] = out - block * kBlock;
   });

@@ -11,9 +11,15 @@ namespace ligne::appel {
 
 /// A candidate line on the page. P(t) = p0 + t (p1 - p0), z(t) = z0 + t (z1 - z0), 0 <= t <= 1.
 struct Line {
+  Line(const ProjectedVertex& from, const ProjectedVertex& to, std::uint32_t f0, std::uint32_t f1)
+      : p0(from.p), p1(to.p), z0(from.z), z1(to.z), face0(f0), face1(f1), dx(double(p1.x) - p0.x), dy(double(p1.y) - p0.y),
+        size(std::abs(dx) + std::abs(dy)) {}
+
   LatticePoint p0, p1;
-  double z0 = 0, z1 = 0;
-  std::uint32_t face0 = kNone, face1 = kNone;  ///< its own faces, which never hide it
+  double z0, z1;
+  std::uint32_t face0, face1;  ///< its own faces, which never hide it
+  double dx, dy;               ///< p1 - p0
+  double size;                 ///< |dx| + |dy|
 
   double z(double t) const { return z0 + t * (z1 - z0); }
 };
@@ -37,62 +43,52 @@ inline HiddenInterval hidden_interval(const Line& line, const Facet& facet, cons
   const ProjectedVertex& a = vertices[facet.v[0]];
   const ProjectedVertex& b = vertices[facet.v[1]];
   const ProjectedVertex& c = vertices[facet.v[2]];
-  const LatticePoint corners[4] = {a.p, b.p, c.p, a.p};
-  const double dx = double(line.p1.x) - line.p0.x, dy = double(line.p1.y) - line.p0.y;
-
-  // The corners against the line. A facet with no corner on one bank of it and at most one corner on it is beside it.
-  // Before it is dismissed: do two of its corners lie so close to the line, or the line so close to two of its corners,
-  // that a side may lie along it? (Distance of a corner from the line: |f| / |d|; of the line from a side: at most |f| /
-  // |side|.)
-  const auto size = [](double x, double y) { return std::abs(x) + std::abs(y); };
-  double sx[3], sy[3], f[3];
-  int left = 0, right = 0;
-  double longest = size(dx, dy);
-  for (int i = 0; i < 3; ++i) {
-    sx[i] = double(corners[i + 1].x) - corners[i].x;
-    sy[i] = double(corners[i + 1].y) - corners[i].y;
-    longest = std::max(longest, size(sx[i], sy[i]));
-    f[i] = dx * (double(corners[i].y) - line.p0.y) - dy * (double(corners[i].x) - line.p0.x);
-    left += f[i] > 0;
-    right += f[i] < 0;
-  }
-  const double close = coincidence_steps * longest;
+  // Corners relative to the line's first point, and their side of the line: f = d x corner. All determinants here are exact
+  // (geometry/lattice.hpp).
+  const double x[3] = {double(a.p.x) - line.p0.x, double(b.p.x) - line.p0.x, double(c.p.x) - line.p0.x};
+  const double y[3] = {double(a.p.y) - line.p0.y, double(b.p.y) - line.p0.y, double(c.p.y) - line.p0.y};
+  const double f[3] = {line.dx * y[0] - line.dy * x[0], line.dx * y[1] - line.dy * x[1], line.dx * y[2] - line.dy * x[2]};
+  // A facet with no corner on one bank of the line, and at most one corner on it, is beside it. Before it is dismissed: may
+  // a side of it lie along the line? A corner is |f| / |d| from the line, the line at most |f| / |side| from a side.
+  const double close = coincidence_steps * std::max<double>(line.size, facet.size);
+  const double lowest = std::min({f[0], f[1], f[2]}), highest = std::max({f[0], f[1], f[2]});
+  if (lowest > close || highest < -close) return {};
   const bool maybe_near = (std::abs(f[0]) <= close) + (std::abs(f[1]) <= close) + (std::abs(f[2]) <= close) >= 2;
   if (maybe_near) {
-    const double close_to_line = coincidence_steps * size(dx, dy);
-    near_side |= (std::abs(f[0]) <= close_to_line) + (std::abs(f[1]) <= close_to_line) + (std::abs(f[2]) <= close_to_line) >= 2;
-  } else if ((left == 0 || right == 0) && left + right >= 2) {
+    const double limit = coincidence_steps * line.size;
+    near_side |= (std::abs(f[0]) <= limit) + (std::abs(f[1]) <= limit) + (std::abs(f[2]) <= limit) >= 2;
+  } else if (lowest >= 0 || highest <= 0) {
     return {};
   }
 
-  // The line against the sides.
+  // The ends of the line against the sides: E_i(p0) = corner_i x corner_(i+1), E_i(p0) - E_i(p1) = f_(i+1) - f_i.
   Bank bank = Bank::both;
-  double e0[3], e1[3];
+  double e0[3], fall[3];
   for (int i = 0; i < 3; ++i) {
-    const double q0 = sx[i] * (double(line.p0.y) - corners[i].y) - sy[i] * (double(line.p0.x) - corners[i].x);
-    const double q1 = sx[i] * (double(line.p1.y) - corners[i].y) - sy[i] * (double(line.p1.x) - corners[i].x);
+    const int k = i == 2 ? 0 : i + 1;
+    const double q0 = x[i] * y[k] - y[i] * x[k];
+    const double q0_q1 = f[k] - f[i];
+    const double q1 = q0 - q0_q1;
     e0[i] = q0;
-    e1[i] = q1;
+    fall[i] = q0_q1;
     if (maybe_near) {
-      const double close_to_side = coincidence_steps * size(sx[i], sy[i]);
-      near_side |= std::abs(q0) <= close_to_side && std::abs(q1) <= close_to_side;
+      const double limit = coincidence_steps * (std::abs(x[k] - x[i]) + std::abs(y[k] - y[i]));
+      near_side |= std::abs(q0) <= limit && std::abs(q1) <= limit;
     }
     if (q0 <= 0 && q1 <= 0) {
       if (q0 < 0 || q1 < 0) return {};
-      bank = sx[i] * dx + sy[i] * dy > 0 ? Bank::left : Bank::right;
+      bank = (x[k] - x[i]) * line.dx + (y[k] - y[i]) * line.dy > 0 ? Bank::left : Bank::right;
     } else if (q0 < 0) {
-      const double t = q0 / (q0 - q1);
-      if (t > from) from = t;
+      from = std::max(from, q0 / q0_q1);
     } else if (q1 < 0) {
-      const double t = q0 / (q0 - q1);
-      if (t < to) to = t;
+      to = std::min(to, q0 / q0_q1);
     }
   }
   if (!(from < to)) return {};
   // Depth of the line behind the facet at both ends, where it is inside the facet and the weights are not negative.
   const double area = e0[0] + e0[1] + e0[2];
   const auto behind = [&](double t) {
-    const double w2 = e0[0] + t * (e1[0] - e0[0]), w0 = e0[1] + t * (e1[1] - e0[1]), w1 = e0[2] + t * (e1[2] - e0[2]);
+    const double w2 = e0[0] - t * fall[0], w0 = e0[1] - t * fall[1], w1 = e0[2] - t * fall[2];
     return line.z(t) - (w0 * a.z + w1 * b.z + w2 * c.z) / area;
   };
   const double d_from = behind(from), d_to = behind(to);

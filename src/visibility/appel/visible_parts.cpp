@@ -22,9 +22,8 @@ void VisibleParts::search_leaf(const Line& line, const Cell& cell, const CellSqu
   open_.assign(1, {from, to});
   one_sided_.clear();
   const double z_far = std::max(line.z(from), line.z(to));
-  const double dx = double(line.p1.x) - line.p0.x, dy = double(line.p1.y) - line.p0.y;
-  const double x0 = line.p0.x + from * dx, x1 = line.p0.x + to * dx;
-  const double y0 = line.p0.y + from * dy, y1 = line.p0.y + to * dy;
+  const double x0 = line.p0.x + from * line.dx, x1 = line.p0.x + to * line.dx;
+  const double y0 = line.p0.y + from * line.dy, y1 = line.p0.y + to * line.dy;
   const CellBox box = square.box(std::min(x0, x1), std::max(x0, x1), std::min(y0, y1), std::max(y0, y1));
   const CellFacet* entry = grid_.list(cell);
   const CellFacet* const end = entry + cell.count;

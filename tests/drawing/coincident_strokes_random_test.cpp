@@ -1,0 +1,151 @@
+/// What must hold for any strokes: nothing is lost, nothing is drawn twice.
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "drawing/stroke_overlap.hpp"
+#include "stroke_builder.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kTolerance = 2;
+
+double distance(Point2 p, const Stroke& s) {
+  const Point2 a{s.from.x, s.from.y}, d{double(s.to.x) - s.from.x, double(s.to.y) - s.from.y};
+  const double t = std::clamp(((p.x - a.x) * d.x + (p.y - a.y) * d.y) / (d.x * d.x + d.y * d.y), 0.0, 1.0);
+  return std::hypot(p.x - a.x - t * d.x, p.y - a.y - t * d.y);
+}
+
+/// Largest distance of points along `strokes` from the nearest of `cover`; of visible strokes from visible ones only.
+double farthest(const std::vector<Stroke>& strokes, const std::vector<Stroke>& cover) {
+  double farthest = 0;
+  for (const Stroke& s : strokes) {
+    constexpr int samples = 64;
+    for (int i = 0; i <= samples; ++i) {
+      const double f = double(i) / samples;
+      const Point2 p{s.from.x + f * (s.to.x - s.from.x), s.from.y + f * (s.to.y - s.from.y)};
+      double nearest = 1e300;
+      for (const Stroke& c : cover) {
+        if (c.visible || !s.visible) nearest = std::min(nearest, distance(p, c));
+      }
+      farthest = std::max(farthest, nearest);
+    }
+  }
+  return farthest;
+}
+
+void expect_no_overlap(const std::vector<Stroke>& strokes) {
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    for (std::size_t j = i + 1; j < strokes.size(); ++j) {
+      if (!strokes[i].may_coincide && !strokes[j].may_coincide) continue;
+      EXPECT_FALSE(overlap(strokes[i].from, strokes[i].to, strokes[j].from, strokes[j].to, kTolerance)) << i << " " << j;
+    }
+  }
+}
+
+/// Strokes on a few lines of whole slopes, `jitter` steps off them, of all classes, depths and both visibilities.
+std::vector<Stroke> random_strokes(std::uint32_t seed, int count, int jitter) {
+  std::mt19937 random(seed);
+  constexpr LatticePoint directions[] = {{1, 0}, {0, 1}, {3, 2}, {1, -4}, {-5, 3}};
+  std::vector<Stroke> strokes;
+  for (int i = 0; i < count; ++i) {
+    const LatticePoint d = directions[random() % std::size(directions)];
+    const int offset = 500 * int(random() % 3), from = int(random() % 500) - 250, to = from + 1 + int(random() % 120);
+    const auto point = [&](int k) {
+      const auto off = [&] { return jitter == 0 ? 0 : int(random() % (2 * jitter + 1)) - jitter; };
+      return LatticePoint{offset + k * d.x + off(), k * d.y + off()};
+    };
+    Stroke s = stroke(point(from), point(to), static_cast<LineClass>(random() % kLineClassCount), std::uint32_t(i));
+    if (random() % 2) std::swap(s.from, s.to);
+    s.visible = random() % 3 != 0;
+    s.z_from = float(random() % 40);
+    s.z_to = float(random() % 40);
+    strokes.push_back(s);
+  }
+  return strokes;
+}
+
+TEST(CoincidentStrokesRandom, CollinearStrokesKeepTheirUnion) {
+  for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+    StrokeModel m = model(random_strokes(seed, 60, 0));
+    const std::vector<Stroke> before = m.strokes;
+    remove_coincident_strokes(m, kTolerance);
+    EXPECT_LE(farthest(before, m.strokes), kTolerance) << "lost, seed " << seed;
+    EXPECT_LE(farthest(m.strokes, before), kTolerance) << "invented, seed " << seed;
+    EXPECT_TRUE(std::is_sorted(m.strokes.begin(), m.strokes.end(), [](const Stroke& l, const Stroke& r) {
+      return std::tie(l.source, l.t_from) < std::tie(r.source, r.t_from);
+    }));
+    expect_no_overlap(m.strokes);
+  }
+}
+
+TEST(CoincidentStrokesRandom, NearlyCollinearStrokesKeepTheirUnion) {
+  for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+    StrokeModel m = model(random_strokes(seed, 60, 1));
+    const std::vector<Stroke> before = m.strokes;
+    remove_coincident_strokes(m, kTolerance);
+    // A loser that gives its place to a winner which later loses to a third moves by the tolerance each time.
+    EXPECT_LE(farthest(before, m.strokes), 2 * kTolerance) << "lost, seed " << seed;
+    EXPECT_LE(farthest(m.strokes, before), 2 * kTolerance) << "invented, seed " << seed;
+    expect_no_overlap(m.strokes);
+  }
+}
+
+TEST(CoincidentStrokesRandom, OfOneClassAndDepthTheLengthIsThatOfTheUnion) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 50; ++round) {
+    std::vector<Stroke> strokes;
+    std::vector<bool> covered(1000);
+    for (std::uint32_t i = 0; i < 30; ++i) {
+      const int from = int(random() % 900), to = from + 1 + int(random() % 99);
+      std::fill(covered.begin() + from, covered.begin() + to, true);
+      // One unit is longer than the tolerance, so that no remnant vanishes.
+      strokes.push_back(stroke({40 * from, 30 * from}, {40 * to, 30 * to}, LineClass::crease, i));
+    }
+    StrokeModel m = model(strokes);
+    remove_coincident_strokes(m, kTolerance);
+    double sum = 0;
+    for (const Stroke& s : m.strokes) sum += length(s.from, s.to);
+    EXPECT_NEAR(sum, 50.0 * double(std::count(covered.begin(), covered.end(), true)), 1e-6) << "round " << round;
+  }
+}
+
+TEST(CoincidentStrokesRandom, TheOrderOfTheInputDoesNotMatter) {
+  std::mt19937 random(9);
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    StrokeModel m = model(random_strokes(seed, 80, 1)), shuffled = m;
+    std::shuffle(shuffled.strokes.begin(), shuffled.strokes.end(), random);
+    remove_coincident_strokes(m, kTolerance);
+    remove_coincident_strokes(shuffled, kTolerance);
+    ASSERT_EQ(m.strokes.size(), shuffled.strokes.size());
+    for (std::size_t i = 0; i < m.strokes.size(); ++i) {
+      EXPECT_TRUE(m.strokes[i].from == shuffled.strokes[i].from && m.strokes[i].to == shuffled.strokes[i].to &&
+                  m.strokes[i].source == shuffled.strokes[i].source);
+    }
+  }
+}
+
+TEST(CoincidentStrokesRandom, ThousandsOnOneLineAndFromOnePointStayFast) {
+  // By pairs these would be 5e9 each; the time limit of the test run tells.
+  constexpr int count = 100000;
+  StrokeModel line, fan;
+  std::mt19937 random(13);
+  for (int i = 0; i < count; ++i) {
+    const int from = int(random() % 20000000), to = from + 1000 + int(random() % 10000000);
+    line.strokes.push_back(stroke({from, 0}, {to, 0}, LineClass::mesh, std::uint32_t(i)));
+    fan.strokes.push_back(stroke({0, 0}, {200 * (i + 1), 100 * (i + 1)}, LineClass::mesh, std::uint32_t(i)));
+  }
+  remove_coincident_strokes(line, kTolerance);
+  EXPECT_LT(line.strokes.size(), 1000u);
+  remove_coincident_strokes(fan, kTolerance);
+  double sum = 0;
+  for (const Stroke& s : fan.strokes) sum += length(s.from, s.to);
+  EXPECT_NEAR(sum, std::hypot(200.0 * count, 100.0 * count), 1e-6 * sum);
+}
+
+}  // namespace
+}  // namespace ligne

@@ -1,0 +1,202 @@
+#include <cmath>
+#include <map>
+#include <random>
+#include <utility>
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include "stroke_builder.hpp"
+
+namespace ligne {
+namespace {
+
+using Line = std::vector<Point2>;
+using Lines = std::vector<Line>;
+
+Lines lines_of(const Drawing& drawing, std::string_view layer) {
+  Lines lines;
+  for (const Layer& l : drawing.layers) {
+    if (l.name != layer) continue;
+    for (std::size_t i = 0; i < l.lines.size(); ++i) lines.emplace_back(l.lines[i].begin(), l.lines[i].end());
+  }
+  return lines;
+}
+
+Lines mesh_lines(std::vector<Stroke> strokes) { return lines_of(make_drawing(model(std::move(strokes))), "mesh"); }
+
+double total_length(const Lines& lines) {
+  double sum = 0;
+  for (const Line& line : lines) {
+    for (std::size_t i = 1; i < line.size(); ++i) sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+  }
+  return sum;
+}
+
+TEST(MakeDrawing, NothingGivesNothing) { EXPECT_TRUE(make_drawing(model({})).layers.empty()); }
+
+TEST(MakeDrawing, ZeroLengthStrokesGiveNothing) {
+  EXPECT_TRUE(make_drawing(model({stroke({3, 4}, {3, 4})})).layers.empty());
+  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 0}), stroke({5, 0}, {5, 0})}), (Lines{{{0, 0}, {5, 0}}}));
+}
+
+TEST(MakeDrawing, LayersArePaintedWeakestFirst) {
+  const LatticePoint a{0, 0}, b{9, 9};
+  const Drawing drawing = make_drawing(
+      model({stroke(a, b, LineClass::outline), stroke(a, b, LineClass::border), stroke(a, b, LineClass::intersection),
+             stroke(a, b, LineClass::crease), stroke(a, b, LineClass::mesh), hidden(stroke(a, b, LineClass::outline)),
+             hidden(stroke(b, {20, 9}, LineClass::crease))}));
+  std::vector<std::string> names;
+  for (const Layer& layer : drawing.layers) names.push_back(layer.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"hidden", "mesh", "crease", "intersection", "border", "outline"}));
+  EXPECT_EQ(lines_of(drawing, "hidden"), (Lines{{{0, 0}, {9, 9}, {20, 9}}}));
+}
+
+TEST(MakeDrawing, PointsAreInPageMillimetres) {
+  StrokeModel m = model({stroke({2, 4}, {6, 8})});
+  m.lattice.origin_mm = {10, 20};
+  m.lattice.step_mm = 0.5;
+  EXPECT_EQ(lines_of(make_drawing(m), "mesh"), (Lines{{{11, 22}, {13, 24}}}));
+}
+
+TEST(MakeDrawing, JoinsWhateverTheDirectionOfTheStrokes) {
+  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 1}), stroke({9, 0}, {5, 1}), stroke({9, 0}, {12, 7})}),
+            (Lines{{{0, 0}, {5, 1}, {9, 0}, {12, 7}}}));
+}
+
+TEST(MakeDrawing, JoinsTwoStrokesAtAnyAngle) {
+  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 0}), stroke({5, 0}, {0, 1})}), (Lines{{{0, 0}, {5, 0}, {0, 1}}}));
+}
+
+TEST(MakeDrawing, DoesNotJoinAcrossLayersOrAcrossTheSmallestGap) {
+  const Drawing drawing = make_drawing(model({stroke({0, 0}, {5, 0}), stroke({5, 0}, {9, 0}, LineClass::crease),
+                                              stroke({5, 1}, {5, 9})}));
+  EXPECT_EQ(lines_of(drawing, "mesh"), (Lines{{{0, 0}, {5, 0}}, {{5, 1}, {5, 9}}}));
+  EXPECT_EQ(lines_of(drawing, "crease"), (Lines{{{5, 0}, {9, 0}}}));
+}
+
+TEST(MakeDrawing, ClosedLinesRepeatTheirFirstPoint) {
+  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 0}), stroke({5, 0}, {5, 5}), stroke({0, 0}, {5, 5})}),
+            (Lines{{{0, 0}, {5, 0}, {5, 5}, {0, 0}}}));
+}
+
+TEST(MakeDrawing, DropsPointsThatLieExactlyOnTheLine) {
+  EXPECT_EQ(mesh_lines({stroke({0, 0}, {3, 1}), stroke({3, 1}, {9, 3}), stroke({9, 3}, {12, 4})}),
+            (Lines{{{0, 0}, {12, 4}}}));
+  // One step off the line is off the line, even at the far side of the lattice.
+  EXPECT_EQ(mesh_lines({stroke({-33554432, 0}, {0, 1}), stroke({0, 1}, {33554432, 1})}),
+            (Lines{{{-33554432, 0}, {0, 1}, {33554432, 1}}}));
+}
+
+TEST(MakeDrawing, KeepsThePointWhereALineTurnsBack) {
+  EXPECT_EQ(mesh_lines({stroke({0, 0}, {9, 0}), stroke({9, 0}, {4, 0})}), (Lines{{{0, 0}, {9, 0}, {4, 0}}}));
+}
+
+TEST(MakeDrawing, DropsASeamInTheMiddleOfASide) {
+  EXPECT_EQ(mesh_lines({stroke({3, 0}, {6, 0}), stroke({6, 0}, {6, 6}), stroke({6, 6}, {0, 6}), stroke({0, 6}, {0, 0}),
+                        stroke({0, 0}, {3, 0})}),
+            (Lines{{{6, 0}, {6, 6}, {0, 6}, {0, 0}, {6, 0}}}));
+}
+
+TEST(MakeDrawing, StraightestContinueEachOtherAtACrossing) {
+  // Two slanted lines cross in (0, 0).
+  const Lines lines = mesh_lines({stroke({-9, -1}, {0, 0}), stroke({-9, 1}, {0, 0}), stroke({0, 0}, {9, -1}),
+                                  stroke({0, 0}, {9, 1})});
+  EXPECT_EQ(lines, (Lines{{{-9, -1}, {9, 1}}, {{-9, 1}, {9, -1}}}));
+}
+
+TEST(MakeDrawing, AThirdStrokeEndsAtATJunction) {
+  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 0}), stroke({5, 0}, {5, 5}), stroke({5, 0}, {9, 1})}),
+            (Lines{{{0, 0}, {5, 0}, {9, 1}}, {{5, 0}, {5, 5}}}));
+}
+
+TEST(MakeDrawing, DoubledStrokesMakeARing) {
+  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 0}), stroke({0, 0}, {5, 0})}), (Lines{{{0, 0}, {5, 0}, {0, 0}}}));
+}
+
+/// A triangle mesh of n x n jittered squares: `strokes`, shuffled and turned at random.
+std::vector<Stroke> random_mesh(int n, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::map<std::pair<int, int>, LatticePoint> vertex;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n; ++j) {
+      vertex[{i, j}] = {i * 1000 + int(random() % 300), j * 1000 + int(random() % 300)};
+    }
+  }
+  std::vector<Stroke> strokes;
+  const auto add = [&](int i, int j, int k, int l) {
+    LatticePoint a = vertex[{i, j}], b = vertex[{k, l}];
+    if (random() % 2) std::swap(a, b);
+    strokes.push_back(stroke(a, b));
+  };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      add(i, j, i + 1, j);
+      add(i, j, i, j + 1);
+      add(i, j, i + 1, j + 1);
+    }
+  }
+  std::shuffle(strokes.begin(), strokes.end(), random);
+  return strokes;
+}
+
+TEST(MakeDrawing, KeepsEveryStrokeOfAMeshOnce) {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const std::vector<Stroke> strokes = random_mesh(12, seed);
+    const auto key = [](Point2 a, Point2 b) {
+      std::array<double, 4> k{a.x, a.y, b.x, b.y};
+      if (std::tie(k[2], k[3]) < std::tie(k[0], k[1])) k = {b.x, b.y, a.x, a.y};
+      return k;
+    };
+    std::map<std::array<double, 4>, int> balance;
+    double length = 0;
+    for (const Stroke& s : strokes) {
+      ++balance[key({s.from.x, s.from.y}, {s.to.x, s.to.y})];
+      length += std::hypot(s.to.x - s.from.x, s.to.y - s.from.y);
+    }
+    const Lines lines = mesh_lines(strokes);
+    EXPECT_LT(lines.size(), strokes.size() / 6) << "hardly anything was joined";
+    EXPECT_NEAR(total_length(lines), length, 1e-9 * length);
+    for (const Line& line : lines) {
+      for (std::size_t i = 1; i < line.size(); ++i) --balance[key(line[i - 1], line[i])];
+    }
+    // Jitter leaves no three points in line, but by chance; then a longer piece stands for two.
+    int unmatched = 0;
+    for (const auto& [segment, count] : balance) unmatched += count != 0;
+    EXPECT_LE(unmatched, 6) << "seed " << seed;
+  }
+}
+
+TEST(MakeDrawing, KeepsTheLengthOfCollinearChains) {
+  std::mt19937 random(7);
+  std::vector<Stroke> strokes;
+  for (int line = 0; line < 50; ++line) {
+    const int dx = int(random() % 9) - 4, dy = 1 + int(random() % 9);
+    LatticePoint p{line * 10000, 0};
+    for (int i = 0; i < 40; ++i) {
+      const int step = 1 + int(random() % 5);
+      const LatticePoint q{p.x + step * dx, p.y + step * dy};
+      strokes.push_back(random() % 2 ? stroke(p, q) : stroke(q, p));
+      p = q;
+    }
+  }
+  std::shuffle(strokes.begin(), strokes.end(), random);
+  double length = 0;
+  for (const Stroke& s : strokes) length += std::hypot(s.to.x - s.from.x, s.to.y - s.from.y);
+  const Lines lines = mesh_lines(strokes);
+  EXPECT_EQ(lines.size(), 50u);
+  for (const Line& line : lines) EXPECT_EQ(line.size(), 2u);
+  EXPECT_NEAR(total_length(lines), length, 1e-9 * length);
+}
+
+TEST(MakeDrawing, DoesNotDependOnTheNumberOfThreads) {
+  const std::vector<Stroke> strokes = random_mesh(60, 3);
+  const auto with_threads = [&](std::size_t n) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, n);
+    return mesh_lines(strokes);
+  };
+  EXPECT_EQ(with_threads(1), with_threads(4));
+}
+
+}  // namespace
+}  // namespace ligne

@@ -1,0 +1,113 @@
+#pragma once
+/// Small glTF files, written by the tests themselves.
+
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ligne::gltf_test {
+
+using nlohmann::json;
+
+inline std::string base64(std::span<const std::uint8_t> bytes) {
+  static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k) three = three << 8 | (i + k < bytes.size() ? bytes[i + k] : 0);
+    for (std::size_t k = 0; k < 4; ++k) out += i + k > bytes.size() ? '=' : letters[three >> (18 - 6 * k) & 63];
+  }
+  return out;
+}
+
+/// Collects buffer views and accessors in one buffer.
+class Builder {
+ public:
+  json root{{"asset", {{"version", "2.0"}}},
+            {"buffers", json::array()},
+            {"bufferViews", json::array()},
+            {"accessors", json::array()},
+            {"meshes", json::array()},
+            {"nodes", json::array()}};
+
+  /// Adds a buffer view that holds the values; returns its index.
+  template <class T>
+  int view(const std::vector<T>& values) {
+    while (bytes_.size() % 4 != 0) bytes_.push_back(0);
+    root["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", values.size() * sizeof(T)}});
+    const auto* from = reinterpret_cast<const std::uint8_t*>(values.data());
+    bytes_.insert(bytes_.end(), from, from + values.size() * sizeof(T));
+    return static_cast<int>(root["bufferViews"].size()) - 1;
+  }
+
+  template <class T>
+  static int component_type() {
+    if (std::is_same_v<T, float>) return 5126;
+    const int size = sizeof(T) == 1 ? 5120 : sizeof(T) == 2 ? 5122 : 5124;
+    return size + (std::is_unsigned_v<T> ? 1 : 0);
+  }
+
+  template <class T>
+  int accessor(const std::vector<T>& values, int components) {
+    root["accessors"].push_back({{"bufferView", view(values)},
+                                 {"componentType", component_type<T>()},
+                                 {"count", values.size() / static_cast<std::size_t>(components)},
+                                 {"type", components == 3 ? "VEC3" : "SCALAR"}});
+    return static_cast<int>(root["accessors"].size()) - 1;
+  }
+
+  /// Adds a mesh of one primitive and a node with it; no index accessor when it is negative.
+  json& mesh(int positions, int indices, int mode = 4) {
+    json primitive{{"attributes", {{"POSITION", positions}}}, {"mode", mode}};
+    if (indices >= 0) primitive["indices"] = indices;
+    root["meshes"].push_back({{"primitives", json::array({primitive})}});
+    root["nodes"].push_back({{"mesh", root["meshes"].size() - 1}});
+    return root["meshes"].back()["primitives"][0];
+  }
+
+  /// The file as text, its buffer as data uri.
+  std::string text() {
+    close_buffer();
+    if (!root["buffers"][0].contains("uri")) {
+      root["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(bytes_);
+    }
+    return root.dump();
+  }
+
+  /// The file as GLB.
+  std::string glb() {
+    close_buffer();
+    std::string text = root.dump();
+    while (text.size() % 4 != 0) text += ' ';
+    std::string binary(bytes_.begin(), bytes_.end());
+    while (binary.size() % 4 != 0) binary += '\0';
+    std::string out;
+    const auto word = [&](std::uint32_t w) {
+      for (int i = 0; i < 4; ++i) out += static_cast<char>(w >> (8 * i) & 0xff);
+    };
+    word(0x46546c67), word(2), word(static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + binary.size()));
+    word(static_cast<std::uint32_t>(text.size())), word(0x4e4f534a);
+    out += text;
+    word(static_cast<std::uint32_t>(binary.size())), word(0x004e4942);
+    return out + binary;
+  }
+
+ private:
+  void close_buffer() {
+    if (root["buffers"].empty()) root["buffers"].push_back({{"byteLength", bytes_.size()}});
+  }
+
+  std::vector<std::uint8_t> bytes_;
+};
+
+/// The unit square of two triangles.
+inline Builder square() {
+  Builder b;
+  b.mesh(b.accessor<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, 3), b.accessor<std::uint16_t>({0, 1, 2, 0, 2, 3}, 1));
+  return b;
+}
+
+}  // namespace ligne::gltf_test

@@ -1,0 +1,263 @@
+#include "scene/gltf_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "gltf_builder.hpp"
+
+namespace ligne {
+namespace {
+
+using gltf_test::Builder;
+using gltf_test::json;
+using gltf_test::square;
+
+struct Result {
+  Scene scene;
+  ReadReport report;
+  Warnings warnings;
+};
+
+Result read(const std::string& bytes, bool binary = false, const std::filesystem::path& folder = {}) {
+  Result r;
+  r.scene = read_gltf(std::as_bytes(std::span(bytes)), binary, folder, "M", r.report, r.warnings);
+  return r;
+}
+
+std::vector<std::uint32_t> corners(const Scene& scene) {
+  const auto c = scene.faces.corners();
+  return {c.begin(), c.end()};
+}
+
+using Corners = std::vector<std::uint32_t>;
+using Points = std::vector<Point3>;
+
+/// Base64 of the square's positions and indices and the like go through every one of these.
+TEST(GltfReader, Square) {
+  for (const bool binary : {false, true}) {
+    Builder b = square();
+    const Result r = read(binary ? b.glb() : b.text(), binary);
+    EXPECT_EQ(r.scene.vertices, (Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+    EXPECT_EQ(corners(r.scene), (Corners{0, 1, 2, 0, 2, 3}));
+    EXPECT_TRUE(r.scene.faces.all_triangles());
+    EXPECT_EQ(r.scene.up_axis, Axis::y);
+    EXPECT_EQ(r.report.format, binary ? ModelFormat::glb : ModelFormat::gltf);
+    EXPECT_EQ(r.report.triangles, 2u);
+    EXPECT_EQ(r.report.vertices, 4u);
+    ASSERT_EQ(r.scene.objects.size(), 1u);
+    EXPECT_EQ(r.scene.objects[0].vertex_end, 4u);
+    EXPECT_EQ(r.scene.objects[0].face_end, 2u);
+    EXPECT_TRUE(r.scene.face_material.empty());
+    ASSERT_EQ(r.scene.materials.size(), 1u);
+    // Half a unit in the last place of 1 as float32.
+    EXPECT_EQ(r.scene.objects[0].precision, std::numeric_limits<float>::epsilon() / 2);
+    EXPECT_TRUE(r.warnings.counts().empty());
+  }
+}
+
+template <class T>
+class GltfIndices : public testing::Test {};
+using IndexTypes = testing::Types<std::uint8_t, std::uint16_t, std::uint32_t>;
+TYPED_TEST_SUITE(GltfIndices, IndexTypes);
+
+TYPED_TEST(GltfIndices, AreRead) {
+  Builder b;
+  b.mesh(b.accessor<float>({0, 0, 0, 1, 0, 0, 1, 1, 0}, 3), b.accessor<TypeParam>({2, 1, 0}, 1));
+  EXPECT_EQ(corners(read(b.text()).scene), (Corners{2, 1, 0}));
+}
+
+TYPED_TEST(GltfIndices, OutOfRangeIsAnError) {
+  Builder b;
+  b.mesh(b.accessor<float>({0, 0, 0, 1, 0, 0, 1, 1, 0}, 3), b.accessor<TypeParam>({2, 1, std::numeric_limits<TypeParam>::max()}, 1));
+  EXPECT_THROW(read(b.text()), InputError);
+}
+
+TEST(GltfReader, StripsFansAndNone) {
+  const std::vector<float> five{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
+  Builder b;
+  const int positions = b.accessor(five, 3);
+  b.mesh(positions, -1, 5);
+  EXPECT_EQ(corners(read(b.text()).scene), (Corners{0, 1, 2, 1, 3, 2, 2, 3, 4}));
+  Builder fan;
+  fan.mesh(fan.accessor(five, 3), -1, 6);
+  EXPECT_EQ(corners(read(fan.text()).scene), (Corners{1, 2, 0, 2, 3, 0, 3, 4, 0}));
+  Builder plain;
+  plain.mesh(plain.accessor<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, 3), -1);
+  EXPECT_EQ(corners(read(plain.text()).scene), (Corners{0, 1, 2}));
+  Builder strip;
+  strip.mesh(strip.accessor(five, 3), strip.accessor<std::uint16_t>({4, 3, 2, 1}, 1), 5);
+  EXPECT_EQ(corners(read(strip.text()).scene), (Corners{4, 3, 2, 3, 1, 2}));
+}
+
+TEST(GltfReader, PointsAndLinesAreCounted) {
+  Builder b = square();
+  for (int mode = 0; mode < 4; ++mode) b.mesh(0, -1, mode);
+  const Result r = read(b.text());
+  EXPECT_EQ(r.scene.faces.size(), 2u);
+  EXPECT_EQ(r.warnings.counts().at("glTF primitives of points or lines left out"), 4u);
+}
+
+TEST(GltfReader, InterleavedPositions) {
+  Builder b;
+  const int view = b.view<float>({9, 9, 9, 0, 0, 0, 9, 9, 9, 1, 0, 0, 9, 9, 9, 0, 1, 0});
+  b.root["bufferViews"][view]["byteStride"] = 24;
+  b.root["accessors"].push_back({{"bufferView", view}, {"byteOffset", 12}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
+  b.mesh(0, -1);
+  EXPECT_EQ(read(b.text()).scene.vertices, (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+}
+
+TEST(GltfReader, SparsePositionsWithoutBufferView) {
+  Builder b;
+  const int indices = b.view<std::uint8_t>({1, 2}), values = b.view<float>({4, 0, 0, 0, 5, 0});
+  b.root["accessors"].push_back({{"componentType", 5126},
+                                 {"count", 3},
+                                 {"type", "VEC3"},
+                                 {"sparse",
+                                  {{"count", 2},
+                                   {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                                   {"values", {{"bufferView", values}}}}}});
+  b.mesh(0, -1);
+  EXPECT_EQ(read(b.text()).scene.vertices, (Points{{0, 0, 0}, {4, 0, 0}, {0, 5, 0}}));
+}
+
+TEST(GltfReader, SparseIndicesWithoutBufferView) {
+  Builder b;
+  const int positions = b.accessor<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, 3);
+  const int indices = b.view<std::uint8_t>({1, 2}), values = b.view<std::uint16_t>({1, 2});
+  b.root["accessors"].push_back({{"componentType", 5123},
+                                 {"count", 3},
+                                 {"type", "SCALAR"},
+                                 {"sparse",
+                                  {{"count", 2},
+                                   {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                                   {"values", {{"bufferView", values}}}}}});
+  b.mesh(positions, 1);
+  EXPECT_EQ(corners(read(b.text()).scene), (Corners{0, 1, 2}));
+}
+
+TEST(GltfReader, QuantizedPositions) {
+  Builder b;
+  b.root["extensionsRequired"] = {"KHR_mesh_quantization"};
+  b.mesh(b.accessor<std::int16_t>({0, 0, 0, 300, 0, 0, 0, -300, 0}, 3), -1);
+  b.root["bufferViews"][0]["byteLength"] = 18;
+  const Result plain = read(b.text());
+  EXPECT_EQ(plain.scene.vertices, (Points{{0, 0, 0}, {300, 0, 0}, {0, -300, 0}}));
+  EXPECT_EQ(plain.scene.objects[0].precision, 0);
+
+  Builder n;
+  n.root["extensionsRequired"] = {"KHR_mesh_quantization"};
+  n.mesh(n.accessor<std::int8_t>({0, 0, 0, 127, 0, 0, 0, -128, 0}, 3), -1);
+  n.root["accessors"][0]["normalized"] = true;
+  EXPECT_EQ(read(n.text()).scene.vertices, (Points{{0, 0, 0}, {1, 0, 0}, {0, -1, 0}}));
+  Builder u;
+  u.mesh(u.accessor<std::uint16_t>({0, 0, 0, 65535, 0, 0, 0, 13107, 0}, 3), -1);
+  u.root["accessors"][0]["normalized"] = true;
+  const Scene scene = read(u.text()).scene;
+  EXPECT_EQ(scene.vertices[1], Point3(1, 0, 0));
+  EXPECT_NEAR(scene.vertices[2].y, 0.2, 1e-15);
+}
+
+TEST(GltfReader, NodesAreTransformed) {
+  Builder b = square();
+  const double h = std::sqrt(0.5);
+  b.root["nodes"] = json::array({{{"children", {1}}, {"translation", {10, 0, 0}}},
+                                 {{"mesh", 0}, {"rotation", {0, 0, h, h}}, {"scale", {2, 3, 1}}, {"name", "leaf"}},
+                                 {{"mesh", 0}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 7, 1}}}});
+  const Scene scene = read(b.text()).scene;
+  ASSERT_EQ(scene.objects.size(), 2u);
+  EXPECT_EQ(scene.objects[0].name, "leaf");
+  // (1, 1, 0) is scaled to (2, 3, 0), turned by 90 degrees to (-3, 2, 0) and moved.
+  EXPECT_NEAR(scene.vertices[2].x, 7, 1e-14);
+  EXPECT_NEAR(scene.vertices[2].y, 2, 1e-14);
+  EXPECT_EQ(scene.vertices[4], Point3(0, 0, 7));
+  EXPECT_EQ(scene.objects[1].vertex_begin, 4u);
+  EXPECT_EQ(scene.objects[1].face_begin, 2u);
+  EXPECT_EQ(corners(scene), (Corners{0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7}));
+  // Three times the float32 rounding of 1; what the transform rounds is far below.
+  EXPECT_NEAR(scene.objects[0].precision, 3 * std::numeric_limits<float>::epsilon() / 2, 1e-13);
+}
+
+TEST(GltfReader, MirrorTurnsTheWinding) {
+  Builder b = square();
+  b.root["nodes"][0]["scale"] = {-1, 1, 1};
+  EXPECT_EQ(corners(read(b.text()).scene), (Corners{0, 2, 1, 0, 3, 2}));
+}
+
+TEST(GltfReader, OnlyTheDefaultSceneIsRead) {
+  Builder b = square();
+  b.root["nodes"] = json::array({{{"mesh", 0}, {"name", "a"}}, {{"mesh", 0}, {"name", "b"}}});
+  b.root["scenes"] = json::array({{{"nodes", {0}}}, {{"nodes", {1}}}});
+  EXPECT_EQ(read(b.text()).scene.objects.size(), 2u);
+  b.root["scene"] = 1;
+  const Scene scene = read(b.text()).scene;
+  ASSERT_EQ(scene.objects.size(), 1u);
+  EXPECT_EQ(scene.objects[0].name, "b");
+}
+
+TEST(GltfReader, PrimitivesOfOneMeshAreOneObject) {
+  Builder b = square();
+  json& primitives = b.root["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  const Scene scene = read(b.text()).scene;
+  ASSERT_EQ(scene.objects.size(), 1u);
+  EXPECT_EQ(scene.faces.size(), 4u);
+  EXPECT_EQ(scene.vertices.size(), 4u) << "positions in common are read once";
+}
+
+TEST(GltfReader, Materials) {
+  Builder b = square();
+  b.root["materials"] = json::array(
+      {{{"name", "glass"}, {"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0.25, 0.5, 1.5, 0.5}}}}},
+       {{"name", "steel"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.5}}}}}});
+  json& primitives = b.root["meshes"][0]["primitives"];
+  primitives[0]["material"] = 1;
+  primitives.push_back(primitives[0]);
+  primitives[1].erase("material");
+  const Scene scene = read(b.text()).scene;
+  ASSERT_EQ(scene.materials.size(), 3u);
+  EXPECT_EQ(scene.materials[0].name, "glass");
+  EXPECT_EQ(scene.materials[0].color, Point3(0.25, 0.5, 1));
+  EXPECT_EQ(scene.materials[0].opacity, 0.5);
+  EXPECT_EQ(scene.materials[1].opacity, 1) << "only BLEND is transparent";
+  EXPECT_EQ(scene.face_material, (Corners{1, 1, 2, 2}));
+}
+
+TEST(GltfReader, Extensions) {
+  Builder b = square();
+  b.root["extensionsRequired"] = {"KHR_materials_unlit", "KHR_texture_transform", "KHR_lights_punctual"};
+  EXPECT_EQ(read(b.text()).scene.faces.size(), 2u);
+  b.root["extensionsRequired"] = {"EXT_meshopt_compression"};
+  try {
+    read(b.text());
+    FAIL() << "read without the extension";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "M: needs the glTF extension EXT_meshopt_compression, which is not known here");
+  }
+}
+
+TEST(GltfReader, ImagesAreNotLookedAt) {
+  Builder b = square();
+  b.root["images"] = json::array({{{"uri", "absent.png"}}, {{"bufferView", 99}, {"mimeType", "image/png"}}, 7});
+  b.root["textures"] = 3;
+  b.root["skins"] = "broken";
+  b.root["extras"] = json::array({json::array()});
+  EXPECT_EQ(read(b.text()).scene.faces.size(), 2u);
+}
+
+TEST(GltfReader, BufferInAFileOfTheFolder) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "ligne gltf";
+  std::filesystem::create_directories(folder / "sub");
+  std::ofstream(folder / "sub" / "a b.bin", std::ios::binary) << std::string(48, '\0') << std::string("\0\0\1\0\2\0\0\0\2\0\3\0", 12);
+  Builder b = square();
+  b.root["buffers"].push_back({{"byteLength", 60}, {"uri", "sub/a%20b.bin"}});
+  EXPECT_EQ(corners(read(b.text(), false, folder).scene), (Corners{0, 1, 2, 0, 2, 3}));
+  EXPECT_THROW(read(b.text()), InputError) << "without a folder there are no files";
+}
+
+}  // namespace
+}  // namespace ligne

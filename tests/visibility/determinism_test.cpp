@@ -1,0 +1,38 @@
+// The same strokes whatever the number of threads.
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <random>
+
+#include "support/scenes.hpp"
+
+namespace ligne::test {
+namespace {
+
+bool same(const Stroke& a, const Stroke& b) {
+  return a.from == b.from && a.to == b.to && a.t_from == b.t_from && a.t_to == b.t_to && a.source == b.source &&
+         a.line_class == b.line_class && a.visible == b.visible;
+}
+
+TEST(Determinism, OneThreadAndManyGiveTheSameStrokes) {
+  Scene scene;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 1500; ++i) {
+    add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {2, 2, 2}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+  }
+  const auto with_threads = [&](int n) {
+    tbb::task_arena arena(n);
+    return arena.execute([&] { return draw(scene, {along({-1, 2, -1}), "all", true}); });
+  };
+  const Picture one = with_threads(1), four = with_threads(4);
+  ASSERT_EQ(one.model.strokes.size(), four.model.strokes.size());
+  for (std::size_t i = 0; i < one.model.strokes.size(); ++i) {
+    ASSERT_TRUE(same(one.model.strokes[i], four.model.strokes[i])) << "stroke " << i;
+  }
+}
+
+}  // namespace
+}  // namespace ligne::test
