@@ -2,9 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "inputs.hpp"
