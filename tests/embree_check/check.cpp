@@ -1,15 +1,15 @@
 #include "check.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <span>
 #include <unordered_map>
-
-#include <glm/geometric.hpp>
-#include <oneapi/tbb/parallel_for.h>
 
 #include "intersections_seen.hpp"
 #include "page_map.hpp"
@@ -188,7 +188,8 @@ class Checker {
       if (t.wrong == 0) continue;
       (t.what == kMisplaced ? report_.misplaced : t.what == kHidden ? report_.hidden_drawn : report_.no_line) += t.wrong;
       const DrawnStroke& s = drawing_.strokes[i];
-      report_.findings.push_back({std::string(t.what) + " (" + std::string(name_of(s.kind)) + ")", t.wrong, t.at, s.edge, s.ends[0], s.ends[1]});
+      report_.findings.push_back(
+          {std::string(t.what) + " (" + std::string(name_of(s.kind)) + ")", t.wrong, t.at, s.edge, s.ends[0], s.ends[1]});
     }
   }
 
@@ -283,9 +284,9 @@ class Checker {
       report_.intersections_seen += c.length_mm;
       if (drawn.near(c.at)) continue;
       report_.intersections_missing += c.length_mm;
-      report_.findings.push_back({"intersection visible but not drawn: faces " + std::to_string(c.faces[0]) + " and " +
-                                      std::to_string(c.faces[1]),
-                                  c.length_mm, c.at, std::nullopt, checked_.box.out_of(c.point), checked_.box.out_of(c.point)});
+      report_.findings.push_back(
+          {"intersection visible but not drawn: faces " + std::to_string(c.faces[0]) + " and " + std::to_string(c.faces[1]),
+           c.length_mm, c.at, std::nullopt, checked_.box.out_of(c.point), checked_.box.out_of(c.point)});
     }
   }
 
@@ -336,8 +337,8 @@ std::string to_text(const Report& report, std::size_t worst) {
   for (std::size_t i = 0; i < std::min(worst, report.findings.size()); ++i) {
     const Finding& f = report.findings[i];
     const std::string edge = f.edge ? "edge " + std::to_string(*f.edge) : "edge -";
-    std::snprintf(line, sizeof line, "  %8.3f mm at (%.3f, %.3f): %s; %s (%.9g, %.9g, %.9g)-(%.9g, %.9g, %.9g)\n", f.length_mm,
-                  f.at.x, f.at.y, f.what.c_str(), edge.c_str(), f.a.x, f.a.y, f.a.z, f.b.x, f.b.y, f.b.z);
+    std::snprintf(line, sizeof line, "  %8.3f mm at (%.3f, %.3f): %s; %s (%.9g, %.9g, %.9g)-(%.9g, %.9g, %.9g)\n",
+                  f.length_mm, f.at.x, f.at.y, f.what.c_str(), edge.c_str(), f.a.x, f.a.y, f.a.z, f.b.x, f.b.y, f.b.z);
     text += line;
   }
   return text;

@@ -19,7 +19,8 @@ constexpr double kLimit = 0.0005;
 
 int usage() {
   std::fputs(
-      "usage: ligne_check MODEL DRAWING.json [--edges all|feature] [--crease DEG] [--fov DEG] [--tolerance MM] [--worst N]\n",
+      "usage: ligne_check MODEL DRAWING.json [--edges all|feature] [--crease DEG] [--fov DEG] [--tolerance MM] [--worst "
+      "N]\n",
       stderr);
   return 2;
 }

@@ -1,6 +1,9 @@
 /// Drawings that the program itself makes of real models, checked by rays. By default a few views of each; all of them with
 /// LIGNE_CHECK_ALL=1 in the environment.
 
+#include <gtest/gtest.h>
+#include <unistd.h>
+
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
@@ -8,9 +11,6 @@
 #include <ostream>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "check.hpp"
 #include "scene/reader.hpp"
@@ -38,13 +38,20 @@ const Model kModels[] = {
     {"teapot.obj", {{"eye_1", "--eye 5,4,9"}, {"eye_2", "--eye -9,1,-4"}, {"close", "--eye 1,3.4,2.6 --target 0,1.5,0"}}},
     {"quadknot.obj",
      {{"eye_1", "--eye 150,120,250"}, {"eye_2", "--eye -400,-100,-80"}, {"close", "--eye -60,30,40 --target -64,0,-76"}}},
-    {"beetle.obj", {{"eye_1", "--eye 1,1,1.5"}, {"eye_2", "--eye -1.5,0.5,-1"}, {"close", "--eye 0.3,0.6,0.75 --target 0,0.45,0.3"}}},
+    {"beetle.obj",
+     {{"eye_1", "--eye 1,1,1.5"}, {"eye_2", "--eye -1.5,0.5,-1"}, {"close", "--eye 0.3,0.6,0.75 --target 0,0.45,0.3"}}},
     {"CITY.ASC",
-     {{"eye_1", "--eye 7000,-9000,5000"}, {"eye_2", "--eye -6000,-2000,700"}, {"close", "--eye 600,-5200,300 --target 600,-2000,300"}}},
-    {"lantern/Lantern.gltf", {{"eye_1", "--eye 30,20,40"}, {"eye_2", "--eye -25,10,20"}, {"close", "--eye 10,22,6 --target 6,20,0"}}},
-    {"featuretype.stl", {{"eye_1", "--eye 6,-7,5"}, {"eye_2", "--eye -5,4,3"}, {"close", "--eye 1.5,-2,2.2 --target 0,0,0.7"}}},
+     {{"eye_1", "--eye 7000,-9000,5000"},
+      {"eye_2", "--eye -6000,-2000,700"},
+      {"close", "--eye 600,-5200,300 --target 600,-2000,300"}}},
+    {"lantern/Lantern.gltf",
+     {{"eye_1", "--eye 30,20,40"}, {"eye_2", "--eye -25,10,20"}, {"close", "--eye 10,22,6 --target 6,20,0"}}},
+    {"featuretype.stl",
+     {{"eye_1", "--eye 6,-7,5"}, {"eye_2", "--eye -5,4,3"}, {"close", "--eye 1.5,-2,2.2 --target 0,0,0.7"}}},
     {"stanford-bunny.obj",
-     {{"eye_1", "--eye 0.2,0.25,0.4"}, {"eye_2", "--eye -0.4,0.1,-0.2"}, {"close", "--eye -0.02,0.16,0.15 --target -0.03,0.12,0"}}},
+     {{"eye_1", "--eye 0.2,0.25,0.4"},
+      {"eye_2", "--eye -0.4,0.1,-0.2"},
+      {"close", "--eye -0.02,0.16,0.15 --target -0.03,0.12,0"}}},
     {"2CylinderEngine.glb",
      {{"eye_1", "--eye 600,500,900"}, {"eye_2", "--eye -900,100,-500"}, {"close", "--eye 100,150,300 --target 0,0,0"}}},
 };
@@ -99,8 +106,8 @@ TEST_P(ModelDrawing, IsRight) {
   if (!std::filesystem::exists(LIGNE_MODELS_DIR)) GTEST_SKIP() << "shared models are absent";
   const TemporaryFile drawing{std::filesystem::temp_directory_path() /
                               ("ligne_check_" + std::to_string(getpid()) + "_" + name_of_case(c) + ".json")};
-  std::string command = std::string("\"") + LIGNE_PROGRAM + "\" draw -q \"" + model.string() + "\" " + c.view.options + " --edges " + c.edges +
-                        " -o \"" + drawing.path.string() + "\"";
+  std::string command = std::string("\"") + LIGNE_PROGRAM + "\" draw -q \"" + model.string() + "\" " + c.view.options +
+                        " --edges " + c.edges + " -o \"" + drawing.path.string() + "\"";
   CheckOptions options;
   options.kinds = std::string_view(c.edges) == "all" ? kAllKinds : kFeatureKinds;
   if (command.find("--eye") != std::string::npos) {

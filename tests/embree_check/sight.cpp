@@ -1,12 +1,12 @@
 #include "sight.hpp"
 
+#include <embree3/rtcore.h>
+
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
-
-#include <embree3/rtcore.h>
-#include <glm/geometric.hpp>
 
 namespace ligne::check {
 
@@ -118,7 +118,8 @@ struct Sight::Rays {
     if (args->valid[0] == 0) return;
     const auto& self = *static_cast<const Rays*>(args->geometryUserPtr);
     const auto& query = *reinterpret_cast<const Query*>(args->context);
-    if (self.meets(args->primID, query)) reinterpret_cast<RTCRay*>(args->ray)->tfar = -std::numeric_limits<float>::infinity();
+    if (self.meets(args->primID, query))
+      reinterpret_cast<RTCRay*>(args->ray)->tfar = -std::numeric_limits<float>::infinity();
   }
 
   static void intersect(const RTCIntersectFunctionNArguments* args) {
