@@ -82,8 +82,10 @@ void write_glb(const std::filesystem::path& file, const TriangleMesh& mesh, cons
   const std::size_t index_begin = binary.size();
   for (const Corner3& t : mesh.triangles) {
     for (const std::uint32_t v : t) {
-      if (small) put_bytes(binary, static_cast<std::uint16_t>(v));
-      else put_bytes(binary, v);
+      if (small)
+        put_bytes(binary, static_cast<std::uint16_t>(v));
+      else
+        put_bytes(binary, v);
     }
   }
   const std::size_t index_bytes = binary.size() - index_begin;

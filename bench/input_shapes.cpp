@@ -2,9 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "inputs.hpp"
@@ -103,7 +101,8 @@ TriangleMesh read_obj(const std::filesystem::path& file) {
       values.push_back(value);
       at = std::min(line.find_first_of(" \t\r", at), line.size());
     }
-    if (values.size() < 3) throw std::runtime_error(file.string() + ":" + std::to_string(number) + ": three values are expected");
+    if (values.size() < 3)
+      throw std::runtime_error(file.string() + ":" + std::to_string(number) + ": three values are expected");
     if (vertex) {
       mesh.positions.push_back({values[0], values[1], values[2]});
       continue;
@@ -177,7 +176,8 @@ TriangleMesh torus_knot(int log2_along, int log2_around) {
     const double radius = kRing + kPipe * cv;
     const Vec3 centre{radius * cu, radius * su, kPipe * sv};
     const double du = static_cast<double>(kTurns), dv = static_cast<double>(kWindings);
-    const Vec3 tangent = unit({-kPipe * dv * sv * cu - du * radius * su, -kPipe * dv * sv * su + du * radius * cu, kPipe * dv * cv});
+    const Vec3 tangent =
+        unit({-kPipe * dv * sv * cu - du * radius * su, -kPipe * dv * sv * su + du * radius * cu, kPipe * dv * cv});
     const Vec3 normal{cv * cu, cv * su, sv};  // of the torus, so at right angles with the curve
     const Vec3 binormal = cross(tangent, normal);
     for (std::uint64_t j = 0; j < around; ++j) {

@@ -58,7 +58,8 @@ TriangleMesh unit_cube();
 /// The six faces of unit_cube() as quadrilaterals.
 extern const std::array<std::array<std::uint32_t, 4>, 6> kCubeFaces;
 
-/// `n` boxes with centres in the unit cube, turned at random, sides between 1/2 and 3/2 of `side`: placements of unit_cube().
+/// `n` boxes with centres in the unit cube, turned at random, sides between 1/2 and 3/2 of `side`: placements of
+/// unit_cube().
 std::vector<Placement> random_boxes(std::size_t n, double side, std::uint64_t seed);
 
 /// Number of pairs of triangles of different boxes that have a segment in common.
@@ -71,11 +72,12 @@ using CubeCorners = std::array<Vec3, 8>;
 std::vector<CubeCorners> cube_block(int n);
 /// The same turned: every corner of the lattice turned once, so that touching cubes have equal corners.
 std::vector<CubeCorners> turned_block_shared(int n, const Placement& turn);
-/// The same turned: each cube by its turned centre and half diagonals, so that corners that should be equal differ by rounding.
+/// The same turned: each cube by its turned centre and half diagonals, so that corners that should be equal differ by
+/// rounding.
 std::vector<CubeCorners> turned_block_rounded(int n, const Placement& turn);
 
-/// Binary glTF 2.0: one mesh (float32 positions, u16 or u32 indices), one node for each placement, or one plain node when there
-/// are none. Placements are rounded to float32. Throws std::runtime_error.
+/// Binary glTF 2.0: one mesh (float32 positions, u16 or u32 indices), one node for each placement, or one plain node when
+/// there are none. Placements are rounded to float32. Throws std::runtime_error.
 void write_glb(const std::filesystem::path& file, const TriangleMesh& mesh, const std::vector<Placement>& placements = {});
 
 /// ligne-scene JSON, one object a cube; numbers are the shortest that read back as the same double.

@@ -2,16 +2,15 @@
 ///
 ///   ligne_bench [Google Benchmark's options] [FOLDER]
 
+#include <benchmark/benchmark.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <benchmark/benchmark.h>
 
 #include "drawing/drawing.hpp"
 #include "plotting/page.hpp"
@@ -36,7 +35,8 @@ struct Selection {
 
 std::vector<Selection> selections() {
   Selection feature{"feature", {}}, all{"all", {}};
-  for (const LineClass c : {LineClass::outline, LineClass::border, LineClass::intersection, LineClass::crease, LineClass::mesh}) {
+  for (const LineClass c :
+       {LineClass::outline, LineClass::border, LineClass::intersection, LineClass::crease, LineClass::mesh}) {
     if (c != LineClass::mesh) feature.classes.add(c);
     all.classes.add(c);
   }
@@ -99,7 +99,8 @@ void project_stage(benchmark::State& state, const std::filesystem::path& file, c
   state.counters["edges"] = static_cast<double>(p.projected.edges.size());
 }
 
-void study_stage(benchmark::State& state, const std::filesystem::path& file, const Selection& selection, const Method& method) {
+void study_stage(benchmark::State& state, const std::filesystem::path& file, const Selection& selection,
+                 const Method& method) {
   const Prepared& p = prepared(file, selection);
   std::size_t strokes = 0;
   for (auto _ : state) {
@@ -122,7 +123,8 @@ void drawing_stage(benchmark::State& state, const std::filesystem::path& file, c
   }
 }
 
-void write_stage(benchmark::State& state, const std::filesystem::path& file, const Selection& selection, const Method& method) {
+void write_stage(benchmark::State& state, const std::filesystem::path& file, const Selection& selection,
+                 const Method& method) {
   const Prepared& p = prepared(file, selection);
   VisibilityResult result = method.study(p.projected, {});
   if (!result.strokes) return state.SkipWithError("the method gives no strokes");

@@ -1,17 +1,16 @@
 #include "box_drawer.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
-
-#include <glm/geometric.hpp>
 
 namespace ligne::check {
 
 namespace {
 
-constexpr int kPlaces = 20000;        ///< points tried on an edge
-constexpr double kThrough = 1e-7;     ///< a sight that is this long inside a box is blocked by it
+constexpr int kPlaces = 20000;     ///< points tried on an edge
+constexpr double kThrough = 1e-7;  ///< a sight that is this long inside a box is blocked by it
 
 struct Frame {
   Point3 right, down, forward;
@@ -71,9 +70,7 @@ class Drawer {
   }
 
  private:
-  Point3 to_viewer(const Point3& p) const {
-    return viewer_.perspective ? glm::normalize(viewer_.eye - p) : -frame_.forward;
-  }
+  Point3 to_viewer(const Point3& p) const { return viewer_.perspective ? glm::normalize(viewer_.eye - p) : -frame_.forward; }
 
   bool visible(const Point3& p) const {
     const double length = viewer_.perspective ? glm::distance(viewer_.eye, p) : std::numeric_limits<double>::infinity();
@@ -121,7 +118,8 @@ class Drawer {
 }  // namespace
 
 Scene box_scene(const std::vector<Box>& boxes) {
-  constexpr std::uint32_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  constexpr std::uint32_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                          {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   Scene scene;
   for (const Box& box : boxes) {
     Object object;

@@ -1,14 +1,15 @@
 #include "check.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdio>
-#include <unordered_map>
-
 #include <glm/geometric.hpp>
-#include <oneapi/tbb/parallel_for.h>
+#include <span>
+#include <unordered_map>
 
 #include "intersections_seen.hpp"
 #include "page_map.hpp"
@@ -55,8 +56,10 @@ bool visible_along(const Sight& sight, const SampledEdge& edge, std::size_t i, d
   });
 }
 
-bool hidden_around(const Sight& sight, const PageMap& map, const SampledEdge& edge, std::size_t i, double tolerance,
-                   double reach_mm) {
+/// `own_faces`: those that meet at the edge. A place beside the edge that they hide is judged on them: where the surface
+/// beside a line is seen, the line is within the tolerance of what is seen.
+bool hidden_around(const Sight& sight, const PageMap& map, const SampledEdge& edge, std::size_t i,
+                   std::span<const std::uint32_t> own_faces, double tolerance, double reach_mm) {
   const auto blocked = [&](const Point3& q) { return sight.blocked(q, tolerance, Touching::generous); };
   for (const double part : kAlong) {
     if (!blocked(edge.sample(i, part * reach_mm))) return false;
@@ -64,7 +67,12 @@ bool hidden_around(const Sight& sight, const PageMap& map, const SampledEdge& ed
   const Point3 q = edge.sample(i);
   for (int k = 0; k < kCircle; ++k) {
     const double angle = 2 * 3.14159265358979323846 * k / kCircle;
-    if (!blocked(map.shifted(q, {reach_mm * std::cos(angle), reach_mm * std::sin(angle)}))) return false;
+    const Point3 beside = map.shifted(q, {reach_mm * std::cos(angle), reach_mm * std::sin(angle)});
+    if (!blocked(beside)) return false;
+    for (const std::uint32_t face : own_faces) {
+      const auto on_face = sight.in_front(beside, face);
+      if (on_face && !blocked(*on_face)) return false;
+    }
   }
   return true;
 }
@@ -92,6 +100,15 @@ SegmentKey segment_key(const Point3& a, const Point3& b) {
   return key;
 }
 
+/// Fields of view are as wide by their height as an A sheet that lies.
+constexpr double kFieldAspect = 1.41421356;
+
+Rect window_of(const DrawingFile& drawing, const CheckOptions& options) {
+  if (drawing.window) return *drawing.window;
+  const Rect sheet{{0, 0}, {drawing.width_mm, drawing.height_mm}};
+  return field_of_view(drawing.model_to_page, sheet, options.fov_degrees, kFieldAspect);
+}
+
 class Checker {
  public:
   Checker(const Scene& scene, const DrawingFile& drawing, const CheckOptions& options)
@@ -99,8 +116,7 @@ class Checker {
         drawing_(drawing),
         options_(options),
         checked_(make_checked_scene(scene)),
-        map_(drawing.model_to_page, checked_.box,
-             drawing.window ? *drawing.window : Rect{{0, 0}, {drawing.width_mm, drawing.height_mm}}, drawing.near_distance),
+        map_(drawing.model_to_page, checked_.box, window_of(drawing, options), drawing.near_distance),
         sight_(checked_, map_),
         kinds_(checked_.edges.size()) {
     tbb::parallel_for(std::size_t{0}, kinds_.size(), [&](std::size_t e) {
@@ -109,9 +125,10 @@ class Checker {
   }
 
   Report run() {
-    check_strokes();
-    check_edges();
-    if (options_.kinds & kIntersection) check_intersections();
+    const StrokeGrid drawn = visible_strokes();
+    const StrokeGrid visible(check_edges(drawn), options_.tolerance_mm);
+    check_strokes(visible);
+    if (options_.kinds & kIntersection) check_intersections(drawn);
     std::stable_sort(report_.findings.begin(), report_.findings.end(),
                      [](const Finding& l, const Finding& r) { return l.length_mm > r.length_mm; });
     return std::move(report_);
@@ -123,25 +140,46 @@ class Checker {
     double length = 0, wrong = 0, undecided = 0, visible = 0;
     Point2 at{0, 0};
     const char* what = nullptr;
+    std::vector<PageSegment> seen;  ///< of an edge: round its visible samples
     void add_wrong(double mm, Point2 place) {
       if (wrong == 0) at = place;
       wrong += mm;
     }
   };
 
-  void check_strokes() {
-    std::unordered_map<SegmentKey, std::uint8_t, SegmentHash> possible;
+  /// What lies in the model where a stroke says that it comes from.
+  struct Source {
+    std::uint8_t kinds = 0;  ///< classes of all edges there
+    std::vector<std::uint32_t> faces;
+  };
+
+  Source intersection_source(const DrawnStroke& stroke) const {
+    Source source{kIntersection, {}};
+    for (const auto& face : stroke.faces) {
+      if (face && *face < checked_.faces.size()) source.faces.push_back(*face);
+    }
+    return source;
+  }
+
+  /// `visible`: where edges that should or may be drawn are visible.
+  void check_strokes(const StrokeGrid& visible) {
+    std::unordered_map<SegmentKey, Source, SegmentHash> sources;
     for (std::size_t e = 0; e < kinds_.size(); ++e) {
       const CheckedEdge& edge = checked_.edges[e];
-      possible[segment_key(scene_.vertices[edge.v0], scene_.vertices[edge.v1])] |= kinds_[e];
+      Source& source = sources[segment_key(scene_.vertices[edge.v0], scene_.vertices[edge.v1])];
+      source.kinds |= kinds_[e];
+      source.faces.insert(source.faces.end(), edge.faces.begin(), edge.faces.end());
     }
     std::vector<Tally> tallies(drawing_.strokes.size());
     tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t i) {
       const DrawnStroke& stroke = drawing_.strokes[i];
       if (!stroke.visible) return;
-      const auto found = possible.find(segment_key(stroke.ends[0], stroke.ends[1]));
-      const std::uint8_t kinds = stroke.kind == kIntersection ? kIntersection : found == possible.end() ? 0 : found->second;
-      tallies[i] = check_stroke(stroke, kinds);
+      const auto found = sources.find(segment_key(stroke.ends[0], stroke.ends[1]));
+      if (stroke.kind == kIntersection) {
+        tallies[i] = check_stroke(stroke, intersection_source(stroke), visible);
+      } else {
+        tallies[i] = check_stroke(stroke, found == sources.end() ? Source{} : found->second, visible);
+      }
     });
     for (std::size_t i = 0; i < tallies.size(); ++i) {
       const Tally& t = tallies[i];
@@ -150,11 +188,12 @@ class Checker {
       if (t.wrong == 0) continue;
       (t.what == kMisplaced ? report_.misplaced : t.what == kHidden ? report_.hidden_drawn : report_.no_line) += t.wrong;
       const DrawnStroke& s = drawing_.strokes[i];
-      report_.findings.push_back({std::string(t.what) + " (" + std::string(name_of(s.kind)) + ")", t.wrong, t.at, s.edge, s.ends[0], s.ends[1]});
+      report_.findings.push_back(
+          {std::string(t.what) + " (" + std::string(name_of(s.kind)) + ")", t.wrong, t.at, s.edge, s.ends[0], s.ends[1]});
     }
   }
 
-  Tally check_stroke(const DrawnStroke& stroke, std::uint8_t kinds) const {
+  Tally check_stroke(const DrawnStroke& stroke, const Source& source, const StrokeGrid& visible) const {
     const Point3 a = checked_.box.into(stroke.ends[0]), b = checked_.box.into(stroke.ends[1]);
     const SampledEdge edge(map_, a, b, {stroke.interval[0], stroke.interval[1]}, options_.step_mm);
     Tally tally;
@@ -164,7 +203,7 @@ class Checker {
       const Point2 owed = map_.page(a + (b - a) * stroke.interval[k]);
       if (!(glm::distance(owed, stroke.points[k]) <= options_.tolerance_mm)) tally.what = kMisplaced;
     }
-    if (!(kinds & stroke.kind)) tally.what = kinds == 0 ? kNoEdge : kOtherClass;
+    if (!(source.kinds & stroke.kind)) tally.what = source.kinds == 0 ? kNoEdge : kOtherClass;
     if (!(options_.kinds & stroke.kind)) tally.what = kNotAsked;
     if (tally.what != nullptr) {
       tally.add_wrong(tally.length, middle);
@@ -173,10 +212,10 @@ class Checker {
     for (std::size_t i = 0; i < edge.size(); ++i) {
       const Point3 q = edge.sample(i);
       if (!sight_.blocked(q, checked_.largest_tolerance, Touching::generous)) continue;
-      if (hidden_around(sight_, map_, edge, i, checked_.largest_tolerance, options_.tolerance_mm)) {
+      if (hidden_around(sight_, map_, edge, i, source.faces, checked_.largest_tolerance, options_.tolerance_mm)) {
         tally.what = kHidden;
         tally.add_wrong(edge.share_mm(), map_.page(q));
-      } else {
+      } else if (!visible.near(map_.page(q))) {  // else a line is owed here, whosever it is
         tally.undecided += edge.share_mm();
       }
     }
@@ -191,27 +230,32 @@ class Checker {
     return StrokeGrid(std::move(segments), options_.tolerance_mm);
   }
 
-  void check_edges() {
-    const StrokeGrid grid = visible_strokes();
+  /// Gives back where edges that should or may be drawn are visible.
+  std::vector<PageSegment> check_edges(const StrokeGrid& drawn) {
+    std::vector<PageSegment> seen;
     std::vector<Tally> tallies(checked_.edges.size());
     tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t e) {
-      const bool owed = kinds_[e] != 0 && (kinds_[e] & ~options_.kinds) == 0;
-      if (owed) tallies[e] = check_edge(checked_.edges[e], grid);
+      if (!(kinds_[e] & options_.kinds)) return;
+      tallies[e] = check_edge(checked_.edges[e], drawn);
+      const bool owed = (kinds_[e] & ~options_.kinds) == 0;  // else it may be drawn, and may be left out
+      if (!owed) tallies[e].wrong = tallies[e].undecided = tallies[e].visible = 0;
     });
     for (std::size_t e = 0; e < tallies.size(); ++e) {
       const Tally& t = tallies[e];
       report_.visible += t.visible;
       report_.missing += t.wrong;
       report_.missing_undecided += t.undecided;
+      seen.insert(seen.end(), t.seen.begin(), t.seen.end());
       if (t.wrong == 0) continue;
       const CheckedEdge& edge = checked_.edges[e];
       const auto kind = static_cast<LineKind>(kinds_[e] & (~kinds_[e] + 1));
       report_.findings.push_back({"visible but not drawn (" + std::string(name_of(kind)) + ")", t.wrong, t.at, std::nullopt,
                                   scene_.vertices[edge.v0], scene_.vertices[edge.v1]});
     }
+    return seen;
   }
 
-  Tally check_edge(const CheckedEdge& candidate, const StrokeGrid& grid) const {
+  Tally check_edge(const CheckedEdge& candidate, const StrokeGrid& drawn) const {
     Tally tally;
     const Point3 &a = checked_.points[candidate.v0], &b = checked_.points[candidate.v1];
     const auto part = map_.clip(a, b, options_.tolerance_mm);
@@ -220,9 +264,10 @@ class Checker {
     for (std::size_t i = 0; i < edge.size(); ++i) {
       const Point3 q = edge.sample(i);
       const Point2 at = map_.page(q);
-      const bool drawn = grid.near(at);
       if (sight_.blocked(q, candidate.tolerance, Touching::strict)) continue;
-      if (drawn) {
+      const double half = edge.share_mm() / 2;
+      tally.seen.push_back({map_.page(edge.sample(i, -half)), map_.page(edge.sample(i, half))});
+      if (drawn.near(at)) {
         tally.visible += edge.share_mm();
       } else if (visible_along(sight_, edge, i, candidate.tolerance, options_.tolerance_mm)) {
         tally.visible += edge.share_mm();
@@ -234,15 +279,14 @@ class Checker {
     return tally;
   }
 
-  void check_intersections() {
-    const StrokeGrid grid = visible_strokes();
+  void check_intersections(const StrokeGrid& drawn) {
     for (const SeenCrossing& c : find_intersections_seen(checked_, map_, sight_, options_)) {
       report_.intersections_seen += c.length_mm;
-      if (grid.near(c.at)) continue;
+      if (drawn.near(c.at)) continue;
       report_.intersections_missing += c.length_mm;
-      report_.findings.push_back({"intersection visible but not drawn: faces " + std::to_string(c.faces[0]) + " and " +
-                                      std::to_string(c.faces[1]),
-                                  c.length_mm, c.at, std::nullopt, checked_.box.out_of(c.point), checked_.box.out_of(c.point)});
+      report_.findings.push_back(
+          {"intersection visible but not drawn: faces " + std::to_string(c.faces[0]) + " and " + std::to_string(c.faces[1]),
+           c.length_mm, c.at, std::nullopt, checked_.box.out_of(c.point), checked_.box.out_of(c.point)});
     }
   }
 
@@ -293,8 +337,8 @@ std::string to_text(const Report& report, std::size_t worst) {
   for (std::size_t i = 0; i < std::min(worst, report.findings.size()); ++i) {
     const Finding& f = report.findings[i];
     const std::string edge = f.edge ? "edge " + std::to_string(*f.edge) : "edge -";
-    std::snprintf(line, sizeof line, "  %8.3f mm at (%.3f, %.3f): %s; %s (%.9g, %.9g, %.9g)-(%.9g, %.9g, %.9g)\n", f.length_mm,
-                  f.at.x, f.at.y, f.what.c_str(), edge.c_str(), f.a.x, f.a.y, f.a.z, f.b.x, f.b.y, f.b.z);
+    std::snprintf(line, sizeof line, "  %8.3f mm at (%.3f, %.3f): %s; %s (%.9g, %.9g, %.9g)-(%.9g, %.9g, %.9g)\n",
+                  f.length_mm, f.at.x, f.at.y, f.what.c_str(), edge.c_str(), f.a.x, f.a.y, f.a.z, f.b.x, f.b.y, f.b.z);
     text += line;
   }
   return text;

@@ -2,11 +2,11 @@
 
 #include "check.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <stdexcept>
 
 #include "box_drawer.hpp"
 
@@ -23,7 +23,8 @@ double stroke_length(const DrawnStroke& s) { return glm::distance(s.points[0], s
 /// Draws the part of the edge on the page that its ends and its interval say.
 void place_points(const DrawingFile& drawing, DrawnStroke& stroke) {
   for (std::size_t k = 0; k < 2; ++k) {
-    stroke.points[k] = page_point(drawing.model_to_page, stroke.ends[0] + (stroke.ends[1] - stroke.ends[0]) * stroke.interval[k]);
+    stroke.points[k] =
+        page_point(drawing.model_to_page, stroke.ends[0] + (stroke.ends[1] - stroke.ends[0]) * stroke.interval[k]);
   }
 }
 
@@ -98,7 +99,8 @@ TEST(EmbreeCheck, FindsStrokesThatAreTooLongOrTooShort) {
   const auto cut = std::find_if(drawing.strokes.begin(), drawing.strokes.end(),
                                 [](const DrawnStroke& s) { return s.interval[1] < 0.9 && s.interval[0] == 0; });
   ASSERT_NE(cut, drawing.strokes.end());
-  const double unit = glm::distance(page_point(drawing.model_to_page, cut->ends[0]), page_point(drawing.model_to_page, cut->ends[1]));
+  const double unit =
+      glm::distance(page_point(drawing.model_to_page, cut->ends[0]), page_point(drawing.model_to_page, cut->ends[1]));
   for (const double change_mm : {+2.0, -2.0}) {
     DrawingFile wrong = drawing;
     DrawnStroke& s = wrong.strokes[static_cast<std::size_t>(cut - drawing.strokes.begin())];

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <tuple>
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <tuple>
 
 namespace ligne::check {
 
 namespace {
 
-/// Error of the transforms into the unit box and onto the page: a few roundings of numbers as large as the box and its centre.
+/// Error of the transforms into the unit box and onto the page: a few roundings of numbers as large as the box and its
+/// centre.
 constexpr double kRounding = 0x1p-50;
 /// A Newell sum this small against the square of the face's extent is rounding: the face has no area.
 constexpr double kNoArea = 0x1p-46;
@@ -115,7 +114,8 @@ int facing(const CheckedFace& face, const Point3& q, const PageMap& map) {
   return sine > doubt ? 1 : sine < -doubt ? -1 : 0;
 }
 
-std::uint8_t fold_kinds(const CheckedFace& a, const CheckedFace& b, int turn, const CheckedEdge& edge, double crease_degrees) {
+std::uint8_t fold_kinds(const CheckedFace& a, const CheckedFace& b, int turn, const CheckedEdge& edge,
+                        double crease_degrees) {
   const Point3 other = b.normal * static_cast<double>(turn);
   const double angle = std::atan2(glm::length(glm::cross(a.normal, other)), glm::dot(a.normal, other)) * kDegrees;
   const double doubt = kCreaseSlackDegrees + kDegrees * (a.tolerance / a.height + b.tolerance / b.height);

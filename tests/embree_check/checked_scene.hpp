@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -36,7 +35,7 @@ struct CheckedEdge {
 
 struct CheckedScene {
   UnitBox box;
-  std::vector<Point3> points;  ///< by vertex of the scene; equal positions of an object are equal here
+  std::vector<Point3> points;       ///< by vertex of the scene; equal positions of an object are equal here
   std::vector<std::uint32_t> weld;  ///< by vertex of the scene: the first vertex of its object at that position
   const PolygonFaces* contours = nullptr;
   std::vector<CheckedFace> faces;
@@ -47,8 +46,8 @@ struct CheckedScene {
 /// Welds, moves into the unit box, finds edges. Keeps a reference to the scene's faces.
 CheckedScene make_checked_scene(const Scene& scene);
 
-/// The classes that an edge may have in this view: more than one where rounding of the input decides, or where a face without
-/// area lies beside it.
+/// The classes that an edge may have in this view: more than one where rounding of the input decides, or where a face
+/// without area lies beside it.
 std::uint8_t possible_kinds(const CheckedScene& scene, const CheckedEdge& edge, const PageMap& map, double crease_degrees);
 
 }  // namespace ligne::check

@@ -2,11 +2,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
-
-#include <nlohmann/json.hpp>
 
 namespace ligne::check {
 
@@ -30,20 +29,23 @@ DrawnStroke read_stroke(const Json& j) {
   for (std::size_t k = 0; k < 2; ++k) {
     stroke.ends[k] = point3(source.at("ends").at(k));
     stroke.interval[k] = j.at("interval").at(k).get<double>();
+    if (!source.at("faces").at(k).is_null()) stroke.faces[k] = source.at("faces").at(k).get<std::uint32_t>();
   }
   stroke.points = {point2(points.front()), point2(points.back())};
   return stroke;
 }
 
 DrawingFile from_json(const Json& j) {
-  if (j.at("format") != "ligne-drawing" || j.at("version") != 1) throw std::runtime_error("not a ligne-drawing of version 1");
+  if (j.at("format") != "ligne-drawing" || j.at("version") != 1)
+    throw std::runtime_error("not a ligne-drawing of version 1");
   DrawingFile drawing;
   drawing.width_mm = j.at("page").at("width_mm").get<double>();
   drawing.height_mm = j.at("page").at("height_mm").get<double>();
   const Json& view = j.at("view");
   for (std::size_t i = 0; i < 16; ++i) drawing.model_to_page[i / 4][i % 4] = view.at("matrix").at(i).get<double>();
   if (const auto w = view.find("window"); w != view.end()) {
-    drawing.window = Rect{{w->at(0).get<double>(), w->at(1).get<double>()}, {w->at(2).get<double>(), w->at(3).get<double>()}};
+    drawing.window =
+        Rect{{w->at(0).get<double>(), w->at(1).get<double>()}, {w->at(2).get<double>(), w->at(3).get<double>()}};
   }
   if (const auto n = view.find("near"); n != view.end()) drawing.near_distance = n->get<double>();
   for (const Json& stroke : j.at("strokes")) drawing.strokes.push_back(read_stroke(stroke));

@@ -1,11 +1,11 @@
 #include "intersections_seen.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <cmath>
 #include <cstddef>
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <oneapi/tbb/parallel_for.h>
 
 #include "stroke_grid.hpp"
 
@@ -90,7 +90,8 @@ std::vector<SeenCrossing> find_intersections_seen(const CheckedScene& scene, con
   };
   std::vector<std::optional<Hit>> seen(columns * rows);
   tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
-    for (std::size_t column = 0; column < columns; ++column) seen[row * columns + column] = sight.seen_at(point(column, row));
+    for (std::size_t column = 0; column < columns; ++column)
+      seen[row * columns + column] = sight.seen_at(point(column, row));
   });
   const Search search(scene, map, sight, options);
   std::vector<std::vector<SeenCrossing>> by_row(rows);

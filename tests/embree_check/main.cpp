@@ -1,4 +1,4 @@
-/// ligne_check MODEL DRAWING.json [--edges all|feature] [--crease DEG] [--tolerance MM] [--worst N]
+/// ligne_check MODEL DRAWING.json [--edges all|feature] [--crease DEG] [--fov DEG] [--tolerance MM] [--worst N]
 /// Exit status 0 when the drawing is right, 1 when it is not or cannot be read, 2 for a wrong command line.
 
 #include <cstdio>
@@ -18,7 +18,10 @@ using namespace ligne;
 constexpr double kLimit = 0.0005;
 
 int usage() {
-  std::fprintf(stderr, "usage: ligne_check MODEL DRAWING.json [--edges all|feature] [--crease DEG] [--tolerance MM] [--worst N]\n");
+  std::fputs(
+      "usage: ligne_check MODEL DRAWING.json [--edges all|feature] [--crease DEG] [--fov DEG] [--tolerance MM] [--worst "
+      "N]\n",
+      stderr);
   return 2;
 }
 
@@ -34,6 +37,8 @@ int main(int argc, char** argv) {
       options.kinds = value == "all" ? check::kAllKinds : check::kFeatureKinds;
     } else if (name == "--crease") {
       options.crease_degrees = std::atof(argv[i + 1]);
+    } else if (name == "--fov") {
+      options.fov_degrees = std::atof(argv[i + 1]);
     } else if (name == "--tolerance") {
       options.tolerance_mm = std::atof(argv[i + 1]);
     } else if (name == "--worst") {

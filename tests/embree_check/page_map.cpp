@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
-
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
+#include <stdexcept>
 
 namespace ligne::check {
 
@@ -54,7 +54,9 @@ PageMap::PageMap(const Rows& model_to_page, const UnitBox& box, const Rect& wind
 }
 
 Homogeneous PageMap::homogeneous(const Point3& q) const {
-  const auto row = [&](std::size_t i) { return to_page_[i][0] * q.x + to_page_[i][1] * q.y + to_page_[i][2] * q.z + to_page_[i][3]; };
+  const auto row = [&](std::size_t i) {
+    return to_page_[i][0] * q.x + to_page_[i][1] * q.y + to_page_[i][2] * q.z + to_page_[i][3];
+  };
   return {row(0), row(1), row(2), row(3)};
 }
 
@@ -92,6 +94,19 @@ std::pair<Point3, Point3> PageMap::sight_through(Point2 mm) const {
   const Point3 at_near = on_plane + (viewer_ - on_plane) * (1 - near_ / homogeneous(on_plane).w);
   const double along = glm::dot(-at_near, away) - kBoxReach;
   return {at_near + away * std::max(0.0, along), away};
+}
+
+Rect field_of_view(const Rows& m, const Rect& sheet, double fov_degrees, double aspect) {
+  const auto axis = [&](std::size_t i) { return Point3{m[i][0], m[i][1], m[i][2]}; };
+  const Point3 forward = axis(3);
+  const double length2 = glm::dot(forward, forward);
+  if (length2 == 0) return sheet;
+  const Point2 middle{glm::dot(axis(0), forward) / length2, glm::dot(axis(1), forward) / length2};
+  // The rest of the second row is (scale distance) down: page mm by the tangent of the angle with the sight.
+  const double mm_by_tangent = glm::length(axis(1) - forward * middle.y) / std::sqrt(length2);
+  const double half = std::tan(fov_degrees * 3.14159265358979323846 / 360) * mm_by_tangent;
+  return {glm::max(sheet.min, middle - Point2{half * aspect, half}),
+          glm::min(sheet.max, middle + Point2{half * aspect, half})};
 }
 
 std::optional<Part> PageMap::clip(const Point3& a, const Point3& b, double margin_mm) const {

@@ -1,6 +1,6 @@
 #pragma once
-/// From the model to the page and back. Everything that is checked lives in a unit box: the model's bounding box moved to the
-/// origin and scaled to a longest side of 1, so that the float32 boxes of the ray caster are as fine as they can be.
+/// From the model to the page and back. Everything that is checked lives in a unit box: the model's bounding box moved to
+/// the origin and scaled to a longest side of 1, so that the float32 boxes of the ray caster are as fine as they can be.
 
 #include <array>
 #include <optional>
@@ -52,7 +52,8 @@ class PageMap {
   /// The point of the same depth whose page point lies `mm` away.
   Point3 shifted(const Point3& q, Point2 mm) const;
   Sightline to_viewer(const Point3& q) const;
-  /// A point of the sight through a page point, within or before the unit box, and the sight's direction away from the viewer.
+  /// A point of the sight through a page point, within or before the unit box, and the sight's direction away from the
+  /// viewer.
   std::pair<Point3, Point3> sight_through(Point2 mm) const;
   /// The part of a segment that lies before the viewer and in the window less `margin_mm`.
   std::optional<Part> clip(const Point3& a, const Point3& b, double margin_mm) const;
@@ -66,6 +67,10 @@ class PageMap {
   double near_ = 0;
   Point3 viewer_{0, 0, 0};  ///< the eye, or the direction to the viewer
 };
+
+/// The part of the sheet that a field of view fills in perspective; `aspect` is its width by its height. In parallel
+/// projection the sheet itself.
+Rect field_of_view(const Rows& model_to_page, const Rect& sheet, double fov_degrees, double aspect);
 
 /// Parameter on the segment in space of the point at parameter u of its image, wa and wb being W at its ends.
 inline double parameter_in_space(double u, double wa, double wb) { return u * wa / (u * wa + (1 - u) * wb); }

@@ -1,12 +1,12 @@
 #include "sight.hpp"
 
+#include <embree3/rtcore.h>
+
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
-
-#include <embree3/rtcore.h>
-#include <glm/geometric.hpp>
 
 namespace ligne::check {
 
@@ -36,6 +36,18 @@ void set_direction(Query& query, const Point3& direction) {
   const Point3 away = std::abs(direction.x) < 0.6 ? Point3{1, 0, 0} : Point3{0, 1, 0};
   query.u = glm::normalize(glm::cross(direction, away));
   query.v = glm::cross(direction, query.u);
+}
+
+Query query_to_viewer(const PageMap& map, const Point3& q, double tolerance, Touching touching) {
+  const Sightline line = map.to_viewer(q);
+  Query query{};
+  rtcInitIntersectContext(&query.context);
+  query.origin = q;
+  query.length = line.length;
+  query.tolerance = tolerance;
+  query.touching = touching;
+  set_direction(query, line.direction);
+  return query;
 }
 
 RTCRay float_ray(const Query& query, bool start_behind) {
@@ -106,7 +118,8 @@ struct Sight::Rays {
     if (args->valid[0] == 0) return;
     const auto& self = *static_cast<const Rays*>(args->geometryUserPtr);
     const auto& query = *reinterpret_cast<const Query*>(args->context);
-    if (self.meets(args->primID, query)) reinterpret_cast<RTCRay*>(args->ray)->tfar = -std::numeric_limits<float>::infinity();
+    if (self.meets(args->primID, query))
+      reinterpret_cast<RTCRay*>(args->ray)->tfar = -std::numeric_limits<float>::infinity();
   }
 
   static void intersect(const RTCIntersectFunctionNArguments* args) {
@@ -145,17 +158,17 @@ Sight::~Sight() {
 }
 
 bool Sight::blocked(const Point3& q, double tolerance, Touching touching) const {
-  const Sightline line = rays_->map.to_viewer(q);
-  Query query{};
-  rtcInitIntersectContext(&query.context);
-  query.origin = q;
-  query.length = line.length;
-  query.tolerance = tolerance;
-  query.touching = touching;
-  set_direction(query, line.direction);
+  Query query = query_to_viewer(rays_->map, q, tolerance, touching);
   RTCRay ray = float_ray(query, true);
   rtcOccluded1(rays_->boxes, &query.context, &ray);
   return ray.tfar < 0;
+}
+
+std::optional<Point3> Sight::in_front(const Point3& q, std::uint32_t face) const {
+  const Query query = query_to_viewer(rays_->map, q, 0, Touching::strict);
+  const auto distance = rays_->meets(face, query);
+  if (!distance) return std::nullopt;
+  return q + query.direction * *distance;
 }
 
 std::optional<Hit> Sight::seen_at(Point2 mm) const {

@@ -35,6 +35,8 @@ class Sight {
 
   /// Whether a face stands between the point and the viewer. `tolerance` is the error of the point's own coordinates.
   bool blocked(const Point3& q, double tolerance, Touching touching) const;
+  /// Where the face stands between the point and the viewer, if it does.
+  std::optional<Point3> in_front(const Point3& q, std::uint32_t face) const;
   /// The face that is seen at a page point.
   std::optional<Hit> seen_at(Point2 mm) const;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -66,7 +65,8 @@ void StrokeGrid::visit_cells(const PageSegment& s, const Visit& visit) const {
 bool StrokeGrid::near(Point2 p) const {
   const Point2 at = (p - origin_) / kCellMm;
   // Cells lie one beyond the extent on every side, which is more than the reach.
-  if (columns_ == 0 || !(at.x >= 0 && at.y >= 0 && at.x < static_cast<double>(columns_) && at.y < static_cast<double>(rows_))) {
+  if (columns_ == 0 ||
+      !(at.x >= 0 && at.y >= 0 && at.x < static_cast<double>(columns_) && at.y < static_cast<double>(rows_))) {
     return false;
   }
   const auto cell = static_cast<std::size_t>(static_cast<std::int64_t>(at.y) * columns_ + static_cast<std::int64_t>(at.x));
