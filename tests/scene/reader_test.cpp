@@ -204,7 +204,7 @@ TEST(Precision, OfBinaryNumbers) {
 TEST(Precision, OfDecimalNumbers) {
   const auto precision = [](std::initializer_list<const char*> words) {
     DecimalPrecision p;
-    for (const char* word : words) p.add(word, *parse_number(word));
+    for (const char* word : words) p.add(word, *number_in(word));
     return p.value();
   };
   EXPECT_DOUBLE_EQ(precision({"-2598.325684", "16.175011", "-2500"}), 0.5e-6);   // six decimals
@@ -217,10 +217,10 @@ TEST(Precision, OfDecimalNumbers) {
 }
 
 TEST(Precision, NumbersAsWritten) {
-  EXPECT_EQ(parse_number("+1.5"), 1.5);
-  EXPECT_EQ(parse_number("1e-999"), 0.0);
-  EXPECT_EQ(parse_number("0." + std::string(400, '0') + "1"), 0.0);
-  for (const char* word : {"", "+", "-", "+-1", "1e999", "inf", "-nan", "1.5x", "0x1", "1,5", " 1", "1 "}) EXPECT_FALSE(parse_number(word)) << word;
+  EXPECT_EQ(number_in("+1.5"), 1.5);
+  EXPECT_EQ(number_in("1e-999"), 0.0);
+  EXPECT_EQ(number_in("0." + std::string(400, '0') + "1"), 0.0);
+  for (const char* word : {"", "+", "-", "+-1", "1e999", "inf", "-nan", "1.5x", "0x1", "1,5", " 1", "1 "}) EXPECT_FALSE(number_in(word)) << word;
   EXPECT_EQ(parse_integer("-7"), -7);
   for (const char* word : {"", "7.0", "99999999999999999999", "a"}) EXPECT_FALSE(parse_integer(word)) << word;
 }

@@ -139,6 +139,29 @@ TEST(KnownAnswers, PenetratingPlanesCrossInALine) {
   EXPECT_NEAR(p.length(), 20 + 2 * 10 / std::sqrt(2.0) + 10, 5 * kMicrometre);
 }
 
+TEST(KnownAnswers, PlanesThatCrossInASideOfTriangles) {
+  // The upright square is cut into triangles along the very line in which it crosses the other one, and the lower half
+  // hangs on the upper one by that side.
+  Scene scene;
+  add_face(scene, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
+  begin_object(scene);
+  const auto base = static_cast<std::uint32_t>(scene.vertices.size());
+  for (const Point3& p : {Point3{-5, 0, 0}, Point3{5, 0, 0}, Point3{0, 0, 5}, Point3{0, 0, -5}}) scene.vertices.push_back(p);
+  scene.faces.add_triangle(base, base + 1, base + 2);
+  scene.faces.add_triangle(base + 1, base, base + 3);
+  end_object(scene);
+  for (const bool hidden : {false, true}) {
+    const Picture p = draw(scene, {along({0, 1, -1}), "intersection", hidden, 1});
+    EXPECT_NEAR(p.length_of(LineClass::intersection), 10, kMicrometre) << "with hidden lines: " << hidden;
+  }
+  // Without the lower half the upper one stands on the square: they touch.
+  Scene standing = scene;
+  standing.faces = {};
+  add_face(standing, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
+  add_face(standing, {{{-5, 0, 0}, {5, 0, 0}, {0, 0, 5}}});
+  EXPECT_NEAR(draw(standing, {along({0, 1, -1}), "intersection", false, 1}).length(), 0, kMicrometre);
+}
+
 TEST(KnownAnswers, ConvexShapeHidesItsBack) {
   // A tetrahedron seen onto one face: only the three sides of that face.
   Scene scene;

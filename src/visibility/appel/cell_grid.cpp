@@ -17,7 +17,7 @@ constexpr double kSizeFactor = 1.5;      ///< side of a top-level cell over the 
 constexpr double kCellsPerFacet = 1.0;    ///< at most so many top-level cells
 constexpr double kMinCells = 256;
 constexpr double kSmallestCell = 64;      ///< steps; smaller cells are not split
-constexpr double kGain = 0.8;             ///< children must list less than this part of what their parent does, on average
+constexpr double kGain = 0.7;               ///< see progress() in split()
 constexpr std::size_t kBlock = 65'536;
 
 struct CellRange {
@@ -244,6 +244,7 @@ void CellGrid::Build::fill() {
 bool CellGrid::Build::worth_splitting(const CellFacet* list, std::size_t n, double size) const {
   if (n <= kLeafFacets || size < kSplitSide * kSmallestCell) return false;
   if (n > kCrowdedFacets) return true;
+  if (!options.drop_hidden) return false;
   std::size_t large = 0;
   for (std::size_t i = 0; i < n; ++i) large += facets[list[i].facet].size > kLargeSize * size;
   return static_cast<double>(large) > kLargePart * static_cast<double>(n);
@@ -313,7 +314,11 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     if (options.drop_hidden) std::erase_if(lists[k], [&](const CellFacet& c) { return c.z_near > covers[k]; });
     total += lists[k].size();
   }
-  const bool gained = total < kGain * kChildren * static_cast<double>(inherited.size());
+  // A line through the cell meets kSplitSide children. A child is split again if the children of this cell save work for
+  // such a line, or if its own list is shorter than its parent's was: where many sides lie along one line no split helps.
+  const double parent = kGain * static_cast<double>(inherited.size());
+  const bool all_gain = static_cast<double>(total) < parent * kSplitSide;
+  const auto progress = [&](std::size_t n) { return all_gain || static_cast<double>(n) < parent; };
   const auto first = static_cast<std::uint32_t>(arena.children.size());
   arena.children.resize(first + kChildren);
   inherited.clear();
@@ -325,7 +330,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     child.cover = covers[k];
     child.arena = arena_index;
     const CellSquare child_square{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
-    if (gained && worth_splitting(lists[k].data(), lists[k].size(), size)) {
+    if (progress(lists[k].size()) && worth_splitting(lists[k].data(), lists[k].size(), size)) {
       split(child, child_square, lists[k], arena, arena_index);
     } else {
       child.begin = static_cast<std::uint32_t>(arena.list.size());
@@ -339,6 +344,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
 }
 
 CellGrid::CellGrid(const ProjectedScene& scene, const std::vector<Facet>& facets, const Options& options) {
+  complete_ = !options.drop_hidden && !options.only_along;
   Build build{scene, facets, options, *this, {}, {}};
   arenas_.resize(1);
   if (!build.choose_cells()) {

@@ -89,6 +89,8 @@ class CellGrid {
   template <class Visit>
   void for_each_leaf_of(std::size_t i, Visit visit) const;
 
+  /// Whether every list holds all facets that meet its cell, the hidden ones too.
+  bool complete() const { return complete_; }
   std::size_t top_cell_count() const { return cells_.size(); }
   const CellFacet* list(const Cell& cell) const { return arenas_[cell.arena].list.data() + cell.begin; }
   std::size_t entry_count() const;
@@ -112,6 +114,7 @@ class CellGrid {
 
   double x_ = 0, y_ = 0, size_ = 1;
   int columns_ = 1, rows_ = 1;
+  bool complete_ = false;
   std::vector<Cell> cells_;
   std::vector<Arena> arenas_;
 };

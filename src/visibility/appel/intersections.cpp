@@ -146,19 +146,19 @@ class LeafSearch {
   void search(const Cell& cell, const CellSquare& square) {
     if (cell.count < 2) return;
     load(cell);
-    sides_.clear();
     for (std::size_t i = 0; i < items_.size(); ++i) {
       const Item& a = items_[i];
       for (std::size_t k = i + 1; k < items_.size(); ++k) {
         const Item& b = items_[k];
         if (b.z_near > a.z_far) break;  // items are ordered by z_near
         if (!a.box.meets(b.box) || a.face == b.face) continue;
+        if (grid_.complete() && !is_home_of(square, a, b)) continue;
         test(a, b, cell, square);
       }
     }
-    match_sides(cell, square);
   }
   std::vector<Pair> pairs;
+  std::vector<SideInPlane> sides;
 
  private:
   struct Item {
@@ -178,6 +178,14 @@ class LeafSearch {
       items_.push_back({list[i].facet, f.face, {f.v[0], f.v[1], f.v[2]}, list[i].z_near, f.z_far, f.touch, list[i].box,
                         {v[f.v[0]].p, v[f.v[1]].p, v[f.v[2]].p}});
     }
+  }
+
+  /// In complete lists a pair is tested in one leaf only: the one with the upper left corner of what its boxes share.
+  static bool is_home_of(const CellSquare& square, const Item& a, const Item& b) {
+    const auto left = [](const Item& i) { return std::min({i.p[0].x, i.p[1].x, i.p[2].x}); };
+    const auto top = [](const Item& i) { return std::min({i.p[0].y, i.p[1].y, i.p[2].y}); };
+    const double x = std::max(left(a), left(b)), y = std::max(top(a), top(b));
+    return x >= square.x && x < square.x + square.size && y >= square.y && y < square.y + square.size;
   }
 
   static int common_corners(const Item& a, const Item& b) {
@@ -213,7 +221,7 @@ class LeafSearch {
     if (a_over_b.above + a_over_b.on == 3 || a_over_b.below + a_over_b.on == 3) return;
     const bool swapped = a.id > b.id;
     const auto segment = swapped ? common_segment(cb, ca, a_over_b) : common_segment(ca, cb, b_over_a);
-    if (!segment || !seen_in(*segment, square, margin_, cell.cover)) return;
+    if (!segment || !(grid_.complete() || seen_in(*segment, square, margin_, cell.cover))) return;
     pairs.push_back(swapped ? Pair{b.id, a.id} : Pair{a.id, b.id});
   }
 
@@ -221,28 +229,7 @@ class LeafSearch {
     int off = 0;
     while (heights.h[off] == 0) ++off;
     const std::uint32_t p = other.v[(off + 1) % 3], q = other.v[(off + 2) % 3];
-    sides_.push_back({plane.id, std::min(p, q), std::max(p, q), other.id, heights.h[off] > 0});
-  }
-
-  /// A side in a plane is a penetration when one facet on it is above the plane and another below; the lower one is cut,
-  /// whose side counts as above.
-  void match_sides(const Cell& cell, const CellSquare& square) {
-    if (sides_.size() < 2) return;
-    std::sort(sides_.begin(), sides_.end(), [](const SideInPlane& a, const SideInPlane& b) {
-      return std::tie(a.plane, a.v0, a.v1, a.above, a.side_of) < std::tie(b.plane, b.v0, b.v1, b.above, b.side_of);
-    });
-    for (std::size_t i = 0; i < sides_.size();) {
-      std::size_t end = i + 1;
-      while (end < sides_.size() && sides_[end].key() == sides_[i].key()) ++end;
-      if (!sides_[i].above && sides_[end - 1].above) {
-        const Pair pair{sides_[i].plane, sides_[i].side_of};
-        const Corners a = corners_of(facets_[pair.a], scene_.vertices.data());
-        const Corners b = corners_of(facets_[pair.b], scene_.vertices.data());
-        const auto segment = common_segment(a, b, heights_over(a, facets_[pair.a].touch, b));
-        if (segment && seen_in(*segment, square, margin_, cell.cover)) pairs.push_back(pair);
-      }
-      i = end;
-    }
+    sides.push_back({plane.id, std::min(p, q), std::max(p, q), other.id, heights.h[off] > 0});
   }
 
   const ProjectedScene& scene_;
@@ -250,23 +237,41 @@ class LeafSearch {
   const CellGrid& grid_;
   double margin_;
   std::vector<Item> items_;
-  std::vector<SideInPlane> sides_;
 };
+
+/// A side in a plane is a penetration when one facet on it is above the plane and another below; the lower one is cut, whose
+/// side counts as above.
+void match_sides(std::vector<SideInPlane>& sides, std::vector<Pair>& pairs) {
+  std::sort(sides.begin(), sides.end(), [](const SideInPlane& a, const SideInPlane& b) {
+    return std::tie(a.plane, a.v0, a.v1, a.above, a.side_of) < std::tie(b.plane, b.v0, b.v1, b.above, b.side_of);
+  });
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end].key() == sides[i].key()) ++end;
+    if (!sides[i].above && sides[end - 1].above) pairs.push_back({sides[i].plane, sides[i].side_of});
+    i = end;
+  }
+}
 
 std::vector<Pair> find_pairs(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
                              double margin) {
   constexpr std::size_t kCellsPerTask = 256;
   const std::size_t n = grid.top_cell_count(), tasks = (n + kCellsPerTask - 1) / kCellsPerTask;
   std::vector<std::vector<Pair>> found(tasks);
+  std::vector<std::vector<SideInPlane>> found_sides(tasks);
   tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
     LeafSearch search(scene, facets, grid, margin);
     for (std::size_t i = task * kCellsPerTask; i < std::min(n, (task + 1) * kCellsPerTask); ++i) {
       grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare& square) { search.search(cell, square); });
     }
     found[task] = std::move(search.pairs);
+    found_sides[task] = std::move(search.sides);
   });
   std::vector<Pair> pairs;
+  std::vector<SideInPlane> sides;
   for (const auto& f : found) pairs.insert(pairs.end(), f.begin(), f.end());
+  for (const auto& f : found_sides) sides.insert(sides.end(), f.begin(), f.end());
+  match_sides(sides, pairs);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
