@@ -95,9 +95,7 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
       const Edge& edge = topology.edges[e];
       const std::uint8_t flags = topology.edge_flags[e];
       LineClass& result = classes[e];
-      if (flags & kEdgeInner) {
-        result = LineClass::mesh;
-      } else if (edge.face1 == kNone) {
+      if (edge.face1 == kNone) {
         result = LineClass::border;
       } else if (flags & kEdgeManyFaces) {
         result = LineClass::crease;
@@ -107,7 +105,7 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
         const int turn = flags & kEdgeUnlikeWound ? -1 : 1;
         if (a.facing != b.facing * turn) {
           result = LineClass::outline;
-        } else if (flags & kEdgeFileHidden) {
+        } else if (flags & (kEdgeFileHidden | kEdgeInner)) {
           result = LineClass::mesh;
         } else {
           const float cosine = glm::dot(a.normal, b.normal) * static_cast<float>(turn);

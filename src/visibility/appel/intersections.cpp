@@ -152,7 +152,6 @@ class LeafSearch {
         const Item& b = items_[k];
         if (b.z_near > a.z_far) break;  // items are ordered by z_near
         if (!a.box.meets(b.box) || a.face == b.face) continue;
-        if (grid_.complete() && !is_home_of(square, a, b)) continue;
         test(a, b, cell, square);
       }
     }
@@ -178,14 +177,6 @@ class LeafSearch {
       items_.push_back({list[i].facet, f.face, {f.v[0], f.v[1], f.v[2]}, list[i].z_near, f.z_far, f.touch, list[i].box,
                         {v[f.v[0]].p, v[f.v[1]].p, v[f.v[2]].p}});
     }
-  }
-
-  /// In complete lists a pair is tested in one leaf only: the one with the upper left corner of what its boxes share.
-  static bool is_home_of(const CellSquare& square, const Item& a, const Item& b) {
-    const auto left = [](const Item& i) { return std::min({i.p[0].x, i.p[1].x, i.p[2].x}); };
-    const auto top = [](const Item& i) { return std::min({i.p[0].y, i.p[1].y, i.p[2].y}); };
-    const double x = std::max(left(a), left(b)), y = std::max(top(a), top(b));
-    return x >= square.x && x < square.x + square.size && y >= square.y && y < square.y + square.size;
   }
 
   static int common_corners(const Item& a, const Item& b) {
