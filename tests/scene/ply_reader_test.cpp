@@ -37,6 +37,14 @@ TEST(PlyReader, TextWithPolygons) {
   EXPECT_EQ(r.scene.up_axis, Axis::z);
 }
 
+TEST(PlyReader, ByteOrderMarkAndBlankLinesInFront) {
+  const std::string front = "\xEF\xBB\xBF\r\n \n";
+  const std::string text = front + header("ascii", "4", "1") + kSquare + "4 0 1 2 3\n";
+  EXPECT_EQ(detect_format(bytes_of(text), "", "M"), ModelFormat::ply);
+  EXPECT_EQ(read_raw(read_ply, text).scene.faces.size(), 1u);
+  EXPECT_EQ(error(front + header("ascii", "4", "1") + "0 0\n"), "M:13: line with too few numbers");
+}
+
 TEST(PlyReader, ExtraElementsAndPropertiesInAnyOrder) {
   const std::string text =
       "ply\r\nformat ascii 1.0\r\nobj_info whatever\r\nelement face 1\r\nproperty uchar red\r\nproperty list uint8 uint32 vertex_index\r\n"
