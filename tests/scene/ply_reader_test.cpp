@@ -95,6 +95,7 @@ TEST(PlyReader, ErrorsInTextNameTheLine) {
   EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 1.5\n"), "M:14: '1.5' is not a whole number");
   EXPECT_EQ(error(header("ascii", "3", "1") + three + "2 0 1\n"), "M:14: face with 2 corners, needs 3 or more");
   EXPECT_EQ(error(header("ascii", "3", "1") + three + "-3 0 1\n"), "M:14: list of negative length");
+  EXPECT_EQ(error(header("ascii", "3", "1") + three + "4e38 0 1\n"), "M:14: list longer than any file");
   EXPECT_EQ(error(header("ascii", "3", "1") + three + "4 0 1 2\n"), "M:14: line with too few numbers");
   EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 2 0\n"), "M:14: line with too many numbers, from '0' on");
   EXPECT_EQ(error(header("ascii", "3", "1") + "0 0 0\n1 zero 0\n"), "M:12: 'zero' is not a number");
