@@ -167,7 +167,7 @@ class PlyReader {
   std::uint64_t take_length(const PlyProperty& list) {
     const double length = data_.take(list.count_type).number;
     if (length < 0) throw data_.error("list of negative length");
-    if (length >= double{kNone}) throw data_.error("list longer than any file");  // in a text, whatever its type
+    if (length > double{kNone}) throw data_.error("list longer than any file");  // in a text, whatever its type
     return static_cast<std::uint64_t>(length);
   }
 
