@@ -42,7 +42,7 @@ double load_number(const std::byte* p, PlyType type, std::endian order) {
 }
 
 std::string of_element(const PlyElement& element, std::uint64_t item) {
-  return element.name + " " + std::to_string(item) + " of " + std::to_string(element.count);
+  return printable(element.name) + " " + std::to_string(item) + " of " + std::to_string(element.count);
 }
 
 /// The data of a text file: an item is a line.
