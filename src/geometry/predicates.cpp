@@ -51,6 +51,19 @@ int exact_orientation_sign(Point2 a, Point2 b, Point2 c) {
   return det.sign();
 }
 
+/// The rounding error of the difference a - b.
+double difference_error(double a, double b) {
+  const double difference = a - b;
+  const double b_taken = a - difference;
+  return (a - (difference + b_taken)) + (b_taken - b);
+}
+
+/// True when the differences of the coordinates from those of c carry no rounding: the rule among input that is collinear.
+bool differences_are_exact(Point2 a, Point2 b, Point2 c) {
+  return difference_error(a.x, c.x) == 0 && difference_error(b.y, c.y) == 0 && difference_error(a.y, c.y) == 0 &&
+         difference_error(b.x, c.x) == 0;
+}
+
 }  // namespace
 
 int orientation_sign(Point2 a, Point2 b, Point2 c) {
@@ -60,6 +73,12 @@ int orientation_sign(Point2 a, Point2 b, Point2 c) {
   const double bound = kOrientationErrorBound * (std::abs(left) + std::abs(right));
   if (det > bound) return 1;
   if (det < -bound) return -1;
+  if (differences_are_exact(a, b, c)) {
+    Expansion exact;
+    exact.add_product(a.x - c.x, b.y - c.y);
+    exact.add_product(c.y - a.y, b.x - c.x);
+    return exact.sign();
+  }
   return exact_orientation_sign(a, b, c);
 }
 

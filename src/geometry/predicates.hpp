@@ -12,7 +12,8 @@ namespace ligne {
 /// Exact while products of coordinates neither overflow nor underflow: every coordinate is 0 or of size 2^-480 .. 2^500.
 ///
 /// Method: the determinant in doubles, trusted when it exceeds kOrientationErrorBound times the sum of the sizes of its two
-/// products; otherwise the six products of the expanded determinant are added as an exact expansion (Shewchuk 1997,
+/// products; otherwise its two products, when the differences in them are exact, or else the six
+/// products of the expanded determinant, are added as an exact expansion (Shewchuk 1997,
 /// "Adaptive precision floating-point arithmetic and fast robust geometric predicates", sections 2.2 to 2.4 and 4.2).
 int orientation_sign(Point2 a, Point2 b, Point2 c);
 

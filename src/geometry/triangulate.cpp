@@ -168,11 +168,15 @@ class EarCutter {
     if (sign < 0) return false;
     if (sign == 0) return rule != Rule::strict || t[0] == t[1] || t[1] == t[2];
     if (rule == Rule::any) return true;
-    const auto [x_min, x_max] = std::minmax({t[0].x, t[1].x, t[2].x});
     const auto [y_min, y_max] = std::minmax({t[0].y, t[1].y, t[2].y});
-    for (const Index n : reflex_) {
+    // A triangle's points have numbers between those of its corners.
+    const auto [low, high] = std::minmax({nodes_[a].position, nodes_[b].position, nodes_[c].position});
+    const auto before = [&](Index n, Index position) { return nodes_[n].position < position; };
+    for (auto it = std::lower_bound(reflex_.begin(), reflex_.end(), low, before); it != reflex_.end(); ++it) {
+      const Index n = *it;
+      if (nodes_[n].position > high) break;
       const Point2 q = at(n);
-      if (q.x < x_min || q.x > x_max || q.y < y_min || q.y > y_max) continue;
+      if (q.y < y_min || q.y > y_max) continue;
       if (n == a || n == b || n == c || nodes_[n].cut) continue;
       if (blocks(n, t, rule)) return false;
     }
@@ -198,6 +202,8 @@ class EarCutter {
     for (Index n = start; left == 0 || n != start; n = nodes_[n].next, ++left) {
       if (turn(n) <= 0) reflex_.push_back(n);
     }
+    std::stable_sort(reflex_.begin(), reflex_.end(),
+                     [&](Index m, Index n) { return nodes_[m].position < nodes_[n].position; });
     Index b = start;
     std::size_t failures = 0, cuts_since_refresh = 0;
     Rule rule = Rule::strict;
@@ -227,7 +233,7 @@ class EarCutter {
   std::vector<Node> nodes_;
   std::vector<Index> rings_;   ///< one node of each ring to cut
   std::vector<Index> joined_;  ///< nodes of the rings to cut
-  std::vector<Index> reflex_;
+  std::vector<Index> reflex_;  ///< of the ring being cut, by position
   std::vector<Triple> triangles_;
 };
 

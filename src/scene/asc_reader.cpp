@@ -78,8 +78,10 @@ class AscReader {
       if (faces_.empty()) throw error("material before the first face");
       faces_.back().material = unquoted(line);
     } else if (take_key(line, "Direct light") || take_key(line, "Spotlight") || take_key(line, "Omni")) {
+      end_object();
       part_ = Part::light;
     } else if (take_key(line, "Camera")) {
+      end_object();
       part_ = Part::camera;
     } else if (take_key(line, "Position:")) {
       add_position(line);

@@ -112,11 +112,11 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
   if (chars.empty()) throw InputError(name, "is empty");
   if (chars.starts_with("glTF")) return ModelFormat::glb;
   if (const auto stranger = known_stranger(chars)) throw InputError(name, "is " + std::string(*stranger) + ", not a model");
-  if (chars.starts_with("ply\n") || chars.starts_with("ply\r")) return ModelFormat::ply;
+  const std::string_view text = without_leading_space(chars);
+  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return ModelFormat::ply;
   if (is_binary_stl(bytes) && stl_triangle_count(bytes) > 0) return ModelFormat::stl_binary;
   if (chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF")) throw InputError(name, "is UTF-16 text; UTF-8 is needed");
 
-  const std::string_view text = without_leading_space(chars);
   const bool is_binary = chars.substr(0, kLookedAt).find('\0') != std::string_view::npos;
   if (!is_binary) {
     if (text.empty()) throw InputError(name, "holds nothing but white space");

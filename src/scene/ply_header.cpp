@@ -26,7 +26,12 @@ std::optional<PlyType> type_named(std::string_view word) {
 class HeaderReader {
  public:
   HeaderReader(std::string_view text, const std::string& name) : text_(text), name_(name) {
-    const std::size_t end = text.find_first_of("\r\n");
+    // Files that went through an editor may have a byte order mark and blank lines in front.
+    if (text.starts_with("\xEF\xBB\xBF")) at_ = 3;
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n", at_), text.size());
+    header_.lines = static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
+    at_ = begin;
+    const std::size_t end = text.find_first_of("\r\n", begin);
     if (end != std::string_view::npos) line_end_ = text.substr(end).starts_with("\r\n") ? "\r\n" : text.substr(end, 1);
   }
 

@@ -41,7 +41,7 @@ struct PlyHeader {
   std::size_t lines = 0;  ///< lines of the header, so that the first line of data is lines + 1
 };
 
-/// Throws InputError, with the line. Lines end as the first one does.
+/// Throws InputError, with the line. Lines end as the line 'ply' does.
 PlyHeader read_ply_header(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace ligne

@@ -42,7 +42,7 @@ double load_number(const std::byte* p, PlyType type, std::endian order) {
 }
 
 std::string of_element(const PlyElement& element, std::uint64_t item) {
-  return element.name + " " + std::to_string(item) + " of " + std::to_string(element.count);
+  return printable(element.name) + " " + std::to_string(item) + " of " + std::to_string(element.count);
 }
 
 /// The data of a text file: an item is a line.
@@ -167,6 +167,7 @@ class PlyReader {
   std::uint64_t take_length(const PlyProperty& list) {
     const double length = data_.take(list.count_type).number;
     if (length < 0) throw data_.error("list of negative length");
+    if (length > double{kNone}) throw data_.error("list longer than any file");  // in a text, whatever its type
     return static_cast<std::uint64_t>(length);
   }
 

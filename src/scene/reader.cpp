@@ -1,6 +1,7 @@
 #include "scene/reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -54,6 +55,20 @@ std::vector<std::byte> read_bytes(const fs::path& file, const std::string& name)
   return bytes;
 }
 
+/// Products of five coordinates stay finite, which is more than any computation here multiplies; float32 files reach 3.4e38.
+constexpr double kLargestCoordinate = 0x1p200;
+
+/// Throws InputError when a finite coordinate is too large to compute with; those that are not finite are for the cleaning.
+void check_size(const Scene& scene, const std::string& name) {
+  for (const Point3& p : scene.vertices) {
+    for (int k = 0; k < 3; ++k) {
+      if (std::isfinite(p[k]) && std::abs(p[k]) > kLargestCoordinate) {
+        throw InputError(name, "holds a coordinate beyond 1.6e60, too large to compute with");
+      }
+    }
+  }
+}
+
 Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
                ReadReport& report, Warnings& warnings) {
   switch (format) {
@@ -95,6 +110,7 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs:
   counts = ReadReport{};
   counts.format = format;
   Scene scene = read_raw(bytes, format, folder, name, counts, warnings);
+  check_size(scene, name);
   finish_scene(scene, warnings);
   if (options.merge_coplanar) merge_coplanar_faces(scene);
   return scene;

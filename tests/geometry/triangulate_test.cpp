@@ -180,6 +180,12 @@ TEST(Triangulate, CombWithHolesInItsTeeth) {
   expect_partition_in_every_form(polygon);
 }
 
+// The nearest corner to the left of the right hole is the tip of the left one, on the other side of a wall.
+TEST(Triangulate, BridgesDoNotCrossWalls) {
+  const Contour room{{0, 0}, {5, 0}, {5, 9}, {5.2, 9}, {5.2, 0}, {20, 0}, {20, 10}, {0, 10}};
+  expect_partition_in_every_form({room, {{4.8, 4}, {2, 5}, {2, 3}}, {{5.4, 4}, {8, 3}, {8, 5}}});
+}
+
 TEST(Triangulate, HolesOnAGrid) {
   for (const int n : {1, 2, 5, 9}) {
     Polygon polygon{rectangle(0, 0, 2 * n + 1, 2 * n + 1)};

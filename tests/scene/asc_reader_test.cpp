@@ -49,6 +49,14 @@ TEST(AscReader, LightsPagesCamerasAndLineEnds) {
   }
 }
 
+TEST(AscReader, LightsAndCamerasEndAMeshWithoutAnObjectLine) {
+  const std::string camera = "Camera (50mm)\nPosition: X:1 Y:2 Z:3\n", light = "Direct light\nPosition: X:1 Y:2 Z:3\n";
+  const Result r = read_raw(read_asc, kHead + kVertices + kFace + camera + kHead + kVertices + kFace + light);
+  expect_sound(r.scene);
+  EXPECT_EQ(r.scene.objects.size(), 2u);
+  EXPECT_EQ(error(kHead + kVertices + camera), "M:7: mesh 'Box' ends with 3 of 3 vertices and 0 of 1 faces");
+}
+
 TEST(AscReader, UnknownLinesAreCounted) {
   const Result r = read_raw(read_asc, kHead + kVertices + kFace + "Something: else\n");
   EXPECT_EQ(r.warnings.counts().at("3D Studio lines of an unknown kind left out"), 1u);

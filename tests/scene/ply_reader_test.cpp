@@ -37,6 +37,14 @@ TEST(PlyReader, TextWithPolygons) {
   EXPECT_EQ(r.scene.up_axis, Axis::z);
 }
 
+TEST(PlyReader, ByteOrderMarkAndBlankLinesInFront) {
+  const std::string front = "\xEF\xBB\xBF\r\n \n";
+  const std::string text = front + header("ascii", "4", "1") + kSquare + "4 0 1 2 3\n";
+  EXPECT_EQ(detect_format(bytes_of(text), "", "M"), ModelFormat::ply);
+  EXPECT_EQ(read_raw(read_ply, text).scene.faces.size(), 1u);
+  EXPECT_EQ(error(front + header("ascii", "4", "1") + "0 0\n"), "M:13: line with too few numbers");
+}
+
 TEST(PlyReader, ExtraElementsAndPropertiesInAnyOrder) {
   const std::string text =
       "ply\r\nformat ascii 1.0\r\nobj_info whatever\r\nelement face 1\r\nproperty uchar red\r\nproperty list uint8 uint32 vertex_index\r\n"
@@ -87,6 +95,7 @@ TEST(PlyReader, ErrorsInTextNameTheLine) {
   EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 1.5\n"), "M:14: '1.5' is not a whole number");
   EXPECT_EQ(error(header("ascii", "3", "1") + three + "2 0 1\n"), "M:14: face with 2 corners, needs 3 or more");
   EXPECT_EQ(error(header("ascii", "3", "1") + three + "-3 0 1\n"), "M:14: list of negative length");
+  EXPECT_EQ(error(header("ascii", "3", "1") + three + "4e38 0 1\n"), "M:14: list longer than any file");
   EXPECT_EQ(error(header("ascii", "3", "1") + three + "4 0 1 2\n"), "M:14: line with too few numbers");
   EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 2 0\n"), "M:14: line with too many numbers, from '0' on");
   EXPECT_EQ(error(header("ascii", "3", "1") + "0 0 0\n1 zero 0\n"), "M:12: 'zero' is not a number");
@@ -104,6 +113,8 @@ TEST(PlyReader, HostileBinaryCounts) {
   EXPECT_EQ(error(lying + std::string(30, '\0')), "M: the file ends in vertex 2 of 4000000000");
   const std::string list = "ply\nformat binary_big_endian 1.0\nelement x 1\nproperty list uint double p\nelement vertex 0\nproperty float x\nproperty float y\n"
                            "property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n";
+  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a\x1b[2J\x07 1\nproperty int a\n" + list.substr(list.find("element vertex"))),
+            "M:10: the file ends before a?[2J? 0 of 1");
   EXPECT_EQ(error(list + "\xFF\xFF\xFF\xFF"), "M: the file ends in x 0 of 1");
   EXPECT_EQ(error(header("binary_little_endian", "0", "1") + std::string("\x02\0\0\0\0\0\0\0\0", 9)), "M: face 0 of 1: face with 2 corners, needs 3 or more");
 }

@@ -102,6 +102,12 @@ TEST_F(Files, OneClearLineForWhatIsNoFile) {
 
 TEST_F(Files, NamesAndLinesStandInFront) { EXPECT_EQ(error(write("a.obj", "v 0 0 0\nf 1 1\n")), ":2: face with 2 corners, needs 3 or more"); }
 
+TEST_F(Files, CoordinatesTooLargeToComputeWith) {
+  const std::string rest = " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(error(write("a.obj", "v 1e60" + rest)), "no error");
+  EXPECT_EQ(error(write("b.obj", "v -1e61" + rest)), ": holds a coordinate beyond 1.6e60, too large to compute with");
+}
+
 TEST_F(Files, ReadsWhatIsThere) {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   while (text.size() < 3'000'000) text += "f 1 2 3\n";
