@@ -13,9 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <tuple>
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include "drawing/drawing.hpp"
 #include "drawing/stroke_index.hpp"
@@ -181,32 +183,23 @@ double median(std::vector<float>& values) {
   return *middle;
 }
 
-/// What the choice of the cell size rests on.
-struct Extent {
+/// Cells as small as the common stroke, or as the mean distance of strokes when these are long, but never so small that the
+/// strokes cross more than kCellsPerStroke of them on the average, and always larger than the reach of the tolerance.
+double cell_size(const std::vector<Stroke>& strokes, double tolerance_steps) {
   std::vector<float> lengths;
   LatticePoint min{kLatticeLimit, kLatticeLimit}, max{-kLatticeLimit, -kLatticeLimit};
-
-  void add(const Stroke& s) {
+  double sum = 0;
+  for (const Stroke& s : strokes) {
     lengths.push_back(static_cast<float>(length(s.from, s.to)));
+    sum += lengths.back();
     for (const LatticePoint p : {s.from, s.to}) {
       min = {std::min(min.x, p.x), std::min(min.y, p.y)};
       max = {std::max(max.x, p.x), std::max(max.y, p.y)};
     }
   }
-  bool meets(const Stroke& s, double margin) const {
-    return std::max(s.from.x, s.to.x) >= min.x - margin && std::min(s.from.x, s.to.x) <= max.x + margin &&
-           std::max(s.from.y, s.to.y) >= min.y - margin && std::min(s.from.y, s.to.y) <= max.y + margin;
-  }
-  double side() const { return std::max(double(max.x) - min.x, double(max.y) - min.y); }
-};
-
-/// Cells as small as the common stroke, or as the mean distance of strokes when these are long, but never so small that the
-/// strokes cross more than kCellsPerStroke of them on the average, and always larger than the reach of the tolerance.
-double cell_size(Extent& flagged, Extent& all, double tolerance_steps) {
-  const double mean = std::accumulate(all.lengths.begin(), all.lengths.end(), 0.0) / static_cast<double>(all.lengths.size());
-  const double distance = flagged.side() / std::sqrt(static_cast<double>(all.lengths.size()));
-  const double wish = std::min({median(all.lengths), median(flagged.lengths), distance});
-  return std::max({wish, mean / kCellsPerStroke, 8 * tolerance_steps});
+  const double n = static_cast<double>(lengths.size());
+  const double side = std::max(double(max.x) - min.x, double(max.y) - min.y);
+  return std::max({std::min<double>(median(lengths), side / std::sqrt(n)), sum / n / kCellsPerStroke, 8 * tolerance_steps});
 }
 
 /// A stroke in the order in which they are tried.
@@ -226,47 +219,79 @@ struct Turn {
   }
 };
 
-/// Takes part: every stroke that may coincide, and those of the others that pass a cell of such a one.
-class Participants {
+bool long_enough(const Stroke& s, double tolerance_steps) { return length(s.from, s.to) > tolerance_steps; }
+
+/// A coarse raster of the page in which strokes are marked: most strokes of a large drawing lie in no marked square, and
+/// this is found out faster than in a hash table.
+class MarkedSquares {
  public:
-  Participants(const std::vector<Stroke>& strokes, double tolerance_steps) : tolerance_(tolerance_steps) {
+  MarkedSquares(const std::vector<Stroke>& strokes, double margin) : marks_(kSide * kSide, 0), margin_(margin) {
     for (const Stroke& s : strokes) {
-      if (flagged(s)) flagged_.add(s);
-    }
-    if (none()) return;
-    Extent all;
-    for (const Stroke& s : strokes) {
-      if (in_reach(s)) all.add(s);
-    }
-    cell_ = cell_size(flagged_, all, tolerance_);
-    grid_ = SegmentGrid(cell_, tolerance_);
-    for (const Stroke& s : strokes) {
-      if (!flagged(s)) continue;
-      grid_.walk(s.from, s.to, [&](std::uint64_t cell) {
-        flagged_cells_[cell] = 1;
+      const bool too_large = for_each_square(s, [&](std::size_t k) {
+        marks_[k] = 1;
         return false;
       });
+      everywhere_ = everywhere_ || too_large;
     }
   }
-
-  bool none() const { return flagged_.lengths.empty(); }
-  double cell() const { return cell_; }
-  bool has(const Stroke& s) const {
-    if (s.may_coincide || !in_reach(s)) return flagged(s);
-    return grid_.walk(s.from, s.to,
-                      [&](std::uint64_t cell) { return flagged_cells_.find(cell) != KeyTable::kNone; });
+  /// May the stroke lie on one of those marked? True where that would take long to tell.
+  bool near(const Stroke& s) const {
+    return everywhere_ || for_each_square(s, [&](std::size_t k) { return marks_[k] != 0; });
   }
 
  private:
-  bool long_enough(const Stroke& s) const { return length(s.from, s.to) > tolerance_; }
-  bool flagged(const Stroke& s) const { return s.may_coincide && long_enough(s); }
-  bool in_reach(const Stroke& s) const { return flagged_.meets(s, tolerance_) && long_enough(s); }
+  static constexpr std::size_t kSide = 2048;
+  static constexpr std::size_t kLargest = 256;  ///< bounding boxes of more squares are not looked at
 
-  double tolerance_, cell_ = 1;
-  SegmentGrid grid_{1, 0};
-  Extent flagged_;
-  KeyTable flagged_cells_;
+  std::size_t square(double v) const {
+    return static_cast<std::size_t>((v + kLatticeLimit) * (double(kSide) / (2.0 * kLatticeLimit + 1)));
+  }
+  /// Squares of the stroke's bounding box, until visit returns true; true too when there are too many.
+  template <class Visit>
+  bool for_each_square(const Stroke& s, const Visit& visit) const {
+    const double limit = kLatticeLimit;
+    const std::size_t left = square(std::max(std::min(s.from.x, s.to.x) - margin_, -limit));
+    const std::size_t right = square(std::min(std::max(s.from.x, s.to.x) + margin_, limit));
+    const std::size_t top = square(std::max(std::min(s.from.y, s.to.y) - margin_, -limit));
+    const std::size_t bottom = square(std::min(std::max(s.from.y, s.to.y) + margin_, limit));
+    if ((bottom - top + 1) * (right - left + 1) > kLargest) return true;
+    for (std::size_t y = top; y <= bottom; ++y) {
+      for (std::size_t x = left; x <= right; ++x) {
+        if (visit(y * kSide + x)) return true;
+      }
+    }
+    return false;
+  }
+
+  std::vector<std::uint8_t> marks_;
+  double margin_;
+  bool everywhere_ = false;
 };
+
+/// Marks the strokes that take part: those that may coincide, and those of the others that lie on one of them.
+std::vector<char> participants(const std::vector<Stroke>& strokes, const std::vector<Stroke>& flagged, double cell,
+                               double tolerance_steps) {
+  StrokeIndex index(cell, tolerance_steps);
+  for (const Stroke& s : flagged) index.insert(s.from, s.to);
+  const MarkedSquares squares(flagged, tolerance_steps);
+  std::vector<char> takes_part(strokes.size(), 0);
+  constexpr std::size_t kGrain = 4096;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, strokes.size(), kGrain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const Stroke& s = strokes[i];
+      if (s.may_coincide) {
+        takes_part[i] = long_enough(s, tolerance_steps);
+        continue;
+      }
+      if (!squares.near(s)) continue;
+      index.query(s.from, s.to, [&](std::uint32_t k) {
+        if (takes_part[i]) return;
+        takes_part[i] = overlap(s.from, s.to, flagged[k].from, flagged[k].to, tolerance_steps).has_value();
+      });
+    }
+  });
+  return takes_part;
+}
 
 }  // namespace
 
@@ -274,26 +299,27 @@ void remove_coincident_strokes(StrokeModel& model, double tolerance_mm) {
   std::vector<Stroke>& strokes = model.strokes;
   // The lattice knows nothing finer than its step.
   const double tolerance_steps = std::max(tolerance_mm / model.lattice.step_mm, 1.0);
-  const Participants participants(strokes, tolerance_steps);
-  if (!participants.none()) {
-    std::vector<Turn> turns;
-    std::vector<Stroke> result;
-    for (const Stroke& s : strokes) {
-      if (participants.has(s)) {
-        turns.emplace_back(s, tolerance_mm);
-      } else {
-        result.push_back(s);
-      }
+  std::vector<Stroke> flagged;
+  for (const Stroke& s : strokes) {
+    if (s.may_coincide && long_enough(s, tolerance_steps)) flagged.push_back(s);
+  }
+  if (flagged.empty()) return;
+  const double cell = cell_size(flagged, tolerance_steps);
+  const std::vector<char> takes_part = participants(strokes, flagged, cell, tolerance_steps);
+  std::vector<Turn> turns;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    if (takes_part[i]) {
+      turns.emplace_back(strokes[i], tolerance_mm);
+    } else {
+      strokes[kept++] = strokes[i];
     }
-    std::stable_sort(turns.begin(), turns.end());
-    Precedence precedence(participants.cell(), tolerance_steps, tolerance_mm);
-    for (const Turn& turn : turns) precedence.add(turn.stroke);
-    precedence.take(result);
-    strokes = std::move(result);
   }
-  if (!std::is_sorted(strokes.begin(), strokes.end(), by_source)) {
-    std::stable_sort(strokes.begin(), strokes.end(), by_source);
-  }
+  strokes.resize(kept);
+  std::stable_sort(turns.begin(), turns.end());
+  Precedence precedence(cell, tolerance_steps, tolerance_mm);
+  for (const Turn& turn : turns) precedence.add(turn.stroke);
+  precedence.take(strokes);
 }
 
 }  // namespace ligne

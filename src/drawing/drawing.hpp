@@ -35,7 +35,8 @@ struct Drawing {
 
 /// Every line once: where strokes lie on each other within `tolerance_mm` one of them stands for all (by class, then the
 /// nearer, then the lower source), and a hidden stroke gives way to every visible one. Strokes whose `may_coincide` is
-/// false are only held against those where it is true. Order: by source and parameter.
+/// false are only held against those where it is true. Those that lie on no other keep their order; the others follow, by
+/// precedence.
 void remove_coincident_strokes(StrokeModel& model, double tolerance_mm);
 
 /// Joins strokes that continue each other into polylines, per layer. Where more than two strokes of a layer meet the
