@@ -3,7 +3,8 @@
 # that the architecture forbids does not compile.
 
 add_library(ligne_flags INTERFACE)
-target_compile_options(ligne_flags INTERFACE -Wall -Wextra -ffp-contract=off)
+# No flag here changes a value: errno and floating-point traps are never looked at.
+target_compile_options(ligne_flags INTERFACE -Wall -Wextra -ffp-contract=off -fno-math-errno -fno-trapping-math)
 # GCC 12 sees overlapping copies in "literal" + std::string where there are none (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(ligne_flags INTERFACE -Wno-restrict)
