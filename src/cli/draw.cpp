@@ -12,12 +12,10 @@
 #include "plotting/writers.hpp"
 #include "scene/topology.hpp"
 #include "view/projected_scene.hpp"
+#include "visibility/tolerances.hpp"
 
 namespace ligne {
 namespace {
-
-/// Strokes closer than this are one line: the micrometre to which a drawing is right.
-constexpr double kCoincidenceMm = 1e-3;
 
 constexpr double kLowestDpi = 1, kHighestDpi = 9600;
 
@@ -105,7 +103,7 @@ void draw(const DrawOptions& options) {
   plot.hidden_solid = options.method.hidden == HiddenLines::solid;
   plot.title = options.title;
   plot.dpi = options.dpi;
-  timed(run.stages, "drawing", [&] { remove_coincident_strokes(strokes, kCoincidenceMm); });
+  timed(run.stages, "drawing", [&] { remove_coincident_strokes(strokes, coincidence_mm(projected)); });
   const std::string bytes = timed(run.stages, "write", [&] {
     DrawingDocument document;
     document.strokes = &strokes;
@@ -117,6 +115,8 @@ void draw(const DrawOptions& options) {
     };
     document.model_to_page = placement.view.model_to_page;
     document.perspective = placement.view.camera.perspective;
+    document.window = placement.view.window;
+    document.near_distance = placement.view.near_distance;
     document.method = run.method;
     document.statistics = result.statistics;
     return written(format, document, plot);

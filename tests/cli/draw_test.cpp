@@ -55,6 +55,18 @@ Extent extent(const json& drawing) {
 
 constexpr double kMicrometre = 1e-3;
 
+TEST_F(DrawTest, SaysWhatWasClippedAway) {
+  const json front = drawn({"cube.obj", "--view", "front"})["view"];
+  EXPECT_EQ(front["window"], json::parse("[0,0,210,297]"));
+  EXPECT_FALSE(front.contains("near"));
+  const json eye = drawn({"cube.obj", "--eye", "0,0,100", "--target", "0,0,0", "--fov", "10"})["view"];
+  EXPECT_NEAR(eye["near"].get<double>(), 0.1, 1e-12) << "a thousandth of the distance to the target";
+  const json& window = eye["window"];
+  EXPECT_GE(window[0], 0.0);
+  EXPECT_LT(window[0], window[2]);
+  EXPECT_LE(window[2], 297.0);
+}
+
 TEST_F(DrawTest, TrueScaleSizeAndPlace) {
   const Extent box = extent(drawn({"cube.obj", "--view", "front", "--scale", "2:1"}));
   EXPECT_NEAR(box.width(), 40, kMicrometre);
