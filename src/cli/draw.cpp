@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/culling.hpp"
 #include "cli/option_helpers.hpp"
 #include "cli/placement.hpp"
 #include "cli/progress.hpp"
@@ -77,14 +78,17 @@ void draw(const DrawOptions& options) {
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   const Scene& scene = models.scene;
   Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
-  // Only the JSON drawing names the source edges; the projection takes the topology over.
-  const std::vector<Edge> edges = format == OutputFormat::json ? topology.edges : std::vector<Edge>{};
 
   Placement placement;
   const ProjectedScene projected = timed(run.stages, "project", [&] {
     placement = place(scene, camera_of(options.view, scene), options.page);
-    return project(scene, std::move(topology), placement.view, {options.method.edges, options.method.crease_degrees});
+    ProjectedScene all = project(scene, topology, placement.view, {options.method.edges, options.method.crease_degrees});
+    if (options.method.cull) cull_back_faces(scene, topology, all, place_of_warnings, options.run.quiet);
+    return all;
   });
+  // Only the JSON drawing names the source edges; the study needs the memory of the rest.
+  const std::vector<Edge> edges = format == OutputFormat::json ? std::move(topology.edges) : std::vector<Edge>{};
+  topology = {};
   VisibilityResult result = timed(run.stages, "study", [&] { return study(options, method, projected); });
   if (!result.strokes) throw UsageError("--method", std::string(method.traits().name) + " does not produce lines");
   StrokeModel& strokes = *result.strokes;

@@ -127,6 +127,17 @@ TEST_F(DrawTest, ClassesCreaseAndHiddenLines) {
   EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--hidden", "none", "--view", "dimetric"})).count("hidden"), 0u);
 }
 
+TEST_F(DrawTest, CullLeavesTheVisibleLinesAsTheyAre) {
+  const json all = drawn({"cube.obj", "--view", "dimetric"}), culled = drawn({"cube.obj", "--view", "dimetric", "--cull"});
+  EXPECT_EQ(all["strokes"], culled["strokes"]);
+  EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--cull", "--hidden", "solid"})).count("hidden"), 0u);
+  const Outcome open = run({"draw", "cube.obj", "square.obj", "--cull", "-o", "both.svg"});
+  EXPECT_EQ(open.status, 0);
+  EXPECT_EQ(open.error_lines(), 1u);
+  EXPECT_NE(open.err.find("warning: 1 of 2 objects keep their back faces"), std::string::npos) << open.err;
+  EXPECT_EQ(run({"draw", "cube.obj", "square.obj", "--cull", "-q", "-o", "both.svg"}).err, "");
+}
+
 TEST_F(DrawTest, HiddenLinesAreDashedOrSolid) {
   ASSERT_EQ(run({"draw", "cube.obj", "--view", "dimetric", "--hidden", "dashed", "-o", "d.svg"}).status, 0);
   ASSERT_EQ(run({"draw", "cube.obj", "--view", "dimetric", "--hidden", "solid", "-o", "s.svg"}).status, 0);
