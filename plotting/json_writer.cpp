@@ -155,7 +155,20 @@ void append_head(std::string& out, const DrawingDocument& document, const Page& 
       append_shortest(out, document.model_to_page[column][row]);
     }
   }
-  out += "]},\n\"method\":" + json_string(document.method);
+  out += "],\"window\":";
+  const Rect& window = document.window;
+  char separator = '[';
+  for (const double bound : {window.min.x, window.min.y, window.max.x, window.max.y}) {
+    out += separator;
+    append_shortest(out, bound);
+    separator = ',';
+  }
+  out += ']';
+  if (document.perspective) {
+    out += ",\"near\":";
+    append_shortest(out, document.near_distance);
+  }
+  out += "},\n\"method\":" + json_string(document.method);
 }
 
 /// Counts only: times differ from run to run, and the same input gives the same bytes.

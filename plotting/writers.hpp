@@ -37,6 +37,8 @@ struct DrawingDocument {
   std::function<SourceEdge(std::uint32_t)> source;  ///< the source edge of that number; called from several threads at once
   glm::dmat4 model_to_page{1};
   bool perspective = false;
+  Rect window;               ///< page mm; what lies outside was clipped away
+  double near_distance = 0;  ///< perspective: distance of the near plane along the line of sight, model units
   std::string method;
   Statistics statistics;
 };

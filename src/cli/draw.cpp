@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/culling.hpp"
 #include "cli/option_helpers.hpp"
 #include "cli/placement.hpp"
 #include "cli/progress.hpp"
@@ -12,12 +13,10 @@
 #include "plotting/writers.hpp"
 #include "scene/topology.hpp"
 #include "view/projected_scene.hpp"
+#include "visibility/tolerances.hpp"
 
 namespace ligne {
 namespace {
-
-/// Strokes closer than this are one line: the micrometre to which a drawing is right.
-constexpr double kCoincidenceMm = 1e-3;
 
 constexpr double kLowestDpi = 1, kHighestDpi = 9600;
 
@@ -79,14 +78,17 @@ void draw(const DrawOptions& options) {
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   const Scene& scene = models.scene;
   Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
-  // Only the JSON drawing names the source edges; the projection takes the topology over.
-  const std::vector<Edge> edges = format == OutputFormat::json ? topology.edges : std::vector<Edge>{};
 
   Placement placement;
   const ProjectedScene projected = timed(run.stages, "project", [&] {
     placement = place(scene, camera_of(options.view, scene), options.page);
-    return project(scene, std::move(topology), placement.view, {options.method.edges, options.method.crease_degrees});
+    ProjectedScene all = project(scene, topology, placement.view, {options.method.edges, options.method.crease_degrees});
+    if (options.method.cull) cull_back_faces(scene, topology, all, place_of_warnings, options.run.quiet);
+    return all;
   });
+  // Only the JSON drawing names the source edges; the study needs the memory of the rest.
+  const std::vector<Edge> edges = format == OutputFormat::json ? std::move(topology.edges) : std::vector<Edge>{};
+  topology = {};
   VisibilityResult result = timed(run.stages, "study", [&] { return study(options, method, projected); });
   if (!result.strokes) throw UsageError("--method", std::string(method.traits().name) + " does not produce lines");
   StrokeModel& strokes = *result.strokes;
@@ -105,7 +107,7 @@ void draw(const DrawOptions& options) {
   plot.hidden_solid = options.method.hidden == HiddenLines::solid;
   plot.title = options.title;
   plot.dpi = options.dpi;
-  timed(run.stages, "drawing", [&] { remove_coincident_strokes(strokes, kCoincidenceMm); });
+  timed(run.stages, "drawing", [&] { remove_coincident_strokes(strokes, coincidence_mm(projected)); });
   const std::string bytes = timed(run.stages, "write", [&] {
     DrawingDocument document;
     document.strokes = &strokes;
@@ -117,6 +119,8 @@ void draw(const DrawOptions& options) {
     };
     document.model_to_page = placement.view.model_to_page;
     document.perspective = placement.view.camera.perspective;
+    document.window = placement.view.window;
+    document.near_distance = placement.view.near_distance;
     document.method = run.method;
     document.statistics = result.statistics;
     return written(format, document, plot);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "cli/culling.hpp"
 #include "cli/methods.hpp"
 #include "cli/option_helpers.hpp"
 #include "cli/placement.hpp"
@@ -27,6 +29,7 @@ struct Info {
   LoadedModels models;
   SceneFacts scene;
   ViewFacts view;
+  std::optional<BackFaces> culled;  ///< when that was asked for
   Placement placement;
   Axis up_axis = Axis::z;
   const Method* method = nullptr;
@@ -114,6 +117,11 @@ std::string text_of(const Info& info) {
     if (static_cast<LineClass>(c) == LineClass::intersection) continue;
     text += line(std::string(kLineClassNames[c]), std::to_string(info.view.edges[c]) + " edges");
   }
+  if (info.culled) {
+    text += line("back faces", std::to_string(info.culled->faces) + " left out, of " +
+                                   std::to_string(info.culled->objects - info.culled->kept_objects) + " of " +
+                                   std::to_string(info.culled->objects) + " objects");
+  }
   text += line("depth", rounded(info.view.nearest) + " to " + rounded(info.view.farthest) + " along the line of sight");
   const Page& page = info.placement.page;
   text += line("page", rounded(page.width_mm) + " x " + rounded(page.height_mm) + " mm");
@@ -183,6 +191,11 @@ std::string json_of(const Info& info) {
     if (static_cast<LineClass>(c) != LineClass::intersection)
       view["edges"][std::string(kLineClassNames[c])] = info.view.edges[c];
   }
+  if (info.culled) {
+    view["culled"] = {{"faces", info.culled->faces},
+                      {"objects", info.culled->objects - info.culled->kept_objects},
+                      {"kept_objects", info.culled->kept_objects}};
+  }
   view["depth"] = Json::array({info.view.nearest, info.view.farthest});
   view["perspective"] = info.placement.view.camera.perspective;
   view["page_mm"] = Json::array({info.placement.page.width_mm, info.placement.page.height_mm});
@@ -222,12 +235,16 @@ void inform(const InfoOptions& options) {
   info.models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   const Scene& scene = info.models.scene;
   info.up_axis = options.view.up_axis.value_or(scene.up_axis);
-  Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
+  const Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
   info.scene = scene_facts(scene, topology);
   timed(run.stages, "project", [&] {
     info.placement = place(scene, camera_of(options.view, scene), options.page);
     const EdgeSelection all{parse_edges("all"), options.method.crease_degrees};
-    info.view = view_facts(scene, project(scene, std::move(topology), info.placement.view, all));
+    ProjectedScene projected = project(scene, topology, info.placement.view, all);
+    if (options.method.cull) {
+      info.culled = cull_back_faces(scene, topology, projected, options.model.files.front(), options.run.quiet);
+    }
+    info.view = view_facts(scene, projected);
   });
   const bool json = options.json || options.output.format.has_value();
   write_output(options.output.file.value_or("-"), json ? json_of(info) : text_of(info));

@@ -39,7 +39,8 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
           [](const std::string& text) { return static_cast<HiddenLines>(parse_choice(text, kHiddenLinesNames)); },
           "hidden lines in a layer of their own: none dashed solid")
           ->default_str("none");
-  for (CLI::Option* option : {method, edges, crease, hidden}) option->group("Lines");
+  CLI::Option* cull = app.add_flag("--cull", options.cull, "leave out back faces of closed, consistently wound objects");
+  for (CLI::Option* option : {method, edges, crease, hidden, cull}) option->group("Lines");
 }
 
 const Method& method_of(const MethodOptions& options) {

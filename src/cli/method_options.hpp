@@ -20,6 +20,7 @@ struct MethodOptions {
   LineClasses edges;               ///< add_method_options() sets the default
   double crease_degrees = 30;
   HiddenLines hidden = HiddenLines::none;
+  bool cull = false;
 };
 
 void add_method_options(CLI::App& app, MethodOptions& options);

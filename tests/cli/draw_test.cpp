@@ -55,6 +55,18 @@ Extent extent(const json& drawing) {
 
 constexpr double kMicrometre = 1e-3;
 
+TEST_F(DrawTest, SaysWhatWasClippedAway) {
+  const json front = drawn({"cube.obj", "--view", "front"})["view"];
+  EXPECT_EQ(front["window"], json::parse("[0,0,210,297]"));
+  EXPECT_FALSE(front.contains("near"));
+  const json eye = drawn({"cube.obj", "--eye", "0,0,100", "--target", "0,0,0", "--fov", "10"})["view"];
+  EXPECT_NEAR(eye["near"].get<double>(), 0.1, 1e-12) << "a thousandth of the distance to the target";
+  const json& window = eye["window"];
+  EXPECT_GE(window[0], 0.0);
+  EXPECT_LT(window[0], window[2]);
+  EXPECT_LE(window[2], 297.0);
+}
+
 TEST_F(DrawTest, TrueScaleSizeAndPlace) {
   const Extent box = extent(drawn({"cube.obj", "--view", "front", "--scale", "2:1"}));
   EXPECT_NEAR(box.width(), 40, kMicrometre);
@@ -113,6 +125,17 @@ TEST_F(DrawTest, ClassesCreaseAndHiddenLines) {
   EXPECT_EQ(strokes_by_class(drawn({"square.obj"})), (std::map<std::string, int>{{"border", 4}}));
   EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--hidden", "dashed", "--view", "dimetric"}))["hidden"], 3);
   EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--hidden", "none", "--view", "dimetric"})).count("hidden"), 0u);
+}
+
+TEST_F(DrawTest, CullLeavesTheVisibleLinesAsTheyAre) {
+  const json all = drawn({"cube.obj", "--view", "dimetric"}), culled = drawn({"cube.obj", "--view", "dimetric", "--cull"});
+  EXPECT_EQ(all["strokes"], culled["strokes"]);
+  EXPECT_EQ(strokes_by_class(drawn({"cube.obj", "--cull", "--hidden", "solid"})).count("hidden"), 0u);
+  const Outcome open = run({"draw", "cube.obj", "square.obj", "--cull", "-o", "both.svg"});
+  EXPECT_EQ(open.status, 0);
+  EXPECT_EQ(open.error_lines(), 1u);
+  EXPECT_NE(open.err.find("warning: 1 of 2 objects keep their back faces"), std::string::npos) << open.err;
+  EXPECT_EQ(run({"draw", "cube.obj", "square.obj", "--cull", "-q", "-o", "both.svg"}).err, "");
 }
 
 TEST_F(DrawTest, HiddenLinesAreDashedOrSolid) {

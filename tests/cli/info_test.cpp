@@ -47,6 +47,17 @@ TEST_F(ProgramTest, InfoFollowsTheView) {
   EXPECT_NEAR(view["mm_per_unit"].get<double>(), 5, 1e-12);
 }
 
+TEST_F(ProgramTest, InfoTellsWhatCullLeavesOut) {
+  const Outcome culled = run({"info", "cube.obj", "square.obj", "--cull", "--json"});
+  ASSERT_EQ(culled.status, 0) << culled.err;
+  const json view = json::parse(culled.out)["view"];
+  EXPECT_EQ(view["culled"], json::parse(R"({"faces":3,"objects":1,"kept_objects":1})"));
+  EXPECT_EQ(view["edges"]["crease"], 3) << "those behind the cube are gone";
+  EXPECT_NE(culled.err.find("warning: 1 of 2 objects"), std::string::npos);
+  EXPECT_NE(run({"info", "cube.obj", "--cull"}).out.find("3 left out, of 1 of 1 objects"), std::string::npos);
+  EXPECT_FALSE(json::parse(run({"info", "cube.obj", "--json"}).out)["view"].contains("culled"));
+}
+
 TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
   const json methods = json::parse(run({"methods", "--json"}).out);
   EXPECT_EQ(methods["format"], "ligne-methods");
@@ -96,7 +107,7 @@ TEST_F(ProgramTest, HelpAndVersion) {
                              "--hidden",    "--page",           "--landscape", "--portrait",   "--margin",
                              "--pen-width", "--scale",          "--unit",      "--output",     "--format",
                              "--dpi",       "--threads",        "--stats",     "--stats-json", "--progress",
-                             "--quiet",     "--merge-coplanar", "--title"}) {
+                             "--quiet",     "--merge-coplanar", "--title",     "--cull"}) {
     EXPECT_NE(draw.find(option), std::string::npos) << option;
   }
 }

@@ -44,6 +44,7 @@ std::string sample_json() {
   document.order = &order;
   document.source = [&](std::uint32_t source) { return sample_source(strokes, source); };
   document.model_to_page[3][0] = 105;
+  document.window = {{0, 0}, {210, 297}};
   document.method = "appel";
   document.statistics.count("edges", 2);
   document.statistics.time("total", 1.25);

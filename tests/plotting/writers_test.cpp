@@ -173,6 +173,8 @@ TEST(Json, SaysWhatTheDocumentHolds) {
   document.source = [&](std::uint32_t source) { return sample_source(strokes, source); };
   document.perspective = true;
   for (int i = 0; i < 16; ++i) document.model_to_page[i % 4][i / 4] = i + 0.5;
+  document.window = {{1, 2.5}, {200, 290}};
+  document.near_distance = 0.25;
   document.method = "na\"me\xff";
   document.statistics.count("edges", 12345678901234u);
   document.statistics.time("total", 1.5);
@@ -184,6 +186,8 @@ TEST(Json, SaysWhatTheDocumentHolds) {
   EXPECT_EQ(json["page"]["margin_mm"], 10);
   EXPECT_EQ(json["view"]["perspective"], true);
   for (int i = 0; i < 16; ++i) EXPECT_EQ(json["view"]["matrix"][i], i + 0.5) << "row by row";
+  EXPECT_EQ(json["view"]["window"], nlohmann::json::parse("[1,2.5,200,290]"));
+  EXPECT_EQ(json["view"]["near"], 0.25);
   ASSERT_EQ(json["strokes"].size(), 2u);
   const auto& first = json["strokes"][0];
   EXPECT_EQ(first["class"], "outline");

@@ -1,0 +1,19 @@
+#include "cli/culling.hpp"
+
+#include "cli/models.hpp"
+
+namespace ligne {
+
+BackFaces cull_back_faces(const Scene& scene, const Topology& topology, ProjectedScene& projected, const std::string& place,
+                          bool quiet) {
+  BackFaces back_faces = find_back_faces(scene, topology, projected.view);
+  cull(projected, back_faces);
+  if (back_faces.kept_objects > 0 && !quiet) {
+    warn(place,
+         std::to_string(back_faces.kept_objects) + " of " + std::to_string(back_faces.objects) +
+             " objects keep their back faces: they are not closed and consistently wound, or have the eye among them");
+  }
+  return back_faces;
+}
+
+}  // namespace ligne

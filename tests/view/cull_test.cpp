@@ -1,0 +1,206 @@
+// Which faces are back faces is worked out by hand; and leaving them out changes no drawing of solids.
+
+#include "view/cull.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "support/scenes.hpp"
+
+namespace ligne::test {
+namespace {
+
+View view_of(const Scene& scene, const CameraRequest& request) {
+  return make_view(scene, make_camera(request, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
+                   {{0, 0}, {kPageWidth, kPageHeight}});
+}
+
+BackFaces back_faces(const Scene& scene, const CameraRequest& request = along({-1, 2, -1})) {
+  return find_back_faces(scene, build_topology(scene), view_of(scene, request));
+}
+
+/// The scene with the faces from `first` on wound the other way round. Its faces have one contour each.
+Scene turned_round(const Scene& scene, std::size_t first = 0) {
+  Scene turned = scene;
+  turned.faces = {};
+  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+    const auto contour = scene.faces.contour(f, 0);
+    std::vector<std::uint32_t> corners(contour.begin(), contour.end());
+    if (f >= first) std::reverse(corners.begin(), corners.end());
+    turned.faces.add_face(corners);
+  }
+  return turned;
+}
+
+/// Puts all objects together into one.
+Scene as_one_object(Scene scene) {
+  Object all = scene.objects.front();
+  all.vertex_end = scene.objects.back().vertex_end;
+  all.face_end = scene.objects.back().face_end;
+  scene.objects = {all};
+  return scene;
+}
+
+Scene box() {
+  Scene scene;
+  add_box(scene, {0, 0, 0}, {10, 10, 10});
+  return scene;
+}
+
+/// The faces of add_box() lie at low z, high z, low y, high y, low x, high x.
+TEST(Cull, BackFacesOfABox) {
+  const BackFaces oblique = back_faces(box());  // seen from high x, low y, high z
+  EXPECT_EQ(oblique.culled, (std::vector<std::uint8_t>{1, 0, 0, 1, 1, 0}));
+  EXPECT_EQ(oblique.faces, 3u);
+  EXPECT_EQ(oblique.objects, 1u);
+  EXPECT_EQ(oblique.kept_objects, 0u);
+}
+
+TEST(Cull, FacesSeenEdgeOnStay) {
+  EXPECT_EQ(back_faces(box(), along({0, 1, 0})).culled, (std::vector<std::uint8_t>{0, 0, 0, 1, 0, 0}));
+}
+
+TEST(Cull, TheSignOfTheVolumeTellsWhatIsOutside) {
+  EXPECT_EQ(back_faces(turned_round(box())).culled, back_faces(box()).culled);
+}
+
+TEST(Cull, EveryShellOfAnObjectHasASignOfItsOwn) {
+  Scene scene = box();
+  add_box(scene, {20, 0, 0}, {5, 5, 5});
+  const Scene one = as_one_object(turned_round(scene, 6));
+  EXPECT_EQ(back_faces(one).culled, (std::vector<std::uint8_t>{1, 0, 0, 1, 1, 0, 1, 0, 0, 1, 1, 0}));
+  EXPECT_EQ(back_faces(one).kept_objects, 0u);
+}
+
+TEST(Cull, ObjectsThatAreNoSolidsKeepTheirFaces) {
+  const Scene closed = box();
+  Scene open = closed;
+  open.faces = {};
+  for (std::size_t f = 0; f + 1 < closed.faces.size(); ++f) open.faces.add_face(closed.faces.contour(f, 0));
+  open.objects[0].face_end = 5;
+  EXPECT_EQ(back_faces(open).kept_objects, 1u) << "a border";
+  EXPECT_EQ(back_faces(open).faces, 0u);
+
+  EXPECT_EQ(back_faces(turned_round(box(), 5)).kept_objects, 1u) << "a face wound against the others";
+
+  Scene fin = box();
+  fin.vertices.push_back({20, 20, 20});
+  ++fin.objects[0].vertex_end;
+  fin.faces.add_face(std::vector<std::uint32_t>{0, 1, 8});
+  ++fin.objects[0].face_end;
+  EXPECT_EQ(back_faces(fin).kept_objects, 1u) << "an edge of three faces";
+}
+
+TEST(Cull, ShellsWithoutVolumeKeepTheirFaces) {
+  Scene sheet;
+  begin_object(sheet);
+  sheet.vertices = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
+  sheet.faces.add_face(std::vector<std::uint32_t>{0, 1, 2, 3});
+  sheet.faces.add_face(std::vector<std::uint32_t>{3, 2, 1, 0});
+  end_object(sheet);
+  EXPECT_EQ(back_faces(sheet).kept_objects, 1u);
+
+  Scene thin;
+  add_box(thin, {0, 0, 0}, {10, 10, 1e-4});
+  EXPECT_EQ(back_faces(thin).kept_objects, 0u);
+  thin.objects[0].precision = 1e-3;
+  EXPECT_EQ(back_faces(thin).kept_objects, 1u) << "the coordinates' error can turn it inside out";
+}
+
+TEST(Cull, NothingIsLeftOutAroundTheEye) {
+  Scene scene = box();
+  add_box(scene, {40, 0, 0}, {10, 10, 10});
+  const BackFaces inside = back_faces(scene, from_eye({5, 5, 5}, {45, 5, 5}));
+  EXPECT_EQ(inside.kept_objects, 1u);
+  EXPECT_EQ(inside.culled, (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 1}));
+  // The near plane, 0.05 before the eye, cuts the first box open.
+  EXPECT_EQ(back_faces(scene, from_eye({-0.04, 5, 5}, {49.96, 5, 5})).kept_objects, 1u);
+  EXPECT_EQ(back_faces(scene, from_eye({-0.1, 5, 5}, {49.9, 5, 5})).kept_objects, 0u);
+}
+
+TEST(Cull, EdgesBetweenTwoBackFacesGo) {
+  const Scene scene = box();
+  const Topology topology = build_topology(scene);
+  const View view = view_of(scene, along({-1, 2, -1}));
+  ProjectedScene projected = project(scene, topology, view, {classes("all"), 30});
+  ASSERT_EQ(projected.edges.size(), 12u);
+  ASSERT_EQ(projected.triangles.size(), 12u);
+  cull(projected, find_back_faces(scene, topology, view));
+  EXPECT_EQ(projected.edges.size(), 9u);
+  EXPECT_EQ(projected.triangles.size(), 6u);
+  EXPECT_EQ(std::count_if(projected.edges.begin(), projected.edges.end(),
+                          [](const ProjectedEdge& e) { return e.line_class == LineClass::outline; }),
+            6);
+}
+
+TEST(Cull, ClippedEdgesKeepTheirParts) {
+  const Scene scene = box();
+  const Topology topology = build_topology(scene);
+  const Camera camera = make_camera(along({-1, 2, -1}), scene);
+  const View view = make_view(scene, camera, {{{0, 0}, {100, 100}}}, {{0, 0}, {50, 100}});
+  ProjectedScene projected = project(scene, topology, view, {classes("all"), 30});
+  std::vector<std::pair<std::uint32_t, std::array<double, 2>>> expected;
+  const BackFaces back = find_back_faces(scene, topology, view);
+  for (std::size_t e = 0; e < projected.edges.size(); ++e) {
+    const ProjectedEdge& edge = projected.edges[e];
+    if (!back.culled[edge.face0] || !back.culled[edge.face1]) expected.emplace_back(edge.source, projected.edge_parts[e]);
+  }
+  ASSERT_LT(expected.size(), projected.edges.size());
+  cull(projected, back);
+  ASSERT_EQ(projected.edges.size(), expected.size());
+  ASSERT_EQ(projected.edge_parts.size(), expected.size());
+  for (std::size_t e = 0; e < expected.size(); ++e) {
+    EXPECT_EQ(projected.edges[e].source, expected[e].first);
+    EXPECT_EQ(projected.edge_parts[e], expected[e].second);
+  }
+}
+
+/// Boxes on a lattice, turned at random, none of which reaches another; every third is wound inwards.
+Scene separate_solids(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> angle(-3, 3), size(0.5, 2);
+  Scene scene;
+  for (int i = 0; i < 125; ++i) {
+    const Basis basis = rotation(angle(random), angle(random), angle(random));
+    const Point3 centre = Point3{i % 5, i / 5 % 5, i / 25} * 3.5;
+    const Point3 local{glm::dot(basis[0], centre), glm::dot(basis[1], centre), glm::dot(basis[2], centre)};
+    const Point3 sides{size(random), size(random), size(random)};
+    add_box(scene, local - sides * 0.5, sides, basis);
+    if (i % 3 == 0) scene = turned_round(scene, scene.objects.back().face_begin);
+  }
+  return scene;
+}
+
+TEST(Cull, ChangesNoDrawingOfSeparateSolids) {
+  for (const CameraRequest& camera : {along({-1, 2, -1}), along({0, 1, 0}), from_eye({25, -20, 18}, {7, 7, 7}),
+                                      from_eye({7.9, 1.7, 5.2}, {7, 14, 7}, 80)}) {
+    const Scene scene = separate_solids(11);
+    const Topology topology = build_topology(scene);
+    const View view = view_of(scene, camera);
+    const auto strokes = [&](bool culled) {
+      ProjectedScene projected = project(scene, topology, view, {classes("all"), 30});
+      if (culled) {
+        const std::size_t before = projected.triangles.size();
+        cull(projected, find_back_faces(scene, topology, view));
+        EXPECT_LT(projected.triangles.size(), before * 6 / 10);
+      }
+      StrokeModel model = *find_method("auto")->study(projected, {}).strokes;
+      remove_coincident_strokes(model, coincidence_mm(projected));
+      return model;
+    };
+    const StrokeModel all = strokes(false), culled = strokes(true);
+    ASSERT_EQ(all.strokes.size(), culled.strokes.size());
+    for (std::size_t i = 0; i < all.strokes.size(); ++i) {
+      const Stroke &a = all.strokes[i], &b = culled.strokes[i];
+      ASSERT_EQ(a.source, b.source);
+      ASSERT_EQ(a.line_class, b.line_class);
+      ASSERT_LT(glm::length(all.lattice.to_mm(a.from) - all.lattice.to_mm(b.from)), kLeastPartMm);
+      ASSERT_LT(glm::length(all.lattice.to_mm(a.to) - all.lattice.to_mm(b.to)), kLeastPartMm);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ligne::test
