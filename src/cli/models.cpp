@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
+#include "cli/option_helpers.hpp"
+#include "cli/parse.hpp"
 #include "cli/text.hpp"
 
 namespace ligne {
@@ -16,6 +18,11 @@ void add_model_options(CLI::App& app, ModelOptions& options) {
   app.add_option("MODEL", options.files, "glTF, OBJ, STL, PLY, 3D Studio ASCII or ligne-scene file; several make one scene")
       ->required()
       ->type_name("");
+  add_parsed(app, "--weld", "DIST", options.weld_distance, parse_positive,
+             "vertices of one object that are so near to each other (model units) become one: closes seams that would "
+             "be drawn as borders")
+      ->default_str("0, equal positions")
+      ->group("Lines");
   app.add_flag("--merge-coplanar", options.merge_coplanar, "put coplanar neighbouring faces together into polygons")
       ->group("Lines");
 }
@@ -27,7 +34,7 @@ LoadedModels load_models(const ModelOptions& options, bool quiet) {
   for (const std::string& name : options.files) {
     ModelFile& file = models.files.emplace_back();
     file.name = name;
-    Scene scene = read_scene(name, {options.merge_coplanar}, file.warnings, &file.report);
+    Scene scene = read_scene(name, {options.weld_distance, options.merge_coplanar}, file.warnings, &file.report);
     if (!quiet) {
       for (const auto& [kind, count] : file.warnings.counts()) warn(name, std::to_string(count) + " " + kind);
     }

@@ -16,6 +16,7 @@ namespace ligne {
 
 struct ModelOptions {
   std::vector<std::string> files;
+  double weld_distance = 0;  ///< model units
   bool merge_coplanar = false;
 };
 

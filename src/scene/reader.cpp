@@ -15,6 +15,7 @@
 #include "scene/obj_reader.hpp"
 #include "scene/ply_reader.hpp"
 #include "scene/stl_reader.hpp"
+#include "scene/weld_near.hpp"
 
 namespace ligne {
 namespace {
@@ -111,6 +112,7 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs:
   counts.format = format;
   Scene scene = read_raw(bytes, format, folder, name, counts, warnings);
   check_size(scene, name);
+  if (options.weld_distance > 0) weld_near_vertices(scene, options.weld_distance);
   finish_scene(scene, warnings);
   if (options.merge_coplanar) merge_coplanar_faces(scene);
   return scene;

@@ -18,6 +18,7 @@ enum class ModelFormat { gltf, glb, obj, stl_ascii, stl_binary, ply, asc_3d_stud
 std::string_view to_string(ModelFormat format);
 
 struct ReadOptions {
+  double weld_distance = 0;     ///< vertices so near to each other become one (model units); 0: those at one position
   bool merge_coplanar = false;  ///< put coplanar neighbouring faces together into polygons with holes
 };
 

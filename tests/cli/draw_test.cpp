@@ -262,6 +262,12 @@ TEST_F(DrawTest, MergedCoplanarFacesHaveNoLineBetweenThem) {
   EXPECT_EQ(strokes_by_class(drawn({"strip.obj", "--edges", "all", "--merge-coplanar"})).count("mesh"), 0u);
 }
 
+TEST_F(DrawTest, WeldedSeamsAreNoBorders) {
+  write("seam.obj", "v 0 0 0\nv 10 0 0\nv 20 0 0\nv 0 10 0\nv 10 10 0\nv 20 10 0\nv 10 0.01 0\nv 10 9.99 0\nf 1 2 5 4\nf 7 3 6 8\n");
+  EXPECT_GT(strokes_by_class(drawn({"seam.obj"}))["border"], 6);
+  EXPECT_EQ(strokes_by_class(drawn({"seam.obj", "--weld", "0.02"}))["border"], 6);
+}
+
 TEST_F(DrawTest, NamesWithSpacesAndUtf8) {
   std::filesystem::copy_file(file("cube.obj"), file("le cube \xc3\xa9t\xc3\xa9.obj"));
   EXPECT_EQ(run({"draw", "le cube \xc3\xa9t\xc3\xa9.obj", "-o", "une \xc3\xa9toile 'x'.svg"}).status, 0);

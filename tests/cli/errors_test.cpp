@@ -53,6 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
         draw("Method", {"--method", "magic"}, "--method: \"magic\" is not one of auto"),
         draw("Edges", {"--edges", "outline,all,none"}, "--edges: \"none\" is not one of outline, "),
         draw("EdgesEmpty", {"--edges", ""}, "--edges: "), draw("CreaseNegative", {"--crease", "-1"}, "--crease: -1 is not "),
+        draw("WeldZero", {"--weld", "0"}, "--weld: 0 is not greater than 0\n"),
         draw("CreaseLarge", {"--crease", "181"}, "--crease: 181 is not from 0 to 180 degrees\n"),
         draw("Hidden", {"--hidden", "dotted"}, "--hidden: \"dotted\" is not one of none, dashed or solid\n"),
         draw("Page", {"--page", "A11"}, "--page: "), draw("PageNothing", {"--page", "0x0"}, "--"),

@@ -107,7 +107,8 @@ TEST_F(ProgramTest, HelpAndVersion) {
                              "--hidden",    "--page",           "--landscape", "--portrait",   "--margin",
                              "--pen-width", "--scale",          "--unit",      "--output",     "--format",
                              "--dpi",       "--threads",        "--stats",     "--stats-json", "--progress",
-                             "--quiet",     "--merge-coplanar", "--title",     "--cull"}) {
+                             "--quiet",     "--merge-coplanar", "--title",     "--cull",
+                             "--weld"}) {
     EXPECT_NE(draw.find(option), std::string::npos) << option;
   }
 }

@@ -142,7 +142,7 @@ TEST(ReadScene, FormatOfEveryModel) {
   for (const auto& [file, format] : formats) {
     Warnings warnings;
     ReadReport report;
-    EXPECT_FALSE(read_scene(folder / file, {true}, warnings, &report).faces.empty());
+    EXPECT_FALSE(read_scene(folder / file, {.merge_coplanar = true}, warnings, &report).faces.empty());
     EXPECT_EQ(report.format, format) << file;
   }
 }
