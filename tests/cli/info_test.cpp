@@ -110,6 +110,8 @@ TEST_F(ProgramTest, HelpAndVersion) {
                              "--quiet",     "--merge-coplanar", "--title",     "--cull"}) {
     EXPECT_NE(draw.find(option), std::string::npos) << option;
   }
+  EXPECT_NE(draw.find("svg pdf png json"), std::string::npos);
+  EXPECT_EQ(run({"info", "--help"}).out.find("svg"), std::string::npos) << "info is no drawing";
 }
 
 }  // namespace
