@@ -20,13 +20,11 @@
 #include "view/projected_scene.hpp"
 #include "view/view.hpp"
 #include "visibility/registry.hpp"
+#include "visibility/tolerances.hpp"
 
 namespace {
 
 using namespace ligne;
-
-/// As in `ligne draw`: strokes closer than the micrometre to which a drawing is right are one line.
-constexpr double kCoincidenceMm = 1e-3;
 
 struct Selection {
   const char* name;
@@ -112,13 +110,14 @@ void study_stage(benchmark::State& state, const std::filesystem::path& file, con
 
 void drawing_stage(benchmark::State& state, const std::filesystem::path& file, const Selection& selection,
                    const Method& method) {
-  const VisibilityResult result = method.study(prepared(file, selection).projected, {});
+  const Prepared& p = prepared(file, selection);
+  const VisibilityResult result = method.study(p.projected, {});
   if (!result.strokes) return state.SkipWithError("the method gives no strokes");
   for (auto _ : state) {
     state.PauseTiming();
     StrokeModel strokes = *result.strokes;
     state.ResumeTiming();
-    remove_coincident_strokes(strokes, kCoincidenceMm);
+    remove_coincident_strokes(strokes, coincidence_mm(p.projected));
     benchmark::DoNotOptimize(make_drawing(strokes));
   }
 }
@@ -128,7 +127,7 @@ void write_stage(benchmark::State& state, const std::filesystem::path& file, con
   const Prepared& p = prepared(file, selection);
   VisibilityResult result = method.study(p.projected, {});
   if (!result.strokes) return state.SkipWithError("the method gives no strokes");
-  remove_coincident_strokes(*result.strokes, kCoincidenceMm);
+  remove_coincident_strokes(*result.strokes, coincidence_mm(p.projected));
   const Drawing drawing = make_drawing(*result.strokes);
   PlotOptions plot;
   plot.page = p.page;

@@ -16,7 +16,9 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   const std::pair<const char*, std::string> files[] = {{"gear-pair.json", scene_text(gear_pair())},
                                                        {"pipe-tee.json", scene_text(pipe_tee())},
-                                                       {"stair-tower.obj", obj_text(stair_tower())}};
+                                                       {"stair-tower.obj", obj_text(stair_tower())},
+                                                       {"five-cubes.obj", obj_text(five_cubes())},
+                                                       {"trefoil.obj", obj_text(trefoil())}};
   for (const auto& [name, text] : files) {
     std::ofstream out(folder / name, std::ios::binary);
     out << text;

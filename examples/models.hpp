@@ -15,4 +15,10 @@ Model pipe_tee();
 /// A spiral staircase in a domed rotunda, in m: thin slats, a helical rail, slender columns. No faces with holes.
 Model stair_tower();
 
+/// The compound of five cubes in one dodecahedron, in mm: every face is crossed by faces of all the other cubes.
+Model five_cubes();
+
+/// A tube along a trefoil knot on a torus, in mm: one closed mesh of triangles that hides much of itself.
+Model trefoil();
+
 }  // namespace ligne::examples

@@ -145,7 +145,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
       "resolution of a PNG")
       ->default_str("150")
       ->group("Output");
-  draw->add_option("--title", options.title, "title of the document")->type_name("TEXT")->group("Output");
+  draw->add_option("--title", options.title, "title of an SVG or PDF")->type_name("TEXT")->group("Output");
   add_run_options(*draw, options.run);
   draw->footer(kExamples);
 }

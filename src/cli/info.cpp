@@ -261,7 +261,7 @@ void setup_info(CLI::App& app, InfoOptions& options) {
   add_view_options(*info, options.view);
   add_method_options(*info, options.method);
   add_page_options(*info, options.page);
-  add_output_options(*info, options.output);
+  add_output_options(*info, options.output, "json (default: text)");
   add_run_options(*info, options.run);
   info->footer("Examples:\n  ligne info gearbox.obj\n  ligne info flange.glb --view top --json -o flange.json");
 }

@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-void add_output_options(CLI::App& app, OutputOptions& options) {
+void add_output_options(CLI::App& app, OutputOptions& options, const std::string& formats) {
   CLI::Option* file = add_parsed(
       app, "-o,--output", "FILE", options.file,
       [](const std::string& text) {
@@ -15,8 +15,7 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
         return text;
       },
       "file to write; - is standard output");
-  CLI::Option* format =
-      add_parsed(app, "--format", "NAME", options.format, parse_format, "svg pdf png json (default: by the suffix)");
+  CLI::Option* format = add_parsed(app, "--format", "NAME", options.format, parse_format, formats);
   for (CLI::Option* option : {file, format}) option->group("Output");
 }
 

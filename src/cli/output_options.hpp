@@ -19,8 +19,9 @@ struct OutputOptions {
   std::optional<OutputFormat> format;
 };
 
-/// Adds -o and --format.
-void add_output_options(CLI::App& app, OutputOptions& options);
+/// Adds -o and --format. `formats` is the help text of the latter: what there is, and the default.
+void add_output_options(CLI::App& app, OutputOptions& options,
+                        const std::string& formats = "svg pdf png json (default: by the suffix)");
 
 /// The format: as given, else by the suffix of the file. Throws UsageError when it can not be known.
 OutputFormat format_of(const OutputOptions& options);

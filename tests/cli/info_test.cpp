@@ -111,6 +111,8 @@ TEST_F(ProgramTest, HelpAndVersion) {
                              "--weld"}) {
     EXPECT_NE(draw.find(option), std::string::npos) << option;
   }
+  EXPECT_NE(draw.find("svg pdf png json"), std::string::npos);
+  EXPECT_EQ(run({"info", "--help"}).out.find("svg"), std::string::npos) << "info is no drawing";
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Makes the pictures of docs/gallery.md anew, by the very commands that stand there: docs/make_images.sh [LIGNE [FOLDER]]
+# LIGNE is the program (default: ligne.sh, which builds it), FOLDER where the pictures go (default: docs/images).
+# White paper is put under each drawing, so that it can be read on dark screens too.
+set -euo pipefail
+
+root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+ligne=$(realpath "${1:-$root/ligne.sh}")
+mkdir -p "${2:-$root/docs/images}"
+folder=$(realpath "${2:-$root/docs/images}")
+cd "$root"
+
+# The commands of the page: lines of its sh blocks that draw into docs/images, with their continuation lines.
+commands() {
+  awk '/^```/ { inside = $0 == "```sh"; next }
+       inside { line = line $0; if (sub(/\\$/, "", line)) next; if (line ~ /^ligne draw .* -o docs\/images\//) print line; line = "" }' \
+    docs/gallery.md
+}
+
+made=0
+while read -ra words; do
+  picture=$folder/${words[-1]#docs/images/}
+  "$ligne" "${words[@]:1:${#words[@]}-2}" "$picture"
+  sed -i 's|^<svg .*>$|&\n<rect width="100%" height="100%" fill="#fff"/>|' "$picture"
+  made=$((made + 1))
+done < <(commands)
+echo "$made pictures in $folder"
+((made > 0))
