@@ -1,0 +1,2 @@
+def scenes():
+    return []
