@@ -29,7 +29,7 @@ def penetration():
                 Mesh("plate").face([(-2, -5, -1), (5, -5, -1), (5, 5, 2), (-2, 5, 2)]))
     yield Scene("through_a_hole", "a bar goes through the hole of a plate without touching it",
                 block(rectangle(-6, -6, 6, 6), 0, 1, [rectangle(-2, -2, 2, 2)], "plate"), block(rectangle(-1, -1, 1, 1), -6, 7, name="bar"))
-    yield Scene("grazing_penetration", "the corner of a cube comes out of a plate by a thousandth of its size",
+    yield Scene("grazing_penetration", "the tip of a pyramid comes out of a plate by a thousandth of its height",
                 sheet(rectangle(-6, -6, 6, 6)),
                 pyramid(rectangle(-3, -3, 3, 3), 0, (0, 0, 6), "pyramid").mapped(lambda x, y, z: (x, 6 - 1 / 128 - z, y)))
     yield Scene("grazing_plates", "two plates penetrate at an angle so small that they are a hundredth apart at their ends",
@@ -70,8 +70,8 @@ def mutual():
                 sheet(comb(3), 0, name="comb on its side"),
                 sheet([(z, -2 - x + 12) for x, z in comb(4)], lambda x, z: (x - 7) / 4, name="comb upside down"))
     yield Scene("mutual_l_and_bar", "an L and a slanted bar: the bar is over one arm of the L and under the other",
-                sheet([(0, 0), (8, 0), (8, 2), (2, 2), (2, 8), (0, 8)], 0, name="L"),
-                sheet([(-1, 5), (1, 7), (8, 0), (6, -2)], lambda x, z: (x - 3) / 2, name="bar"))
+                sheet([(0, 0), (10, 0), (10, 2), (2, 2), (2, 10), (0, 10)], 0, name="L"),
+                sheet([(-2, 8), (-1, 9), (9, -1), (8, -2)], lambda x, z: (x - 3) / 2, name="bar"))
     yield Scene("woven_strips", "six folded strips woven over and under each other", *woven())
 
 
@@ -95,7 +95,8 @@ def woven():
                 near = lambda j: -1 if (i + j + across) % 2 else 1
                 a, b = near(k // 2), near((k + 1) // 2)
                 s, t = ((3 * k, a), (3 * k + 3, b))
-                points = [(s[0], s[1], 6 * i), (t[0], t[1], 6 * i), (t[0], t[1], 6 * i + 3), (s[0], s[1], 6 * i + 3)]
+                low, high = 6 * i + 0.5, 6 * i + 2.5
+                points = [(s[0], s[1], low), (t[0], t[1], low), (t[0], t[1], high), (s[0], s[1], high)]
                 mesh.face(points)
             if across:
                 mesh = mesh.mapped(lambda x, y, z: (z, y, x), flip=True)
