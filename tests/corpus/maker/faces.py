@@ -51,6 +51,9 @@ def coplanar():
                 sheet(rectangle(0, 0, 8, 8)), sheet([(2, 2), (6, 3), (4, 6)], name="triangle"))
     yield Scene("coplanar_overlap_sides", "plates in one plane that overlap with sides on each other",
                 sheet(rectangle(0, 0, 6, 6)), sheet(rectangle(2, 0, 8, 6)), sheet(rectangle(0, 2, 4, 8)))
+    yield Scene("coplanar_slender_strips", "slender strips in one plane that cross: flush like a grating, no strip penetrates another",
+                *[floor(rectangle(4 * i, -2, 4 * i + 1, 18), name="strip along y") for i in range(5)],
+                *[floor(rectangle(-2, 4 * i, 19, 4 * i + 1), name="strip along x") for i in range(5)])
     yield Scene("duplicate_faces", "a face that stands three times in one object, once wound the other way",
                 sheet(SQUARE).face([(x, 0, z) for x, z in SQUARE]).face([(x, 0, z) for x, z in SQUARE[::-1]]))
     yield Scene("duplicate_objects", "the same cube twice, as two objects in the same place", cube(), cube(name="the same cube"))

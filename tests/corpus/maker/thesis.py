@@ -26,19 +26,20 @@ def figure_2_52():
             "d": "turned by 30 degrees: each hides a part of the next"}
     for letter, (c, s) in {"a": (1, 0), "c": (1, 1), "d": NEARLY_30}.items():
         for n in range(1, 6):
-            yield Scene(f"thesis_2_52{letter}_n{n}", f"thesis, figure 2.52 {letter}: {n} square{'s' * (n > 1)} along a diagonal, {text[letter]}",
-                        *squares(n, c, s))
+            about = f"thesis, figure 2.52 {letter}: {n} square{'s' * (n > 1)} along a diagonal, {text[letter]}"
+            yield Scene(f"thesis_2_52{letter}_n{n}", about, *squares(n, c, s))
     yield Scene("thesis_2_52d_60_n5", "thesis, figure 2.52 d: 5 squares turned by 60 degrees, the mirror image of those turned by 30",
                 *squares(5, *NEARLY_30[::-1]))
 
 
 def warnock():
-    yield Scene("thesis_2_2", "thesis, figure 2.2: a scene given by three views, its front view divided into windows; here a stepped block before a wedge",
+    yield Scene("thesis_2_2", "thesis, figure 2.2: a scene given by three views, its front view divided into windows; "
+                "here a stepped block before a wedge",
                 block([(0, 0), (6, 0), (6, 2), (3, 2), (3, 5), (0, 5)], 0, 3, name="stepped block"),
                 sideways([(4, 0), (8, 0), (8, 4)], 2, 9, name="wedge"))
     square = sheet(TURNED_SQUARE, 0, name="square")
-    yield Scene("thesis_2_20", "thesis, figures 2.20 to 2.23: a square that hides a triangle; about 60 windows, 20 from the bounding square, one along the square's sides",
-                square, sheet([(-6, -5), (7, -3), (1, 8)], 4, name="triangle"))
+    yield Scene("thesis_2_20", "thesis, figures 2.20 to 2.23: a square that hides a triangle; about 60 windows, 20 from the bounding square, "
+                "one along the square's sides", square, sheet([(-6, -5), (7, -3), (1, 8)], 4, name="triangle"))
     yield Scene("thesis_2_22_moved", "thesis, figure 2.22: the triangle moved slightly, still hidden: the number of windows grows considerably",
                 square, sheet([(-7, -4), (6, -2), (0, 9)], 4, name="triangle"))
     yield Scene("thesis_2_22_seen", "thesis, figure 2.22: the triangle moved so far that a corner comes out",
