@@ -1,7 +1,7 @@
 """Many things, and sizes that are out of the common."""
 
 from .mesh import Scene
-from .shapes import box, cube, floor, pyramid, rectangle, sheet
+from .shapes import box, cube, floor, pyramid, rectangle
 from .solids import octahedron
 
 

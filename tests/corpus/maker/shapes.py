@@ -91,14 +91,6 @@ def floor(outer, z=0, holes=(), name="plate"):
                              for c in (wound(list(outer)), *[wound(list(h), False) for h in holes])])
 
 
-def joined(name, *meshes):
-    """One object of several; vertices in the same place become one."""
-    mesh = Mesh(name, all(m.solid for m in meshes))
-    for m in meshes:
-        mesh.add(m)
-    return mesh
-
-
 def turned(contour, c, s):
     """Turned by the angle with cosine c/r and sine s/r, and enlarged by r."""
     return [(u * c - v * s, u * s + v * c) for u, v in contour]

@@ -1,7 +1,7 @@
 """Things that touch, and things that line up on the page."""
 
 from .mesh import Mesh, Scene
-from .shapes import block, box, cube, floor, pyramid, rectangle, sheet, shifted, sideways
+from .shapes import block, box, cube, floor, pyramid, rectangle, sheet, sideways
 
 
 def touching():
@@ -50,7 +50,7 @@ def lined_up():
     yield Scene("same_outline_two_depths", "two equal plates exactly behind each other in the front view",
                 sheet(rectangle(0, 0, 5, 4)), sheet(rectangle(0, 0, 5, 4), 3))
     yield Scene("vertex_behind_vertex", "triangles that meet on the page in one point, each at a depth of its own",
-                *[sheet(shifted(t, 0, 0), 2 * i, name=f"triangle {i + 1}") for i, t in enumerate(
+                *[sheet(t, 2 * i, name=f"triangle {i + 1}") for i, t in enumerate(
                     ([(0, 0), (4, 1), (1, 4)], [(0, 0), (-1, 4), (-4, 1)], [(0, 0), (-4, -1), (-1, -4)], [(0, 0), (1, -4), (4, -1)]))])
     yield Scene("stack_of_plates", "eight parallel plates close behind each other, each a little larger",
                 *[sheet(rectangle(-k, -k, 8 + k, 6 + k), k / 4) for k in range(8)])
