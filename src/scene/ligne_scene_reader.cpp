@@ -126,11 +126,12 @@ class SceneReader {
       : root_(std::move(root)), report_(report), builder_(name, report) {}
 
   Scene read() {
-    root_.expect_object({"format", "version", "up", "materials", "objects", "lights"});
+    root_.expect_object({"format", "version", "about", "up", "materials", "objects", "lights"});
     if (const std::string format = root_.at("format").text(); format != "ligne-scene") {
       throw root_.at("format").error(shown(format) + " is not 'ligne-scene'");
     }
     if (root_.at("version").number() != 1) throw root_.at("version").error("only version 1 is known");
+    if (const auto about = root_.find("about")) about->text();  // for people: checked, not kept
     const Axis up = read_up();
     root_.for_each("materials", [&](const Node& node) { read_material(node); });
     root_.at("objects").array_size();

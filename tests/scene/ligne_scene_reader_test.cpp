@@ -49,6 +49,14 @@ TEST(LigneSceneReader, IndicesAreThoseOfTheObject) {
   EXPECT_EQ(r.scene.objects[0].precision, std::ldexp(1.0, 2 - 53));
 }
 
+TEST(LigneSceneReader, AboutIsForPeople) {
+  const std::string objects = "\"objects\": [{" + kVertices + R"(, "faces": [{"outer": [0,1,2]}]}]})";
+  const Result r = read_raw(read_ligne_scene, kHead + R"("about": "a triangle", )" + objects);
+  EXPECT_EQ(r.scene.faces.size(), 1u);
+  EXPECT_TRUE(r.warnings.counts().empty());
+  EXPECT_EQ(error(kHead + R"("about": ["a triangle"], )" + objects), "M: about: is not a string");
+}
+
 TEST(LigneSceneReader, ErrorsNameThePlace) {
   EXPECT_EQ(error(with_face(R"("outer": [0,99,2])")), "M: objects[0].faces[0].outer[1]: vertex 99 of 7");
   EXPECT_EQ(error(with_face(R"("outer": [0,-1,2])")), "M: objects[0].faces[0].outer[1]: vertex -1 of 7");
