@@ -8,6 +8,8 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "visibility/tolerances.hpp"
+
 // Per leaf all pairs of facets that may meet in depth and on the page are tested by the sides of their corners: above or
 // below the other's plane, or on it within the touching tolerance. "On" counts as above, so that a segment through a common
 // corner of two facets is found once. Pairs that pass are put together over all leaves, and only then cut.
@@ -30,7 +32,9 @@ Corners corners_of(const Facet& f, const ProjectedVertex* vertices) {
 }
 
 /// Heights of the other's corners over the plane of `plane` (positive: farther from the viewer), times its area; those
-/// within the touching tolerance are zero.
+/// within the touching tolerance are zero. `touch` is owed half to the corners of the facet and half to the point that is held against
+/// them, for a point over the facet. Outside of it the plane is extrapolated: its depth is the sum of the corners' depths with weights
+/// w_i / area, some of them negative, so the errors of the corners count with |w_i| / area.
 struct Heights {
   std::array<double, 3> h;
   int above = 0, below = 0, on = 0;
@@ -45,7 +49,8 @@ Heights heights_over(const Corners& plane, float touch, const Corners& other) {
     const double w1 = orientation(plane.p[2].p, plane.p[0].p, q);
     const double a = w0 * plane.p[0].z, b = w1 * plane.p[1].z, c = w2 * plane.p[2].z, z = plane.area * other.p[i].z;
     const double h = z - (a + b + c);
-    const double tolerance = touch * plane.area + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
+    const double weights = std::abs(w0) + std::abs(w1) + std::abs(w2);  // the area, when q lies over the facet
+    const double tolerance = 0.5 * touch * (weights + plane.area) + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
     if (std::abs(h) <= tolerance) {
       r.h[i] = 0;
       ++r.on;
@@ -286,7 +291,8 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
     if (!segment) continue;
     const Intersection i{rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face),
                          std::max(fa.face, fb.face)};
-    if (!(i.from.p == i.to.p)) result.push_back(i);
+    const double length = std::hypot(double(i.to.p.x) - i.from.p.x, double(i.to.p.y) - i.from.p.y);
+    if (length * scene.lattice.step_mm > kLeastPartMm) result.push_back(i);
   }
   return result;
 }
