@@ -115,6 +115,34 @@ TEST_P(KnownAnswerFile, IsSound) {
   for (const PageSegment& segment : expected) EXPECT_TRUE(selected.has(segment.line_class)) << segment.label;
 }
 
+/// The proof that the comparison can fail: whatever is changed in the answer, the drawing no longer agrees with it.
+TEST_P(KnownAnswerFile, IsToTheLastCoordinate) {
+  const KnownAnswer answer = answer_named(GetParam());
+  const Picture picture = draw(answer.scene, {answer.camera, answer.edges, answer.with_hidden, 0});
+  const CompareTolerance tolerance = tolerance_of_lattice(picture.projected.lattice.step_mm);
+  const auto drawn = drawn_segments(picture);
+  const auto expected = expected_segments(answer, picture.projected.view, answer.with_hidden);
+  const auto notices = [&](std::size_t i, const std::string& what, auto change) {
+    auto changed = expected;
+    change(changed[i]);
+    EXPECT_FALSE(differences(changed, drawn, tolerance).empty()) << what << ": " << expected[i].label;
+  };
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const Point2 along = glm::normalize(expected[i].to - expected[i].from) * (3 * tolerance.end);
+    notices(i, "longer", [&](PageSegment& s) { s.to += along; });
+    notices(i, "shorter", [&](PageSegment& s) { s.to -= along; });
+    notices(i, "turned", [&](PageSegment& s) { s.from += Point2{-along.y, along.x}; });
+    notices(i, "nearer", [&](PageSegment& s) { s.z_from -= 1; });
+    notices(i, "other class", [&](PageSegment& s) {
+      s.line_class = s.line_class == LineClass::crease ? LineClass::mesh : LineClass::crease;
+    });
+    notices(i, "other visibility", [&](PageSegment& s) { s.visible = !s.visible; });
+    auto without = expected;
+    without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_FALSE(differences(without, drawn, tolerance).empty()) << "without: " << expected[i].label;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, KnownAnswerFile, testing::ValuesIn(answer_names()),
                          [](const auto& info) { return info.param; });
 
