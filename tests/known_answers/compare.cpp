@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
 #include <sstream>
 #include <utility>
-
-#include <glm/geometric.hpp>
 
 namespace ligne::test {
 namespace {
@@ -28,9 +27,7 @@ Place place(const PageSegment& s, Point2 p) {
   return {glm::dot(d, v), std::abs(d.x * v.y - d.y * v.x)};
 }
 
-bool same_kind(const PageSegment& a, const PageSegment& b) {
-  return a.line_class == b.line_class && a.visible == b.visible;
-}
+bool same_kind(const PageSegment& a, const PageSegment& b) { return a.line_class == b.line_class && a.visible == b.visible; }
 
 /// Depths agree at `along` mm on the segment.
 bool at_depth(const PageSegment& s, double along, double z, const CompareTolerance& tolerance) {
@@ -50,10 +47,12 @@ std::string text(const PageSegment& s, std::optional<Interval> part = {}) {
 }
 
 /// Where `drawn` lies on `expected`, when it lies on it as a whole.
-std::optional<Interval> interval_on(const PageSegment& expected, const PageSegment& drawn, const CompareTolerance& tolerance) {
+std::optional<Interval> interval_on(const PageSegment& expected, const PageSegment& drawn,
+                                    const CompareTolerance& tolerance) {
   Place a = place(expected, drawn.from), b = place(expected, drawn.to);
   if (std::max(a.beside, b.beside) > tolerance.line) return {};
-  if (!at_depth(expected, a.along, drawn.z_from, tolerance) || !at_depth(expected, b.along, drawn.z_to, tolerance)) return {};
+  if (!at_depth(expected, a.along, drawn.z_from, tolerance) || !at_depth(expected, b.along, drawn.z_to, tolerance))
+    return {};
   if (a.along > b.along) std::swap(a, b);
   if (a.along < -tolerance.end || b.along > length(expected) + tolerance.end) return {};
   return Interval{a.along, b.along};

@@ -1,10 +1,10 @@
 // The comparison must find whatever is wrong with a drawing, and nothing else.
 
+#include "compare.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "compare.hpp"
 
 namespace ligne::test {
 namespace {
@@ -39,18 +39,17 @@ TEST(Compare, ToleranceIsAFewSteps) {
 TEST(Compare, FindsNothingWhereNothingIsWrong) { EXPECT_EQ(found(picture()), std::vector<std::string>{}); }
 
 TEST(Compare, DirectionOrderAndPiecesDoNotMatter) {
-  const std::vector<PageSegment> drawn = {segment({60, 10}, {60, 90}, LineClass::crease, false),
-                                          segment({60, 10}, {110, 10}, LineClass::border),
-                                          segment({10, 10}, {60, 10}, LineClass::border), segment({60, 90}, {110, 10}),
-                                          segment({10, 10}, {60, 90})};
+  const std::vector<PageSegment> drawn = {
+      segment({60, 10}, {60, 90}, LineClass::crease, false), segment({60, 10}, {110, 10}, LineClass::border),
+      segment({10, 10}, {60, 10}, LineClass::border), segment({60, 90}, {110, 10}), segment({10, 10}, {60, 90})};
   EXPECT_EQ(found(drawn), std::vector<std::string>{});
   // The answer in pieces and the drawing in one.
   EXPECT_EQ(differences(drawn, picture(), kTolerance), std::vector<std::string>{});
 }
 
 TEST(Compare, PiecesOfTheAnswerMayComeInAnyOrder) {
-  const std::vector<PageSegment> answer = {segment({0, 0}, {10, 20}), segment({30, 60}, {40, 80}), segment({30, 60}, {20, 40}),
-                                           segment({10, 20}, {20, 40})};
+  const std::vector<PageSegment> answer = {segment({0, 0}, {10, 20}), segment({30, 60}, {40, 80}),
+                                           segment({30, 60}, {20, 40}), segment({10, 20}, {20, 40})};
   EXPECT_EQ(differences(answer, {segment({0, 0}, {40, 80})}, kTolerance), std::vector<std::string>{});
   expect_only(differences(answer, {segment({0, 0}, {35, 70})}, kTolerance), "missing");
 }

@@ -4,9 +4,8 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
-#include <sstream>
-
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "scene/reader.hpp"
 

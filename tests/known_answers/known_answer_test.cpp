@@ -1,10 +1,10 @@
 // The reader of the answers.
 
+#include "known_answer.hpp"
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-
-#include "known_answer.hpp"
 
 namespace ligne::test {
 namespace {
@@ -51,7 +51,8 @@ TEST(KnownAnswerReader, ReadsWhatIsThere) {
 
 TEST(KnownAnswerReader, ReadsAPerspectiveView) {
   json document = square();
-  document["view"] = json::parse(R"({"eye": [0, -9, 0], "target": [0, 0, 0], "fov": 60, "right": [1, 0, 0], "down": [0, 0, -1]})");
+  document["view"] =
+      json::parse(R"({"eye": [0, -9, 0], "target": [0, 0, 0], "fov": 60, "right": [1, 0, 0], "down": [0, 0, -1]})");
   const KnownAnswer answer = parse_known_answer(document.dump(), "A", {});
   ASSERT_TRUE(answer.camera.eye && answer.camera.target);
   EXPECT_EQ(*answer.camera.eye, (Point3{0, -9, 0}));

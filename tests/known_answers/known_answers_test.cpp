@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <sstream>
 #include <string>
 #include <tuple>
-
-#include <glm/geometric.hpp>
 
 #include "compare.hpp"
 #include "known_answer.hpp"
@@ -48,7 +47,12 @@ std::vector<PageSegment> expected_segments(const KnownAnswer& answer, const View
   for (const KnownSegment& known : answer.segments) {
     if (!known.visible && !with_hidden) continue;
     const glm::dvec4 a = view.model_to_page * glm::dvec4(known.from, 1), b = view.model_to_page * glm::dvec4(known.to, 1);
-    segments.push_back({{a.x / a.w, a.y / a.w}, {b.x / b.w, b.y / b.w}, a.z / a.w, b.z / b.w, known.line_class, known.visible,
+    segments.push_back({{a.x / a.w, a.y / a.w},
+                        {b.x / b.w, b.y / b.w},
+                        a.z / a.w,
+                        b.z / b.w,
+                        known.line_class,
+                        known.visible,
                         text(known.from) + " - " + text(known.to)});
   }
   return segments;
@@ -94,7 +98,8 @@ std::string parameter_name(const testing::TestParamInfo<std::tuple<std::string, 
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, KnownAnswers, testing::Combine(testing::ValuesIn(answer_names()), testing::ValuesIn(line_methods())),
+INSTANTIATE_TEST_SUITE_P(All, KnownAnswers,
+                         testing::Combine(testing::ValuesIn(answer_names()), testing::ValuesIn(line_methods())),
                          parameter_name);
 
 /// The answers themselves.
@@ -133,9 +138,8 @@ TEST_P(KnownAnswerFile, IsToTheLastCoordinate) {
     notices(i, "shorter", [&](PageSegment& s) { s.to -= along; });
     notices(i, "turned", [&](PageSegment& s) { s.from += Point2{-along.y, along.x}; });
     notices(i, "nearer", [&](PageSegment& s) { s.z_from -= 1; });
-    notices(i, "other class", [&](PageSegment& s) {
-      s.line_class = s.line_class == LineClass::crease ? LineClass::mesh : LineClass::crease;
-    });
+    notices(i, "other class",
+            [&](PageSegment& s) { s.line_class = s.line_class == LineClass::crease ? LineClass::mesh : LineClass::crease; });
     notices(i, "other visibility", [&](PageSegment& s) { s.visible = !s.visible; });
     auto without = expected;
     without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
