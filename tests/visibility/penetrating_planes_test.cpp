@@ -1,0 +1,48 @@
+// Planes that cross where rims or sides of triangles lie. Scenes with all coordinates worked out: tests/known_answers.
+
+#include <gtest/gtest.h>
+
+#include "support/scenes.hpp"
+
+namespace ligne::test {
+namespace {
+
+constexpr double kMicrometre = 0.001;
+
+TEST(PenetratingPlanes, CrossInALineThoughTheirRimsCoincide) {
+  // Two 10 x 10 squares that cross at right angles along x, seen along (0, 1, -1): both are seen at 45 degrees.
+  Scene scene;
+  add_face(scene, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
+  add_face(scene, {{{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}}});
+  const Picture p = draw(scene, {along({0, 1, -1}), "all", false, 1});
+  EXPECT_NEAR(p.length_of(LineClass::intersection), 10, kMicrometre);
+  // Both project to the same rectangle 10 x 10/sqrt(2): of each the far half is behind the near half of the other, and both
+  // rectangles' rims coincide. Drawn: the rim once, and the line of intersection.
+  EXPECT_NEAR(p.length(), 20 + 2 * 10 / std::sqrt(2.0) + 10, 5 * kMicrometre);
+}
+
+TEST(PenetratingPlanes, CrossInASideOfTriangles) {
+  // The upright square is cut into triangles along the very line in which it crosses the other one, and the lower half
+  // hangs on the upper one by that side.
+  Scene scene;
+  add_face(scene, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
+  begin_object(scene);
+  const auto base = static_cast<std::uint32_t>(scene.vertices.size());
+  for (const Point3& p : {Point3{-5, 0, 0}, Point3{5, 0, 0}, Point3{0, 0, 5}, Point3{0, 0, -5}}) scene.vertices.push_back(p);
+  scene.faces.add_triangle(base, base + 1, base + 2);
+  scene.faces.add_triangle(base + 1, base, base + 3);
+  end_object(scene);
+  for (const bool hidden : {false, true}) {
+    const Picture p = draw(scene, {along({0, 1, -1}), "intersection", hidden, 1});
+    EXPECT_NEAR(p.length_of(LineClass::intersection), 10, kMicrometre) << "with hidden lines: " << hidden;
+  }
+  // Without the lower half the upper one stands on the square: they touch.
+  Scene standing = scene;
+  standing.faces = {};
+  add_face(standing, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
+  add_face(standing, {{{-5, 0, 0}, {5, 0, 0}, {0, 0, 5}}});
+  EXPECT_NEAR(draw(standing, {along({0, 1, -1}), "intersection", false, 1}).length(), 0, kMicrometre);
+}
+
+}  // namespace
+}  // namespace ligne::test
