@@ -277,6 +277,23 @@ ProjectedVertex rounded(const PagePoint& p) {
   return {{static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))}, p.z};
 }
 
+/// Drops segments no longer than `least` steps, which rounding leaves where surfaces touch, unless longer ones go on at both ends: a line of
+/// many facets may have short pieces, and is to be one line.
+void drop_specks(std::vector<Intersection>& segments, double least) {
+  const auto is_short = [least](const Intersection& s) {
+    return std::hypot(double(s.to.p.x) - s.from.p.x, double(s.to.p.y) - s.from.p.y) <= least;
+  };
+  if (std::none_of(segments.begin(), segments.end(), is_short)) return;
+  const auto less = [](const LatticePoint& a, const LatticePoint& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); };
+  std::vector<LatticePoint> ends;
+  for (const Intersection& s : segments) {
+    if (!is_short(s)) ends.insert(ends.end(), {s.from.p, s.to.p});
+  }
+  std::sort(ends.begin(), ends.end(), less);
+  const auto goes_on = [&](const LatticePoint& p) { return std::binary_search(ends.begin(), ends.end(), p, less); };
+  std::erase_if(segments, [&](const Intersection& s) { return is_short(s) && !(goes_on(s.from.p) && goes_on(s.to.p)); });
+}
+
 }  // namespace
 
 std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
@@ -291,9 +308,9 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
     if (!segment) continue;
     const Intersection i{rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face),
                          std::max(fa.face, fb.face)};
-    const double length = std::hypot(double(i.to.p.x) - i.from.p.x, double(i.to.p.y) - i.from.p.y);
-    if (length * scene.lattice.step_mm > kLeastPartMm) result.push_back(i);
+    if (!(i.from.p == i.to.p)) result.push_back(i);
   }
+  drop_specks(result, kLeastPartMm / scene.lattice.step_mm);
   return result;
 }
 
