@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "scene/diagnostics.hpp"
+#include "scene/text_lines.hpp"
 
 namespace ligne {
 namespace {
@@ -74,7 +75,7 @@ GltfDocument open_gltf(std::span<const std::byte> bytes, bool binary, const std:
   std::string error, warning;
   if (!loader.LoadASCIIFromString(&document.model, &error, &warning, checked.text.data(),
                                   static_cast<unsigned>(checked.text.size()), "")) {
-    throw InputError(name, "glTF: " + error.substr(0, error.find('\n')));
+    throw InputError(name, "glTF: " + printable(error.substr(0, error.find('\n')), 200));
   }
   return document;
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "scene/diagnostics.hpp"
+#include "scene/text_lines.hpp"
 
 namespace ligne {
 namespace {
@@ -37,7 +38,7 @@ void check_required_extension(const std::string& extension, const std::string& n
   }
   const bool harmless = std::any_of(kHarmlessPrefixes.begin(), kHarmlessPrefixes.end(),
                                     [&](std::string_view prefix) { return extension.starts_with(prefix); });
-  if (!harmless) throw InputError(name, "needs the glTF extension " + extension.substr(0, 80) + ", which is not known here");
+  if (!harmless) throw InputError(name, "needs the glTF extension " + printable(extension) + ", which is not known here");
 }
 
 }  // namespace ligne

@@ -13,6 +13,7 @@
 
 #include "scene/diagnostics.hpp"
 #include "scene/gltf_extensions.hpp"
+#include "scene/text_lines.hpp"
 
 namespace ligne {
 namespace {
@@ -200,7 +201,7 @@ class Checker {
     for (const char* key : {"version", "minVersion"}) {
       const std::string version = asset.text(key);
       if (version.empty() && std::string_view(key) == "minVersion") continue;
-      if (!version.starts_with("2.")) asset.fail(std::string(key) + " \"" + version + "\" is not glTF 2");
+      if (!version.starts_with("2.")) asset.fail(std::string(key) + " \"" + printable(version) + "\" is not glTF 2");
     }
   }
 

@@ -95,14 +95,13 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
   return value;
 }
 
-std::string printable(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
+std::string printable(std::string_view text, std::size_t longest) {
   std::string out;
-  for (const char c : text.substr(0, kLongest)) {
+  for (const char c : text.substr(0, longest)) {
     const auto code = static_cast<unsigned char>(c);
     out += code < 0x20 || code >= 0x7f ? '?' : c;
   }
-  return text.size() > kLongest ? out.append("...") : out;
+  return text.size() > longest ? out.append("...") : out;
 }
 
 std::string shown(std::string_view text) {

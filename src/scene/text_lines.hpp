@@ -44,8 +44,8 @@ std::optional<double> number_in(std::string_view word);
 /// The value of a word that is a whole number and nothing else.
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
-/// A piece of input as it can stand in an error line: of bounded length, control characters as '?'.
-std::string printable(std::string_view text);
+/// A piece of input as it can stand in an error line: of bounded length, whatever is not printable ASCII as '?'.
+std::string printable(std::string_view text, std::size_t longest = 40);
 /// The same in quotes.
 std::string shown(std::string_view text);
 
