@@ -13,6 +13,7 @@
 ///   hidden   the whole cross-section through P, one micrometre to the left and to the right, is covered by faces that are in front of P by
 ///            more than delta;
 ///   visible  no face that is in front of P, or less than delta behind it, covers anything of the cross-section.
+/// Within a micrometre of places where sides cross the edge nothing is asked: that is undecided too.
 /// delta = 1 um (1 + g) + 2 e m (m + g) + s, g the gradient of the face's depth, e the error of the input on the page, m the
 /// magnification at P, s how far the face's own corners are off its plane.
 
@@ -28,18 +29,18 @@ namespace oracle {
 using ligne::Point2;
 using ligne::Point3;
 
-/// A camera and its place on the page. Page mm, x right, y down. Parallel: the point p is drawn at offset + scale (right . p, down . p)
-/// with the unit vectors of direction and up. Perspective: at offset + scale D (right . d, down . d) / (forward . d),
-/// d = p - eye, D the distance of the target. (A parallel ligne::View measures from its camera's eye; offset is then
-/// shifted, see tests/support/judge.hpp.)
+/// A camera and its place on the page. Page mm, x right, y down. With d = p - eye and unit vectors right, down, forward made of the
+/// line of sight and up, the point p is drawn, in parallel projection, at offset + scale (right . d, down . d), and in
+/// perspective at offset + scale D (right . d, down . d) / (forward . d), D the distance of the target.
 struct View {
   bool perspective = false;
   Point3 direction{0, 1, 0};  ///< parallel: line of sight, any length
-  Point3 eye{0, 0, 0}, target{0, 1, 0};  ///< perspective
-  Point3 up{0, 0, 1};                    ///< not parallel to the line of sight
-  double scale = 1;                      ///< page mm per model unit (in perspective: on the target's plane)
-  Point2 offset{0, 0};
-  ligne::Rect window;  ///< edges are cut at its sides
+  Point3 eye{0, 0, 0};        ///< parallel: any point
+  Point3 target{0, 1, 0};     ///< perspective
+  Point3 up{0, 0, 1};         ///< not parallel to the line of sight
+  double scale = 1;           ///< page mm per model unit (in perspective: on the target's plane)
+  Point2 offset{0, 0};        ///< where the line of sight through the eye meets the page
+  ligne::Rect window{{0, 0}, {297, 210}};  ///< edges are cut at its sides
 };
 
 enum class Answer : std::uint8_t { visible, hidden, undecided };
@@ -102,8 +103,9 @@ class Oracle {
   /// Distance in mm on the page from the point to the nearest side of any face, to tell points at which nothing is decided.
   double distance_to_sides(Point2 page_mm) const;
 
+  struct State;  ///< state.hpp; of no use outside this folder
+
  private:
-  struct State;
   std::unique_ptr<State> state_;
 };
 
