@@ -87,6 +87,7 @@ std::vector<Face> make_faces(const ligne::Scene& scene, const Projection& projec
         face.slack_mm = std::max(face.slack_mm, projection.mm_z() * std::abs(to_double(p.z - face.plane.z(p.x, p.y))));
         face.box.add(p);
         face.corners.push_back(p);
+        face.corners_mm.push_back(projection.page_mm(p));
         face.sides.push_back({first + k, k + 1 == n ? first : first + k + 1});
       }
     }

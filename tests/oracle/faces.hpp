@@ -29,6 +29,7 @@ struct Face {
   bool hides = false;  ///< has area on the page
   std::vector<PagePoint> corners;
   std::vector<std::array<std::uint32_t, 2>> sides;  ///< corners from and to
+  std::vector<Point2> corners_mm;                   ///< the corners on the page, rounded
   PagePlane plane;
   Box box;
   double gradient = 0;  ///< mm of depth by mm of the page

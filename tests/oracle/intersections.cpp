@@ -110,7 +110,10 @@ void cross_faces(Oracle::State& state, std::uint32_t f, std::uint32_t g) {
   const auto line = common_line(face, other, state.projection);
   if (!line) return;
   const double reach = doubt(state, face, other, *line);
-  const FaceOverLine over_f(face, *line), over_g(other, *line);
+  if (line->surely_beside(face) || line->surely_beside(other)) return;
+  FaceOverLine over_f(face, *line), over_g(other, *line);
+  over_f.find_corners(*line);
+  over_g.find_corners(*line);
   std::vector<double> places;
   add_changes(over_f, reach, places);
   add_changes(over_g, reach, places);
@@ -125,18 +128,15 @@ void cross_faces(Oracle::State& state, std::uint32_t f, std::uint32_t g) {
 
 /// An edge that lies in a face, with one of its own faces before the face and another behind it: there the surface goes
 /// through the face, although none of its faces does.
-void cross_edge(Oracle::State& state, const Edge& edge, std::uint32_t g) {
+void cross_edge(Oracle::State& state, const Edge& edge, const Line& line, std::uint32_t g) {
   const Face& wall = state.faces[g];
   const Vector3 a = exact(edge.a), b = exact(edge.b);
-  if (!state.lies_in_plane(a, wall) || !state.lies_in_plane(b, wall)) return;
-  const auto part = state.part_in_view(a, b);
-  if (!part) return;
-  const auto page_point = [&](double t) {
-    return state.projection.page_point(state.projection.sight_point(a + Exact(t) * (b - a)));
-  };
-  const Line line(page_point((*part)[0]), page_point((*part)[1]), state.projection);
-  if (line.length_mm < kShortestMm) return;
-  const FaceOverLine over_wall(wall, line);
+  if (line.length_mm < kShortestMm || !line.box.meets(wall.box, 0, 0) || line.box.z0 > wall.box.z1 || wall.box.z0 > line.box.z1 ||
+      line.surely_beside(wall) || !state.lies_in_plane(a, wall) || !state.lies_in_plane(b, wall)) {
+    return;
+  }
+  FaceOverLine over_wall(wall, line);
+  over_wall.find_corners(line);
 
   // Which of the edge's faces go on before the wall, which behind it.
   struct Wing {
@@ -150,7 +150,9 @@ void cross_edge(Oracle::State& state, const Edge& edge, std::uint32_t g) {
     const Face& face = state.faces[f];
     if (!face.hides) continue;
     const double reach = doubt(state, face, wall, line), rise = slope(face, wall, line);
-    for (const auto& [first, second] : FaceOverLine(face, line).cover(0.5)) {
+    FaceOverLine over(face, line);
+    over.find_corners(line);
+    for (const auto& [first, second] : over.cover(0.5)) {
       if (first == 0) wings.push_back({f, rise > 0, reach, second >= reach});
       if (second == 0) wings.push_back({f, rise < 0, reach, first <= -reach});
     }
@@ -183,9 +185,10 @@ void Oracle::State::find_intersections() {
     }
   }
   for (const Edge& edge : edges) {
-    for (std::uint32_t g = 0; edge.faces.size() > 1 && g < faces.size(); ++g) {
+    const auto line = edge.faces.size() > 1 ? line_in_view(exact(edge.a), exact(edge.b)) : std::nullopt;
+    for (std::uint32_t g = 0; line && g < faces.size(); ++g) {
       if (!faces[g].hides || std::find(edge.faces.begin(), edge.faces.end(), g) != edge.faces.end()) continue;
-      cross_edge(*this, edge, g);
+      cross_edge(*this, edge, line->line, g);
     }
   }
 }

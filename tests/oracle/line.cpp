@@ -15,12 +15,29 @@ Line::Line(const PagePoint& from, const PagePoint& to, const Projection& project
   ox = Exact(-y_mm / length_mm * kMicrometre / projection.mm_x());
   oy = Exact(x_mm / length_mm * kMicrometre / projection.mm_y());
   det_ = dx * oy - dy * ox;
+  a_mm = projection.page_mm(a);
+  direction_mm = {x_mm / length_mm, y_mm / length_mm};
+}
+
+bool Line::surely_beside(const Face& face) const {
+  // Page coordinates have errors of 2^-52 of their size and few roundings follow.
+  constexpr double kRoundings = 0x1p-44;
+  bool left = true, right = true;
+  for (const Point2& p : face.corners_mm) {
+    const double x = p.x - a_mm.x, y = p.y - a_mm.y, across = direction_mm.x * y - direction_mm.y * x;
+    const double margin = 2 * kMicrometre + kRoundings * (std::abs(p.x) + std::abs(p.y) + std::abs(a_mm.x) + std::abs(a_mm.y));
+    left = left && across > margin;
+    right = right && across < -margin;
+  }
+  return left || right;
 }
 
 FaceOverLine::FaceOverLine(const Face& f, const Line& line)
-    : face(&f), behind_a(line.a.z - f.plane.z(line.a.x, line.a.y)), behind_b(line.b.z - f.plane.z(line.b.x, line.b.y)) {
-  corners.reserve(f.corners.size());
-  for (const PagePoint& p : f.corners) {
+    : face(&f), behind_a(line.a.z - f.plane.z(line.a.x, line.a.y)), behind_b(line.b.z - f.plane.z(line.b.x, line.b.y)) {}
+
+void FaceOverLine::find_corners(const Line& line) {
+  corners.reserve(face->corners.size());
+  for (const PagePoint& p : face->corners) {
     Corner corner{line.tau(p), line.s(p)};
     corner.tau_rounded = to_double(corner.tau);
     corner.s_rounded = to_double(corner.s);

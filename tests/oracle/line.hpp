@@ -21,8 +21,13 @@ class Line {
   Exact dx, dy;  ///< b - a
   Exact ox, oy;  ///< one micrometre across
 
+  Point2 a_mm{0, 0}, direction_mm{0, 0};  ///< rounded; the direction has length 1
   double length_mm = 0;
   Box box;
+
+  /// Surely the face lies beside the line, farther than its cross-section reaches: told in doubles with ample room for
+  /// roundings, so that nothing exact need be computed.
+  bool surely_beside(const Face& face) const;
 
   Exact tau(const PagePoint& p) const { return ((p.x - a.x) * oy - (p.y - a.y) * ox) / det_; }
   Exact s(const PagePoint& p) const { return (dx * (p.y - a.y) - dy * (p.x - a.x)) / det_; }
@@ -44,6 +49,8 @@ struct FaceOverLine {
   double delta = 0;
 
   FaceOverLine(const Face& face, const Line& line);
+  /// Finds the corners' places, without which the line can only be asked whether it is before the plane.
+  void find_corners(const Line& line);
   Exact behind(const Exact& tau) const { return behind_a + tau * (behind_b - behind_a); }
 
   /// The parts of the cross-section at tau that the face covers, in order: parts [first, second] of the s axis.

@@ -119,6 +119,15 @@ std::optional<std::array<double, 2>> Oracle::State::part_in_view(const Vector3& 
   return std::array<double, 2>{from, to};
 }
 
+std::optional<LineInView> Oracle::State::line_in_view(const Vector3& a, const Vector3& b) const {
+  const auto part = part_in_view(a, b);
+  if (!part) return {};
+  const auto page_point = [&](double t) { return projection.page_point(projection.sight_point(a + Exact(t) * (b - a))); };
+  LineInView result{(*part)[0], (*part)[1], Line(page_point((*part)[0]), page_point((*part)[1]), projection)};
+  if (result.line.length_mm < kEndOnMm) return {};
+  return result;
+}
+
 std::vector<Part> Oracle::State::judge(const Line& line, const Vector3& a, const Vector3& b,
                                        std::span<const std::uint32_t> own_faces) const {
   std::vector<FaceOverLine> before;
@@ -127,11 +136,12 @@ std::vector<Part> Oracle::State::judge(const Line& line, const Vector3& a, const
     if (!face.hides || std::find(own_faces.begin(), own_faces.end(), f) != own_faces.end()) continue;
     if (!line.box.meets(face.box, 2 * kMicrometre / projection.mm_x(), 2 * kMicrometre / projection.mm_y())) continue;
     const double delta_here = delta(face, line);
-    if (face.box.z0 > line.box.z1 + delta_here) continue;
-    if (lies_in_plane(a, face) && lies_in_plane(b, face)) continue;
+    if (face.box.z0 > line.box.z1 + delta_here || line.surely_beside(face)) continue;
     FaceOverLine over(face, line);
     over.delta = delta_here;
     if (over.behind_a < -delta_here && over.behind_b < -delta_here) continue;
+    if (lies_in_plane(a, face) && lies_in_plane(b, face)) continue;
+    over.find_corners(line);
     before.push_back(std::move(over));
   }
   std::vector<double> places;
@@ -153,15 +163,22 @@ std::vector<Part> Oracle::State::judge(const Line& line, const Vector3& a, const
 
 namespace {
 
-/// Parts of a line as intervals of the segment from a to b in the model, of which the line is [t0, t1].
-std::vector<Interval> intervals(const std::vector<Part>& parts, const Line& line, double t0, double t1, const Projection& projection) {
+/// The visibility of the segment from a to b in the model.
+std::vector<Interval> visibility(const Oracle::State& state, const Vector3& a, const Vector3& b,
+                                 std::span<const std::uint32_t> own_faces) {
+  const auto in_view = state.line_in_view(a, b);
+  if (!in_view) return {};
+  const auto& [t0, t1, line] = *in_view;
+  const Projection& projection = state.projection;
   // With weights w the page parameter tau is the model parameter tau w0 / ((1 - tau) w1 + tau w0); w is minus one over z.
   const double w0 = projection.perspective() ? -1 / to_double(line.a.z) : 1;
   const double w1 = projection.perspective() ? -1 / to_double(line.b.z) : 1;
-  const auto parameter = [&](double tau) { return t0 + (t1 - t0) * tau * w0 / ((1 - tau) * w1 + tau * w0); };
+  const auto parameter = [&, from = t0, to = t1](double tau) {
+    return from + (to - from) * tau * w0 / ((1 - tau) * w1 + tau * w0);
+  };
   const Point2 from = projection.page_mm(line.a), to = projection.page_mm(line.b);
   std::vector<Interval> result;
-  for (const Part& p : parts) {
+  for (const Part& p : state.judge(line, a, b, own_faces)) {
     result.push_back({parameter(p.tau0), parameter(p.tau1), from + p.tau0 * (to - from), from + p.tau1 * (to - from), p.answer,
                       p.exactly_hidden});
   }
@@ -179,28 +196,13 @@ std::span<const Intersection> Oracle::intersections() const { return state_->int
 
 std::vector<Interval> Oracle::visible_intervals(std::size_t index) const {
   const Edge& edge = state_->edges[index];
-  const Projection& projection = state_->projection;
-  const Vector3 a = exact(edge.a), b = exact(edge.b);
-  const auto part = state_->part_in_view(a, b);
-  if (!part) return {};
-  const auto [t0, t1] = *part;
-  const auto page_point = [&](double t) { return projection.page_point(projection.sight_point(a + Exact(t) * (b - a))); };
-  const Line line(page_point(t0), page_point(t1), projection);
-  if (line.length_mm < kEndOnMm) return {};
-  return intervals(state_->judge(line, a, b, edge.faces), line, t0, t1, projection);
+  return visibility(*state_, exact(edge.a), exact(edge.b), edge.faces);
 }
 
 std::vector<Interval> Oracle::intersection_intervals(std::size_t index) const {
   const CrossingLine& crossing = state_->crossings[index];
   const Projection& projection = state_->projection;
-  const Vector3 a = projection.model_point(crossing.a), b = projection.model_point(crossing.b);
-  const auto part = state_->part_in_view(a, b);
-  if (!part) return {};
-  const auto [t0, t1] = *part;
-  const auto page_point = [&](double t) { return projection.page_point(projection.sight_point(a + Exact(t) * (b - a))); };
-  const Line line(page_point(t0), page_point(t1), projection);
-  if (line.length_mm < kEndOnMm) return {};
-  return intervals(state_->judge(line, a, b, crossing.own_faces), line, t0, t1, projection);
+  return visibility(*state_, projection.model_point(crossing.a), projection.model_point(crossing.b), crossing.own_faces);
 }
 
 std::vector<FaceHit> Oracle::faces_at(Point2 page_mm) const {

@@ -18,6 +18,12 @@ struct CrossingLine {
   std::vector<std::uint32_t> own_faces;  ///< which do not hide it
 };
 
+/// The part from t0 to t1 of a segment of the model.
+struct LineInView {
+  double t0, t1;
+  Line line;
+};
+
 struct Oracle::State {
   State(const ligne::Scene& scene, const View& view, double crease_degrees);
 
@@ -36,6 +42,8 @@ struct Oracle::State {
 
   /// The part of the segment inside the window and before the near plane, as parameters in model space.
   std::optional<std::array<double, 2>> part_in_view(const Vector3& a, const Vector3& b) const;
+  /// The same as a line; nothing when it is seen end on.
+  std::optional<LineInView> line_in_view(const Vector3& a, const Vector3& b) const;
 
   /// The visibility of the line from model point a to b; `own_faces` do not hide it. Parts follow each other from 0 to 1.
   std::vector<Part> judge(const Line& line, const Vector3& a, const Vector3& b, std::span<const std::uint32_t> own_faces) const;
