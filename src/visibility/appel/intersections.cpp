@@ -30,7 +30,9 @@ Corners corners_of(const Facet& f, const ProjectedVertex* vertices) {
 }
 
 /// Heights of the other's corners over the plane of `plane` (positive: farther from the viewer), times its area; those
-/// within the touching tolerance are zero.
+/// within the touching tolerance are zero. The tolerance holds for points over the facet. A corner beside it has weights of
+/// which some are negative: it sees the errors of the facet's corners enlarged by the sum of their sizes. That is half of the
+/// tolerance; the other half is the corner's own error.
 struct Heights {
   std::array<double, 3> h;
   int above = 0, below = 0, on = 0;
@@ -45,7 +47,8 @@ Heights heights_over(const Corners& plane, float touch, const Corners& other) {
     const double w1 = orientation(plane.p[2].p, plane.p[0].p, q);
     const double a = w0 * plane.p[0].z, b = w1 * plane.p[1].z, c = w2 * plane.p[2].z, z = plane.area * other.p[i].z;
     const double h = z - (a + b + c);
-    const double tolerance = touch * plane.area + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
+    const double weights = (std::abs(w0) + std::abs(w1) + std::abs(w2) + plane.area) / 2;
+    const double tolerance = touch * weights + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
     if (std::abs(h) <= tolerance) {
       r.h[i] = 0;
       ++r.on;
