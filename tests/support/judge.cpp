@@ -46,6 +46,11 @@ std::string words(const Segment& s) {
 
 Segment segment(const oracle::Interval& i) { return {i.from, i.to}; }
 
+/// Of the drawings without and with hidden strokes the worse one counts.
+void keep_worse(Fault& fault, const Fault& other) {
+  if (other.length_mm > fault.length_mm) fault = other;
+}
+
 void add(Fault& fault, const Segment& place, const std::string& what) {
   const double length = place.length();
   fault.length_mm += length;
@@ -321,7 +326,8 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges) const 
     remove_coincident_strokes(model, coincidence);
     // A little less than the tolerance: what lies just at it may be told either way.
     constexpr double kInside = 0.9;
-    Comparison comparison(model, lines_->candidates, all, tolerance, kInside * coincidence, verdict);
+    Verdict drawing;
+    Comparison comparison(model, lines_->candidates, all, tolerance, kInside * coincidence, drawing);
     for (const DrawnStroke& s : strokes_of(model, [](const Stroke& stroke) { return stroke.visible; })) {
       if (s.stroke->source < model.edge_count) {
         const auto found = lines_->of_edge.find(s.stroke->source);
@@ -339,6 +345,11 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges) const 
     comparison.missing();
     comparison.twice();
     if (hidden) comparison.uncovered();
+    keep_worse(verdict.drawn_hidden, drawing.drawn_hidden);
+    keep_worse(verdict.missing, drawing.missing);
+    keep_worse(verdict.twice, drawing.twice);
+    keep_worse(verdict.uncovered, drawing.uncovered);
+    keep_worse(verdict.wrong_class, drawing.wrong_class);
   }
   for (const Candidate& c : lines_->candidates) {
     for (const oracle::Interval& i : c.intervals) {
