@@ -20,6 +20,7 @@ readonly test_packages='
 libgtest-dev         hdr:gtest/gtest.h               unit tests
 libbenchmark-dev     hdr:benchmark/benchmark.h       benchmarks
 libembree-dev        hdr:embree3/rtcore.h            ray casting, to check visibility with
+libcgal-dev          hdr:CGAL/Lazy_exact_nt.h        exact arithmetic for the oracle
 librsvg2-bin         cmd:rsvg-convert                an independent reader of our SVG
 poppler-utils        cmd:pdftotext                   an independent reader of our PDF
 libpugixml-dev       hdr:pugixml.hpp                 reads SVG back

@@ -31,6 +31,7 @@ struct MethodTraits {
   bool exact = true;         ///< exact on the lattice, or limited by a resolution
   bool penetration = true;   ///< draws penetrating faces right
   std::string_view paper;    ///< author, title, year
+  double tolerance_mm = 0.001;  ///< how far on the page a line or an end of it may be off; more for methods that are not exact
 };
 
 struct StudyOptions {

@@ -107,5 +107,18 @@ TEST(Touching, DuplicateFacesAreDrawnOnce) {
   EXPECT_NEAR(p.length(false), q.length(false), 0.001);
 }
 
+// A corner beside a facet sees the errors of the facet's corners enlarged: the fourth corner of a parallelogram three times.
+TEST(Touching, OnePlateCutByEitherDiagonalDoesNotPenetrateItself) {
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {4, 0, 0}, {4, 0, 4}}});
+  add_face(scene, {{{0, 0, 0}, {4, 0, 4}, {0, 0, 4}}});
+  add_face(scene, {{{0, 0, 0}, {4, 0, 0}, {0, 0, 4}}});
+  add_face(scene, {{{4, 0, 0}, {4, 0, 4}, {0, 0, 4}}});
+  for (int i = 0; i < 64; ++i) {
+    const Point3 eye{5.4375 + i / 16.0, -4.59375, 4.40625 + i / 32.0};
+    EXPECT_EQ(draw(scene, {from_eye(eye, {2, 0, 2})}).length_of(LineClass::intersection), 0) << "from " << eye.x;
+  }
+}
+
 }  // namespace
 }  // namespace ligne::test

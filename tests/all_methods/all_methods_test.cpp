@@ -1,0 +1,70 @@
+// Every method of the registry on every scene of the corpus, in every standard view, against the oracle: nothing hidden is drawn,
+// nothing visible is missing, nothing is drawn twice. The scenes are found when the program starts: a new one is a new test.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "scene/reader.hpp"
+#include "support/judge.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne::test {
+namespace {
+
+/// Of the lines of one scene in one view the oracle decides at least this part; where lines lie behind rims all over, as in
+/// a stack of cubes seen from the front, much is open, but never all.
+constexpr double kLargestUndecidedShare = 0.9;
+
+std::vector<std::filesystem::path> corpus() {
+  std::vector<std::filesystem::path> files;
+  const std::filesystem::path folder = std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus";
+  if (!std::filesystem::is_directory(folder)) return files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+const char* const kViewNames[] = {"iso", "odd", "dimetric", "front", "far", "near", "inside"};
+
+class AllMethods : public testing::TestWithParam<std::tuple<std::filesystem::path, const char*>> {};
+
+TEST_P(AllMethods, AgreeWithTheOracle) {
+  const auto& [file, view_name] = GetParam();
+  Warnings warnings;
+  const Scene scene = read_scene(file, {}, warnings);
+  const std::vector<StandardView> views = standard_views(scene);
+  const auto view = std::find_if(views.begin(), views.end(), [&](const StandardView& v) { return v.name == view_name; });
+  ASSERT_NE(view, views.end());
+  const JudgedView judged(scene, file.stem().string(), *view);
+  int skipped = 0;
+  for (const Method* method : all_methods()) {
+    for (const char* edges : {"all", "feature"}) {
+      const Verdict verdict = judged.judge(*method, edges);
+      if (!verdict.skipped.empty()) {
+        std::cout << method->traits().name << " skipped: " << verdict.skipped << '\n';
+        ++skipped;
+        break;
+      }
+      EXPECT_TRUE(verdict.passes()) << verdict.faults;
+      if (verdict.line_mm > 0) {
+        const double share = verdict.undecided_mm / verdict.line_mm;
+        RecordProperty("undecided_permille", static_cast<int>(1000 * share));
+        EXPECT_LE(share, kLargestUndecidedShare) << file.stem() << ", view " << view_name;
+      }
+    }
+  }
+  RecordProperty("methods_skipped", skipped);
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, AllMethods, testing::Combine(testing::ValuesIn(corpus()), testing::ValuesIn(kViewNames)),
+                         [](const auto& info) {
+                           return std::get<0>(info.param).stem().string() + "_" + std::get<1>(info.param);
+                         });
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(AllMethods);
+
+}  // namespace
+}  // namespace ligne::test

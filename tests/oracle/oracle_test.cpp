@@ -1,0 +1,286 @@
+// The oracle on scenes whose answers are worked out by hand. Page and model units are the same here (scale 1).
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/oracle.hpp"
+#include "support/scene_parts.hpp"
+
+namespace oracle {
+namespace {
+
+using ligne::Scene;
+using ligne::test::add_box;
+using ligne::test::add_face;
+
+constexpr double kTolerance = 0.003;  // what is within a micrometre of a change is undecided, at both ends
+
+View along(const Point3& direction, const Point3& up = {0, 0, 1}) {
+  View view;
+  view.direction = direction;
+  view.up = up;
+  view.offset = {100, 100};
+  return view;
+}
+
+/// Index of the edge between the two points, of the first object that has it.
+std::size_t edge_between(const Oracle& oracle, Point3 a, Point3 b) {
+  const auto edges = oracle.edges();
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if ((edges[i].a == a && edges[i].b == b) || (edges[i].a == b && edges[i].b == a)) return i;
+  }
+  ADD_FAILURE() << "there is no such edge";
+  return 0;
+}
+
+/// The part [from, to] of the parameter has the answer all over, but for what lies within a micrometre of its ends, or of a side
+/// that crosses the edge there.
+void expect_part(const std::vector<Interval>& intervals, double from, double to, Answer answer, double length) {
+  const double margin = kTolerance / length;
+  for (const Interval& i : intervals) {
+    if (i.t1 <= from + margin || i.t0 >= to - margin || i.t1 - i.t0 < margin) continue;
+    EXPECT_EQ(i.answer, answer) << "from " << i.t0 << " to " << i.t1;
+  }
+  ASSERT_FALSE(intervals.empty());
+  EXPECT_LE(intervals.front().t0, from + margin);
+  EXPECT_GE(intervals.back().t1, to - margin);
+}
+
+double length_of(const std::vector<Interval>& intervals, Answer answer) {
+  double sum = 0;
+  for (const Interval& i : intervals) sum += i.answer == answer ? std::hypot(i.to.x - i.from.x, i.to.y - i.from.y) : 0;
+  return sum;
+}
+
+double length_of_all(const Oracle& oracle, Answer answer) {
+  double sum = 0;
+  for (std::size_t i = 0; i < oracle.edges().size(); ++i) sum += length_of(oracle.visible_intervals(i), answer);
+  return sum;
+}
+
+TEST(Oracle, PlateBeforeAPlate) {
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}});
+  add_face(scene, {{{-5, 5, 4}, {20, 5, 4}, {20, 5, 6}, {-5, 5, 6}}});
+  const Oracle oracle(scene, along({0, 1, 0}));
+  const auto i = oracle.visible_intervals(edge_between(oracle, {-5, 5, 4}, {20, 5, 4}));
+  expect_part(i, 0, 0.2, Answer::visible, 25);
+  expect_part(i, 0.2, 0.6, Answer::hidden, 25);
+  expect_part(i, 0.6, 1, Answer::visible, 25);
+  EXPECT_NEAR(i.front().from.x, 95, 1e-9);
+  EXPECT_NEAR(i.front().from.y, 96, 1e-9);  // y points down
+  expect_part(oracle.visible_intervals(edge_between(oracle, {0, 0, 0}, {10, 0, 0})), 0, 1, Answer::visible, 10);
+  EXPECT_TRUE(oracle.intersections().empty());
+}
+
+TEST(Oracle, SeenThroughAHole) {
+  Scene scene;
+  add_face(scene, {{{-10, 0, -10}, {10, 0, -10}, {10, 0, 10}, {-10, 0, 10}}, {{-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}}});
+  add_face(scene, {{{-20, 5, -1}, {20, 5, -1}, {20, 5, 1}, {-20, 5, 1}}});
+  const Oracle oracle(scene, along({0, 3, 0}));
+  const auto i = oracle.visible_intervals(edge_between(oracle, {-20, 5, 1}, {20, 5, 1}));
+  expect_part(i, 0, 0.25, Answer::visible, 40);
+  expect_part(i, 0.25, 0.4, Answer::hidden, 40);
+  expect_part(i, 0.4, 0.6, Answer::visible, 40);
+  expect_part(i, 0.6, 0.75, Answer::hidden, 40);
+  expect_part(i, 0.75, 1, Answer::visible, 40);
+}
+
+TEST(Oracle, CubeInIsometry) {
+  Scene scene;
+  add_box(scene, {0, 0, 0}, {10, 10, 10});
+  const Oracle oracle(scene, along({-1, 1, -1}));
+  const double edge = 10 * std::sqrt(2.0 / 3);
+  EXPECT_EQ(oracle.edges().size(), 12u);
+  // The three hidden edges lie exactly behind the three front ones, that is behind common sides of faces.
+  EXPECT_NEAR(length_of_all(oracle, Answer::visible), 9 * edge, 9 * kTolerance);
+  EXPECT_NEAR(length_of_all(oracle, Answer::hidden), 3 * edge, 3 * kTolerance);
+  EXPECT_EQ(std::count_if(oracle.edges().begin(), oracle.edges().end(),
+                          [](const Edge& e) { return e.edge_class == EdgeClass::outline; }),
+            6);
+  EXPECT_EQ(std::count_if(oracle.edges().begin(), oracle.edges().end(),
+                          [](const Edge& e) { return e.edge_class == EdgeClass::crease; }),
+            6);
+}
+
+TEST(Oracle, LineBehindARimIsOpen) {
+  // The lower edge of the plate behind lies exactly behind the lower rim of the plate in front.
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}});
+  add_face(scene, {{{2, 5, 0}, {8, 5, 0}, {8, 5, 5}, {2, 5, 5}}});
+  const Oracle oracle(scene, along({0, 1, 0}));
+  const auto i = oracle.visible_intervals(edge_between(oracle, {2, 5, 0}, {8, 5, 0}));
+  ASSERT_EQ(i.size(), 1u);
+  EXPECT_EQ(i[0].answer, Answer::undecided);
+  EXPECT_FALSE(i[0].exactly_hidden);  // one bank of it is open
+}
+
+TEST(Oracle, LineBehindACommonSideIsHidden) {
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}});
+  add_face(scene, {{{0, 1, -10}, {10, 1, -10}, {10, 1, 0}, {0, 1, 0}}});
+  add_face(scene, {{{2, 5, 0}, {8, 5, 0}, {8, 5, 5}, {2, 5, 5}}});
+  const Oracle oracle(scene, along({0, 1, 0}));
+  expect_part(oracle.visible_intervals(edge_between(oracle, {2, 5, 0}, {8, 5, 0})), 0, 1, Answer::hidden, 6);
+}
+
+TEST(Oracle, TouchingCubesHideNoneOfTheirCommonLines) {
+  Scene scene;
+  add_box(scene, {0, 0, 0}, {10, 10, 10});
+  add_box(scene, {10, 0, 0}, {10, 10, 10});
+  const Oracle oracle(scene, along({-0.37, 0.83, -0.41}));
+  EXPECT_TRUE(oracle.intersections().empty());
+  // The upright edge at x = 10, y = 0 belongs to both cubes and is seen twice.
+  int n = 0;
+  for (std::size_t k = 0; k < oracle.edges().size(); ++k) {
+    const Edge& e = oracle.edges()[k];
+    if (e.a != Point3{10, 0, 0} || e.b != Point3{10, 0, 10}) continue;
+    ++n;
+    expect_part(oracle.visible_intervals(k), 0, 1, Answer::visible, 10);
+  }
+  EXPECT_EQ(n, 2);
+}
+
+TEST(Oracle, PenetratingPlates) {
+  // Two squares that cross at right angles along x, from x = -5 to 5.
+  Scene scene;
+  add_face(scene, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
+  add_face(scene, {{{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}}});
+  const Oracle oracle(scene, along({0, 1, -1.5}));
+  ASSERT_EQ(oracle.intersections().size(), 1u);
+  EXPECT_TRUE(oracle.intersections()[0].proper);
+  EXPECT_NEAR(std::abs(oracle.intersections()[0].b.x - oracle.intersections()[0].a.x), 10, kTolerance);
+  EXPECT_NEAR(oracle.intersections()[0].a.y, 0, 1e-12);
+  EXPECT_NEAR(length_of(oracle.intersection_intervals(0), Answer::visible), 10, kTolerance);
+  // The level square's far half is hidden by the upright one up to the height of that: its side edges from y = 0 on.
+  const auto i = oracle.visible_intervals(edge_between(oracle, {-5, -5, 0}, {-5, 5, 0}));
+  EXPECT_EQ(i.front().answer, Answer::visible);
+}
+
+TEST(Oracle, TouchingIsNoPenetration) {
+  // An upright plate stands on a level one; another hangs 1e-14 through it, which is nothing.
+  Scene scene;
+  add_face(scene, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
+  add_face(scene, {{{-3, 0, 0}, {3, 0, 0}, {3, 0, 4}, {-3, 0, 4}}});
+  add_face(scene, {{{-3, 1, -4}, {3, 1, -4}, {3, 1, 1e-14}, {-3, 1, 1e-14}}});
+  const Oracle oracle(scene, along({-0.37, 0.83, -0.41}));
+  for (const Intersection& x : oracle.intersections()) EXPECT_FALSE(x.proper);
+  EXPECT_LE(oracle.intersections().size(), 1u);
+}
+
+TEST(Oracle, SurfaceThroughAPlateAlongACommonEdge) {
+  // Two upright rectangles of one object with a common edge that lies in the level plate.
+  Scene scene;
+  add_face(scene, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
+  ligne::test::begin_object(scene);
+  scene.vertices.insert(scene.vertices.end(), {{-3, 0, -4}, {3, 0, -4}, {3, 0, 0}, {-3, 0, 0}, {3, 0, 4}, {-3, 0, 4}});
+  const std::uint32_t lower[] = {4, 5, 6, 7}, upper[] = {7, 6, 8, 9};
+  scene.faces.add_face(lower);
+  scene.faces.add_face(upper);
+  ligne::test::end_object(scene);
+  const Oracle oracle(scene, along({-0.37, 0.83, -0.41}));
+  ASSERT_EQ(oracle.intersections().size(), 2u);  // of the plate with either rectangle
+  for (const Intersection& x : oracle.intersections()) {
+    EXPECT_TRUE(x.proper);
+    EXPECT_NEAR(std::abs(x.a.x - x.b.x), 6, kTolerance);
+  }
+}
+
+TEST(Oracle, ThreeBarsInARing) {
+  Scene scene;
+  const double sixty = std::acos(-1.0) / 3;
+  for (int i = 0; i < 3; ++i) {
+    const double c = std::cos(2 * i * sixty), s = std::sin(2 * i * sixty);
+    const auto at = [&](double u, double v, double z) { return Point3{c * u - s * v, s * u + c * v, z}; };
+    add_face(scene, {{at(-6, -3, -1), at(6, -3, 1), at(6, -1, 1), at(-6, -1, -1)}});
+  }
+  const Oracle oracle(scene, along({0, 0, -1}, {0, 1, 0}));
+  EXPECT_NEAR(length_of_all(oracle, Answer::visible), 3 * (2 * 12 + 2 * 2 - 2 * 2 / std::sin(sixty)), 12 * kTolerance);
+  EXPECT_NEAR(length_of_all(oracle, Answer::hidden), 3 * 2 * 2 / std::sin(sixty), 12 * kTolerance);
+}
+
+TEST(Oracle, FaceSeenEdgeOnHidesNothing) {
+  Scene scene;
+  add_face(scene, {{{0, 0, 5}, {10, 0, 5}, {10, 4, 5}, {0, 4, 5}}});
+  add_face(scene, {{{2, 9, 0}, {8, 9, 0}, {8, 9, 10}, {2, 9, 10}}});
+  const Oracle oracle(scene, along({0, 1, 0}));
+  expect_part(oracle.visible_intervals(edge_between(oracle, {2, 9, 0}, {2, 9, 10})), 0, 1, Answer::visible, 10);
+  EXPECT_TRUE(oracle.visible_intervals(edge_between(oracle, {0, 0, 5}, {0, 4, 5})).empty());  // end on
+}
+
+TEST(Oracle, PerspectiveAndItsParameters) {
+  // A line of sight along y; a bar that recedes from y = 10 to 40, and a post before its middle.
+  Scene scene;
+  add_face(scene, {{{2, 10, -1}, {2, 40, -1}, {3, 40, -1}, {3, 10, -1}}});
+  add_face(scene, {{{0.5, 5, -5}, {0.6, 5, -5}, {0.6, 5, 5}, {0.5, 5, 5}}});
+  View view;
+  view.perspective = true;
+  view.target = {0, 10, 0};
+  view.scale = 10;
+  view.offset = {100, 100};
+  const Oracle oracle(scene, view);
+  const auto i = oracle.visible_intervals(edge_between(oracle, {2, 10, -1}, {2, 40, -1}));
+  // At distance y the edge is at x / y = 2 / y: behind the post, from 0.12 to 0.1, for y from 16.67 to 20.
+  const double from = (2 / 0.12 - 10) / 30, to = (2 / 0.1 - 10) / 30;
+  expect_part(i, 0, from, Answer::visible, 30);
+  expect_part(i, from, to, Answer::hidden, 30);
+  expect_part(i, to, 1, Answer::visible, 30);
+  EXPECT_NEAR(i.front().from.x, 100 + 10 * 10 * 0.2, 1e-9);
+  EXPECT_NEAR(i.back().to.x, 100 + 10 * 10 * 0.05, 1e-9);
+}
+
+TEST(Oracle, NothingBehindTheEye) {
+  // A wall before the eye and one behind it; a floor that runs under the eye.
+  Scene scene;
+  add_face(scene, {{{-5, -10, -5}, {5, -10, -5}, {5, -10, 5}, {-5, -10, 5}}});
+  add_face(scene, {{{-1, 10, -1}, {1, 10, -1}, {1, 10, 1}, {-1, 10, 1}}});
+  add_face(scene, {{{-3, -20, -1}, {3, -20, -1}, {3, 20, -1}, {-3, 20, -1}}});
+  View view;
+  view.perspective = true;
+  view.target = {0, 10, 0};
+  view.scale = 10;
+  view.offset = {100, 100};
+  const Oracle oracle(scene, view);
+  EXPECT_TRUE(oracle.visible_intervals(edge_between(oracle, {-5, -10, -5}, {5, -10, -5})).empty());
+  expect_part(oracle.visible_intervals(edge_between(oracle, {-1, 10, 1}, {1, 10, 1})), 0, 1, Answer::visible, 20);
+  const auto floor = oracle.visible_intervals(edge_between(oracle, {3, -20, -1}, {3, 20, -1}));
+  ASSERT_FALSE(floor.empty());
+  EXPECT_NEAR(floor.back().t1, 1, 1e-12);
+  // Where the floor's edge enters the window, at its lower or right side.
+  EXPECT_TRUE(std::abs(floor.front().from.y - 210) < 1e-6 || std::abs(floor.front().from.x - 297) < 1e-6);
+}
+
+TEST(Oracle, FacesAtAPoint) {
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}, {{4, 0, 4}, {6, 0, 4}, {6, 0, 6}, {4, 0, 6}}});
+  add_face(scene, {{{0, 5, 0}, {10, 5, 0}, {10, 5, 10}}});
+  const Oracle oracle(scene, along({0, 1, 0}));
+  const auto both = oracle.faces_at({108, 99});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].face, 0u);
+  EXPECT_NEAR(both[1].depth_mm - both[0].depth_mm, 5, 1e-12);
+  EXPECT_EQ(oracle.faces_at({105.5, 95.5}).size(), 1u);  // in the hole: the triangle behind
+  EXPECT_EQ(oracle.faces_at({102, 92}).size(), 1u);      // the triangle does not come here
+  EXPECT_TRUE(oracle.faces_at({111, 99}).empty());
+  ASSERT_EQ(oracle.faces_at({110, 95}).size(), 2u);
+  EXPECT_TRUE(oracle.faces_at({110, 95})[0].on_side);
+  EXPECT_NEAR(oracle.distance_to_sides({103, 99}), 1, 1e-12);
+}
+
+TEST(Oracle, NearlyBehindIsUndecided) {
+  // The plate behind ends half a micrometre below the rim of the one before it.
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}});
+  add_face(scene, {{{2, 5, -0.0005}, {8, 5, -0.0005}, {8, 5, 5}, {2, 5, 5}}});
+  add_face(scene, {{{2, 5, 0.002}, {8, 5, 0.002}, {8, 5, 5}, {2, 5, 5}}});
+  const Oracle oracle(scene, along({0, 1, 0}));
+  const auto open = oracle.visible_intervals(edge_between(oracle, {2, 5, -0.0005}, {8, 5, -0.0005}));
+  ASSERT_EQ(open.size(), 1u);
+  EXPECT_EQ(open[0].answer, Answer::undecided);
+  expect_part(oracle.visible_intervals(edge_between(oracle, {2, 5, 0.002}, {8, 5, 0.002})), 0, 1, Answer::hidden, 6);
+}
+
+}  // namespace
+}  // namespace oracle

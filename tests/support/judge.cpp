@@ -1,0 +1,369 @@
+#include "support/judge.hpp"
+
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <tuple>
+
+#include "drawing/drawing.hpp"
+#include "support/page_segments.hpp"
+#include "visibility/tolerances.hpp"
+
+namespace ligne::test {
+namespace {
+
+const Rect kSheet{{0, 0}, {297, 210}};
+const Frame kFrame{{{10, 10}, {287, 200}}};
+constexpr double kCreaseDegrees = 30;
+/// Two lines on each other are seen when they are so for longer than this.
+constexpr double kTwiceMm = 0.002;
+
+using oracle::Answer;
+using oracle::EdgeClass;
+
+/// A candidate line, with what the oracle says of it.
+struct Candidate {
+  bool intersection = false;
+  bool proper = true;  ///< an intersection that must be drawn
+  EdgeClass line_class = EdgeClass::undecided;
+  Segment whole;  ///< the part in view
+  std::vector<oracle::Interval> intervals;
+  std::string words;
+};
+
+std::string words(const char* what, const Point3& a, const Point3& b) {
+  char buffer[256];
+  std::snprintf(buffer, sizeof buffer, "%s (%.9g, %.9g, %.9g) - (%.9g, %.9g, %.9g)", what, a.x, a.y, a.z, b.x, b.y, b.z);
+  return buffer;
+}
+
+std::string words(const Segment& s) {
+  char buffer[128];
+  std::snprintf(buffer, sizeof buffer, "page mm (%.4f, %.4f) - (%.4f, %.4f)", s.from.x, s.from.y, s.to.x, s.to.y);
+  return buffer;
+}
+
+Segment segment(const oracle::Interval& i) { return {i.from, i.to}; }
+
+/// Of the drawings without and with hidden strokes the worse one counts.
+void keep_worse(Fault& fault, const Fault& other) {
+  if (other.length_mm > fault.length_mm) fault = other;
+}
+
+void add(Fault& fault, const Segment& place, const std::string& what) {
+  const double length = place.length();
+  fault.length_mm += length;
+  if (length <= fault.worst_mm) return;
+  fault.worst_mm = length;
+  fault.place = what + ", " + words(place);
+}
+
+/// A visible or hidden stroke on the page.
+struct DrawnStroke {
+  Segment segment;
+  const Stroke* stroke;
+};
+
+std::vector<DrawnStroke> strokes_of(const StrokeModel& model, const std::function<bool(const Stroke&)>& wanted) {
+  std::vector<DrawnStroke> result;
+  for (const Stroke& s : model.strokes) {
+    if (wanted(s)) result.push_back({{model.lattice.to_mm(s.from), model.lattice.to_mm(s.to)}, &s});
+  }
+  return result;
+}
+
+/// The parts of the segment that no stroke covers within the tolerance, across and along.
+std::vector<Segment> open_parts(const Segment& segment, const std::vector<DrawnStroke>& strokes, double tolerance) {
+  std::vector<Range> covered;
+  for (const DrawnStroke& s : strokes) {
+    if (const auto range = along(segment, s.segment, tolerance)) covered.push_back(*range);
+  }
+  std::vector<Segment> result;
+  for (const Range& gap : gaps(std::move(covered), 0, segment.length())) {
+    if (gap.length() > tolerance) result.push_back({segment.at(gap.from), segment.at(gap.to)});
+  }
+  return result;
+}
+
+using EdgeKey = std::tuple<std::uint32_t, std::array<double, 3>, std::array<double, 3>>;
+
+EdgeKey key_of(std::uint32_t object, const Point3& a, const Point3& b) {
+  std::array<double, 3> p{a.x + 0.0, a.y + 0.0, a.z + 0.0}, q{b.x + 0.0, b.y + 0.0, b.z + 0.0};
+  if (q < p) std::swap(p, q);
+  return {object, p, q};
+}
+
+Point3 axis_vector(Axis axis) { return {axis == Axis::x ? 1 : 0, axis == Axis::y ? 1 : 0, axis == Axis::z ? 1 : 0}; }
+
+}  // namespace
+
+oracle::View oracle_view(const CameraRequest& request, const View& view) {
+  oracle::View result;
+  const Camera& camera = view.camera;
+  result.perspective = camera.perspective;
+  result.direction = request.direction ? *request.direction : camera.forward;
+  result.eye = camera.eye;
+  result.target = request.target ? *request.target : camera.eye + camera.forward * camera.target_distance;
+  result.up = request.up ? *request.up : axis_vector(request.up_axis);
+  // Looking along the up vector the library takes another one. That only turns the page: here the camera's own does.
+  constexpr double kParallelSine = 1e-3;
+  if (glm::length(glm::cross(glm::normalize(result.up), camera.forward)) < kParallelSine) result.up = -camera.down;
+  result.scale = view.scale;
+  result.offset = view.offset;
+  result.window = view.window;
+  return result;
+}
+
+struct JudgedView::Lines {
+  std::vector<Candidate> candidates;
+  std::map<std::uint32_t, std::size_t> of_edge;  ///< edge of the topology -> candidate, for those in view
+  std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> of_faces;  ///< intersections by their faces
+};
+
+JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView& standard)
+    : scene_(scene),
+      name_(std::move(name)),
+      standard_(standard),
+      topology_(build_topology(scene)),
+      view_(make_view(scene, make_camera(standard.camera, scene), kFrame, kSheet)),
+      oracle_(std::make_unique<oracle::Oracle>(scene, oracle_view(standard.camera, view_), kCreaseDegrees)),
+      lines_(std::make_unique<Lines>()) {
+  std::map<EdgeKey, std::uint32_t> numbers;
+  std::uint32_t object = 0;
+  for (std::uint32_t e = 0; e < topology_.edges.size(); ++e) {
+    const Edge& edge = topology_.edges[e];
+    while (edge.v0 >= scene.objects[object].vertex_end) ++object;
+    numbers[key_of(object, scene.vertices[edge.v0], scene.vertices[edge.v1])] = e;
+  }
+  const auto add_candidate = [&](Candidate candidate) {
+    if (candidate.intervals.empty()) return false;
+    candidate.whole = {candidate.intervals.front().from, candidate.intervals.back().to};
+    lines_->candidates.push_back(std::move(candidate));
+    return true;
+  };
+  for (std::size_t i = 0; i < oracle_->edges().size(); ++i) {
+    const oracle::Edge& edge = oracle_->edges()[i];
+    const std::string what = words(("object " + std::to_string(edge.object) + " edge").c_str(), edge.a, edge.b);
+    if (!add_candidate({false, true, edge.edge_class, {}, oracle_->visible_intervals(i), what})) continue;
+    const auto number = numbers.find(key_of(edge.object, edge.a, edge.b));
+    if (number != numbers.end()) lines_->of_edge[number->second] = lines_->candidates.size() - 1;
+  }
+  for (std::size_t i = 0; i < oracle_->intersections().size(); ++i) {
+    const oracle::Intersection& x = oracle_->intersections()[i];
+    const std::string faces = "intersection of faces " + std::to_string(x.face0) + " and " + std::to_string(x.face1);
+    if (!add_candidate({true, x.proper, EdgeClass::intersection, {}, oracle_->intersection_intervals(i),
+                        words(faces.c_str(), x.a, x.b)})) {
+      continue;
+    }
+    lines_->of_faces[{x.face0, x.face1}].push_back(lines_->candidates.size() - 1);
+  }
+}
+
+JudgedView::~JudgedView() = default;
+
+bool JudgedView::has_intersections() const {
+  const auto all = oracle_->intersections();
+  return std::any_of(all.begin(), all.end(), [](const auto& x) { return x.proper; });
+}
+
+namespace {
+
+/// One drawing held against the candidates.
+class Comparison {
+ public:
+  Comparison(const StrokeModel& model, const std::vector<Candidate>& candidates, bool all_classes, double tolerance,
+             double coincidence, Verdict& verdict)
+      : model_(model), candidates_(candidates), all_classes_(all_classes), tolerance_(tolerance), coincidence_(coincidence),
+        verdict_(verdict) {}
+
+  void visible_edge(const DrawnStroke& s, const Candidate* candidate) {
+    if (!candidate) {
+      if (s.segment.length() > 2 * tolerance_) add(verdict_.drawn_hidden, s.segment, "stroke of an edge that is not in view");
+      return;
+    }
+    if (deviation(candidate->whole, s.segment) > tolerance_) {
+      add(verdict_.drawn_hidden, s.segment, "stroke beside its " + candidate->words);
+    }
+    against_hidden(s, *candidate);
+    const EdgeClass expected = candidate->line_class;
+    if (expected == EdgeClass::undecided) return;
+    if (static_cast<int>(expected) != static_cast<int>(s.stroke->line_class)) {
+      add(verdict_.wrong_class, s.segment, candidate->words + " drawn as " + std::string(name_of(*s.stroke)));
+    } else if (!wanted(*candidate)) {
+      add(verdict_.wrong_class, s.segment, candidate->words + " drawn although " + std::string(name_of(*s.stroke)) + " is not asked for");
+    }
+  }
+
+  /// A stroke of class intersection, with the oracle's intersections of its two faces.
+  void visible_intersection(const DrawnStroke& s, const std::vector<const Candidate*>& of_faces) {
+    std::vector<Range> known;
+    bool all_proper = true;
+    for (const Candidate* c : of_faces) {
+      against_hidden(s, *c);
+      all_proper = all_proper && c->proper;
+      if (const auto range = along(s.segment, c->whole, tolerance_)) known.push_back(*range);
+    }
+    if (!of_faces.empty() && !all_proper) return;
+    for (const Range& gap : gaps(std::move(known), 0, s.segment.length())) {
+      // At its ends the oracle's segment is cut where something changes, which it tells within a few micrometres.
+      if (gap.length() <= 3 * tolerance_) continue;
+      add(verdict_.drawn_hidden, {s.segment.at(gap.from), s.segment.at(gap.to)}, "intersection of faces that have none there");
+    }
+  }
+
+  void missing() {
+    const auto visible = strokes_of(model_, [](const Stroke& s) { return s.visible; });
+    for (const Candidate& c : candidates_) {
+      if (!wanted(c)) continue;
+      // A line may give way to one of higher precedence, never to one of lower.
+      const auto of_rank = [&](const Stroke& s) {
+        return s.visible && (c.line_class == EdgeClass::undecided || static_cast<int>(s.line_class) <= static_cast<int>(c.line_class));
+      };
+      const auto ranked = strokes_of(model_, of_rank);
+      for (const oracle::Interval& i : c.intervals) {
+        if (i.answer != Answer::visible) continue;
+        for (const Segment& open : open_parts(segment(i), ranked, tolerance_)) {
+          const auto still_open = open_parts(open, visible, tolerance_);
+          for (const Segment& s : still_open) add(verdict_.missing, s, c.words);
+          if (still_open.empty()) add(verdict_.wrong_class, open, c.words + " under a line of lower precedence");
+        }
+      }
+    }
+  }
+
+  void uncovered() {
+    const auto all = strokes_of(model_, [](const Stroke&) { return true; });
+    for (const Candidate& c : candidates_) {
+      if (!wanted(c)) continue;
+      for (const Segment& open : open_parts(c.whole, all, tolerance_)) add(verdict_.uncovered, open, c.words);
+    }
+  }
+
+  /// Strokes that lie on each other: visible on visible, and hidden ones on any.
+  void twice() {
+    const auto all = strokes_of(model_, [](const Stroke&) { return true; });
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t k = i + 1; k < all.size(); ++k) {
+        const double common = common_length(all[i].segment, all[k].segment, coincidence_);
+        if (common <= kTwiceMm) continue;
+        const Segment& shorter = all[i].segment.length() < all[k].segment.length() ? all[i].segment : all[k].segment;
+        add(verdict_.twice, {shorter.from, shorter.at(common)},
+            std::string(name_of(*all[i].stroke)) + " and " + std::string(name_of(*all[k].stroke)));
+      }
+    }
+  }
+
+ private:
+  static std::string_view name_of(const Stroke& s) { return kLineClassNames[static_cast<std::size_t>(s.line_class)]; }
+
+  bool wanted(const Candidate& c) const {
+    if (c.intersection) return c.proper;
+    return all_classes_ || (c.line_class != EdgeClass::undecided && c.line_class != EdgeClass::mesh);
+  }
+
+  void against_hidden(const DrawnStroke& s, const Candidate& candidate) {
+    for (const oracle::Interval& i : candidate.intervals) {
+      if (i.answer != Answer::hidden) continue;
+      const auto range = along(segment(i), s.segment, tolerance_);
+      if (!range || range->length() <= tolerance_) continue;
+      add(verdict_.drawn_hidden, {segment(i).at(range->from), segment(i).at(range->to)}, candidate.words);
+    }
+  }
+
+  const StrokeModel& model_;
+  const std::vector<Candidate>& candidates_;
+  bool all_classes_;
+  double tolerance_, coincidence_;
+  Verdict& verdict_;
+};
+
+std::string report(const Verdict& verdict) {
+  std::string text;
+  const auto add_fault = [&](const char* name, const Fault& fault) {
+    if (fault.length_mm == 0) return;
+    char buffer[96];
+    std::snprintf(buffer, sizeof buffer, "  %s: %.4f mm, worst %.4f mm: ", name, fault.length_mm, fault.worst_mm);
+    text += buffer + fault.place + "\n";
+  };
+  add_fault("drawn although hidden", verdict.drawn_hidden);
+  add_fault("missing", verdict.missing);
+  add_fault("drawn twice", verdict.twice);
+  add_fault("neither visible nor hidden", verdict.uncovered);
+  add_fault("wrong class", verdict.wrong_class);
+  return text;
+}
+
+}  // namespace
+
+Verdict JudgedView::judge(const Method& method, const std::string& edges) const {
+  const MethodTraits& traits = method.traits();
+  Verdict verdict;
+  if (!(traits.products & kStrokes)) {
+    verdict.skipped = "does not produce lines";
+    return verdict;
+  }
+  if (!traits.penetration && has_intersections()) {
+    verdict.skipped = "does not draw penetrating faces, which the scene has";
+    return verdict;
+  }
+  const bool all = edges == "all";
+  EdgeSelection selection{{}, kCreaseDegrees};
+  for (std::size_t c = 0; c < kLineClassCount; ++c) {
+    if (all || static_cast<LineClass>(c) != LineClass::mesh) selection.classes.add(static_cast<LineClass>(c));
+  }
+  const ProjectedScene projected = project(scene_, topology_, view_, selection);
+  const double coincidence = coincidence_mm(projected);
+  // A stroke that gave way lies within the coincidence tolerance of the one that stands; the ends of both are rounded to the lattice.
+  const double tolerance = std::max(traits.tolerance_mm, coincidence + 2 * projected.lattice.step_mm);
+  for (const bool hidden : {false, true}) {
+    VisibilityResult result = method.study(projected, {hidden, {}});
+    if (!result.strokes) {
+      verdict.faults = "  gives no strokes, although its traits say so\n";
+      return verdict;
+    }
+    StrokeModel& model = *result.strokes;
+    remove_coincident_strokes(model, coincidence);
+    // A little less than the tolerance: what lies just at it may be told either way.
+    constexpr double kInside = 0.9;
+    Verdict drawing;
+    Comparison comparison(model, lines_->candidates, all, tolerance, kInside * coincidence, drawing);
+    for (const DrawnStroke& s : strokes_of(model, [](const Stroke& stroke) { return stroke.visible; })) {
+      if (s.stroke->source < model.edge_count) {
+        const auto found = lines_->of_edge.find(s.stroke->source);
+        comparison.visible_edge(s, found == lines_->of_edge.end() ? nullptr : &lines_->candidates[found->second]);
+      } else {
+        const SourceEdge& source = model.intersections[s.stroke->source - model.edge_count];
+        std::vector<const Candidate*> of_faces;
+        const auto found = lines_->of_faces.find({std::min(source.faces[0], source.faces[1]), std::max(source.faces[0], source.faces[1])});
+        if (found != lines_->of_faces.end()) {
+          for (const std::size_t c : found->second) of_faces.push_back(&lines_->candidates[c]);
+        }
+        comparison.visible_intersection(s, of_faces);
+      }
+    }
+    comparison.missing();
+    comparison.twice();
+    if (hidden) comparison.uncovered();
+    keep_worse(verdict.drawn_hidden, drawing.drawn_hidden);
+    keep_worse(verdict.missing, drawing.missing);
+    keep_worse(verdict.twice, drawing.twice);
+    keep_worse(verdict.uncovered, drawing.uncovered);
+    keep_worse(verdict.wrong_class, drawing.wrong_class);
+  }
+  for (const Candidate& c : lines_->candidates) {
+    for (const oracle::Interval& i : c.intervals) {
+      verdict.line_mm += segment(i).length();
+      if (i.answer == Answer::undecided) verdict.undecided_mm += segment(i).length();
+    }
+  }
+  verdict.faults = report(verdict);
+  if (!verdict.faults.empty()) {
+    verdict.faults = name_ + ", view " + standard_.name + ", method " + std::string(traits.name) + ", edges " + edges + "\n" +
+                     verdict.faults + "  ligne draw tests/corpus/" + name_ + ".json " + standard_.options +
+                     " --landscape --method " + std::string(traits.name) + " --edges " + edges + " -o x.svg\n";
+  }
+  return verdict;
+}
+
+}  // namespace ligne::test
