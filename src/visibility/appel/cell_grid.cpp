@@ -11,7 +11,7 @@ namespace {
 // Adjustable parameters.
 constexpr std::size_t kLeafFacets = 24;      ///< a list longer than this is split if large facets may cover children
 constexpr std::size_t kCrowdedFacets = 256;  ///< a list longer than this is split anyway
-constexpr double kLargeSize = 2.5;           ///< facets longer than so many sides of the cell are large
+constexpr double kLargeBreadth = 0.6;         ///< facets broader than so many sides of the cell are large
 constexpr double kLargePart = 0.25;          ///< what part of the list must be large facets
 constexpr double kSizeFactor = 1.5;      ///< side of a top-level cell over the mean extent of a facet
 constexpr double kCellsPerFacet = 1.0;    ///< at most so many top-level cells
@@ -76,6 +76,11 @@ PageBox page_box(const Facet& f, const ProjectedVertex* vertices) {
   const auto [left, right] = std::minmax({a.x, b.x, c.x});
   const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
   return {double(left), double(right), double(top), double(bottom)};
+}
+
+/// About the smallest height of a facet over a side: what tells whether it can cover a cell, however long it is.
+double breadth(const Facet& f, const ProjectedVertex* vertices) {
+  return orientation(vertices[f.v[0]].p, vertices[f.v[1]].p, vertices[f.v[2]].p) / f.size;
 }
 
 void sort_by_depth(CellFacet* begin, CellFacet* end) {
@@ -240,13 +245,13 @@ void CellGrid::Build::fill() {
   });
 }
 
-/// Facets larger than the cell cover children of it and hide what is behind; a crowd of small ones is only spread.
+/// Facets broader than children of the cell cover some of them and hide what is behind; a crowd of small ones is only spread.
 bool CellGrid::Build::worth_splitting(const CellFacet* list, std::size_t n, double size) const {
   if (n <= kLeafFacets || size < kSplitSide * kSmallestCell) return false;
   if (n > kCrowdedFacets) return true;
   if (!options.drop_hidden) return false;
   std::size_t large = 0;
-  for (std::size_t i = 0; i < n; ++i) large += facets[list[i].facet].size > kLargeSize * size;
+  for (std::size_t i = 0; i < n; ++i) large += breadth(facets[list[i].facet], scene.vertices.data()) > kLargeBreadth * size;
   return static_cast<double>(large) > kLargePart * static_cast<double>(n);
 }
 
