@@ -33,7 +33,8 @@ const char* const kViewNames[] = {"iso", "odd", "dimetric", "front", "far", "nea
 class AllMethods : public testing::TestWithParam<std::tuple<std::filesystem::path, const char*>> {};
 
 TEST_P(AllMethods, AgreeWithTheOracle) {
-  const auto& [file, view_name] = GetParam();
+  const std::filesystem::path& file = std::get<0>(GetParam());
+  const char* const view_name = std::get<1>(GetParam());
   Warnings warnings;
   const Scene scene = read_scene(file, {}, warnings);
   const std::vector<StandardView> views = standard_views(scene);
