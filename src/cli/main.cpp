@@ -13,6 +13,7 @@
 #include "cli/help.hpp"
 #include "cli/info.hpp"
 #include "cli/methods.hpp"
+#include "cli/surface.hpp"
 #include "cli/text.hpp"
 #include "plotting/output_file.hpp"
 
@@ -21,12 +22,13 @@ namespace {
 
 constexpr int kDone = 0, kFailed = 1, kUsage = 2;
 
-constexpr const char* kFooter = R"(ligne COMMAND --help tells the options of a command.
+constexpr const char* kFooter = R"help(ligne COMMAND --help tells the options of a command.
 
 Examples:
   ligne draw gearbox.obj -o gearbox.svg
+  ligne surface "sin(r)/r" -x -12:12 -y -12:12 -o sombrero.svg
   ligne info gearbox.obj
-  ligne methods)";
+  ligne methods)help";
 
 /// CLI11's own complaint in our words.
 std::string complaint(const CLI::ParseError& e) {
@@ -51,7 +53,9 @@ int run(int argc, char** argv) {
   DrawOptions draw;
   InfoOptions info;
   MethodsOptions methods;
+  SurfaceOptions surface;
   setup_draw(app, draw);
+  setup_surface(app, surface);
   setup_info(app, info);
   setup_methods(app, methods);
 
@@ -67,12 +71,14 @@ int run(int argc, char** argv) {
 
   if (app.got_subcommand("draw")) {
     run_draw(draw);
+  } else if (app.got_subcommand("surface")) {
+    run_surface(surface);
   } else if (app.got_subcommand("info")) {
     run_info(info);
   } else if (app.got_subcommand("methods")) {
     run_methods(methods);
   } else {
-    throw UsageError("there is no command: draw, info or methods; see ligne --help");
+    throw UsageError("there is no command: draw, surface, info or methods; see ligne --help");
   }
   return kDone;
 }

@@ -1,0 +1,59 @@
+#pragma once
+/// From the seen pieces of a curve to polylines, one for each stretch that is seen without a break.
+
+#include <cmath>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "view/clip.hpp"
+#include "visibility/tolerances.hpp"
+
+namespace ligne::horizon {
+
+class CurveTracker {
+ public:
+  explicit CurveTracker(Polylines& lines) : lines_(&lines) {}
+
+  /// The part from t0 to t1 of the segment a, b in space is seen. Parts come in order along the curve.
+  void add(const HomogeneousPoint& a, const HomogeneousPoint& b, double t0, double t1) {
+    if (!(goes_on_ && t0 == 0)) {
+      end();
+      points_.push_back(at(a, b, t0));
+    }
+    points_.push_back(at(a, b, t1));
+    goes_on_ = false;
+    reached_end_ = t1 == 1;
+  }
+
+  /// The next parts are of the segment behind this one.
+  void next_segment() {
+    goes_on_ = reached_end_;
+    reached_end_ = false;
+  }
+
+  /// Nothing of a segment is seen.
+  void interrupt() { goes_on_ = reached_end_ = false; }
+
+  /// Gives the stretch away.
+  void end() {
+    double length = 0;
+    for (std::size_t i = 1; i < points_.size(); ++i) length += std::hypot(points_[i].x - points_[i - 1].x, points_[i].y - points_[i - 1].y);
+    if (length > kLeastPartMm) {
+      lines_->points.insert(lines_->points.end(), points_.begin(), points_.end());
+      lines_->begin.push_back(static_cast<std::uint32_t>(lines_->points.size()));
+    }
+    points_.clear();
+  }
+
+ private:
+  static Point2 at(const HomogeneousPoint& a, const HomogeneousPoint& b, double t) {
+    const HomogeneousPoint p = t == 0 ? a : t == 1 ? b : interpolate(a, b, t);
+    return {p.x / p.w, p.y / p.w};
+  }
+
+  Polylines* lines_;
+  std::vector<Point2> points_;
+  bool goes_on_ = false, reached_end_ = false;
+};
+
+}  // namespace ligne::horizon

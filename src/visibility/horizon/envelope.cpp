@@ -1,0 +1,151 @@
+#include "visibility/horizon/envelope.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ligne::horizon {
+namespace {
+
+/// Parts of the u axis that are shorter than this part of it are rounding.
+constexpr double kLeastPart = 0x1p-42;
+
+/// Heights that differ by less than this part of the picture's size are level: they are the sum of a dozen roundings.
+constexpr double kLevelPart = 0x1p-44;
+
+/// Appends a span, joined to the last one where that ends.
+void append(std::vector<Span>& spans, Span span, double least) {
+  if (!spans.empty() && span.from - spans.back().to <= least) {
+    spans.back().to = std::max(spans.back().to, span.to);
+  } else {
+    spans.push_back(span);
+  }
+}
+
+}  // namespace
+
+ExactEnvelope::ExactEnvelope(double u_min, double u_max, std::size_t cells)
+    : u_min_(u_min), extent_(u_max - u_min), least_(kLeastPart * extent_), cells_(std::max<std::size_t>(cells, 1)) {
+  const double width = extent_ / static_cast<double>(cells_.size());
+  width_ = width > 0 ? width : 1;
+}
+
+std::size_t ExactEnvelope::cell_of(double u) const {
+  const double c = std::floor((u - u_min_) / width_);
+  return c <= 0 ? 0 : std::min(static_cast<std::size_t>(c), cells_.size() - 1);
+}
+
+/// Puts into found_ where the line is above the pieces of the cell, or where there are none.
+void ExactEnvelope::find_above(const std::vector<Piece>& cell, const Piece& line, double tolerance) {
+  found_.clear();
+  const auto level = [tolerance](double d) { return std::abs(d) <= tolerance ? 0.0 : d; };
+  double at = line.u0;  // up to here all is known
+  for (const Piece& p : cell) {
+    if (p.u1 <= at) continue;
+    if (p.u0 >= line.u1) break;
+    if (p.u0 - at > least_) append(found_, {at, p.u0}, least_);
+    const double a = std::max(p.u0, at), b = std::min(p.u1, line.u1);
+    at = b;
+    const double da = level(line.height(a) - p.height(a)), db = level(line.height(b) - p.height(b));
+    if (da <= 0 && db <= 0) continue;
+    if (da >= 0 && db >= 0) {
+      append(found_, {a, b}, least_);
+      continue;
+    }
+    const double crossing = std::clamp(a + (b - a) * (da / (da - db)), a, b);
+    append(found_, da > 0 ? Span{a, crossing} : Span{crossing, b}, least_);
+  }
+  if (line.u1 - at > least_) append(found_, {at, line.u1}, least_);
+}
+
+/// Puts the line into the cell over the spans found, in place of what was there.
+void ExactEnvelope::rebuild(std::vector<Piece>& cell, const Piece& line) {
+  rebuilt_.clear();
+  const auto put = [this](Piece piece, double from, double to) {
+    if (to - from <= least_) return;
+    piece.u0 = from;
+    piece.u1 = to;
+    rebuilt_.push_back(piece);
+  };
+  for (const Piece& p : cell) {
+    double from = p.u0;
+    for (const Span& span : found_) {
+      if (span.to <= from || span.from >= p.u1) continue;
+      put(p, from, span.from);
+      from = span.to;
+    }
+    put(p, from, p.u1);
+  }
+  for (const Span& span : found_) put(line, span.from, span.to);
+  std::sort(rebuilt_.begin(), rebuilt_.end(), [](const Piece& a, const Piece& b) { return a.u0 < b.u0; });
+  cell.assign(rebuilt_.begin(), rebuilt_.end());
+}
+
+void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) {
+  const std::size_t first_span = above.size();
+  const std::size_t first = cell_of(line.u0), last = cell_of(line.u1);
+  Piece piece{line.u0, line.u1, line.u0, line.v0, (line.v1 - line.v0) / (line.u1 - line.u0)};
+  const double tolerance = kLevelPart * std::max({extent_, std::abs(line.v0), std::abs(line.v1)});
+  for (std::size_t c = first; c <= last; ++c) {
+    piece.u0 = c == first ? line.u0 : u_min_ + static_cast<double>(c) * width_;
+    piece.u1 = c == last ? line.u1 : u_min_ + static_cast<double>(c + 1) * width_;
+    if (!(piece.u0 < piece.u1)) continue;
+    find_above(cells_[c], piece, tolerance);
+    if (found_.empty()) continue;
+    rebuild(cells_[c], piece);
+    for (const Span& span : found_) {
+      if (above.size() > first_span) {
+        append(above, span, least_);
+      } else {
+        above.push_back(span);
+      }
+    }
+  }
+}
+
+double ExactEnvelope::height(double u) const {
+  double highest = kNothing;
+  // Where pieces end the neighbours count too, also those of the next cell.
+  const std::size_t first = cell_of(u - least_), last = cell_of(u + least_);
+  for (std::size_t c = first; c <= last; ++c) {
+    for (const Piece& p : cells_[c]) {
+      if (p.u0 <= u + least_ && u <= p.u1 + least_) highest = std::max(highest, p.height(std::clamp(u, p.u0, p.u1)));
+    }
+  }
+  return highest;
+}
+
+std::size_t ExactEnvelope::piece_count() const {
+  std::size_t n = 0;
+  for (const auto& cell : cells_) n += cell.size();
+  return n;
+}
+
+PixelEnvelope::PixelEnvelope(double u_min, double u_max, std::size_t columns)
+    : u_min_(u_min), heights_(std::max<std::size_t>(columns, 1), kNothing) {
+  const double width = (u_max - u_min) / static_cast<double>(heights_.size());
+  width_ = width > 0 ? width : 1;
+}
+
+std::size_t PixelEnvelope::column_of(double u) const {
+  const double c = std::floor((u - u_min_) / width_);
+  return c <= 0 ? 0 : std::min(static_cast<std::size_t>(c), heights_.size() - 1);
+}
+
+void PixelEnvelope::raise(const Line& line, std::vector<Span>& above) {
+  const std::size_t first_span = above.size(), first = column_of(line.u0), last = column_of(line.u1);
+  const double slope = (line.v1 - line.v0) / (line.u1 - line.u0);
+  for (std::size_t c = first; c <= last; ++c) {
+    const double left = std::max(line.u0, u_min_ + static_cast<double>(c) * width_);
+    const double right = std::min(line.u1, u_min_ + static_cast<double>(c + 1) * width_);
+    const double height = line.v0 + slope * ((left + right) / 2 - line.u0);
+    if (!(height > heights_[c])) continue;
+    heights_[c] = height;
+    if (above.size() > first_span && above.back().to >= left) {
+      above.back().to = right;
+    } else {
+      above.push_back({left, right});
+    }
+  }
+}
+
+}  // namespace ligne::horizon

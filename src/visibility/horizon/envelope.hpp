@@ -1,0 +1,71 @@
+#pragma once
+/// The horizon: the highest of the lines taken so far, over every place u across the picture.
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace ligne::horizon {
+
+/// A line over u, from its left to its right end: u0 < u1.
+struct Line {
+  double u0, v0, u1, v1;
+};
+
+/// A part of the u axis.
+struct Span {
+  double from, to;
+};
+
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+
+/// The upper horizon as a piecewise linear function that knows the lines that it is made of, so that nothing is lost when it is cut again and
+/// again: crossings are computed from the lines themselves. (The lower horizon is the upper one of the lines turned upside down.)
+/// The pieces stand in cells of equal width, ascending in each; to take a line costs time with the pieces that it spans.
+class ExactEnvelope {
+ public:
+  /// For lines in [u_min, u_max]. `cells` is best about the number of curves.
+  ExactEnvelope(double u_min, double u_max, std::size_t cells);
+
+  /// Appends to `above` where the line is higher than the horizon, or where there is none yet (ascending, each as long as can be); then raises
+  /// the horizon there.
+  void raise(const Line& line, std::vector<Span>& above);
+
+  /// Height of the horizon at u, kNothing where there is none.
+  double height(double u) const;
+
+  std::size_t piece_count() const;
+
+ private:
+  /// A part of a line: over u in [u0, u1] it has the height v + slope (u - u_line).
+  struct Piece {
+    double u0, u1;
+    double u_line, v, slope;
+    double height(double u) const { return v + slope * (u - u_line); }
+  };
+
+  std::size_t cell_of(double u) const;
+  void find_above(const std::vector<Piece>& cell, const Piece& line, double tolerance);
+  void rebuild(std::vector<Piece>& cell, const Piece& line);
+
+  double u_min_, extent_, width_, least_;
+  std::vector<std::vector<Piece>> cells_;
+  std::vector<Span> found_;      ///< scratch: where the line is above, in one cell
+  std::vector<Piece> rebuilt_;   ///< scratch
+};
+
+/// The upper horizon as an array of heights, one for each of the picture's columns of pixels.
+class PixelEnvelope {
+ public:
+  PixelEnvelope(double u_min, double u_max, std::size_t columns);
+  void raise(const Line& line, std::vector<Span>& above);
+  double height(double u) const { return heights_[column_of(u)]; }
+
+ private:
+  std::size_t column_of(double u) const;
+
+  double u_min_, width_;
+  std::vector<double> heights_;
+};
+
+}  // namespace ligne::horizon

@@ -1,0 +1,30 @@
+#pragma once
+/// One axis of the grid: its samples, and the eye's place among them.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace ligne::horizon {
+
+/// Positions in ascending order: the samples, and the eye's where it lies between two of them. There the surface is divided, without a curve.
+struct GridAxis {
+  GridAxis(const std::vector<double>& samples, std::size_t stride, std::optional<double> eye);
+
+  std::size_t sample_count;
+  std::vector<double> at;
+  std::vector<std::size_t> sample;  ///< sample at the position or before it
+  std::vector<double> fraction;     ///< of the way to the next sample; 0 at samples
+  std::vector<bool> drawn;          ///< whether there is a curve
+
+  /// Positions from the nearest to the farthest; `sign` tells the direction away from the viewer.
+  struct Part {
+    std::vector<std::size_t> order;
+    double sign;
+    bool first_is_drawn = true;  ///< false where another part draws the curve at its first position
+  };
+  /// Two parts where the eye lies inside, else one. Without an eye `forward` is the line of sight along the axis.
+  std::vector<Part> parts(std::optional<double> eye, double forward) const;
+};
+
+}  // namespace ligne::horizon

@@ -1,0 +1,42 @@
+#pragma once
+/// The plane on which curves are held against the horizon.
+
+#include <glm/geometric.hpp>
+
+#include "view/view.hpp"
+
+namespace ligne::horizon {
+
+/// A point as the viewer sees it on an upright drawing plane. Upright means that verticals stay verticals, whatever the camera's tilt: what
+/// hides what depends on the line of sight alone, so any plane serves, and on this one the horizon is a function of u.
+struct SightPoint {
+  double u, v;  ///< to the right, upwards
+  double w;     ///< distance from the plane of the viewer along the plane's normal; 1 in parallel projection
+};
+
+/// The sight of one part of the grid: all points with sign_x (x - eye_x) >= 0 and sign_y (y - eye_y) >= 0 in perspective.
+class Sight {
+ public:
+  Sight(const Camera& camera, double sign_x, double sign_y);
+
+  SightPoint operator()(const Point3& p) const {
+    const Point3 d = p - eye_;
+    if (!perspective_) return {glm::dot(right_, d), glm::dot(up_, d), 1};
+    const double w = glm::dot(forward_, d);
+    return {glm::dot(right_, d) / w, d.z / w, w};
+  }
+
+  bool perspective() const { return perspective_; }
+
+ private:
+  bool perspective_;
+  Point3 eye_, right_, up_, forward_;
+};
+
+/// Fraction of a segment in space at the fraction s on the drawing plane; see source_parameter in drawing/stroke.hpp.
+inline double fraction_in_space(double w0, double w1, double s) {
+  const double numerator = s * w0;
+  return numerator / ((1 - s) * w1 + numerator);
+}
+
+}  // namespace ligne::horizon
