@@ -64,13 +64,16 @@ struct Edge {
   EdgeClass edge_class = EdgeClass::undecided;
 };
 
-/// What two penetrating faces have in common.
+/// What two penetrating faces have in common, or a part of it: near its ends a crossing is not proper.
 struct Intersection {
   std::uint32_t face0 = 0, face1 = 0;  ///< face0 < face1
   Point3 a{0, 0, 0}, b{0, 0, 0};       ///< rounded
+  Point2 page_a{0, 0}, page_b{0, 0};   ///< the same on the page, mm
   /// A proper crossing, to be drawn where it is visible: both faces go on on both sides of it by a micrometre, and so far that their depths
   /// differ by more than delta. Otherwise a method may take the faces for touching ones.
   bool proper = false;
+  /// The faces are so nearly parallel that the place of their common line hangs on the last digits.
+  bool vague = false;
 };
 
 /// A face over a point of the page.

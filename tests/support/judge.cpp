@@ -32,6 +32,13 @@ struct Candidate {
   std::string words;
 };
 
+/// A part of what two faces have in common, however short.
+struct Crossing {
+  Segment whole;
+  bool vague = false;  ///< its place is not known well
+  Candidate candidate;
+};
+
 std::string words(const char* what, const Point3& a, const Point3& b) {
   char buffer[256];
   std::snprintf(buffer, sizeof buffer, "%s (%.9g, %.9g, %.9g) - (%.9g, %.9g, %.9g)", what, a.x, a.y, a.z, b.x, b.y, b.z);
@@ -118,7 +125,7 @@ oracle::View oracle_view(const CameraRequest& request, const View& view) {
 struct JudgedView::Lines {
   std::vector<Candidate> candidates;
   std::map<std::uint32_t, std::size_t> of_edge;  ///< edge of the topology -> candidate, for those in view
-  std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> of_faces;  ///< intersections by their faces
+  std::map<std::array<std::uint32_t, 2>, std::vector<Crossing>> of_faces;  ///< intersections by their faces
 };
 
 JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView& standard)
@@ -152,11 +159,10 @@ JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView&
   for (std::size_t i = 0; i < oracle_->intersections().size(); ++i) {
     const oracle::Intersection& x = oracle_->intersections()[i];
     const std::string faces = "intersection of faces " + std::to_string(x.face0) + " and " + std::to_string(x.face1);
-    if (!add_candidate({true, x.proper, EdgeClass::intersection, {}, oracle_->intersection_intervals(i),
-                        words(faces.c_str(), x.a, x.b)})) {
-      continue;
-    }
-    lines_->of_faces[{x.face0, x.face1}].push_back(lines_->candidates.size() - 1);
+    const Segment page{x.page_a, x.page_b};
+    Candidate candidate{true, x.proper, EdgeClass::intersection, {}, oracle_->intersection_intervals(i), words(faces.c_str(), x.a, x.b)};
+    lines_->of_faces[{x.face0, x.face1}].push_back({page, x.vague, candidate});
+    add_candidate(std::move(candidate));
   }
 }
 
@@ -196,18 +202,17 @@ class Comparison {
   }
 
   /// A stroke of class intersection, with the oracle's intersections of its two faces.
-  void visible_intersection(const DrawnStroke& s, const std::vector<const Candidate*>& of_faces) {
+  void visible_intersection(const DrawnStroke& s, const std::vector<Crossing>& of_faces) {
     std::vector<Range> known;
-    bool all_proper = true;
-    for (const Candidate* c : of_faces) {
-      against_hidden(s, *c);
-      all_proper = all_proper && c->proper;
-      if (const auto range = along(s.segment, c->whole, tolerance_)) known.push_back(*range);
+    bool vague = false;
+    for (const Crossing& c : of_faces) {
+      against_hidden(s, c.candidate);
+      vague = vague || c.vague;
+      if (const auto range = along(s.segment, c.whole, tolerance_)) known.push_back(*range);
     }
-    if (!of_faces.empty() && !all_proper) return;
+    if (vague) return;
     for (const Range& gap : gaps(std::move(known), 0, s.segment.length())) {
-      // At its ends the oracle's segment is cut where something changes, which it tells within a few micrometres.
-      if (gap.length() <= 3 * tolerance_) continue;
+      if (gap.length() <= tolerance_) continue;
       add(verdict_.drawn_hidden, {s.segment.at(gap.from), s.segment.at(gap.to)}, "intersection of faces that have none there");
     }
   }
@@ -334,12 +339,8 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges) const 
         comparison.visible_edge(s, found == lines_->of_edge.end() ? nullptr : &lines_->candidates[found->second]);
       } else {
         const SourceEdge& source = model.intersections[s.stroke->source - model.edge_count];
-        std::vector<const Candidate*> of_faces;
         const auto found = lines_->of_faces.find({std::min(source.faces[0], source.faces[1]), std::max(source.faces[0], source.faces[1])});
-        if (found != lines_->of_faces.end()) {
-          for (const std::size_t c : found->second) of_faces.push_back(&lines_->candidates[c]);
-        }
-        comparison.visible_intersection(s, of_faces);
+        comparison.visible_intersection(s, found == lines_->of_faces.end() ? std::vector<Crossing>{} : found->second);
       }
     }
     comparison.missing();
