@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <compare>
 #include <optional>
 #include <tuple>
 
@@ -129,21 +128,11 @@ std::optional<Segment> common_segment(const Corners& a, const Corners& b, const 
   return clip_to_facet({ends[0], ends[1]}, a);
 }
 
-/// Where a corner is. Corners of neighbours are told to be the same by this and not by their numbers: clipping gives every facet
-/// new corners of its own, in the same places.
-struct Place {
-  std::int32_t x, y;
-  double z;
-  friend auto operator<=>(const Place&, const Place&) = default;
-};
-
 /// A side of facet `side_of` that lies in the plane of facet `plane`, its third corner above or below.
 struct SideInPlane {
-  std::uint32_t plane;
-  Place p, q;  ///< p < q
-  std::uint32_t side_of;
+  std::uint32_t plane, v0, v1, side_of;
   bool above;
-  auto key() const { return std::tie(plane, p, q); }
+  auto key() const { return std::tie(plane, v0, v1); }
 };
 
 struct Pair {
@@ -233,11 +222,7 @@ class LeafSearch {
   void add_side(const Item& plane, const Item& other, const Heights& heights) {
     int off = 0;
     while (heights.h[off] == 0) ++off;
-    const auto place = [&](int i) {
-      const ProjectedVertex& v = scene_.vertices[other.v[i % 3]];
-      return Place{v.p.x, v.p.y, v.z};
-    };
-    const Place p = place(off + 1), q = place(off + 2);
+    const std::uint32_t p = other.v[(off + 1) % 3], q = other.v[(off + 2) % 3];
     sides.push_back({plane.id, std::min(p, q), std::max(p, q), other.id, heights.h[off] > 0});
   }
 
@@ -252,7 +237,7 @@ class LeafSearch {
 /// side counts as above.
 void match_sides(std::vector<SideInPlane>& sides, std::vector<Pair>& pairs) {
   std::sort(sides.begin(), sides.end(), [](const SideInPlane& a, const SideInPlane& b) {
-    return std::tie(a.plane, a.p, a.q, a.above, a.side_of) < std::tie(b.plane, b.p, b.q, b.above, b.side_of);
+    return std::tie(a.plane, a.v0, a.v1, a.above, a.side_of) < std::tie(b.plane, b.v0, b.v1, b.above, b.side_of);
   });
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i + 1;
