@@ -1,5 +1,6 @@
-// Every method on random scenes, against the oracle: triangles at random, corners on a small grid of whole numbers (everything degenerate
-// at once), boxes that penetrate, boxes that touch. A scene that fails is written to a file that `ligne` reads.
+// Every method on random scenes, against the oracle: triangles at random, corners on a small grid of whole numbers
+// (everything degenerate at once), boxes that penetrate, boxes that touch. A scene that fails is written to a file that
+// `ligne` reads.
 
 #include <gtest/gtest.h>
 
@@ -117,7 +118,8 @@ TEST_P(RandomScenes, PenetratingBoxes) {
     std::uniform_real_distribution<double> u(-1, 1);
     Scene scene;
     for (int i = 0; i < 6; ++i) {
-      add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {3, 2, 2.5}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+      add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {3, 2, 2.5},
+              rotation(u(random) * 3, u(random) * 3, u(random) * 3));
     }
     expect_agreement(scene, "penetrating_" + std::to_string(seed), seed / 4);
   }

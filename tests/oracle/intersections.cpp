@@ -70,7 +70,8 @@ PagePoint point_at(const Line& line, double tau) {
 /// Collects parts of one line that are alike and follow each other.
 class Collector {
  public:
-  Collector(Oracle::State& state, const Line& line, std::uint32_t f, std::uint32_t g, bool vague, std::vector<std::uint32_t> own)
+  Collector(Oracle::State& state, const Line& line, std::uint32_t f, std::uint32_t g, bool vague,
+            std::vector<std::uint32_t> own)
       : state_(state), line_(line), face0_(std::min(f, g)), face1_(std::max(f, g)), vague_(vague), own_(std::move(own)) {}
   ~Collector() { flush(); }
 
@@ -127,8 +128,7 @@ void cross_faces(Oracle::State& state, std::uint32_t f, std::uint32_t g) {
   for (const auto& [from, to] : parts_between(places, kShortestPartMm / line->length_mm)) {
     const double middle = (from + to) / 2;
     if (!covers_both_banks(over_f, middle) || !covers_both_banks(over_g, middle)) continue;
-    collector.add(from, to,
-                  !vague && covers(over_f, middle, -reach, reach) && covers(over_g, middle, -reach, reach));
+    collector.add(from, to, !vague && covers(over_f, middle, -reach, reach) && covers(over_g, middle, -reach, reach));
   }
 }
 
@@ -137,8 +137,9 @@ void cross_faces(Oracle::State& state, std::uint32_t f, std::uint32_t g) {
 void cross_edge(Oracle::State& state, const Edge& edge, const Line& line, std::uint32_t g) {
   const Face& wall = state.faces[g];
   const Vector3 a = exact(edge.a), b = exact(edge.b);
-  if (line.length_mm < kShortestMm || !line.box.meets(wall.box, 0, 0) || line.box.z0 > wall.box.z1 || wall.box.z0 > line.box.z1 ||
-      line.surely_beside(wall) || !state.lies_in_plane(a, wall) || !state.lies_in_plane(b, wall)) {
+  if (line.length_mm < kShortestMm || !line.box.meets(wall.box, 0, 0) || line.box.z0 > wall.box.z1 ||
+      wall.box.z0 > line.box.z1 || line.surely_beside(wall) || !state.lies_in_plane(a, wall) ||
+      !state.lies_in_plane(b, wall)) {
     return;
   }
   FaceOverLine over_wall(wall, line);
