@@ -174,10 +174,10 @@ Related triangulated(const Sight& sight, bool) {
   return {{with_faces(sight.scene, triangles_of), sight.camera}};
 }
 
-/// A point of the edge that is the same from either end, and exact for dyadic ends. Not the middle: two plates that cross in their
-/// middles would both be cut along their common line, which then is an edge of both and no intersection any more.
+/// A point of the edge that is the same from either end, and exact for dyadic ends. No simple fraction: where things cross exactly along such a
+/// cut, their common line is an edge of coplanar faces, mesh, and no intersection.
 Point3 point_within(const Point3& a, const Point3& b) {
-  constexpr double kPart = 3.0 / 8;
+  constexpr double kPart = 11.0 / 32;
   const bool forward = std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
   return forward ? a + (b - a) * kPart : b + (a - b) * kPart;
 }
