@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
+#include <unordered_map>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -64,7 +66,10 @@ class Clipper {
 
   void clip_triangles(const std::vector<Triangle>& triangles) {
     std::vector<HomogeneousPoint> contour;
+    std::vector<std::uint32_t> corners;
+    std::size_t object = 0;
     for (const Triangle& t : triangles) {
+      while (object < scene_.objects.size() && t.face >= scene_.objects[object].face_end) ++object, cut_vertices_.clear();
       if (inside_[t.v[0]] && inside_[t.v[1]] && inside_[t.v[2]]) {
         out_.triangles.push_back(t);
         continue;
@@ -73,10 +78,10 @@ class Clipper {
       for (const std::uint32_t v : t.v) contour.push_back(to_homogeneous(view_, scene_.vertices[v]));
       clip_contour(contour, volume_);
       if (contour.size() < 3) continue;
-      const auto first = static_cast<std::uint32_t>(out_.vertices.size());
-      for (const HomogeneousPoint& p : contour) out_.vertices.push_back(to_vertex(p, out_.lattice));
-      for (std::uint32_t k = 1; k + 1 < contour.size(); ++k) {
-        out_.triangles.push_back({{first, first + k, first + k + 1}, t.face});
+      corners.clear();
+      for (const HomogeneousPoint& p : contour) corners.push_back(corner(p, t));
+      for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+        out_.triangles.push_back({{corners[0], corners[k], corners[k + 1]}, t.face});
       }
     }
   }
@@ -104,6 +109,27 @@ class Clipper {
   }
 
  private:
+  using Coordinates = std::array<double, 4>;
+  struct Hash {
+    std::size_t operator()(const Coordinates& c) const {
+      std::size_t h = 0;
+      for (const double v : c) h = h * 0x9e3779b97f4a7c15u + std::hash<double>()(v);
+      return h;
+    }
+  };
+  static Coordinates coordinates(const HomogeneousPoint& p) { return {p.x, p.y, p.z, p.w}; }
+
+  /// The vertex of a corner of the clipped triangle: its own where that is left, else one that the neighbours of the same object
+  /// have too, since a common edge is cut at the same point to the last bit. So neighbours stay neighbours.
+  std::uint32_t corner(const HomogeneousPoint& p, const Triangle& t) {
+    for (const std::uint32_t v : t.v) {
+      if (inside_[v] && coordinates(to_homogeneous(view_, scene_.vertices[v])) == coordinates(p)) return v;
+    }
+    const auto [place, is_new] = cut_vertices_.try_emplace(coordinates(p), 0u);
+    if (is_new) place->second = add_vertex(p);
+    return place->second;
+  }
+
   std::uint32_t add_vertex(const HomogeneousPoint& p) {
     out_.vertices.push_back(to_vertex(p, out_.lattice));
     return static_cast<std::uint32_t>(out_.vertices.size() - 1);
@@ -114,6 +140,7 @@ class Clipper {
   const ClipVolume& volume_;
   ProjectedScene& out_;
   std::vector<std::uint8_t> inside_;
+  std::unordered_map<Coordinates, std::uint32_t, Hash> cut_vertices_;  ///< of the object at hand
 };
 
 void select_edges(const Scene& scene, const Topology& topology, const Camera& camera, const EdgeSelection& selection,

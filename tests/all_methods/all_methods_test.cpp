@@ -1,5 +1,6 @@
-// Every method of the registry on every scene of the corpus, in every standard view, against the oracle: nothing hidden is drawn,
-// nothing visible is missing, nothing is drawn twice. The scenes are found when the program starts: a new one is a new test.
+// Every method of the registry on every scene of the corpus, in every standard view, against the oracle: nothing hidden is
+// drawn, nothing visible is missing, nothing is drawn twice. The scenes are found when the program starts: a new one is a
+// new test.
 
 #include <gtest/gtest.h>
 
@@ -28,9 +29,22 @@ std::vector<std::filesystem::path> corpus() {
   return files;
 }
 
-const char* const kViewNames[] = {"iso", "odd", "dimetric", "front", "far", "near", "inside"};
+using Case = std::tuple<std::filesystem::path, const char*>;
 
-class AllMethods : public testing::TestWithParam<std::tuple<std::filesystem::path, const char*>> {};
+/// The oracle holds everything against everything: a scene of thousands of faces takes it half a minute, and gets two views.
+std::vector<Case> cases() {
+  constexpr std::uintmax_t kLargeBytes = 100'000;
+  std::vector<Case> result;
+  for (const std::filesystem::path& file : corpus()) {
+    const bool large = std::filesystem::file_size(file) > kLargeBytes;
+    for (const char* view : {"odd", "near"}) result.emplace_back(file, view);
+    if (large) continue;
+    for (const char* view : {"iso", "dimetric", "front", "far", "inside"}) result.emplace_back(file, view);
+  }
+  return result;
+}
+
+class AllMethods : public testing::TestWithParam<Case> {};
 
 TEST_P(AllMethods, AgreeWithTheOracle) {
   const std::filesystem::path& file = std::get<0>(GetParam());
@@ -61,10 +75,9 @@ TEST_P(AllMethods, AgreeWithTheOracle) {
   RecordProperty("methods_skipped", skipped);
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, AllMethods, testing::Combine(testing::ValuesIn(corpus()), testing::ValuesIn(kViewNames)),
-                         [](const auto& info) {
-                           return std::get<0>(info.param).stem().string() + "_" + std::get<1>(info.param);
-                         });
+INSTANTIATE_TEST_SUITE_P(Corpus, AllMethods, testing::ValuesIn(cases()), [](const auto& info) {
+  return std::get<0>(info.param).stem().string() + "_" + std::get<1>(info.param);
+});
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(AllMethods);
 
 }  // namespace

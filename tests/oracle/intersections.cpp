@@ -11,7 +11,10 @@ namespace {
 /// Where nearly parallel faces cross hangs on the last digits: the line of two faces whose depths differ by delta only this
 /// many micrometres beside it is moved by the rounding of the page (a hundredth of delta) by up to half a micrometre.
 constexpr double kWidestDoubt = 50;
+/// Lines shorter than this are none.
 constexpr double kShortestMm = 2.5 * kMicrometre;
+/// Parts of a line that are shorter are not asked about.
+constexpr double kShortestPartMm = 0.1 * kMicrometre;
 
 bool covers(const FaceOverLine& face, double tau, double from, double to) {
   for (const auto& [first, second] : face.cover(tau)) {
@@ -67,12 +70,13 @@ PagePoint point_at(const Line& line, double tau) {
 /// Collects parts of one line that are alike and follow each other.
 class Collector {
  public:
-  Collector(Oracle::State& state, const Line& line, std::uint32_t f, std::uint32_t g, std::vector<std::uint32_t> own)
-      : state_(state), line_(line), face0_(std::min(f, g)), face1_(std::max(f, g)), own_(std::move(own)) {}
+  Collector(Oracle::State& state, const Line& line, std::uint32_t f, std::uint32_t g, bool vague,
+            std::vector<std::uint32_t> own)
+      : state_(state), line_(line), face0_(std::min(f, g)), face1_(std::max(f, g)), vague_(vague), own_(std::move(own)) {}
   ~Collector() { flush(); }
 
   void add(double tau0, double tau1, bool proper) {
-    if (open_ && proper == proper_ && (tau0 - tau1_) * line_.length_mm <= 2 * kShortestMm) {
+    if (open_ && proper == proper_ && (tau0 - tau1_) * line_.length_mm <= 2 * kShortestPartMm) {
       tau1_ = tau1;
       return;
     }
@@ -87,13 +91,15 @@ class Collector {
     CrossingLine crossing{point_at(line_, tau0_), point_at(line_, tau1_), own_};
     const Projection& projection = state_.projection;
     state_.intersections.push_back({face0_, face1_, to_point(projection.model_point(crossing.a)),
-                                    to_point(projection.model_point(crossing.b)), proper_});
+                                    to_point(projection.model_point(crossing.b)), projection.page_mm(crossing.a),
+                                    projection.page_mm(crossing.b), proper_, vague_});
     state_.crossings.push_back(std::move(crossing));
   }
 
   Oracle::State& state_;
   const Line& line_;
   std::uint32_t face0_, face1_;
+  bool vague_;
   std::vector<std::uint32_t> own_;
   bool open_ = false, proper_ = false;
   double tau0_ = 0, tau1_ = 0;
@@ -117,12 +123,12 @@ void cross_faces(Oracle::State& state, std::uint32_t f, std::uint32_t g) {
   std::vector<double> places;
   add_changes(over_f, reach, places);
   add_changes(over_g, reach, places);
-  Collector collector(state, *line, f, g, {f, g});
-  for (const auto& [from, to] : parts_between(places, kShortestMm / line->length_mm)) {
+  const bool vague = reach > kWidestDoubt;
+  Collector collector(state, *line, f, g, vague, {f, g});
+  for (const auto& [from, to] : parts_between(places, kShortestPartMm / line->length_mm)) {
     const double middle = (from + to) / 2;
     if (!covers_both_banks(over_f, middle) || !covers_both_banks(over_g, middle)) continue;
-    collector.add(from, to,
-                  reach <= kWidestDoubt && covers(over_f, middle, -reach, reach) && covers(over_g, middle, -reach, reach));
+    collector.add(from, to, !vague && covers(over_f, middle, -reach, reach) && covers(over_g, middle, -reach, reach));
   }
 }
 
@@ -131,8 +137,9 @@ void cross_faces(Oracle::State& state, std::uint32_t f, std::uint32_t g) {
 void cross_edge(Oracle::State& state, const Edge& edge, const Line& line, std::uint32_t g) {
   const Face& wall = state.faces[g];
   const Vector3 a = exact(edge.a), b = exact(edge.b);
-  if (line.length_mm < kShortestMm || !line.box.meets(wall.box, 0, 0) || line.box.z0 > wall.box.z1 || wall.box.z0 > line.box.z1 ||
-      line.surely_beside(wall) || !state.lies_in_plane(a, wall) || !state.lies_in_plane(b, wall)) {
+  if (line.length_mm < kShortestMm || !line.box.meets(wall.box, 0, 0) || line.box.z0 > wall.box.z1 ||
+      wall.box.z0 > line.box.z1 || line.surely_beside(wall) || !state.lies_in_plane(a, wall) ||
+      !state.lies_in_plane(b, wall)) {
     return;
   }
   FaceOverLine over_wall(wall, line);
@@ -165,11 +172,12 @@ void cross_edge(Oracle::State& state, const Edge& edge, const Line& line, std::u
     add_changes(over_wall, reach, places);
     std::vector<std::uint32_t> own = edge.faces;
     own.push_back(g);
-    Collector collector(state, line, wing.face, g, own);
-    for (const auto& [from, to] : parts_between(places, kShortestMm / line.length_mm)) {
+    const bool vague = reach > kWidestDoubt;
+    Collector collector(state, line, wing.face, g, vague, own);
+    for (const auto& [from, to] : parts_between(places, kShortestPartMm / line.length_mm)) {
       const double middle = (from + to) / 2;
       if (!covers_both_banks(over_wall, middle)) continue;
-      collector.add(from, to, reach <= kWidestDoubt && wing.wide && opposite->wide && covers(over_wall, middle, -reach, reach));
+      collector.add(from, to, !vague && wing.wide && opposite->wide && covers(over_wall, middle, -reach, reach));
     }
   }
 }

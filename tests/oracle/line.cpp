@@ -25,7 +25,8 @@ bool Line::surely_beside(const Face& face) const {
   bool left = true, right = true;
   for (const Point2& p : face.corners_mm) {
     const double x = p.x - a_mm.x, y = p.y - a_mm.y, across = direction_mm.x * y - direction_mm.y * x;
-    const double margin = 2 * kMicrometre + kRoundings * (std::abs(p.x) + std::abs(p.y) + std::abs(a_mm.x) + std::abs(a_mm.y));
+    const double margin =
+        2 * kMicrometre + kRoundings * (std::abs(p.x) + std::abs(p.y) + std::abs(a_mm.x) + std::abs(a_mm.y));
     left = left && across > margin;
     right = right && across < -margin;
   }
@@ -84,7 +85,7 @@ struct NearPart {
 };
 
 std::optional<NearPart> near_part(const Corner& p, const Corner& q, double reach) {
-  double from = 0, to = 1;  // parameters on the side
+  double from = 0, to = 1;                               // parameters on the side
   const auto clip = [&](double value0, double value1) {  // keeps where the value, linear along the side, is not negative
     if (value0 < 0 && value1 < 0) to = -1;
     if (value0 < 0 && value1 >= 0) from = std::max(from, value0 / (value0 - value1));
@@ -96,8 +97,8 @@ std::optional<NearPart> near_part(const Corner& p, const Corner& q, double reach
   clip(1 - p.tau_rounded, 1 - q.tau_rounded);
   if (from >= to) return {};
   const auto at = [&](double u, double v0, double v1) { return v0 + u * (v1 - v0); };
-  NearPart part{at(from, p.tau_rounded, q.tau_rounded), at(to, p.tau_rounded, q.tau_rounded), at(from, p.s_rounded, q.s_rounded),
-                at(to, p.s_rounded, q.s_rounded)};
+  NearPart part{at(from, p.tau_rounded, q.tau_rounded), at(to, p.tau_rounded, q.tau_rounded),
+                at(from, p.s_rounded, q.s_rounded), at(to, p.s_rounded, q.s_rounded)};
   if (part.tau0 > part.tau1) part = {part.tau1, part.tau0, part.s1, part.s0};
   return part;
 }

@@ -11,8 +11,8 @@ namespace oracle {
 /// Half the width of a line's cross-section: the micrometre that a drawing owes.
 inline constexpr double kMicrometre = 0.001;
 
-/// A segment of the page with coordinates of its own: tau runs along it from 0 to 1, s across it, in micrometres of the page (to a
-/// rounding; the axes themselves are exact).
+/// A segment of the page with coordinates of its own: tau runs along it from 0 to 1, s across it, in micrometres of the page
+/// (to a rounding; the axes themselves are exact).
 class Line {
  public:
   Line(const PagePoint& a, const PagePoint& b, const Projection& projection);
@@ -44,7 +44,8 @@ struct FaceOverLine {
   };
   const Face* face = nullptr;
   std::vector<Corner> corners;
-  // The line's depth behind the face's plane is behind_a + tau (behind_b - behind_a). Below -delta the face is behind the line.
+  // The line's depth behind the face's plane is behind_a + tau (behind_b - behind_a). Below -delta the face is behind the
+  // line.
   Exact behind_a, behind_b;
   double delta = 0;
 
@@ -57,13 +58,13 @@ struct FaceOverLine {
   std::vector<std::pair<Exact, Exact>> cover(double tau) const;
 };
 
-/// Places on the line at which something changes: where sides of the face cross the line or come within `reach` micrometres of
-/// it, where corners lie that near, and where the line comes to the depths -delta, 0 and delta behind the face. Rounded: a place only
-/// says where to cut, what the parts between are told is found out exactly.
+/// Places on the line at which something changes: where sides of the face cross the line or come within `reach` micrometres
+/// of it, where corners lie that near, and where the line comes to the depths -delta, 0 and delta behind the face. Rounded:
+/// a place only says where to cut, what the parts between are told is found out exactly.
 void add_changes(const FaceOverLine& face, double reach, std::vector<double>& places);
 
-/// Places where sides of different faces cross each other within `reach` of the line, for sides that stay there for longer than
-/// `longest` (a part of the line); shorter ones change nothing that is longer.
+/// Places where sides of different faces cross each other within `reach` of the line, for sides that stay there for longer
+/// than `longest` (a part of the line); shorter ones change nothing that is longer.
 void add_crossings(const std::vector<FaceOverLine>& faces, double reach, double longest, std::vector<double>& places);
 
 /// Sorts the places and returns the parts between them that are longer than `shortest`, in order.

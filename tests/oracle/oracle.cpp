@@ -179,8 +179,8 @@ std::vector<Interval> visibility(const Oracle::State& state, const Vector3& a, c
   const Point2 from = projection.page_mm(line.a), to = projection.page_mm(line.b);
   std::vector<Interval> result;
   for (const Part& p : state.judge(line, a, b, own_faces)) {
-    result.push_back({parameter(p.tau0), parameter(p.tau1), from + p.tau0 * (to - from), from + p.tau1 * (to - from), p.answer,
-                      p.exactly_hidden});
+    result.push_back({parameter(p.tau0), parameter(p.tau1), from + p.tau0 * (to - from), from + p.tau1 * (to - from),
+                      p.answer, p.exactly_hidden});
   }
   return result;
 }

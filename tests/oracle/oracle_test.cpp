@@ -1,11 +1,12 @@
 // The oracle on scenes whose answers are worked out by hand. Page and model units are the same here (scale 1).
 
+#include "oracle/oracle.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/oracle.hpp"
 #include "support/scene_parts.hpp"
 
 namespace oracle {
@@ -35,8 +36,8 @@ std::size_t edge_between(const Oracle& oracle, Point3 a, Point3 b) {
   return 0;
 }
 
-/// The part [from, to] of the parameter has the answer all over, but for what lies within a micrometre of its ends, or of a side
-/// that crosses the edge there.
+/// The part [from, to] of the parameter has the answer all over, but for what lies within a micrometre of its ends, or of a
+/// side that crosses the edge there.
 void expect_part(const std::vector<Interval>& intervals, double from, double to, Answer answer, double length) {
   const double margin = kTolerance / length;
   for (const Interval& i : intervals) {
@@ -77,7 +78,8 @@ TEST(Oracle, PlateBeforeAPlate) {
 
 TEST(Oracle, SeenThroughAHole) {
   Scene scene;
-  add_face(scene, {{{-10, 0, -10}, {10, 0, -10}, {10, 0, 10}, {-10, 0, 10}}, {{-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}}});
+  add_face(scene,
+           {{{-10, 0, -10}, {10, 0, -10}, {10, 0, 10}, {-10, 0, 10}}, {{-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}}});
   add_face(scene, {{{-20, 5, -1}, {20, 5, -1}, {20, 5, 1}, {-20, 5, 1}}});
   const Oracle oracle(scene, along({0, 3, 0}));
   const auto i = oracle.visible_intervals(edge_between(oracle, {-20, 5, 1}, {20, 5, 1}));

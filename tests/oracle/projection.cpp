@@ -38,8 +38,8 @@ PagePoint Projection::page_point(const SightPoint& p) const {
   return {p.x / p.f, p.y / p.f, -1 / p.f};
 }
 
-// Any d is X right / |right|^2 + Y down / |down|^2 + F forward / |forward|^2. Put into normal . d = h this is the plane in X, Y
-// and F; in perspective everything is then divided by F.
+// Any d is X right / |right|^2 + Y down / |down|^2 + F forward / |forward|^2. Put into normal . d = h this is the plane in
+// X, Y and F; in perspective everything is then divided by F.
 PagePlane Projection::page_plane(const Vector3& normal, const Vector3& on_plane, bool& edge_on) const {
   const Exact h = dot(normal, on_plane - eye_);
   const Exact nx = dot(normal, right_) / right2_, ny = dot(normal, down_) / down2_, nf = dot(normal, forward_) / forward2_;

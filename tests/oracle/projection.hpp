@@ -6,9 +6,9 @@
 
 namespace oracle {
 
-/// A point of the drawing plane with its depth, in units of its own that make all three coordinates rational: parallel (X, Y, F),
-/// perspective (X / F, Y / F, -1 / F), with X = right . d, Y = down . d, F = forward . d of vectors that are not normalized.
-/// Depth grows with the distance. Lines and planes stay lines and planes.
+/// A point of the drawing plane with its depth, in units of its own that make all three coordinates rational: parallel (X,
+/// Y, F), perspective (X / F, Y / F, -1 / F), with X = right . d, Y = down . d, F = forward . d of vectors that are not
+/// normalized. Depth grows with the distance. Lines and planes stay lines and planes.
 struct PagePoint {
   Exact x, y, z;
 };
@@ -49,7 +49,9 @@ class Projection {
   double mm_x() const { return mm_x_; }
   double mm_y() const { return mm_y_; }
   double mm_z() const { return mm_z_; }
-  Point2 page_mm(const PagePoint& p) const { return {offset_.x + mm_x_ * to_double(p.x), offset_.y + mm_y_ * to_double(p.y)}; }
+  Point2 page_mm(const PagePoint& p) const {
+    return {offset_.x + mm_x_ * to_double(p.x), offset_.y + mm_y_ * to_double(p.y)};
+  }
   double depth_mm(const Exact& z) const { return depth_0_ + mm_z_ * to_double(z); }
   double x_of(double page_x_mm) const { return (page_x_mm - offset_.x) / mm_x_; }
   double y_of(double page_y_mm) const { return (page_y_mm - offset_.y) / mm_y_; }

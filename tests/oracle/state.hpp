@@ -46,7 +46,8 @@ struct Oracle::State {
   std::optional<LineInView> line_in_view(const Vector3& a, const Vector3& b) const;
 
   /// The visibility of the line from model point a to b; `own_faces` do not hide it. Parts follow each other from 0 to 1.
-  std::vector<Part> judge(const Line& line, const Vector3& a, const Vector3& b, std::span<const std::uint32_t> own_faces) const;
+  std::vector<Part> judge(const Line& line, const Vector3& a, const Vector3& b,
+                          std::span<const std::uint32_t> own_faces) const;
 
   void find_intersections();  ///< intersections.cpp
 };

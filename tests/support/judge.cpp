@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdio>
-#include <functional>
 #include <map>
 #include <tuple>
 
@@ -30,6 +29,13 @@ struct Candidate {
   Segment whole;  ///< the part in view
   std::vector<oracle::Interval> intervals;
   std::string words;
+};
+
+/// A part of what two faces have in common, however short.
+struct Crossing {
+  Segment whole;
+  bool vague = false;  ///< its place is not known well
+  Candidate candidate;
 };
 
 std::string words(const char* what, const Point3& a, const Point3& b) {
@@ -62,21 +68,37 @@ void add(Fault& fault, const Segment& place, const std::string& what) {
 /// A visible or hidden stroke on the page.
 struct DrawnStroke {
   Segment segment;
+  Rect box;
   const Stroke* stroke;
 };
 
-std::vector<DrawnStroke> strokes_of(const StrokeModel& model, const std::function<bool(const Stroke&)>& wanted) {
+Rect box_of(const Segment& s) { return {glm::min(s.from, s.to), glm::max(s.from, s.to)}; }
+
+bool apart(const Rect& a, const Rect& b, double margin) {
+  return a.min.x > b.max.x + margin || b.min.x > a.max.x + margin || a.min.y > b.max.y + margin ||
+         b.min.y > a.max.y + margin;
+}
+
+/// All strokes, from left to right.
+std::vector<DrawnStroke> strokes_of(const StrokeModel& model) {
   std::vector<DrawnStroke> result;
   for (const Stroke& s : model.strokes) {
-    if (wanted(s)) result.push_back({{model.lattice.to_mm(s.from), model.lattice.to_mm(s.to)}, &s});
+    const Segment segment{model.lattice.to_mm(s.from), model.lattice.to_mm(s.to)};
+    result.push_back({segment, box_of(segment), &s});
   }
+  std::stable_sort(result.begin(), result.end(), [](const auto& l, const auto& r) { return l.box.min.x < r.box.min.x; });
   return result;
 }
 
-/// The parts of the segment that no stroke covers within the tolerance, across and along.
-std::vector<Segment> open_parts(const Segment& segment, const std::vector<DrawnStroke>& strokes, double tolerance) {
+/// The parts of the segment that no stroke of those wanted covers within the tolerance, across and along.
+template <class Wanted>
+std::vector<Segment> open_parts(const Segment& segment, const std::vector<DrawnStroke>& strokes, double tolerance,
+                                Wanted wanted) {
+  const Rect box = box_of(segment);
   std::vector<Range> covered;
   for (const DrawnStroke& s : strokes) {
+    if (s.box.min.x > box.max.x + tolerance) break;
+    if (apart(box, s.box, tolerance) || !wanted(*s.stroke)) continue;
     if (const auto range = along(segment, s.segment, tolerance)) covered.push_back(*range);
   }
   std::vector<Segment> result;
@@ -118,7 +140,7 @@ oracle::View oracle_view(const CameraRequest& request, const View& view) {
 struct JudgedView::Lines {
   std::vector<Candidate> candidates;
   std::map<std::uint32_t, std::size_t> of_edge;  ///< edge of the topology -> candidate, for those in view
-  std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> of_faces;  ///< intersections by their faces
+  std::map<std::array<std::uint32_t, 2>, std::vector<Crossing>> of_faces;  ///< intersections by their faces
 };
 
 JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView& standard)
@@ -152,11 +174,11 @@ JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView&
   for (std::size_t i = 0; i < oracle_->intersections().size(); ++i) {
     const oracle::Intersection& x = oracle_->intersections()[i];
     const std::string faces = "intersection of faces " + std::to_string(x.face0) + " and " + std::to_string(x.face1);
-    if (!add_candidate({true, x.proper, EdgeClass::intersection, {}, oracle_->intersection_intervals(i),
-                        words(faces.c_str(), x.a, x.b)})) {
-      continue;
-    }
-    lines_->of_faces[{x.face0, x.face1}].push_back(lines_->candidates.size() - 1);
+    const Segment page{x.page_a, x.page_b};
+    Candidate candidate{
+        true, x.proper, EdgeClass::intersection, {}, oracle_->intersection_intervals(i), words(faces.c_str(), x.a, x.b)};
+    lines_->of_faces[{x.face0, x.face1}].push_back({page, x.vague, candidate});
+    add_candidate(std::move(candidate));
   }
 }
 
@@ -174,12 +196,17 @@ class Comparison {
  public:
   Comparison(const StrokeModel& model, const std::vector<Candidate>& candidates, bool all_classes, double tolerance,
              double coincidence, Verdict& verdict)
-      : model_(model), candidates_(candidates), all_classes_(all_classes), tolerance_(tolerance), coincidence_(coincidence),
+      : strokes_(strokes_of(model)),
+        candidates_(candidates),
+        all_classes_(all_classes),
+        tolerance_(tolerance),
+        coincidence_(coincidence),
         verdict_(verdict) {}
 
   void visible_edge(const DrawnStroke& s, const Candidate* candidate) {
     if (!candidate) {
-      if (s.segment.length() > 2 * tolerance_) add(verdict_.drawn_hidden, s.segment, "stroke of an edge that is not in view");
+      if (s.segment.length() > 2 * tolerance_)
+        add(verdict_.drawn_hidden, s.segment, "stroke of an edge that is not in view");
       return;
     }
     if (deviation(candidate->whole, s.segment) > tolerance_) {
@@ -191,40 +218,41 @@ class Comparison {
     if (static_cast<int>(expected) != static_cast<int>(s.stroke->line_class)) {
       add(verdict_.wrong_class, s.segment, candidate->words + " drawn as " + std::string(name_of(*s.stroke)));
     } else if (!wanted(*candidate)) {
-      add(verdict_.wrong_class, s.segment, candidate->words + " drawn although " + std::string(name_of(*s.stroke)) + " is not asked for");
+      add(verdict_.wrong_class, s.segment,
+          candidate->words + " drawn although " + std::string(name_of(*s.stroke)) + " is not asked for");
     }
   }
 
   /// A stroke of class intersection, with the oracle's intersections of its two faces.
-  void visible_intersection(const DrawnStroke& s, const std::vector<const Candidate*>& of_faces) {
+  void visible_intersection(const DrawnStroke& s, const std::vector<Crossing>& of_faces) {
     std::vector<Range> known;
-    bool all_proper = true;
-    for (const Candidate* c : of_faces) {
-      against_hidden(s, *c);
-      all_proper = all_proper && c->proper;
-      if (const auto range = along(s.segment, c->whole, tolerance_)) known.push_back(*range);
+    bool vague = false;
+    for (const Crossing& c : of_faces) {
+      against_hidden(s, c.candidate);
+      vague = vague || c.vague;
+      if (const auto range = along(s.segment, c.whole, tolerance_)) known.push_back(*range);
     }
-    if (!of_faces.empty() && !all_proper) return;
+    if (vague) return;
     for (const Range& gap : gaps(std::move(known), 0, s.segment.length())) {
-      // At its ends the oracle's segment is cut where something changes, which it tells within a few micrometres.
-      if (gap.length() <= 3 * tolerance_) continue;
-      add(verdict_.drawn_hidden, {s.segment.at(gap.from), s.segment.at(gap.to)}, "intersection of faces that have none there");
+      if (gap.length() <= tolerance_) continue;
+      add(verdict_.drawn_hidden, {s.segment.at(gap.from), s.segment.at(gap.to)},
+          "intersection of faces that have none there");
     }
   }
 
   void missing() {
-    const auto visible = strokes_of(model_, [](const Stroke& s) { return s.visible; });
+    const auto visible = [](const Stroke& s) { return s.visible; };
     for (const Candidate& c : candidates_) {
       if (!wanted(c)) continue;
       // A line may give way to one of higher precedence, never to one of lower.
       const auto of_rank = [&](const Stroke& s) {
-        return s.visible && (c.line_class == EdgeClass::undecided || static_cast<int>(s.line_class) <= static_cast<int>(c.line_class));
+        return s.visible &&
+               (c.line_class == EdgeClass::undecided || static_cast<int>(s.line_class) <= static_cast<int>(c.line_class));
       };
-      const auto ranked = strokes_of(model_, of_rank);
       for (const oracle::Interval& i : c.intervals) {
         if (i.answer != Answer::visible) continue;
-        for (const Segment& open : open_parts(segment(i), ranked, tolerance_)) {
-          const auto still_open = open_parts(open, visible, tolerance_);
+        for (const Segment& open : open_parts(segment(i), strokes_, tolerance_, of_rank)) {
+          const auto still_open = open_parts(open, strokes_, tolerance_, visible);
           for (const Segment& s : still_open) add(verdict_.missing, s, c.words);
           if (still_open.empty()) add(verdict_.wrong_class, open, c.words + " under a line of lower precedence");
         }
@@ -233,26 +261,30 @@ class Comparison {
   }
 
   void uncovered() {
-    const auto all = strokes_of(model_, [](const Stroke&) { return true; });
     for (const Candidate& c : candidates_) {
       if (!wanted(c)) continue;
-      for (const Segment& open : open_parts(c.whole, all, tolerance_)) add(verdict_.uncovered, open, c.words);
+      const auto open = open_parts(c.whole, strokes_, tolerance_, [](const Stroke&) { return true; });
+      for (const Segment& s : open) add(verdict_.uncovered, s, c.words);
     }
   }
 
   /// Strokes that lie on each other: visible on visible, and hidden ones on any.
   void twice() {
-    const auto all = strokes_of(model_, [](const Stroke&) { return true; });
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      for (std::size_t k = i + 1; k < all.size(); ++k) {
-        const double common = common_length(all[i].segment, all[k].segment, coincidence_);
+    for (std::size_t i = 0; i < strokes_.size(); ++i) {
+      const DrawnStroke& a = strokes_[i];
+      for (std::size_t k = i + 1; k < strokes_.size() && strokes_[k].box.min.x <= a.box.max.x + coincidence_; ++k) {
+        const DrawnStroke& b = strokes_[k];
+        if (apart(a.box, b.box, coincidence_)) continue;
+        const double common = common_length(a.segment, b.segment, coincidence_);
         if (common <= kTwiceMm) continue;
-        const Segment& shorter = all[i].segment.length() < all[k].segment.length() ? all[i].segment : all[k].segment;
+        const Segment& shorter = a.segment.length() < b.segment.length() ? a.segment : b.segment;
         add(verdict_.twice, {shorter.from, shorter.at(common)},
-            std::string(name_of(*all[i].stroke)) + " and " + std::string(name_of(*all[k].stroke)));
+            std::string(name_of(*a.stroke)) + " and " + std::string(name_of(*b.stroke)));
       }
     }
   }
+
+  const std::vector<DrawnStroke>& strokes() const { return strokes_; }
 
  private:
   static std::string_view name_of(const Stroke& s) { return kLineClassNames[static_cast<std::size_t>(s.line_class)]; }
@@ -271,7 +303,7 @@ class Comparison {
     }
   }
 
-  const StrokeModel& model_;
+  std::vector<DrawnStroke> strokes_;
   const std::vector<Candidate>& candidates_;
   bool all_classes_;
   double tolerance_, coincidence_;
@@ -314,7 +346,8 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges) const 
   }
   const ProjectedScene projected = project(scene_, topology_, view_, selection);
   const double coincidence = coincidence_mm(projected);
-  // A stroke that gave way lies within the coincidence tolerance of the one that stands; the ends of both are rounded to the lattice.
+  // A stroke that gave way lies within the coincidence tolerance of the one that stands; the ends of both are rounded to the
+  // lattice.
   const double tolerance = std::max(traits.tolerance_mm, coincidence + 2 * projected.lattice.step_mm);
   for (const bool hidden : {false, true}) {
     VisibilityResult result = method.study(projected, {hidden, {}});
@@ -328,18 +361,16 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges) const 
     constexpr double kInside = 0.9;
     Verdict drawing;
     Comparison comparison(model, lines_->candidates, all, tolerance, kInside * coincidence, drawing);
-    for (const DrawnStroke& s : strokes_of(model, [](const Stroke& stroke) { return stroke.visible; })) {
+    for (const DrawnStroke& s : comparison.strokes()) {
+      if (!s.stroke->visible) continue;
       if (s.stroke->source < model.edge_count) {
         const auto found = lines_->of_edge.find(s.stroke->source);
         comparison.visible_edge(s, found == lines_->of_edge.end() ? nullptr : &lines_->candidates[found->second]);
       } else {
         const SourceEdge& source = model.intersections[s.stroke->source - model.edge_count];
-        std::vector<const Candidate*> of_faces;
-        const auto found = lines_->of_faces.find({std::min(source.faces[0], source.faces[1]), std::max(source.faces[0], source.faces[1])});
-        if (found != lines_->of_faces.end()) {
-          for (const std::size_t c : found->second) of_faces.push_back(&lines_->candidates[c]);
-        }
-        comparison.visible_intersection(s, of_faces);
+        const auto found =
+            lines_->of_faces.find({std::min(source.faces[0], source.faces[1]), std::max(source.faces[0], source.faces[1])});
+        comparison.visible_intersection(s, found == lines_->of_faces.end() ? std::vector<Crossing>{} : found->second);
       }
     }
     comparison.missing();
@@ -359,8 +390,8 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges) const 
   }
   verdict.faults = report(verdict);
   if (!verdict.faults.empty()) {
-    verdict.faults = name_ + ", view " + standard_.name + ", method " + std::string(traits.name) + ", edges " + edges + "\n" +
-                     verdict.faults + "  ligne draw tests/corpus/" + name_ + ".json " + standard_.options +
+    verdict.faults = name_ + ", view " + standard_.name + ", method " + std::string(traits.name) + ", edges " + edges +
+                     "\n" + verdict.faults + "  ligne draw tests/corpus/" + name_ + ".json " + standard_.options +
                      " --landscape --method " + std::string(traits.name) + " --edges " + edges + " -o x.svg\n";
   }
   return verdict;

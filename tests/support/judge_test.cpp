@@ -1,10 +1,11 @@
 // The judge finds what is wrong with a drawing. Each fault is made by a method that spoils the drawing of the default one.
 
+#include "support/judge.hpp"
+
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "support/judge.hpp"
 #include "support/scene_parts.hpp"
 #include "visibility/registry.hpp"
 
@@ -55,7 +56,8 @@ TEST(Judge, PassesTheDefaultMethod) {
 
 TEST(Judge, FindsAMissingStroke) {
   const Verdict verdict = judged(SpoiltMethod([](StrokeModel& m) {
-    const auto lost = std::find_if(m.strokes.begin(), m.strokes.end(), [](const Stroke& s) { return s.visible && is_long(s); });
+    const auto lost =
+        std::find_if(m.strokes.begin(), m.strokes.end(), [](const Stroke& s) { return s.visible && is_long(s); });
     m.strokes.erase(lost);
   }));
   EXPECT_GT(verdict.missing.worst_mm, 0.5);
@@ -67,7 +69,8 @@ TEST(Judge, FindsAStrokeThatIsTooShortByThreeMicrometres) {
   const Verdict verdict = judged(SpoiltMethod([](StrokeModel& m) {
     for (Stroke& s : m.strokes) {
       if (!s.visible || !is_long(s)) continue;
-      const double length = std::hypot(double(s.to.x) - s.from.x, double(s.to.y) - s.from.y), part = 0.003 / m.lattice.step_mm / length;
+      const double length = std::hypot(double(s.to.x) - s.from.x, double(s.to.y) - s.from.y),
+                   part = 0.003 / m.lattice.step_mm / length;
       s.to.x -= static_cast<std::int32_t>(std::lround((s.to.x - s.from.x) * part));
       s.to.y -= static_cast<std::int32_t>(std::lround((s.to.y - s.from.y) * part));
     }
@@ -92,7 +95,8 @@ TEST(Judge, FindsDoubledStrokes) {
 }
 
 TEST(Judge, FindsLostHiddenStrokes) {
-  const Verdict verdict = judged(SpoiltMethod([](StrokeModel& m) { std::erase_if(m.strokes, [](const Stroke& s) { return !s.visible; }); }));
+  const Verdict verdict =
+      judged(SpoiltMethod([](StrokeModel& m) { std::erase_if(m.strokes, [](const Stroke& s) { return !s.visible; }); }));
   EXPECT_GT(verdict.uncovered.worst_mm, 0.5);
   EXPECT_EQ(verdict.missing.length_mm, 0);
 }

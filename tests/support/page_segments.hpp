@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <vector>
-
-#include <glm/geometric.hpp>
 
 #include "geometry/point.hpp"
 
@@ -69,8 +68,8 @@ inline std::vector<Range> gaps(std::vector<Range> ranges, double from, double to
   return result;
 }
 
-/// Length of the part that two segments have in common as a whole: one lies within `lateral` of the other all along that part. A wedge, that
-/// is two segments that leave one point at an angle, has none.
+/// Length of the part that two segments have in common as a whole: one lies within `lateral` of the other all along that
+/// part. A wedge, that is two segments that leave one point at an angle, has none.
 inline double common_length(const Segment& a, const Segment& b, double lateral) {
   const bool swapped = b.length() > a.length();
   const Segment &base = swapped ? b : a, &other = swapped ? a : b;

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -62,7 +61,8 @@ std::vector<StandardView> standard_views(const Scene& scene) {
       parallel("front", scene, front(scene.up_axis)),
       perspective("far", scene, from({0.53, -0.71, 0.37}, 2.2), centre, 35),
       perspective("near", scene, from({-0.67, -0.29, -0.43}, 1.4), centre, 50),
-      perspective("inside", scene, rounded(low + size * Point3{0.63, 0.36, 0.57}), rounded(low + size * Point3{0.09, 0.94, 0.21}), 90),
+      perspective("inside", scene, rounded(low + size * Point3{0.63, 0.36, 0.57}),
+                  rounded(low + size * Point3{0.09, 0.94, 0.21}), 90),
   };
 }
 

@@ -44,5 +44,19 @@ TEST(PenetratingPlanes, CrossInASideOfTriangles) {
   EXPECT_NEAR(draw(standing, {along({0, 1, -1}), "intersection", false, 1}).length(), 0, kMicrometre);
 }
 
+// Clipping gives the two halves corners of their own, and still they are known to go on in each other.
+TEST(PenetratingPlanes, SurfaceThroughAPlateAlongAnEdgeThatIsClipped) {
+  Scene scene;
+  add_face(scene, {{{-200, -5, 0}, {200, -5, 0}, {200, 5, 0}, {-200, 5, 0}}});
+  begin_object(scene);
+  scene.vertices.insert(scene.vertices.end(), {{-200, 0, 0}, {200, 0, 0}, {200, 0, 4}, {-200, 0, 4}, {200, 0, -4}, {-200, 0, -4}});
+  const std::uint32_t upper[] = {4, 5, 6, 7}, lower[] = {5, 4, 9, 8};
+  scene.faces.add_face(upper);
+  scene.faces.add_face(lower);
+  end_object(scene);
+  const Picture p = draw(scene, {along({0, 1, -1}), "intersection", false, 1});
+  EXPECT_NEAR(p.length_of(LineClass::intersection), kPageWidth, kMicrometre);
+}
+
 }  // namespace
 }  // namespace ligne::test
