@@ -14,6 +14,8 @@ libcli11-dev         hdr:CLI/CLI.hpp                 command line
 libtbb-dev           hdr:oneapi/tbb/task_arena.h     threads
 nlohmann-json3-dev   hdr:nlohmann/json.hpp           JSON
 libtinyobjloader-dev hdr:tiny_obj_loader.h           OBJ files
+libmuparser-dev      hdr:muParser.h                  formulas
+libpng-dev           hdr:png.h                       grids of heights as PNG
 optional libdraco-dev hdr:draco/compression/decode.h compressed glTF files
 '
 readonly test_packages='

@@ -92,7 +92,7 @@ class Files : public testing::Test {
 
 TEST_F(Files, OneClearLineForWhatIsNoFile) {
   EXPECT_EQ(error(folder_ / "absent.obj"), ": there is no such file");
-  EXPECT_EQ(error(folder_), ": is a directory, not a model file");
+  EXPECT_EQ(error(folder_), ": is a directory, not a file");
   EXPECT_EQ(error(write("empty.obj", "")), ": is empty");
   EXPECT_EQ(error(write("file", "x") / "below.obj"), ": there is no such file");
   const auto closed = write("closed.obj", "v 0 0 0\n");
