@@ -47,13 +47,14 @@ void add_triangle(Scene& scene, ByteStream& bytes) {
   if (!is_flat(b - a, c - a)) add_face(scene, {{a, b, c}});
 }
 
-/// A parallelogram, whole, with a hole at quarters of its sides, with two holes, or an L.
+/// A parallelogram, whole, with a hole at quarters of its sides, with two holes, or an L. Contours keep apart: turned, those that touch would
+/// cross in the last digits, which polygons of this program do not.
 void add_plate(Scene& scene, ByteStream& bytes) {
   const Point3 corner = bytes.point(), u = bytes.vector(-4, 4), v = bytes.vector(-4, 4);
   const int form = bytes.below(4);
   if (is_flat(u, v)) return;
-  const auto at = [&](int i, int k) { return corner + u * (i / 4.0) + v * (k / 4.0); };
-  const auto rectangle = [&](int i0, int k0, int i1, int k1) { return Contour{at(i0, k0), at(i1, k0), at(i1, k1), at(i0, k1)}; };
+  const auto at = [&](double i, double k) { return corner + u * (i / 4) + v * (k / 4); };
+  const auto rectangle = [&](double i0, double k0, double i1, double k1) { return Contour{at(i0, k0), at(i1, k0), at(i1, k1), at(i0, k1)}; };
   switch (form) {
     case 0:
       add_face(scene, {rectangle(0, 0, 4, 4)});
@@ -64,7 +65,7 @@ void add_plate(Scene& scene, ByteStream& bytes) {
       break;
     }
     case 2:
-      add_face(scene, {rectangle(0, 0, 4, 4), rectangle(1, 1, 3, 2), {at(1, 3), at(2, 3), at(3, 3), at(2, 2)}});
+      add_face(scene, {rectangle(0, 0, 4, 4), rectangle(1, 1, 3, 2), {at(1, 3), at(2, 2.5), at(3, 3), at(2, 3.5)}});
       break;
     default: {
       const int i = bytes.between(1, 3), k = bytes.between(1, 3);

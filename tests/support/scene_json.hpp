@@ -30,7 +30,7 @@ inline std::string scene_json(const Scene& scene) {
     out << (&o == scene.objects.data() ? "\n  " : separator) << "{\"precision\": " << o.precision << ", \"vertices\": ";
     const auto begin = scene.vertices.begin();
     list(std::span(begin + o.vertex_begin, begin + o.vertex_end),
-         [&](const Point3& p) { out << '[' << p.x << ", " << p.y << ", " << p.z << ']'; });
+         [&](const Point3& p) { out << '[' << p.x + 0.0 << ", " << p.y + 0.0 << ", " << p.z + 0.0 << ']'; });  // -0 reads as 0
     out << ",\n   \"faces\": [";
     for (std::uint32_t f = o.face_begin; f < o.face_end; ++f) {
       const auto contour = [&](std::size_t c) {
