@@ -31,6 +31,7 @@ std::string cause_of(const mu::ParserError& error) {
     case mu::ecTOO_FEW_PARAMS: return "too few arguments for " + token;
     case mu::ecMISSING_ELSE_CLAUSE: return "'?' without its ':'";
     case mu::ecMISPLACED_COLON: return "':' without its '?'";
+    case mu::ecINTERNAL_ERROR: return "parts of it do not belong together";
     default: return token + " is not understood";
   }
 }

@@ -43,7 +43,7 @@ void refuse_models(std::span<const std::byte> bytes, const std::string& name) {
   } catch (const InputError&) {
     return;  // not a model
   }
-  throw InputError(name, "is a " + format + " model, not a grid of heights; draw it with: ligne draw");
+  throw InputError(name, "is a model (" + format + "), not a grid of heights; draw it with: ligne draw");
 }
 
 }  // namespace

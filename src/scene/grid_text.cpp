@@ -2,7 +2,6 @@
 // (grid_points.cpp): they are when blank lines stand between blocks of them, and when they form a grid without.
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "scene/grid_formats.hpp"
@@ -116,15 +115,16 @@ class TextGridReader {
   void read_row(std::string_view row) {
     std::size_t column = 0;
     bool ended = false;
-    std::string_view rest = row;
+    std::string_view rest = row, field;
     if (row.front() == '"') {
       take_field(rest, separator_, ended);
       warnings_.add("row names left out");
     }
     while (!ended) {
-      const std::string_view field = take_field(rest, separator_, ended);
+      field = take_field(rest, separator_, ended);
       values_.push_back(height(field, ++column));
     }
+    all_end_empty_ = all_end_empty_ && field.empty();
     if (rows_ == 0) {
       columns_ = column;
       // A row of this kind takes as many bytes as the others, more or less.
@@ -162,12 +162,9 @@ class TextGridReader {
                         SampleOrder::first_row_lowest(columns_), name_);
   }
 
-  /// A separator at the end of every row makes a last column without heights.
+  /// A separator at the end of every row makes a last column of empty fields.
   void drop_empty_last_column() {
-    if (columns_ < 2) return;
-    for (std::size_t j = 0; j < rows_; ++j) {
-      if (!std::isnan(values_[(j + 1) * columns_ - 1])) return;
-    }
+    if (!all_end_empty_ || columns_ < 2) return;
     for (std::size_t j = 0; j < rows_; ++j) {
       const auto begin = values_.begin() + static_cast<std::ptrdiff_t>(j * columns_);
       std::copy_n(begin, columns_ - 1, values_.begin() + static_cast<std::ptrdiff_t>(j * (columns_ - 1)));
@@ -182,6 +179,7 @@ class TextGridReader {
   Warnings& warnings_;
   char separator_ = '\0';  ///< zero before the first row
   std::size_t columns_ = 0, rows_ = 0;
+  bool all_end_empty_ = true;   ///< no row so far has something behind its last separator
   std::vector<double> values_;  ///< row by row
   PointRows points_;            ///< lines and blocks, for rows of three
 };

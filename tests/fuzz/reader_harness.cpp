@@ -1,11 +1,13 @@
 #include "reader_harness.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "scene/grid_formats.hpp"
 #include "scene/reader.hpp"
 
 namespace ligne {
@@ -59,9 +61,47 @@ void need_one_line(const InputError& error) {
   for (const char c : std::string_view(error.what())) need(static_cast<unsigned char>(c) >= 0x20, "an error is one line");
 }
 
+/// Reads a few rows: all of a small grid, and no more than that of one that a few bytes describe.
+void check_heights(const HeightSource& heights) {
+  need(heights.x().size() >= 2 && heights.y().size() >= 2, "grids have two columns and two rows");
+  for (const std::vector<double>* positions : {&heights.x(), &heights.y()}) {
+    for (std::size_t i = 0; i < positions->size(); ++i) {
+      need(std::isfinite((*positions)[i]), "positions are finite");
+      need(i == 0 || (*positions)[i - 1] < (*positions)[i], "positions ascend");
+    }
+  }
+  constexpr std::size_t kRows = 1000;
+  std::vector<double> z(heights.x().size());
+  for (std::size_t j = 0; j < std::min(heights.y().size(), kRows); ++j) {
+    heights.read_row(j, z);
+    for (const double height : z) need(std::isfinite(height) || std::isnan(height), "heights are finite, or holes");
+  }
+}
+
+void read_grid_as_fuzzer(std::span<const std::byte> bytes) {
+  try {
+    Warnings warnings;
+    check_heights(*read_grid(bytes, "fuzz", warnings));
+  } catch (const InputError& error) {
+    need_one_line(error);
+  }
+}
+
+void read_formula_as_fuzzer(std::span<const std::byte> bytes) {
+  try {
+    const std::string formula(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    check_heights(*formula_heights(formula, {-1.5, 0, 2}, {0, 3}));
+  } catch (const InputError& error) {
+    need_one_line(error);
+    need(std::string_view(error.what()).starts_with("formula:"), "errors of formulas name a column");
+  }
+}
+
 }  // namespace
 
 void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
+  if (kind == "grid") return read_grid_as_fuzzer(bytes);
+  if (kind == "formula") return read_formula_as_fuzzer(bytes);
   try {
     detect_format(bytes, "." + std::string(kind), "fuzz");
   } catch (const InputError& error) {

@@ -1,0 +1,156 @@
+#include <algorithm>
+
+#include "height_tools.hpp"
+
+namespace ligne {
+namespace {
+
+using namespace height_test;
+
+TEST(PgmGrid, NorthIsUp) {
+  const std::vector<std::vector<double>> z{{3, 4, 255}, {0, 1, 2}};
+  expect_grid(*grid("P2 # note\n3 2\n# another\n255\n0 1 2\n3 4 255"), {0, 1, 2}, {0, 1}, z);
+  expect_grid(*grid(corpus_file("binary_8.pgm")), {0, 1, 2}, {0, 1}, z);
+}
+
+TEST(PgmGrid, SixteenBitsHaveTheHighByteFirst) {
+  expect_grid(*grid(corpus_file("binary_16.pgm")), {0, 1}, {0, 1}, {{0x04ff, 0xffff}, {1, 0x0203}});
+  expect_grid(*grid("P2 2 2 65535 1 515 1279 65535\n"), {0, 1}, {0, 1}, {{0x04ff, 0xffff}, {1, 0x0203}});
+}
+
+TEST(PgmGrid, Errors) {
+  EXPECT_EQ(grid_error("P5 2 2 255\n\x01\x02\x03"), "M: is truncated: 2 x 2 values do not fit into 3 bytes");
+  EXPECT_EQ(grid_error("P2 2 2 255\n1 2\n3 \n#...\n"), "M:5: is truncated before the value");
+  EXPECT_EQ(grid_error("P2 2 2 255\n1 2\n3 256\n"), "M:3: value 256 is not between 0 and 255");
+  EXPECT_EQ(grid_error("P2 2 2 255\n1 2\nx 6\n"), "M:3: value 'x' is not a whole number");
+  EXPECT_EQ(grid_error("P5 2 2 7\n\x01\x02\x03\x08"), "M: value 8 is above the largest of the header, 7");
+  EXPECT_EQ(grid_error("P5 4294967296 4294967296 255\n"), "M:1: width 4294967296 is not between 1 and 29");
+  EXPECT_EQ(grid_error("P5 2 2 65536\n1234"), "M:1: largest value 65536 is not between 1 and 65535");
+  EXPECT_EQ(grid_error("P5 2"), "M:1: is truncated before the height");
+  EXPECT_EQ(grid_error("P2 1 2 255 1 2"), "M: has 1 column and 2 rows; a grid has two of each or more");
+  EXPECT_EQ(grid_error("P6 1 1 255 abc"), "M: is a Netpbm picture P6; heights need a grey one, P2 or P5");
+}
+
+TEST(PgmGrid, WhatFollowsIsLeftOut) {
+  Warnings warnings;
+  expect_grid(*grid("P5 2 2 255\nABCDP5 2 2 255\nABCD", warnings), {0, 1}, {0, 1}, {{67, 68}, {65, 66}});
+  EXPECT_EQ(warnings.counts().size(), 1u);
+}
+
+TEST(PngGrid, DepthsAndInterlacing) {
+  expect_grid(*grid(corpus_file("grey_8.png")), {0, 1, 2}, {0, 1}, {{4, 5, 255}, {1, 2, 3}});
+  expect_grid(*grid(corpus_file("grey_16.png")), {0, 1}, {0, 1}, {{65535, 3}, {1, 256}});
+  expect_grid(*grid(corpus_file("grey_16_interlaced.png")), {0, 1}, {0, 1}, {{65535, 3}, {1, 256}});
+  expect_grid(*grid(corpus_file("grey_1.png")), {0, 1}, {0, 1}, {{1, 0}, {0, 1}});
+}
+
+TEST(PngGrid, TransparentIsAHole) {
+  expect_grid(*grid(corpus_file("grey_transparent.png")), {0, 1}, {0, 1}, {{kNaN, 4}, {1, 2}});
+}
+
+TEST(PngGrid, Errors) {
+  EXPECT_EQ(grid_error(corpus_file("colours.png")),
+            "M: is a PNG picture of colours; heights need one grey channel of 8 or 16 bits");
+  EXPECT_EQ(grid_error(corpus_file("truncated.png")), "M: is a broken PNG picture: the file ends early");
+  EXPECT_EQ(grid_error(corpus_file("rows_missing.png")).substr(0, 27), "M: is a broken PNG picture:");
+  EXPECT_EQ(grid_error(corpus_file("header_lies.png")).substr(0, 67),
+            "M: is a broken PNG picture: 900000 x 900000 values do not fit into ");
+  EXPECT_EQ(grid_error("\x89PNG"), "M: is a broken PNG picture: the file ends early");
+}
+
+TEST(GridFile, WithoutAFile) {
+  Warnings warnings;
+  EXPECT_EQ(error_line([&] { read_grid(std::filesystem::path("absent.csv"), warnings); }), "absent.csv: there is no such file");
+}
+
+TEST(SharedGrids, Volcano) {
+  LIGNE_NEED_MODELS(folder);
+  Warnings warnings;
+  const auto matrix = read_grid(folder / "volcano.csv", warnings), points = read_grid(folder / "volcano.dat", warnings);
+  EXPECT_EQ(matrix->x().size(), 61u);
+  EXPECT_EQ(matrix->y().size(), 87u);
+  EXPECT_EQ(points->x().size(), 87u);
+  EXPECT_EQ(points->x().back(), 860);
+  EXPECT_EQ(points->y().back(), 600);
+  EXPECT_TRUE(warnings.counts().empty());
+  const auto a = heights_of(*matrix), b = heights_of(*points);
+  double low = a[0][0], high = low;
+  for (std::size_t j = 0; j < a.size(); ++j) {
+    for (std::size_t i = 0; i < a[j].size(); ++i) {
+      EXPECT_EQ(a[j][i], b[i][j]);
+      low = std::min(low, a[j][i]);
+      high = std::max(high, a[j][i]);
+    }
+  }
+  EXPECT_EQ(low, 94);
+  EXPECT_EQ(high, 195);
+}
+
+struct Summary {
+  double low = 1e300, high = -1e300;
+  std::size_t holes = 0;
+};
+
+Summary summary_of(const HeightSource& source) {
+  Summary summary;
+  for (const auto& row : heights_of(source)) {
+    for (const double z : row) {
+      summary.holes += std::isnan(z);
+      summary.low = std::fmin(summary.low, z);
+      summary.high = std::fmax(summary.high, z);
+    }
+  }
+  return summary;
+}
+
+TEST(SharedGrids, Gully) {
+  LIGNE_NEED_MODELS(folder);
+  Warnings warnings;
+  const auto source = read_grid(folder / "west_bijou_gully.asc", warnings);
+  EXPECT_EQ(source->x().size(), 43u);
+  EXPECT_EQ(source->y().size(), 89u);
+  EXPECT_EQ(source->x().front(), 559706.5);
+  EXPECT_EQ(source->y().front(), 4380221.5);
+  const Summary summary = summary_of(*source);
+  EXPECT_NEAR(summary.low, 1680.8, 0.05);
+  EXPECT_NEAR(summary.high, 1725.4, 0.05);
+  EXPECT_GT(summary.holes, 0u);
+}
+
+TEST(SharedGrids, Jacksboro) {
+  LIGNE_NEED_MODELS(folder);
+  Warnings warnings;
+  const auto source = read_grid(folder / "jacksboro_dem_16bit.png", warnings);
+  EXPECT_EQ(source->x().size(), 403u);
+  EXPECT_EQ(source->y().size(), 344u);
+  const Summary summary = summary_of(*source);
+  EXPECT_EQ(summary.low, 236);
+  EXPECT_EQ(summary.high, 1076);
+}
+
+TEST(SharedGrids, RunoutNeedsGdal) {
+  LIGNE_NEED_MODELS(folder);
+  Warnings warnings;
+  const std::filesystem::path file = folder / "runout_dem_float32.tif";
+#ifdef LIGNE_HAVE_GDAL
+  const auto source = read_grid(file, warnings);
+  EXPECT_EQ(source->x().size(), 80u);
+  EXPECT_EQ(source->y().size(), 122u);
+  EXPECT_DOUBLE_EQ(source->x()[1] - source->x()[0], 10);
+  EXPECT_GT(summary_of(*source).low, -9999);
+#else
+  EXPECT_EQ(error_line([&] { read_grid(file, warnings); }),
+            file.string() + ": needs GDAL (a GeoTIFF, HDF5 or netCDF file), and this ligne is built without it");
+#endif
+}
+
+TEST(SharedGrids, ModelsAreRefused) {
+  LIGNE_NEED_MODELS(folder);
+  Warnings warnings;
+  for (const char* model : {"CITY.ASC", "TESTI.ASC", "teapot.obj", "featuretype.stl", "octagonal_pocket.ply", "simple_pole.glb"}) {
+    EXPECT_NE(error_line([&] { read_grid(folder / model, warnings); }).find("is a model ("), std::string::npos) << model;
+  }
+}
+
+}  // namespace
+}  // namespace ligne

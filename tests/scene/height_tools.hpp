@@ -1,0 +1,78 @@
+#pragma once
+/// What the tests of surfaces' heights share.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "reader_tools.hpp"
+#include "scene/grid_formats.hpp"
+
+namespace ligne::height_test {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// All heights, z[j][i] over x[i], y[j].
+inline std::vector<std::vector<double>> heights_of(const HeightSource& source) {
+  std::vector<std::vector<double>> z(source.y().size(), std::vector<double>(source.x().size()));
+  for (std::size_t j = 0; j < z.size(); ++j) source.read_row(j, z[j]);
+  return z;
+}
+
+inline std::unique_ptr<HeightSource> grid(const std::string& text, Warnings& warnings) {
+  return read_grid(reader_test::bytes_of(text), "M", warnings);
+}
+
+inline std::unique_ptr<HeightSource> grid(const std::string& text) {
+  Warnings warnings;
+  auto source = grid(text, warnings);
+  EXPECT_TRUE(warnings.counts().empty());
+  return source;
+}
+
+/// The error line of a function; "no error" when there is none.
+template <typename Function>
+std::string error_line(Function&& function) {
+  try {
+    function();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "more than one line";
+    return error.what();
+  }
+  return "no error";
+}
+
+inline std::string grid_error(const std::string& text) {
+  Warnings warnings;
+  return error_line([&] { grid(text, warnings); });
+}
+
+/// A file of the fuzzers' corpus of grids.
+inline std::string corpus_file(const std::string& name) {
+  std::ifstream in(std::string(LIGNE_SOURCE_DIR) + "/tests/fuzz/corpus/grid/" + name, std::ios::binary);
+  EXPECT_TRUE(in.good()) << name;
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Positions and heights are these; NaN is equal to NaN.
+inline void expect_grid(const HeightSource& source, const std::vector<double>& x, const std::vector<double>& y,
+                        const std::vector<std::vector<double>>& z) {
+  EXPECT_EQ(source.x(), x);
+  EXPECT_EQ(source.y(), y);
+  const auto found = heights_of(source);
+  ASSERT_EQ(found.size(), z.size());
+  for (std::size_t j = 0; j < z.size(); ++j) {
+    ASSERT_EQ(found[j].size(), z[j].size());
+    for (std::size_t i = 0; i < z[j].size(); ++i) {
+      if (std::isnan(z[j][i])) EXPECT_TRUE(std::isnan(found[j][i])) << "at " << i << ", " << j;
+      else EXPECT_EQ(found[j][i], z[j][i]) << "at " << i << ", " << j;
+    }
+  }
+}
+
+}  // namespace ligne::height_test
