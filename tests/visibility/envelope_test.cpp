@@ -1,0 +1,93 @@
+#include "visibility/horizon/envelope.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace ligne::horizon {
+namespace {
+
+std::vector<Span> raised(ExactEnvelope& envelope, const Line& line) {
+  std::vector<Span> above;
+  envelope.raise(line, above);
+  return above;
+}
+
+void expect_spans(const std::vector<Span>& spans, const std::vector<Span>& expected) {
+  ASSERT_EQ(spans.size(), expected.size());
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    EXPECT_NEAR(spans[i].from, expected[i].from, 1e-12);
+    EXPECT_NEAR(spans[i].to, expected[i].to, 1e-12);
+  }
+}
+
+TEST(ExactEnvelope, FirstLineIsAboveNothing) {
+  for (const std::size_t cells : {1, 3, 10}) {
+    ExactEnvelope envelope(0, 10, cells);
+    EXPECT_EQ(envelope.height(3), kNothing);
+    expect_spans(raised(envelope, {2, 1, 8, 4}), {{2, 8}});
+    EXPECT_DOUBLE_EQ(envelope.height(4), 2);
+    EXPECT_EQ(envelope.height(1), kNothing);
+  }
+}
+
+TEST(ExactEnvelope, ALineIsCutWhereItGoesUnder) {
+  for (const std::size_t cells : {1, 3, 10}) {
+    ExactEnvelope envelope(0, 10, cells);
+    raised(envelope, {0, 0, 5, 5});
+    raised(envelope, {5, 5, 10, 0});
+    // A roof: level at height 3 is seen to its left and right, from 0 to 3 and from 7 to 10.
+    expect_spans(raised(envelope, {0, 3, 10, 3}), {{0, 3}, {7, 10}});
+    EXPECT_DOUBLE_EQ(envelope.height(1), 3);
+    EXPECT_DOUBLE_EQ(envelope.height(5), 5);
+    expect_spans(raised(envelope, {0, 3, 10, 3}), {});
+    expect_spans(raised(envelope, {1, 2, 9, 2}), {});
+  }
+}
+
+TEST(ExactEnvelope, WhatBeginsOnTheHorizonIsNeitherAboveNorBelow) {
+  ExactEnvelope envelope(0, 10, 4);
+  raised(envelope, {0, 1, 10, 7});
+  expect_spans(raised(envelope, {0, 1, 5, 9}), {{0, 5}});
+  expect_spans(raised(envelope, {5, 4, 10, 0}), {});
+}
+
+TEST(ExactEnvelope, GapsAreOpen) {
+  ExactEnvelope envelope(0, 10, 4);
+  raised(envelope, {0, 5, 3, 5});
+  raised(envelope, {6, 5, 10, 5});
+  expect_spans(raised(envelope, {1, 2, 9, 2}), {{3, 6}});
+}
+
+/// Random lines against all lines before them, sampled; the number of cells changes nothing.
+TEST(ExactEnvelope, IsTheHighestOfAllLines) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(0, 1);
+  std::vector<Line> lines;
+  ExactEnvelope one(0, 1, 1), many(0, 1, 64);
+  for (int i = 0; i < 300; ++i) {
+    double u0 = place(random), u1 = place(random);
+    if (u0 > u1) std::swap(u0, u1);
+    const Line line{u0, place(random), u1, place(random)};
+    const auto height = [](const Line& l, double u) { return l.v0 + (l.v1 - l.v0) * (u - l.u0) / (l.u1 - l.u0); };
+    const std::vector<Span> above = raised(one, line), again = raised(many, line);
+    expect_spans(again, above);
+    for (double u = line.u0 + 1e-4; u < line.u1; u += 7e-3) {
+      double highest = kNothing;
+      for (const Line& l : lines) {
+        if (l.u0 < u && u < l.u1) highest = std::max(highest, height(l, u));
+      }
+      const double d = height(line, u) - highest;
+      if (std::abs(d) < 1e-9) continue;
+      const bool is_above = std::any_of(above.begin(), above.end(), [u](const Span& s) { return s.from <= u && u <= s.to; });
+      EXPECT_EQ(is_above, d > 0) << "line " << i << " at " << u;
+    }
+    lines.push_back(line);
+  }
+}
+
+}  // namespace
+}  // namespace ligne::horizon

@@ -1,0 +1,257 @@
+// Iso-curves against a plain search: every segment against every segment that is nearer, with nothing remembered, in long double.
+
+#include "visibility/horizon/horizon.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ligne::test {
+namespace {
+
+using Function = std::function<double(double, double)>;
+
+class FunctionHeights : public HeightSource {
+ public:
+  FunctionHeights(Function f, std::vector<double> x, std::vector<double> y)
+      : HeightSource(std::move(x), std::move(y)), f_(std::move(f)) {}
+  void read_row(std::size_t j, std::span<double> z) const override {
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] = f_(x()[i], y()[j]);
+  }
+
+ private:
+  Function f_;
+};
+
+FunctionHeights heights(const Function& f, int n, double half = 1) {
+  std::vector<double> at;
+  for (int i = 0; i < n; ++i) at.push_back(half * (2.0 * i / (n - 1) - 1));
+  return {f, at, at};
+}
+
+struct Drawn {
+  Polylines lines;
+  View view;
+  double length() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto line = lines[i];
+      for (std::size_t k = 1; k < line.size(); ++k) sum += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
+    }
+    return sum;
+  }
+};
+
+Drawn drawn(const HeightSource& source, const CameraRequest& request, HorizonOptions options = {}) {
+  const Camera camera = make_camera(request, stand_in(source, options.z_scale, nullptr));
+  const View view = make_view(stand_in(source, options.z_scale, &camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+  Statistics statistics;
+  return {horizon_curves(source, view, options, statistics), view};
+}
+
+CameraRequest along(const Point3& direction) {
+  CameraRequest request;
+  request.direction = direction;
+  return request;
+}
+
+CameraRequest from(const Point3& eye, const Point3& target = {0, 0, 0}) {
+  CameraRequest request;
+  request.eye = eye;
+  request.target = target;
+  request.fov_degrees = 100;
+  return request;
+}
+
+using Real = long double;
+
+struct Seen {
+  Real u, v, w;
+};
+
+struct Piece {
+  Seen a, b;
+  Point3 from, to;
+  Real at(Real u) const { return a.v + (b.v - a.v) * (u - a.u) / (b.u - a.u); }
+  Real left() const { return std::min(a.u, b.u); }
+  Real right() const { return std::max(a.u, b.u); }
+};
+
+/// Visible length on the page, for a viewer towards whom x and y descend (parallel: direction with both positive; perspective:
+/// an eye before the corner of the smallest x and y), with a drawing plane of the test's own: at right angles to the x axis' and y axis' bisector.
+double brute_force(const HeightSource& source, const Drawn& picture) {
+  const std::size_t nx = source.x().size(), ny = source.y().size();
+  const Camera& camera = picture.view.camera;
+  std::vector<Piece> nearer;
+  double sum = 0;
+  std::vector<double> before(nx), row(nx);
+  const auto seen = [&](const Point3& p) -> Seen {
+    if (!camera.perspective) {
+      const Real fx = camera.forward.x, fy = camera.forward.y, fz = camera.forward.z, level = std::hypot(fx, fy);
+      return {(p.x * fy - p.y * fx) / level, p.z * level - fz * (p.x * fx + p.y * fy) / level, 1};
+    }
+    const Real x = Real(p.x) - camera.eye.x, y = Real(p.y) - camera.eye.y, z = Real(p.z) - camera.eye.z;
+    return {(x - y) / (x + y), z / (x + y), x + y};
+  };
+  const auto page = [&](const Point3& p) {
+    const HomogeneousPoint h = to_homogeneous(picture.view, p);
+    return Point2{h.x / h.w, h.y / h.w};
+  };
+  const auto take = [&](const Point3& p, const Point3& q) {
+    Piece piece{seen(p), seen(q), p, q};
+    std::vector<Real> cuts{piece.left(), piece.right()};
+    for (const Piece& n : nearer) {
+      const Real l = std::max(n.left(), piece.left()), r = std::min(n.right(), piece.right());
+      if (l >= r) continue;
+      const Real dl = piece.at(l) - n.at(l), dr = piece.at(r) - n.at(r);
+      cuts.insert(cuts.end(), {l, r});
+      if ((dl < 0) != (dr < 0)) cuts.push_back(l + (r - l) * dl / (dl - dr));
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t k = 1; k < cuts.size(); ++k) {
+      const Real u = (cuts[k - 1] + cuts[k]) / 2, v = piece.at(u);
+      Real highest = -std::numeric_limits<Real>::infinity(), lowest = -highest;
+      for (const Piece& n : nearer) {
+        if (!(n.left() < u && u < n.right())) continue;
+        highest = std::max(highest, n.at(u));
+        lowest = std::min(lowest, n.at(u));
+      }
+      if (v <= highest && v >= lowest) continue;
+      const auto in_space = [&](Real cut) {
+        const Real s = (cut - piece.a.u) / (piece.b.u - piece.a.u);
+        const double t = static_cast<double>(s * piece.a.w / ((1 - s) * piece.b.w + s * piece.a.w));
+        return page(p + (q - p) * t);
+      };
+      const Point2 c = in_space(cuts[k - 1]), d = in_space(cuts[k]);
+      sum += std::hypot(d.x - c.x, d.y - c.y);
+    }
+    nearer.push_back(piece);
+  };
+  for (std::size_t j = 0; j < ny; ++j) {
+    source.read_row(j, row);
+    const auto point = [&](std::size_t i, std::size_t k, double z) { return Point3{source.x()[i], source.y()[k], z}; };
+    if (j > 0) {
+      for (std::size_t i = 0; i < nx; ++i) take(point(i, j - 1, before[i]), point(i, j, row[i]));
+    }
+    for (std::size_t i = 1; i < nx; ++i) take(point(i - 1, j, row[i - 1]), point(i, j, row[i]));
+    before = row;
+  }
+  return sum;
+}
+
+double waves(double x, double y) { return 0.3 * std::sin(5 * x * y + 0.1) + 0.1 * x; }
+double sombrero(double x, double y) {
+  const double r = std::hypot(x, y) * 12;
+  return r == 0 ? 1 : std::sin(r) / r;
+}
+double ridges(double x, double y) { return 0.4 * std::abs(std::fmod(7 * x + 3 * y + 20, 2) - 1); }
+
+TEST(Horizon, IsWhatAllPairsSay) {
+  for (const Function& f : {Function(waves), Function(sombrero), Function(ridges)}) {
+    const FunctionHeights source = heights(f, 21);
+    for (const Point3& direction : {Point3{1, 0.7, -0.5}, Point3{0.3, 1, -0.2}, Point3{1, 0.2, 0.4}, Point3{0.6, 0.8, -3}}) {
+      const Drawn picture = drawn(source, along(direction));
+      EXPECT_NEAR(picture.length(), brute_force(source, picture), 0.01) << direction.x;
+    }
+    for (const Point3& eye : {Point3{-3, -2.5, 2}, Point3{-1.2, -1.4, 0.6}}) {
+      const Drawn picture = drawn(source, from(eye));
+      EXPECT_NEAR(picture.length(), brute_force(source, picture), 0.01) << "eye " << eye.x;
+    }
+  }
+}
+
+TEST(Horizon, SidesAreAlike) {
+  // The same surface turned by quarters, seen from directions turned with it.
+  const double full = drawn(heights(waves, 25), along({1, 0.7, -0.5})).length();
+  const auto turned = [](double x, double y) { return waves(y, -x); };
+  EXPECT_NEAR(drawn(heights(turned, 25), along({-0.7, 1, -0.5})).length(), full, 1e-3);
+  const auto half = [](double x, double y) { return waves(-x, -y); };
+  EXPECT_NEAR(drawn(heights(half, 25), along({-1, -0.7, -0.5})).length(), full, 1e-3);
+}
+
+TEST(Horizon, FromAboveAllIsSeen) {
+  const FunctionHeights source = heights(waves, 15);
+  const Drawn picture = drawn(source, along({0, 0, -1}));
+  EXPECT_EQ(picture.lines.size(), 30u);
+  EXPECT_NEAR(picture.length(), 30 * 190, 1e-6);  // a square as high as the frame
+}
+
+TEST(Horizon, AlongAnAxisCurvesAreUprightLines) {
+  // A ramp that rises away from the viewer: its far half is seen as its near half is.
+  const FunctionHeights source = heights([](double, double y) { return 0.5 * y; }, 9);
+  const Drawn picture = drawn(source, along({0, 1, 0}));
+  // 9 level lines of width 2 and 9 upright ones of height 1, fitted to a width of 277 mm.
+  EXPECT_NEAR(picture.length(), 277 * (9 + 9 * 0.5), 1e-6);
+}
+
+TEST(Horizon, TheEyeOverTheGroundSeesAllOfAFlatOne) {
+  const FunctionHeights source = heights([](double, double) { return 0.0; }, 11);
+  const auto whole = [&](const Point3& eye) {
+    Drawn picture = drawn(source, from(eye, {eye.x, eye.y, 0}));
+    double expected = 0;
+    const auto page = [&](double x, double y) {
+      const HomogeneousPoint h = to_homogeneous(picture.view, {x, y, 0});
+      return Point2{h.x / h.w, h.y / h.w};
+    };
+    for (const double at : source.x()) {
+      for (const auto& [p, q] : {std::pair(page(at, -1), page(at, 1)), std::pair(page(-1, at), page(1, at))}) {
+        expected += std::hypot(q.x - p.x, q.y - p.y);
+      }
+    }
+    EXPECT_NEAR(picture.length(), expected, 1e-3) << eye.x << "," << eye.y;
+  };
+  whole({0.13, -0.27, 4});  // between curves
+  whole({0.2, -0.4, 4});    // over a crossing of two curves
+  whole({0.13, -1.5, 5});   // over no part of the ground, beside it in y alone
+}
+
+TEST(Horizon, PixelsTendToExact) {
+  const FunctionHeights source = heights(sombrero, 41);
+  const double exact = drawn(source, along({1, 0.7, -0.5})).length();
+  double before = 1e300;
+  for (const std::size_t resolution : {200, 2000, 20'000}) {
+    HorizonOptions options;
+    options.resolution = resolution;
+    const double off = std::abs(drawn(source, along({1, 0.7, -0.5}), options).length() - exact);
+    EXPECT_LT(off, before) << resolution;
+    before = off;
+  }
+  EXPECT_LT(before, 0.005 * exact);
+}
+
+TEST(Horizon, NoSurfaceIsLostWhereCurvesAreDense) {
+  const auto length_by_curve = [](int n) { return drawn(heights(sombrero, n), along({1, 0.7, -0.5})).length() / (2 * n); };
+  const double coarse = length_by_curve(100);
+  EXPECT_NEAR(length_by_curve(400), coarse, 0.01 * coarse);
+}
+
+TEST(Horizon, HolesEndCurves) {
+  const auto with_hole = [](double x, double y) {
+    return std::abs(x) < 0.25 && std::abs(y) < 0.25 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  };
+  const FunctionHeights source = heights(with_hole, 9);  // positions in steps of a quarter; the hole is the sample in the middle
+  const Drawn picture = drawn(source, along({0, 0, -1}));
+  EXPECT_EQ(picture.lines.size(), 20u);
+  EXPECT_NEAR(picture.length(), 18 * 190 - 4 * 190 / 8.0, 1e-6);
+}
+
+TEST(Horizon, NothingToSee) {
+  const FunctionHeights source = heights([](double, double) { return std::numeric_limits<double>::quiet_NaN(); }, 5);
+  EXPECT_EQ(drawn(source, along({1, 1, -1})).lines.size(), 0u);
+}
+
+TEST(Horizon, StridesLeaveOutCurvesNotSamples) {
+  HorizonOptions options;
+  options.x_stride = 0;
+  options.y_stride = 4;
+  EXPECT_EQ(drawn(heights(waves, 10), along({0, 0, -1}), options).lines.size(), 4u);  // rows 0, 4, 8 and the last
+}
+
+}  // namespace
+}  // namespace ligne::test
