@@ -21,7 +21,7 @@ namespace {
 /// A segment is upright on the drawing plane when its ends are no farther apart across it than this part of the picture.
 constexpr double kUprightPart = 0x1p-42;
 /// In perspective nothing nearer to the vertical through the eye than this part of the target distance is drawn.
-constexpr double kNearestPart = 0x1p-20;
+constexpr double kNearestPart = 0x1p-30;
 /// Rows that are read at a time, by all threads.
 constexpr std::size_t kRowsAtATime = 64;
 
@@ -57,16 +57,17 @@ class Horizons {
   const std::vector<Span>& take(const SightPoint& a, const SightPoint& b) {
     above_.clear();
     below_.clear();
-    if (std::abs(b.u - a.u) <= upright_) {
-      take_upright(a, b);
+    Line line{a.u(), a.v(), b.u(), b.v()};
+    if (std::abs(line.u1 - line.u0) <= upright_) {
+      take_upright(line);
     } else {
-      const bool turned = b.u < a.u;
-      const SightPoint &l = turned ? b : a, &r = turned ? a : b;
-      upper_.raise({l.u, l.v, r.u, r.v}, above_);
-      lower_.raise({l.u, -l.v, r.u, -r.v}, below_);
+      const bool turned = line.u1 < line.u0;
+      if (turned) line = {line.u1, line.v1, line.u0, line.v0};
+      upper_.raise(line, above_);
+      lower_.raise({line.u0, -line.v0, line.u1, -line.v1}, below_);
       seen_ = below_.empty() ? above_ : above_.empty() ? below_ : joined(above_, below_);
       for (Span& s : seen_) {
-        s = {(s.from - l.u) / (r.u - l.u), (s.to - l.u) / (r.u - l.u)};
+        s = {(s.from - line.u0) / (line.u1 - line.u0), (s.to - line.u0) / (line.u1 - line.u0)};
         if (turned) s = {1 - s.to, 1 - s.from};
       }
       if (turned) std::reverse(seen_.begin(), seen_.end());
@@ -77,16 +78,16 @@ class Horizons {
 
  private:
   /// Of an upright segment the parts above the upper and below the lower horizon are seen; it has no width that could hide.
-  void take_upright(const SightPoint& a, const SightPoint& b) {
+  void take_upright(const Line& line) {
     seen_.clear();
-    const double high = upper_.height(a.u), low = -lower_.height(a.u);
+    const double high = upper_.height(line.u0), low = -lower_.height(line.u0);
     if (!(high >= low)) {  // there is no horizon here yet
       seen_.push_back({0, 1});
       return;
     }
-    const auto at = [&](double v) { return std::clamp((v - a.v) / (b.v - a.v), 0.0, 1.0); };
-    if (a.v == b.v) return;
-    const bool rises = b.v > a.v;
+    if (line.v0 == line.v1) return;
+    const auto at = [&](double v) { return std::clamp((v - line.v0) / (line.v1 - line.v0), 0.0, 1.0); };
+    const bool rises = line.v1 > line.v0;
     const Span under = rises ? Span{0, at(low)} : Span{at(low), 1}, over = rises ? Span{at(high), 1} : Span{0, at(high)};
     for (const Span& s : rises ? std::array{under, over} : std::array{over, under}) {
       if (s.from < s.to) seen_.push_back(s);
@@ -193,8 +194,7 @@ class PartDrawer {
 
   /// The point at the fraction t in space.
   static SightPoint between(const SightPoint& a, const SightPoint& b, double t) {
-    const double w = a.w + t * (b.w - a.w);
-    return {(a.u * a.w + t * (b.u * b.w - a.u * a.w)) / w, (a.v * a.w + t * (b.v * b.w - a.v * a.w)) / w, w};
+    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
   }
 
   const HeightSource& heights_;
@@ -233,7 +233,7 @@ Polylines draw_all(const HeightSource& heights, const View& view, const HorizonO
         u_range = {1e300, -1e300};
         for (const double cx : {x.at.front(), x.at.back()}) {
           for (const double cy : {y.at.front(), y.at.back()}) {
-            const double u = sight({cx, cy, 0}).u;
+            const double u = sight({cx, cy, 0}).u();
             u_range = {std::min(u_range.first, u), std::max(u_range.second, u)};
           }
         }

@@ -10,8 +10,10 @@ namespace ligne::horizon {
 /// A point as the viewer sees it on an upright drawing plane. Upright means that verticals stay verticals, whatever the camera's tilt: what
 /// hides what depends on the line of sight alone, so any plane serves, and on this one the horizon is a function of u.
 struct SightPoint {
-  double u, v;  ///< to the right, upwards
-  double w;     ///< distance from the plane of the viewer along the plane's normal; 1 in parallel projection
+  double x, y;  ///< to the right and upwards, before the division by w
+  double w;     ///< distance from the viewer along the plane's normal; 1 in parallel projection
+  double u() const { return x / w; }
+  double v() const { return y / w; }
 };
 
 /// The sight of one part of the grid: all points with sign_x (x - eye_x) >= 0 and sign_y (y - eye_y) >= 0 in perspective.
@@ -22,8 +24,7 @@ class Sight {
   SightPoint operator()(const Point3& p) const {
     const Point3 d = p - eye_;
     if (!perspective_) return {glm::dot(right_, d), glm::dot(up_, d), 1};
-    const double w = glm::dot(forward_, d);
-    return {glm::dot(right_, d) / w, d.z / w, w};
+    return {glm::dot(right_, d), d.z, glm::dot(forward_, d)};
   }
 
   bool perspective() const { return perspective_; }
