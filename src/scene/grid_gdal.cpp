@@ -2,7 +2,6 @@
 
 #ifdef LIGNE_HAVE_GDAL
 
-#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
 

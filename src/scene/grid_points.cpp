@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "scene/grid_formats.hpp"
 #include "scene/held_heights.hpp"
