@@ -14,9 +14,10 @@
 namespace ligne::test {
 namespace {
 
-/// Of the lines of one scene in one view the oracle decides at least this part; where lines lie behind rims all over, as in
-/// a stack of cubes seen from the front, much is open, but never all.
-constexpr double kLargestUndecidedShare = 0.9;
+/// The oracle leaves open at most this part of the lines of a scene. Seen along an axis whole bodies lie exactly behind
+/// their own rims, as the back edges of a cube; elsewhere hardly anything does (over the corpus: 21 % from the front, 0.8 %
+/// in the other views on the average).
+double largest_undecided_share(std::string_view view) { return view == "front" ? 0.9 : 0.4; }
 
 std::vector<std::filesystem::path> corpus() {
   std::vector<std::filesystem::path> files;
@@ -68,7 +69,7 @@ TEST_P(AllMethods, AgreeWithTheOracle) {
       if (verdict.line_mm > 0) {
         const double share = verdict.undecided_mm / verdict.line_mm;
         RecordProperty("undecided_permille", static_cast<int>(1000 * share));
-        EXPECT_LE(share, kLargestUndecidedShare) << file.stem() << ", view " << view_name;
+        EXPECT_LE(share, largest_undecided_share(view_name)) << file.stem() << ", view " << view_name;
       }
     }
   }
