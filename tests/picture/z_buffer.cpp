@@ -16,8 +16,8 @@ constexpr double kNothing = std::numeric_limits<double>::infinity();
 constexpr double kFarBefore = 8;
 /// Two planes meet at a steep angle when their normals differ by more: well above the 30 degrees of a crease.
 const double kSteepCosine = std::cos(40 * 3.14159265358979323846 / 180);
-/// Faces whose normals are nearer to a right angle with the sight are seen so flat that the depth within a pixel says nothing.
-constexpr double kEdgeOnSine = 0.05;
+/// Faces that make a smaller angle with the sight are seen edge on: one as long as the sheet is narrower than half a pixel.
+constexpr double kEdgeOnSine = 0.5 / kWidth;
 /// An edge is clearly behind a face when it is so by this many pixels in depth, at every pixel around.
 constexpr double kClearlyBehind = 0.5;
 
