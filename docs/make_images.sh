@@ -13,12 +13,13 @@ cd "$root"
 # The commands of the page: lines of its sh blocks that draw into docs/images, with their continuation lines.
 commands() {
   awk '/^```/ { inside = $0 == "```sh"; next }
-       inside { line = line $0; if (sub(/\\$/, "", line)) next; if (line ~ /^ligne draw .* -o docs\/images\//) print line; line = "" }' \
+       inside { line = line $0; if (sub(/\\$/, "", line)) next; if (line ~ /^ligne (draw|surface) .* -o docs\/images\//) print line; line = "" }' \
     docs/gallery.md
 }
 
 made=0
-while read -ra words; do
+while read -r line; do
+  eval "words=($line)"  # quotes as in a shell; the lines are our own
   picture=$folder/${words[-1]#docs/images/}
   "$ligne" "${words[@]:1:${#words[@]}-2}" "$picture"
   sed -i 's|^<svg .*>$|&\n<rect width="100%" height="100%" fill="#fff"/>|' "$picture"
