@@ -58,5 +58,29 @@ TEST(PenetratingPlanes, SurfaceThroughAPlateAlongAnEdgeThatIsClipped) {
   EXPECT_NEAR(p.length_of(LineClass::intersection), kPageWidth, kMicrometre);
 }
 
+// Two squares that cross in the diagonal along which both are cut into triangles; and two roofs that only touch along their ridges.
+TEST(PenetratingPlanes, CrossInADiagonalOfBoth) {
+  for (const int turn : {0, 1}) {
+    const auto turned = [turn](std::vector<Point3> p) {
+      std::rotate(p.begin(), p.begin() + turn, p.end());
+      return p;
+    };
+    Scene scene;
+    add_face(scene, turned({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}));
+    add_face(scene, turned({{0, 0, 0}, {4, 0, 4}, {4, 4, 0}, {0, 4, -4}}));
+    const Picture p = draw(scene, {along({0, 0, -1}), "intersection", false, 1});
+    EXPECT_NEAR(p.length_of(LineClass::intersection), 4 * std::sqrt(2.0), kMicrometre) << turn;
+  }
+}
+
+TEST(PenetratingPlanes, RoofsThatTouchAlongTheirRidgesDoNotCross) {
+  Scene scene;
+  for (const double z : {-1, 1}) {
+    add_face(scene, {{{0, 0, 0}, {4, 0, 0}, {4, 2, z}, {0, 2, z}}});
+    add_face(scene, {{{4, 0, 0}, {0, 0, 0}, {0, -2, z}, {4, -2, z}}});
+  }
+  EXPECT_NEAR(draw(scene, {along({0, 0, -1}), "intersection", false, 1}).length_of(LineClass::intersection), 0, kMicrometre);
+}
+
 }  // namespace
 }  // namespace ligne::test

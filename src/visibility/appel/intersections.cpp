@@ -137,6 +137,17 @@ struct SideInPlane {
   auto key() const { return std::tie(plane, v0, v1); }
 };
 
+/// A side of facet `side_of` that lies on a side of facet `plane`, and in its plane: the common line of two faces runs where one of
+/// them, or both, were cut into triangles.
+struct SideOnSide {
+  std::uint32_t face, p0, p1;  ///< face of the plane, and its side
+  std::uint32_t v0, v1;        ///< the side that lies on it
+  bool above;                  ///< the third corner of `side_of` is above the plane
+  std::uint32_t plane, side_of;
+  auto side() const { return std::tie(face, p0, p1); }
+  auto key() const { return std::tie(face, p0, p1, v0, v1); }
+};
+
 struct Pair {
   std::uint32_t a, b;  ///< facets: the plane, and the one whose boundary is cut by it
   friend auto operator<=>(const Pair&, const Pair&) = default;
@@ -163,6 +174,7 @@ class LeafSearch {
   }
   std::vector<Pair> pairs;
   std::vector<SideInPlane> sides;
+  std::vector<SideOnSide> sides_on_sides;
 
  private:
   struct Item {
@@ -208,6 +220,11 @@ class LeafSearch {
     if (b_over_a.on + b_over_a.below == 3 && b_over_a.on < 2) return;
     const Heights a_over_b = heights_over(cb, b.touch, ca);
     const bool b_along = b_over_a.on == 2, a_along = a_over_b.on == 2;
+    if (b_along && a_along) {
+      add_side_on_side(a, a_over_b, b, b_over_a);
+      add_side_on_side(b, b_over_a, a, a_over_b);
+      return;
+    }
     if (b_along || a_along) {
       if (b_along && a_over_b.on < 2) add_side(a, b, b_over_a);
       if (a_along && b_over_a.on < 2) add_side(b, a, a_over_b);
@@ -228,12 +245,51 @@ class LeafSearch {
     sides.push_back({plane.id, std::min(p, q), std::max(p, q), other.id, heights.h[off] > 0});
   }
 
+  /// `plane_heights` are those of the plane's corners over the other's plane, `heights` the reverse.
+  void add_side_on_side(const Item& plane, const Heights& plane_heights, const Item& other, const Heights& heights) {
+    int off_plane = 0, off = 0;
+    while (plane_heights.h[off_plane] == 0) ++off_plane;
+    while (heights.h[off] == 0) ++off;
+    const std::uint32_t p = plane.v[(off_plane + 1) % 3], q = plane.v[(off_plane + 2) % 3];
+    const std::uint32_t v = other.v[(off + 1) % 3], w = other.v[(off + 2) % 3];
+    sides_on_sides.push_back({plane.face, std::min(p, q), std::max(p, q), std::min(v, w), std::max(v, w), heights.h[off] > 0,
+                              plane.id, other.id});
+  }
+
   const ProjectedScene& scene_;
   const std::vector<Facet>& facets_;
   const CellGrid& grid_;
   double margin_;
   std::vector<Item> items_;
 };
+
+/// A side on a side is a penetration when the face of the plane goes on behind its side, which is but a cut of its triangulation, and on the
+/// other side one facet is above it and another below: the lower one is cut. (Folds that touch along edges do not penetrate.)
+void match_sides_on_sides(std::vector<SideOnSide>& sides, const std::vector<Facet>& facets, std::vector<Pair>& pairs) {
+  if (sides.empty()) return;
+  std::sort(sides.begin(), sides.end(), [](const SideOnSide& a, const SideOnSide& b) {
+    return std::tie(a.face, a.p0, a.p1, a.v0, a.v1, a.above, a.plane, a.side_of) <
+           std::tie(b.face, b.p0, b.p1, b.v0, b.v1, b.above, b.plane, b.side_of);
+  });
+  // Facets on each of the sides, counted where the side first stands in the list.
+  std::vector<std::uint8_t> facets_on(sides.size(), 0);
+  for (const Facet& f : facets) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t p = std::min(f.v[k], f.v[(k + 1) % 3]), q = std::max(f.v[k], f.v[(k + 1) % 3]);
+      const auto found = std::lower_bound(sides.begin(), sides.end(), std::tie(f.face, p, q),
+                                          [](const SideOnSide& s, const auto& key) { return s.side() < key; });
+      if (found != sides.end() && found->side() == std::tie(f.face, p, q)) ++facets_on[static_cast<std::size_t>(found - sides.begin())];
+    }
+  }
+  std::size_t first_of_side = 0;
+  for (std::size_t i = 0; i < sides.size();) {
+    if (sides[i].side() != sides[first_of_side].side()) first_of_side = i;
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end].key() == sides[i].key()) ++end;
+    if (!sides[i].above && sides[end - 1].above && facets_on[first_of_side] > 1) pairs.push_back({sides[i].plane, sides[i].side_of});
+    i = end;
+  }
+}
 
 /// A side in a plane is a penetration when one facet on it is above the plane and another below; the lower one is cut, whose
 /// side counts as above.
@@ -255,6 +311,7 @@ std::vector<Pair> find_pairs(const ProjectedScene& scene, const std::vector<Face
   const std::size_t n = grid.top_cell_count(), tasks = (n + kCellsPerTask - 1) / kCellsPerTask;
   std::vector<std::vector<Pair>> found(tasks);
   std::vector<std::vector<SideInPlane>> found_sides(tasks);
+  std::vector<std::vector<SideOnSide>> found_sides_on_sides(tasks);
   tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
     LeafSearch search(scene, facets, grid, margin);
     for (std::size_t i = task * kCellsPerTask; i < std::min(n, (task + 1) * kCellsPerTask); ++i) {
@@ -262,12 +319,16 @@ std::vector<Pair> find_pairs(const ProjectedScene& scene, const std::vector<Face
     }
     found[task] = std::move(search.pairs);
     found_sides[task] = std::move(search.sides);
+    found_sides_on_sides[task] = std::move(search.sides_on_sides);
   });
   std::vector<Pair> pairs;
   std::vector<SideInPlane> sides;
+  std::vector<SideOnSide> sides_on_sides;
   for (const auto& f : found) pairs.insert(pairs.end(), f.begin(), f.end());
   for (const auto& f : found_sides) sides.insert(sides.end(), f.begin(), f.end());
+  for (const auto& f : found_sides_on_sides) sides_on_sides.insert(sides_on_sides.end(), f.begin(), f.end());
   match_sides(sides, pairs);
+  match_sides_on_sides(sides_on_sides, facets, pairs);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
