@@ -66,8 +66,8 @@ TEST(PenetratingPlanes, CrossInADiagonalOfBoth) {
       return p;
     };
     Scene scene;
-    add_face(scene, turned({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}));
-    add_face(scene, turned({{0, 0, 0}, {4, 0, 4}, {4, 4, 0}, {0, 4, -4}}));
+    add_face(scene, {turned({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}})});
+    add_face(scene, {turned({{0, 0, 0}, {4, 0, 4}, {4, 4, 0}, {0, 4, -4}})});
     const Picture p = draw(scene, {along({0, 0, -1}), "intersection", false, 1});
     EXPECT_NEAR(p.length_of(LineClass::intersection), 4 * std::sqrt(2.0), kMicrometre) << turn;
   }
