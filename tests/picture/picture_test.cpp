@@ -143,8 +143,8 @@ TEST_F(SpoiltPicture, IsFoundHalfAMillimetreOff) {
   constexpr int kHalf = kPixelsPerMm / 2;
   for (const Pixel by : {Pixel{kHalf, 0}, Pixel{-kHalf, 0}, Pixel{0, kHalf}, Pixel{0, -kHalf}}) {
     const Disagreement found = of(taken_from([&](int x, int y) { return Pixel{x - by.x, y - by.y}; }));
-    EXPECT_GT(found.stray, 0u) << by.x << ", " << by.y;
-    EXPECT_GT(found.missing, 0u) << by.x << ", " << by.y;
+    // No jump misses its ink by so little, the pen being half a millimetre wide: the ink beside the lines tells.
+    EXPECT_GT(found.stray, found.ink / 10) << by.x << ", " << by.y << ": " << found.words();
   }
 }
 
