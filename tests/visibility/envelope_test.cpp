@@ -55,6 +55,18 @@ TEST(ExactEnvelope, WhatBeginsOnTheHorizonIsNeitherAboveNorBelow) {
   expect_spans(raised(envelope, {5, 4, 10, 0}), {});
 }
 
+TEST(ExactEnvelope, EndsOfLinesAreTheirVeryEnds) {
+  // Ends on borders of cells, where rounding may put them on either side.
+  ExactEnvelope envelope(-0.3, 0.4, 7);
+  for (int i = 0; i < 7; ++i) {
+    const Line line{-0.3 + 0.1 * i, 1.0 * i, -0.3 + 0.1 * (i + 1), 3};
+    const std::vector<Span> above = raised(envelope, line);
+    ASSERT_EQ(above.size(), 1u);
+    EXPECT_EQ(above[0].from, line.u0);
+    EXPECT_EQ(above[0].to, line.u1);
+  }
+}
+
 TEST(ExactEnvelope, GapsAreOpen) {
   ExactEnvelope envelope(0, 10, 4);
   raised(envelope, {0, 5, 3, 5});

@@ -9,7 +9,8 @@ namespace {
 /// Parts of the u axis that are shorter than this part of it are rounding.
 constexpr double kLeastPart = 0x1p-42;
 
-/// Heights that differ by less than this part of the picture's size are level: they are the sum of a dozen roundings.
+/// Heights that differ by less than this part of the picture's size are level: they are the sum of a dozen roundings. So are heights that a
+/// line has at places that differ by less.
 constexpr double kLevelPart = 0x1p-44;
 
 /// Appends a span, joined to the last one where that ends.
@@ -84,7 +85,7 @@ void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) {
   const std::size_t first_span = above.size();
   const std::size_t first = cell_of(line.u0), last = cell_of(line.u1);
   Piece piece{line.u0, line.u1, line.u0, line.v0, (line.v1 - line.v0) / (line.u1 - line.u0)};
-  const double tolerance = kLevelPart * std::max({extent_, std::abs(line.v0), std::abs(line.v1)});
+  const double tolerance = kLevelPart * (std::max({extent_, std::abs(line.v0), std::abs(line.v1)}) + std::abs(piece.slope) * extent_);
   for (std::size_t c = first; c <= last; ++c) {
     piece.u0 = c == first ? line.u0 : u_min_ + static_cast<double>(c) * width_;
     piece.u1 = c == last ? line.u1 : u_min_ + static_cast<double>(c + 1) * width_;
@@ -100,6 +101,10 @@ void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) {
       }
     }
   }
+  // What is seen to an end of the line is seen to the very end, so that it goes on in the next line.
+  if (above.size() == first_span) return;
+  if (above[first_span].from - line.u0 <= least_) above[first_span].from = line.u0;
+  if (line.u1 - above.back().to <= least_) above.back().to = line.u1;
 }
 
 double ExactEnvelope::height(double u) const {
