@@ -119,11 +119,10 @@ Surface surface_of(const SurfaceOptions& options) {
 }
 
 /// The factor by which heights take half of the larger side of the ground.
-double z_scale_of(const SurfaceOptions& options, const HeightSource& heights) {
+double z_scale_of(const SurfaceOptions& options, const HeightSource& heights, const HeightSurvey& survey) {
   if (options.z_scale) return *options.z_scale;
-  const Scene box = stand_in(heights, 1, nullptr);
-  if (box.vertices.empty()) return 1;
-  const double height = box.vertices[1].z - box.vertices[0].z;
+  if (survey.empty()) return 1;
+  const double height = survey.high - survey.low;
   const double side = std::max(heights.x().back() - heights.x().front(), heights.y().back() - heights.y().front());
   const double scale = side / (2 * height);
   return height > 0 && std::isfinite(scale) ? scale : 1;
@@ -151,10 +150,13 @@ void draw(const SurfaceOptions& options) {
   HorizonOptions horizon;
   Placement placement;
   timed(run.stages, "place", [&] {
-    horizon.z_scale = z_scale_of(options, heights);
-    const Camera camera = camera_of(view_of(options), stand_in(heights, horizon.z_scale, nullptr));
-    placement = place(stand_in(heights, horizon.z_scale, &camera), camera, options.page);
+    const HeightSurvey found = survey(heights);
+    horizon.holes = found.holes;
+    horizon.z_scale = z_scale_of(options, heights, found);
+    const Camera camera = camera_of(view_of(options), box_of(heights, found, horizon.z_scale));
+    placement = place(stand_in(heights, horizon.z_scale, camera), camera, options.page);
   });
+  horizon.outline = true;
   horizon.x_stride = surface.x_stride;
   horizon.y_stride = surface.y_stride;
   if (options.pixels) horizon.resolution = options.resolution.value_or(kResolution);
@@ -162,8 +164,12 @@ void draw(const SurfaceOptions& options) {
   timed(run.stages, "study", [&] {
     ProgressBar bar(options.run);
     if (bar.wanted()) horizon.progress = [&bar](double fraction) { bar.update(fraction); };
-    Polylines curves = horizon_curves(heights, placement.view, horizon, run.study);
-    if (curves.size() > 0) drawing.layers.push_back({"horizon", std::move(curves)});
+    HorizonLines lines = horizon_lines(heights, placement.view, horizon, run.study);
+    const auto add = [&](const char* layer, Polylines& polylines) {
+      if (polylines.size() > 0) drawing.layers.push_back({layer, std::move(polylines)});
+    };
+    add("horizon", lines.curves);
+    add("outline", lines.outline);
   });
   if (!options.run.quiet) {
     if (drawing.layers.empty()) {
