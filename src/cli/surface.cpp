@@ -9,6 +9,7 @@
 #include "cli/placement.hpp"
 #include "cli/progress.hpp"
 #include "cli/stages.hpp"
+#include "cli/surface_mesh.hpp"
 #include "cli/surface_samples.hpp"
 #include "plotting/output_file.hpp"
 #include "plotting/writers.hpp"
@@ -17,7 +18,6 @@
 namespace ligne {
 namespace {
 
-constexpr double kAzimuth = -60, kElevation = 30;
 constexpr unsigned kResolution = 2000;
 
 /// The factor by which heights take half of the larger side of the ground.
@@ -31,31 +31,19 @@ double z_scale_of(const SurfaceOptions& options, const HeightSource& heights) {
   return height > 0 && std::isfinite(scale) ? scale : 1;
 }
 
-/// The camera's options, the two angles told as a direction.
-ViewOptions view_of(const SurfaceOptions& options) {
-  ViewOptions view = options.view;
-  view.up_axis = view.up_axis.value_or(Axis::z);
-  if (options.view_given) return view;
-  const double degree = std::acos(-1.0) / 180;
-  const double azimuth = options.azimuth_degrees.value_or(kAzimuth) * degree;
-  const double elevation = options.elevation_degrees.value_or(kElevation) * degree;
-  view.direction = Point3{-std::cos(azimuth) * std::cos(elevation), -std::sin(azimuth) * std::cos(elevation), -std::sin(elevation)};
-  return view;
-}
-
 void draw(const SurfaceOptions& options) {
   RunReport run;
   run.method = "horizon";
-  const Surface surface = timed(run.stages, "read", [&] { return surface_of(options); });
+  const Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(options).front()); });
   const HeightSource& heights = *surface.heights;
-  const std::string place_of_warnings = options.grid.empty() ? "surface" : options.grid;
+  const std::string place = place_of_warnings(options);
 
   HorizonOptions horizon;
   Placement placement;
   timed(run.stages, "place", [&] {
     horizon.z_scale = z_scale_of(options, heights);
     const Camera camera = camera_of(view_of(options), stand_in(heights, horizon.z_scale, nullptr));
-    placement = place(stand_in(heights, horizon.z_scale, &camera), camera, options.page);
+    placement = ligne::place(stand_in(heights, horizon.z_scale, &camera), camera, options.page);
   });
   horizon.x_stride = surface.x_stride;
   horizon.y_stride = surface.y_stride;
@@ -69,9 +57,9 @@ void draw(const SurfaceOptions& options) {
   });
   if (!options.run.quiet) {
     if (drawing.layers.empty()) {
-      warn(place_of_warnings, "nothing to draw is in view: the drawing is empty");
+      warn(place, "nothing to draw is in view: the drawing is empty");
     } else if (placement.larger_than_page()) {
-      warn(place_of_warnings, "the picture is larger than the page: what lies outside is left out");
+      warn(place, "the picture is larger than the page: what lies outside is left out");
     }
   }
 
@@ -97,7 +85,7 @@ void setup_surface(CLI::App& app, SurfaceOptions& options) { add_surface_command
 
 void run_surface(const SurfaceOptions& options) {
   check(options);
-  run_with_threads(options.run, [&] { draw(options); });
+  run_with_threads(options.run, [&] { drawn_by_horizon(options) ? draw(options) : run_surface_mesh(options); });
 }
 
 }  // namespace ligne

@@ -1,9 +1,11 @@
 #include "cli/surface_samples.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "cli/models.hpp"
+#include "scene/height_filters.hpp"
 
 namespace ligne {
 namespace {
@@ -19,8 +21,7 @@ struct Positions {
 };
 
 /// `crossed`: whether curves run along this axis and need samples between those of the other family.
-Positions positions(const std::optional<CurveRange>& given, bool crossed, const std::optional<unsigned>& samples) {
-  const CurveRange range = given.value_or(CurveRange{});
+Positions positions(const CurveRange& range, bool crossed, const std::optional<unsigned>& samples) {
   const unsigned intervals = range.curves.value_or(kCurves) - 1;
   Positions result;
   if (crossed && samples) {
@@ -36,27 +37,92 @@ Positions positions(const std::optional<CurveRange>& given, bool crossed, const 
   return result;
 }
 
+bool x_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::y; }
+bool y_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::x; }
+
+AxisWindow window_of(const std::optional<CurveRange>& range) { return range ? AxisWindow{range->from, range->to} : AxisWindow{}; }
+
+Surface grid_surface(const SurfaceOptions& options, const std::string& file) {
+  Warnings warnings;
+  Surface surface{file, read_grid(file, warnings)};
+  for (const auto& [kind, count] : warnings.counts()) {
+    if (!options.run.quiet) warn(file, std::to_string(count) + " " + kind);
+  }
+  if (options.x || options.y) {
+    surface.heights = window_heights(std::move(surface.heights), window_of(options.x), window_of(options.y), file);
+  }
+  surface.x_stride = surface.y_stride = options.every.value_or(1);
+  return surface;
+}
+
+/// The range of a formula's variable: as given, else that of the grids, else the default.
+CurveRange range_of(const std::optional<CurveRange>& given, const std::vector<Surface>& grids,
+                    const std::vector<double>& (HeightSource::*axis)() const) {
+  CurveRange range = given.value_or(CurveRange{});
+  if (given || grids.empty()) return range;
+  range.from = ((*grids.front().heights).*axis)().front();
+  range.to = ((*grids.front().heights).*axis)().back();
+  for (const Surface& grid : grids) {
+    range.from = std::min(range.from, ((*grid.heights).*axis)().front());
+    range.to = std::max(range.to, ((*grid.heights).*axis)().back());
+  }
+  return range;
+}
+
+/// Leaves out the families of curves that are not wanted.
+template <class AnySurface>
+void choose_curves(AnySurface& surface, const SurfaceOptions& options) {
+  if (!x_curves(options)) surface.x_stride = 0;
+  if (!y_curves(options)) surface.y_stride = 0;
+}
+
 }  // namespace
 
-Surface surface_of(const SurfaceOptions& options) {
-  const bool x_curves = options.lines != CurveFamilies::y, y_curves = options.lines != CurveFamilies::x;
-  Surface surface;
-  if (!options.grid.empty()) {
-    Warnings warnings;
-    surface.heights = read_grid(options.grid, warnings);
-    for (const auto& [kind, count] : warnings.counts()) {
-      if (!options.run.quiet) warn(options.grid, std::to_string(count) + " " + kind);
-    }
-    surface.x_stride = surface.y_stride = options.every.value_or(1);
-  } else {
-    Positions x = positions(options.x, y_curves, options.samples), y = positions(options.y, x_curves, options.samples);
-    surface.x_stride = x.stride;
-    surface.y_stride = y.stride;
-    surface.heights = formula_heights(options.formula, std::move(x.at), std::move(y.at));
+std::vector<Surface> surfaces_of(const SurfaceOptions& options) {
+  std::vector<Surface> grids;
+  for (const std::string& file : options.grids) grids.push_back(grid_surface(options, file));
+  // The horizon knows the curves alone; a mesh is fine in both directions.
+  const bool mesh = !drawn_by_horizon(options);
+  const CurveRange x_range = range_of(options.x, grids, &HeightSource::x), y_range = range_of(options.y, grids, &HeightSource::y);
+  std::vector<Surface> surfaces;
+  for (const std::string& formula : options.formulas) {
+    Positions x = positions(x_range, mesh || y_curves(options), options.samples);
+    Positions y = positions(y_range, mesh || x_curves(options), options.samples);
+    Surface& surface = surfaces.emplace_back(Surface{formula, nullptr, x.stride, y.stride, true});
+    surface.heights = formula_heights(formula, std::move(x.at), std::move(y.at));
   }
-  if (!x_curves) surface.x_stride = 0;
-  if (!y_curves) surface.y_stride = 0;
-  return surface;
+  for (Surface& grid : grids) surfaces.push_back(std::move(grid));
+  for (Surface& surface : surfaces) {
+    if (options.log_z) surface.heights = log_heights(std::move(surface.heights));
+    choose_curves(surface, options);
+  }
+  return surfaces;
+}
+
+std::vector<SurfacePoints> points_of(const SurfaceOptions& options) {
+  std::vector<SurfacePoints> all;
+  std::size_t samples = 0;
+  for (const Surface& surface : surfaces_of(options)) {
+    take_samples(samples, surface.heights->x().size(), surface.heights->y().size(), surface.name);
+    SurfacePoints& points = all.emplace_back(points_of(*surface.heights));
+    points.name = surface.name;
+    points.x_stride = surface.x_stride;
+    points.y_stride = surface.y_stride;
+    points.from_formula = surface.from_formula;
+  }
+  const CurveRange full_turn{0, 2 * std::numbers::pi, {}};
+  for (const std::array<std::string, 3>& formulas : options.parametric) {
+    const Positions u = positions(options.u.value_or(full_turn), true, options.samples);
+    const Positions v = positions(options.v.value_or(full_turn), true, options.samples);
+    const std::string name = formulas[0] + "; " + formulas[1] + "; " + formulas[2];
+    take_samples(samples, u.at.size(), v.at.size(), name);
+    SurfacePoints& points = all.emplace_back(parametric_points(formulas, u.at, v.at));
+    points.name = name;
+    points.x_stride = u.stride;
+    points.y_stride = v.stride;
+    choose_curves(points, options);
+  }
+  return all;
 }
 
 }  // namespace ligne
