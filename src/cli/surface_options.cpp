@@ -1,5 +1,6 @@
 #include "cli/surface_options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -87,13 +88,33 @@ void check_sources(const SurfaceOptions& options) {
     if (options.log_z) throw UsageError("--log-z", "goes with z = f(x, y)");
   }
   if (parametric && options.skirt) throw UsageError("--skirt", "goes with z = f(x, y), which has a rim, not with --parametric");
-  if (!parametric && (options.u || options.v)) throw UsageError("-u, -v", "go with --parametric");
+  if (std::max(options.u.size(), options.v.size()) > options.parametric.size()) {
+    throw UsageError("-u, -v", parametric ? "there are more of them than parametric surfaces" : "go with --parametric");
+  }
   if (!formulas && !parametric && options.samples) throw UsageError("--samples", "a grid has its own samples");
   if (!formulas && ((options.x && options.x->curves) || (options.y && options.y->curves))) {
     throw UsageError("-x, -y", "a grid takes A:B, a window; --every N says which curves are drawn");
   }
   if (!grids && options.every) throw UsageError("--every", "goes with --grid; a formula has its number of curves in -x A:B:N");
   if (grids) refuse_input_as_output("--output", *options.output.file, options.grids);
+}
+
+void add_parameter_range(CLI::App& app, const std::string& name, std::vector<CurveRange>& ranges, const std::string& help) {
+  app.add_option_function<std::vector<std::string>>(
+         name,
+         [&ranges, name](const std::vector<std::string>& texts) {
+           try {
+             for (const std::string& text : texts) ranges.push_back(parse_range(text));
+           } catch (const std::invalid_argument& e) {
+             throw UsageError(name, e.what());
+           }
+         },
+         help)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("A:B[:N]")
+      ->default_str("0:2*pi:40")
+      ->group("Surface");
 }
 
 /// --method and --hidden.
@@ -199,11 +220,8 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   add_parsed(*surface, "-y", "A:B[:N]", options.y, parse_range, "the same of y")
       ->default_str("-5:5:40")
       ->group(group);
-  for (const auto& [name, target] : {std::pair{"-u", &options.u}, std::pair{"-v", &options.v}}) {
-    add_parsed(*surface, name, "A:B[:N]", *target, parse_range, std::string("the same of ") + (name + 1) + ", of a parametric surface")
-        ->default_str("0:2*pi:40")
-        ->group(group);
-  }
+  add_parameter_range(*surface, "-u", options.u, "the same of u, of a parametric surface (repeatable: of the next one)");
+  add_parameter_range(*surface, "-v", options.v, "the same of v");
   add_parsed(*surface, "--samples", "N", options.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamples); },
              "points along a curve, or the next more that the crossings with the other family allow")
       ->default_str("5 between curves, up to 1000")

@@ -26,7 +26,8 @@ inline constexpr std::string_view kCurveFamilyNames[] = {"x", "y", "xy"};
 struct SurfaceOptions {
   std::vector<std::string> formulas, grids;
   std::vector<std::array<std::string, 3>> parametric;  ///< formulas of x, y and z in u and v
-  std::optional<CurveRange> x, y, u, v;
+  std::optional<CurveRange> x, y;
+  std::vector<CurveRange> u, v;  ///< of the parametric surfaces in their order; the last serves for all that follow
   std::optional<unsigned> samples;
   std::optional<unsigned> every;  ///< grid: a curve at every so many samples
   CurveFamilies lines = CurveFamilies::xy;

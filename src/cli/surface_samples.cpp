@@ -69,6 +69,12 @@ CurveRange range_of(const std::optional<CurveRange>& given, const std::vector<Su
   return range;
 }
 
+/// The range of a parameter of the k-th parametric surface.
+CurveRange parameter_range(const std::vector<CurveRange>& given, std::size_t k) {
+  if (given.empty()) return {0, 2 * std::numbers::pi, {}};
+  return given[std::min(k, given.size() - 1)];
+}
+
 /// Leaves out the families of curves that are not wanted.
 template <class AnySurface>
 void choose_curves(AnySurface& surface, const SurfaceOptions& options) {
@@ -110,10 +116,10 @@ std::vector<SurfacePoints> points_of(const SurfaceOptions& options) {
     points.y_stride = surface.y_stride;
     points.from_formula = surface.from_formula;
   }
-  const CurveRange full_turn{0, 2 * std::numbers::pi, {}};
-  for (const std::array<std::string, 3>& formulas : options.parametric) {
-    const Positions u = positions(options.u.value_or(full_turn), true, options.samples);
-    const Positions v = positions(options.v.value_or(full_turn), true, options.samples);
+  for (std::size_t k = 0; k < options.parametric.size(); ++k) {
+    const std::array<std::string, 3>& formulas = options.parametric[k];
+    const Positions u = positions(parameter_range(options.u, k), true, options.samples);
+    const Positions v = positions(parameter_range(options.v, k), true, options.samples);
     const std::string name = formulas[0] + "; " + formulas[1] + "; " + formulas[2];
     take_samples(samples, u.at.size(), v.at.size(), name);
     SurfacePoints& points = all.emplace_back(parametric_points(formulas, u.at, v.at));
