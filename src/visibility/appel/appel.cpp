@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <mutex>
 
 #include <oneapi/tbb/parallel_for.h>
 
 #include "visibility/appel/cell_grid.hpp"
-#include "visibility/appel/facet.hpp"
 #include "visibility/appel/intersections.hpp"
 #include "visibility/appel/visible_parts.hpp"
+#include "visibility/common/stroke_maker.hpp"
 #include "visibility/tolerances.hpp"
 
 // Phases: (1) facets, (2) the screen grid with covers, (3) intersections that are not behind covers, (4) every line through
@@ -32,87 +31,6 @@ class Clock {
 
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-/// Joins parts over hidden gaps shorter than the least length and drops parts that are shorter; what remains of a line that
-/// is shorter as a whole is the line or nothing. Lengths are in page steps.
-void drop_specks(std::vector<Part>& parts, double length, double least) {
-  if (parts.empty() || (parts.size() == 1 && parts[0].from == 0 && parts[0].to == 1)) return;
-  if (length <= least) {
-    double visible = 0;
-    for (const Part& p : parts) visible += p.to - p.from;
-    parts.assign(visible > 0.5 ? 1 : 0, Part{0, 1});
-    return;
-  }
-  std::size_t n = 0;
-  for (const Part& p : parts) {
-    if (n > 0 && (p.from - parts[n - 1].to) * length <= least) {
-      parts[n - 1].to = p.to;
-    } else {
-      parts[n++] = p;
-    }
-  }
-  parts.resize(n);
-  std::erase_if(parts, [&](const Part& p) { return (p.to - p.from) * length <= least; });
-  if (!parts.empty() && parts.front().from * length <= least) parts.front().from = 0;
-  if (!parts.empty() && (1 - parts.back().to) * length <= least) parts.back().to = 1;
-}
-
-/// Turns visible parts into strokes.
-class StrokeMaker {
- public:
-  StrokeMaker(const ProjectedScene& scene, bool hidden_too) : scene_(scene), hidden_too_(hidden_too) {}
-
-  void add(const Line& line, const std::vector<Part>& parts, std::array<double, 2> range, std::uint32_t source,
-           LineClass line_class, bool may_coincide, std::vector<Stroke>& out) const {
-    double end = 0;
-    for (const Part& part : parts) {
-      if (hidden_too_ && part.from > end) {
-        out.push_back(stroke(line, {end, part.from}, range, source, line_class, may_coincide, false));
-      }
-      out.push_back(stroke(line, part, range, source, line_class, may_coincide, true));
-      end = part.to;
-    }
-    if (hidden_too_ && end < 1) out.push_back(stroke(line, {end, 1}, range, source, line_class, may_coincide, false));
-  }
-
- private:
-  Stroke stroke(const Line& line, Part part, std::array<double, 2> range, std::uint32_t source, LineClass line_class,
-                bool may_coincide, bool visible) const {
-    Stroke s;
-    s.from = point(line, part.from);
-    s.to = point(line, part.to);
-    s.t_from = range[0] + (range[1] - range[0]) * model_parameter(line, part.from);
-    s.t_to = range[0] + (range[1] - range[0]) * model_parameter(line, part.to);
-    s.z_from = static_cast<float>(line.z(part.from));
-    s.z_to = static_cast<float>(line.z(part.to));
-    if (scene_.view.camera.perspective) {
-      s.w_from = static_cast<float>(1 / scene_.magnification(line.z(part.from)));
-      s.w_to = static_cast<float>(1 / scene_.magnification(line.z(part.to)));
-    }
-    s.source = source;
-    s.line_class = line_class;
-    s.visible = visible;
-    s.may_coincide = may_coincide || !visible;  // the search stops when a line is hidden, before it has seen all neighbours
-    return s;
-  }
-
-  static LatticePoint point(const Line& line, double t) {
-    if (t == 0) return line.p0;
-    if (t == 1) return line.p1;
-    return {static_cast<std::int32_t>(std::lround(line.p0.x + t * line.dx)),
-            static_cast<std::int32_t>(std::lround(line.p0.y + t * line.dy))};
-  }
-
-  /// Parameter in model space of the page parameter t: weights are the distances along the sight, one over magnification.
-  double model_parameter(const Line& line, double t) const {
-    if (!scene_.view.camera.perspective || t == 0 || t == 1) return t;
-    const double m0 = scene_.magnification(line.z0), m1 = scene_.magnification(line.z1);
-    return t * m1 / ((1 - t) * m0 + t * m1);
-  }
-
-  const ProjectedScene& scene_;
-  bool hidden_too_;
 };
 
 /// Runs work(i, search, strokes) for i in [0, n) in blocks; strokes come out in that order.
@@ -144,14 +62,6 @@ void study_lines(std::size_t n, const ProjectedScene& scene, const Facets& facet
     std::vector<Stroke>().swap(found[b]);
   });
   for (const TestCounts& c : block_counts) counts += c;
-}
-
-Point3 to_model(const ProjectedScene& scene, const ProjectedVertex& v) {
-  return to_model_point(scene.view, scene.lattice.to_mm(v.p), v.z);
-}
-
-double page_length(const Line& line) {
-  return std::sqrt(line.dx * line.dx + line.dy * line.dy);
 }
 
 }  // namespace
@@ -205,9 +115,9 @@ VisibilityResult AppelMethod::study(const ProjectedScene& scene, const StudyOpti
                 const ProjectedEdge& edge = scene.edges[i];
                 const ProjectedVertex &a = scene.vertices[edge.v0], &b = scene.vertices[edge.v1];
                 if (a.p == b.p) return;  // seen end on
-                const Line line(a, b, edge.face0, edge.face1);
-                std::vector<Part>& parts = search.find(line);
-                drop_specks(parts, page_length(line), least);
+                const PageLine line(a, b, edge.face0, edge.face1);
+                std::vector<LinePart>& parts = search.find(line);
+                drop_short_parts(parts, page_length(line), least);
                 const auto thin = [&](std::uint32_t f) { return f < facets.face_is_thin.size() && facets.face_is_thin[f]; };
                 const bool may_coincide = search.near_side() || thin(edge.face0) || thin(edge.face1);
                 const auto range = scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i];
@@ -216,24 +126,13 @@ VisibilityResult AppelMethod::study(const ProjectedScene& scene, const StudyOpti
   study_lines(intersections.size(), scene, facets, grid, coincidence_steps, {}, model.strokes, counts,
               [&](std::size_t i, VisibleParts& search, std::vector<Stroke>& out) {
                 const Intersection& s = intersections[i];
-                const Line line(s.from, s.to, s.face0, s.face1);
-                std::vector<Part>& parts = search.find(line);
-                drop_specks(parts, page_length(line), least);
+                const PageLine line(s.from, s.to, s.face0, s.face1);
+                std::vector<LinePart>& parts = search.find(line);
+                drop_short_parts(parts, page_length(line), least);
                 maker.add(line, parts, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection,
                           true, out);
               });
-  // Only the intersections that are drawn are numbered.
-  std::vector<std::uint32_t> number(intersections.size(), kNone);
-  for (Stroke& s : model.strokes) {
-    if (s.source < scene.source_count) continue;
-    const std::uint32_t i = s.source - scene.source_count;
-    if (number[i] == kNone) {
-      number[i] = static_cast<std::uint32_t>(model.intersections.size());
-      const Intersection& x = intersections[i];
-      model.intersections.push_back({{to_model(scene, x.from), to_model(scene, x.to)}, {x.face0, x.face1}, true});
-    }
-    s.source = scene.source_count + number[i];
-  }
+  number_intersections(scene, intersections, model);
   result.statistics.time("lines", clock.lap());
 
   Statistics& statistics = result.statistics;

@@ -170,7 +170,7 @@ void CellGrid::Build::mark_wanted() {
   if (!options.only_along) return;
   wanted.assign(grid.cells_.size(), 0);
   for (const ProjectedEdge& edge : *options.only_along) {
-    const Line line(scene.vertices[edge.v0], scene.vertices[edge.v1], kNone, kNone);
+    const PageLine line(scene.vertices[edge.v0], scene.vertices[edge.v1], kNone, kNone);
     grid.for_each_leaf(line, [&](const Cell& cell, const CellSquare&, double, double) {
       wanted[static_cast<std::size_t>(&cell - grid.cells_.data())] = 1;
     });

@@ -13,8 +13,8 @@
 #include <limits>
 #include <vector>
 
-#include "visibility/appel/facet.hpp"
-#include "visibility/appel/hidden_interval.hpp"
+#include "visibility/common/facet.hpp"
+#include "visibility/common/hidden_interval.hpp"
 
 namespace ligne::appel {
 
@@ -83,7 +83,7 @@ class CellGrid {
   /// Calls visit(cell, square, from, to) for every leaf that the line runs through, in order; [from, to] is the line's part
   /// in it, and neighbouring parts share their ends to the last bit. visit returns nothing.
   template <class Visit>
-  void for_each_leaf(const Line& line, Visit visit) const;
+  void for_each_leaf(const PageLine& line, Visit visit) const;
 
   /// Calls visit(cell, square) for every leaf below top-level cell i.
   template <class Visit>
@@ -104,7 +104,7 @@ class CellGrid {
   struct Build;
 
   template <class Visit>
-  void walk(const Line& line, double x, double y, double size, int columns, int rows, const Cell* cells, double from,
+  void walk(const PageLine& line, double x, double y, double size, int columns, int rows, const Cell* cells, double from,
             double to, const Visit& visit) const;
   template <class Visit>
   void visit_leaves(const Cell& cell, const CellSquare& square, const Visit& visit) const;
@@ -120,14 +120,14 @@ class CellGrid {
 };
 
 template <class Visit>
-void CellGrid::for_each_leaf(const Line& line, Visit visit) const {
+void CellGrid::for_each_leaf(const PageLine& line, Visit visit) const {
   walk(line, x_, y_, size_, columns_, rows_, cells_.data(), 0, 1, visit);
 }
 
 /// Walks a uniform grid along the line: at each step the next border crossed is the nearer one of the next vertical and the
 /// next horizontal border.
 template <class Visit>
-void CellGrid::walk(const Line& line, double x, double y, double size, int columns, int rows, const Cell* cells,
+void CellGrid::walk(const PageLine& line, double x, double y, double size, int columns, int rows, const Cell* cells,
                     double from, double to, const Visit& visit) const {
   const double inverse = 1 / size;
   const double x0 = line.p0.x, y0 = line.p0.y;

@@ -4,12 +4,9 @@
 #include <vector>
 
 #include "visibility/appel/cell_grid.hpp"
+#include "visibility/common/open_parts.hpp"
 
 namespace ligne::appel {
-
-struct Part {
-  double from = 0, to = 0;
-};
 
 /// Counts for the statistics.
 struct TestCounts {
@@ -33,23 +30,20 @@ class VisibleParts {
   /// Finds the visible parts of the line, in order, disjoint; parts that touch are one. They are the caller's to change
   /// until the next call. Afterwards near_side() tells
   /// whether a side of a facet in front of the line or level with it lies along the line.
-  std::vector<Part>& find(const Line& line);
+  std::vector<LinePart>& find(const PageLine& line);
   bool near_side() const { return near_side_; }
   const TestCounts& counts() const { return counts_; }
 
  private:
-  void search_leaf(const Line& line, const Cell& cell, const CellSquare& square, double from, double to);
-  void take(double from, double to);
-  void take_one_sided();
+  void search_leaf(const PageLine& line, const Cell& cell, const CellSquare& square, double from, double to);
 
   const ProjectedVertex* vertices_;
   const Facet* facets_;
   const CellGrid& grid_;
   double coincidence_steps_;
   bool near_side_ = false;
-  std::vector<Part> parts_;               ///< found so far, along the whole line
-  std::vector<Part> open_, spare_;        ///< not yet hidden, in the leaf at hand
-  std::vector<HiddenInterval> one_sided_; ///< intervals that cover one bank, in the leaf at hand
+  std::vector<LinePart> parts_;  ///< found so far, along the whole line
+  OpenParts open_;               ///< not yet hidden, in the leaf at hand
   TestCounts counts_;
 };
 

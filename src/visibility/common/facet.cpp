@@ -1,4 +1,4 @@
-#include "visibility/appel/facet.hpp"
+#include "visibility/common/facet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
-namespace ligne::appel {
+namespace ligne {
 namespace {
 
 /// Roundings when a depth is interpolated: a dozen double operations.
@@ -88,4 +88,4 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps) {
   return result;
 }
 
-}  // namespace ligne::appel
+}  // namespace ligne

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdint>
 
-#include "visibility/appel/facet.hpp"
+#include "visibility/common/facet.hpp"
 
-namespace ligne::appel {
+namespace ligne {
 
 /// A candidate line on the page. P(t) = p0 + t (p1 - p0), z(t) = z0 + t (z1 - z0), 0 <= t <= 1.
-struct Line {
-  Line(const ProjectedVertex& from, const ProjectedVertex& to, std::uint32_t f0, std::uint32_t f1)
+struct PageLine {
+  PageLine(const ProjectedVertex& from, const ProjectedVertex& to, std::uint32_t f0, std::uint32_t f1)
       : p0(from.p), p1(to.p), z0(from.z), z1(to.z), face0(f0), face1(f1), dx(double(p1.x) - p0.x), dy(double(p1.y) - p0.y),
         size(std::abs(dx) + std::abs(dy)) {}
 
@@ -38,7 +38,7 @@ struct HiddenInterval {
 /// somewhere. The ends at which the line enters or leaves the facet are quotients of exact determinants: two facets on one
 /// side give the same end to the last bit.
 /// `near_side` is set when a side of the facet lies along the line within `coincidence_steps`.
-inline HiddenInterval hidden_interval(const Line& line, const Facet& facet, const ProjectedVertex* vertices, double from,
+inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, const ProjectedVertex* vertices, double from,
                                       double to, double coincidence_steps, bool& near_side) {
   const ProjectedVertex& a = vertices[facet.v[0]];
   const ProjectedVertex& b = vertices[facet.v[1]];
@@ -102,4 +102,4 @@ inline HiddenInterval hidden_interval(const Line& line, const Facet& facet, cons
   return {from, to, bank};
 }
 
-}  // namespace ligne::appel
+}  // namespace ligne

@@ -10,7 +10,7 @@
 
 #include "view/projected_scene.hpp"
 
-namespace ligne::appel {
+namespace ligne {
 
 /// A triangle that hides.
 struct Facet {
@@ -38,4 +38,4 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps);
 float round_down(double v);
 float round_up(double v);
 
-}  // namespace ligne::appel
+}  // namespace ligne

@@ -1,0 +1,63 @@
+#pragma once
+/// What is left of a line while facets take their intervals from it.
+
+#include <vector>
+
+#include "visibility/common/hidden_interval.hpp"
+
+namespace ligne {
+
+/// A part of a line, as parameters.
+struct LinePart {
+  double from = 0, to = 0;
+};
+
+/// Begins with one open part; intervals are taken from it in any order.
+class OpenParts {
+ public:
+  void reset(double from, double to) {
+    open_.assign(1, {from, to});
+    one_sided_.clear();
+  }
+
+  /// Of what is open, the ends: nothing outside them can matter. Not when empty().
+  double from() const { return open_.front().from; }
+  double to() const { return open_.back().to; }
+  bool empty() const { return open_.empty(); }
+
+  void take(const HiddenInterval& hidden) {
+    if (hidden.bank == Bank::both) {
+      take(hidden.from, hidden.to);
+    } else if (hidden.bank != Bank::none) {
+      one_sided_.push_back(hidden);
+    }
+  }
+
+  /// The open parts, in order, when every interval has been taken.
+  const std::vector<LinePart>& finish() {
+    if (one_sided_.size() > 1) take_one_sided();
+    return open_;
+  }
+
+ private:
+  void take(double from, double to);
+  void take_one_sided();
+
+  std::vector<LinePart> open_, spare_;
+  std::vector<HiddenInterval> one_sided_;  ///< intervals that cover one bank
+};
+
+/// Appends a part; one that begins where the last one ends continues it.
+inline void append_part(std::vector<LinePart>& parts, const LinePart& part) {
+  if (!parts.empty() && parts.back().to == part.from) {
+    parts.back().to = part.to;
+  } else {
+    parts.push_back(part);
+  }
+}
+
+/// Joins parts of [0, 1] over hidden gaps shorter than the least length and drops parts that are shorter; what remains of a line that
+/// is shorter as a whole is the line or nothing. Lengths are in page steps.
+void drop_short_parts(std::vector<LinePart>& parts, double length, double least);
+
+}  // namespace ligne

@@ -1,0 +1,114 @@
+#pragma once
+/// Where facets pass through each other: pairs are tested wherever two facets may meet, put together, and only then cut.
+///
+/// A pair is tested by the sides of its corners: above or below the other's plane, or on it within the touching tolerance. "On" counts as
+/// above, so that a segment through a common corner of two facets is found once.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "visibility/common/facet.hpp"
+
+namespace ligne {
+
+/// Common segment of two facets that pass through each other.
+struct Intersection {
+  ProjectedVertex from, to;
+  std::uint32_t face0 = kNone, face1 = kNone;  ///< faces of the scene, face0 <= face1
+};
+
+/// A place on the page, in lattice steps, with its depth.
+struct PagePoint {
+  double x, y, z;
+};
+
+struct PageSegment {
+  PagePoint from, to;
+  PagePoint at(double t) const { return {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), from.z + t * (to.z - from.z)}; }
+};
+
+/// The part of a segment in a convex region given by linear functions E_i >= 0, with their values at its two ends: parameters, or nothing.
+template <std::size_t N>
+std::optional<std::array<double, 2>> clip_parameters(const std::array<double, N>& e0, const std::array<double, N>& e1) {
+  double from = 0, to = 1;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (e0[i] < 0 && e1[i] < 0) return std::nullopt;
+    if (e0[i] < 0) from = from > e0[i] / (e0[i] - e1[i]) ? from : e0[i] / (e0[i] - e1[i]);
+    if (e1[i] < 0) to = to < e0[i] / (e0[i] - e1[i]) ? to : e0[i] / (e0[i] - e1[i]);
+  }
+  if (!(from < to)) return std::nullopt;
+  return std::array<double, 2>{from, to};
+}
+
+/// A facet's places, gathered once for many tests.
+struct PlacedFacet {
+  std::uint32_t id, face;
+  std::array<std::uint32_t, 3> v;
+  std::array<LatticePoint, 3> p;
+};
+
+/// Collects pairs. Facets may be given in any order and as often as one likes; searches of several tasks are put together.
+class PenetrationSearch {
+ public:
+  PenetrationSearch(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices) : facets_(&facets), vertices_(&vertices) {}
+
+  PlacedFacet place(std::uint32_t facet) const;
+
+  /// Tests two facets of different faces. A pair whose common segment `wanted(segment)` says is not wanted is left out; a side of one
+  /// that lies in the plane of the other is always remembered.
+  template <class Wanted>
+  void test(const PlacedFacet& a, const PlacedFacet& b, Wanted wanted) {
+    if (const auto found = segment_of(a, b); found && wanted(found->segment)) pairs_.push_back(found->pair);
+  }
+
+  void add(PenetrationSearch&& other);
+
+  /// All segments, each once, ordered by facets. Facets that only touch, within their tolerance, give none: neither do neighbours with a
+  /// common side. Where a side of one facet lies in the plane of another there is a segment only if the surface goes on on the other side.
+  /// Segments no longer than `least_steps` that stand alone are left out.
+  std::vector<Intersection> finish(double least_steps);
+
+ private:
+  struct Pair {
+    std::uint32_t a, b;  ///< facets: the plane, and the one whose boundary is cut by it
+    friend auto operator<=>(const Pair&, const Pair&) = default;
+  };
+  struct Found {
+    Pair pair;
+    PageSegment segment;
+  };
+  /// A side of facet `side_of` that lies in the plane of facet `plane`, its third corner above or below.
+  struct SideInPlane {
+    std::uint32_t plane, v0, v1, side_of;
+    bool above;
+    auto key() const { return std::tie(plane, v0, v1); }
+  };
+  /// A side of facet `side_of` that lies on a side of facet `plane`, and in its plane: the common line of two faces runs where one of
+  /// them, or both, were cut into triangles.
+  struct SideOnSide {
+    std::uint32_t face, p0, p1;  ///< face of the plane, and its side
+    std::uint32_t v0, v1;        ///< the side that lies on it
+    bool above;                  ///< the third corner of `side_of` is above the plane
+    std::uint32_t plane, side_of;
+    auto side() const { return std::tie(face, p0, p1); }
+    auto key() const { return std::tie(face, p0, p1, v0, v1); }
+  };
+  struct Heights;
+
+  std::optional<Found> segment_of(const PlacedFacet& a, const PlacedFacet& b);
+  void add_side(const PlacedFacet& plane, const PlacedFacet& other, const Heights& heights);
+  void add_side_on_side(const PlacedFacet& plane, const Heights& plane_heights, const PlacedFacet& other, const Heights& heights);
+  void match_sides();
+  void match_sides_on_sides();
+
+  const std::vector<Facet>* facets_;
+  const std::vector<ProjectedVertex>* vertices_;
+  std::vector<Pair> pairs_;
+  std::vector<SideInPlane> sides_;
+  std::vector<SideOnSide> sides_on_sides_;
+};
+
+}  // namespace ligne
