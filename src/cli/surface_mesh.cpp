@@ -12,6 +12,7 @@
 #include "cli/surface_samples.hpp"
 #include "cli/text.hpp"
 #include "plotting/output_file.hpp"
+#include "scene/crossing_edges.hpp"
 #include "scene/mesh_writer.hpp"
 #include "scene/surface_mesh.hpp"
 #include "visibility/registry.hpp"
@@ -50,6 +51,11 @@ std::optional<double> base_of(const SurfaceOptions& options, const std::vector<S
   return options.skirt_base;
 }
 
+/// One surface z = f(x, y) can not penetrate itself.
+bool may_cross(const SurfaceOptions& options) {
+  return options.formulas.size() + options.grids.size() > 1 || !options.parametric.empty();
+}
+
 Scene scene_of(const SurfaceOptions& options) {
   const std::vector<SurfacePoints> surfaces = points_of(options);
   std::vector<SurfaceMesh> meshes;
@@ -57,7 +63,13 @@ Scene scene_of(const SurfaceOptions& options) {
     meshes.push_back(make_surface_mesh(surface));
     if (options.z_range) clip_heights(meshes.back(), (*options.z_range)[0], (*options.z_range)[1]);
   }
-  return surface_scene(meshes, z_scale_of(options, surfaces, meshes), base_of(options, meshes));
+  Scene scene = surface_scene(meshes, z_scale_of(options, surfaces, meshes), base_of(options, meshes));
+  if (may_cross(options) && !options.as_mesh) {
+    double precision = 0;
+    for (const Object& object : scene.objects) precision = std::max(precision, object.precision);
+    mark_crossing_edges(scene, precision);
+  }
+  return scene;
 }
 
 void write_mesh(const SurfaceOptions& options, const Scene& scene, RunReport& run) {
@@ -80,8 +92,7 @@ void run_surface_mesh(const SurfaceOptions& options) {
   choice.method = options.method;
   LineClasses classes;
   for (const LineClass c : {LineClass::horizon, LineClass::outline, LineClass::border}) classes.add(c);
-  // One surface z = f(x, y) can not penetrate itself.
-  if (options.formulas.size() + options.grids.size() > 1 || !options.parametric.empty()) classes.add(LineClass::intersection);
+  if (may_cross(options)) classes.add(LineClass::intersection);
   const ViewOptions view = view_of(options);
   SceneDrawing drawing{method_of(choice), {}, classes, choice.crease_degrees, options.hidden, false, view, options.page, options.output, options.run,
                        options.dpi, options.title, place_of_warnings(options)};

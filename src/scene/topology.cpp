@@ -127,6 +127,7 @@ std::uint8_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::uin
       any |= buckets.corner_flags[k];
     }
     if (any & kCornerCurve) flags |= kEdgeCurve;
+    if (any & kCornerCrossing) flags |= kEdgeCrossing;
     if (common & kCornerFileHidden) flags |= kEdgeFileHidden;
     if (common & kCornerInner) flags |= kEdgeInner;
   }

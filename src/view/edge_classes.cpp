@@ -95,7 +95,9 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
       const Edge& edge = topology.edges[e];
       const std::uint8_t flags = topology.edge_flags[e];
       LineClass& result = classes[e];
-      if (flags & kEdgeCurve) {
+      if (flags & kEdgeCrossing) {
+        result = LineClass::intersection;
+      } else if (flags & kEdgeCurve) {
         result = LineClass::horizon;
       } else if (edge.face1 == kNone) {
         result = LineClass::border;

@@ -104,6 +104,21 @@ TEST_F(SurfaceMeshTest, TwoPlanesCrossAlongALine) {
   EXPECT_NEAR(length(with({"--view", "front"}), "intersection"), 0, kMicrometre) << "seen end on";
 }
 
+TEST_F(SurfaceMeshTest, SurfacesThatCrossAlongTheirOwnEdges) {
+  // Three samples each way: the planes meet along a column of samples, which is a curve or not.
+  for (const char* curves : {"2", "3"}) {
+    const json planes = drawn({"x", "(-x)", "-x", std::string("-1:1:") + curves, "-y", "-1:1:2", "--samples", "3", "--z-scale", "1", "--azimuth", "-120"});
+    // The line, 2 long, makes an angle with the sight whose cosine is sin(120) cos(30).
+    EXPECT_NEAR(length(planes, "intersection"), 2 * std::sqrt(1 - 0.75 * 0.75), kMicrometre) << curves;
+  }
+  // A saddle and the plane through it: two lines, each 2 long.
+  EXPECT_NEAR(length(drawn({"x^2-y^2", "0", "-x", "-1:1:5", "-y", "-1:1:5", "--samples", "9", "--z-scale", "1", "--view", "top"}), "intersection"),
+              2 * std::sqrt(8.0), kMicrometre);
+  EXPECT_NEAR(length(drawn({"x*y", "0", "-x", "-1:1:5", "-y", "-1:1:5", "--z-scale", "1", "--view", "top"}), "intersection"), 4 - 4 * 0.1,
+              kMicrometre)
+      << "the two triangles at the origin lie in the plane";
+}
+
 TEST_F(SurfaceMeshTest, TorusFromAbove) {
   const json torus = drawn({"--parametric", "(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)", "-u", "0:2*pi:25", "-v", "0:2*pi:21", "--samples", "2",
                             "--lines", "x", "--view", "top"});
