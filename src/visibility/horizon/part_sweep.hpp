@@ -311,8 +311,10 @@ class PartSweep {
         contour(ends, facing > 0 ? Against::upper : Against::lower, store_.contours);
       }
       if (options_.contour_base) {
-        for (Point3& end : ends) end.z = *options_.contour_base * options_.z_scale;
-        contour(ends, Against::both, store_.base_contours);
+        // What lies below the surface here can not be seen above what is nearer.
+        const double base = *options_.contour_base * options_.z_scale;
+        for (Point3& end : ends) end.z = base;
+        contour(ends, base < *level ? Against::lower : Against::upper, store_.base_contours);
       }
     }
   }
@@ -341,7 +343,7 @@ class PartSweep {
       const auto part = before_the_eye(a, b, from, to);
       if (!part) continue;
       auto& seen = store_.lines.back_lines[i];
-      give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, Banks::both), [&](double t0, double t1) { seen.push_back({t0, t1}); });
+      give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, Banks::none), [&](double t0, double t1) { seen.push_back({t0, t1}); });
     }
   }
 
