@@ -191,7 +191,14 @@ void check(const SurfaceOptions& options) {
     throw UsageError("--azimuth, --elevation", "do not go with --view, --direction or --eye");
   }
   if (options.resolution && !options.pixels) throw UsageError("--resolution", "goes with --horizon pixels");
-  const std::string reason = needs_mesh(options);
+  check(options.curves);
+  if (options.curves.ridgeline && (options.view_given || options.azimuth_degrees || options.elevation_degrees)) {
+    throw UsageError("--ridgeline", "has its own view");
+  }
+  const std::string reason = needs_mesh(options), other = needs_horizon(options.curves);
+  if (!other.empty() && !drawn_by_horizon(options)) {
+    throw UsageError(other, "is drawn by the method horizon, which draws no " + (reason.empty() ? "mesh" : reason));
+  }
   if (options.horizon_given && !reason.empty()) throw UsageError("--method", "horizon draws no " + reason + "; a mesh method does: ligne methods");
   if (options.pixels && !drawn_by_horizon(options)) throw UsageError("--horizon", "pixels goes with the method horizon");
 }
@@ -260,6 +267,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->expected(0, 1)
       ->type_name("[Z]")
       ->group(group);
+  add_curve_options(*surface, options.curves);
   add_method_choice(*surface, options);
   add_parsed(*surface, "--horizon", "exact|pixels", options.pixels,
              [](const std::string& t) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/curve_options.hpp"
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
@@ -42,6 +43,7 @@ struct SurfaceOptions {
   const Method* method = nullptr;    ///< the mesh method that is asked for; nullptr: the default
   HiddenLines hidden = HiddenLines::none;
   bool as_mesh = false;
+  CurveOptions curves;
   bool pixels = false;
   std::optional<unsigned> resolution;
   double dpi = 150;

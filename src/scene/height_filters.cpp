@@ -24,6 +24,34 @@ class LogHeights : public HeightSource {
   std::unique_ptr<HeightSource> heights_;
 };
 
+/// Positions at equal distances from 0 to `end`.
+std::vector<double> spaced(std::size_t n, double end) {
+  std::vector<double> at(n);
+  for (std::size_t i = 0; i < n; ++i) at[i] = end * static_cast<double>(i) / static_cast<double>(n - 1);
+  return at;
+}
+
+std::vector<double> from_zero_to_one(std::vector<double> at) {
+  const double first = at.front(), extent = at.back() - first;
+  for (double& x : at) x = (x - first) / extent;
+  return at;
+}
+
+class RidgelineHeights : public HeightSource {
+ public:
+  RidgelineHeights(std::unique_ptr<HeightSource> heights, double low, double factor, double rows_height)
+      : HeightSource(from_zero_to_one(heights->x()), spaced(heights->y().size(), rows_height)), heights_(std::move(heights)), low_(low), factor_(factor) {}
+
+  void read_row(std::size_t j, std::span<double> z) const override {
+    heights_->read_row(j, z);
+    for (double& height : z) height = (height - low_) * factor_;
+  }
+
+ private:
+  std::unique_ptr<HeightSource> heights_;
+  double low_, factor_;
+};
+
 /// Samples [begin, end) of an axis.
 struct IndexRange {
   std::size_t begin, end;
@@ -59,6 +87,12 @@ class WindowHeights : public HeightSource {
 
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights) {
   return std::make_unique<LogHeights>(std::move(heights));
+}
+
+std::unique_ptr<HeightSource> ridgeline_heights(std::unique_ptr<HeightSource> heights, double low, double high, double rows, double rows_height) {
+  const double distance = rows_height / static_cast<double>(heights->y().size() - 1);
+  const double factor = high > low ? rows * distance / (high - low) : 0;
+  return std::make_unique<RidgelineHeights>(std::move(heights), low, factor, rows_height);
 }
 
 std::unique_ptr<HeightSource> window_heights(std::unique_ptr<HeightSource> heights, AxisWindow x, AxisWindow y, const std::string& name) {
