@@ -96,7 +96,9 @@ void check_sources(const SurfaceOptions& options) {
     throw UsageError("-x, -y", "a grid takes A:B, a window; --every N says which curves are drawn");
   }
   if (!grids && options.every) throw UsageError("--every", "goes with --grid; a formula has its number of curves in -x A:B:N");
-  if (grids) refuse_input_as_output("--output", *options.output.file, options.grids);
+  if (!grids) return;
+  refuse_input_as_output("--output", *options.output.file, options.grids);
+  if (!options.run.stats_json.empty()) refuse_input_as_output("--stats-json", options.run.stats_json, options.grids);
 }
 
 void add_parameter_range(CLI::App& app, const std::string& name, std::vector<CurveRange>& ranges, const std::string& help) {
@@ -112,6 +114,7 @@ void add_parameter_range(CLI::App& app, const std::string& name, std::vector<Cur
          help)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
       ->type_name("A:B[:N]")
       ->default_str("0:2*pi:40")
       ->group("Surface");
@@ -208,6 +211,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->type_name("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
       ->group(group);
   surface
       ->add_option_function<std::vector<std::string>>(
@@ -219,6 +223,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->type_size(3)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
       ->type_name("X Y Z")
       ->group(group);
   add_parsed(*surface, "-x", "A:B[:N]", options.x, parse_range, "range of x and number of curves of constant x; with --grid a window")
