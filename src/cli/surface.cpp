@@ -9,9 +9,9 @@
 #include "cli/models.hpp"
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
-#include "cli/placement.hpp"
 #include "cli/progress.hpp"
 #include "cli/stages.hpp"
+#include "cli/surface_axes.hpp"
 #include "cli/text.hpp"
 #include "plotting/output_file.hpp"
 #include "plotting/writers.hpp"
@@ -55,6 +55,7 @@ void check(const SurfaceOptions& options) {
   const OutputFormat format = format_of(options.output);
   if (format == OutputFormat::json) throw UsageError("--format", "a surface is written as svg, pdf or png");
   check(options.page);
+  check(options.axes);
   if (!options.grid.empty()) {
     if (options.x || options.y) throw UsageError("-x, -y", "a grid has its own positions; --every N says which curves are drawn");
     if (options.samples) throw UsageError("--samples", "a grid has its own samples");
@@ -149,11 +150,12 @@ void draw(const SurfaceOptions& options) {
   const std::string place_of_warnings = options.grid.empty() ? "surface" : options.grid;
 
   HorizonOptions horizon;
-  Placement placement;
+  Surroundings around;
+  const Placement& placement = around.placement;
   timed(run.stages, "place", [&] {
     horizon.z_scale = z_scale_of(options, heights);
     const Camera camera = camera_of(view_of(options), stand_in(heights, horizon.z_scale, nullptr));
-    placement = place(stand_in(heights, horizon.z_scale, &camera), camera, options.page);
+    around = place_with_axes(heights, horizon.z_scale, camera, options.page, options.axes, options.title);
   });
   horizon.x_stride = surface.x_stride;
   horizon.y_stride = surface.y_stride;
@@ -172,6 +174,9 @@ void draw(const SurfaceOptions& options) {
       warn(place_of_warnings, "the picture is larger than the page: what lies outside is left out");
     }
   }
+
+  const std::size_t unknown = add_surroundings(drawing, around, options.axes, {});
+  if (unknown > 0 && !options.run.quiet) warn(place_of_warnings, std::to_string(unknown) + " characters are not in the font: drawn as boxes");
 
   PlotOptions plot;
   plot.page = placement.page;
@@ -242,13 +247,14 @@ void setup_surface(CLI::App& app, SurfaceOptions& options) {
       ->group("View");
   add_view_options(*surface, options.view);
   surface->get_option("--view")->default_str("by azimuth and elevation");
+  add_axes_options(*surface, options.axes);
   add_page_options(*surface, options.page);
   add_output_options(*surface, options.output, "svg pdf png (default: by the suffix)");
   add_parsed(*surface, "--dpi", "N", options.dpi,
              [](const std::string& t) { return parse_within(t, kLowestDpi, kHighestDpi, "dots per inch"); }, "resolution of a PNG")
       ->default_str("150")
       ->group("Output");
-  surface->add_option("--title", options.title, "title of an SVG or PDF document")->type_name("TEXT")->group("Output");
+  surface->add_option("--title", options.title, "title above the picture, and of the document")->type_name("TEXT")->group("Output");
   add_run_options(*surface, options.run);
   surface->callback([surface, &options] {
     for (const char* name : {"--view", "--direction", "--eye"}) options.view_given |= surface->count(name) > 0;

@@ -7,6 +7,7 @@
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/run_options.hpp"
+#include "cli/surface_axes.hpp"
 #include "cli/view_options.hpp"
 
 namespace ligne {
@@ -33,6 +34,7 @@ struct SurfaceOptions {
   std::optional<unsigned> resolution;
   double dpi = 150;
   std::string title;
+  AxesOptions axes;
   ViewOptions view;
   PageOptions page;
   OutputOptions output;
