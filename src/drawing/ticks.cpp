@@ -14,7 +14,7 @@ namespace {
 /// A number of plain digits is written as such up to this length; a longer one when the form with a power of ten is no shorter.
 constexpr std::size_t kShortNumber = 5;
 /// Plain numbers have no more digits before or behind the point than this.
-constexpr int kMostPlainDigits = 15;
+constexpr int kMostPlainDigits = 17;
 /// Whole numbers of doubles are exact up to here: beyond it neighbouring ticks could be one double.
 constexpr double kMostSteps = 0x1p53 / 10;
 

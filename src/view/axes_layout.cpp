@@ -20,7 +20,7 @@ namespace {
 // Adjustable: lengths in heights of the text.
 constexpr double kTick = 0.7;
 constexpr double kGap = 0.5;           ///< from tick to number
-constexpr double kNameGap = 0.7;       ///< from numbers to name
+constexpr double kNameGap = 0.9;       ///< from numbers to name
 constexpr double kBetweenNumbers = 1.2;
 constexpr double kBetweenAxes = 0.4;   ///< between texts of different axes, and their ticks
 constexpr double kWideName = 4;        ///< a wider name is turned along its axis

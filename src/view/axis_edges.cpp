@@ -21,7 +21,7 @@ constexpr double kSameLine = 3;
 // Adjustable: costs of a choice, in diagonals of the picture.
 constexpr double kInEachOthersWay = 10;  ///< two scales along the same line
 constexpr double kInOneLine = 0.5;       ///< the scale of the heights goes on where another ends: hard to read
-constexpr double kPreferLeft = 1e-3;     ///< decides between edges as low as each other
+constexpr double kSecondary = 1e-3;      ///< decides between edges as low, or as far left, as each other
 
 double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -74,7 +74,7 @@ std::optional<AxisEdge> candidate(const BoxEdge& edge, const AxesBox& box, const
 double cost(const AxisEdge& edge, const Rect& extent, double diagonal) {
   const Point2 middle = (edge.a + edge.b) * 0.5;
   const double from_left = (middle.x - extent.min.x) / diagonal, from_below = (extent.max.y - middle.y) / diagonal;
-  return edge.axis == 2 ? from_left : from_below + kPreferLeft * from_left;
+  return edge.axis == 2 ? from_left + kSecondary * from_below : from_below + kSecondary * from_left;
 }
 
 double cost(const AxisEdge& e, const AxisEdge& f, double height) {
