@@ -120,11 +120,10 @@ Surface surface_of(const SurfaceOptions& options) {
 }
 
 /// The factor by which heights take half of the larger side of the ground.
-double z_scale_of(const SurfaceOptions& options, const HeightSource& heights) {
+double z_scale_of(const SurfaceOptions& options, const HeightSource& heights, const HeightSurvey& survey) {
   if (options.z_scale) return *options.z_scale;
-  const Scene box = stand_in(heights, 1, nullptr);
-  if (box.vertices.empty()) return 1;
-  const double height = box.vertices[1].z - box.vertices[0].z;
+  if (survey.empty()) return 1;
+  const double height = survey.high - survey.low;
   const double side = std::max(heights.x().back() - heights.x().front(), heights.y().back() - heights.y().front());
   const double scale = side / (2 * height);
   return height > 0 && std::isfinite(scale) ? scale : 1;
@@ -153,19 +152,28 @@ void draw(const SurfaceOptions& options) {
   Surroundings around;
   const Placement& placement = around.placement;
   timed(run.stages, "place", [&] {
-    horizon.z_scale = z_scale_of(options, heights);
-    const Camera camera = camera_of(view_of(options), stand_in(heights, horizon.z_scale, nullptr));
-    around = place_with_axes(heights, horizon.z_scale, camera, options.page, options.axes, options.title);
+    const HeightSurvey found = survey(heights);
+    horizon.holes = found.holes;
+    horizon.z_scale = z_scale_of(options, heights, found);
+    const Camera camera = camera_of(view_of(options), box_of(heights, found, horizon.z_scale));
+    around = place_with_axes(heights, found, horizon.z_scale, camera, options.page, options.axes, options.title);
+    horizon.back_lines = back_lines(around);
   });
+  horizon.outline = true;
   horizon.x_stride = surface.x_stride;
   horizon.y_stride = surface.y_stride;
   if (options.pixels) horizon.resolution = options.resolution.value_or(kResolution);
   Drawing drawing;
+  HorizonLines lines;
   timed(run.stages, "study", [&] {
     ProgressBar bar(options.run);
     if (bar.wanted()) horizon.progress = [&bar](double fraction) { bar.update(fraction); };
-    Polylines curves = horizon_curves(heights, placement.view, horizon, run.study);
-    if (curves.size() > 0) drawing.layers.push_back({"horizon", std::move(curves)});
+    lines = horizon_lines(heights, placement.view, horizon, run.study);
+    const auto add = [&](const char* layer, Polylines& polylines) {
+      if (polylines.size() > 0) drawing.layers.push_back({layer, std::move(polylines)});
+    };
+    add("horizon", lines.curves);
+    add("outline", lines.outline);
   });
   if (!options.run.quiet) {
     if (drawing.layers.empty()) {
@@ -175,7 +183,7 @@ void draw(const SurfaceOptions& options) {
     }
   }
 
-  const std::size_t unknown = add_surroundings(drawing, around, options.axes, {});
+  const std::size_t unknown = add_surroundings(drawing, around, options.axes, lines);
   if (unknown > 0 && !options.run.quiet) warn(place_of_warnings, std::to_string(unknown) + " characters are not in the font: drawn as boxes");
 
   PlotOptions plot;

@@ -7,7 +7,7 @@
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
 #include "view/axes_box.hpp"
-#include "visibility/horizon/horizon.hpp"
+#include "view/axis_lines.hpp"
 #include "visibility/tolerances.hpp"
 
 namespace ligne {
@@ -56,16 +56,17 @@ Room widest(const Room& a, const Room& b) {
 }
 
 /// Nothing where there are no heights.
-std::optional<AxesRequest> request_of(const AxesOptions& options, const HeightSource& heights, double z_scale) {
-  const Scene range = stand_in(heights, 1, nullptr);
-  if (range.vertices.empty() || !std::isfinite((range.vertices[1].z - range.vertices[0].z) * z_scale)) return std::nullopt;
+std::optional<AxesRequest> request_of(const AxesOptions& options, const HeightSource& heights, const HeightSurvey& survey, double z_scale) {
+  if (survey.empty() || !std::isfinite((survey.high - survey.low) * z_scale)) return std::nullopt;
   AxesRequest request;
   request.style = style_of(options);
   for (int k = 0; k < 3; ++k) {
-    request.axes[k].from = range.vertices[0][k];
-    request.axes[k].to = range.vertices[1][k];
     request.axes[k].name = options.names[k].value_or(kDefaultNames[k]);
   }
+  const auto range = [&](int k, double from, double to) { request.axes[k].from = from, request.axes[k].to = to; };
+  range(0, heights.x().front(), heights.x().back());
+  range(1, heights.y().front(), heights.y().back());
+  range(2, survey.low, survey.high);
   request.axes[2].factor = z_scale;
   return request;
 }
@@ -109,11 +110,11 @@ void check(const AxesOptions& options) {
   }
 }
 
-Surroundings place_with_axes(const HeightSource& heights, double z_scale, const Camera& camera, const PageOptions& page,
-                             const AxesOptions& options, const std::string& title) {
+Surroundings place_with_axes(const HeightSource& heights, const HeightSurvey& survey, double z_scale, const Camera& camera,
+                             const PageOptions& page, const AxesOptions& options, const std::string& title) {
   std::optional<AxesRequest> request;
-  if (!options.style.empty()) request = request_of(options, heights, z_scale);
-  const Scene scene = request ? box_scene(request->box()) : stand_in(heights, z_scale, &camera);
+  if (!options.style.empty()) request = request_of(options, heights, survey, z_scale);
+  const Scene scene = request ? box_scene(request->box()) : stand_in(heights, z_scale, camera);
   const MeasureText measure = [&](std::string_view text, double height) { return text_extent(text, height, options.text); };
 
   Surroundings result;
@@ -146,9 +147,26 @@ Surroundings place_with_axes(const HeightSource& heights, double z_scale, const 
   return result;
 }
 
-std::size_t add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesOptions& options, const LineVisibility& visibility) {
-  Polylines lines = axis_lines(surroundings.axes.lines, surroundings.placement.view, visibility, kLeastPartMm);
-  for (const auto& mark : surroundings.axes.marks) {
+std::vector<std::array<Point3, 2>> back_lines(const Surroundings& surroundings) {
+  std::vector<std::array<Point3, 2>> lines;
+  for (const AxisLine& line : surroundings.axes.lines) lines.push_back({line.a, line.b});
+  return lines;
+}
+
+std::size_t add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesOptions& options, const HorizonLines& seen) {
+  const AxesPicture& axes = surroundings.axes;
+  std::vector<AxisLine> all = axes.lines;
+  all.insert(all.end(), axes.front_lines.begin(), axes.front_lines.end());
+  const auto visibility = [&](std::span<const AxisLine> given) {
+    std::vector<std::vector<VisibleInterval>> visible(given.size());
+    for (std::size_t i = 0; i < seen.back_lines.size(); ++i) {
+      for (const auto& span : seen.back_lines[i]) visible[i].push_back({span.from, span.to});
+    }
+    for (std::size_t i = seen.back_lines.size(); i < given.size(); ++i) visible[i].push_back({});
+    return visible;
+  };
+  Polylines lines = axis_lines(all, surroundings.placement.view, visibility, kLeastPartMm);
+  for (const auto& mark : axes.marks) {
     lines.points.insert(lines.points.end(), mark.begin(), mark.end());
     lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
   }

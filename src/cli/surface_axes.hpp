@@ -4,13 +4,14 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/placement.hpp"
 #include "drawing/drawing.hpp"
 #include "plotting/stroke_text.hpp"
 #include "scene/height_source.hpp"
 #include "view/axes_layout.hpp"
-#include "view/axis_lines.hpp"
+#include "visibility/horizon/horizon.hpp"
 
 namespace CLI {
 class App;
@@ -38,11 +39,14 @@ struct Surroundings {
 };
 
 /// Places the camera's picture and what is asked for round it on the page.
-Surroundings place_with_axes(const HeightSource& heights, double z_scale, const Camera& camera, const PageOptions& page,
+Surroundings place_with_axes(const HeightSource& heights, const HeightSurvey& survey, double z_scale, const Camera& camera, const PageOptions& page,
                              const AxesOptions& options, const std::string& title);
 
-/// Adds the axes' lines, as far as they are visible, ticks and texts to the drawing. Returns the number of characters that the
-/// single-stroke font lacks.
-std::size_t add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesOptions& options, const LineVisibility& visibility);
+/// The lines of the axes that the surface may hide, for HorizonOptions.
+std::vector<std::array<Point3, 2>> back_lines(const Surroundings& surroundings);
+
+/// Adds the axes' lines, those behind the surface as far as the study saw them, ticks and texts to the drawing. Returns the number of
+/// characters that the single-stroke font lacks.
+std::size_t add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesOptions& options, const HorizonLines& seen);
 
 }  // namespace ligne

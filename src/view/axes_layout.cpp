@@ -218,7 +218,7 @@ class Layout {
       if (request_.style == AxesStyle::base) {
         drawn = edge.axis == 2 ? edges[2] && edges[2]->corner == edge.from : !(edge.from & 4u);
       }
-      if (drawn) add_line(box_.corner(edge.from), box_.corner(edge.to()));
+      if (drawn) add_line(is_back(edge, back) ? picture_.lines : picture_.front_lines, box_.corner(edge.from), box_.corner(edge.to()));
     }
     if (request_.style == AxesStyle::grid) add_grid(back);
   }
@@ -233,15 +233,15 @@ class Layout {
             if (!back[side][end]) continue;
             Point3 a = box_.corner(end << side), b = box_.corner(end << side | 1u << along);
             a[static_cast<int>(axis)] = b[static_cast<int>(axis)] = tick.at * request_.axes[axis].factor;
-            add_line(a, b);
+            add_line(picture_.lines, a, b);
           }
         }
       }
     }
   }
 
-  void add_line(const Point3& a, const Point3& b) {
-    if (a != b) picture_.lines.push_back({a, b});
+  static void add_line(std::vector<AxisLine>& lines, const Point3& a, const Point3& b) {
+    if (a != b) lines.push_back({a, b});
   }
 
   const AxesRequest& request_;

@@ -36,8 +36,9 @@ struct AxesRequest {
 };
 
 struct AxesPicture {
-  std::vector<AxisLine> lines;                   ///< behind the picture or part of it: may be hidden by it
-  std::vector<std::array<Point2, 2>> marks;      ///< ticks, page mm: before everything
+  std::vector<AxisLine> lines;        ///< on the sides behind what the box holds: may be hidden by it
+  std::vector<AxisLine> front_lines;  ///< before it
+  std::vector<std::array<Point2, 2>> marks;  ///< ticks, page mm: before everything
   std::vector<TextItem> texts;
   std::vector<TextBox> boxes;  ///< of the texts, in their order
   std::array<bool, 3> has_scale{};  ///< the axis has ticks

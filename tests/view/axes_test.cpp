@@ -204,16 +204,19 @@ TEST(Axes, SidesBehindThePicture) {
   EXPECT_EQ(back_sides(box, camera), (BoxSides{{{true, true}, {true, true}, {true, true}}})) << "from within all are seen";
 }
 
-std::size_t line_count(AxesStyle style, double azimuth, double elevation) {
-  return lay_out_axes(request(style), seen_from(request().box(), azimuth, elevation), measure).lines.size();
+std::array<std::size_t, 2> line_count(AxesStyle style, double azimuth, double elevation) {
+  const AxesPicture picture = lay_out_axes(request(style), seen_from(request().box(), azimuth, elevation), measure);
+  return {picture.lines.size(), picture.front_lines.size()};
 }
 
 TEST(Axes, StylesHaveTheirEdges) {
-  EXPECT_EQ(line_count(AxesStyle::back, -60, 30), 9u) << "all but the three that meet at the nearest corner";
-  EXPECT_EQ(line_count(AxesStyle::box, -60, 30), 12u);
-  EXPECT_EQ(line_count(AxesStyle::base, -60, 30), 5u);
-  EXPECT_EQ(line_count(AxesStyle::base, -60, 90), 4u);
-  EXPECT_GT(line_count(AxesStyle::grid, -60, 30), 9u + 3 * 4);
+  using Counts = std::array<std::size_t, 2>;  // behind and before
+  EXPECT_EQ(line_count(AxesStyle::back, -60, 30), (Counts{9, 0})) << "all but the three that meet at the nearest corner";
+  EXPECT_EQ(line_count(AxesStyle::box, -60, 30), (Counts{9, 3}));
+  EXPECT_EQ(line_count(AxesStyle::base, -60, 30), (Counts{5, 0}));
+  EXPECT_EQ(line_count(AxesStyle::base, -60, -30), (Counts{3, 2})) << "from below the ground's nearer edges are in front";
+  EXPECT_EQ(line_count(AxesStyle::base, -60, 90)[0] + line_count(AxesStyle::base, -60, 90)[1], 4u);
+  EXPECT_GT(line_count(AxesStyle::grid, -60, 30)[0], 9u + 3 * 4);
 }
 
 double length_of(const Polylines& lines) {
@@ -229,9 +232,11 @@ TEST(AxisLines, AreDrawnOnce) {
   const AxesBox box = request().box();
   const View view = seen_from(box, -90, 0);
   const AxesPicture picture = lay_out_axes(request(AxesStyle::box), view, measure);
-  ASSERT_EQ(picture.lines.size(), 12u);
+  std::vector<AxisLine> lines = picture.lines;
+  lines.insert(lines.end(), picture.front_lines.begin(), picture.front_lines.end());
+  ASSERT_EQ(lines.size(), 12u);
   const Point2 a = page(view, box.low), b = page(view, box.high);
-  EXPECT_NEAR(length_of(axis_lines(picture.lines, view, {}, kCoincidenceMm)), 2 * (std::abs(b.x - a.x) + std::abs(b.y - a.y)), 1e-3);
+  EXPECT_NEAR(length_of(axis_lines(lines, view, {}, kCoincidenceMm)), 2 * (std::abs(b.x - a.x) + std::abs(b.y - a.y)), 1e-3);
 }
 
 TEST(AxisLines, OnlyTheirVisibleParts) {
