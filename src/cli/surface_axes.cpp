@@ -6,6 +6,7 @@
 
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
+#include "cli/text.hpp"
 #include "view/axes_box.hpp"
 #include "view/axis_lines.hpp"
 #include "visibility/tolerances.hpp"
@@ -20,6 +21,8 @@ constexpr const char* kDefaultNames[] = {"x", "y", "z"};
 /// Capitals of numbers and names on a sheet whose shorter side is that of A4 (ISO 3098: 2.5 mm). Larger sheets are looked at from farther away, but
 /// not in proportion: with the root of the side it is 1.8 mm on A6 and 5 mm on A0, which ISO 3098 has too.
 constexpr double kTextHeightMm = 2.5, kSideOfA4Mm = 210;
+/// Of the shorter side of what the margins leave: as high as texts may be, and as they are at the most when nothing is said.
+constexpr double kHighestPart = 0.1, kHighestDefaultPart = 0.05;
 constexpr double kTitleHeight = 1.4;  ///< of the other texts
 constexpr double kHighestTextMm = 1000;
 
@@ -31,8 +34,17 @@ AxesStyle style_of(const AxesOptions& options) {
   return options.style == "true" ? AxesStyle::back : static_cast<AxesStyle>(parse_choice(options.style, kAxesStyleNames));
 }
 
+/// Throws UsageError.
 double text_height_mm(const AxesOptions& options, const Page& page) {
-  return options.text_height_mm.value_or(kTextHeightMm * std::sqrt(std::min(page.width_mm, page.height_mm) / kSideOfA4Mm));
+  const double side = std::min(page.drawable().width(), page.drawable().height());
+  if (!options.text_height_mm) {
+    return std::min(kTextHeightMm * std::sqrt(std::min(page.width_mm, page.height_mm) / kSideOfA4Mm), kHighestDefaultPart * side);
+  }
+  if (*options.text_height_mm > kHighestPart * side) {
+    throw UsageError("--text-height", shortest(*options.text_height_mm) + " mm is more than a tenth of the " + shortest(side) +
+                                          " mm that the margins leave of the page");
+  }
+  return *options.text_height_mm;
 }
 
 double parse_text_height(const std::string& text) {

@@ -17,6 +17,7 @@ constexpr double kOnLineMm = 1e-3;
 // Adjustable: the shortest axis, and how near two of them are in one line, in heights of the text.
 constexpr double kShortest = 2;
 constexpr double kSameLine = 3;
+constexpr double kSameDirection = 0.35;  ///< sine of the angle between them
 
 // Adjustable: costs of a choice, in diagonals of the picture.
 constexpr double kInEachOthersWay = 10;  ///< two scales along the same line
@@ -80,6 +81,7 @@ double cost(const AxisEdge& edge, const Rect& extent, double diagonal) {
 double cost(const AxisEdge& e, const AxisEdge& f, double height) {
   const double length = glm::distance(e.a, e.b);
   const Point2 along = (e.b - e.a) / length;
+  if (std::abs(cross(along, f.b - f.a)) > kSameDirection * glm::distance(f.a, f.b)) return 0;
   for (const Point2 p : {f.a, f.b}) {
     if (std::abs(cross(along, p - e.a)) > kSameLine * height) return 0;
   }

@@ -168,6 +168,10 @@ TEST(Axes, TheUsualViewHasItsScalesWhereOneLooksForThem) {
   EXPECT_EQ(edges[0]->corner, 0u) << "x on the ground in front, at low y";
   EXPECT_EQ(edges[1]->corner, 1u) << "y on the ground at the right, at high x";
   EXPECT_EQ(edges[2]->corner, 0u) << "z at the left";
+  const AxisEdges from_above = choose_axis_edges(r.box(), seen_from(r.box(), -40, 80), kHeight);
+  ASSERT_TRUE(from_above[0] && from_above[1] && from_above[2]);
+  EXPECT_EQ(from_above[0]->corner, 0u) << "also beside a z axis that is short";
+  EXPECT_EQ(from_above[1]->corner, 1u);
   const AxesPicture picture = lay_out_axes(r, view, measure);
   std::vector<std::string> texts;
   for (const TextItem& item : picture.texts) texts.push_back(item.text);
