@@ -27,6 +27,7 @@ constexpr double kWideName = 4;        ///< a wider name is turned along its axi
 constexpr double kTitleGap = 1.2;
 constexpr double kStepOutwards = 0.5;
 constexpr int kMostStepsOutwards = 100;
+constexpr double kGridFromEdge = 0.6;  ///< a line nearer to the box's edge would only thicken it
 constexpr std::size_t kMostTicks = 11;
 
 /// Ticks lean as the other axes do, but no flatter against their axis than this (sine).
@@ -140,19 +141,30 @@ class Layout {
   std::vector<PlacedTick> fitting_ticks(const AxisEdge& edge) {
     const AxisRequest& axis = request_.axes[edge.axis];
     for (std::size_t most = kMostTicks; most > 0;) {
-      std::vector<Tick> ticks = round_ticks(axis.scale, axis.from, axis.to, most);
+      const std::vector<Tick> ticks = round_ticks(axis.scale, axis.from, axis.to, most);
       std::vector<PlacedTick> placed = placed_ticks(edge, ticks);
       bool apart = true;
       for (std::size_t i = 1; i < placed.size() && apart; ++i) {
         apart = !overlap(placed[i - 1].box, placed[i].box, kBetweenNumbers * h_);
       }
       if (apart) {
-        grid_[edge.axis] = std::move(ticks);
+        for (const Tick& tick : ticks) {
+          if (is_off_edges(edge, tick.at * axis.factor)) grid_[edge.axis].push_back(tick.at * axis.factor);
+        }
         return placed;
       }
       most = std::min(most, ticks.size()) - 1;
     }
     return {};
+  }
+
+  /// The place on the axis is not too near to its ends.
+  bool is_off_edges(const AxisEdge& edge, double coordinate) const {
+    const Point2 p = page_point(view_, model_point(edge, coordinate));
+    for (const unsigned corner : {edge.corner, edge.corner | 1u << edge.axis}) {
+      if (glm::distance(p, page_point(view_, box_.corner(corner))) < kGridFromEdge * h_) return false;
+    }
+    return true;
   }
 
   /// No text, and no tick of another axis, is too near.
@@ -225,14 +237,14 @@ class Layout {
 
   void add_grid(const BoxSides& back) {
     for (unsigned axis = 0; axis < 3; ++axis) {
-      for (const Tick& tick : grid_[axis]) {
+      for (const double at : grid_[axis]) {
         for (unsigned side = 0; side < 3; ++side) {
           if (side == axis) continue;
           const unsigned along = 3 - axis - side;
           for (unsigned end = 0; end < 2; ++end) {
             if (!back[side][end]) continue;
             Point3 a = box_.corner(end << side), b = box_.corner(end << side | 1u << along);
-            a[static_cast<int>(axis)] = b[static_cast<int>(axis)] = tick.at * request_.axes[axis].factor;
+            a[static_cast<int>(axis)] = b[static_cast<int>(axis)] = at;
             add_line(picture_.lines, a, b);
           }
         }
@@ -250,7 +262,7 @@ class Layout {
   AxesBox box_;
   double h_;
   AxesPicture picture_;
-  std::array<std::vector<Tick>, 3> grid_;  ///< the ticks of the scales, whether in view or not; an axis without a scale has no lines
+  std::array<std::vector<double>, 3> grid_;  ///< model coordinates of its lines; an axis without a scale has none
   std::vector<Placed> texts_, marks_;
 };
 
