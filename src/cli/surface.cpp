@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "cli/models.hpp"
-#include "cli/placement.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_drawing.hpp"
 #include "cli/stages.hpp"
@@ -45,7 +44,8 @@ void add_rectangle(Scene& scene, const HeightSource& heights, double z) {
 struct HorizonRequest {
   HorizonOptions options;
   Camera camera;
-  Scene extent;  ///< what the page must hold
+  Scene extent;         ///< what the page must hold
+  HeightSurvey heights; ///< what a box round it spans, before scaling
 };
 
 /// A ridgeline plot is as high as this part of its width, and seen as high as its rows are lifted.
@@ -81,17 +81,20 @@ HorizonRequest request_of(const SurfaceOptions& options, Surface& surface) {
   const HeightSource& heights = *surface.heights;
   request.camera = camera_of(view, box_of(heights, found, horizon.z_scale));
   request.extent = stand_in(heights, horizon.z_scale, request.camera);
+  request.heights = found;
   if (found.empty()) return request;
   horizon.contours = contour_levels(options.curves, found.low, found.high);
   horizon.contours_on_surface = options.curves.contours || options.curves.contour_step;
   if (options.curves.contours_base) {
     horizon.contour_base = contour_base_of(options.curves, found.low, found.high);
     add_rectangle(request.extent, heights, *horizon.contour_base * horizon.z_scale);
+    request.heights.low = std::min(found.low, *horizon.contour_base);
+    request.heights.high = std::max(found.high, *horizon.contour_base);
   }
   return request;
 }
 
-Drawing drawing_of(HorizonLines&& lines) {
+Drawing drawing_of(HorizonLines& lines) {
   Drawing drawing;
   const auto add = [&](const char* layer, Polylines& polylines) {
     if (polylines.size() > 0) drawing.layers.push_back({layer, std::move(polylines)});
@@ -110,27 +113,33 @@ void draw(const SurfaceOptions& options) {
   run.method = "horizon";
   Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(options).front()); });
   HorizonRequest request;
-  Placement placement;
+  Surroundings around;
   timed(run.stages, "place", [&] {
     request = request_of(options, surface);
-    placement = place(request.extent, request.camera, options.page);
+    around = place_with_axes(*surface.heights, request.heights, request.options.z_scale, request.extent, request.camera, options.page, options.axes,
+                             options.title);
+    request.options.back_lines = back_lines(around);
   });
-  Drawing drawing;
+  HorizonLines lines;
   timed(run.stages, "study", [&] {
     ProgressBar bar(options.run);
     if (bar.wanted()) request.options.progress = [&bar](double fraction) { bar.update(fraction); };
-    drawing = drawing_of(horizon_lines(*surface.heights, placement.view, request.options, run.study));
+    lines = horizon_lines(*surface.heights, around.placement.view, request.options, run.study);
   });
+  Drawing drawing = drawing_of(lines);
   if (!options.run.quiet) {
     if (drawing.layers.empty()) {
       warn(place_of_warnings(options), "nothing to draw is in view: the drawing is empty");
-    } else if (placement.larger_than_page()) {
+    } else if (around.placement.larger_than_page()) {
       warn(place_of_warnings(options), "the picture is larger than the page: what lies outside is left out");
     }
   }
 
+  const std::size_t unknown = add_surroundings(drawing, around, options.axes, lines);
+  if (unknown > 0 && !options.run.quiet) warn(place_of_warnings(options), std::to_string(unknown) + " characters are not in the font: drawn as boxes");
+
   PlotOptions plot;
-  plot.page = placement.page;
+  plot.page = around.placement.page;
   plot.pen_width_mm = options.page.pen_width_mm;
   plot.title = options.title;
   plot.dpi = options.dpi;

@@ -192,10 +192,11 @@ void check(const SurfaceOptions& options) {
   }
   if (options.resolution && !options.pixels) throw UsageError("--resolution", "goes with --horizon pixels");
   check(options.curves);
+  check(options.axes);
   if (options.curves.ridgeline && (options.view_given || options.azimuth_degrees || options.elevation_degrees)) {
     throw UsageError("--ridgeline", "has its own view");
   }
-  const std::string reason = needs_mesh(options), other = needs_horizon(options.curves);
+  const std::string reason = needs_mesh(options), other = options.axes.style.empty() ? needs_horizon(options.curves) : "--axes";
   if (!other.empty() && !drawn_by_horizon(options)) {
     throw UsageError(other, "is drawn by the method horizon, which draws no " + (reason.empty() ? "mesh" : reason));
   }
@@ -291,6 +292,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->group("View");
   add_view_options(*surface, options.view);
   surface->get_option("--view")->default_str("by azimuth and elevation");
+  add_axes_options(*surface, options.axes);
   add_page_options(*surface, options.page);
   add_output_options(*surface, options.output, "svg pdf png json (default: by the suffix)");
   surface->add_flag("--as-mesh", options.as_mesh, "write the surface as a mesh file, .json (ligne-scene) or .obj")->group("Output");
@@ -298,7 +300,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
              [](const std::string& t) { return parse_within(t, kLowestDpi, kHighestDpi, "dots per inch"); }, "resolution of a PNG")
       ->default_str("150")
       ->group("Output");
-  surface->add_option("--title", options.title, "title of an SVG or PDF document")->type_name("TEXT")->group("Output");
+  surface->add_option("--title", options.title, "title above the picture, and of the document")->type_name("TEXT")->group("Output");
   add_run_options(*surface, options.run);
   surface->callback([surface, &options] {
     for (const char* name : {"--view", "--direction", "--eye"}) options.view_given |= surface->count(name) > 0;

@@ -11,6 +11,7 @@
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/run_options.hpp"
+#include "cli/surface_axes.hpp"
 #include "cli/view_options.hpp"
 
 namespace ligne {
@@ -44,6 +45,7 @@ struct SurfaceOptions {
   HiddenLines hidden = HiddenLines::none;
   bool as_mesh = false;
   CurveOptions curves;
+  AxesOptions axes;
   bool pixels = false;
   std::optional<unsigned> resolution;
   double dpi = 150;
