@@ -122,17 +122,17 @@ void check(const AxesOptions& options) {
   }
 }
 
-Surroundings place_with_axes(const HeightSource& heights, const HeightSurvey& survey, double z_scale, const Camera& camera,
+Surroundings place_with_axes(const HeightSource& heights, const HeightSurvey& survey, double z_scale, const Scene& scene, const Camera& camera,
                              const PageOptions& page, const AxesOptions& options, const std::string& title) {
   std::optional<AxesRequest> request;
   if (!options.style.empty()) request = request_of(options, heights, survey, z_scale);
-  const Scene scene = request ? box_scene(request->box()) : stand_in(heights, z_scale, camera);
+  const Scene extent = request ? box_scene(request->box()) : scene;
   const MeasureText measure = [&](std::string_view text, double height) { return text_extent(text, height, options.text); };
 
   Surroundings result;
   Room room;
   for (int trial = 0; trial < kMostTrials; ++trial) {
-    result = {place(scene, camera, page, room), {}, {}};
+    result = {place(extent, camera, page, room), {}, {}};
     const Placement& placement = result.placement;
     if (placement.picture.empty()) return result;
     const double height = text_height_mm(options, placement.page);

@@ -38,9 +38,10 @@ struct Surroundings {
   std::vector<TextItem> texts;  ///< of the axes, and the title
 };
 
-/// Places the camera's picture and what is asked for round it on the page.
-Surroundings place_with_axes(const HeightSource& heights, const HeightSurvey& survey, double z_scale, const Camera& camera, const PageOptions& page,
-                             const AxesOptions& options, const std::string& title);
+/// Places the camera's picture and what is asked for round it on the page. `survey`: the heights that the axes' box spans; `scene`: what the page
+/// must hold where there are no axes.
+Surroundings place_with_axes(const HeightSource& heights, const HeightSurvey& survey, double z_scale, const Scene& scene, const Camera& camera,
+                             const PageOptions& page, const AxesOptions& options, const std::string& title);
 
 /// The lines of the axes that the surface may hide, for HorizonOptions.
 std::vector<std::array<Point3, 2>> back_lines(const Surroundings& surroundings);

@@ -50,7 +50,8 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
   const GridAxis y(heights.y(), transposed ? options.x_stride : options.y_stride, eye(row));
   const auto parts_x = x.parts(camera.forward[column]), parts_y = y.parts(camera.forward[row]);
 
-  LineStore store{{}, Chains(view.window), Chains(view.window), Chains(view.window)};
+  const Chains none(view.window);
+  LineStore store{{}, none, none, none, none};
   store.lines.back_lines.resize(options.back_lines.size());
   const double all_rows = static_cast<double>(parts_x.size() * y.at.size());
   double done = 0;
@@ -70,6 +71,7 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
   }
   HorizonLines lines = std::move(store.lines);
   lines.outline = store.outline.finish();
+  lines.border = store.border.finish();
   lines.contours = store.contours.finish();
   lines.base_contours = store.base_contours.finish();
   for (auto& spans : lines.back_lines) {
@@ -77,7 +79,7 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
   }
   statistics.count("segments studied", segments);
   statistics.count("curve strokes", lines.curves.size() + lines.underside.size());
-  statistics.count("outline strokes", lines.outline.size());
+  statistics.count("outline strokes", lines.outline.size() + lines.border.size());
   statistics.count("contour strokes", lines.contours.size() + lines.base_contours.size());
   return lines;
 }
