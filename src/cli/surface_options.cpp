@@ -175,6 +175,9 @@ ViewOptions view_of(const SurfaceOptions& options) {
   const double azimuth = options.azimuth_degrees.value_or(kAzimuth) * degree;
   const double elevation = options.elevation_degrees.value_or(kElevation) * degree;
   view.direction = Point3{-std::cos(azimuth) * std::cos(elevation), -std::sin(azimuth) * std::cos(elevation), -std::sin(elevation)};
+  // Straight from above and below the azimuth says which way is up on the page.
+  const double side = std::sin(elevation);
+  if (!view.up && std::abs(side) == 1) view.up = Point3{-std::cos(azimuth) * side, -std::sin(azimuth) * side, 0};
   return view;
 }
 

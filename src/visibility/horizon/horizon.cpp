@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/height_filters.hpp"
 #include "visibility/horizon/part_sweep.hpp"
 
 namespace ligne {
@@ -21,25 +22,6 @@ std::pair<double, double> u_range(const Camera& camera, const Sight& sight, cons
   }
   return range;
 }
-
-/// Heights with x and y in each other's place, all of them held.
-class Transposed : public HeightSource {
- public:
-  explicit Transposed(const HeightSource& heights) : HeightSource(heights.y(), heights.x()), z_(x().size() * y().size()) {
-    const std::size_t rows = x().size(), columns = y().size();
-    tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t j) {
-      std::vector<double> row(columns);
-      heights.read_row(j, row);
-      for (std::size_t i = 0; i < columns; ++i) z_[i * rows + j] = row[i];
-    });
-  }
-  void read_row(std::size_t j, std::span<double> z) const override {
-    std::copy_n(z_.begin() + static_cast<std::ptrdiff_t>(j * z.size()), z.size(), z.begin());
-  }
-
- private:
-  std::vector<double> z_;
-};
 
 template <class Horizon>
 HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View& view, const HorizonOptions& options, Statistics& statistics) {
@@ -98,7 +80,7 @@ HorizonLines horizon_lines(const HeightSource& heights, const View& view, const 
   };
   // Columns may lie along the sights, since a strip knows the cells on both sides of them; rows may not.
   const Point3& forward = view.camera.forward;
-  if (!view.camera.perspective && forward.y == 0 && forward.x != 0) return sweep(Transposed(heights), true);
+  if (!view.camera.perspective && forward.y == 0 && forward.x != 0) return sweep(*transposed(heights), true);
   return sweep(heights, false);
 }
 
