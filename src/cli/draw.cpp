@@ -47,6 +47,7 @@ VisibilityResult study(const DrawOptions& options, const Method& method, const P
   StudyOptions study_options;
   study_options.hidden_strokes = options.method.hidden != HiddenLines::none;
   study_options.settings = settings_of(options.method, method);
+  if (format_of(options.output) != OutputFormat::json) study_options.wanted = kStrokes;  // all that is drawn
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return method.study(projected, study_options);
 }
