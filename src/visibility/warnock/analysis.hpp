@@ -5,6 +5,7 @@
 /// intersector the side that made it one in the parent is tried first. Faces come from near to far; once a surrounder covers the window,
 /// no face that begins behind its farthest depth there is studied any more.
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -15,12 +16,21 @@ namespace ligne::warnock {
 
 enum class Relation : std::uint8_t { disjoint, intersector, surrounder };
 
+/// Box round a face in frame units, rounded outwards: decides most relations without a look at the face.
+struct FaceBox {
+  float u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+
+  bool meets(const Window& w) const { return u0 <= w.u1 && w.u0 <= u1 && v0 <= w.v1 && w.v0 <= v1; }
+  bool inside(const Window& w) const { return w.u0 <= u0 && u1 <= w.u1 && w.v0 <= v0 && v1 <= w.v1; }
+};
+
 /// A face in the list of a window.
 struct Element {
   std::uint32_t face = 0;  ///< index in the face table
   std::uint32_t side = 0;  ///< intersector: index of a side that meets the window, counted from the face's first
   float near = 0;          ///< of the face over the window
   Relation relation = Relation::intersector;
+  FaceBox box;
 };
 
 /// What a window knows of the scene: elements from near to far (in the order of the face table), and the depth behind which nothing is seen.
@@ -32,7 +42,8 @@ struct Lists {
 struct AnalysisCounts {
   std::uint64_t faces = 0;             ///< faces looked at, over all windows
   std::uint64_t inherited = 0;         ///< of them surrounders already in the parent
-  std::uint64_t box = 0;               ///< disjoint by their bounding boxes
+  std::uint64_t box = 0;               ///< disjoint by their boxes
+  std::uint64_t inside = 0;            ///< intersectors by their boxes, which lie in the window
   std::uint64_t remembered = 0;        ///< intersectors by the remembered side
   std::uint64_t side_tests = 0;        ///< side against window
   std::uint64_t not_studied = 0;       ///< left out at once, for what covers the window
@@ -53,11 +64,12 @@ class Analysis {
   /// The lists of the initial window.
   Lists begin(const Window& window, AnalysisCounts& counts) const;
 
-  /// The lists of a child of the window that has the lists `parent`.
-  Lists child(const Lists& parent, const Window& window, AnalysisCounts& counts) const;
+  /// The lists of the children of the window that has the lists `parent`. Empty windows are no children.
+  std::array<Lists, 4> children(const Lists& parent, const std::array<Window, 4>& windows, AnalysisCounts& counts) const;
 
  private:
-  void add(Element element, const Window& window, Lists& lists, AnalysisCounts& counts) const;
+  /// `larger` is the window with the margin.
+  void add(Element element, const Window& larger, Lists& lists, AnalysisCounts& counts) const;
   void finish(Lists& lists) const;
 
   const FaceTable& table_;

@@ -20,7 +20,11 @@ constexpr int kDeepest = 100;                ///< divisions at vertices may be u
 constexpr std::size_t kParallelLoad = 2048;  ///< elements and pieces from which on the children are tasks of their own
 constexpr double kSlender = 4;               ///< windows longer by this are not cut along
 constexpr std::size_t kTriedElements = 8;    ///< nearest intersectors whose vertices may be cut points
+constexpr std::size_t kMostElements = 64;    ///< a window with more is divided without a closer look
+constexpr std::size_t kMostOfExact = 24;     ///< the same where windows with few edges are solved anyway
 constexpr int kProgressDepth = 4;            ///< windows of this depth report
+
+constexpr Window kNoWindow{0, -1, 0, -1};
 
 class Clock {
  public:
@@ -199,7 +203,7 @@ void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces
     return;
   }
   Clock clock;
-  const Situation situation(table_, lists, window.grown(-margin_), counts.analysis, counts.depth);
+  const Situation situation(table_, lists, window.grown(-margin_), exact ? kMostOfExact : kMostElements, counts.analysis, counts.depth);
   const Understanding understanding = understand(situation);
   clock.lap(counts.understanding_seconds);
   if (understanding.what != Understood::no) {
@@ -237,32 +241,37 @@ void Control::split(const Window& window, const Division& division, const Lists&
   for (const Piece& piece : pieces) {
     cut_piece(lines_[piece.line], piece, table_.frame, division, [&](int child, const Piece& part) { parts[child].push_back(part); });
   }
-  const auto study_child = [&](int k, Task& own) {
+  std::array<Window, 4> windows;
+  for (std::size_t k = 0; k < 4; ++k) {
     const bool high_u = k % 2 == 1, high_v = k / 2 == 1;
-    const Window child{high_u ? division.u : w.u0, division.across && !high_u ? division.u : w.u1, high_v ? division.v : w.v0,
-                       division.down && !high_v ? division.v : w.v1};
-    Clock clock;
-    Lists own_lists = analysis_.child(lists, child, own.outcome.counts.analysis);
-    clock.lap(own.outcome.counts.analysis_seconds);
+    windows[k] = (high_u && !division.across) || (high_v && !division.down)
+                     ? kNoWindow
+                     : Window{high_u ? division.u : w.u0, division.across && !high_u ? division.u : w.u1, high_v ? division.v : w.v0,
+                              division.down && !high_v ? division.v : w.v1};
+  }
+  Clock clock;
+  std::array<Lists, 4> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
+  clock.lap(task.outcome.counts.analysis_seconds);
+  const auto study_child = [&](std::size_t k, Task& own) {
+    Lists& own_lists = child_lists[k];
     // Pieces behind the cover are hidden.
     std::erase_if(parts[k], [&](const Piece& p) {
       return lines_[p.line].z(p.from) > own_lists.cover && lines_[p.line].z(p.to) > own_lists.cover;
     });
     const bool shorter = static_cast<double>(own_lists.elements.size()) < kStall * static_cast<double>(lists.elements.size());
-    study(child, std::move(own_lists), std::move(parts[k]), depth + 1, shorter ? 0 : stalled + 1, own);
+    study(windows[k], std::move(own_lists), std::move(parts[k]), depth + 1, shorter ? 0 : stalled + 1, own);
   };
-  const auto exists = [&](int k) { return (division.across || k % 2 == 0) && (division.down || k / 2 == 0); };
   if (lists.elements.size() + pieces.size() < kParallelLoad) {
-    for (int k = 0; k < 4; ++k) {
-      if (exists(k)) study_child(k, task);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!windows[k].empty()) study_child(k, task);
     }
     return;
   }
   std::vector<Task> tasks;
   tasks.reserve(4);
   for (int k = 0; k < 4; ++k) tasks.emplace_back(*this, task.progress);
-  tbb::parallel_for(0, 4, [&](int k) {
-    if (exists(k)) study_child(k, tasks[static_cast<std::size_t>(k)]);
+  tbb::parallel_for(std::size_t{0}, std::size_t{4}, [&](std::size_t k) {
+    if (!windows[k].empty()) study_child(k, tasks[k]);
   });
   for (Task& t : tasks) {
     t.outcome.counts.solution += t.solution.counts();

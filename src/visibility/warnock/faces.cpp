@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include <oneapi/tbb/parallel_for.h>
@@ -145,9 +146,15 @@ FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& face
     }
     table.sides.insert(table.sides.end(), sides[block].begin(), sides[block].end());
   }
-  tbb::parallel_sort(table.faces.begin(), table.faces.end(), [](const Face& a, const Face& b) {
-    return std::tie(a.z_near, a.face) < std::tie(b.z_near, b.face);
+  // Sorting small keys is cheaper than sorting faces.
+  std::vector<std::pair<float, std::uint32_t>> order(n);
+  for (std::uint32_t i = 0; i < n; ++i) order[i] = {table.faces[i].z_near, i};
+  tbb::parallel_sort(order.begin(), order.end());
+  std::vector<Face> sorted(n);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) sorted[i] = table.faces[order[i].second];
   });
+  table.faces = std::move(sorted);
   return table;
 }
 

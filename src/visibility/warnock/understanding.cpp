@@ -6,7 +6,6 @@ namespace ligne::warnock {
 namespace {
 
 // Adjustable parameters.
-constexpr std::size_t kMostElements = 64;  ///< a window with more is divided without a closer look
 constexpr std::size_t kMostSeen = 12;      ///< so many seen intersectors are never understood
 constexpr std::size_t kMostFacets = 16;    ///< of an intersector that is held against another on the page
 
@@ -48,16 +47,16 @@ bool faces_apart(const Situation& s, const Face& a, const Face& b) {
 
 }  // namespace
 
-Situation::Situation(const FaceTable& t, const Lists& lists, const Window& w, AnalysisCounts& analysis, DepthCounts& d)
+Situation::Situation(const FaceTable& t, const Lists& lists, const Window& w, std::size_t most, AnalysisCounts& analysis, DepthCounts& d)
     : table(t), inner(w), depth(d) {
-  if (inner.empty() || lists.elements.size() > kMostElements) {
+  if (inner.empty() || lists.elements.size() > most) {
     crowded = true;
     return;
   }
   placed.reserve(lists.elements.size());
   for (const Element& e : lists.elements) {
     Placed p{e, &table.faces[e.face]};
-    if (e.relation == Relation::intersector) {
+    if (e.relation == Relation::intersector && !e.box.inside(inner)) {
       p.element.relation = relation_to(table, *p.face, inner, p.element.side, analysis);
       if (p.element.relation == Relation::disjoint) continue;
     }

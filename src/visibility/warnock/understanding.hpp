@@ -44,8 +44,8 @@ struct Understanding {
 /// A window as the functions see it.
 class Situation {
  public:
-  /// `inner` is the window less its margin.
-  Situation(const FaceTable& table, const Lists& lists, const Window& inner, AnalysisCounts& analysis, DepthCounts& depth);
+  /// `inner` is the window less its margin. With more than `most` elements it is crowded.
+  Situation(const FaceTable& table, const Lists& lists, const Window& inner, std::size_t most, AnalysisCounts& analysis, DepthCounts& depth);
 
   const FaceTable& table;
   Window inner;

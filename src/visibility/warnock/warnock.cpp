@@ -133,6 +133,7 @@ void tell(const Counts& c, Statistics& s) {
   s.count("analysis: faces looked at", c.analysis.faces);
   s.count("analysis: surrounders inherited", c.analysis.inherited);
   s.count("analysis: disjoint by their boxes", c.analysis.box);
+  s.count("analysis: intersectors by their boxes", c.analysis.inside);
   s.count("analysis: intersectors by the remembered side", c.analysis.remembered);
   s.count("analysis: sides against windows", c.analysis.side_tests);
   s.count("analysis: faces not studied behind a cover", c.analysis.not_studied);
