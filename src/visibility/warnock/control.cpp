@@ -300,25 +300,15 @@ void Control::draw(const Window& window, const Lists& lists, const std::vector<P
   clock.lap(out.counts.area_seconds);
 }
 
-/// The nearest face that has an edge in the window shows it there.
+/// A piece shows the edge of the face that is nearest in its middle, or nothing.
 void Control::draw_at_limit(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Task& task) const {
-  std::vector<const Element*> nearest;
-  for (const Element& e : lists.elements) nearest.push_back(&e);
-  std::stable_sort(nearest.begin(), nearest.end(), [](const Element* a, const Element* b) { return a->near < b->near; });
-  for (const Element* e : nearest) {
-    const std::uint32_t face = table_.faces[e->face].face;
-    bool found = false;
-    for (const Piece& p : pieces) {
-      if (lines_[p.line].face0 != face && lines_[p.line].face1 != face) continue;
-      task.outcome.parts.push_back({p.line, true, {p.from, p.to}});
-      found = true;
-    }
-    if (found) break;
-  }
+  Clock clock;
+  task.solution.load(lists, window);
+  task.solution.draw_by_middle(pieces, task.outcome.parts);
   if (rules_.find_pairs) {
-    task.solution.load(lists, window);
     task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(), task.outcome.pairs);
   }
+  clock.lap(task.outcome.counts.solution_seconds);
   if (rules_.areas) task.area_search.take_front(lists, window, task.outcome.areas);
 }
 

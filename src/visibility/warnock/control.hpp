@@ -2,7 +2,7 @@
 /// Module of control: which windows are studied, and what becomes of each.
 ///
 /// A window is either understood and drawn; or, when it holds few enough edges, solved exactly; or divided. With a limit of resolution no window
-/// is solved: those at the limit show the edges of their nearest face, as they come.
+/// is solved: at the limit each piece of an edge is shown or not, as is right for its middle.
 ///
 /// Invariants: the children of a window cover it, and share nothing but borders. A piece of a line belongs to one window; pieces of neighbouring windows
 /// share the parameter at which they meet to the last bit, for it is computed from the whole line and the border alone. What is found comes in the

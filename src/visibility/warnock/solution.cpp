@@ -31,31 +31,52 @@ void Solution::load(const Lists& lists, const Window& window) {
 }
 
 /// The operation is made over the whole line, and its result cut to the piece: what is hidden does not depend on the windows.
+template <class Visit>
+bool Solution::visit_hidden(const Piece& piece, bool& near_side, Visit visit) {
+  const PageLine& line = lines_[piece.line];
+  const double xa = line.p0.x + piece.from * line.dx, xb = line.p0.x + piece.to * line.dx;
+  const double ya = line.p0.y + piece.from * line.dy, yb = line.p0.y + piece.to * line.dy;
+  const double x0 = std::min(xa, xb), x1 = std::max(xa, xb), y0 = std::min(ya, yb), y1 = std::max(ya, yb);
+  const double z_far = std::max(line.z(piece.from), line.z(piece.to));
+  for (const Item& item : items_) {
+    if (item.z_near > z_far) break;
+    if (item.x0 > x1 || item.x1 < x0 || item.y0 > y1 || item.y1 < y0) continue;
+    const Facet& facet = (*table_.facets)[item.facet];
+    if (facet.face == line.face0 || facet.face == line.face1) continue;
+    ++counts_.line_facet_tests;
+    HiddenInterval hidden = hidden_interval(line, facet, table_.vertices->data(), 0, 1, coincidence_steps_, near_side);
+    if (hidden.bank == Bank::none) continue;
+    hidden.from = std::max(hidden.from, piece.from);
+    hidden.to = std::min(hidden.to, piece.to);
+    if (hidden.from < hidden.to && visit(hidden)) return true;
+  }
+  return false;
+}
+
 void Solution::draw_lines(std::span<const Piece> pieces, std::vector<FoundPart>& out) {
   for (const Piece& piece : pieces) {
-    const PageLine& line = lines_[piece.line];
-    const double xa = line.p0.x + piece.from * line.dx, xb = line.p0.x + piece.to * line.dx;
-    const double ya = line.p0.y + piece.from * line.dy, yb = line.p0.y + piece.to * line.dy;
-    const double x0 = std::min(xa, xb), x1 = std::max(xa, xb), y0 = std::min(ya, yb), y1 = std::max(ya, yb);
-    const double z_far = std::max(line.z(piece.from), line.z(piece.to));
     bool near_side = false;
     open_.reset(piece.from, piece.to);
-    for (const Item& item : items_) {
-      if (item.z_near > z_far) break;
-      if (item.x0 > x1 || item.x1 < x0 || item.y0 > y1 || item.y1 < y0) continue;
-      const Facet& facet = (*table_.facets)[item.facet];
-      if (facet.face == line.face0 || facet.face == line.face1) continue;
-      ++counts_.line_facet_tests;
-      HiddenInterval hidden = hidden_interval(line, facet, table_.vertices->data(), 0, 1, coincidence_steps_, near_side);
-      if (hidden.bank == Bank::none) continue;
-      hidden.from = std::max(hidden.from, piece.from);
-      hidden.to = std::min(hidden.to, piece.to);
-      if (!(hidden.from < hidden.to)) continue;
-      open_.take(hidden);
-      if (open_.empty()) break;
-    }
-    if (open_.empty()) continue;
+    const bool hidden = visit_hidden(piece, near_side, [&](const HiddenInterval& h) {
+      open_.take(h);
+      return open_.empty();
+    });
+    if (hidden) continue;
     for (const LinePart& part : open_.finish()) out.push_back({piece.line, near_side, part});
+  }
+}
+
+void Solution::draw_by_middle(std::span<const Piece> pieces, std::vector<FoundPart>& out) {
+  for (const Piece& piece : pieces) {
+    const double middle = piece.from + (piece.to - piece.from) / 2;
+    bool left = false, right = false, near_side = false;
+    const bool hidden = visit_hidden(piece, near_side, [&](const HiddenInterval& h) {
+      if (middle < h.from || middle >= h.to) return false;
+      left |= h.bank != Bank::right;
+      right |= h.bank != Bank::left;
+      return left && right;
+    });
+    if (!hidden) out.push_back({piece.line, near_side, {piece.from, piece.to}});
   }
 }
 

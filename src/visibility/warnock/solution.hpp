@@ -44,6 +44,9 @@ class Solution {
   /// Appends the visible parts of the pieces.
   void draw_lines(std::span<const Piece> pieces, std::vector<FoundPart>& out);
 
+  /// The same, decided for the middle of each piece: it is visible as a whole or not at all.
+  void draw_by_middle(std::span<const Piece> pieces, std::vector<FoundPart>& out);
+
   /// Tests all pairs of facets of different faces; those wholly behind `cover` in the window are not wanted.
   void find_pairs(const Window& window, float cover, PenetrationSearch& found);
 
@@ -55,6 +58,10 @@ class Solution {
     float z_near, z_far;
     std::int32_t x0, x1, y0, y1;  ///< of its projection, margin included
   };
+
+  /// Calls visit(interval) for all that hides a part of the piece, until it returns true; true when it did.
+  template <class Visit>
+  bool visit_hidden(const Piece& piece, bool& near_side, Visit visit);
 
   const FaceTable& table_;
   const std::vector<PageLine>& lines_;
