@@ -110,7 +110,7 @@ Division divide(const FaceTable& table, const Lists& lists, const Window& w, con
   return d;
 }
 
-void cut_piece(const PageLine& line, const Piece& piece, const Frame& frame, const Division& division,
+void cut_piece(const PageLine& line, const Piece& piece, const WindowFrame& frame, const Division& division,
                const std::function<void(int, const Piece&)>& visit) {
   // Along one axis the line is on the low side before the cut and on the high side behind it, or the other way round.
   struct Axis {

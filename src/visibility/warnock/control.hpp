@@ -70,7 +70,7 @@ struct Division {
 Division divide(const FaceTable& table, const Lists& lists, const Window& window, const Rules& rules);
 
 /// The part of a piece in each child: index 0..3 = (u >= cut) + 2 (v >= cut). Calls visit(child, piece).
-void cut_piece(const PageLine& line, const Piece& piece, const Frame& frame, const Division& division,
+void cut_piece(const PageLine& line, const Piece& piece, const WindowFrame& frame, const Division& division,
                const std::function<void(int, const Piece&)>& visit);
 
 class Control {

@@ -104,7 +104,7 @@ DepthRange Face::depths_over(const Window& window) const {
   return {std::max<double>(z_near, centre - reach), std::min<double>(z_far, centre + reach)};
 }
 
-FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const Frame& frame) {
+FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const WindowFrame& frame) {
   FaceTable table;
   table.facets = &facets;
   table.vertices = &scene.vertices;

@@ -43,7 +43,7 @@ struct FaceTable {
   std::vector<Side> sides;
   const std::vector<Facet>* facets = nullptr;
   const std::vector<ProjectedVertex>* vertices = nullptr;
-  Frame frame;
+  WindowFrame frame;
 
   std::span<const Side> sides_of(const Face& f) const { return {sides.data() + f.side_begin, sides.data() + f.side_end}; }
   std::span<const std::uint32_t> facets_of(const Face& f) const {
@@ -53,6 +53,6 @@ struct FaceTable {
 };
 
 /// `facets` and the scene must outlive the table.
-FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const Frame& frame);
+FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const WindowFrame& frame);
 
 }  // namespace ligne::warnock

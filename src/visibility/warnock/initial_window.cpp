@@ -46,14 +46,14 @@ Window box_of(const Points& points, At at) {
 
 }  // namespace
 
-Frame principal_frame(const std::vector<ProjectedVertex>& vertices) {
+WindowFrame principal_frame(const std::vector<ProjectedVertex>& vertices) {
   const std::vector<LatticePoint> hull = hull_of(vertices);
-  Frame best;
+  WindowFrame best;
   double best_area = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const LatticePoint p = hull[i], q = hull[(i + 1) % hull.size()];
     if (p == q) continue;
-    Frame frame{double(q.x) - p.x, double(q.y) - p.y};
+    WindowFrame frame{double(q.x) - p.x, double(q.y) - p.y};
     if (std::max(std::abs(frame.a), std::abs(frame.b)) > kLatticeLimit) frame = {std::trunc(frame.a / 2), std::trunc(frame.b / 2)};
     while (!(frame.a > 0 && frame.b >= 0)) frame = {frame.b, -frame.a};
     const Window box = box_of(hull, [&](LatticePoint c) { return frame(c); });

@@ -13,7 +13,7 @@ enum class WindowChoice : std::uint8_t {
 };
 
 struct InitialWindow {
-  Frame frame;
+  WindowFrame frame;
   Window window;
 };
 
@@ -22,6 +22,6 @@ InitialWindow initial_window(const ProjectedScene& scene, WindowChoice choice);
 
 /// Direction of a side of the smallest rectangle round the points, which touches a side of their convex hull (Freeman and Shapira 1975):
 /// |a|, |b| <= 2^25, turned into the first quadrant. (1, 0) when the points lie in one place.
-Frame principal_frame(const std::vector<ProjectedVertex>& vertices);
+WindowFrame principal_frame(const std::vector<ProjectedVertex>& vertices);
 
 }  // namespace ligne::warnock

@@ -201,7 +201,7 @@ std::vector<Contour> trace(const std::vector<DirectedEdge>& edges, std::size_t b
 
 }  // namespace
 
-std::vector<Region> make_regions(const std::vector<AreaPiece>& pieces, const Frame& frame, const Lattice& lattice, double least_steps) {
+std::vector<Region> make_regions(const std::vector<AreaPiece>& pieces, const WindowFrame& frame, const Lattice& lattice, double least_steps) {
   Groups groups(pieces.size());
   std::vector<DirectedEdge> edges = contour_edges(pieces, groups);
   for (DirectedEdge& e : edges) e.piece = groups.root(e.piece);

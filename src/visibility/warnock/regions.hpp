@@ -14,6 +14,6 @@ namespace ligne::warnock {
 
 /// Regions by face, then in the order of the windows. Those smaller than the square of `least_steps` are left out.
 /// Outer contours turn as the page's axes do (from x towards y), holes the other way.
-std::vector<Region> make_regions(const std::vector<AreaPiece>& pieces, const Frame& frame, const Lattice& lattice, double least_steps);
+std::vector<Region> make_regions(const std::vector<AreaPiece>& pieces, const WindowFrame& frame, const Lattice& lattice, double least_steps);
 
 }  // namespace ligne::warnock

@@ -85,7 +85,7 @@ void Solution::find_pairs(const Window& window, float cover, PenetrationSearch& 
   placed_.clear();
   for (const Item& item : items_) placed_.push_back(found.place(item.facet));
   const Window larger = window.grown(std::ceil(margin_steps_ * table_.frame.unit()));
-  const Frame& frame = table_.frame;
+  const WindowFrame& frame = table_.frame;
   const auto wanted = [&](const PageSegment& s) {
     if (std::isinf(cover)) return true;
     const auto u = [&](const PagePoint& p) { return frame.a * p.x + frame.b * p.y; };

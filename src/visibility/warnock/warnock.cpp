@@ -152,7 +152,7 @@ void tell_times(const Counts& c, Statistics& s) {
   s.time("areas, all threads", c.area_seconds);
 }
 
-std::vector<std::vector<Point2>> page_lines(const std::vector<WindowCut>& cuts, const warnock::Frame& frame, const Lattice& lattice) {
+std::vector<std::vector<Point2>> page_lines(const std::vector<WindowCut>& cuts, const WindowFrame& frame, const Lattice& lattice) {
   std::vector<std::vector<Point2>> lines;
   const auto point = [&](FramePoint p) { return lattice.origin_mm + frame.to_page(p.u, p.v) * lattice.step_mm; };
   for (const WindowCut& c : cuts) lines.push_back({point(c.from), point(c.to)});

@@ -15,13 +15,13 @@ struct FramePoint {
   double u = 0, v = 0;  ///< whole numbers
 };
 
-struct Frame {
+struct WindowFrame {
   double a = 1, b = 0;
 
   FramePoint operator()(LatticePoint p) const { return {a * p.x + b * p.y, a * p.y - b * p.x}; }
   double u(LatticePoint p) const { return a * p.x + b * p.y; }
   double v(LatticePoint p) const { return a * p.y - b * p.x; }
-  /// Frame units by lattice step.
+  /// WindowFrame units by lattice step.
   double unit() const { return std::sqrt(a * a + b * b); }
   /// Page point in lattice steps.
   Point2 to_page(double u, double v) const {
