@@ -28,6 +28,7 @@ VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projec
   StudyOptions study_options;
   study_options.hidden_strokes = request.hidden != HiddenLines::none;
   study_options.settings = request.settings;
+  if (format_of(request.output) != OutputFormat::json) study_options.wanted = kStrokes;  // all that is drawn
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return request.method.study(projected, study_options);
 }

@@ -41,6 +41,7 @@ struct StudyOptions {
   bool hidden_strokes = false;             ///< give the hidden pieces too
   std::function<void(double)> progress{};  ///< called with the fraction done, from one thread at a time; may be empty
   MethodSettings settings{};               ///< values of the method's own parameters, each within its range
+  std::uint8_t wanted = 0xff;              ///< products; a method may leave others out
 };
 
 /// What was found. Models that a method does not produce stay empty.
