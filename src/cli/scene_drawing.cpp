@@ -1,5 +1,6 @@
 #include "cli/scene_drawing.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -43,10 +44,24 @@ void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& p
   drawing.layers.insert(drawing.layers.begin(), std::move(layer));
 }
 
-std::string written(OutputFormat format, const DrawingDocument& document, const PlotOptions& plot) {
-  if (format == OutputFormat::json) return write_json(document, plot);
+/// What surface hides of the axes is not drawn, also where hidden lines are.
+void remove_hidden_axes(StrokeModel& model) {
+  std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
+}
+
+/// The document as lines, with what stands round it.
+Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, const SceneDrawing& request) {
   Drawing drawing = make_drawing(*document.strokes);
   if (document.debug) add_debug_layer(drawing, *document.debug);
+  if (!request.frame) return drawing;
+  const std::size_t unknown = add_surroundings(drawing, around, request.frame->axes);
+  if (unknown > 0 && !request.run.quiet) {
+    warn(request.place_of_warnings, std::to_string(unknown) + " characters are not in the font: drawn as boxes");
+  }
+  return drawing;
+}
+
+std::string written(OutputFormat format, const Drawing& drawing, const PlotOptions& plot) {
   switch (format) {
     case OutputFormat::pdf:
       return write_pdf(drawing, plot);
@@ -64,11 +79,18 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   const OutputFormat format = format_of(request.output);
   Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
 
-  Placement placement;
+  Surroundings around;
+  Placement& placement = around.placement;
   const ProjectedScene projected = timed(run.stages, "project", [&] {
-    placement = place(scene, camera_of(request.view, scene), request.page);
+    const Camera camera = camera_of(request.view, scene);
+    if (request.frame) {
+      around = place_with_axes(request.frame->box, scene, camera, request.page, request.frame->axes, request.title);
+    } else {
+      placement = place(scene, camera, request.page);
+    }
     ProjectedScene all = project(scene, topology, placement.view, {request.classes, request.crease_degrees});
     if (request.cull) cull_back_faces(scene, topology, all, request.place_of_warnings, request.run.quiet);
+    add_lines(all, all_lines(around), LineClass::axes);
     return all;
   });
   // Only the JSON drawing names the source edges; the study needs the memory of the rest.
@@ -77,9 +99,10 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected); });
   if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
   StrokeModel& strokes = *result.strokes;
+  remove_hidden_axes(strokes);
 
   if (!request.run.quiet) {
-    if (strokes.strokes.empty()) {
+    if (std::none_of(strokes.strokes.begin(), strokes.strokes.end(), [](const Stroke& s) { return s.line_class != LineClass::axes; })) {
       warn(request.place_of_warnings, "nothing to draw is in view: the drawing is empty");
     } else if (placement.larger_than_page()) {
       warn(request.place_of_warnings, "the picture is larger than the page: what lies outside is left out");
@@ -109,7 +132,7 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     document.near_distance = placement.view.near_distance;
     document.method = run.method;
     document.statistics = result.statistics;
-    return written(format, document, plot);
+    return format == OutputFormat::json ? write_json(document, plot) : written(format, drawing_of(document, around, request), plot);
   });
   run.study = std::move(result.statistics);
   timed(run.stages, "output", [&] { write_output(*request.output.file, bytes); });
