@@ -73,7 +73,7 @@ TEST_F(SurfaceLinesTest, ContoursAlongTheSights) {
 TEST_F(SurfaceLinesTest, TheSurfaceBelowTheEyeHidesTheAxes) {
   // The eye is over the surface, within the box: the ground below is hidden.
   const std::vector<std::string> saddle{"x^2-0.31*y^2+1.62", "-x", "-3:3:21", "-y", "-3:3:18", "--z-scale", "1", "--eye", "-1.6,-1.8,5.5", "--fov", "70", "--lines", "none",
-                                        "--outline", "off"};
+                                        "--outline", "off", "--contours", "8"};
   for (const char* style : {"--axes=base", "--axes=back"}) {
     const auto horizon = layers_with(saddle, {style, "--contours-base"});
     const auto mesh = layers_with(saddle, {style, "--method", "appel"});
