@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/gallery.md anew, by the very commands that stand there: docs/make_images.sh [LIGNE [FOLDER]]
+# Makes the pictures of docs/gallery.md and docs/methods anew, by the very commands that stand there: docs/make_images.sh [LIGNE [FOLDER]]
 # LIGNE is the program (default: ligne.sh, which builds it), FOLDER where the pictures go (default: docs/images).
 # White paper is put under each drawing, so that it can be read on dark screens too.
 set -euo pipefail
@@ -10,11 +10,11 @@ mkdir -p "${2:-$root/docs/images}"
 folder=$(realpath "${2:-$root/docs/images}")
 cd "$root"
 
-# The commands of the page: lines of its sh blocks that draw into docs/images, with their continuation lines.
+# The commands of the pages: lines of its sh blocks that draw into docs/images, with their continuation lines.
 commands() {
   awk '/^```/ { inside = $0 == "```sh"; next }
        inside { line = line $0; if (sub(/\\$/, "", line)) next; if (line ~ /^ligne (draw|surface) .* -o docs\/images\//) print line; line = "" }' \
-    docs/gallery.md
+    docs/gallery.md docs/methods/*.md
 }
 
 made=0
