@@ -159,6 +159,22 @@ TEST_F(DrawTest, EveryMethodByName) {
   }
 }
 
+TEST_F(DrawTest, WarnockShowsItsWindowsAndAreas) {
+  const std::vector<std::string> warnock{"draw", "cube.obj", "--method", "warnock", "--resolution", "64"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), warnock.begin(), warnock.end());
+    return run(more).status;
+  };
+  ASSERT_EQ(with({"--show", "windows", "-o", "shown.svg"}), 0);
+  ASSERT_EQ(with({"-o", "plain.svg"}), 0);
+  EXPECT_NE(contents(file("shown.svg")).find("id=\"debug\""), std::string::npos);
+  EXPECT_EQ(contents(file("plain.svg")).find("id=\"debug\""), std::string::npos);
+  ASSERT_EQ(with({"--show", "windows", "-o", "shown.json"}), 0);
+  const json drawing = json::parse(contents(file("shown.json")));
+  EXPECT_GE(drawing["debug"].size(), 4u) << "the first window at least";
+  EXPECT_EQ(drawing["regions"].size(), 3u) << "a cube shows three faces";
+}
+
 TEST_F(DrawTest, FormatsBySuffixAndByName) {
   const std::pair<const char*, const char*> formats[] = {
       {"svg", "<?xml"}, {"pdf", "%PDF-"}, {"png", "\x89PNG"}, {"json", "{"}};

@@ -59,7 +59,7 @@ TEST(WarnockFaces, ContoursHaveNoCutsAndHolesAreHoles) {
   const FaceTable& table = stage.table();
   EXPECT_EQ(table.sides_of(stage.face(frame)).size(), 8u) << "two contours of four sides";
   EXPECT_EQ(table.sides_of(stage.face(square)).size(), 4u) << "the diagonal is no side";
-  EXPECT_EQ(table.faces[0].face, square) << "the nearest face comes first";
+  EXPECT_EQ(table.faces[table.by_depth[0]].face, square) << "the nearest face comes first";
 }
 
 TEST(WarnockAnalysis, RelationsOfAFaceWithAHole) {

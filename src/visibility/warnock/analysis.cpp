@@ -71,12 +71,13 @@ void Analysis::finish(Lists& lists) const {
 Lists Analysis::begin(const Window& window, AnalysisCounts& counts) const {
   Lists lists;
   const Window larger = window.grown(margin_);
-  const auto n = static_cast<std::uint32_t>(table_.faces.size());
+  const std::size_t n = table_.faces.size();
   lists.elements.reserve(n);
-  for (std::uint32_t f = 0; f < n; ++f) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t f = table_.by_depth[i];
     const Face& face = table_.faces[f];
     if (drop_hidden_ && face.z_near > lists.cover) {
-      counts.not_studied += n - f;
+      counts.not_studied += n - i;
       break;
     }
     const FaceBox box{round_down(face.box.u0), round_up(face.box.u1), round_down(face.box.v0), round_up(face.box.v1)};

@@ -33,7 +33,7 @@ struct Element {
   FaceBox box;
 };
 
-/// What a window knows of the scene: elements from near to far (in the order of the face table), and the depth behind which nothing is seen.
+/// What a window knows of the scene: elements from near to far (as FaceTable::by_depth), and the depth behind which nothing is seen.
 struct Lists {
   std::vector<Element> elements;
   float cover = std::numeric_limits<float>::infinity();

@@ -11,7 +11,7 @@ namespace ligne::warnock {
 namespace {
 
 // Adjustable parameters.
-constexpr std::size_t kFewFaces = 16;        ///< a window with so few is solved
+constexpr std::size_t kFewFaces = 24;        ///< a window with so few is solved
 constexpr double kLittleWork = 600;          ///< or one with so few tests to make
 constexpr double kSmallestSteps = 64;        ///< windows below are solved, whatever they hold
 constexpr int kMostStalls = 4;               ///< so are windows whose lists did not become shorter in so many divisions
@@ -108,31 +108,6 @@ Division divide(const FaceTable& table, const Lists& lists, const Window& w, con
   d.u = w.u0 < p.u && p.u < w.u1 ? p.u : centre.u;
   d.v = w.v0 < p.v && p.v < w.v1 ? p.v : centre.v;
   return d;
-}
-
-void cut_piece(const PageLine& line, const Piece& piece, const WindowFrame& frame, const Division& division,
-               const std::function<void(int, const Piece&)>& visit) {
-  // Along one axis the line is on the low side before the cut and on the high side behind it, or the other way round.
-  struct Axis {
-    double t;           ///< where it passes the cut
-    bool before, after;  ///< on the high side
-  };
-  const auto axis = [](bool cut, double from, double to, double at) {
-    if (!cut) return Axis{0, false, false};
-    if (from == to) return Axis{0, from >= at, from >= at};
-    return Axis{(at - from) / (to - from), from > to, from < to};
-  };
-  const FramePoint p = frame(line.p0), q = frame(line.p1);
-  const Axis u = axis(division.across, p.u, q.u, division.u), v = axis(division.down, p.v, q.v, division.v);
-  double t = piece.from;
-  while (t < piece.to) {
-    const bool high_u = t < u.t ? u.before : u.after, high_v = t < v.t ? v.before : v.after;
-    double next = piece.to;
-    if (u.t > t) next = std::min(next, u.t);
-    if (v.t > t) next = std::min(next, v.t);
-    visit((high_u ? 1 : 0) + (high_v ? 2 : 0), {piece.line, t, next});
-    t = next;
-  }
 }
 
 /// What one thread works with for a while.

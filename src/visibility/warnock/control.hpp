@@ -8,6 +8,7 @@
 /// share the parameter at which they meet to the last bit, for it is computed from the whole line and the border alone. What is found comes in the
 /// order of the children, whatever the threads.
 
+#include <algorithm>
 #include <array>
 #include <functional>
 
@@ -69,9 +70,31 @@ struct Division {
 /// none, the middle of an intersecting side. A window is not cut across its shorter side when it is more than four times as long.
 Division divide(const FaceTable& table, const Lists& lists, const Window& window, const Rules& rules);
 
-/// The part of a piece in each child: index 0..3 = (u >= cut) + 2 (v >= cut). Calls visit(child, piece).
-void cut_piece(const PageLine& line, const Piece& piece, const WindowFrame& frame, const Division& division,
-               const std::function<void(int, const Piece&)>& visit);
+/// The part of a piece in each child: index 0..3 = (u >= cut) + 2 (v >= cut). Calls visit(child, piece), from the piece's start to its end.
+template <class Visit>
+void cut_piece(const PageLine& line, const Piece& piece, const WindowFrame& frame, const Division& division, const Visit& visit) {
+  // Along one axis the line is on the low side before the cut and on the high side behind it, or the other way round.
+  struct Axis {
+    double t;           ///< where it passes the cut
+    bool before, after;  ///< on the high side
+  };
+  const auto axis = [](bool cut, double from, double to, double at) {
+    if (!cut) return Axis{0, false, false};
+    if (from == to) return Axis{0, from >= at, from >= at};
+    return Axis{(at - from) / (to - from), from > to, from < to};
+  };
+  const FramePoint p = frame(line.p0), q = frame(line.p1);
+  const Axis u = axis(division.across, p.u, q.u, division.u), v = axis(division.down, p.v, q.v, division.v);
+  double t = piece.from;
+  while (t < piece.to) {
+    const bool high_u = t < u.t ? u.before : u.after, high_v = t < v.t ? v.before : v.after;
+    double next = piece.to;
+    if (u.t > t) next = std::min(next, u.t);
+    if (v.t > t) next = std::min(next, v.t);
+    visit((high_u ? 1 : 0) + (high_v ? 2 : 0), {piece.line, t, next});
+    t = next;
+  }
+}
 
 class Control {
  public:

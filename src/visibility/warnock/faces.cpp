@@ -109,23 +109,25 @@ FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& face
   table.facets = &facets;
   table.vertices = &scene.vertices;
   table.frame = frame;
-  // Facets face by face, each face's in their order.
+  // Faces in the order of their first facets; facets face by face, each face's in their order.
   std::uint32_t face_count = 0;
   for (const Facet& f : facets) face_count = std::max(face_count, f.face + 1);
-  std::vector<std::uint32_t> begin(std::size_t{face_count} + 1, 0);
-  for (const Facet& f : facets) ++begin[f.face + 1];
-  for (std::size_t i = 0; i < face_count; ++i) begin[i + 1] += begin[i];
-  table.facet_order.resize(facets.size());
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (std::uint32_t i = 0; i < facets.size(); ++i) table.facet_order[next[facets[i].face]++] = i;
-  for (std::uint32_t f = 0; f < face_count; ++f) {
-    if (begin[f] == begin[f + 1]) continue;
-    Face face;
-    face.face = f;
-    face.facet_begin = begin[f];
-    face.facet_end = begin[f + 1];
-    table.faces.push_back(face);
+  std::vector<std::uint32_t> index(face_count, kNone);
+  for (const Facet& f : facets) {
+    if (index[f.face] == kNone) {
+      index[f.face] = static_cast<std::uint32_t>(table.faces.size());
+      table.faces.emplace_back().face = f.face;
+    }
+    ++table.faces[index[f.face]].facet_end;  // a count, for now
   }
+  std::uint32_t begin = 0;
+  for (Face& face : table.faces) {
+    face.facet_begin = begin;
+    begin += face.facet_end;
+    face.facet_end = face.facet_begin;
+  }
+  table.facet_order.resize(facets.size());
+  for (std::uint32_t i = 0; i < facets.size(); ++i) table.facet_order[table.faces[index[facets[i].face]].facet_end++] = i;
   constexpr std::size_t kBlock = 8192;
   const std::size_t n = table.faces.size(), blocks = (n + kBlock - 1) / kBlock;
   std::vector<std::vector<Side>> sides(blocks);
@@ -146,15 +148,12 @@ FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& face
     }
     table.sides.insert(table.sides.end(), sides[block].begin(), sides[block].end());
   }
-  // Sorting small keys is cheaper than sorting faces.
-  std::vector<std::pair<float, std::uint32_t>> order(n);
-  for (std::uint32_t i = 0; i < n; ++i) order[i] = {table.faces[i].z_near, i};
+  using Key = std::tuple<float, std::uint32_t, std::uint32_t>;  // z_near, number, index
+  std::vector<Key> order(n);
+  for (std::uint32_t i = 0; i < n; ++i) order[i] = {table.faces[i].z_near, table.faces[i].face, i};
   tbb::parallel_sort(order.begin(), order.end());
-  std::vector<Face> sorted(n);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
-    for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) sorted[i] = table.faces[order[i].second];
-  });
-  table.faces = std::move(sorted);
+  table.by_depth.resize(n);
+  for (std::size_t i = 0; i < n; ++i) table.by_depth[i] = std::get<2>(order[i]);
   return table;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The faces of a study: contours, planes and depths, sorted from near to far (the initial sort of the method).
+/// The faces of a study: contours, planes and depths, and their order from near to far (the initial sort of the method).
 
 #include <cstdint>
 #include <span>
@@ -38,7 +38,8 @@ struct Face {
 };
 
 struct FaceTable {
-  std::vector<Face> faces;                ///< by z_near, then by number
+  std::vector<Face> faces;                 ///< in the order of their first facets: neighbours on the page are neighbours here
+  std::vector<std::uint32_t> by_depth;     ///< indices of faces by z_near, then by number of the face
   std::vector<std::uint32_t> facet_order;  ///< facets, those of a face in one range
   std::vector<Side> sides;
   const std::vector<Facet>* facets = nullptr;
