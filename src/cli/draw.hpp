@@ -1,6 +1,7 @@
 #pragma once
 /// ligne draw: a hidden-line drawing of meshes and polygon scenes.
 
+#include <optional>
 #include <string>
 
 #include "cli/method_options.hpp"
@@ -9,6 +10,7 @@
 #include "cli/page_options.hpp"
 #include "cli/run_options.hpp"
 #include "cli/view_options.hpp"
+#include "drawing/shading.hpp"
 
 namespace ligne {
 
@@ -21,6 +23,9 @@ struct DrawOptions {
   RunOptions run;
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty
+  bool shade = false;                ///< PNG: faces in gray, by a light at the eye
+  std::optional<double> hatch_mm;    ///< distance of the closest hatch lines
+  unsigned hatch_levels = kMostHatchLevels;
 };
 
 /// Adds the command; it runs when the command line names it. `options` must outlive the parse.

@@ -11,7 +11,7 @@
 #include "scene/clean.hpp"
 #include "support/judge.hpp"
 #include "support/scene_parts.hpp"
-#include "visibility/registry.hpp"
+#include "support/variants.hpp"
 
 namespace ligne::test {
 namespace {
@@ -48,10 +48,10 @@ void expect_agreement(Scene scene, const std::string& name, std::size_t view) {
   const auto views = standard_views(scene);
   const JudgedView judged(scene, name, views[view % views.size()]);
   bool failed = false;
-  for (const Method* method : all_methods()) {
+  for (const Variant& variant : variants()) {
     for (const char* edges : {"all", "feature"}) {
-      const Verdict verdict = judged.judge(*method, edges);
-      EXPECT_TRUE(verdict.passes()) << verdict.faults;
+      const Verdict verdict = judged.judge(*variant.method, edges, variant.settings);
+      EXPECT_TRUE(verdict.passes()) << variant.name << '\n' << verdict.faults;
       failed = failed || !verdict.passes();
     }
   }

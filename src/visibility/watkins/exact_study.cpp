@@ -40,26 +40,32 @@ ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const st
     }
   }, tbb::simple_partitioner{});
 
-  // Seams: a line that runs through several bands gets the findings of all; what they have in common is the same interval.
-  result.first.assign(lines.size() + 1, 0);
   result.near.assign(lines.size(), 0);
-  for (const BandResult& r : results) {
-    for (const Finding& f : r.findings) ++result.first[f.line + 1];
+  std::vector<std::vector<Finding>> findings;
+  for (BandResult& r : results) {
+    findings.push_back(std::move(r.findings));
     for (const std::uint32_t l : r.near) result.near[l] = 1;
     result.counts += r.counts;
   }
-  std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
-  result.intervals.resize(result.first.back());
-  std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
-  for (const BandResult& r : results) {
-    for (const Finding& f : r.findings) result.intervals[next[f.line]++] = f.interval;
-  }
+  result.found = FoundIntervals(findings, lines.size());
   return result;
 }
 
-const std::vector<LinePart>& visible_parts(const ExactResult& result, std::size_t line, OpenParts& open) {
+FoundIntervals::FoundIntervals(const std::vector<std::vector<Finding>>& findings, std::size_t line_count) : first_(line_count + 1, 0) {
+  for (const auto& band : findings) {
+    for (const Finding& f : band) ++first_[f.line + 1];
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  intervals_.resize(first_.back());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (const auto& band : findings) {
+    for (const Finding& f : band) intervals_[next[f.line]++] = f.interval;
+  }
+}
+
+const std::vector<LinePart>& FoundIntervals::visible_parts(std::size_t line, OpenParts& open) const {
   open.reset(0, 1);
-  for (std::uint32_t i = result.first[line]; i < result.first[line + 1]; ++i) open.take(result.intervals[i]);
+  for (std::uint32_t i = first_[line]; i < first_[line + 1] && !open.empty(); ++i) open.take(intervals_[i]);
   return open.finish();
 }
 

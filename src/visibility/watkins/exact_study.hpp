@@ -25,10 +25,23 @@ struct ExactCounts {
   void operator+=(const ExactCounts& o);
 };
 
+/// What facets hide of every line, from the findings of several bands. A line that runs through several bands has those of all; what bands
+/// have in common is the same interval to the last bit, so a seam leaves no trace.
+class FoundIntervals {
+ public:
+  FoundIntervals() = default;
+  FoundIntervals(const std::vector<std::vector<Finding>>& findings, std::size_t line_count);
+
+  /// What is left of the line when its intervals are taken from it.
+  const std::vector<LinePart>& visible_parts(std::size_t line, OpenParts& open) const;
+
+ private:
+  std::vector<std::uint32_t> first_;  ///< intervals [first_[i], first_[i + 1]) are of line i
+  std::vector<HiddenInterval> intervals_;
+};
+
 struct ExactResult {
-  /// What facets hide of line i: intervals [first[i], first[i + 1]).
-  std::vector<std::uint32_t> first;
-  std::vector<HiddenInterval> intervals;
+  FoundIntervals found;
   std::vector<std::uint8_t> near;             ///< by line: another one may lie on it
   std::vector<PenetrationSearch> penetrations; ///< one by band, when asked for
   ExactCounts counts;
@@ -36,8 +49,5 @@ struct ExactResult {
 
 ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
                           const ExactOptions& options);
-
-/// What is left of a line when its intervals are taken from it.
-const std::vector<LinePart>& visible_parts(const ExactResult& result, std::size_t line, OpenParts& open);
 
 }  // namespace ligne::watkins

@@ -75,7 +75,7 @@ class StackMethod final : public SpanMethod<X> {
       stack_.push_back(current_);
       current_ = kNobody;
       const std::uint32_t follower = turned_to_;
-      std::erase(stack_, follower);
+      stack_.erase(std::find(stack_.begin(), stack_.end(), follower));
       current_ = follower;
       look_ahead(x);
     }
@@ -138,17 +138,19 @@ class StackMethod final : public SpanMethod<X> {
 
   /// The nearest of the stack just right of x becomes the current one.
   void choose(double x) {
-    std::size_t best = stack_.size();
+    std::size_t best = 0;
+    bool found = false;
     for (std::size_t i = 0; i < stack_.size();) {
       ++this->counts_.comparisons;
       if (double(segments_[stack_[i]].x1) <= x) {
         remove(i);
         continue;
       }
-      if (best == stack_.size() || nearer(segments_[stack_[i]], segments_[stack_[best]], x)) best = i;
+      if (!found || nearer(segments_[stack_[i]], segments_[stack_[best]], x)) best = i;
+      found = true;
       ++i;
     }
-    if (stack_.empty()) return;
+    if (!found) return;
     current_ = stack_[best];
     remove(best);
     look_ahead(x);

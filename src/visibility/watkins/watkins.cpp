@@ -9,17 +9,23 @@
 #include "visibility/common/stroke_maker.hpp"
 #include "visibility/tolerances.hpp"
 #include "visibility/watkins/exact_study.hpp"
+#include "visibility/watkins/line_study.hpp"
 
-// Phases of the exact mode: (1) facets, (2) the scan over the edges, which also finds what penetrates, (3) the scan over the lines of
-// intersection, where there are any, (4) strokes. See docs/methods/watkins.md.
+// Phases: (1) facets, (2) the scan over the edges, which also finds what penetrates, (3) the scan over the lines of intersection, where there
+// are any, (4) spans for those who want them, (5) strokes. With a number of lines (2) only looks for penetrations, and (3) goes by lines, over
+// edges and intersections at once. See docs/methods/watkins.md.
 
 namespace ligne {
 namespace {
 
 using namespace watkins;
 
+constexpr std::string_view kExactWord[] = {"exact"};
+constexpr unsigned kMostLines = 1u << 20;
+
 constexpr MethodParameter kParameters[] = {
-    {"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point", "stack", kSpanMethodNames},
+    {"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point", "stack", kSpanMethodNames, 0, 0},
+    {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event", "exact", kExactWord, 1, kMostLines},
 };
 
 class Clock {
@@ -48,6 +54,10 @@ void make_strokes(std::size_t n, std::vector<Stroke>& strokes, Work work) {
   for (const std::vector<Stroke>& m : made) strokes.insert(strokes.end(), m.begin(), m.end());
 }
 
+void report(const SpanCounts& counts, Statistics& statistics) {
+  for (const auto& [name, value] : counts.named()) statistics.count("span method: " + std::string(name), value);
+}
+
 void report(const ExactCounts& counts, Statistics& statistics) {
   statistics.count("bands", counts.bands);
   statistics.count("stops at points", counts.sweep.points);
@@ -60,8 +70,39 @@ void report(const ExactCounts& counts, Statistics& statistics) {
   statistics.count("stretches with nothing in front", counts.stretches.in_front);
   statistics.count("scan lines studied", counts.stretches.studied);
   statistics.count("line-facet tests", counts.stretches.facet_tests);
-  for (const auto& [name, value] : counts.spans.named()) statistics.count("span method: " + std::string(name), value);
+  report(counts.spans, statistics);
 }
+
+void report(const LineStudyResult& result, Statistics& statistics) {
+  statistics.count("groups of lines", result.groups);
+  statistics.count("scan lines", result.scan.lines);
+  statistics.count("scan lines studied", result.scan.studied);
+  statistics.count("segments on them", result.scan.segments);
+  statistics.count("edges that entered", result.scan.entered);
+  statistics.count("exchanges from line to line", result.scan.exchanges);
+  statistics.count("changes passed over: edges that go on", result.scan.passed_chains);
+  statistics.count("changes passed over: hidden points", result.scan.passed_points);
+  statistics.count("changes passed over: hidden exchanges", result.scan.passed_exchanges);
+  statistics.count("edges looked at", result.tracking.positions);
+  statistics.count("line-facet tests", result.tracking.facet_tests);
+  report(result.span_method, statistics);
+}
+
+LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines) {
+  const double step = scene.lattice.step_mm;
+  LineGrid grid;
+  grid.count = lines.count;
+  grid.spacing = lines.spacing_mm / step;
+  grid.u_origin = (scene.view.window.min.x - scene.lattice.origin_mm.x) / step;
+  grid.v_origin = (lines.first_mm - scene.lattice.origin_mm.y) / step;
+  return grid;
+}
+
+/// What the study of the lines found, in either precision.
+struct Found {
+  FoundIntervals edges, intersections;
+  std::vector<std::uint8_t> near;  ///< by edge; empty: any may have another one on it
+};
 
 }  // namespace
 
@@ -69,7 +110,7 @@ const MethodTraits& WatkinsMethod::traits() const {
   static const MethodTraits traits{
       "watkins",
       "scan lines: the nearest face by spans, visible edges tracked from stop to stop",
-      kStrokes,
+      kStrokes | kSpans,
       true,
       true,
       "G. S. Watkins, A real time visible surface algorithm, 1970; M. Archuleta, Hidden surface line-drawing algorithm, 1972",
@@ -80,74 +121,110 @@ const MethodTraits& WatkinsMethod::traits() const {
 
 VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
   VisibilityResult result;
+  Statistics& statistics = result.statistics;
   StrokeModel model;
   model.lattice = scene.lattice;
   model.edge_count = scene.source_count;
   const double step = scene.lattice.step_mm, least = kLeastPartMm / step;
+  const unsigned line_count = options.settings.find("lines").value_or(kMostLines + 1);
+  const bool exact = line_count > kMostLines;
   Clock clock;
 
   // 1. Facets.
-  ExactOptions exact;
-  exact.kind = options.settings.choice("span-method", SpanMethodKind::stack);
-  exact.coincidence_steps = coincidence_mm(scene) / step;
-  exact.penetrations = scene.with_intersections;
-  exact.progress = options.progress;
-  const Facets facets = make_facets(scene, exact.coincidence_steps);
-  result.statistics.time("facets", clock.lap());
+  ExactOptions exact_options;
+  exact_options.kind = options.settings.choice("span-method", SpanMethodKind::stack);
+  exact_options.coincidence_steps = coincidence_mm(scene) / step;
+  exact_options.penetrations = scene.with_intersections;
+  exact_options.progress = options.progress;
+  const Facets facets = make_facets(scene, exact_options.coincidence_steps);
+  statistics.time("facets", clock.lap());
+  statistics.count("facets", facets.facets.size());
+  statistics.count("candidate edges", scene.edges.size());
 
-  // 2. Edges.
+  // 2. Edges, and pairs that penetrate.
   std::vector<SweepLine> lines;
   lines.reserve(scene.edges.size());
   for (const ProjectedEdge& e : scene.edges) lines.push_back({scene.vertices[e.v0], scene.vertices[e.v1], e.face0, e.face1});
-  ExactResult edges = study_exactly(scene.vertices, facets.facets, lines, exact);
-  result.statistics.time("edges", clock.lap());
-
-  // 3. Intersections.
+  ExactCounts counts;
+  Found found;
   std::vector<Intersection> intersections;
-  ExactResult crossed;
-  if (scene.with_intersections) {
-    PenetrationSearch all(facets.facets, scene.vertices);
-    for (PenetrationSearch& p : edges.penetrations) all.add(std::move(p));
-    intersections = all.finish(least);
+  if (exact || scene.with_intersections) {
+    ExactResult edges = study_exactly(scene.vertices, facets.facets, exact ? std::span<const SweepLine>(lines) : std::span<const SweepLine>{}, exact_options);
+    counts += edges.counts;
+    found.edges = std::move(edges.found);
+    found.near = std::move(edges.near);
+    if (scene.with_intersections) {
+      PenetrationSearch all(facets.facets, scene.vertices);
+      for (PenetrationSearch& p : edges.penetrations) all.add(std::move(p));
+      intersections = all.finish(least);
+    }
   }
-  std::vector<SweepLine> crossed_lines;
-  for (const Intersection& i : intersections) crossed_lines.push_back({i.from, i.to, i.face0, i.face1});
-  if (!intersections.empty()) {
-    exact.penetrations = false;
-    exact.progress = {};
-    crossed = study_exactly(scene.vertices, facets.facets, crossed_lines, exact);
-  }
-  result.statistics.time("intersections", clock.lap());
+  statistics.count("intersection segments", intersections.size());
+  statistics.time("edges", clock.lap());
 
-  // 4. Strokes.
+  // 3. Intersections; by lines, edges too.
+  std::vector<SweepLine> crossed;
+  for (const Intersection& i : intersections) crossed.push_back({i.from, i.to, i.face0, i.face1});
+  std::vector<SweepLine> all_lines = lines;
+  all_lines.insert(all_lines.end(), crossed.begin(), crossed.end());
+  LineStudyOptions by_lines;
+  by_lines.scan.kind = exact_options.kind;
+  by_lines.coincidence_steps = exact_options.coincidence_steps;
+  if (exact && !intersections.empty()) {
+    exact_options.penetrations = false;
+    exact_options.progress = {};
+    ExactResult r = study_exactly(scene.vertices, facets.facets, crossed, exact_options);
+    counts += r.counts;
+    found.intersections = std::move(r.found);
+  }
+  if (exact) {
+    report(counts, statistics);
+  } else {
+    by_lines.collect_spans = !options.span_lines;
+    LineStudyResult r = study_by_lines(scene, facets.facets, all_lines, grid_of_lines(scene, line_count), by_lines);
+    report(r, statistics);
+    found.edges = std::move(r.found);
+    found.near.clear();
+    const double spacing = scene.view.window.height() / line_count;
+    if (by_lines.collect_spans) result.spans = SpanModel{{scene.view.window.min.y + spacing / 2, spacing, line_count}, std::move(r.spans)};
+  }
+  statistics.time("lines", clock.lap());
+
+  // 4. Spans.
+  if (options.span_lines) {
+    by_lines.track = false;
+    by_lines.collect_spans = true;
+    result.spans = SpanModel{*options.span_lines, study_by_lines(scene, facets.facets, all_lines, grid_of(scene, *options.span_lines), by_lines).spans};
+    statistics.time("spans", clock.lap());
+  }
+  if (result.spans) statistics.count("spans", result.spans->spans.size());
+
+  // 5. Strokes.
+  // By lines what is shorter than the distance of two lines is below the resolution.
+  const double shortest = exact ? least : std::max(least, grid_of_lines(scene, line_count).spacing);
   const StrokeMaker maker(scene, options.hidden_strokes);
-  const auto add = [&](const ExactResult& found, std::size_t i, const SweepLine& l, OpenParts& open, std::array<double, 2> range, std::uint32_t source,
-                       LineClass line_class, bool may_coincide, std::vector<Stroke>& out) {
-    if (l.from.p == l.to.p) return;  // seen end on
+  const auto add = [&](const SweepLine& l, const std::vector<LinePart>& visible, std::array<double, 2> range, std::uint32_t source, LineClass line_class,
+                       bool may_coincide, std::vector<Stroke>& out) {
     const PageLine line(l.from, l.to, l.face0, l.face1);
-    std::vector<LinePart> parts = visible_parts(found, i, open);
-    drop_short_parts(parts, page_length(line), least);
+    std::vector<LinePart> parts = visible;
+    drop_short_parts(parts, page_length(line), shortest);
     maker.add(line, parts, range, source, line_class, may_coincide, out);
   };
   make_strokes(lines.size(), model.strokes, [&](std::size_t i, OpenParts& open, std::vector<Stroke>& out) {
+    if (lines[i].from.p == lines[i].to.p) return;  // seen end on
     const ProjectedEdge& edge = scene.edges[i];
     const auto thin = [&](std::uint32_t f) { return f < facets.face_is_thin.size() && facets.face_is_thin[f]; };
     const auto range = scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i];
-    add(edges, i, lines[i], open, range, edge.source, edge.line_class, edges.near[i] || thin(edge.face0) || thin(edge.face1), out);
+    const bool may_coincide = found.near.empty() || found.near[i] || thin(edge.face0) || thin(edge.face1);
+    add(lines[i], found.edges.visible_parts(i, open), range, edge.source, edge.line_class, may_coincide, out);
   });
-  make_strokes(crossed_lines.size(), model.strokes, [&](std::size_t i, OpenParts& open, std::vector<Stroke>& out) {
-    add(crossed, i, crossed_lines[i], open, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, true, out);
+  make_strokes(crossed.size(), model.strokes, [&](std::size_t i, OpenParts& open, std::vector<Stroke>& out) {
+    const std::vector<LinePart>& parts = exact ? found.intersections.visible_parts(i, open) : found.edges.visible_parts(lines.size() + i, open);
+    add(crossed[i], parts, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, true, out);
   });
   number_intersections(scene, intersections, model);
-  result.statistics.time("strokes", clock.lap());
-
-  result.statistics.count("facets", facets.facets.size());
-  result.statistics.count("candidate edges", scene.edges.size());
-  result.statistics.count("intersection segments", intersections.size());
-  ExactCounts counts = edges.counts;
-  counts += crossed.counts;
-  report(counts, result.statistics);
-  result.statistics.count("strokes", model.strokes.size());
+  statistics.time("strokes", clock.lap());
+  statistics.count("strokes", model.strokes.size());
   result.strokes = std::move(model);
   return result;
 }
