@@ -93,20 +93,29 @@ void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t l
   }
 }
 
-/// Edges that lie between this line and the one before, or the one after: they are met by neither.
+/// Parts of edges between this line and the one before, or the one after, that the other of the two does not meet: whole edges that lie between two
+/// lines, and what lies beyond the first and the last line of the others.
 void EdgeTracker::between_lines(const LineScan& scan, std::uint32_t line) {
   const ScanScene& scene = scan.scene();
   for (std::uint32_t e = scene.first_of_line[line]; e < scene.first_of_line[line + 2]; ++e) {
     const ScanEdge& edge = scene.edges[e];
-    if (edge.track.first != edge.track.last) continue;
-    const std::span<const std::uint32_t> lines = scene.lines_of(edge);
-    if (lines.empty()) continue;
-    for (const std::uint32_t index : lines) {
-      Track track;
-      for_each_span(scan, std::min(edge.u_top, edge.u_bottom), std::max(edge.u_top, edge.u_bottom),
-                    [&](const LineSpan& s) { hold_against(index, track, s.face); });
-      for (const HiddenInterval& h : track.hidden) findings_.push_back({index, h});
+    if (edge.track.first == edge.track.last) {
+      hold_part(scan, edge, edge.u_top, edge.u_bottom);
+    } else if (edge.track.first == line + 1) {
+      hold_part(scan, edge, edge.u_top, edge.track.u);
     }
+  }
+  for (const std::uint32_t e : scan.ended_edges()) {
+    const ScanEdge& edge = scene.edges[e];
+    hold_part(scan, edge, edge.track.on(edge.track.last - 1).u, edge.u_bottom);
+  }
+}
+
+void EdgeTracker::hold_part(const LineScan& scan, const ScanEdge& edge, double u0, double u1) {
+  for (const std::uint32_t index : scan.scene().lines_of(edge)) {
+    Track track;
+    for_each_span(scan, std::min(u0, u1), std::max(u0, u1), [&](const LineSpan& s) { hold_against(index, track, s.face); });
+    for (const HiddenInterval& h : track.hidden) findings_.push_back({index, h});
   }
 }
 
@@ -119,7 +128,7 @@ void EdgeTracker::hidden_point(const LineScan& scan, std::uint32_t slot, std::ui
 
 void EdgeTracker::hold_against(std::uint32_t index, Track& track, std::uint32_t face) {
   const SweepLine& l = lines_[index];
-  if (face == l.face0 || face == l.face1 || l.from.p == l.to.p) return;
+  if (face == l.face0 || face == l.face1 || !l.to_study()) return;
   if (std::find(track.tested.begin(), track.tested.end(), face) != track.tested.end()) return;
   track.tested.push_back(face);
   const PageLine line(l.from, l.to, l.face0, l.face1);

@@ -63,6 +63,7 @@ class EdgeTracker final : public LineListener {
   Tracks& tracks_of(const LineScan& scan, std::uint32_t slot);
   void look(const LineScan& scan, std::uint32_t slot, std::uint32_t line);
   void between_lines(const LineScan& scan, std::uint32_t line);
+  void hold_part(const LineScan& scan, const ScanEdge& edge, double u0, double u1);
   void hold_against(std::uint32_t index, Track& track, std::uint32_t face);
   template <class Visit>
   void for_each_span(const LineScan& scan, double low, double high, Visit visit) const;

@@ -31,7 +31,7 @@ ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const st
   std::size_t done = 0;
   tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t b) {
     StretchStudy study(vertices, facets, lines, options.coincidence_steps, options.kind);
-    ExactSweep sweep(scene, facets, study, options.coincidence_steps + 1, options.penetrations ? &result.penetrations[b] : nullptr);
+    ExactSweep sweep(scene, facets, study, options.coincidence_steps + 1, options.penetrations ? &result.penetrations[b] : nullptr, options.covers);
     sweep.scan(bands[b]);
     results[b] = {sweep.findings(), sweep.near_lines(), {sweep.counts(), study.counts(), study.span_counts(), 1}};
     if (options.progress) {

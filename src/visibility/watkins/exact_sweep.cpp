@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ligne::watkins {
 namespace {
@@ -69,6 +70,9 @@ void ExactSweep::begin(const SweepBand& band) {
   next_in_node_.assign(locals, kNone);
   state_of_.assign(locals, kNone);
   const LatticePoint start = scene_.points[band.first];
+  const bool last_band = band.end == scene_.points.size();
+  end_x_ = last_band ? std::numeric_limits<double>::infinity() : scene_.points[band.end].x;
+  end_y_ = last_band ? std::numeric_limits<double>::infinity() : scene_.points[band.end].y;
   x_ = start.x;
   y_ = start.y;
   struct Entry {
@@ -195,6 +199,7 @@ void ExactSweep::check_pair(std::uint32_t left_slot) {
     y = y_;
     x = x_;
   }
+  if (y > end_y_ || (y == end_y_ && x >= end_x_)) return;  // the next band's
   queue_.push_back({y, x, a, b, p.generation, q.generation});
   std::push_heap(queue_.begin(), queue_.end(), Later{});
 }
@@ -415,9 +420,14 @@ void ExactSweep::pair_up(const Cover& cover, std::span<const std::uint32_t> touc
     for (const std::uint32_t g : cover) {
       const Facet& b = facets_[g];
       if (f == g || a.face == b.face || a.z_near > b.z_far || b.z_near > a.z_far) continue;
-      penetrations_->test(penetrations_->place(std::min(f, g)), penetrations_->place(std::max(f, g)), [](const PageSegment&) { return true; });
+      test_pair(f, g);
     }
   }
+}
+
+void ExactSweep::test_pair(std::uint32_t f, std::uint32_t g) {
+  const auto wanted = [this](const PageSegment& s) { return !covers_ || !covers_->hides(s); };
+  penetrations_->test(penetrations_->place(std::min(f, g)), penetrations_->place(std::max(f, g)), wanted);
 }
 
 /// Below the crossing, between the two edges, lie the facets that are left of the left edge and those that are right of the right one.
@@ -430,7 +440,7 @@ void ExactSweep::pair_at_crossing(std::uint32_t left, std::uint32_t right, const
         for (const std::uint32_t g : scene_.facets_of(edge(d))) {
           const Facet& b = facets_[g];
           if (f == g || a.face == b.face || a.z_near > b.z_far || b.z_near > a.z_far || contains(outside, g)) continue;
-          penetrations_->test(penetrations_->place(std::min(f, g)), penetrations_->place(std::max(f, g)), [](const PageSegment&) { return true; });
+          test_pair(f, g);
         }
       }
     }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "visibility/common/penetration.hpp"
+#include "visibility/watkins/cover_grid.hpp"
 #include "visibility/watkins/stretch_study.hpp"
 #include "visibility/watkins/sweep_scene.hpp"
 #include "visibility/watkins/sweep_status.hpp"
@@ -46,9 +47,11 @@ std::vector<SweepBand> make_bands(const SweepScene& scene);
 
 class ExactSweep {
  public:
-  /// `penetrations`: collects pairs of facets that may penetrate, or is null. Edges no farther apart than `near_steps` may lie on each other.
-  ExactSweep(const SweepScene& scene, const std::vector<Facet>& facets, StretchStudy& study, double near_steps, PenetrationSearch* penetrations)
-      : scene_(scene), facets_(facets), study_(study), near_steps_(near_steps), penetrations_(penetrations) {}
+  /// `penetrations`: collects pairs of facets that may penetrate, or is null; what lies behind `covers`, which may be null, is left out. Edges no
+  /// farther apart than `near_steps` may lie on each other.
+  ExactSweep(const SweepScene& scene, const std::vector<Facet>& facets, StretchStudy& study, double near_steps, PenetrationSearch* penetrations,
+             const CoverGrid* covers)
+      : scene_(scene), facets_(facets), study_(study), near_steps_(near_steps), penetrations_(penetrations), covers_(covers) {}
 
   void scan(const SweepBand& band);
 
@@ -91,6 +94,7 @@ class ExactSweep {
   void open(std::uint32_t node, double x, double y);
   void toggle_node(std::uint32_t node, Cover& cover);
   void end_edge(std::uint32_t local);
+  void test_pair(std::uint32_t f, std::uint32_t g);
   void pair_up(const Cover& cover, std::span<const std::uint32_t> touched);
   void pair_at_crossing(std::uint32_t left, std::uint32_t right, const Cover& outside);
 
@@ -107,6 +111,7 @@ class ExactSweep {
   StretchStudy& study_;
   double near_steps_;
   PenetrationSearch* penetrations_;
+  const CoverGrid* covers_;
 
   SweepStatus status_;
   std::vector<Crossing> queue_;
@@ -116,6 +121,7 @@ class ExactSweep {
   std::vector<EdgeState> states_;
   std::vector<std::uint32_t> free_states_;
   double x_ = 0, y_ = 0;  ///< where the scan stands
+  double end_x_ = 0, end_y_ = 0;  ///< where the band ends
   std::uint64_t active_count_ = 0;
 
   std::vector<std::uint32_t> going_on_, touched_, old_nodes_;  ///< working memory of at_point()

@@ -4,6 +4,13 @@
 #include <type_traits>
 
 namespace ligne::watkins {
+namespace {
+
+/// Edges on one line of the page have accumulators that differ by their roundings; that is no exchange. In grid units: far above 2^-53 of
+/// the largest u, far below a lattice step at any number of lines that a page can have.
+constexpr double kSamePlace = 0x1p-20;
+
+}  // namespace
 
 void ScanCounts::operator+=(const ScanCounts& o) {
   lines += o.lines;
@@ -35,6 +42,7 @@ SpanCounts LineScan::span_counts() const {
 void LineScan::scan(std::uint32_t first, std::uint32_t end) {
   begin(first);
   for (std::uint32_t line = first; line < end; ++line) {
+    if (line != first) ended_edges_.clear();
     const bool studied = take_line(line);
     if (order_.empty()) {
       listener_.line(*this, line, studied);
@@ -62,9 +70,11 @@ void LineScan::begin(std::uint32_t line) {
   order_.clear();
   spans_.clear();
   must_study_ = true;
+  ended_edges_.clear();
   if (line == 0) return;
   for (std::uint32_t e = 0; e < scene_.first_of_line[line]; ++e) {
     const EdgeTrack& track = scene_.edges[e].track;
+    if (track.last == line && track.first < line) ended_edges_.push_back(e);
     if (track.last <= line) continue;
     // One line above: taking the line advances them.
     EdgeTrack before = track.on(line);
@@ -81,6 +91,7 @@ bool LineScan::take_line(std::uint32_t line) {
   std::erase_if(order_, [&](std::uint32_t slot) {
     if (slots_[slot].track.last != line) return false;
     ended_.push_back(slot);
+    ended_edges_.push_back(slots_[slot].edge);
     return true;
   });
   for (const std::uint32_t slot : order_) {
@@ -125,7 +136,7 @@ bool LineScan::sort() {
   for (std::size_t i = 1; i < order_.size(); ++i) {
     const std::uint32_t moving = order_[i];
     std::size_t k = i;
-    for (; k > 0 && slots_[moving].u < slots_[order_[k - 1]].u; --k) {
+    for (; k > 0 && slots_[moving].u < slots_[order_[k - 1]].u - kSamePlace; --k) {
       ++counts_.exchanges;
       if (!options_.recognise || slots_[moving].boundary || slots_[order_[k - 1]].boundary) {
         matters = true;

@@ -76,9 +76,9 @@ class LineScan {
   const std::vector<std::uint32_t>& order() const { return order_; }   ///< slots by u
   const ActiveEdge& active(std::uint32_t slot) const { return slots_[slot]; }
   const std::vector<LineSpan>& spans() const { return spans_; }
+  const std::vector<std::uint32_t>& ended_edges() const { return ended_edges_; }  ///< edges that the line before met, and this one does not
   const ScanCounts& counts() const { return counts_; }
   SpanCounts span_counts() const;
-  std::uint64_t changes_of_order() const { return counts_.exchanges; }
 
  private:
   void begin(std::uint32_t line);
@@ -114,7 +114,7 @@ class LineScan {
   std::vector<ActiveEdge> slots_;
   std::vector<std::uint32_t> free_slots_, order_;
   std::vector<std::uint32_t> ended_, entered_;  ///< slots, on the line at hand
-  bool order_matters_ = false;                  ///< edges changed places, and one of them bounds a span
+  std::vector<std::uint32_t> ended_edges_;
   bool must_study_ = true;                      ///< the spans hold something that can not be carried on
   std::vector<LineSpan> spans_;
 

@@ -15,7 +15,7 @@ class MergeMethod final : public SpanMethod<X> {
   void study(std::span<const ScanSegment<X>> segments, std::vector<VisibleSpan>& out) override {
     segments_ = segments;
     pieces_.clear();
-    head_ = kEnd;
+    head_ = passed_ = kEnd;
     for (std::uint32_t i = 0; i < segments.size(); ++i) {
       if (segments[i].x0 < segments[i].x1) merge(i);
     }
@@ -49,12 +49,16 @@ class MergeMethod final : public SpanMethod<X> {
     const ScanSegment<X>& segment = segments_[index];
     double x = double(segment.x0);
     const double end = double(segment.x1);
-    std::uint32_t before = kEnd, piece = head_;
-    // Pieces wholly to the left. Segments sorted by their left end find most of them there.
+    // Pieces wholly to the left. What lay left of one segment lies left of all that begin farther right: segments that come sorted go on from
+    // there, others begin anew.
+    ++this->counts_.comparisons;
+    const bool goes_on = passed_ != kEnd && pieces_[passed_].x1 <= x;
+    std::uint32_t before = goes_on ? passed_ : kEnd, piece = goes_on ? pieces_[passed_].next : head_;
     while (piece != kEnd && (++this->counts_.comparisons, pieces_[piece].x1 <= x)) {
       before = piece;
       piece = pieces_[piece].next;
     }
+    passed_ = before;
     while (x < end) {
       ++this->counts_.comparisons;
       if (piece == kEnd || pieces_[piece].x0 >= end) {
@@ -95,6 +99,7 @@ class MergeMethod final : public SpanMethod<X> {
   std::span<const ScanSegment<X>> segments_;
   std::vector<Piece> pieces_;
   std::uint32_t head_ = kEnd;
+  std::uint32_t passed_ = kEnd;  ///< last piece left of the segment at hand, still in the list: only pieces right of it are replaced
 };
 
 }  // namespace

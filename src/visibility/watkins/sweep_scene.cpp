@@ -111,7 +111,7 @@ SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const 
     if (used[i]) places.push_back({key_of(vertices[i].p), i});
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i].from.p == lines[i].to.p) continue;
+    if (!lines[i].to_study()) continue;
     places.push_back({key_of(lines[i].from.p), static_cast<std::uint32_t>(n + 2 * i)});
     places.push_back({key_of(lines[i].to.p), static_cast<std::uint32_t>(n + 2 * i + 1)});
   }
@@ -128,7 +128,9 @@ SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const 
     for (std::uint32_t f = 0; f < facets.size(); ++f) {
       for (int k = 0; k < 3; ++k) use(number[facets[f].v[k]], number[facets[f].v[(k + 1) % 3]], false, f);
     }
-    for (std::uint32_t i = 0; i < lines.size(); ++i) use(number[n + 2 * i], number[n + 2 * i + 1], true, i);
+    for (std::uint32_t i = 0; i < lines.size(); ++i) {
+      if (lines[i].to_study()) use(number[n + 2 * i], number[n + 2 * i + 1], true, i);
+    }
   };
   for_each_use([&](std::uint32_t a, std::uint32_t b, bool, std::uint32_t) { table.count(a, b); });
   table.deal();

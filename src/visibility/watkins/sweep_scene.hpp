@@ -32,6 +32,9 @@ struct SweepEdge {
 struct SweepLine {
   ProjectedVertex from, to;
   std::uint32_t face0 = kNone, face1 = kNone;
+  bool behind = false;  ///< known to be hidden all along: there is nothing to study
+
+  bool to_study() const { return !behind && !(from.p == to.p); }
 };
 
 /// Invariants: points ascend; edges ascend by top_point; an edge has a facet twice never (both its sides would lie on it).
@@ -47,7 +50,7 @@ struct SweepScene {
   std::span<const std::uint32_t> lines_of(const SweepEdge& e) const { return {edge_lines.data() + e.lines_begin, edge_lines.data() + e.lines_end}; }
 };
 
-/// Lines whose two ends fall on one lattice point are left out.
+/// Lines whose two ends fall on one lattice point are left out, and those that are known to be hidden.
 SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines);
 
 }  // namespace ligne::watkins

@@ -11,9 +11,9 @@
 #include "visibility/watkins/exact_study.hpp"
 #include "visibility/watkins/line_study.hpp"
 
-// Phases: (1) facets, (2) the scan over the edges, which also finds what penetrates, (3) the scan over the lines of intersection, where there
-// are any, (4) spans for those who want them, (5) strokes. With a number of lines (2) only looks for penetrations, and (3) goes by lines, over
-// edges and intersections at once. See docs/methods/watkins.md.
+// Phases: (1) facets, (2) facets and lines that are surely hidden are left out, (3) the scan over the edges, which also finds what penetrates, (4)
+// the scan over the lines of intersection, where there are any, (5) spans for those who want them, (6) strokes. With a number of lines (3) only
+// looks for penetrations, and (4) goes by lines, over edges and intersections at once. See docs/methods/watkins.md.
 
 namespace ligne {
 namespace {
@@ -98,6 +98,21 @@ LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines) {
   return grid;
 }
 
+/// Takes facets that lie behind covers out of the list, and marks lines that do.
+void leave_out_hidden(const ProjectedScene& scene, const CoverGrid& covers, std::vector<Facet>& facets, std::vector<SweepLine>& lines) {
+  std::vector<std::uint8_t> hidden(facets.size());
+  tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) { hidden[i] = covers.hides(facets[i], scene.vertices); });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    if (!hidden[i]) facets[kept++] = facets[i];
+  }
+  facets.resize(kept);
+  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
+    const ProjectedVertex &a = lines[i].from, &b = lines[i].to;
+    lines[i].behind = covers.hides(PageSegment{{double(a.p.x), double(a.p.y), a.z}, {double(b.p.x), double(b.p.y), b.z}});
+  });
+}
+
 /// What the study of the lines found, in either precision.
 struct Found {
   FoundIntervals edges, intersections;
@@ -136,15 +151,25 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   exact_options.coincidence_steps = coincidence_mm(scene) / step;
   exact_options.penetrations = scene.with_intersections;
   exact_options.progress = options.progress;
-  const Facets facets = make_facets(scene, exact_options.coincidence_steps);
-  statistics.time("facets", clock.lap());
+  Facets facets = make_facets(scene, exact_options.coincidence_steps);
   statistics.count("facets", facets.facets.size());
   statistics.count("candidate edges", scene.edges.size());
-
-  // 2. Edges, and pairs that penetrate.
   std::vector<SweepLine> lines;
   lines.reserve(scene.edges.size());
   for (const ProjectedEdge& e : scene.edges) lines.push_back({scene.vertices[e.v0], scene.vertices[e.v1], e.face0, e.face1});
+  statistics.time("facets", clock.lap());
+
+  // 2. What is surely hidden. Hidden intersections can only be found among all facets.
+  std::optional<CoverGrid> covers;
+  if (!(options.hidden_strokes && scene.with_intersections)) {
+    covers.emplace(scene.vertices, facets.facets, exact_options.coincidence_steps + 1);
+    exact_options.covers = &*covers;
+    leave_out_hidden(scene, *covers, facets.facets, lines);
+    statistics.count("facets before all covers", facets.facets.size());
+  }
+  statistics.time("covers", clock.lap());
+
+  // 3. Edges, and pairs that penetrate.
   ExactCounts counts;
   Found found;
   std::vector<Intersection> intersections;
@@ -162,7 +187,7 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   statistics.count("intersection segments", intersections.size());
   statistics.time("edges", clock.lap());
 
-  // 3. Intersections; by lines, edges too.
+  // 4. Intersections; by lines, edges too.
   std::vector<SweepLine> crossed;
   for (const Intersection& i : intersections) crossed.push_back({i.from, i.to, i.face0, i.face1});
   std::vector<SweepLine> all_lines = lines;
@@ -190,7 +215,7 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   }
   statistics.time("lines", clock.lap());
 
-  // 4. Spans.
+  // 5. Spans.
   if (options.span_lines) {
     by_lines.track = false;
     by_lines.collect_spans = true;
@@ -199,14 +224,15 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   }
   if (result.spans) statistics.count("spans", result.spans->spans.size());
 
-  // 5. Strokes.
+  // 6. Strokes.
   // By lines what is shorter than the distance of two lines is below the resolution.
   const double shortest = exact ? least : std::max(least, grid_of_lines(scene, line_count).spacing);
   const StrokeMaker maker(scene, options.hidden_strokes);
   const auto add = [&](const SweepLine& l, const std::vector<LinePart>& visible, std::array<double, 2> range, std::uint32_t source, LineClass line_class,
                        bool may_coincide, std::vector<Stroke>& out) {
     const PageLine line(l.from, l.to, l.face0, l.face1);
-    std::vector<LinePart> parts = visible;
+    std::vector<LinePart> parts;
+    if (!l.behind) parts = visible;
     drop_short_parts(parts, page_length(line), shortest);
     maker.add(line, parts, range, source, line_class, may_coincide, out);
   };
