@@ -122,6 +122,12 @@ Model load(const std::filesystem::path& file) {
   Model model{file.stem().string(), project(scene, topology, view, selection), {}, {}};
   model.facets = make_facets(model.scene, coincidence_mm(model.scene) / model.scene.lattice.step_mm).facets;
   for (const ProjectedEdge& e : model.scene.edges) model.lines.push_back({model.scene.vertices[e.v0], model.scene.vertices[e.v1], e.face0, e.face1});
+  ExactOptions exact;
+  exact.penetrations = true;
+  ExactResult found = study_exactly(model.scene.vertices, model.facets, {}, exact);
+  for (const Intersection& i : take_intersections(found, model.scene.vertices, model.facets, kLeastPartMm / model.scene.lattice.step_mm)) {
+    model.lines.push_back({i.from, i.to, i.face0, i.face1});
+  }
   return model;
 }
 

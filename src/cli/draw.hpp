@@ -1,16 +1,15 @@
 #pragma once
 /// ligne draw: a hidden-line drawing of meshes and polygon scenes.
 
-#include <optional>
 #include <string>
 
+#include "cli/face_options.hpp"
 #include "cli/method_options.hpp"
 #include "cli/models.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/run_options.hpp"
 #include "cli/view_options.hpp"
-#include "drawing/shading.hpp"
 
 namespace ligne {
 
@@ -23,9 +22,7 @@ struct DrawOptions {
   RunOptions run;
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty
-  bool shade = false;                ///< PNG: faces in gray, by a light at the eye
-  std::optional<double> hatch_mm;    ///< distance of the closest hatch lines
-  unsigned hatch_levels = kMostHatchLevels;
+  FaceOptions faces;
 };
 
 /// Adds the command; it runs when the command line names it. `options` must outlive the parse.

@@ -37,9 +37,7 @@ struct Prepared {
     exact.coincidence_steps = coincidence;
     exact.penetrations = true;
     ExactResult found = study_exactly(projected.vertices, facets.facets, {}, exact);
-    PenetrationSearch all(facets.facets, projected.vertices);
-    for (PenetrationSearch& p : found.penetrations) all.add(std::move(p));
-    for (const Intersection& i : all.finish(kLeastPartMm / projected.lattice.step_mm)) lines.push_back({i.from, i.to, i.face0, i.face1});
+    for (const Intersection& i : take_intersections(found, projected.vertices, facets.facets, kLeastPartMm / projected.lattice.step_mm)) lines.push_back({i.from, i.to, i.face0, i.face1});
   }
 
   LineStudyResult study(std::uint32_t count, const ScanOptions& scan, std::uint32_t group = 0, bool whole = false) const {

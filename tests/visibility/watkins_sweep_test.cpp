@@ -185,10 +185,8 @@ TEST(WatkinsSweep, FindsWhatPenetrates) {
   add_face(scene, {{{0, 5, 2}, {10, -5, 2}, {10, -5, 8}, {0, 5, 8}}});
   const Prepared p = prepare(scene, along({0, 1, 0}));
   ExactResult r = study(p, SpanMethodKind::stack, true);
-  PenetrationSearch all(p.facets.facets, p.projected.vertices);
-  for (PenetrationSearch& s : r.penetrations) all.add(std::move(s));
   double sum = 0;
-  for (const Intersection& i : all.finish(1)) sum += std::hypot(double(i.to.p.x) - i.from.p.x, double(i.to.p.y) - i.from.p.y);
+  for (const Intersection& i : take_intersections(r, p.projected.vertices, p.facets.facets, 1)) sum += std::hypot(double(i.to.p.x) - i.from.p.x, double(i.to.p.y) - i.from.p.y);
   const double unit = p.projected.view.scale / p.projected.lattice.step_mm;
   EXPECT_NEAR(sum, 6 * unit, 4);
 }

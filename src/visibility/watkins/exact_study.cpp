@@ -51,6 +51,14 @@ ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const st
   return result;
 }
 
+std::vector<Intersection> take_intersections(ExactResult& result, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
+                                             double least_steps) {
+  PenetrationSearch all(facets, vertices);
+  for (PenetrationSearch& p : result.penetrations) all.add(std::move(p));
+  result.penetrations.clear();
+  return all.finish(least_steps);
+}
+
 FoundIntervals::FoundIntervals(const std::vector<std::vector<Finding>>& findings, std::size_t line_count) : first_(line_count + 1, 0) {
   for (const auto& band : findings) {
     for (const Finding& f : band) ++first_[f.line + 1];

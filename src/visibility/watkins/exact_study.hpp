@@ -48,6 +48,10 @@ struct ExactResult {
   ExactCounts counts;
 };
 
+/// The intersections that all bands have found together. Takes them out of the result.
+std::vector<Intersection> take_intersections(ExactResult& result, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
+                                             double least_steps);
+
 ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
                           const ExactOptions& options);
 

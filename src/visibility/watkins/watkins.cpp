@@ -178,11 +178,7 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
     counts += edges.counts;
     found.edges = std::move(edges.found);
     found.near = std::move(edges.near);
-    if (scene.with_intersections) {
-      PenetrationSearch all(facets.facets, scene.vertices);
-      for (PenetrationSearch& p : edges.penetrations) all.add(std::move(p));
-      intersections = all.finish(least);
-    }
+    if (scene.with_intersections) intersections = take_intersections(edges, scene.vertices, facets.facets, least);
   }
   statistics.count("intersection segments", intersections.size());
   statistics.time("edges", clock.lap());
