@@ -16,7 +16,10 @@ bool same(const Stroke& a, const Stroke& b) {
          a.line_class == b.line_class && a.visible == b.visible;
 }
 
-TEST(Determinism, OneThreadAndManyGiveTheSameStrokes) {
+class Determinism : public testing::TestWithParam<const Method*> {};
+
+TEST_P(Determinism, OneThreadAndManyGiveTheSameStrokes) {
+  if (!(GetParam()->traits().products & kStrokes)) GTEST_SKIP() << "gives no strokes";
   Scene scene;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -25,7 +28,7 @@ TEST(Determinism, OneThreadAndManyGiveTheSameStrokes) {
   }
   const auto with_threads = [&](int n) {
     tbb::task_arena arena(n);
-    return arena.execute([&] { return draw(scene, {along({-1, 2, -1}), "all", true}); });
+    return arena.execute([&] { return draw(scene, {along({-1, 2, -1}), "all", false, 0, std::string(GetParam()->traits().name)}); });
   };
   const Picture one = with_threads(1), four = with_threads(4);
   ASSERT_EQ(one.model.strokes.size(), four.model.strokes.size());
@@ -33,6 +36,9 @@ TEST(Determinism, OneThreadAndManyGiveTheSameStrokes) {
     ASSERT_TRUE(same(one.model.strokes[i], four.model.strokes[i])) << "stroke " << i;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Methods, Determinism, testing::ValuesIn(all_methods().begin(), all_methods().end()),
+                         [](const auto& info) { return std::string(info.param->traits().name); });
 
 }  // namespace
 }  // namespace ligne::test

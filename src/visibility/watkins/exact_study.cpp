@@ -6,6 +6,8 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 
+#include "visibility/watkins/facets_near.hpp"
+
 namespace ligne::watkins {
 
 void ExactCounts::operator+=(const ExactCounts& o) {
@@ -15,8 +17,11 @@ void ExactCounts::operator+=(const ExactCounts& o) {
   bands += o.bands;
 }
 
-ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
+ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& all_facets, std::span<const SweepLine> lines,
                           const ExactOptions& options) {
+  // Penetrations may be anywhere; otherwise what is not near a line is no concern of the scan.
+  const std::vector<Facet> near = options.penetrations ? std::vector<Facet>{} : facets_near(lines, all_facets, vertices, options.coincidence_steps + 1);
+  const std::vector<Facet>& facets = options.penetrations ? all_facets : near;
   const SweepScene scene = make_sweep_scene(vertices, facets, lines);
   const std::vector<SweepBand> bands = make_bands(scene);
   struct BandResult {
