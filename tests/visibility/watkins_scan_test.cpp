@@ -141,10 +141,12 @@ TEST(WatkinsScan, TwiceTheLinesAreNoMoreStudies) {
 TEST(WatkinsScan, GroupsLeaveNoSeam) {
   const Prepared p(corpus("bricks"), kOdd);
   const LineStudyResult whole = p.study(600, kRecognising);
+  // Where edges run along each other a carried span may end at the one or the other: they are the same place within 2^-20 of a line.
+  const double same = 2 * 0x1p-20 * (210.0 / 600) * static_cast<double>(whole.spans.size());
   OpenParts open;
   for (const std::uint32_t group : {1u, 7u, 100u, 599u}) {
     const LineStudyResult parts = p.study(600, kRecognising, group);
-    EXPECT_LT(difference(whole.spans, parts.spans), 1e-9 * length(whole.spans)) << group;
+    EXPECT_LT(difference(whole.spans, parts.spans), same) << group;
     if (group == 1) continue;  // one line has no line before it to tell what lies between the two
     for (std::size_t i = 0; i < p.lines.size(); ++i) {
       const std::vector<LinePart> expected = whole.found.visible_parts(i, open);

@@ -2,6 +2,7 @@
 
 #include <mutex>
 #include <numeric>
+#include <optional>
 
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
@@ -36,7 +37,9 @@ ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const st
   std::size_t done = 0;
   tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t b) {
     StretchStudy study(vertices, facets, lines, options.coincidence_steps, options.kind);
-    ExactSweep sweep(scene, facets, study, options.coincidence_steps + 1, options.penetrations ? &result.penetrations[b] : nullptr, options.covers);
+    std::optional<PairFinder> pairs;
+    if (options.penetrations) pairs.emplace(facets, result.penetrations[b], options.covers);
+    ExactSweep sweep(scene, study, options.coincidence_steps + 1, pairs ? &*pairs : nullptr);
     sweep.scan(bands[b]);
     results[b] = {sweep.findings(), sweep.near_lines(), {sweep.counts(), study.counts(), study.span_counts(), 1}};
     if (options.progress) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ligne::watkins {
 namespace {
 
-bool contains(const Cover& cover, std::uint32_t facet) { return std::find(cover.begin(), cover.end(), facet) != cover.end(); }
+/// Crossings are kept in buckets of so many points: the heap holds those of one bucket alone. Adjustable.
+constexpr std::uint32_t kPointsPerBucket = 64;
 
 /// Abscissa of an edge at a height that it reaches; of a horizontal edge, at x.
 double abscissa(LatticePoint top, LatticePoint bottom, double y, double x) {
@@ -25,26 +25,11 @@ void SweepCounts::operator+=(const SweepCounts& o) {
   most_active = std::max(most_active, o.most_active);
 }
 
-std::vector<SweepBand> make_bands(const SweepScene& scene) {
-  constexpr std::uint32_t kPointsPerBand = 4096, kMostBands = 32;
-  const auto n = static_cast<std::uint32_t>(scene.points.size());
-  if (n == 0) return {};
-  const std::uint32_t wanted = std::clamp(n / kPointsPerBand, 1u, kMostBands), size = (n + wanted - 1) / wanted;
-  std::vector<SweepBand> bands((n + size - 1) / size);
-  for (std::uint32_t b = 0; b < bands.size(); ++b) {
-    bands[b].first = b * size;
-    bands[b].end = std::min(n, (b + 1) * size);
-  }
-  for (std::uint32_t e = 0; e < scene.edges.size(); ++e) {
-    for (std::uint32_t b = scene.edges[e].top_point / size + 1; b <= scene.edges[e].bottom_point / size; ++b) bands[b].active.push_back(e);
-  }
-  return bands;
-}
-
 void ExactSweep::scan(const SweepBand& band) {
   begin(band);
   for (std::uint32_t p = band.first; p < band.end; ++p) {
     at_crossings(scene_.points[p].y, scene_.points[p].x);
+    if (p > band.first && (p - band.first) % kPointsPerBucket == 0) queue_.pass_fence([this](const Crossing& c) { return still_to_come(c); });
     at_point(p);
     counts_.most_active = std::max(counts_.most_active, active_count_);
   }
@@ -70,9 +55,11 @@ void ExactSweep::begin(const SweepBand& band) {
   next_in_node_.assign(locals, kNone);
   state_of_.assign(locals, kNone);
   const LatticePoint start = scene_.points[band.first];
+  std::vector<LatticePoint> fences;
+  for (std::uint32_t p = band.first + kPointsPerBucket; p < band.end; p += kPointsPerBucket) fences.push_back(scene_.points[p]);
   const bool last_band = band.end == scene_.points.size();
-  end_x_ = last_band ? std::numeric_limits<double>::infinity() : scene_.points[band.end].x;
-  end_y_ = last_band ? std::numeric_limits<double>::infinity() : scene_.points[band.end].y;
+  if (!last_band) fences.push_back(scene_.points[band.end]);
+  queue_.reset(std::move(fences), last_band);
   x_ = start.x;
   y_ = start.y;
   struct Entry {
@@ -132,13 +119,10 @@ void ExactSweep::toggle_node(std::uint32_t node, Cover& cover) {
 
 /// All crossings before (y, x).
 void ExactSweep::at_crossings(double y, double x) {
-  while (!queue_.empty()) {
-    const Crossing c = queue_.front();
-    if (c.y > y || (c.y == y && c.x >= x)) return;
-    std::pop_heap(queue_.begin(), queue_.end(), Later{});
-    queue_.pop_back();
+  while (const std::optional<Crossing> next = queue_.take_before(y, x)) {
+    const Crossing& c = *next;
+    if (!still_to_come(c)) continue;
     const SweepNode &p = status_.node(c.left), &q = status_.node(c.right);
-    if (p.generation != c.left_generation || q.generation != c.right_generation || status_.next(p.slot) != q.slot) continue;
     y_ = c.y;
     x_ = c.x;
     ++counts_.crossings;
@@ -151,7 +135,11 @@ void ExactSweep::exchange(std::uint32_t s) {
   const std::uint32_t t = status_.next(s), a = status_.node_at(s), b = status_.node_at(t), before = status_.previous(s);
   close(s, x_, y_);
   close(t, x_, y_);
-  if (penetrations_) pair_at_crossing(a, b, status_.cover(before));
+  if (pairs_) {
+    facets_of(a, left_facets_);
+    facets_of(b, right_facets_);
+    pairs_->at_crossing(left_facets_, right_facets_, status_.cover(before));
+  }
   status_.put(s, b);
   status_.put(t, a);
   status_.cover(s) = status_.cover(before);
@@ -199,9 +187,12 @@ void ExactSweep::check_pair(std::uint32_t left_slot) {
     y = y_;
     x = x_;
   }
-  if (y > end_y_ || (y == end_y_ && x >= end_x_)) return;  // the next band's
-  queue_.push_back({y, x, a, b, p.generation, q.generation});
-  std::push_heap(queue_.begin(), queue_.end(), Later{});
+  queue_.put({y, x, a, b, p.generation, q.generation});
+}
+
+bool ExactSweep::still_to_come(const Crossing& c) const {
+  const SweepNode &p = status_.node(c.left), &q = status_.node(c.right);
+  return p.generation == c.left_generation && q.generation == c.right_generation && status_.next(p.slot) == q.slot;
 }
 
 /// Two neighbours on one line.
@@ -268,7 +259,7 @@ void ExactSweep::collect_edges(std::uint32_t point, std::uint32_t before, std::u
   touched_.clear();
   old_nodes_.clear();
   const auto touch = [this](const SweepEdge& e) {
-    if (!penetrations_) return;
+    if (!pairs_) return;
     for (const std::uint32_t f : scene_.facets_of(e)) {
       if (!contains(touched_, f)) touched_.push_back(f);
     }
@@ -331,7 +322,7 @@ void ExactSweep::at_point(std::uint32_t point) {
     status_.put(slot, node);
     status_.cover(slot) = status_.cover(left);
     toggle_node(node, status_.cover(slot));
-    if (penetrations_ && left != before) pair_up(status_.cover(left), touched_);
+    if (pairs_ && left != before) pairs_->at_point(touched_, status_.cover(left));
     i = end;
   }
   while (slot != last) {
@@ -412,38 +403,12 @@ void ExactSweep::finish(double y, double x) {
   }
 }
 
-/// Two facets that overlap on the page begin to do so at a point of one of them, or where two of their sides cross. There they are tested.
-void ExactSweep::pair_up(const Cover& cover, std::span<const std::uint32_t> touched) {
-  for (const std::uint32_t f : touched) {
-    if (!contains(cover, f)) continue;
-    const Facet& a = facets_[f];
-    for (const std::uint32_t g : cover) {
-      const Facet& b = facets_[g];
-      if (f == g || a.face == b.face || a.z_near > b.z_far || b.z_near > a.z_far) continue;
-      test_pair(f, g);
-    }
-  }
-}
-
-void ExactSweep::test_pair(std::uint32_t f, std::uint32_t g) {
-  const auto wanted = [this](const PageSegment& s) { return !covers_ || !covers_->hides(s); };
-  penetrations_->test(penetrations_->place(std::min(f, g)), penetrations_->place(std::max(f, g)), wanted);
-}
-
-/// Below the crossing, between the two edges, lie the facets that are left of the left edge and those that are right of the right one.
-void ExactSweep::pair_at_crossing(std::uint32_t left, std::uint32_t right, const Cover& outside) {
-  for (std::uint32_t e = status_.node(left).first; e != kNone; e = next_in_node_[e]) {
-    for (const std::uint32_t f : scene_.facets_of(edge(e))) {
-      if (!contains(outside, f)) continue;
-      const Facet& a = facets_[f];
-      for (std::uint32_t d = status_.node(right).first; d != kNone; d = next_in_node_[d]) {
-        for (const std::uint32_t g : scene_.facets_of(edge(d))) {
-          const Facet& b = facets_[g];
-          if (f == g || a.face == b.face || a.z_near > b.z_far || b.z_near > a.z_far || contains(outside, g)) continue;
-          test_pair(f, g);
-        }
-      }
-    }
+/// The facets with a side in the node, into `facets`.
+void ExactSweep::facets_of(std::uint32_t node, std::vector<std::uint32_t>& facets) const {
+  facets.clear();
+  for (std::uint32_t e = status_.node(node).first; e != kNone; e = next_in_node_[e]) {
+    const std::span<const std::uint32_t> of_edge = scene_.facets_of(edge(e));
+    facets.insert(facets.end(), of_edge.begin(), of_edge.end());
   }
 }
 

@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "visibility/common/penetration.hpp"
-#include "visibility/watkins/cover_grid.hpp"
+#include "visibility/watkins/crossing_queue.hpp"
+#include "visibility/watkins/pair_finder.hpp"
 #include "visibility/watkins/stretch_study.hpp"
 #include "visibility/watkins/sweep_scene.hpp"
 #include "visibility/watkins/sweep_status.hpp"
@@ -36,22 +36,11 @@ struct Finding {
   HiddenInterval interval;
 };
 
-/// Points [first, end) of the scene, and the edges that run into them from above, by number.
-struct SweepBand {
-  std::uint32_t first = 0, end = 0;
-  std::vector<std::uint32_t> active;
-};
-
-/// Bands of about equal numbers of points. Their number depends on the scene alone.
-std::vector<SweepBand> make_bands(const SweepScene& scene);
-
 class ExactSweep {
  public:
-  /// `penetrations`: collects pairs of facets that may penetrate, or is null; what lies behind `covers`, which may be null, is left out. Edges no
-  /// farther apart than `near_steps` may lie on each other.
-  ExactSweep(const SweepScene& scene, const std::vector<Facet>& facets, StretchStudy& study, double near_steps, PenetrationSearch* penetrations,
-             const CoverGrid* covers)
-      : scene_(scene), facets_(facets), study_(study), near_steps_(near_steps), penetrations_(penetrations), covers_(covers) {}
+  /// `pairs` is told where facets begin to overlap; it may be null. Edges no farther apart than `near_steps` may lie on each other.
+  ExactSweep(const SweepScene& scene, StretchStudy& study, double near_steps, PairFinder* pairs)
+      : scene_(scene), study_(study), near_steps_(near_steps), pairs_(pairs) {}
 
   void scan(const SweepBand& band);
 
@@ -60,19 +49,6 @@ class ExactSweep {
   const SweepCounts& counts() const { return counts_; }
 
  private:
-  struct Crossing {
-    double y, x;
-    std::uint32_t left, right;                        ///< nodes
-    std::uint32_t left_generation, right_generation;
-  };
-  struct Later {
-    bool operator()(const Crossing& a, const Crossing& b) const {
-      if (a.y != b.y) return a.y > b.y;
-      if (a.x != b.x) return a.x > b.x;
-      if (a.left != b.left) return a.left > b.left;
-      return a.right > b.right;
-    }
-  };
   /// States of the lines of one edge.
   struct EdgeState {
     std::vector<LineState> lines;
@@ -81,6 +57,7 @@ class ExactSweep {
   void begin(const SweepBand& band);
   void at_crossings(double y, double x);
   void at_point(std::uint32_t point);
+  bool still_to_come(const Crossing& c) const;
   void finish(double y, double x);
 
   void find_range(std::uint32_t point, std::uint32_t& before, std::uint32_t& last);
@@ -94,9 +71,7 @@ class ExactSweep {
   void open(std::uint32_t node, double x, double y);
   void toggle_node(std::uint32_t node, Cover& cover);
   void end_edge(std::uint32_t local);
-  void test_pair(std::uint32_t f, std::uint32_t g);
-  void pair_up(const Cover& cover, std::span<const std::uint32_t> touched);
-  void pair_at_crossing(std::uint32_t left, std::uint32_t right, const Cover& outside);
+  void facets_of(std::uint32_t node, std::vector<std::uint32_t>& facets) const;
 
   std::uint32_t local_of(std::uint32_t edge) const;
   const SweepEdge& edge(std::uint32_t local) const { return scene_.edges[local < active_->size() ? (*active_)[local] : first_edge_ + (local - active_->size())]; }
@@ -107,24 +82,22 @@ class ExactSweep {
   std::uint32_t make_node(std::span<const std::uint32_t> edges, double x, double y);
 
   const SweepScene& scene_;
-  const std::vector<Facet>& facets_;
   StretchStudy& study_;
   double near_steps_;
-  PenetrationSearch* penetrations_;
-  const CoverGrid* covers_;
+  PairFinder* pairs_;
 
   SweepStatus status_;
-  std::vector<Crossing> queue_;
+  CrossingQueue queue_;
   const std::vector<std::uint32_t>* active_ = nullptr;
   std::uint32_t first_edge_ = 0;
   std::vector<std::uint32_t> node_of_, next_in_node_, state_of_;  ///< by local edge
   std::vector<EdgeState> states_;
   std::vector<std::uint32_t> free_states_;
   double x_ = 0, y_ = 0;  ///< where the scan stands
-  double end_x_ = 0, end_y_ = 0;  ///< where the band ends
   std::uint64_t active_count_ = 0;
 
   std::vector<std::uint32_t> going_on_, touched_, old_nodes_;  ///< working memory of at_point()
+  std::vector<std::uint32_t> left_facets_, right_facets_;      ///< and of exchange()
   std::vector<Finding> findings_;
   std::vector<std::uint32_t> near_lines_;
   SweepCounts counts_;

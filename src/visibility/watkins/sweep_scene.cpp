@@ -141,4 +141,20 @@ SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const 
   return scene;
 }
 
+std::vector<SweepBand> make_bands(const SweepScene& scene) {
+  constexpr std::uint32_t kPointsPerBand = 4096, kMostBands = 32;
+  const auto n = static_cast<std::uint32_t>(scene.points.size());
+  if (n == 0) return {};
+  const std::uint32_t wanted = std::clamp(n / kPointsPerBand, 1u, kMostBands), size = (n + wanted - 1) / wanted;
+  std::vector<SweepBand> bands((n + size - 1) / size);
+  for (std::uint32_t b = 0; b < bands.size(); ++b) {
+    bands[b].first = b * size;
+    bands[b].end = std::min(n, (b + 1) * size);
+  }
+  for (std::uint32_t e = 0; e < scene.edges.size(); ++e) {
+    for (std::uint32_t b = scene.edges[e].top_point / size + 1; b <= scene.edges[e].bottom_point / size; ++b) bands[b].active.push_back(e);
+  }
+  return bands;
+}
+
 }  // namespace ligne::watkins

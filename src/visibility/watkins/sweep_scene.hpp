@@ -53,4 +53,13 @@ struct SweepScene {
 /// Lines whose two ends fall on one lattice point are left out, and those that are known to be hidden.
 SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines);
 
+/// Points [first, end) of the scene, and the edges that run into them from above, by number.
+struct SweepBand {
+  std::uint32_t first = 0, end = 0;
+  std::vector<std::uint32_t> active;
+};
+
+/// Bands of about equal numbers of points. Their number depends on the scene alone.
+std::vector<SweepBand> make_bands(const SweepScene& scene);
+
 }  // namespace ligne::watkins

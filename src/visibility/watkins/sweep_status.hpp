@@ -6,6 +6,7 @@
 ///
 /// Invariant: the cover right of a slot is the cover left of it, with every facet that has a side in the slot's node put in or taken out.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,6 +28,8 @@ inline void toggle(Cover& cover, std::uint32_t facet) {
   }
   cover.push_back(facet);
 }
+
+inline bool contains(const Cover& cover, std::uint32_t facet) { return std::find(cover.begin(), cover.end(), facet) != cover.end(); }
 
 struct SweepNode {
   LatticePoint top, bottom;         ///< of one of its edges, that reaches beyond the scan line
