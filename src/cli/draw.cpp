@@ -31,7 +31,7 @@ void draw(const DrawOptions& options) {
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   draw_scene(models.scene,
              {method, settings, options.method.edges, options.method.crease_degrees, options.method.hidden, options.method.cull, options.view,
-              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), options.faces},
+              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces},
              run);
 }
 

@@ -1,5 +1,6 @@
 #include "cli/scene_drawing.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -29,6 +30,7 @@ VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projec
   study_options.hidden_strokes = request.hidden != HiddenLines::none;
   study_options.span_lines = span_lines(request.faces, plot);
   study_options.settings = request.settings;
+  if (format_of(request.output) != OutputFormat::json) study_options.wanted = request.faces.wanted() ? kStrokes | kSpans : kStrokes;  // all that is drawn
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return request.method.study(projected, study_options);
 }
@@ -43,16 +45,34 @@ void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& p
   drawing.layers.insert(drawing.layers.begin(), std::move(layer));
 }
 
-std::string written(OutputFormat format, const DrawingDocument& document, const PlotOptions& plot, FacePicture faces) {
-  if (format == OutputFormat::json) return write_json(document, plot);
+/// What surface hides of the axes is not drawn, also where hidden lines are.
+void remove_hidden_axes(StrokeModel& model) {
+  std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
+}
+
+/// The document as lines, with what stands round it.
+Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, const SceneDrawing& request) {
   Drawing drawing = make_drawing(*document.strokes);
-  if (faces.hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), Layer{"hatch", std::move(faces.hatching)});
   if (document.debug) add_debug_layer(drawing, *document.debug);
+  if (!request.frame) return drawing;
+  const std::size_t unknown = add_surroundings(drawing, around, request.frame->axes);
+  if (unknown > 0 && !request.run.quiet) {
+    warn(request.place_of_warnings, std::to_string(unknown) + " characters are not in the font: drawn as boxes");
+  }
+  return drawing;
+}
+
+/// Below all lines.
+void add_hatching(Drawing& drawing, Polylines hatching) {
+  if (hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), Layer{"hatch", std::move(hatching)});
+}
+
+std::string written(OutputFormat format, const Drawing& drawing, const PlotOptions& plot, const GrayPicture* under) {
   switch (format) {
     case OutputFormat::pdf:
       return write_pdf(drawing, plot);
     case OutputFormat::png:
-      return write_png(drawing, plot, faces.shaded ? &*faces.shaded : nullptr);
+      return write_png(drawing, plot, under);
     default:
       return write_svg(drawing, plot);
   }
@@ -65,11 +85,18 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   const OutputFormat format = format_of(request.output);
   Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
 
-  Placement placement;
+  Surroundings around;
+  Placement& placement = around.placement;
   const ProjectedScene projected = timed(run.stages, "project", [&] {
-    placement = place(scene, camera_of(request.view, scene), request.page);
+    const Camera camera = camera_of(request.view, scene);
+    if (request.frame) {
+      around = place_with_axes(request.frame->box, scene, camera, request.page, request.frame->axes, request.title);
+    } else {
+      placement = place(scene, camera, request.page);
+    }
     ProjectedScene all = project(scene, topology, placement.view, {request.classes, request.crease_degrees});
     if (request.cull) cull_back_faces(scene, topology, all, request.place_of_warnings, request.run.quiet);
+    add_lines(all, all_lines(around), LineClass::axes);
     return all;
   });
   PlotOptions plot;
@@ -84,9 +111,10 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected, plot); });
   if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
   StrokeModel& strokes = *result.strokes;
+  remove_hidden_axes(strokes);
 
   if (!request.run.quiet) {
-    if (strokes.strokes.empty()) {
+    if (std::none_of(strokes.strokes.begin(), strokes.strokes.end(), [](const Stroke& s) { return s.line_class != LineClass::axes; })) {
       warn(request.place_of_warnings, "nothing to draw is in view: the drawing is empty");
     } else if (placement.larger_than_page()) {
       warn(request.place_of_warnings, "the picture is larger than the page: what lies outside is left out");
@@ -111,9 +139,11 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     document.near_distance = placement.view.near_distance;
     document.method = run.method;
     document.statistics = result.statistics;
-    const FacePicture faces =
-        result.spans ? picture_faces(request.faces, scene, placement.view.camera, *result.spans, plot) : FacePicture{};
-    return written(format, document, plot, faces);
+    if (format == OutputFormat::json) return write_json(document, plot);
+    FacePicture faces = result.spans ? picture_faces(request.faces, scene, placement.view.camera, *result.spans, plot) : FacePicture{};
+    Drawing drawing = drawing_of(document, around, request);
+    add_hatching(drawing, std::move(faces.hatching));
+    return written(format, drawing, plot, faces.shaded ? &*faces.shaded : nullptr);
   });
   run.study = std::move(result.statistics);
   timed(run.stages, "output", [&] { write_output(*request.output.file, bytes); });

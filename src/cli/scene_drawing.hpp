@@ -9,10 +9,17 @@
 #include "cli/page_options.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stages.hpp"
+#include "cli/surface_axes.hpp"
 #include "cli/view_options.hpp"
 #include "scene/scene.hpp"
 
 namespace ligne {
+
+/// Axes and a title round the picture of what is plotted.
+struct PlotFrame {
+  const AxesOptions& axes;
+  std::optional<PlotBox> box;
+};
 
 /// What is drawn and how.
 struct SceneDrawing {
@@ -29,6 +36,7 @@ struct SceneDrawing {
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty
   std::string place_of_warnings;
+  const PlotFrame* frame = nullptr;  ///< not for JSON; without it the title is only that of the document
   FaceOptions faces{};
 };
 

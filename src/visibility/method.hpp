@@ -42,6 +42,7 @@ struct StudyOptions {
   std::function<void(double)> progress{};  ///< called with the fraction done, from one thread at a time; may be empty
   std::optional<SpanLines> span_lines{};   ///< the lines for which a method that produces spans gives them
   MethodSettings settings{};               ///< values of the method's own parameters, each within its range
+  std::uint8_t wanted = 0xff;              ///< products; a method may leave others out
 };
 
 /// What was found. Models that a method does not produce stay empty.

@@ -11,6 +11,7 @@ namespace ligne::test {
 struct Variant {
   const Method* method;
   MethodSettings settings;
+  bool is_default;
   std::string name;  ///< as on the command line, "watkins --span-method box"
 };
 
@@ -19,12 +20,12 @@ inline std::vector<Variant> variants() {
   std::vector<Variant> list;
   for (const Method* method : all_methods()) {
     const std::string name(method->traits().name);
-    list.push_back({method, {}, name});
+    list.push_back({method, {}, true, name});
     for (const MethodParameter& p : method->traits().parameters) {
       if (p.high > 0) continue;  // a number, or a word in its place
       for (unsigned i = 0; i < p.words.size(); ++i) {
         if (p.words[i] == p.standard) continue;
-        Variant v{method, {}, name + " --" + std::string(p.name) + " " + std::string(p.words[i])};
+        Variant v{method, {}, false, name + " --" + std::string(p.name) + " " + std::string(p.words[i])};
         v.settings.set(p.name, i);
         list.push_back(std::move(v));
       }

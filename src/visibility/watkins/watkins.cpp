@@ -201,7 +201,7 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   if (exact) {
     report(counts, statistics);
   } else {
-    by_lines.collect_spans = !options.span_lines;
+    by_lines.collect_spans = (options.wanted & kSpans) != 0 && !options.span_lines;
     LineStudyResult r = study_by_lines(scene, facets.facets, all_lines, grid_of_lines(scene, line_count), by_lines);
     report(r, statistics);
     found.edges = std::move(r.found);
