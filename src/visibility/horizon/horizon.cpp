@@ -87,7 +87,9 @@ HorizonLines horizon_lines(const HeightSource& heights, const View& view, const 
   const auto sweep = [&](const HeightSource& source, bool transposed) {
     if (options.resolution) return sweep_all<TwoHorizons<PixelEnvelope>>(source, transposed, view, options, statistics);
     // Curves that hide cover nothing: the classical method has no answer to holes.
-    if (!by_curves && (needs_coverage(heights, view.camera, options) || options.holes.value_or(survey(heights).holes))) return sweep_all<GeneralHorizon>(source, transposed, view, options, statistics);
+    if (!by_curves && (needs_coverage(heights, view.camera, options) || options.holes.value_or(survey(heights).holes))) {
+      return sweep_all<GeneralHorizon>(source, transposed, view, options, statistics);
+    }
     return sweep_all<TwoHorizons<ExactEnvelope>>(source, transposed, view, options, statistics);
   };
   // Columns may lie along the sights, since a strip knows the cells on both sides of them; rows may not.
