@@ -24,12 +24,13 @@ SourceEdge source_edge(const Scene& scene, const Edge& edge) {
 }
 
 /// The method's study, with the progress bar over it.
-VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projected) {
+VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projected, const PlotOptions& plot) {
   ProgressBar bar(request.run);
   StudyOptions study_options;
   study_options.hidden_strokes = request.hidden != HiddenLines::none;
+  study_options.span_lines = span_lines(request.faces, plot);
   study_options.settings = request.settings;
-  if (format_of(request.output) != OutputFormat::json) study_options.wanted = kStrokes;  // all that is drawn
+  if (format_of(request.output) != OutputFormat::json) study_options.wanted = request.faces.wanted() ? kStrokes | kSpans : kStrokes;  // all that is drawn
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return request.method.study(projected, study_options);
 }
@@ -61,12 +62,17 @@ Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, 
   return drawing;
 }
 
-std::string written(OutputFormat format, const Drawing& drawing, const PlotOptions& plot) {
+/// Below all lines.
+void add_hatching(Drawing& drawing, Polylines hatching) {
+  if (hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), Layer{"hatch", std::move(hatching)});
+}
+
+std::string written(OutputFormat format, const Drawing& drawing, const PlotOptions& plot, const GrayPicture* under) {
   switch (format) {
     case OutputFormat::pdf:
       return write_pdf(drawing, plot);
     case OutputFormat::png:
-      return write_png(drawing, plot);
+      return write_png(drawing, plot, under);
     default:
       return write_svg(drawing, plot);
   }
@@ -93,10 +99,16 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     add_lines(all, all_lines(around), LineClass::axes);
     return all;
   });
+  PlotOptions plot;
+  plot.page = placement.page;
+  plot.pen_width_mm = request.page.pen_width_mm;
+  plot.hidden_solid = request.hidden == HiddenLines::solid;
+  plot.title = request.title;
+  plot.dpi = request.dpi;
   // Only the JSON drawing names the source edges; the study needs the memory of the rest.
   const std::vector<Edge> edges = format == OutputFormat::json ? std::move(topology.edges) : std::vector<Edge>{};
   topology = {};
-  VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected); });
+  VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected, plot); });
   if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
   StrokeModel& strokes = *result.strokes;
   remove_hidden_axes(strokes);
@@ -109,18 +121,13 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     }
   }
 
-  PlotOptions plot;
-  plot.page = placement.page;
-  plot.pen_width_mm = request.page.pen_width_mm;
-  plot.hidden_solid = request.hidden == HiddenLines::solid;
-  plot.title = request.title;
-  plot.dpi = request.dpi;
   timed(run.stages, "drawing", [&] { remove_coincident_strokes(strokes, coincidence_mm(projected)); });
   const std::string bytes = timed(run.stages, "write", [&] {
     DrawingDocument document;
     document.strokes = &strokes;
     document.regions = result.regions ? &*result.regions : nullptr;
     document.order = result.order ? &*result.order : nullptr;
+    document.spans = result.spans ? &*result.spans : nullptr;
     document.debug = result.debug.empty() ? nullptr : &result.debug;
     document.source = [&](std::uint32_t source) {
       return source < strokes.edge_count ? source_edge(scene, edges.at(source))
@@ -132,7 +139,11 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     document.near_distance = placement.view.near_distance;
     document.method = run.method;
     document.statistics = result.statistics;
-    return format == OutputFormat::json ? write_json(document, plot) : written(format, drawing_of(document, around, request), plot);
+    if (format == OutputFormat::json) return write_json(document, plot);
+    FacePicture faces = result.spans ? picture_faces(request.faces, scene, placement.view.camera, *result.spans, plot) : FacePicture{};
+    Drawing drawing = drawing_of(document, around, request);
+    add_hatching(drawing, std::move(faces.hatching));
+    return written(format, drawing, plot, faces.shaded ? &*faces.shaded : nullptr);
   });
   run.study = std::move(result.statistics);
   timed(run.stages, "output", [&] { write_output(*request.output.file, bytes); });

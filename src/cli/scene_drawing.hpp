@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/face_options.hpp"
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
@@ -36,6 +37,7 @@ struct SceneDrawing {
   std::string title;  ///< of the document, may be empty
   std::string place_of_warnings;
   const PlotFrame* frame = nullptr;  ///< not for JSON; without it the title is only that of the document
+  FaceOptions faces{};
 };
 
 /// Studies, draws and writes; then reports when the options ask for it. Throws UsageError, std::runtime_error.

@@ -14,7 +14,8 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kMostTriangles = 40'000'000;
+/// Half as many again as the largest mesh has, so that memory stays within 3 GB.
+constexpr std::size_t kMostTriangles = 3 * kMostMeshSamples;
 
 class ContourCut {
  public:
@@ -86,7 +87,7 @@ class ContourCut {
       const auto [low, high] = std::minmax({r[0], r[1], r[2]});
       const auto [first, end] = between(low, high);
       count += 2 * static_cast<std::size_t>(std::max(end - first, 0));
-      if (count > kMostTriangles) throw InputError(mesh_.name, "has too many contour lines: they cut it into more than 40 million triangles");
+      if (count > kMostTriangles) throw InputError(mesh_.name, "has too many contour lines: they cut it into more than 12 million triangles");
     }
     mesh_.triangles.reserve(count);
     mesh_.flags.reserve(count);

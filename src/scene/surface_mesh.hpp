@@ -47,7 +47,7 @@ void clip_heights(SurfaceMesh& mesh, double low, double high);
 
 /// Cuts the triangles along the planes of the heights `levels` (ascending, before scaling); the new edges are contour lines. So is an edge that lies
 /// in a plane with a face below it. A vertex that is within the rounding of a formula (kFormulaRounding) of a level counts as at that level,
-/// and keeps its place. Throws InputError when there would be more than 40 million triangles.
+/// and keeps its place. Throws InputError when there would be more than 12 million triangles.
 void cut_contours(SurfaceMesh& mesh, std::span<const double> levels);
 
 /// The least and the greatest height of the triangles, or nothing.

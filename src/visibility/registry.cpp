@@ -4,13 +4,15 @@
 
 #include "visibility/appel/appel.hpp"
 #include "visibility/warnock/warnock.hpp"
+#include "visibility/watkins/watkins.hpp"
 
 namespace ligne {
 
 std::span<const Method* const> all_methods() {
   static const AppelMethod appel;
   static const WarnockMethod warnock;
-  static const std::array<const Method*, 2> methods{&appel, &warnock};
+  static const WatkinsMethod scan;
+  static const std::array<const Method*, 3> methods{&appel, &warnock, &scan};
   return methods;
 }
 

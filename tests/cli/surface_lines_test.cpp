@@ -42,14 +42,45 @@ TEST_F(SurfaceLinesTest, TheHorizonAndTheMeshDrawTheSameContours) {
       {"x-y", "-x", "-4:4:9", "-y", "-4:4:9", "--samples", "9", "--contour-step", "1"},  // through their corners
   };
   for (const auto& arguments : surfaces) {
-    // Where a contour runs within the breadth of a coincidence beside an outline or another contour it is drawn once, by a mesh.
+    // Without outlines: a mesh draws a contour that runs along one, or within the breadth of a coincidence beside it, as outline alone.
     for (const std::vector<std::string>& view : {std::vector<std::string>{}, {"--azimuth", "20", "--elevation", "50"}, {"--eye", "30,-20,25", "--z-scale", "1"}}) {
-      const double horizon = layers_with(arguments, view).at("contour");
-      std::vector<std::string> by_mesh = arguments;
+      std::vector<std::string> by_horizon = arguments;
+      by_horizon.insert(by_horizon.end(), {"--outline", "off"});
+      std::vector<std::string> by_mesh = by_horizon;
       by_mesh.insert(by_mesh.end(), {"--method", "appel"});
+      const double horizon = layers_with(by_horizon, view).at("contour");
       EXPECT_GT(horizon, 100);
-      EXPECT_NEAR(layers_with(by_mesh, view).at("contour"), horizon, 1e-4 * horizon) << arguments[0] << (view.empty() ? "" : view[0]);
+      EXPECT_NEAR(layers_with(by_mesh, view).at("contour"), horizon, 1e-5 * horizon) << arguments[0] << (view.empty() ? "" : view[0]);
     }
+  }
+}
+
+TEST_F(SurfaceLinesTest, ContoursAlongTheSights) {
+  // Seen along the y axis contours that run along it are upright.
+  for (const char* formula : {"2.83*x+1.75*round(y)", "2*x", "x*x"}) {
+    for (const char* azimuth : {"90", "-90"}) {
+      const std::vector<std::string> slope{formula, "-x", "-3:3:14", "-y", "-3:3:10", "--outline", "off", "--contour-step", "0.7", "--azimuth", azimuth, "--elevation", "70"};
+      const double horizon = layers(slope).at("contour");
+      EXPECT_GT(horizon, 500) << formula;
+      EXPECT_NEAR(layers_with(slope, {"--method", "appel"}).at("contour"), horizon, 1e-4 * horizon) << formula << " from " << azimuth;
+    }
+  }
+  // On the plane they are seen where the surface above, 10 of them, is out of the way: from below all of them.
+  const auto below = layers({"x", "-x", "0:1:3", "-y", "0:1:3", "--z-scale", "1", "--contours-base", "-1", "--azimuth", "90", "--elevation", "-60", "--scale", "100:1"});
+  EXPECT_NEAR(below.at("contour-base"), 10 * 100 * std::sin(kPi / 3), 0.01);
+}
+
+TEST_F(SurfaceLinesTest, TheSurfaceBelowTheEyeHidesTheAxes) {
+  // The eye is over the surface, within the box: the ground below is hidden.
+  const std::vector<std::string> saddle{"x^2-0.31*y^2+1.62", "-x", "-3:3:21", "-y", "-3:3:18", "--z-scale", "1", "--eye", "-1.6,-1.8,5.5", "--fov", "70", "--lines", "none",
+                                        "--outline", "off", "--contours", "8"};
+  for (const char* style : {"--axes=base", "--axes=back"}) {
+    const auto horizon = layers_with(saddle, {style, "--contours-base"});
+    const auto mesh = layers_with(saddle, {style, "--method", "appel"});
+    const auto of = [](const std::map<std::string, double>& layers, const char* name) { return layers.count(name) ? layers.at(name) : 0.0; };
+    EXPECT_LT(of(horizon, "axes"), 0.1) << style;
+    EXPECT_LT(of(mesh, "axes"), 0.1) << style;
+    EXPECT_LT(of(horizon, "contour-base"), 0.1) << style;
   }
 }
 
@@ -57,11 +88,11 @@ TEST_F(SurfaceLinesTest, ContoursOfACone) {
   // Seen from above: circles of radius 1, 2 and 3, but for the polygons that stand for them.
   const std::vector<std::string> cone{"r", "-x", "-3.5:3.5:71", "-y", "-3.5:3.5:71", "--z-range", "0:3.5", "--contour-step", "1", "--z-scale", "1", "--view", "top"};
   EXPECT_NEAR(length(drawn(cone), "contour"), 2 * kPi * (1 + 2 + 3), 0.01);
-  // Turned over it has the same lines, all hidden by the upper side.
-  std::vector<std::string> hidden = cone;
-  hidden.insert(hidden.end(), {"--lines", "x", "--outline", "off"});
-  const json drawing = drawn(hidden);
-  EXPECT_EQ(length(drawing, "border") + length(drawing, "outline"), 0);
+  std::vector<std::string> alone = cone;
+  alone.insert(alone.end(), {"--lines", "none", "--outline", "off"});
+  const json drawing = drawn(alone);
+  EXPECT_NEAR(length(drawing, "contour"), length(drawn(cone), "contour"), kMicrometre);
+  EXPECT_EQ(length(drawing, "border") + length(drawing, "outline") + length(drawing, "horizon"), 0);
 }
 
 TEST_F(SurfaceLinesTest, ContoursAlongTheEdgesOfTheMesh) {
