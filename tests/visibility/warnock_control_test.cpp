@@ -85,6 +85,20 @@ TEST(WarnockControl, PrincipalDirectionIsThatOfTheSmallestRectangle) {
   for (const ProjectedVertex& v : scene.vertices) EXPECT_TRUE(square.window.holds(square.frame(v.p)));
 }
 
+TEST(WarnockControl, SceneWithoutAnything) {
+  ProjectedScene scene;
+  scene.lattice.step_mm = 0x1p-17;
+  for (const unsigned window : {0u, 1u, 2u}) {
+    StudyOptions options;
+    options.settings.set("warnock-window", window);
+    options.settings.set("show", 0);
+    const VisibilityResult result = find_method("warnock")->study(scene, options);
+    EXPECT_TRUE(result.strokes->strokes.empty());
+    EXPECT_TRUE(result.regions->empty());
+    EXPECT_TRUE(result.debug.empty());
+  }
+}
+
 /// Figures 2.20 to 2.23: a square of 50 mm turned by 40 degrees, before a triangle that it hides; on a sheet of 100 x 100 mm.
 std::uint64_t windows_of_square(double shift_x, double shift_y, unsigned window, unsigned split, unsigned resolution) {
   Scene scene;

@@ -46,7 +46,7 @@ TEST(WarnockUnderstanding, SurrounderBeforeEverything) {
   Seen s(stage);
   EXPECT_TRUE(surrounder_before_everything(s.situation, s.covers));
   EXPECT_EQ(s.covers.front->face->face, front);
-  EXPECT_EQ(understand(s.situation).what, Understood::surrounder);
+  EXPECT_EQ(understand(s.situation), Understood::surrounder);
 }
 
 TEST(WarnockUnderstanding, SurrounderIsNotBeforeWhatTouchesIt) {
@@ -55,7 +55,7 @@ TEST(WarnockUnderstanding, SurrounderIsNotBeforeWhatTouchesIt) {
   stage.add_rectangle(-100, -100, 100, 100, 1);  // lies on it: its rim is drawn
   Seen s(stage);
   EXPECT_FALSE(surrounder_before_everything(s.situation, s.covers));
-  EXPECT_EQ(understand(s.situation).what, Understood::single_intersector);
+  EXPECT_EQ(understand(s.situation), Understood::single_intersector);
 }
 
 TEST(WarnockUnderstanding, SurrounderOfWhichTheRimRunsAlongTheWindow) {
@@ -75,7 +75,7 @@ TEST(WarnockUnderstanding, TwoPenetratingSurroundersBeforeEverything) {
   Seen s(stage);
   EXPECT_FALSE(surrounder_before_everything(s.situation, s.covers));
   EXPECT_TRUE(penetrating_surrounders_before_everything(s.situation, s.covers));
-  EXPECT_EQ(understand(s.situation).what, Understood::penetrating_surrounders);
+  EXPECT_EQ(understand(s.situation), Understood::penetrating_surrounders);
 }
 
 TEST(WarnockUnderstanding, TwoPenetratingSurroundersWithSomethingBeforeThem) {
@@ -85,7 +85,7 @@ TEST(WarnockUnderstanding, TwoPenetratingSurroundersWithSomethingBeforeThem) {
   stage.add({{-100, 0, 1.5}, {100, 0, 1.5}, {0, 100, 1.5}});
   Seen s(stage);
   EXPECT_FALSE(penetrating_surrounders_before_everything(s.situation, s.covers));
-  EXPECT_EQ(understand(s.situation).what, Understood::no);
+  EXPECT_EQ(understand(s.situation), Understood::no);
 }
 
 TEST(WarnockUnderstanding, ThreePenetratingSurroundersFail) {
@@ -95,7 +95,7 @@ TEST(WarnockUnderstanding, ThreePenetratingSurroundersFail) {
   add_cover(stage, 1.99);
   Seen s(stage);
   EXPECT_TRUE(s.covers.failed);
-  EXPECT_EQ(understand(s.situation).what, Understood::no);
+  EXPECT_EQ(understand(s.situation), Understood::no);
 }
 
 TEST(WarnockUnderstanding, SeenEdgesInOneLine) {
@@ -108,7 +108,7 @@ TEST(WarnockUnderstanding, SeenEdgesInOneLine) {
   Seen s(stage);
   EXPECT_EQ(s.intersectors().size(), 2u);
   EXPECT_TRUE(seen_edges_in_one_line(s.situation, s.intersectors()));
-  EXPECT_EQ(understand(s.situation).what, Understood::one_line);
+  EXPECT_EQ(understand(s.situation), Understood::one_line);
 }
 
 TEST(WarnockUnderstanding, SeenEdgesInTwoLines) {
@@ -126,7 +126,7 @@ TEST(WarnockUnderstanding, SeenEdgesInOneLineOfFacesThatCross) {
   Seen s(stage);
   EXPECT_EQ(s.intersectors().size(), 2u);
   EXPECT_FALSE(seen_edges_in_one_line(s.situation, s.intersectors()));
-  EXPECT_EQ(understand(s.situation).what, Understood::no);
+  EXPECT_EQ(understand(s.situation), Understood::no);
 }
 
 TEST(WarnockUnderstanding, SingleIntersector) {
@@ -136,7 +136,7 @@ TEST(WarnockUnderstanding, SingleIntersector) {
   stage.add_rectangle(-100, -100, 100, 100, 6);  // hidden
   Seen s(stage);
   EXPECT_TRUE(single_intersector(s.intersectors()));
-  EXPECT_EQ(understand(s.situation).what, Understood::single_intersector);
+  EXPECT_EQ(understand(s.situation), Understood::single_intersector);
 }
 
 TEST(WarnockUnderstanding, SingleIntersectorThroughTheCoverFails) {
@@ -145,7 +145,7 @@ TEST(WarnockUnderstanding, SingleIntersectorThroughTheCoverFails) {
   stage.add({{-500, 0, 2}, {500, 0, 4}, {0, 500, 2}});
   Seen s(stage);
   EXPECT_FALSE(seen_intersectors(s.situation, s.covers.front).has_value());
-  EXPECT_EQ(understand(s.situation).what, Understood::no);
+  EXPECT_EQ(understand(s.situation), Understood::no);
 }
 
 // The thesis's case 3: the planes change places at the corners of the window, the faces do not where the intersector is.
@@ -156,7 +156,7 @@ TEST(WarnockUnderstanding, DepthIsComparedWhereTheIntersectorIs) {
   Seen s(stage);
   ASSERT_EQ(s.intersectors().size(), 1u);
   EXPECT_EQ(s.situation.compare(*s.intersectors()[0], *s.covers.front).order, DepthOrder::before);
-  EXPECT_EQ(understand(s.situation).what, Understood::single_intersector);
+  EXPECT_EQ(understand(s.situation), Understood::single_intersector);
 }
 
 // The same where the window round the intersector is wrong too: only its contour tells.
@@ -182,7 +182,7 @@ TEST(WarnockUnderstanding, SeenEdgesMeetInOneVertex) {
   Seen s(stage);
   EXPECT_FALSE(seen_edges_in_one_line(s.situation, s.intersectors()));
   EXPECT_TRUE(seen_edges_meet_in_one_vertex(s.situation, s.intersectors()));
-  EXPECT_EQ(understand(s.situation).what, Understood::one_vertex);
+  EXPECT_EQ(understand(s.situation), Understood::one_vertex);
 }
 
 TEST(WarnockUnderstanding, SeenEdgesMeetInTwoVertices) {
@@ -210,7 +210,7 @@ TEST(WarnockUnderstanding, SeenIntersectorsApart) {
   stage.add_rectangle(400, -300, 600, 500, 3);  // beside it, with a common side
   Seen s(stage);
   EXPECT_TRUE(seen_intersectors_apart(s.situation, s.intersectors()));
-  EXPECT_EQ(understand(s.situation).what, Understood::apart);
+  EXPECT_EQ(understand(s.situation), Understood::apart);
 }
 
 TEST(WarnockUnderstanding, SeenIntersectorsOverEachOther) {
@@ -219,7 +219,7 @@ TEST(WarnockUnderstanding, SeenIntersectorsOverEachOther) {
   stage.add_rectangle(100, -300, 400, 500, 2);
   Seen s(stage);
   EXPECT_FALSE(seen_intersectors_apart(s.situation, s.intersectors()));
-  EXPECT_EQ(understand(s.situation).what, Understood::no);
+  EXPECT_EQ(understand(s.situation), Understood::no);
 }
 
 }  // namespace

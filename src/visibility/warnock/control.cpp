@@ -146,6 +146,7 @@ Control::Control(const FaceTable& table, const std::vector<PageLine>& lines, con
 Outcome Control::study(const Window& window, std::vector<Piece> pieces, const std::function<void(double)>& report) const {
   Progress progress(report);
   Task task(*this, progress);
+  if (window.empty()) return std::move(task.outcome);  // a scene without vertices
   Clock clock;
   Lists lists = analysis_.begin(window, task.outcome.counts.analysis);
   clock.lap(task.outcome.counts.analysis_seconds);
@@ -179,11 +180,11 @@ void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces
   }
   Clock clock;
   const Situation situation(table_, lists, window.grown(-margin_), exact ? kMostOfExact : kMostElements, counts.analysis, counts.depth);
-  const Understanding understanding = understand(situation);
+  const Understood understood = understand(situation);
   clock.lap(counts.understanding_seconds);
-  if (understanding.what != Understood::no) {
-    ++counts.understood[static_cast<std::size_t>(understanding.what)];
-    draw(window, lists, pieces, understanding, task);
+  if (understood != Understood::no) {
+    ++counts.understood[static_cast<std::size_t>(understood)];
+    draw(window, lists, pieces, understood, task);
     report();
     return;
   }
@@ -192,7 +193,7 @@ void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces
   if (exact && (few_edges(lists, pieces) || window.longer_side() < kSmallestSteps * table_.frame.unit() || stalled >= kMostStalls ||
                 depth >= kDeepest || indivisible)) {
     ++counts.solved;
-    draw(window, lists, pieces, understanding, task);
+    draw(window, lists, pieces, understood, task);
     report();
   } else if (indivisible) {
     ++counts.limit;
@@ -254,11 +255,10 @@ void Control::split(const Window& window, const Division& division, const Lists&
   }
 }
 
-void Control::draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, const Understanding& understanding,
-                   Task& task) const {
+void Control::draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood, Task& task) const {
   Outcome& out = task.outcome;
   Clock clock;
-  const bool covered = understanding.what == Understood::surrounder && rules_.drop_hidden;
+  const bool covered = understood == Understood::surrounder && rules_.drop_hidden;
   const bool pairs = rules_.find_pairs && !covered;
   if (!pieces.empty() || pairs) {
     task.solution.load(lists, window);
@@ -267,7 +267,7 @@ void Control::draw(const Window& window, const Lists& lists, const std::vector<P
   }
   clock.lap(out.counts.solution_seconds);
   if (!rules_.areas) return;
-  if (understanding.what == Understood::surrounder) {
+  if (understood == Understood::surrounder) {
     task.area_search.take_front(lists, window, out.areas);
   } else {
     task.area_search.find(lists, window, pieces, out.areas);

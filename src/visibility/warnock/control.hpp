@@ -111,7 +111,7 @@ class Control {
   void study(const Window& window, Lists lists, std::vector<Piece> pieces, int depth, int stalled, Task& task) const;
   void split(const Window& window, const Division& division, const Lists& lists, const std::vector<Piece>& pieces, int depth, int stalled,
              Task& task) const;
-  void draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, const Understanding& understanding, Task& task) const;
+  void draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood, Task& task) const;
   void draw_at_limit(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Task& task) const;
   bool few_edges(const Lists& lists, const std::vector<Piece>& pieces) const;
 

@@ -185,23 +185,22 @@ bool seen_intersectors_apart(const Situation& s, std::span<const Placed* const> 
   return true;
 }
 
-Understanding understand(const Situation& s) {
-  if (s.crowded) return {};
+Understood understand(const Situation& s) {
+  if (s.crowded) return Understood::no;
   const Covers covers = study_surrounders(s);
-  if (covers.failed) return {};
-  const std::uint32_t front = covers.front ? covers.front->element.face : kNone;
-  if (surrounder_before_everything(s, covers)) return {Understood::surrounder, front};
+  if (covers.failed) return Understood::no;
+  if (surrounder_before_everything(s, covers)) return Understood::surrounder;
   if (covers.other) {
-    if (penetrating_surrounders_before_everything(s, covers)) return {Understood::penetrating_surrounders, front};
-    return {};
+    if (penetrating_surrounders_before_everything(s, covers)) return Understood::penetrating_surrounders;
+    return Understood::no;
   }
   const auto seen = seen_intersectors(s, covers.front);
-  if (!seen) return {};
-  if (single_intersector(*seen)) return {Understood::single_intersector, front};
-  if (seen_edges_in_one_line(s, *seen)) return {Understood::one_line, front};
-  if (seen_edges_meet_in_one_vertex(s, *seen)) return {Understood::one_vertex, front};
-  if (seen_intersectors_apart(s, *seen)) return {Understood::apart, front};
-  return {};
+  if (!seen) return Understood::no;
+  if (single_intersector(*seen)) return Understood::single_intersector;
+  if (seen_edges_in_one_line(s, *seen)) return Understood::one_line;
+  if (seen_edges_meet_in_one_vertex(s, *seen)) return Understood::one_vertex;
+  if (seen_intersectors_apart(s, *seen)) return Understood::apart;
+  return Understood::no;
 }
 
 }  // namespace ligne::warnock

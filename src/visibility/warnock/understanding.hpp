@@ -36,11 +36,6 @@ struct Covers {
   bool failed = false;            ///< more than two penetrate
 };
 
-struct Understanding {
-  Understood what = Understood::no;
-  std::uint32_t front = kNone;  ///< the cover's face in the table, when there is one
-};
-
 /// A window as the functions see it.
 class Situation {
  public:
@@ -77,7 +72,7 @@ bool seen_edges_meet_in_one_vertex(const Situation& s, std::span<const Placed* c
 /// 2.14d. No seen intersector lies over another.
 bool seen_intersectors_apart(const Situation& s, std::span<const Placed* const> seen);
 
-/// Tries all of them.
-Understanding understand(const Situation& s);
+/// Tries all of them. A window in which nothing is seen but a cover that something touches, or nothing at all, counts as one line.
+Understood understand(const Situation& s);
 
 }  // namespace ligne::warnock
