@@ -107,10 +107,10 @@ void expect_agreement(Scene scene, const std::string& name, std::size_t view) {
   ADD_FAILURE() << faults << "\nThe scene, made as small as it fails, is in " << file;
 }
 
-/// Scenes in all: LIGNE_RANDOM_SCENES, or 3000.
+/// Scenes in all: LIGNE_RANDOM_SCENES, or 2000.
 unsigned scene_count() {
   const char* wanted = std::getenv("LIGNE_RANDOM_SCENES");
-  return wanted ? static_cast<unsigned>(std::strtoul(wanted, nullptr, 10)) : 3000;
+  return wanted ? static_cast<unsigned>(std::strtoul(wanted, nullptr, 10)) : 2000;
 }
 
 constexpr unsigned kShares = 16;
