@@ -30,7 +30,7 @@ std::string write_png(const Drawing& drawing, const PlotOptions& options) {
   cairo_set_source_rgb(cairo.get(), 1, 1, 1);
   cairo_paint(cairo.get());
   for (const Layer& layer : drawing.layers) {
-    stroke_polylines(cairo.get(), layer.lines, layer_style(layer.name, options.pen_width_mm, options.hidden_solid), scale);
+    stroke_polylines(cairo.get(), layer.lines, options.style_of(layer.name), scale);
   }
   cairo_scale(cairo.get(), scale, scale);
   write_texts(cairo.get(), drawing.texts);
