@@ -80,6 +80,7 @@ void refuse_excess(const Device& device, const Rect& units, const DeviceFrame& f
 
 /// Smaller if need be, then shifted as little as possible.
 void fit_into_limits(DeviceFrame& frame, const Rect& ink, const Rect& limits_mm) {
+  const DeviceFrame unfitted = frame;
   const Rect before = bounds_on_device(frame, ink);
   double scale = 1;
   if (before.width() > limits_mm.width()) scale = std::min(scale, limits_mm.width() / before.width());
@@ -97,6 +98,7 @@ void fit_into_limits(DeviceFrame& frame, const Rect& ink, const Rect& limits_mm)
       frame.origin[axis] += limits_mm.max[axis] - bounds.max[axis];
     }
   }
+  frame.shift_mm = unfitted.to_page(frame.origin);
 }
 
 }  // namespace

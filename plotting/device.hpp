@@ -56,12 +56,15 @@ Device read_device(std::string_view toml, const std::string& file);
 struct DeviceFrame {
   Point2 origin{0, 0}, x_axis{1, 0}, y_axis{0, -1};
   const DevicePaper* paper = nullptr;
-  double scale = 1;
+  double scale = 1;       ///< of a drawing that was made to fit
+  Point2 shift_mm{0, 0};  ///< of the same, on the page: p becomes scale * p + shift
   Rect limits;  ///< whole units
   Point2 sheet_mm{0, 0};  ///< along the device's axes
 
   Point2 to_device(Point2 page) const { return origin + x_axis * page.x + y_axis * page.y; }
   Point2 to_page(Point2 device) const;
+  /// Where a point of the page comes to lie on the page when the drawing was made to fit.
+  Point2 fitted(Point2 page) const { return page * scale + shift_mm; }
 };
 
 /// Lays the page on the device: on the paper of its size, else in the middle of the smallest paper that holds it; turned where page and paper do not lie alike.

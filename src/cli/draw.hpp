@@ -7,6 +7,7 @@
 #include "cli/models.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
+#include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
 #include "cli/view_options.hpp"
 
@@ -18,6 +19,7 @@ struct DrawOptions {
   MethodOptions method;
   PageOptions page;
   OutputOptions output;
+  PlotterOptions plotter;
   RunOptions run;
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty

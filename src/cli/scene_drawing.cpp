@@ -1,12 +1,15 @@
 #include "cli/scene_drawing.hpp"
 
 #include <cstdio>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include "cli/culling.hpp"
 #include "cli/errors.hpp"
 #include "cli/models.hpp"
 #include "cli/placement.hpp"
+#include "cli/plotter_output.hpp"
 #include "cli/progress.hpp"
 #include "plotting/output_file.hpp"
 #include "plotting/writers.hpp"
@@ -20,6 +23,27 @@ namespace {
 /// What the JSON drawing tells of an edge of the scene.
 SourceEdge source_edge(const Scene& scene, const Edge& edge) {
   return {{scene.vertices[edge.v0], scene.vertices[edge.v1]}, {edge.face0, edge.face1}, false};
+}
+
+/// Layers by class and material: the material of a line is that of the first face of its source edge.
+Drawing drawing_by_material(const StrokeModel& strokes, const std::function<SourceEdge(std::uint32_t)>& source, const Scene& scene) {
+  std::map<std::string, StrokeModel> by_material;
+  for (const Stroke& stroke : strokes.strokes) {
+    const std::uint32_t face = source(stroke.source).faces[0];
+    std::uint32_t material = 0;
+    if (face < scene.face_material.size()) material = scene.face_material[face];
+    StrokeModel& part = by_material[material < scene.materials.size() ? scene.materials[material].name : ""];
+    part.lattice = strokes.lattice;
+    part.strokes.push_back(stroke);
+  }
+  Drawing drawing;
+  for (const auto& [material, part] : by_material) {
+    for (Layer& layer : make_drawing(part).layers) {
+      layer.material = material;
+      drawing.layers.push_back(std::move(layer));
+    }
+  }
+  return drawing;
 }
 
 /// The method's study, with the progress bar over it.
@@ -42,18 +66,10 @@ void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& p
   drawing.layers.insert(drawing.layers.begin(), std::move(layer));
 }
 
-std::string written(OutputFormat format, const DrawingDocument& document, const PlotOptions& plot) {
-  if (format == OutputFormat::json) return write_json(document, plot);
-  Drawing drawing = make_drawing(*document.strokes);
+Drawing drawing_of(const DrawingDocument& document, const PenTable& pens, const Scene& scene) {
+  Drawing drawing = pens.pen_of_material.empty() ? make_drawing(*document.strokes) : drawing_by_material(*document.strokes, document.source, scene);
   if (document.debug) add_debug_layer(drawing, *document.debug);
-  switch (format) {
-    case OutputFormat::pdf:
-      return write_pdf(drawing, plot);
-    case OutputFormat::png:
-      return write_png(drawing, plot);
-    default:
-      return write_svg(drawing, plot);
-  }
+  return drawing;
 }
 
 }  // namespace
@@ -70,8 +86,8 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     if (request.cull) cull_back_faces(scene, topology, all, request.place_of_warnings, request.run.quiet);
     return all;
   });
-  // Only the JSON drawing names the source edges; the study needs the memory of the rest.
-  const std::vector<Edge> edges = format == OutputFormat::json ? std::move(topology.edges) : std::vector<Edge>{};
+  // Only the JSON drawing, and pens by material, ask for the source edges; the study needs the memory of the rest.
+  const std::vector<Edge> edges = format == OutputFormat::json || !request.plotter.pens.pen_of_material.empty() ? std::move(topology.edges) : std::vector<Edge>{};
   topology = {};
   VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected); });
   if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
@@ -108,7 +124,8 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     document.near_distance = placement.view.near_distance;
     document.method = run.method;
     document.statistics = result.statistics;
-    return written(format, document, plot);
+    if (format == OutputFormat::json) return write_json(document, plot);
+    return written(drawing_of(document, request.plotter.pens, scene), plot, request.plotter, format, run);
   });
   run.study = std::move(result.statistics);
   timed(run.stages, "output", [&] { write_output(*request.output.file, bytes); });

@@ -6,6 +6,7 @@
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
+#include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stages.hpp"
 #include "cli/view_options.hpp"
@@ -28,6 +29,7 @@ struct SceneDrawing {
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty
   std::string place_of_warnings;
+  PlotterSetup plotter{};
 };
 
 /// Studies, draws and writes; then reports when the options ask for it. Throws UsageError, std::runtime_error.

@@ -85,6 +85,8 @@ void write_mesh(const SurfaceOptions& options, const Scene& scene, RunReport& ru
 
 void run_surface_mesh(const SurfaceOptions& options) {
   RunReport run;
+  PlotterSetup plotter;
+  if (!options.as_mesh) plotter = plotter_setup(options.plotter, format_of(options.output));
   const Scene scene = timed(run.stages, "read", [&] { return scene_of(options); });
   if (options.as_mesh) return write_mesh(options, scene, run);
 
@@ -95,7 +97,7 @@ void run_surface_mesh(const SurfaceOptions& options) {
   if (may_cross(options)) classes.add(LineClass::intersection);
   const ViewOptions view = view_of(options);
   SceneDrawing drawing{method_of(choice), {}, classes, choice.crease_degrees, options.hidden, false, view, options.page, options.output, options.run,
-                       options.dpi, options.title, place_of_warnings(options)};
+                       options.dpi, options.title, place_of_warnings(options), plotter};
   draw_scene(scene, drawing, run);
 }
 
