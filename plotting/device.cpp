@@ -13,6 +13,9 @@ namespace {
 /// Sizes of papers agree within this: letter in whole tenths of a millimetre, trimmed sheets.
 constexpr double kSameSizeMm = 1;
 
+/// Of a unit; 300 mm by 0.025 mm are 12,000 units, whatever the division rounds.
+constexpr double kUnitSlack = 1e-3;
+
 bool same(double a, double b) { return std::abs(a - b) <= kSameSizeMm; }
 
 std::string mm(double value) {
@@ -142,9 +145,8 @@ DeviceFrame place_on_device(const Device& device, const Page& page, const Rect& 
     const Rect& mm = device.limits_mm;
     frame.limits = {mm.min / device.step_mm, mm.max / device.step_mm};
     for (const int axis : {0, 1}) {
-      // Rounding must not take a unit away: 300 mm are 12,000 units of 0.025 mm.
-      frame.limits.min[axis] = std::ceil(frame.limits.min[axis] - 0.5 * 1e-3);
-      frame.limits.max[axis] = std::floor(frame.limits.max[axis] + 0.5 * 1e-3);
+      frame.limits.min[axis] = std::ceil(frame.limits.min[axis] - kUnitSlack);
+      frame.limits.max[axis] = std::floor(frame.limits.max[axis] + kUnitSlack);
     }
   }
   if (device.y_down) {

@@ -52,7 +52,7 @@ std::vector<PenWork> work_of(const Drawing& given, const PlotRequest& request) {
     } else {
       pen.number = request.pens.pen_of(layer.name, layer.material);
     }
-    const LineStyle style = layer_style(layer.name, request.style.pen_width_mm, request.style.hidden_solid);
+    const LineStyle style = request.style.style_of(layer.name);
     if (request.pens.empty() && request.pen_per_layer) pen.color = style.color;
     PenWork& entry = work[pen.number];
     const double width = pen.width_mm.value_or(style.width_mm);

@@ -17,6 +17,7 @@ void check(const DrawOptions& options) {
   format_of(options.output);
   check(options.page);
   refuse_input_as_output("--output", *options.output.file, options.model.files);
+  check(options.plotter, *options.output.file, options.model.files);
   if (options.run.stats_json.empty()) return;
   refuse_input_as_output("--stats-json", options.run.stats_json, options.model.files);
   if (options.run.stats_json == *options.output.file) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <utility>
 
 #include "cli/models.hpp"
@@ -79,6 +80,10 @@ void place(const PlotCommandOptions& options, ReadDrawing& read) {
   } else if ((options.landscape && own.height_mm > own.width_mm) || (options.portrait && own.width_mm > own.height_mm)) {
     std::swap(page.width_mm, page.height_mm);
   }
+  if (!options.page && !options.fit) {
+    page.width_mm *= options.scale;
+    page.height_mm *= options.scale;
+  }
   page.margin_mm = options.margin_mm;
   double scale = options.scale;
   Rect from = own.sheet();
@@ -101,6 +106,18 @@ void warn_of_left_out(const PlotCommandOptions& options, const ReadDrawing& read
   if (read.drawing.layers.empty()) warn(options.drawing, "there is no stroke in the drawing");
 }
 
+/// Layers of an SVG without layers are named by their colours.
+LineStyle style_of_layer(const std::string& layer, double pen_width_mm, bool hidden_solid) {
+  LineStyle style = layer_style(layer, pen_width_mm, hidden_solid);
+  if (!layer.starts_with('#')) return style;
+  try {
+    style.color = parse_color(layer);
+  } catch (const std::invalid_argument&) {
+    // A layer that only looks like a colour is drawn in black.
+  }
+  return style;
+}
+
 void plot(const PlotCommandOptions& options) {
   const OutputFormat format = format_of(options.output);
   if (format == OutputFormat::json) throw UsageError("--format", "plot writes svg, pdf, png, hpgl or gcode");
@@ -116,6 +133,7 @@ void plot(const PlotCommandOptions& options) {
   style.pen_width_mm = options.pen_width_mm;
   style.hidden_solid = read.dashes_cut;
   style.dpi = options.dpi;
+  style.style = [&](const std::string& layer) { return style_of_layer(layer, options.pen_width_mm, style.hidden_solid); };
   const std::string bytes = timed(run.stages, "write", [&] { return written(read.drawing, style, setup, format, run); });
   timed(run.stages, "output", [&] { write_output(*options.output.file, bytes); });
   report(options.run, run);
@@ -188,7 +206,7 @@ void run_plot(const PlotCommandOptions& options) {
   format_of(options.output);
   const std::string inputs[] = {options.drawing};
   refuse_input_as_output("--output", *options.output.file, inputs);
-  if (!options.plotter.preview.empty()) refuse_input_as_output("--preview", options.plotter.preview, inputs);
+  check(options.plotter, *options.output.file, inputs);
   run_with_threads(options.run, [&] { plot(options); });
 }
 

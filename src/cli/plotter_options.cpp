@@ -105,6 +105,12 @@ void add_plotter_options(CLI::App& app, PlotterOptions& options) {
   for (CLI::Option* option : {device, device_file, fit, pens, pen, optimize, join, simplify, report, preview}) option->group("Plotter");
 }
 
+void check(const PlotterOptions& options, const std::string& output, std::span<const std::string> inputs) {
+  if (options.preview.empty()) return;
+  refuse_input_as_output("--preview", options.preview, inputs);
+  if (options.preview == output) throw UsageError("--preview", options.preview + " is the output file too");
+}
+
 PlotterSetup plotter_setup(const PlotterOptions& options, OutputFormat format) {
   PlotterSetup setup{options, nullptr, {}};
   if (format == OutputFormat::json) {

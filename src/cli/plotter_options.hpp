@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "cli/output_options.hpp"
@@ -26,6 +27,9 @@ struct PlotterOptions {
   PenTable pens;  ///< of --pen
   std::string preview;
 };
+
+/// Throws UsageError when the preview would take the place of the output or of an input.
+void check(const PlotterOptions& options, const std::string& output, std::span<const std::string> inputs);
 
 void add_plotter_options(CLI::App& app, PlotterOptions& options);
 

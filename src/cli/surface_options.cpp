@@ -185,6 +185,7 @@ void check(const SurfaceOptions& options) {
     mesh_format_of(options.output);
   } else {
     format_of(options.output);
+    check(options.plotter, *options.output.file, options.grids);
   }
   check(options.page);
   if ((options.azimuth_degrees || options.elevation_degrees) && options.view_given) {
