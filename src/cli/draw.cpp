@@ -14,7 +14,7 @@ constexpr const char* kExamples = R"(Examples:
   ligne draw tower.obj --eye 9,6,14 --fov 40 -q -o - --format svg | rsvg-convert -z 2 > tower.png)";
 
 void check(const DrawOptions& options) {
-  format_of(options.output);
+  check(options.faces, format_of(options.output), method_of(options.method));
   check(options.page);
   refuse_input_as_output("--output", *options.output.file, options.model.files);
   check(options.plotter, *options.output.file, options.model.files);
@@ -33,7 +33,7 @@ void draw(const DrawOptions& options) {
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   draw_scene(models.scene,
              {method, settings, options.method.edges, options.method.crease_degrees, options.method.hidden, options.method.cull, options.view,
-              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), plotter},
+              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces, plotter},
              run);
 }
 
@@ -53,6 +53,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
       ->default_str("150")
       ->group("Output");
   draw->add_option("--title", options.title, "title of an SVG or PDF")->type_name("TEXT")->group("Output");
+  add_face_options(*draw, options.faces);
   add_plotter_options(*draw, options.plotter);
   add_run_options(*draw, options.run);
   draw->footer(kExamples);

@@ -1,5 +1,6 @@
 #include "cli/scene_drawing.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -29,10 +30,13 @@ SourceEdge source_edge(const Scene& scene, const Edge& edge) {
 Drawing drawing_by_material(const StrokeModel& strokes, const std::function<SourceEdge(std::uint32_t)>& source, const Scene& scene) {
   std::map<std::string, StrokeModel> by_material;
   for (const Stroke& stroke : strokes.strokes) {
-    const std::uint32_t face = source(stroke.source).faces[0];
-    std::uint32_t material = 0;
-    if (face < scene.face_material.size()) material = scene.face_material[face];
-    StrokeModel& part = by_material[material < scene.materials.size() ? scene.materials[material].name : ""];
+    std::string name;
+    if (stroke.line_class != LineClass::axes) {
+      const std::uint32_t face = source(stroke.source).faces[0];
+      const std::uint32_t material = face < scene.face_material.size() ? scene.face_material[face] : 0;
+      if (material < scene.materials.size()) name = scene.materials[material].name;
+    }
+    StrokeModel& part = by_material[name];
     part.lattice = strokes.lattice;
     part.strokes.push_back(stroke);
   }
@@ -47,11 +51,13 @@ Drawing drawing_by_material(const StrokeModel& strokes, const std::function<Sour
 }
 
 /// The method's study, with the progress bar over it.
-VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projected) {
+VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projected, const PlotOptions& plot) {
   ProgressBar bar(request.run);
   StudyOptions study_options;
   study_options.hidden_strokes = request.hidden != HiddenLines::none;
+  study_options.span_lines = span_lines(request.faces, plot);
   study_options.settings = request.settings;
+  if (format_of(request.output) != OutputFormat::json) study_options.wanted = request.faces.wanted() ? kStrokes | kSpans : kStrokes;  // all that is drawn
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return request.method.study(projected, study_options);
 }
@@ -66,10 +72,27 @@ void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& p
   drawing.layers.insert(drawing.layers.begin(), std::move(layer));
 }
 
-Drawing drawing_of(const DrawingDocument& document, const PenTable& pens, const Scene& scene) {
-  Drawing drawing = pens.pen_of_material.empty() ? make_drawing(*document.strokes) : drawing_by_material(*document.strokes, document.source, scene);
+/// What surface hides of the axes is not drawn, also where hidden lines are.
+void remove_hidden_axes(StrokeModel& model) {
+  std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
+}
+
+/// The document as lines, with what stands round it.
+Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, const SceneDrawing& request, const Scene& scene) {
+  Drawing drawing = request.plotter.pens.pen_of_material.empty() ? make_drawing(*document.strokes)
+                                                                 : drawing_by_material(*document.strokes, document.source, scene);
   if (document.debug) add_debug_layer(drawing, *document.debug);
+  if (!request.frame) return drawing;
+  const std::size_t unknown = add_surroundings(drawing, around, request.frame->axes);
+  if (unknown > 0 && !request.run.quiet) {
+    warn(request.place_of_warnings, std::to_string(unknown) + " characters are not in the font: drawn as boxes");
+  }
   return drawing;
+}
+
+/// Below all lines.
+void add_hatching(Drawing& drawing, Polylines hatching) {
+  if (hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), Layer{"hatch", std::move(hatching)});
 }
 
 }  // namespace
@@ -79,40 +102,50 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   const OutputFormat format = format_of(request.output);
   Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
 
-  Placement placement;
+  Surroundings around;
+  Placement& placement = around.placement;
   const ProjectedScene projected = timed(run.stages, "project", [&] {
-    placement = place(scene, camera_of(request.view, scene), request.page);
+    const Camera camera = camera_of(request.view, scene);
+    if (request.frame) {
+      around = place_with_axes(request.frame->box, scene, camera, request.page, request.frame->axes, request.title);
+    } else {
+      placement = place(scene, camera, request.page);
+    }
     ProjectedScene all = project(scene, topology, placement.view, {request.classes, request.crease_degrees});
     if (request.cull) cull_back_faces(scene, topology, all, request.place_of_warnings, request.run.quiet);
+    add_lines(all, all_lines(around), LineClass::axes);
     return all;
   });
-  // Only the JSON drawing, and pens by material, ask for the source edges; the study needs the memory of the rest.
-  const std::vector<Edge> edges = format == OutputFormat::json || !request.plotter.pens.pen_of_material.empty() ? std::move(topology.edges) : std::vector<Edge>{};
-  topology = {};
-  VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected); });
-  if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
-  StrokeModel& strokes = *result.strokes;
-
-  if (!request.run.quiet) {
-    if (strokes.strokes.empty()) {
-      warn(request.place_of_warnings, "nothing to draw is in view: the drawing is empty");
-    } else if (placement.larger_than_page()) {
-      warn(request.place_of_warnings, "the picture is larger than the page: what lies outside is left out");
-    }
-  }
-
   PlotOptions plot;
   plot.page = placement.page;
   plot.pen_width_mm = request.page.pen_width_mm;
   plot.hidden_solid = request.hidden == HiddenLines::solid;
   plot.title = request.title;
   plot.dpi = request.dpi;
+  // Only the JSON drawing, and pens by material, ask for the source edges; the study needs the memory of the rest.
+  const bool asked = format == OutputFormat::json || !request.plotter.pens.pen_of_material.empty();
+  const std::vector<Edge> edges = asked ? std::move(topology.edges) : std::vector<Edge>{};
+  topology = {};
+  VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected, plot); });
+  if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
+  StrokeModel& strokes = *result.strokes;
+  remove_hidden_axes(strokes);
+
+  if (!request.run.quiet) {
+    if (std::none_of(strokes.strokes.begin(), strokes.strokes.end(), [](const Stroke& s) { return s.line_class != LineClass::axes; })) {
+      warn(request.place_of_warnings, "nothing to draw is in view: the drawing is empty");
+    } else if (placement.larger_than_page()) {
+      warn(request.place_of_warnings, "the picture is larger than the page: what lies outside is left out");
+    }
+  }
+
   timed(run.stages, "drawing", [&] { remove_coincident_strokes(strokes, coincidence_mm(projected)); });
   const std::string bytes = timed(run.stages, "write", [&] {
     DrawingDocument document;
     document.strokes = &strokes;
     document.regions = result.regions ? &*result.regions : nullptr;
     document.order = result.order ? &*result.order : nullptr;
+    document.spans = result.spans ? &*result.spans : nullptr;
     document.debug = result.debug.empty() ? nullptr : &result.debug;
     document.source = [&](std::uint32_t source) {
       return source < strokes.edge_count ? source_edge(scene, edges.at(source))
@@ -125,7 +158,10 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     document.method = run.method;
     document.statistics = result.statistics;
     if (format == OutputFormat::json) return write_json(document, plot);
-    return written(drawing_of(document, request.plotter.pens, scene), plot, request.plotter, format, run);
+    FacePicture faces = result.spans ? picture_faces(request.faces, scene, placement.view.camera, *result.spans, plot) : FacePicture{};
+    Drawing drawing = drawing_of(document, around, request, scene);
+    add_hatching(drawing, std::move(faces.hatching));
+    return written(drawing, plot, request.plotter, format, run, faces.shaded ? &*faces.shaded : nullptr);
   });
   run.study = std::move(result.statistics);
   timed(run.stages, "output", [&] { write_output(*request.output.file, bytes); });

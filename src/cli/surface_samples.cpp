@@ -14,6 +14,9 @@ constexpr unsigned kCurves = 40;
 /// Samples between two neighbouring curves when nothing is said: smooth, but no more than a thousand along a curve for its own sake.
 constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000;
 
+/// Up to so many samples of a formula are held (32 MB), since a picture asks for each several times; more are computed anew.
+constexpr std::size_t kHeldSamples = std::size_t{1} << 22;
+
 /// Positions of the samples, and every how many there is a curve.
 struct Positions {
   std::vector<double> at;
@@ -37,8 +40,8 @@ Positions positions(const CurveRange& range, bool crossed, const std::optional<u
   return result;
 }
 
-bool x_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::y && !options.curves.ridgeline; }
-bool y_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::x || options.curves.ridgeline; }
+bool x_curves(const SurfaceOptions& options) { return (options.lines == CurveFamilies::x || options.lines == CurveFamilies::xy) && !options.curves.ridgeline; }
+bool y_curves(const SurfaceOptions& options) { return options.lines == CurveFamilies::y || options.lines == CurveFamilies::xy || options.curves.ridgeline; }
 
 AxisWindow window_of(const std::optional<CurveRange>& range) { return range ? AxisWindow{range->from, range->to} : AxisWindow{}; }
 
@@ -96,6 +99,7 @@ std::vector<Surface> surfaces_of(const SurfaceOptions& options) {
     Positions y = positions(y_range, !by_curves || x_curves(options), options.samples);
     Surface& surface = surfaces.emplace_back(Surface{formula, nullptr, x.stride, y.stride, true});
     surface.heights = formula_heights(formula, std::move(x.at), std::move(y.at));
+    if (surface.heights->x().size() * surface.heights->y().size() <= kHeldSamples) surface.heights = held(*surface.heights);
   }
   for (Surface& grid : grids) surfaces.push_back(std::move(grid));
   for (Surface& surface : surfaces) {

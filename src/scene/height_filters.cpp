@@ -1,5 +1,7 @@
 #include "scene/height_filters.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,8 +9,18 @@
 #include <utility>
 #include <vector>
 
+#include "scene/held_heights.hpp"
+
 namespace ligne {
 namespace {
+
+/// Row by row.
+std::vector<double> all_heights(const HeightSource& heights) {
+  const std::size_t columns = heights.x().size(), rows = heights.y().size();
+  std::vector<double> z(columns * rows);
+  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t j) { heights.read_row(j, std::span(z).subspan(j * columns, columns)); });
+  return z;
+}
 
 class LogHeights : public HeightSource {
  public:
@@ -87,6 +99,15 @@ class WindowHeights : public HeightSource {
 
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights) {
   return std::make_unique<LogHeights>(std::move(heights));
+}
+
+std::unique_ptr<HeightSource> held(const HeightSource& heights) {
+  return std::make_unique<HeldHeights<double>>(heights.x(), heights.y(), all_heights(heights), SampleOrder::first_row_lowest(heights.x().size()));
+}
+
+std::unique_ptr<HeightSource> transposed(const HeightSource& heights) {
+  const SampleOrder order{0, static_cast<std::ptrdiff_t>(heights.x().size()), 1};
+  return std::make_unique<HeldHeights<double>>(heights.y(), heights.x(), all_heights(heights), order);
 }
 
 std::unique_ptr<HeightSource> ridgeline_heights(std::unique_ptr<HeightSource> heights, double low, double high, double rows, double rows_height) {

@@ -9,6 +9,12 @@
 
 namespace ligne {
 
+/// All heights read once and held.
+std::unique_ptr<HeightSource> held(const HeightSource& heights);
+
+/// The same with x and y in each other's place.
+std::unique_ptr<HeightSource> transposed(const HeightSource& heights);
+
 /// log10 of the heights; what is not above zero is a hole.
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights);
 

@@ -3,12 +3,16 @@
 #include <array>
 
 #include "visibility/appel/appel.hpp"
+#include "visibility/warnock/warnock.hpp"
+#include "visibility/watkins/watkins.hpp"
 
 namespace ligne {
 
 std::span<const Method* const> all_methods() {
   static const AppelMethod appel;
-  static const std::array<const Method*, 1> methods{&appel};
+  static const WarnockMethod warnock;
+  static const WatkinsMethod scan;
+  static const std::array<const Method*, 3> methods{&appel, &warnock, &scan};
   return methods;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/height_filters.hpp"
 #include "visibility/horizon/part_sweep.hpp"
 
 namespace ligne {
@@ -21,25 +22,6 @@ std::pair<double, double> u_range(const Camera& camera, const Sight& sight, cons
   }
   return range;
 }
-
-/// Heights with x and y in each other's place, all of them held.
-class Transposed : public HeightSource {
- public:
-  explicit Transposed(const HeightSource& heights) : HeightSource(heights.y(), heights.x()), z_(x().size() * y().size()) {
-    const std::size_t rows = x().size(), columns = y().size();
-    tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t j) {
-      std::vector<double> row(columns);
-      heights.read_row(j, row);
-      for (std::size_t i = 0; i < columns; ++i) z_[i * rows + j] = row[i];
-    });
-  }
-  void read_row(std::size_t j, std::span<double> z) const override {
-    std::copy_n(z_.begin() + static_cast<std::ptrdiff_t>(j * z.size()), z.size(), z.begin());
-  }
-
- private:
-  std::vector<double> z_;
-};
 
 template <class Horizon>
 HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View& view, const HorizonOptions& options, Statistics& statistics) {
@@ -87,18 +69,32 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
 }  // namespace
 }  // namespace horizon
 
+namespace {
+
+/// Lines that lie off the surface, where the eye is over the grid: the surface reaches down to the point below the eye, and no edge tells the lower
+/// horizon so.
+bool needs_coverage(const HeightSource& heights, const Camera& camera, const HorizonOptions& options) {
+  if (!camera.perspective || (options.back_lines.empty() && !options.contour_base)) return false;
+  const Point3& eye = camera.eye;
+  return heights.x().front() < eye.x && eye.x < heights.x().back() && heights.y().front() < eye.y && eye.y < heights.y().back();
+}
+
+}  // namespace
+
 HorizonLines horizon_lines(const HeightSource& heights, const View& view, const HorizonOptions& options, Statistics& statistics) {
   using namespace horizon;
   const bool by_curves = options.hidden_by == HiddenBy::curves;
   const auto sweep = [&](const HeightSource& source, bool transposed) {
     if (options.resolution) return sweep_all<TwoHorizons<PixelEnvelope>>(source, transposed, view, options, statistics);
     // Curves that hide cover nothing: the classical method has no answer to holes.
-    if (!by_curves && options.holes.value_or(survey(heights).holes)) return sweep_all<GeneralHorizon>(source, transposed, view, options, statistics);
+    if (!by_curves && (needs_coverage(heights, view.camera, options) || options.holes.value_or(survey(heights).holes))) {
+      return sweep_all<GeneralHorizon>(source, transposed, view, options, statistics);
+    }
     return sweep_all<TwoHorizons<ExactEnvelope>>(source, transposed, view, options, statistics);
   };
   // Columns may lie along the sights, since a strip knows the cells on both sides of them; rows may not.
   const Point3& forward = view.camera.forward;
-  if (!view.camera.perspective && forward.y == 0 && forward.x != 0) return sweep(Transposed(heights), true);
+  if (!view.camera.perspective && forward.y == 0 && forward.x != 0) return sweep(*transposed(heights), true);
   return sweep(heights, false);
 }
 

@@ -35,7 +35,8 @@ struct HorizonOptions {
   std::vector<double> contours;       ///< heights of contour lines, ascending, before scaling; not with HiddenBy::curves
   bool contours_on_surface = true;
   std::optional<double> contour_base; ///< the contours also on the plane of this height, before scaling
-  std::vector<std::array<Point3, 2>> back_lines;  ///< segments in the upright planes of the grid's far borders, heights scaled
+  /// Segments in the upright planes of the grid's far borders, or on a level ground that the surface stands on; heights scaled.
+  std::vector<std::array<Point3, 2>> back_lines;
   /// Columns of pixels of the horizon; 0: the horizon is exact.
   std::size_t resolution = 0;
   std::optional<bool> holes;  ///< whether a sample may be no number; found out when not said
