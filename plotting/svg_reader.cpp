@@ -22,7 +22,8 @@ using svg::Matrix;
 using svg::Style;
 
 constexpr int kDeepest = 200, kMostLinks = 16;
-constexpr std::size_t kMostElements = 20'000'000;
+/// Elements that are shown by links, in all.
+constexpr std::size_t kMostLinked = 1'000'000;
 /// Height of capitals by size of the font, as our own SVG writes it.
 constexpr double kCapitals = 1493.0 / 2048;
 constexpr std::string_view kWhite = "#ffffff";
@@ -56,7 +57,7 @@ class SvgReader {
   ReadDrawing result_;
   std::unordered_map<std::string, pugi::xml_node> ids_;
   double width_px_ = 0, height_px_ = 0;  ///< of the viewport, user units
-  std::size_t elements_ = 0;
+  std::size_t linked_ = 0;
   bool drawn_ = false, entities_ = false;
 };
 
@@ -180,7 +181,7 @@ void SvgReader::walk_children(const pugi::xml_node& node, const Style& style, co
 }
 
 void SvgReader::walk(const pugi::xml_node& node, const Style& inherited, const Matrix& to_mm, const std::string& layer, int depth, int links) {
-  if (++elements_ > kMostElements) fail(node, "the drawing has more than twenty million elements");
+  if (links > 0 && ++linked_ > kMostLinked) fail(node, "<use> shows more than a million elements");
   const std::string_view full = node.name(), name = svg::local_name(node);
   // Elements of editors and metadata have prefixes of their own.
   if (full != name && !full.starts_with("svg:")) return;

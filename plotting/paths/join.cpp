@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -108,6 +109,17 @@ StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm) {
   }
   model.edge_count = static_cast<std::uint32_t>(model.strokes.size());
   return model;
+}
+
+/// Segments between the same two points are one, however short: what lies on each other is found only where it is longer than the tolerance.
+void remove_equal(std::vector<Stroke>& strokes) {
+  const auto key = [](const Stroke& s) {
+    const auto [low, high] = less(s.to, s.from) ? std::pair(s.to, s.from) : std::pair(s.from, s.to);
+    return std::tuple(low.x, low.y, high.x, high.y);
+  };
+  std::sort(strokes.begin(), strokes.end(), [&](const Stroke& l, const Stroke& r) { return std::tuple(key(l), l.source) < std::tuple(key(r), r.source); });
+  strokes.erase(std::unique(strokes.begin(), strokes.end(), [&](const Stroke& l, const Stroke& r) { return key(l) == key(r); }), strokes.end());
+  std::sort(strokes.begin(), strokes.end(), [](const Stroke& l, const Stroke& r) { return l.source < r.source; });
 }
 
 /// Chains of strokes: end 2 i is the `from` of stroke i, end 2 i + 1 its `to`, partner[e] the end that continues e.
@@ -258,6 +270,7 @@ Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances)
   const double early = once ? kEarlyPart * tolerances.simplify_mm : 0;
   StrokeModel model = segments_of(snapped, early);
   if (once) {
+    remove_equal(model.strokes);
     remove_coincident_strokes(model, tolerances.overlap_mm);
     std::sort(model.strokes.begin(), model.strokes.end(),
               [](const Stroke& l, const Stroke& r) { return std::tie(l.source, l.t_from) < std::tie(r.source, r.t_from); });

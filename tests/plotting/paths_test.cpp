@@ -122,6 +122,16 @@ TEST(JoinStrokes, LinesTwiceAndLinesThatOverlapAreDrawnOnce) {
   EXPECT_NEAR(total_length(joined), 2 * M_PI * 30 + 20, 0.1);
 }
 
+TEST(JoinStrokes, FineCurvesTwiceAreDrawnOnce) {
+  // Segments of 2 micrometres.
+  std::vector<Point2> circle;
+  for (int i = 0; i <= 9000; ++i) circle.push_back({50 + 3 * std::cos(i * 2 * M_PI / 9000), 50 + 3 * std::sin(i * 2 * M_PI / 9000)});
+  const std::vector<Point2> turned(circle.rbegin(), circle.rend());
+  const Polylines joined = join_strokes(lines_of({circle, turned, circle}), {});
+  EXPECT_EQ(joined.size(), 1u);
+  EXPECT_NEAR(total_length(joined), 2 * M_PI * 3, 0.02);
+}
+
 TEST(JoinStrokes, DotsStayAndAreDrawnOnce) {
   const Polylines joined = join_strokes(lines_of({{{5, 5}, {5, 5}}, {{0, 0}, {1, 0}}, {{5, 5}}}), {});
   ASSERT_EQ(joined.size(), 2u);
