@@ -88,6 +88,7 @@ void add_plotter_options(CLI::App& app, PlotterOptions& options) {
                             },
                             "CLASS=N[,COLOUR[,WIDTH]]: a class of lines, material:NAME or rest to pen N; repeatable")
                          ->type_name("TEXT")
+                         ->expected(1)
                          ->allow_extra_args(false)
                          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   CLI::Option* optimize = add_parsed(
