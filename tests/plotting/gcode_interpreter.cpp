@@ -36,7 +36,6 @@ class GcodeMachine {
     else if (!text.empty()) fault("unknown: " + text);
   }
   Replay take() {
-    finish();
     replay_.ends_up = known_ && !down_;
     return std::move(replay_);
   }
@@ -52,10 +51,8 @@ class GcodeMachine {
     known_ = true;
     settled_ = false;
     if (down && !down_) replay_.strokes.push_back({at_});
-    if (!down) finish();
     down_ = down;
   }
-  void finish() {}
   void move(bool rapid, const std::map<char, double>& words) {
     if (!millimetres_ || !absolute_) fault("a move before G21 and G90");
     if (words.contains('F')) feed_ = words.at('F');
