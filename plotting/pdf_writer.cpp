@@ -50,7 +50,7 @@ std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
   const CairoContext pen(cairo_create(recording.get()));
   for (const Layer& layer : drawing.layers) {
     stroke_polylines(pen.get(), rounded(layer.lines, kPartsOfUnit * units * kPointsPerMm),
-                     layer_style(layer.name, options.pen_width_mm, options.hidden_solid), units * kPointsPerMm);
+                     options.style_of(layer.name), units * kPointsPerMm);
   }
 
   std::string pdf;

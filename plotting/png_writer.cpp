@@ -53,7 +53,7 @@ std::string write_png(const Drawing& drawing, const PlotOptions& options, const 
   cairo_paint(cairo.get());
   if (under) put_pixels(surface.get(), *under);
   for (const Layer& layer : drawing.layers) {
-    stroke_polylines(cairo.get(), layer.lines, layer_style(layer.name, options.pen_width_mm, options.hidden_solid), scale);
+    stroke_polylines(cairo.get(), layer.lines, options.style_of(layer.name), scale);
   }
   cairo_scale(cairo.get(), scale, scale);
   write_texts(cairo.get(), drawing.texts);

@@ -2,6 +2,7 @@
 /// polylines go into Cairo paths, as for every other format, and these are read back and written down here. Chunks of
 /// polylines are worked on in parallel and put together in their order.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -195,9 +196,16 @@ std::string chunk_text(const Polylines& lines, Chunk chunk, double device) {
   return writer.take();
 }
 
+/// An id has no blanks and does not begin with a digit or a sign.
+std::string id_of(std::string_view layer) {
+  std::string id(layer);
+  std::replace_if(id.begin(), id.end(), [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }, '-');
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80; };
+  return id.empty() || letter(id[0]) ? id : "pen-" + id;
+}
+
 std::string group_start(std::string_view layer) {
-  const std::string name = xml_text(layer);
-  return "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + name + "\" id=\"" + name + "\"";
+  return "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + xml_text(layer) + "\" id=\"" + xml_text(id_of(layer)) + "\"";
 }
 
 std::string layer_start(const Layer& layer, const LineStyle& style) {
@@ -247,7 +255,7 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
     std::size_t size = svg.size();
     for (const std::string& text : texts) size += text.size();
     svg.reserve(size);
-    svg += layer_start(layer, layer_style(layer.name, options.pen_width_mm, options.hidden_solid));
+    svg += layer_start(layer, options.style_of(layer.name));
     for (const std::string& text : texts) svg += text;
     svg += "</g>\n";
   }

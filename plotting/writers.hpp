@@ -21,6 +21,9 @@ struct PlotOptions {
   bool hidden_solid = false;
   std::string title;    ///< document title, may be empty
   double dpi = 150;     ///< PNG
+  std::function<LineStyle(const std::string&)> style{};  ///< of a layer; empty: layer_style
+
+  LineStyle style_of(const std::string& layer) const { return style ? style(layer) : layer_style(layer, pen_width_mm, hidden_solid); }
 };
 
 /// SVG: width, height and viewBox in mm, one Inkscape layer group per layer with the style on it, one path per polyline.

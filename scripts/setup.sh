@@ -15,6 +15,8 @@ libtbb-dev           hdr:oneapi/tbb/task_arena.h     threads
 nlohmann-json3-dev   hdr:nlohmann/json.hpp           JSON
 libtinyobjloader-dev hdr:tiny_obj_loader.h           OBJ files
 libmuparser-dev      hdr:muParser.h                  formulas
+libpugixml-dev       hdr:pugixml.hpp                 SVG drawings that are to be plotted
+libtomlplusplus-dev  hdr:toml++/toml.h               plotters and pens as TOML
 libpng-dev           hdr:png.h                       grids of heights as PNG
 fonts-dejavu-core    font:DejaVuSans.ttf             text in PDF and PNG
 optional libdraco-dev hdr:draco/compression/decode.h compressed glTF files
@@ -26,7 +28,7 @@ libembree-dev        hdr:embree3/rtcore.h            ray casting, to check visib
 libcgal-dev          hdr:CGAL/Lazy_exact_nt.h        exact arithmetic for the oracle
 librsvg2-bin         cmd:rsvg-convert                an independent reader of our SVG
 poppler-utils        cmd:pdftotext                   an independent reader of our PDF
-libpugixml-dev       hdr:pugixml.hpp                 reads SVG back
+hp2xx                cmd:hp2xx                       an independent reader of our HPGL
 '
 
 # True when the probe (cmd:, pc:, hdr: or font:) finds its thing.

@@ -17,6 +17,7 @@ void check(const DrawOptions& options) {
   check(options.faces, format_of(options.output), method_of(options.method));
   check(options.page);
   refuse_input_as_output("--output", *options.output.file, options.model.files);
+  check(options.plotter, *options.output.file, options.model.files);
   if (options.run.stats_json.empty()) return;
   refuse_input_as_output("--stats-json", options.run.stats_json, options.model.files);
   if (options.run.stats_json == *options.output.file) {
@@ -27,11 +28,12 @@ void check(const DrawOptions& options) {
 void draw(const DrawOptions& options) {
   const Method& method = method_of(options.method);
   const MethodSettings settings = settings_of(options.method, method);  // a wrong one is told before anything is read
+  const PlotterSetup plotter = plotter_setup(options.plotter, format_of(options.output));
   RunReport run;
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   draw_scene(models.scene,
              {method, settings, options.method.edges, options.method.crease_degrees, options.method.hidden, options.method.cull, options.view,
-              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces},
+              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces, plotter},
              run);
 }
 
@@ -52,6 +54,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
       ->group("Output");
   draw->add_option("--title", options.title, "title of an SVG or PDF")->type_name("TEXT")->group("Output");
   add_face_options(*draw, options.faces);
+  add_plotter_options(*draw, options.plotter);
   add_run_options(*draw, options.run);
   draw->footer(kExamples);
 }

@@ -8,6 +8,7 @@
 #include "cli/models.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
+#include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
 #include "cli/view_options.hpp"
 
@@ -19,6 +20,7 @@ struct DrawOptions {
   MethodOptions method;
   PageOptions page;
   OutputOptions output;
+  PlotterOptions plotter;
   RunOptions run;
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty

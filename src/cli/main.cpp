@@ -8,11 +8,13 @@
 #include <sstream>
 #include <string>
 
+#include "cli/devices.hpp"
 #include "cli/draw.hpp"
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
 #include "cli/info.hpp"
 #include "cli/methods.hpp"
+#include "cli/plot.hpp"
 #include "cli/surface.hpp"
 #include "cli/text.hpp"
 #include "plotting/output_file.hpp"
@@ -27,6 +29,7 @@ constexpr const char* kFooter = R"help(ligne COMMAND --help tells the options of
 Examples:
   ligne draw gearbox.obj -o gearbox.svg
   ligne surface "sin(r)/r" -x -12:12 -y -12:12 -o sombrero.svg
+  ligne plot sombrero.svg --device hp7475a -o sombrero.hpgl
   ligne info gearbox.obj
   ligne methods)help";
 
@@ -53,11 +56,15 @@ int run(int argc, char** argv) {
   DrawOptions draw;
   InfoOptions info;
   MethodsOptions methods;
+  DevicesOptions devices;
+  PlotCommandOptions plot;
   SurfaceOptions surface;
   setup_draw(app, draw);
   setup_surface(app, surface);
+  setup_plot(app, plot);
   setup_info(app, info);
   setup_methods(app, methods);
+  setup_devices(app, devices);
 
   try {
     app.parse(argc, argv);
@@ -77,8 +84,12 @@ int run(int argc, char** argv) {
     run_info(info);
   } else if (app.got_subcommand("methods")) {
     run_methods(methods);
+  } else if (app.got_subcommand("plot")) {
+    run_plot(plot);
+  } else if (app.got_subcommand("devices")) {
+    run_devices(devices);
   } else {
-    throw UsageError("there is no command: draw, surface, info or methods; see ligne --help");
+    throw UsageError("there is no command: draw, surface, plot, info, methods or devices; see ligne --help");
   }
   return kDone;
 }

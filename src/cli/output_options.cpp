@@ -22,7 +22,7 @@ void add_output_options(CLI::App& app, OutputOptions& options, const std::string
 OutputFormat format_of(const OutputOptions& options) {
   if (!options.file) throw UsageError("--output", "there is no output file: -o FILE, or -o - --format NAME");
   if (options.format) return *options.format;
-  if (*options.file == "-") throw UsageError("--output", "standard output needs a --format: svg, pdf, png or json");
+  if (*options.file == "-") throw UsageError("--output", "standard output needs a --format: " + list_of(kOutputFormatNames));
   try {
     return format_of_suffix(*options.file);
   } catch (const std::invalid_argument& e) {

@@ -21,7 +21,7 @@ struct OutputOptions {
 
 /// Adds -o and --format. `formats` is the help text of the latter: what there is, and the default.
 void add_output_options(CLI::App& app, OutputOptions& options,
-                        const std::string& formats = "svg pdf png json (default: by the suffix)");
+                        const std::string& formats = "svg pdf png json hpgl gcode (default: by the suffix)");
 
 /// The format: as given, else by the suffix of the file. Throws UsageError when it can not be known.
 OutputFormat format_of(const OutputOptions& options);

@@ -169,7 +169,12 @@ OutputFormat format_of_suffix(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < std::size(kOutputFormatNames); ++i) {
     if (suffix == "." + std::string(kOutputFormatNames[i])) return static_cast<OutputFormat>(i);
   }
-  fail(file.string(), "does not end in .svg, .pdf, .png or .json, and there is no --format");
+  constexpr std::pair<std::string_view, OutputFormat> others[] = {
+      {".plt", OutputFormat::hpgl}, {".hpg", OutputFormat::hpgl}, {".nc", OutputFormat::gcode}, {".ngc", OutputFormat::gcode}};
+  for (const auto& [other, format] : others) {
+    if (suffix == other) return format;
+  }
+  fail(file.string(), "does not end in .svg, .pdf, .png, .json, .hpgl, .plt, .gcode or .nc, and there is no --format");
 }
 
 }  // namespace ligne

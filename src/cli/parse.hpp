@@ -52,8 +52,8 @@ std::optional<double> parse_scale(std::string_view text);
 /// Length of a model unit in mm: "mm", "cm", "m", "in", or a number of mm.
 double parse_unit_mm(std::string_view text);
 
-enum class OutputFormat { svg, pdf, png, json };
-inline constexpr std::string_view kOutputFormatNames[] = {"svg", "pdf", "png", "json"};
+enum class OutputFormat { svg, pdf, png, json, hpgl, gcode };
+inline constexpr std::string_view kOutputFormatNames[] = {"svg", "pdf", "png", "json", "hpgl", "gcode"};
 
 OutputFormat parse_format(std::string_view text);
 

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include "cli/culling.hpp"
 #include "cli/errors.hpp"
 #include "cli/models.hpp"
 #include "cli/placement.hpp"
+#include "cli/plotter_output.hpp"
 #include "cli/progress.hpp"
 #include "plotting/output_file.hpp"
 #include "plotting/writers.hpp"
@@ -21,6 +24,30 @@ namespace {
 /// What the JSON drawing tells of an edge of the scene.
 SourceEdge source_edge(const Scene& scene, const Edge& edge) {
   return {{scene.vertices[edge.v0], scene.vertices[edge.v1]}, {edge.face0, edge.face1}, false};
+}
+
+/// Layers by class and material: the material of a line is that of the first face of its source edge.
+Drawing drawing_by_material(const StrokeModel& strokes, const std::function<SourceEdge(std::uint32_t)>& source, const Scene& scene) {
+  std::map<std::string, StrokeModel> by_material;
+  for (const Stroke& stroke : strokes.strokes) {
+    std::string name;
+    if (stroke.line_class != LineClass::axes) {
+      const std::uint32_t face = source(stroke.source).faces[0];
+      const std::uint32_t material = face < scene.face_material.size() ? scene.face_material[face] : 0;
+      if (material < scene.materials.size()) name = scene.materials[material].name;
+    }
+    StrokeModel& part = by_material[name];
+    part.lattice = strokes.lattice;
+    part.strokes.push_back(stroke);
+  }
+  Drawing drawing;
+  for (const auto& [material, part] : by_material) {
+    for (Layer& layer : make_drawing(part).layers) {
+      layer.material = material;
+      drawing.layers.push_back(std::move(layer));
+    }
+  }
+  return drawing;
 }
 
 /// The method's study, with the progress bar over it.
@@ -51,8 +78,9 @@ void remove_hidden_axes(StrokeModel& model) {
 }
 
 /// The document as lines, with what stands round it.
-Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, const SceneDrawing& request) {
-  Drawing drawing = make_drawing(*document.strokes);
+Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, const SceneDrawing& request, const Scene& scene) {
+  Drawing drawing = request.plotter.pens.pen_of_material.empty() ? make_drawing(*document.strokes)
+                                                                 : drawing_by_material(*document.strokes, document.source, scene);
   if (document.debug) add_debug_layer(drawing, *document.debug);
   if (!request.frame) return drawing;
   const std::size_t unknown = add_surroundings(drawing, around, request.frame->axes);
@@ -65,17 +93,6 @@ Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, 
 /// Below all lines.
 void add_hatching(Drawing& drawing, Polylines hatching) {
   if (hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), Layer{"hatch", std::move(hatching)});
-}
-
-std::string written(OutputFormat format, const Drawing& drawing, const PlotOptions& plot, const GrayPicture* under) {
-  switch (format) {
-    case OutputFormat::pdf:
-      return write_pdf(drawing, plot);
-    case OutputFormat::png:
-      return write_png(drawing, plot, under);
-    default:
-      return write_svg(drawing, plot);
-  }
 }
 
 }  // namespace
@@ -105,8 +122,9 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   plot.hidden_solid = request.hidden == HiddenLines::solid;
   plot.title = request.title;
   plot.dpi = request.dpi;
-  // Only the JSON drawing names the source edges; the study needs the memory of the rest.
-  const std::vector<Edge> edges = format == OutputFormat::json ? std::move(topology.edges) : std::vector<Edge>{};
+  // Only the JSON drawing, and pens by material, ask for the source edges; the study needs the memory of the rest.
+  const bool asked = format == OutputFormat::json || !request.plotter.pens.pen_of_material.empty();
+  const std::vector<Edge> edges = asked ? std::move(topology.edges) : std::vector<Edge>{};
   topology = {};
   VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected, plot); });
   if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
@@ -141,9 +159,9 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     document.statistics = result.statistics;
     if (format == OutputFormat::json) return write_json(document, plot);
     FacePicture faces = result.spans ? picture_faces(request.faces, scene, placement.view.camera, *result.spans, plot) : FacePicture{};
-    Drawing drawing = drawing_of(document, around, request);
+    Drawing drawing = drawing_of(document, around, request, scene);
     add_hatching(drawing, std::move(faces.hatching));
-    return written(format, drawing, plot, faces.shaded ? &*faces.shaded : nullptr);
+    return written(drawing, plot, request.plotter, format, run, faces.shaded ? &*faces.shaded : nullptr);
   });
   run.study = std::move(result.statistics);
   timed(run.stages, "output", [&] { write_output(*request.output.file, bytes); });

@@ -7,6 +7,7 @@
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
+#include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stages.hpp"
 #include "cli/surface_axes.hpp"
@@ -38,6 +39,7 @@ struct SceneDrawing {
   std::string place_of_warnings;
   const PlotFrame* frame = nullptr;  ///< not for JSON; without it the title is only that of the document
   FaceOptions faces{};
+  PlotterSetup plotter{};
 };
 
 /// Studies, draws and writes; then reports when the options ask for it. Throws UsageError, std::runtime_error.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/models.hpp"
+#include "cli/plotter_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_drawing.hpp"
 #include "cli/stages.hpp"
@@ -123,6 +124,8 @@ Drawing drawing_of(HorizonLines& lines) {
 }
 
 void draw(const SurfaceOptions& options) {
+  const OutputFormat format = format_of(options.output);
+  const PlotterSetup plotter = plotter_setup(options.plotter, format);
   RunReport run;
   run.method = "horizon";
   Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(options).front()); });
@@ -158,12 +161,7 @@ void draw(const SurfaceOptions& options) {
   plot.pen_width_mm = options.page.pen_width_mm;
   plot.title = options.title;
   plot.dpi = options.dpi;
-  const OutputFormat format = format_of(options.output);
-  const std::string bytes = timed(run.stages, "write", [&] {
-    return format == OutputFormat::pdf   ? write_pdf(drawing, plot)
-           : format == OutputFormat::png ? write_png(drawing, plot)
-                                         : write_svg(drawing, plot);
-  });
+  const std::string bytes = timed(run.stages, "write", [&] { return written(drawing, plot, plotter, format, run); });
   timed(run.stages, "output", [&] { write_output(*options.output.file, bytes); });
   report(options.run, run);
 }

@@ -127,6 +127,8 @@ void write_mesh(const SurfaceOptions& options, const Scene& scene, RunReport& ru
 
 void run_surface_mesh(const SurfaceOptions& options) {
   RunReport run;
+  PlotterSetup plotter;
+  if (!options.as_mesh) plotter = plotter_setup(options.plotter, format_of(options.output));
   const Plot plot = timed(run.stages, "read", [&] { return plot_of(options); });
   if (options.as_mesh) return write_mesh(options, plot.scene, run);
 
@@ -142,7 +144,7 @@ void run_surface_mesh(const SurfaceOptions& options) {
   const PlotFrame frame{options.axes, plot.box};
   SceneDrawing drawing{method_of(choice), {}, classes, choice.crease_degrees, options.hidden, false, view, options.page, options.output, options.run,
                        options.dpi, options.title, place_of_warnings(options),
-                       format_of(options.output) == OutputFormat::json ? nullptr : &frame};
+                       format_of(options.output) == OutputFormat::json ? nullptr : &frame, {}, plotter};
   draw_scene(plot.scene, drawing, run);
 }
 

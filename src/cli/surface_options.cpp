@@ -208,6 +208,7 @@ void check(const SurfaceOptions& options) {
     mesh_format_of(options.output);
   } else {
     format_of(options.output);
+    check(options.plotter, *options.output.file, options.grids);
   }
   check(options.page);
   if ((options.azimuth_degrees || options.elevation_degrees) && options.view_given) {
@@ -313,13 +314,14 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   surface->get_option("--view")->default_str("by azimuth and elevation");
   add_axes_options(*surface, options.axes);
   add_page_options(*surface, options.page);
-  add_output_options(*surface, options.output, "svg pdf png json (default: by the suffix)");
+  add_output_options(*surface, options.output, "svg pdf png json hpgl gcode (default: by the suffix)");
   surface->add_flag("--as-mesh", options.as_mesh, "write the surface as a mesh file, .json (ligne-scene) or .obj")->group("Output");
   add_parsed(*surface, "--dpi", "N", options.dpi,
              [](const std::string& t) { return parse_within(t, kLowestDpi, kHighestDpi, "dots per inch"); }, "resolution of a PNG")
       ->default_str("150")
       ->group("Output");
   surface->add_option("--title", options.title, "title above the picture, and of the document")->type_name("TEXT")->group("Output");
+  add_plotter_options(*surface, options.plotter);
   add_run_options(*surface, options.run);
   surface->callback([surface, &options] {
     for (const char* name : {"--view", "--direction", "--eye"}) options.view_given |= surface->count(name) > 0;

@@ -10,6 +10,7 @@
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
+#include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
 #include "cli/surface_axes.hpp"
 #include "cli/view_options.hpp"
@@ -53,6 +54,7 @@ struct SurfaceOptions {
   ViewOptions view;
   PageOptions page;
   OutputOptions output;
+  PlotterOptions plotter;
   RunOptions run;
 };
 

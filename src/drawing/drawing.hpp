@@ -27,6 +27,7 @@ struct Polylines {
 struct Layer {
   std::string name;
   Polylines lines;
+  std::string material{};  ///< name of the material, where the layer holds the lines of one material only
 };
 
 /// Layers in the order in which they are painted. Layers without lines are left out. Texts are painted last; writers put them into a layer

@@ -108,7 +108,7 @@ TEST(OutputFormats, BySuffixOrName) {
     EXPECT_NE(complaint([&] { format_of_suffix(name); }), "") << name;
   }
   EXPECT_EQ(complaint([] { format_of_suffix("a.dxf"); }),
-            "\"a.dxf\" does not end in .svg, .pdf, .png or .json, and there is no --format");
+            "\"a.dxf\" does not end in .svg, .pdf, .png, .json, .hpgl, .plt, .gcode or .nc, and there is no --format");
   EXPECT_EQ(parse_format("json"), OutputFormat::json);
   EXPECT_NE(complaint([] { parse_format("SVG "); }), "");
 }

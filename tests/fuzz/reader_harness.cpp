@@ -4,9 +4,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "plotting/drawing_reader.hpp"
+#include "plotting/paths/optimize.hpp"
 #include "scene/grid_formats.hpp"
 #include "scene/reader.hpp"
 
@@ -97,9 +100,30 @@ void read_formula_as_fuzzer(std::span<const std::byte> bytes) {
   }
 }
 
+/// Drawings are read, "svg" or "drawing", and their first strokes made ready for a pen.
+void read_drawing_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  try {
+    const ReadDrawing read = kind == "svg" ? read_svg_drawing(text, "fuzz", {}) : read_json_drawing(text, "fuzz");
+    need(read.page.width_mm > 0 && read.page.height_mm > 0, "pages have an area");
+    for (const Layer& layer : read.drawing.layers) {
+      for (const Point2 p : layer.lines.points) need(std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm, "points lie within a kilometre");
+      for (std::size_t i = 0; i < layer.lines.size(); ++i) need(layer.lines[i].size() >= 2, "lines have two points");
+      constexpr std::size_t kPoints = 20'000;
+      if (layer.lines.points.size() > kPoints) continue;
+      const Polylines better = optimize_paths(layer.lines, {});
+      for (const Point2 p : better.points) need(std::abs(p.x) <= kFarthestMm + 1 && std::abs(p.y) <= kFarthestMm + 1, "and stay there");
+    }
+  } catch (const std::runtime_error& error) {
+    need(std::string_view(error.what()).find('\n') == std::string_view::npos, "errors are one line");
+    need(std::string_view(error.what()).starts_with("fuzz"), "errors name the file");
+  }
+}
+
 }  // namespace
 
 void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
+  if (kind == "svg" || kind == "drawing") return read_drawing_as_fuzzer(kind, bytes);
   if (kind == "grid") return read_grid_as_fuzzer(bytes);
   if (kind == "formula") return read_formula_as_fuzzer(bytes);
   try {

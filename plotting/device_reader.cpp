@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "plotting/device.hpp"
+#include "plotting/devices/embedded.hpp"
+#include "plotting/toml_reading.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kFinestStepMm = 1e-4, kCoarsestStepMm = 10;
+constexpr unsigned kMostPens = 1000, kMostPoints = 1'000'000;
+
+bool positive(double value) { return value > 0 && std::isfinite(value); }
+
+std::string required_text(const TomlTable& table, std::string_view key) {
+  const auto value = table.text(key);
+  if (!value || value->empty()) table.fail("there is no " + std::string(key));
+  return *value;
+}
+
+Rect read_limits(const TomlTable& table) {
+  const auto v = table.numbers("limits", 4);
+  if (!v) table.fail("there are no limits [x0, y0, x1, y1]");
+  const Rect limits{{(*v)[0], (*v)[1]}, {(*v)[2], (*v)[3]}};
+  if (!(limits.width() > 0 && limits.height() > 0)) table.fail("the limits hold nothing", table.find("limits"));
+  return limits;
+}
+
+DevicePaper read_paper(const TomlTable& table) {
+  table.only({"name", "width", "height", "limits", "origin", "select", "note"});
+  DevicePaper paper;
+  paper.name = required_text(table, "name");
+  paper.width_mm = table.number("width").value_or(0);
+  paper.height_mm = table.number("height").value_or(0);
+  if (!positive(paper.width_mm) || !positive(paper.height_mm)) table.fail("width and height of a paper are above 0");
+  paper.limits = read_limits(table);
+  if (!std::isfinite(paper.limits.width()) || !std::isfinite(paper.limits.height())) table.fail("the limits of a paper are finite", table.find("limits"));
+  if (const auto origin = table.numbers("origin", 2)) paper.origin_mm = Point2{(*origin)[0], (*origin)[1]};
+  paper.select = table.text("select").value_or("");
+  paper.note = table.text("note").value_or("");
+  return paper;
+}
+
+DeviceLanguage read_language(const TomlTable& table) {
+  const std::string name = required_text(table, "language");
+  for (std::size_t i = 0; i < std::size(kDeviceLanguageNames); ++i) {
+    if (name == kDeviceLanguageNames[i]) return static_cast<DeviceLanguage>(i);
+  }
+  table.fail("language is not hpgl, gcode or svg", table.find("language"));
+}
+
+void read_speeds(const TomlTable& table, Device& device) {
+  const auto read = [&](std::string_view key, double& target, bool may_be_zero) {
+    const auto value = table.number(key);
+    if (!value) table.fail("there is no " + std::string(key));
+    if (!std::isfinite(*value) || *value < 0 || (*value == 0 && !may_be_zero)) table.fail(std::string(key) + " is not above 0", table.find(key));
+    target = *value;
+  };
+  read("speed_down", device.down_mm_s, false);
+  read("speed_up", device.up_mm_s, false);
+  read("lift_seconds", device.lift_s, true);
+  read("pen_change_seconds", device.pen_change_s, true);
+}
+
+void read_commands(const TomlTable& table, Device& device) {
+  device.begin = table.texts("begin");
+  device.end = table.texts("end");
+  device.up = table.texts("up");
+  device.down = table.texts("down");
+  device.pen_change = table.texts("pen_change");
+  device.pen_select = table.text("pen_select").value_or("");
+  device.travel = table.text("travel").value_or("");
+  device.draw = table.text("draw").value_or("");
+  device.dot = table.text("dot").value_or("");
+  device.velocity = table.text("velocity").value_or("");
+  device.points_per_command = table.count("points_per_command", 0, kMostPoints).value_or(0);
+  if (device.language == DeviceLanguage::svg) return;
+  for (const std::string_view key : {"travel", "draw"}) required_text(table, key);
+  if (device.language == DeviceLanguage::hpgl) {
+    required_text(table, "dot");
+    if (device.draw.find("{points}") == std::string::npos) table.fail("draw has no {points}", table.find("draw"));
+  } else if (device.draw.find("{x}") == std::string::npos || device.draw.find("{y}") == std::string::npos) {
+    table.fail("draw has no {x} and {y}", table.find("draw"));
+  }
+  if (device.travel.find("{x}") == std::string::npos || device.travel.find("{y}") == std::string::npos) {
+    table.fail("travel has no {x} and {y}", table.find("travel"));
+  }
+}
+
+}  // namespace
+
+Device read_device(std::string_view toml, const std::string& file) {
+  const toml::table parsed = parse_toml(toml, file);
+  const TomlTable table(parsed, file);
+  table.only({"name", "title", "note", "language", "step", "pens", "rotation", "turn", "y_down", "limits", "paper", "begin", "end", "up", "down",
+              "pen_change", "pen_select", "travel", "draw", "dot", "velocity", "points_per_command", "returns", "speed_down", "speed_up", "lift_seconds",
+              "pen_change_seconds"});
+  Device device;
+  device.name = required_text(table, "name");
+  device.title = required_text(table, "title");
+  device.note = table.text("note").value_or("");
+  device.language = read_language(table);
+  device.step_mm = table.number("step").value_or(0);
+  if (!(device.step_mm >= kFinestStepMm && device.step_mm <= kCoarsestStepMm)) table.fail("step is not from 0.0001 to 10 mm", table.find("step"));
+  device.pens = table.count("pens", 0, kMostPens).value_or(1);
+  device.rotation = static_cast<int>(table.count("rotation", 0, 270).value_or(0));
+  if (device.rotation % 90 != 0) table.fail("rotation is not 0, 90, 180 or 270", table.find("rotation"));
+  const std::string turn = table.text("turn").value_or("left");
+  if (turn != "left" && turn != "right") table.fail("turn is neither left nor right", table.find("turn"));
+  device.turn_right = turn == "right";
+  device.y_down = table.flag("y_down").value_or(false);
+  device.returns = table.flag("returns").value_or(false);
+  for (const TomlTable& paper : table.tables("paper")) device.papers.push_back(read_paper(paper));
+  if (device.papers.empty()) device.limits_mm = read_limits(table);
+  if (!device.papers.empty() && table.has("limits")) table.fail("limits are those of the papers", table.find("limits"));
+  read_commands(table, device);
+  read_speeds(table, device);
+  return device;
+}
+
+const std::vector<Device>& devices() {
+  static const std::vector<Device> all = [] {
+    std::vector<Device> list;
+    for (const EmbeddedDevice& file : embedded_devices()) list.push_back(read_device(file.toml, std::string(file.name)));
+    std::sort(list.begin(), list.end(), [](const Device& l, const Device& r) { return l.name < r.name; });
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace ligne

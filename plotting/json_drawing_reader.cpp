@@ -1,0 +1,115 @@
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "plotting/drawing_reader.hpp"
+
+namespace ligne {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kLargestPageMm = 100000;
+
+/// Strokes by layer; they are taken out of the JSON tree as they come, so that a large drawing does not stand in memory twice.
+class DrawingReader {
+ public:
+  explicit DrawingReader(std::string file) : file_(std::move(file)) {}
+
+  ReadDrawing read(std::string_view text) {
+    json root;
+    try {
+      root = json::parse(text, [this](int depth, json::parse_event_t event, json& value) { return take(depth, event, value); });
+    } catch (const json::parse_error& e) {
+      throw std::runtime_error(file_ + ": is not JSON: at byte " + std::to_string(e.byte));
+    } catch (const json::exception& e) {
+      throw std::runtime_error(file_ + ": is not JSON that can be read");
+    }
+    if (!root.is_object() || root.value("format", json()) != "ligne-drawing") fail("is not a ligne-drawing");
+    if (root.value("version", json()) != 1) fail("the version of the ligne-drawing is not 1");
+    if (!has_strokes_) fail("there are no strokes in the drawing");
+    ReadDrawing result;
+    result.page = page_of(root);
+    for (Layer& layer : layers_) {
+      if (layer.lines.size() > 0) result.drawing.layers.push_back(std::move(layer));
+    }
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& cause) const { throw std::runtime_error(file_ + ": " + cause); }
+  [[noreturn]] void fail_stroke(const std::string& cause) const { fail("stroke " + std::to_string(count_) + ": " + cause); }
+
+  bool take(int depth, json::parse_event_t event, json& value) {
+    if (event == json::parse_event_t::key && depth == 1) {
+      in_strokes_ = value == "strokes";
+      if (in_strokes_ && has_strokes_) fail("there are two lists of strokes");
+      has_strokes_ = has_strokes_ || in_strokes_;
+      return true;
+    }
+    if (!in_strokes_) return depth < 3 || event == json::parse_event_t::key;
+    if (event == json::parse_event_t::object_start && depth > 2) return false;  // the source edge
+    if (event == json::parse_event_t::object_end && depth == 2) {
+      add(value);
+      return false;
+    }
+    return true;
+  }
+
+  void add(const json& stroke) {
+    const auto line_class = stroke.find("class"), visible = stroke.find("visible"), points = stroke.find("points");
+    if (line_class == stroke.end() || !line_class->is_string()) fail_stroke("has no class");
+    if (visible == stroke.end() || !visible->is_boolean()) fail_stroke("visible is neither true nor false");
+    if (points == stroke.end() || !points->is_array() || points->size() < 2) fail_stroke("has no two points");
+    Polylines& lines = layer_of(line_class->get_ref<const std::string&>(), visible->get<bool>());
+    for (const json& p : *points) {
+      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) fail_stroke("a point is not two numbers");
+      const Point2 point{p[0].get<double>(), p[1].get<double>()};
+      if (!(std::abs(point.x) <= kFarthestMm && std::abs(point.y) <= kFarthestMm)) fail_stroke("a point is farther than a kilometre away");
+      lines.points.push_back(point);
+    }
+    lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
+    ++count_;
+  }
+
+  Polylines& layer_of(const std::string& line_class, bool visible) {
+    for (std::size_t c = 0; c < kLineClassCount; ++c) {
+      if (kLineClassNames[c] == line_class) return layers_[visible ? kLineClassCount - c : 0].lines;
+    }
+    fail_stroke("there is no class of that name");
+  }
+
+  Page page_of(const json& root) const {
+    Page page;
+    const json sheet = root.value("page", json());
+    const auto side = [&](const char* key, double& mm, bool may_be_zero) {
+      const json value = sheet.is_object() ? sheet.value(key, json()) : json();
+      if (!value.is_number()) fail(std::string("the page has no ") + key);
+      mm = value.get<double>();
+      if (!(mm >= 0 && mm <= kLargestPageMm) || (mm == 0 && !may_be_zero)) fail(std::string(key) + " of the page is out of range");
+    };
+    side("width_mm", page.width_mm, false);
+    side("height_mm", page.height_mm, false);
+    side("margin_mm", page.margin_mm, true);
+    return page;
+  }
+
+  std::string file_;
+  bool in_strokes_ = false, has_strokes_ = false;
+  std::size_t count_ = 0;
+  /// In the order of painting.
+  std::array<Layer, kLineClassCount + 1> layers_ = [] {
+    std::array<Layer, kLineClassCount + 1> layers;
+    layers[0].name = "hidden";
+    for (std::size_t c = 0; c < kLineClassCount; ++c) layers[kLineClassCount - c].name = kLineClassNames[c];
+    return layers;
+  }();
+};
+
+}  // namespace
+
+ReadDrawing read_json_drawing(std::string_view json, const std::string& file) { return DrawingReader(file).read(json); }
+
+}  // namespace ligne

@@ -1,0 +1,106 @@
+#include "plotting/paths/chain_ends.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <glm/geometric.hpp>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include "plotting/paths/end_tree.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::uint32_t kNone = EndTree::kNone;
+
+/// Adjustable: of all ends near to one, so many are tried.
+constexpr std::size_t kCandidates = 8;
+
+struct Pair {
+  double squared;
+  std::uint32_t a, b;  ///< loose ends, a < b
+};
+
+bool closed(std::span<const Point2> line) { return line.size() > 2 && line.front() == line.back(); }
+
+double length(std::span<const Point2> line) {
+  double sum = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) sum += glm::distance(line[i - 1], line[i]);
+  return sum;
+}
+
+/// The loose ends: 2 i is the first point of line i, 2 i + 1 its last.
+std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
+  std::vector<std::uint32_t> ends;
+  std::vector<Point2> points;
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    if (closed(lines[i])) continue;
+    for (const bool last : {false, true}) {
+      ends.push_back(2 * i + last);
+      points.push_back(last ? lines[i].back() : lines[i].front());
+    }
+  }
+  const EndTree tree(points);
+  std::vector<std::vector<Pair>> found(ends.size());
+  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, ends.size()), [&](const auto& range) {
+    std::vector<EndTree::Neighbour> neighbours;
+    for (std::size_t e = range.begin(); e < range.end(); ++e) {
+      tree.nearest(points[e], kCandidates + 1, neighbours);
+      for (const EndTree::Neighbour& n : neighbours) {
+        if (n.squared > tolerance_mm * tolerance_mm) break;
+        if (n.point != e) found[e].push_back({n.squared, std::min(ends[e], ends[n.point]), std::max(ends[e], ends[n.point])});
+      }
+    }
+  });
+  std::vector<Pair> pairs;
+  for (const std::vector<Pair>& of_end : found) pairs.insert(pairs.end(), of_end.begin(), of_end.end());
+  const auto key = [](const Pair& p) { return std::tie(p.squared, p.a, p.b); };
+  std::sort(pairs.begin(), pairs.end(), [&](const Pair& l, const Pair& r) { return key(l) < key(r); });
+  return pairs;
+}
+
+}  // namespace
+
+Polylines join_near_ends(const Polylines& lines, double tolerance_mm) {
+  if (!(tolerance_mm > 0)) return lines;
+  std::vector<std::uint32_t> partner(2 * lines.size(), kNone);
+  for (const Pair& pair : near_pairs(lines, tolerance_mm)) {
+    if (partner[pair.a] != kNone || partner[pair.b] != kNone) continue;
+    if (pair.a / 2 == pair.b / 2 && length(lines[pair.a / 2]) <= kLoopLengths * std::sqrt(pair.squared)) continue;
+    partner[pair.a] = pair.b;
+    partner[pair.b] = pair.a;
+  }
+
+  Polylines out;
+  std::vector<char> walked(lines.size(), 0);
+  const auto walk = [&](std::uint32_t start) {
+    const std::size_t first = out.points.size();
+    std::uint32_t end = start;
+    while (end != kNone && !walked[end / 2]) {
+      walked[end / 2] = 1;
+      const auto line = lines[end / 2];
+      const auto add = [&](Point2 p) {
+        if (out.points.size() == first || out.points.back() != p) out.points.push_back(p);
+      };
+      if (end % 2 == 0) {
+        std::for_each(line.begin(), line.end(), add);
+      } else {
+        std::for_each(line.rbegin(), line.rend(), add);
+      }
+      end = partner[end ^ 1];
+    }
+    if (end != kNone && out.points.back() != out.points[first]) out.points.push_back(out.points[first]);
+    out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
+  };
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    if (walked[i]) continue;
+    std::uint32_t start = 2 * i;
+    while (partner[start] != kNone && (partner[start] ^ 1) != 2 * i) start = partner[start] ^ 1;
+    walk(partner[start] == kNone ? start : 2 * i);
+  }
+  return out;
+}
+
+}  // namespace ligne

@@ -1,0 +1,53 @@
+#pragma once
+/// Nearest points of a set that shrinks.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace ligne {
+
+/// A k-d tree over points, which are numbered as they come. Points can be removed; a subtree without points is never entered, so that a query
+/// takes logarithmic time also when few are left. Where several points are equally near, which one is found depends on the points alone.
+class EndTree {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  struct Neighbour {
+    double squared;  ///< distance, mm^2
+    std::uint32_t point;
+  };
+
+  explicit EndTree(std::span<const Point2> points);
+
+  /// A point is removed once.
+  void remove(std::uint32_t point);
+
+  /// The nearest of the points that are left; kNone when there is none.
+  std::uint32_t nearest(Point2 p) const;
+
+  /// The `count` nearest to p of the points that are left, by distance and number, into `found`.
+  void nearest(Point2 p, std::size_t count, std::vector<Neighbour>& found) const;
+
+ private:
+  struct Node {
+    Rect box;
+    std::uint32_t first, last;         ///< its points in order_
+    std::uint32_t left = 0, right = 0; ///< children; 0: a leaf
+    std::uint32_t parent = 0;
+    std::uint32_t left_over = 0;       ///< points that are left
+  };
+
+  std::uint32_t build(std::uint32_t first, std::uint32_t last, std::uint32_t parent);
+  template <class Take>
+  void search(std::uint32_t node, Point2 p, const double& limit, const Take& take) const;
+
+  std::vector<Point2> points_;
+  std::vector<std::uint32_t> order_, leaf_of_;
+  std::vector<char> there_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace ligne

@@ -1,0 +1,290 @@
+/// Strokes joined, in five steps:
+///
+/// 1. All points go onto a lattice far finer than any plotter, so that "the same point" is a question with an answer.
+/// 2. Points that a quarter of the tolerance does not need are dropped, except where lines share a point: the segments of a curve become long enough that
+///    two of them can be seen to lie on each other.
+/// 3. Segments that lie on each other are drawn once (remove_coincident_strokes of the drawing).
+/// 4. Ends in one lattice point are paired, the straightest first, the rest in their order. This makes chains and rings. A ring R that touches another chain C in a
+///    node is taken into it: pairs (r1, r2) and (c1, c2) become (c1, r1) and (r2, c2), which cuts both there and ties them together, whichever way they run.
+/// 5. Loose ends of chains are joined within the tolerance, nearest first, and the rest of the tolerance simplifies what came out.
+
+#include "plotting/paths/join.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "drawing/node_pairs.hpp"
+#include "plotting/paths/chain_ends.hpp"
+#include "plotting/paths/simplify.hpp"
+
+namespace ligne {
+namespace {
+
+/// Part of the tolerance of simplification that is spent before overlaps are looked for.
+constexpr double kEarlyPart = 0.25;
+
+bool less(LatticePoint a, LatticePoint b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
+
+/// Polylines on the lattice without repeated points; what has no length goes to `dots`.
+struct LatticeLines {
+  Lattice lattice;
+  std::vector<LatticePoint> points;
+  std::vector<std::uint32_t> begin{0};
+  std::vector<LatticePoint> dots;
+};
+
+LatticeLines on_lattice(const Polylines& lines) {
+  LatticeLines out;
+  Rect bounds;
+  for (const Point2 p : lines.points) bounds.extend(p);
+  out.lattice = Lattice::covering(bounds);
+  out.points.reserve(lines.points.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::size_t first = out.points.size();
+    for (const Point2 mm : lines[i]) {
+      const LatticePoint p = out.lattice.snap(mm);
+      if (out.points.size() == first || out.points.back() != p) out.points.push_back(p);
+    }
+    if (out.points.size() == first) continue;
+    if (out.points.size() == first + 1) {
+      out.dots.push_back(out.points.back());
+      out.points.pop_back();
+    } else {
+      out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
+    }
+  }
+  std::sort(out.dots.begin(), out.dots.end(), less);
+  out.dots.erase(std::unique(out.dots.begin(), out.dots.end()), out.dots.end());
+  return out;
+}
+
+/// For every point whether another one lies on the same lattice point.
+std::vector<char> shared_points(const LatticeLines& lines) {
+  std::vector<std::uint32_t> order(lines.points.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) { return less(lines.points[l], lines.points[r]); });
+  std::vector<char> shared(order.size(), 0);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (lines.points[order[i]] == lines.points[order[i - 1]]) shared[order[i]] = shared[order[i - 1]] = 1;
+  }
+  return shared;
+}
+
+/// Segments of the lines as strokes of a model, numbered by source in their order.
+StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm) {
+  StrokeModel model;
+  model.lattice = lines.lattice;
+  const std::vector<char> shared = tolerance_mm > 0 ? shared_points(lines) : std::vector<char>{};
+  std::vector<Point2> piece;
+  std::vector<std::uint32_t> where;
+  const auto add_piece = [&] {
+    const std::vector<std::uint32_t> kept = simplified(piece, tolerance_mm);
+    for (std::size_t k = 1; k < kept.size(); ++k) {
+      Stroke stroke;
+      stroke.from = lines.points[where[kept[k - 1]]];
+      stroke.to = lines.points[where[kept[k]]];
+      if (stroke.from == stroke.to) continue;
+      stroke.source = static_cast<std::uint32_t>(model.strokes.size());
+      model.strokes.push_back(stroke);
+    }
+  };
+  for (std::size_t i = 0; i + 1 < lines.begin.size(); ++i) {
+    piece.clear();
+    where.clear();
+    for (std::uint32_t j = lines.begin[i]; j < lines.begin[i + 1]; ++j) {
+      piece.push_back(lines.lattice.to_mm(lines.points[j]));
+      where.push_back(j);
+      const bool last = j + 1 == lines.begin[i + 1];
+      if (piece.size() > 1 && (last || shared.empty() || shared[j])) {
+        add_piece();
+        piece.assign(1, piece.back());
+        where.assign(1, j);
+      }
+    }
+  }
+  model.edge_count = static_cast<std::uint32_t>(model.strokes.size());
+  return model;
+}
+
+/// Segments between the same two points are one, however short: what lies on each other is found only where it is longer than the tolerance.
+void remove_equal(std::vector<Stroke>& strokes) {
+  const auto key = [](const Stroke& s) {
+    const auto [low, high] = less(s.to, s.from) ? std::pair(s.to, s.from) : std::pair(s.from, s.to);
+    return std::tuple(low.x, low.y, high.x, high.y);
+  };
+  std::sort(strokes.begin(), strokes.end(), [&](const Stroke& l, const Stroke& r) { return std::tuple(key(l), l.source) < std::tuple(key(r), r.source); });
+  strokes.erase(std::unique(strokes.begin(), strokes.end(), [&](const Stroke& l, const Stroke& r) { return key(l) == key(r); }), strokes.end());
+  std::sort(strokes.begin(), strokes.end(), [](const Stroke& l, const Stroke& r) { return l.source < r.source; });
+}
+
+/// Chains of strokes: end 2 i is the `from` of stroke i, end 2 i + 1 its `to`, partner[e] the end that continues e.
+class Chains {
+ public:
+  explicit Chains(const StrokeModel& model) : model_(model), strokes_(model.strokes), partner_(2 * strokes_.size(), kNoPartner) {
+    find_nodes();
+    pair_ends();
+    number_chains();
+    take_in_rings();
+  }
+
+  Polylines polylines() const;
+
+ private:
+  LatticePoint point(std::uint32_t end) const { return end % 2 == 0 ? strokes_[end / 2].from : strokes_[end / 2].to; }
+  std::span<const std::uint32_t> node(std::size_t n) const { return {ends_.data() + node_begin_[n], ends_.data() + node_begin_[n + 1]}; }
+  std::size_t node_count() const { return node_begin_.size() - 1; }
+
+  void find_nodes();
+  void pair_ends();
+  void number_chains();
+  void take_in_rings();
+  std::uint32_t set_of(std::uint32_t chain);
+
+  const StrokeModel& model_;
+  const std::vector<Stroke>& strokes_;
+  std::vector<std::uint32_t> partner_;
+  std::vector<std::uint32_t> ends_, node_begin_;
+  std::vector<std::uint32_t> chain_of_, parent_;  ///< of a stroke its chain; union-find over chains
+  std::vector<char> ring_;
+};
+
+void Chains::find_nodes() {
+  ends_.resize(partner_.size());
+  for (std::uint32_t e = 0; e < ends_.size(); ++e) ends_[e] = e;
+  std::sort(ends_.begin(), ends_.end(), [&](std::uint32_t l, std::uint32_t r) {
+    const LatticePoint a = point(l), b = point(r);
+    return std::tie(a.x, a.y, l) < std::tie(b.x, b.y, r);
+  });
+  for (std::uint32_t i = 0; i < ends_.size(); ++i) {
+    if (i == 0 || point(ends_[i]) != point(ends_[i - 1])) node_begin_.push_back(i);
+  }
+  node_begin_.push_back(static_cast<std::uint32_t>(ends_.size()));
+}
+
+void Chains::pair_ends() {
+  std::vector<NodeArm> arms;
+  for (std::size_t n = 0; n < node_count(); ++n) {
+    arms.clear();
+    for (const std::uint32_t e : node(n)) {
+      const LatticePoint here = point(e), there = point(e ^ 1);
+      arms.push_back({{there.x - here.x, there.y - here.y}, e});
+    }
+    pair_arms(arms, partner_);
+    std::uint32_t waiting = kNoPartner;
+    for (const std::uint32_t e : node(n)) {
+      if (partner_[e] != kNoPartner) continue;
+      if (waiting == kNoPartner) {
+        waiting = e;
+      } else {
+        partner_[e] = waiting;
+        partner_[waiting] = e;
+        waiting = kNoPartner;
+      }
+    }
+  }
+}
+
+void Chains::number_chains() {
+  chain_of_.assign(strokes_.size(), kNoPartner);
+  const auto follow = [&](std::uint32_t start) {
+    const auto chain = static_cast<std::uint32_t>(ring_.size());
+    std::uint32_t end = start;
+    while (end != kNoPartner && chain_of_[end / 2] == kNoPartner) {
+      chain_of_[end / 2] = chain;
+      end = partner_[end ^ 1];
+    }
+    ring_.push_back(end != kNoPartner);
+    parent_.push_back(chain);
+  };
+  for (std::uint32_t end = 0; end < partner_.size(); ++end) {
+    if (partner_[end] == kNoPartner && chain_of_[end / 2] == kNoPartner) follow(end);
+  }
+  for (std::uint32_t i = 0; i < strokes_.size(); ++i) {
+    if (chain_of_[i] == kNoPartner) follow(2 * i);
+  }
+}
+
+std::uint32_t Chains::set_of(std::uint32_t chain) {
+  while (parent_[chain] != chain) chain = parent_[chain] = parent_[parent_[chain]];
+  return chain;
+}
+
+void Chains::take_in_rings() {
+  for (std::size_t n = 0; n < node_count(); ++n) {
+    std::uint32_t base = kNoPartner;
+    for (const std::uint32_t e : node(n)) {
+      if (partner_[e] == kNoPartner) continue;
+      if (base == kNoPartner) {
+        base = e;
+        continue;
+      }
+      const std::uint32_t a = set_of(chain_of_[base / 2]), b = set_of(chain_of_[e / 2]);
+      if (a == b || !(ring_[a] || ring_[b])) continue;
+      const std::uint32_t base_other = partner_[base], other = partner_[e];
+      partner_[base] = e;
+      partner_[e] = base;
+      partner_[base_other] = other;
+      partner_[other] = base_other;
+      const std::uint32_t low = std::min(a, b), high = std::max(a, b);
+      ring_[low] = ring_[a] && ring_[b];
+      parent_[high] = low;
+    }
+  }
+}
+
+Polylines Chains::polylines() const {
+  Polylines out;
+  out.points.reserve(strokes_.size() + strokes_.size() / 8);
+  std::vector<char> walked(strokes_.size(), 0);
+  for (std::uint32_t i = 0; i < strokes_.size(); ++i) {
+    if (walked[i]) continue;
+    // Back to where the chain begins; a ring begins here.
+    std::uint32_t start = 2 * i;
+    while (partner_[start] != kNoPartner && (partner_[start] ^ 1) != 2 * i) start = partner_[start] ^ 1;
+    if (partner_[start] != kNoPartner) start = 2 * i;
+    out.points.push_back(model_.lattice.to_mm(point(start)));
+    for (std::uint32_t end = start; end != kNoPartner && !walked[end / 2]; end = partner_[end ^ 1]) {
+      walked[end / 2] = 1;
+      out.points.push_back(model_.lattice.to_mm(point(end ^ 1)));
+    }
+    out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
+  }
+  return out;
+}
+
+void append(Polylines& out, std::span<const Point2> line, std::span<const std::uint32_t> kept) {
+  for (const std::uint32_t i : kept) out.points.push_back(line[i]);
+  out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
+}
+
+}  // namespace
+
+Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances) {
+  const LatticeLines snapped = on_lattice(lines);
+  const bool once = tolerances.overlap_mm > 0;
+  const double early = once ? kEarlyPart * tolerances.simplify_mm : 0;
+  StrokeModel model = segments_of(snapped, early);
+  if (once) {
+    remove_equal(model.strokes);
+    remove_coincident_strokes(model, tolerances.overlap_mm);
+    std::sort(model.strokes.begin(), model.strokes.end(),
+              [](const Stroke& l, const Stroke& r) { return std::tie(l.source, l.t_from) < std::tie(r.source, r.t_from); });
+    std::erase_if(model.strokes, [](const Stroke& s) { return s.from == s.to; });
+  }
+  const Polylines joined = join_near_ends(Chains(model).polylines(), tolerances.ends_mm);
+
+  Polylines out;
+  for (std::size_t i = 0; i < joined.size(); ++i) append(out, joined[i], simplified(joined[i], tolerances.simplify_mm - early));
+  for (const LatticePoint dot : snapped.dots) {
+    out.points.insert(out.points.end(), 2, snapped.lattice.to_mm(dot));
+    out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
+  }
+  return out;
+}
+
+}  // namespace ligne

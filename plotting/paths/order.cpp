@@ -1,0 +1,139 @@
+#include "plotting/paths/order.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "plotting/paths/end_tree.hpp"
+#include "plotting/paths/tour.hpp"
+
+namespace ligne {
+namespace {
+
+bool is_loop(std::span<const Point2> line) { return line.size() > 2 && line.front() == line.back(); }
+
+/// The strokes, the point of each loop at which it is entered, and the home position as the stroke behind all others.
+class Strokes {
+ public:
+  Strokes(const Polylines& lines, const OrderOptions& options) : lines_(lines), options_(options), start_(lines.size(), 0) {}
+
+  Tour nearest_neighbours();
+  void choose_starts(const Tour& tour);
+  std::vector<Point2> ends() const;
+  Polylines in_order(const Tour& tour) const;
+
+ private:
+  std::uint32_t count() const { return static_cast<std::uint32_t>(lines_.size()); }
+  Point2 end_point(std::uint32_t end) const {
+    const std::uint32_t stroke = end / 2;
+    if (stroke >= count()) return options_.home;
+    const auto line = lines_[stroke];
+    if (is_loop(line)) return line[start_[stroke]];
+    return end % 2 == 0 ? line.front() : line.back();
+  }
+
+  const Polylines& lines_;
+  const OrderOptions& options_;
+  std::vector<std::uint32_t> start_;  ///< of a loop the number of its first point
+};
+
+/// Where a pen can enter: the two ends of a line, every point of a loop.
+Tour Strokes::nearest_neighbours() {
+  std::vector<Point2> points;
+  std::vector<std::uint32_t> stroke_of, first_of;
+  for (std::uint32_t s = 0; s < count(); ++s) {
+    const auto line = lines_[s];
+    first_of.push_back(static_cast<std::uint32_t>(points.size()));
+    if (is_loop(line)) {
+      points.insert(points.end(), line.begin(), line.end() - 1);
+    } else {
+      points.insert(points.end(), {line.front(), line.back()});
+    }
+    stroke_of.resize(points.size(), s);
+  }
+  first_of.push_back(static_cast<std::uint32_t>(points.size()));
+
+  EndTree tree(points);
+  Tour tour;
+  tour.entries.push_back(2 * count());
+  Point2 pen = options_.home;
+  for (std::uint32_t n = 0; n < count(); ++n) {
+    const std::uint32_t found = tree.nearest(pen);
+    const std::uint32_t stroke = stroke_of[found];
+    std::uint32_t entry = 2 * stroke;
+    if (is_loop(lines_[stroke])) {
+      start_[stroke] = found - first_of[stroke];
+    } else {
+      entry += found - first_of[stroke];
+    }
+    for (std::uint32_t p = first_of[stroke]; p < first_of[stroke + 1]; ++p) tree.remove(p);
+    tour.entries.push_back(entry);
+    pen = end_point(entry ^ 1);
+  }
+  if (options_.returns) tour.entries.push_back(2 * count() + 2);
+  return tour;
+}
+
+/// Each loop is entered at the point that is best between its neighbours in the tour.
+void Strokes::choose_starts(const Tour& tour) {
+  for (std::size_t i = 1; i < tour.entries.size(); ++i) {
+    const std::uint32_t stroke = tour.entries[i] / 2;
+    if (stroke >= count() || !is_loop(lines_[stroke])) continue;
+    const auto line = lines_[stroke];
+    const Point2 from = end_point(tour.entries[i - 1] ^ 1);
+    double best = std::numeric_limits<double>::infinity();
+    for (std::uint32_t p = 0; p + 1 < line.size(); ++p) {
+      const double way =
+          glm::distance(from, line[p]) + (i + 1 < tour.entries.size() ? glm::distance(line[p], end_point(tour.entries[i + 1])) : 0);
+      if (way < best) {
+        best = way;
+        start_[stroke] = p;
+      }
+    }
+  }
+}
+
+std::vector<Point2> Strokes::ends() const {
+  std::vector<Point2> points(2 * lines_.size() + 4, options_.home);
+  for (std::uint32_t e = 0; e < 2 * count(); ++e) points[e] = end_point(e);
+  return points;
+}
+
+Polylines Strokes::in_order(const Tour& tour) const {
+  Polylines out;
+  out.points.reserve(lines_.points.size());
+  out.begin.reserve(lines_.begin.size());
+  for (const std::uint32_t entry : tour.entries) {
+    const std::uint32_t stroke = entry / 2;
+    if (stroke >= count()) continue;
+    const auto line = lines_[stroke];
+    if (is_loop(line)) {
+      const auto n = static_cast<std::uint32_t>(line.size() - 1);
+      for (std::uint32_t k = 0; k <= n; ++k) out.points.push_back(line[(start_[stroke] + k) % n]);
+    } else if (entry % 2 == 0) {
+      out.points.insert(out.points.end(), line.begin(), line.end());
+    } else {
+      out.points.insert(out.points.end(), line.rbegin(), line.rend());
+    }
+    out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
+  }
+  return out;
+}
+
+}  // namespace
+
+Polylines order_strokes(const Polylines& lines, const OrderOptions& options) {
+  if (lines.size() == 0) return lines;
+  Strokes strokes(lines, options);
+  Tour tour = strokes.nearest_neighbours();
+  std::uint64_t work = options.most_work;
+  // The starts of loops depend on the order, and the order on the starts: one round each, and a second.
+  for (int round = 0; round < 2; ++round) {
+    improve(tour, strokes.ends(), options.returns, work);
+    strokes.choose_starts(tour);
+  }
+  return strokes.in_order(tour);
+}
+
+}  // namespace ligne

@@ -1,0 +1,58 @@
+#include "plotting/paths/simplify.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace ligne {
+namespace {
+
+/// Adjustable: a longer line is worked on in pieces of so many points, since the time for a piece can grow with the square of its points.
+constexpr std::uint32_t kPiecePoints = 2048;
+
+double squared_distance(Point2 p, Point2 a, Point2 b) {
+  const Point2 along = b - a;
+  const double length = glm::dot(along, along);
+  const double t = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0.0;
+  const Point2 away = p - (a + along * t);
+  return glm::dot(away, away);
+}
+
+/// The point between the two that is farthest from their segment, with its squared distance.
+std::pair<std::uint32_t, double> farthest(std::span<const Point2> line, std::uint32_t from, std::uint32_t to) {
+  std::pair<std::uint32_t, double> found{from, -1};
+  for (std::uint32_t i = from + 1; i < to; ++i) {
+    const double distance = squared_distance(line[i], line[from], line[to]);
+    if (distance > found.second) found = {i, distance};
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> simplified(std::span<const Point2> line, double tolerance) {
+  const auto n = static_cast<std::uint32_t>(line.size());
+  std::vector<std::uint32_t> kept;
+  if (n == 0) return kept;
+  std::vector<std::uint32_t> stack;
+  kept.push_back(0);
+  for (std::uint32_t start = 0; start + 1 < n;) {
+    const std::uint32_t end = std::min(n - 1, start + kPiecePoints);
+    stack.assign(1, end);
+    while (!stack.empty()) {
+      const std::uint32_t from = kept.back(), to = stack.back();
+      const auto [at, distance] = farthest(line, from, to);
+      if (distance > tolerance * tolerance) {
+        stack.push_back(at);
+      } else {
+        kept.push_back(to);
+        stack.pop_back();
+      }
+    }
+    start = end;
+  }
+  return kept;
+}
+
+}  // namespace ligne

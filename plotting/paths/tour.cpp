@@ -1,0 +1,204 @@
+/// 2-opt and or-opt over lists of near ends.
+///
+/// A gap joins the exit of one stroke to the entry of the next. For an end p with its gap partner p' and a near end c of the same kind (both exits or both
+/// entries) with its partner c', 2-opt turns round what lies between: the gaps p p' and c c' become p c and p' c'. Or-opt takes one to three strokes that begin or
+/// end with p out of the tour and puts them, one way or the other, into the gap at c that brings p beside c. Either can only pay when p c is shorter than
+/// p p' or than the gap on the other side, so that the list of near ends is left early.
+///
+/// Strokes whose surroundings changed wait in a queue; a stroke is taken from it, all its moves are tried, and the first that gains is made. All of it is one
+/// thread's work in a fixed order, and stops after a fixed amount of work, not of time.
+
+#include "plotting/paths/tour.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include <glm/geometric.hpp>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include "plotting/paths/end_tree.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable: near ends that are tried, strokes that or-opt moves together, strokes that one move may shift.
+constexpr std::size_t kNear = 10;
+constexpr std::uint32_t kTogether = 3;
+constexpr std::uint32_t kMostShifted = 30'000;
+
+/// A gain below a picometre is rounding, and could be gained for ever.
+constexpr double kLeastGainMm = 1e-9;
+
+class Improver {
+ public:
+  Improver(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work)
+      : at_(tour.entries), ends_(ends), count_(static_cast<std::uint32_t>(tour.entries.size())), last_(returns ? count_ - 1 : count_), work_(work),
+        place_(ends.size() / 2), waits_(ends.size() / 2, 0) {
+    for (std::uint32_t p = 0; p < count_; ++p) place_[at_[p] / 2] = p;
+    find_near();
+  }
+
+  void run() {
+    for (std::uint32_t p = 1; p < last_; ++p) wait(p);
+    while (!queue_.empty() && work_ > 0) {
+      const std::uint32_t stroke = queue_.front();
+      queue_.pop_front();
+      waits_[stroke] = 0;
+      while (work_ > 0 && try_stroke(stroke)) {
+      }
+    }
+  }
+
+ private:
+  std::uint32_t entry(std::uint32_t place) const { return at_[place]; }
+  std::uint32_t exit(std::uint32_t place) const { return at_[place] ^ 1; }
+  bool is_entry(std::uint32_t end) const { return at_[place_[end / 2]] == end; }
+  double distance(std::uint32_t a, std::uint32_t b) const { return glm::distance(ends_[a], ends_[b]); }
+  /// The gap before the stroke at the place; behind the last stroke there is none.
+  double gap(std::uint32_t place) const { return place < count_ ? distance(exit(place - 1), entry(place)) : 0; }
+  /// From an end to the entry at the place.
+  double to_entry(std::uint32_t end, std::uint32_t place) const { return place < count_ ? distance(end, entry(place)) : 0; }
+
+  void find_near();
+  void wait(std::uint32_t place) {
+    if (place >= count_ || waits_[at_[place] / 2]) return;
+    waits_[at_[place] / 2] = 1;
+    queue_.push_back(at_[place] / 2);
+  }
+  void spend(std::uint64_t amount) { work_ -= std::min(work_, amount); }
+  void reverse(std::uint32_t first, std::uint32_t last);
+  bool try_stroke(std::uint32_t stroke) {
+    return try_two_opt(2 * stroke) || try_two_opt(2 * stroke + 1) || try_or_opt(2 * stroke) || try_or_opt(2 * stroke + 1);
+  }
+  bool try_two_opt(std::uint32_t end);
+  bool try_or_opt(std::uint32_t end);
+  bool try_insert(std::uint32_t end, std::uint32_t first, std::uint32_t last);
+  void move(std::uint32_t first, std::uint32_t last, std::uint32_t gap_before, bool turned);
+
+  std::vector<std::uint32_t>& at_;
+  std::span<const Point2> ends_;
+  std::uint32_t count_, last_;  ///< places [1, last_) may change
+  std::uint64_t& work_;
+  std::vector<std::uint32_t> place_;
+  std::vector<char> waits_;
+  std::deque<std::uint32_t> queue_;
+  std::vector<std::uint32_t> near_;  ///< kNear ends for every end, nearest first; its own number where there are fewer
+};
+
+void Improver::find_near() {
+  const EndTree tree(ends_);
+  near_.resize(ends_.size() * kNear);
+  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, ends_.size()), [&](const auto& range) {
+    std::vector<EndTree::Neighbour> found;
+    for (std::size_t e = range.begin(); e < range.end(); ++e) {
+      tree.nearest(ends_[e], kNear + 2, found);
+      std::size_t n = 0;
+      for (const EndTree::Neighbour& f : found) {
+        if (f.point / 2 != e / 2 && n < kNear) near_[e * kNear + n++] = f.point;
+      }
+      for (; n < kNear; ++n) near_[e * kNear + n] = static_cast<std::uint32_t>(e);
+    }
+  });
+}
+
+void Improver::reverse(std::uint32_t first, std::uint32_t last) {
+  std::reverse(at_.begin() + first, at_.begin() + last + 1);
+  for (std::uint32_t p = first; p <= last; ++p) {
+    at_[p] ^= 1;
+    place_[at_[p] / 2] = p;
+  }
+  spend(last - first + 1);
+}
+
+bool Improver::try_two_opt(std::uint32_t end) {
+  const std::uint32_t here = place_[end / 2];
+  const bool entered = is_entry(end);
+  const std::uint32_t gap_here = entered ? here : here + 1;  // the gap before this place
+  if (gap_here == 0) return false;  // nothing is before the home position
+  const double own = gap(gap_here);
+  for (std::size_t k = 0; k < kNear; ++k) {
+    const std::uint32_t near = near_[end * kNear + k];
+    if (near == end) return false;
+    const double joined = distance(end, near);
+    if (joined >= own) return false;
+    spend(1);
+    if (is_entry(near) != entered) continue;
+    const std::uint32_t gap_near = entered ? place_[near / 2] : place_[near / 2] + 1;
+    const std::uint32_t low = std::min(gap_here, gap_near), high = std::max(gap_here, gap_near);
+    // Between the two gaps lie the places [low, high - 1], which are turned round.
+    if (low == 0 || high > last_ || high == low || high - low > kMostShifted) continue;
+    const double before = gap(low) + gap(high);
+    const double after = distance(exit(low - 1), exit(high - 1)) + to_entry(entry(low), high);
+    if (before - after <= kLeastGainMm) continue;
+    reverse(low, high - 1);
+    for (const std::uint32_t place : {low - 1, low, high - 1, high}) wait(place);
+    return true;
+  }
+  return false;
+}
+
+bool Improver::try_or_opt(std::uint32_t end) {
+  const std::uint32_t here = place_[end / 2];
+  if (here == 0 || here >= last_) return false;
+  const bool entered = is_entry(end);
+  for (std::uint32_t n = 1; n <= kTogether; ++n) {
+    // Strokes that begin with this one when the pen enters here, else strokes that end with it.
+    if (entered ? here + n > last_ : here < n) break;
+    if (entered ? try_insert(end, here, here + n - 1) : try_insert(end, here - n + 1, here)) return true;
+  }
+  return false;
+}
+
+bool Improver::try_insert(std::uint32_t end, std::uint32_t first, std::uint32_t last) {
+  const bool at_first = entry(first) == end;
+  const std::uint32_t other = at_first ? exit(last) : entry(first);
+  const double removed = gap(first) + gap(last + 1) - to_entry(exit(first - 1), last + 1);
+  for (std::size_t k = 0; k < kNear; ++k) {
+    const std::uint32_t near = near_[end * kNear + k];
+    if (near == end) return false;
+    const double joined = distance(end, near);
+    if (joined >= removed) return false;
+    spend(1);
+    const std::uint32_t place = place_[near / 2];
+    if (place >= first && place <= last) continue;
+    const bool before_near = is_entry(near);
+    const std::uint32_t target = before_near ? place : place + 1;  // the gap before this place
+    if (target == 0 || target > last_ || target == first || target == last + 1) continue;
+    const std::uint32_t shifted = target > last ? target - first : last + 1 - target;
+    if (shifted > kMostShifted) continue;
+    const double added = before_near ? joined + distance(exit(target - 1), other) - gap(target)
+                                     : joined + to_entry(other, target) - gap(target);
+    if (removed - added <= kLeastGainMm) continue;
+    // Beside an exit the pen enters at `end`; beside an entry it leaves there.
+    move(first, last, target, before_near ? at_first : !at_first);
+    return true;
+  }
+  return false;
+}
+
+void Improver::move(std::uint32_t first, std::uint32_t last, std::uint32_t target, bool turned) {
+  if (turned) reverse(first, last);
+  const std::uint32_t length = last - first + 1;
+  std::uint32_t low = first, high = target, now = target - length;
+  if (target > last) {
+    std::rotate(at_.begin() + first, at_.begin() + last + 1, at_.begin() + target);
+  } else {
+    std::rotate(at_.begin() + target, at_.begin() + first, at_.begin() + last + 1);
+    low = now = target;
+    high = last + 1;
+  }
+  for (std::uint32_t p = low; p < high; ++p) place_[at_[p] / 2] = p;
+  spend(high - low);
+  for (const std::uint32_t place : {low - 1, low, high - 1, high, now - 1, now, now + length - 1, now + length}) wait(place);
+}
+
+}  // namespace
+
+void improve(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work) {
+  if (tour.entries.size() < 3) return;
+  Improver(tour, ends, returns, work).run();
+}
+
+}  // namespace ligne

@@ -1,0 +1,114 @@
+#include "plotting/pens.hpp"
+
+#include <charconv>
+#include <stdexcept>
+#include <utility>
+
+#include "plotting/page.hpp"
+
+namespace ligne {
+namespace {
+
+// CSS 1.
+constexpr std::pair<std::string_view, std::uint32_t> kColors[] = {
+    {"black", 0x000000}, {"silver", 0xc0c0c0}, {"gray", 0x808080},  {"grey", 0x808080}, {"white", 0xffffff}, {"maroon", 0x800000},
+    {"red", 0xff0000},   {"purple", 0x800080}, {"fuchsia", 0xff00ff}, {"magenta", 0xff00ff}, {"green", 0x008000}, {"lime", 0x00ff00},
+    {"olive", 0x808000}, {"yellow", 0xffff00}, {"navy", 0x000080},  {"blue", 0x0000ff}, {"teal", 0x008080},  {"aqua", 0x00ffff},
+    {"cyan", 0x00ffff},  {"orange", 0xffa500}, {"brown", 0xa52a2a}};
+
+std::array<double, 3> of_code(std::uint32_t code) {
+  return {(code >> 16 & 255u) / 255.0, (code >> 8 & 255u) / 255.0, (code & 255u) / 255.0};
+}
+
+unsigned parse_pen_number(std::string_view text) {
+  unsigned number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > kMostPens) {
+    throw std::invalid_argument("\"" + std::string(text) + "\" is not the number of a pen, 1 to " + std::to_string(kMostPens));
+  }
+  return number;
+}
+
+}  // namespace
+
+std::array<double, 3> parse_color(std::string_view text) {
+  if (text.starts_with('#') && (text.size() == 4 || text.size() == 7)) {
+    std::uint32_t code = 0;
+    const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), code, 16);
+    if (error == std::errc() && end == text.data() + text.size()) {
+      if (text.size() == 7) return of_code(code);
+      return of_code((code >> 8) * 0x110000 + (code >> 4 & 15) * 0x1100 + (code & 15) * 0x11);
+    }
+  }
+  for (const auto& [name, code] : kColors) {
+    if (name == text) return of_code(code);
+  }
+  throw std::invalid_argument("\"" + std::string(text) + "\" is not a colour: #rrggbb, or a name such as red");
+}
+
+std::string layer_label(const Pen& pen) {
+  std::string label;
+  if (pen.skip) label += '%';
+  if (pen.pause) label += '!';
+  label += std::to_string(pen.number);
+  if (pen.speed) label += "+S" + std::to_string(*pen.speed);
+  if (pen.height) label += "+H" + std::to_string(*pen.height);
+  if (pen.delay_ms) label += "+D" + std::to_string(*pen.delay_ms);
+  if (!pen.name.empty()) label += " " + pen.name;
+  return label;
+}
+
+unsigned PenTable::pen_of(std::string_view layer, std::string_view material) const {
+  if (const auto found = pen_of_material.find(material); !material.empty() && found != pen_of_material.end()) return found->second;
+  if (const auto found = pen_of_layer.find(layer); found != pen_of_layer.end()) return found->second;
+  // As in labels of ours and of others: signs before the number.
+  const std::size_t digit = layer.find_first_not_of("%! ");
+  if (digit != std::string_view::npos) {
+    unsigned number = 0;
+    const auto [end, error] = std::from_chars(layer.data() + digit, layer.data() + layer.size(), number);
+    if (error == std::errc() && number >= 1 && number <= kMostPens) return number;
+  }
+  return rest;
+}
+
+Pen PenTable::pen(unsigned number) const {
+  if (const auto found = pens.find(number); found != pens.end()) return found->second;
+  Pen pen;
+  pen.number = number;
+  return pen;
+}
+
+void add_pen(PenTable& table, std::string_view text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string_view::npos || equals == 0) {
+    throw std::invalid_argument("\"" + std::string(text) + "\" is not CLASS=N, CLASS=N,COLOUR or CLASS=N,COLOUR,WIDTH");
+  }
+  const std::string_view layer = text.substr(0, equals);
+  std::string_view rest = text.substr(equals + 1);
+  const auto next = [&rest] {
+    const std::size_t comma = rest.find(',');
+    const std::string_view part = rest.substr(0, comma);
+    rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
+    return part;
+  };
+  const unsigned number = parse_pen_number(next());
+  Pen& pen = table.pens[number];
+  pen.number = number;
+  if (!rest.empty()) pen.color = parse_color(next());
+  if (!rest.empty()) {
+    const double width = parse_length_mm(rest);
+    if (!(width > 0)) throw std::invalid_argument("the width of pen " + std::to_string(number) + " is not above 0");
+    pen.width_mm = width;
+  }
+  constexpr std::string_view kMaterial = "material:";
+  if (layer == "rest") {
+    table.rest = number;
+  } else if (layer.starts_with(kMaterial)) {
+    table.pen_of_material[std::string(layer.substr(kMaterial.size()))] = number;
+  } else {
+    table.pen_of_layer[std::string(layer)] = number;
+    if (pen.name.empty()) pen.name = layer;
+  }
+}
+
+}  // namespace ligne

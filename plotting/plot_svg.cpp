@@ -1,0 +1,81 @@
+/// Plots as SVG: one layer for every pen, and the picture of the pens' way.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "plotting/number_text.hpp"
+#include "plotting/plot_writers.hpp"
+
+namespace ligne {
+namespace {
+
+/// Strokes of the preview come in so many colours.
+constexpr std::size_t kColors = 24;
+constexpr double kTravelWidthMm = 0.12;
+
+/// From blue over green and yellow to red: t from 0 to 1.
+std::array<double, 3> order_color(double t) {
+  constexpr std::array<std::array<double, 3>, 5> stops{{{0.1, 0.2, 0.8}, {0.0, 0.6, 0.7}, {0.1, 0.65, 0.2}, {0.85, 0.65, 0.0}, {0.85, 0.1, 0.1}}};
+  const double at = t * (stops.size() - 1);
+  const auto i = std::min<std::size_t>(static_cast<std::size_t>(at), stops.size() - 2);
+  std::array<double, 3> color{};
+  for (std::size_t c = 0; c < 3; ++c) color[c] = stops[i][c] + (at - static_cast<double>(i)) * (stops[i + 1][c] - stops[i][c]);
+  return color;
+}
+
+void add(Polylines& to, std::span<const Point2> line) {
+  to.points.insert(to.points.end(), line.begin(), line.end());
+  to.begin.push_back(static_cast<std::uint32_t>(to.points.size()));
+}
+
+}  // namespace
+
+Drawing drawing_of(const Plot& plot) {
+  Drawing drawing;
+  for (const PenLines& pen : plot.pens) drawing.layers.push_back({layer_label(pen.pen), pen.lines});
+  return drawing;
+}
+
+std::function<LineStyle(const std::string&)> styles_of(const Plot& plot) {
+  std::map<std::string, LineStyle> styles;
+  for (const PenLines& pen : plot.pens) styles[layer_label(pen.pen)] = {pen.pen.width_mm.value_or(LineStyle{}.width_mm), pen.pen.color, {}};
+  return [styles](const std::string& layer) { return styles.at(layer); };
+}
+
+std::string write_preview(const Plot& plot, Point2 home, bool returns) {
+  std::size_t count = 0;
+  double width = kTravelWidthMm;
+  for (const PenLines& pen : plot.pens) {
+    count += pen.lines.size();
+    width = std::max(width, pen.pen.width_mm.value_or(width));
+  }
+  Drawing drawing;
+  drawing.layers.push_back({"pen-up", {}});
+  std::size_t number = 0;
+  for (const PenLines& pen : plot.pens) {
+    Point2 at = home;
+    for (std::size_t i = 0; i < pen.lines.size(); ++i, ++number) {
+      const auto line = pen.lines[i];
+      if (line.empty()) continue;
+      add(drawing.layers[0].lines, std::array{at, line.front()});
+      at = line.back();
+      const std::string name = "order-" + std::to_string(number * kColors / count + 1);
+      if (drawing.layers.back().name != name) drawing.layers.push_back({name, {}});
+      add(drawing.layers.back().lines, line);
+    }
+    if (returns) add(drawing.layers[0].lines, std::array{at, home});
+  }
+  PlotOptions options;
+  options.page = plot.page;
+  options.style = [&](const std::string& layer) {
+    LineStyle style{kTravelWidthMm, {0.6, 0.6, 0.6}, {}};
+    if (layer == "pen-up") return style;
+    style.width_mm = width;
+    style.color = order_color((std::stod(layer.substr(6)) - 1) / (kColors - 1));
+    return style;
+  };
+  return write_svg(drawing, options);
+}
+
+}  // namespace ligne

@@ -1,0 +1,195 @@
+#include "plotting/svg/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "plotting/drawing_reader.hpp"
+
+namespace ligne::svg {
+namespace {
+
+constexpr double kMostPieces = 100'000;
+
+/// Pieces of a curve of the degree whose second differences are at most `bend` mm: n^2 = degree (degree - 1) / 8 bend / flatness.
+int pieces(double degree, double bend) {
+  return static_cast<int>(std::clamp(std::ceil(std::sqrt(degree * (degree - 1) / 8 * bend / kFlatnessMm)), 1.0, kMostPieces));
+}
+
+double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
+
+}  // namespace
+
+void Outline::add(Point2 mm) {
+  if (!(std::abs(mm.x) <= kFarthestMm && std::abs(mm.y) <= kFarthestMm)) throw std::invalid_argument("a point is farther than a kilometre away");
+  if (lines_.points.size() >= kMostPoints) throw std::invalid_argument("the drawing has more than fifty million points");
+  lines_.points.push_back(mm);
+}
+
+void Outline::move_to(Point2 p) {
+  end();
+  at_ = start_ = p;
+  first_ = lines_.points.size();
+}
+
+void Outline::line_to(Point2 p) {
+  if (!open_) add(to_mm_(at_));
+  open_ = true;
+  add(to_mm_(p));
+  at_ = p;
+}
+
+void Outline::quadratic_to(Point2 control, Point2 p) {
+  const Point2 a = at_, pa = to_mm_(a), pc = to_mm_(control), pb = to_mm_(p);
+  const int n = pieces(2, glm::length(pa - 2.0 * pc + pb));
+  for (int i = 1; i < n; ++i) {
+    const double t = static_cast<double>(i) / n, u = 1 - t;
+    line_to(a * (u * u) + control * (2 * u * t) + p * (t * t));
+  }
+  line_to(p);
+}
+
+void Outline::cubic_to(Point2 control1, Point2 control2, Point2 p) {
+  const Point2 a = at_, pa = to_mm_(a), p1 = to_mm_(control1), p2 = to_mm_(control2), pb = to_mm_(p);
+  const int n = pieces(3, std::max(glm::length(pa - 2.0 * p1 + p2), glm::length(p1 - 2.0 * p2 + pb)));
+  for (int i = 1; i < n; ++i) {
+    const double t = static_cast<double>(i) / n, u = 1 - t;
+    line_to(a * (u * u * u) + control1 * (3 * u * u * t) + control2 * (3 * u * t * t) + p * (t * t * t));
+  }
+  line_to(p);
+}
+
+void Outline::arc(Point2 center, double rx, double ry, double rotation, double from, double sweep) {
+  const double radius = std::max(rx, ry) * to_mm_.stretch();
+  const double step = radius > kFlatnessMm ? 2 * std::acos(1 - kFlatnessMm / radius) : std::numbers::pi / 2;
+  const int n = static_cast<int>(std::clamp(std::ceil(std::abs(sweep) / step), 4.0, kMostPieces));
+  const double c = std::cos(rotation), s = std::sin(rotation);
+  for (int i = 1; i <= n; ++i) {
+    const double angle = from + sweep * i / n, x = rx * std::cos(angle), y = ry * std::sin(angle);
+    line_to({center.x + c * x - s * y, center.y + s * x + c * y});
+  }
+}
+
+void Outline::arc_to(double rx, double ry, double rotation_degrees, bool large, bool sweep, Point2 p) {
+  rx = std::abs(rx);
+  ry = std::abs(ry);
+  const Point2 a = at_;
+  if (rx == 0 || ry == 0 || a == p) {
+    if (a != p) line_to(p);
+    return;
+  }
+  const double rotation = rotation_degrees * std::numbers::pi / 180, c = std::cos(rotation), s = std::sin(rotation);
+  // The half chord in the frame of the ellipse, on the unit circle.
+  const Point2 half = (a - p) * 0.5, middle = (a + p) * 0.5;
+  Point2 u{(c * half.x + s * half.y) / rx, (-s * half.x + c * half.y) / ry};
+  const double squared = glm::dot(u, u);
+  if (!std::isfinite(squared)) throw std::invalid_argument("an arc is beyond all numbers");
+  if (squared > 1) {  // radii too small: enlarged until the arc is a half one
+    rx *= std::sqrt(squared);
+    ry *= std::sqrt(squared);
+    u /= std::sqrt(squared);
+  }
+  const double away = std::sqrt(std::max(0.0, 1 / glm::dot(u, u) - 1)) * (large == sweep ? -1 : 1);
+  const Point2 center_unit{away * u.y, -away * u.x};
+  const Point2 from = u - center_unit, to = -u - center_unit;
+  double turn = std::atan2(cross(from, to), glm::dot(from, to));
+  if (sweep && turn < 0) turn += 2 * std::numbers::pi;
+  if (!sweep && turn > 0) turn -= 2 * std::numbers::pi;
+  const Point2 center{middle.x + c * rx * center_unit.x - s * ry * center_unit.y, middle.y + s * rx * center_unit.x + c * ry * center_unit.y};
+  arc(center, rx, ry, rotation, std::atan2(from.y, from.x), turn);
+  at_ = p;
+  lines_.points.back() = to_mm_(p);
+}
+
+void Outline::close() {
+  if (open_ && at_ != start_) line_to(start_);
+  if (open_) lines_.points.back() = lines_.points[first_];
+  end();
+  at_ = start_;
+}
+
+void Outline::end() {
+  if (open_) lines_.begin.push_back(static_cast<std::uint32_t>(lines_.points.size()));
+  open_ = false;
+  first_ = lines_.points.size();
+}
+
+void add_path(Outline& outline, std::string_view data) {
+  Scanner scanner(data);
+  char command = '\0', before = '\0';
+  Point2 control{0, 0};  // of the last curve, for S and T
+  const auto number = [&] {
+    const double v = scanner.number();
+    scanner.skip_separator();
+    return v;
+  };
+  const auto flag = [&] {
+    const bool v = scanner.flag();
+    scanner.skip_separator();
+    return v;
+  };
+  while (!scanner.done()) {
+    if (!scanner.at_number()) {
+      command = scanner.take();
+      scanner.skip_blanks();
+      if (before == '\0' && command != 'M' && command != 'm') throw std::invalid_argument("path data do not begin with M");
+    } else if (command == 'Z' || command == 'z' || command == '\0') {
+      throw std::invalid_argument("path data have a number where a command should be");
+    } else if (before == 'M' || before == 'm') {
+      command = command == 'M' ? 'L' : command == 'm' ? 'l' : command;
+    }
+    const bool relative = command >= 'a' && command <= 'z';
+    const Point2 origin = relative ? outline.at() : Point2{0, 0};
+    const auto point = [&] {
+      const double x = number();
+      return origin + Point2{x, number()};
+    };
+    const char kind = static_cast<char>(relative ? command - 'a' + 'A' : command);
+    const char last = static_cast<char>(before >= 'a' ? before - 'a' + 'A' : before);
+    const Point2 mirrored = outline.at() * 2.0 - control;
+    switch (kind) {
+      case 'M': outline.move_to(point()); break;
+      case 'L': outline.line_to(point()); break;
+      case 'H': outline.line_to({origin.x + number(), outline.at().y}); break;
+      case 'V': outline.line_to({outline.at().x, origin.y + number()}); break;
+      case 'C': {
+        const Point2 c1 = point(), c2 = point(), p = point();
+        outline.cubic_to(c1, c2, p);
+        control = c2;
+        break;
+      }
+      case 'S': {
+        const Point2 c1 = last == 'C' || last == 'S' ? mirrored : outline.at(), c2 = point(), p = point();
+        outline.cubic_to(c1, c2, p);
+        control = c2;
+        break;
+      }
+      case 'Q': {
+        const Point2 c = point(), p = point();
+        outline.quadratic_to(c, p);
+        control = c;
+        break;
+      }
+      case 'T': {
+        const Point2 c = last == 'Q' || last == 'T' ? mirrored : outline.at(), p = point();
+        outline.quadratic_to(c, p);
+        control = c;
+        break;
+      }
+      case 'A': {
+        const double rx = number(), ry = number(), rotation = number();
+        const bool large = flag(), sweep = flag();
+        outline.arc_to(rx, ry, rotation, large, sweep, point());
+        break;
+      }
+      case 'Z': outline.close(); break;
+      default: throw std::invalid_argument("path data have an unknown command");
+    }
+    before = command;
+  }
+  outline.end();
+}
+
+}  // namespace ligne::svg

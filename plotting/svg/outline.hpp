@@ -1,0 +1,51 @@
+#pragma once
+/// SVG shapes as polylines on the page. Private to plotting.
+
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "plotting/svg/values.hpp"
+
+namespace ligne::svg {
+
+/// Largest distance of a chord from its curve, on the page.
+inline constexpr double kFlatnessMm = 0.005;
+
+/// More points than this are refused: a plotter would take days, and a file of some bytes could ask for them.
+inline constexpr std::size_t kMostPoints = 50'000'000;
+
+/// Collects lines; points come in the units of an element and are kept in page mm.
+class Outline {
+ public:
+  Outline(Polylines& lines, const Matrix& to_mm) : lines_(lines), to_mm_(to_mm), first_(lines.points.size()) {}
+
+  void move_to(Point2 p);
+  void line_to(Point2 p);
+  void quadratic_to(Point2 control, Point2 p);
+  void cubic_to(Point2 control1, Point2 control2, Point2 p);
+  /// An arc as the path data of SVG tell it (SVG 1.1, F.6).
+  void arc_to(double rx, double ry, double rotation_degrees, bool large, bool sweep, Point2 p);
+  /// Ellipse about a centre, from the angle over so many radians; its first point is where the pen is.
+  void arc(Point2 center, double rx, double ry, double rotation, double from, double sweep);
+  void close();
+  void end();
+
+  Point2 at() const { return at_; }
+  Point2 start() const { return start_; }
+
+ private:
+  void add(Point2 mm);
+
+  Polylines& lines_;
+  Matrix to_mm_;
+  Point2 at_{0, 0}, start_{0, 0};
+  std::size_t first_;   ///< of the line that is open
+  bool open_ = false;
+};
+
+/// The "d" of a path. Throws std::invalid_argument where it is wrong.
+void add_path(Outline& outline, std::string_view data);
+
+}  // namespace ligne::svg

@@ -1,0 +1,211 @@
+#include "plotting/svg/values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "plotting/pens.hpp"
+
+namespace ligne::svg {
+namespace {
+
+/// What stands in a message of a text that may be a gigabyte.
+constexpr std::size_t kShownBytes = 40;
+
+[[noreturn]] void fail(std::string_view text, const std::string& cause) {
+  const bool longer = text.size() > kShownBytes;
+  throw std::invalid_argument("\"" + std::string(text.substr(0, kShownBytes)) + (longer ? "..." : "") + "\" " + cause);
+}
+
+bool blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+Matrix Matrix::operator*(const Matrix& o) const {
+  return {a * o.a + c * o.b, b * o.a + d * o.b, a * o.c + c * o.d, b * o.c + d * o.d, a * o.e + c * o.f + e, b * o.e + d * o.f + f};
+}
+
+double Matrix::stretch() const {
+  const double sum = a * a + b * b + c * c + d * d, det = a * d - b * c;
+  return std::sqrt((sum + std::sqrt(std::max(sum * sum - 4 * det * det, 0.0))) / 2);
+}
+
+bool Matrix::is_similarity() const {
+  constexpr double kRelative = 1e-6;  // numbers in SVG are often written with six digits
+  const double size = stretch() * kRelative;
+  return std::abs(a - d) <= size && std::abs(b + c) <= size && a * d - b * c > 0;
+}
+
+bool Matrix::finite() const {
+  for (const double v : {a, b, c, d, e, f}) {
+    if (!std::isfinite(v)) return false;
+  }
+  return true;
+}
+
+void Scanner::skip_blanks() {
+  while (!text_.empty() && blank(text_.front())) text_.remove_prefix(1);
+}
+
+void Scanner::skip_separator() {
+  skip_blanks();
+  if (peek() != ',') return;
+  text_.remove_prefix(1);
+  skip_blanks();
+}
+
+bool Scanner::done() {
+  skip_blanks();
+  return text_.empty();
+}
+
+char Scanner::take() {
+  const char c = peek();
+  if (!text_.empty()) text_.remove_prefix(1);
+  return c;
+}
+
+bool Scanner::at_number() const {
+  const char c = peek();
+  return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
+}
+
+double Scanner::number() {
+  std::string_view rest = text_;
+  if (peek() == '+') rest.remove_prefix(1);
+  double value = 0;
+  // from_chars knows "inf" and "nan", SVG does not.
+  const bool starts = !rest.empty() && ((rest[0] >= '0' && rest[0] <= '9') || rest[0] == '.' || (rest[0] == '-' && rest.data() == text_.data()));
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  if (!starts || error != std::errc() || !std::isfinite(value)) fail(text_, "does not begin with a number");
+  text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
+  return value;
+}
+
+bool Scanner::flag() {
+  const char c = take();
+  if (c != '0' && c != '1') throw std::invalid_argument("a flag of an arc is neither 0 nor 1");
+  return c == '1';
+}
+
+std::string_view Scanner::word() {
+  std::size_t n = 0;
+  while (n < text_.size() && ((text_[n] >= 'a' && text_[n] <= 'z') || (text_[n] >= 'A' && text_[n] <= 'Z'))) ++n;
+  const std::string_view found = text_.substr(0, n);
+  text_.remove_prefix(n);
+  return found;
+}
+
+std::vector<double> numbers(std::string_view text) {
+  std::vector<double> values;
+  Scanner scanner(text);
+  while (!scanner.done()) {
+    values.push_back(scanner.number());
+    scanner.skip_separator();
+  }
+  return values;
+}
+
+double length_px(std::string_view text, std::optional<double> whole) {
+  constexpr std::pair<std::string_view, double> units[] = {{"", 1},           {"px", 1},          {"mm", 96 / 25.4}, {"cm", 96 / 2.54},
+                                                           {"in", 96},        {"pt", 96.0 / 72},  {"pc", 16},        {"Q", 96 / 101.6}};
+  const std::string_view clean = trimmed(text);
+  Scanner scanner(clean);
+  const double value = scanner.number();
+  if (scanner.peek() == '%' && whole) {
+    scanner.take();
+    if (scanner.done()) return value * *whole / 100;
+  }
+  const std::string_view unit = scanner.word();
+  for (const auto& [name, px] : units) {
+    if (name == unit && scanner.done()) return value * px;
+  }
+  fail(clean, "is not a length in px, mm, cm, in, pt, pc or Q");
+}
+
+Matrix transform(std::string_view text) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  Matrix result;
+  Scanner scanner(text);
+  while (!scanner.done()) {
+    const std::string_view name = scanner.word();
+    scanner.skip_blanks();
+    if (scanner.take() != '(') fail(text, "is not a list of transforms");
+    std::vector<double> v;
+    for (scanner.skip_blanks(); scanner.peek() != ')'; scanner.skip_separator()) {
+      if (v.size() == 6) fail(text, "is a transform of too many numbers");
+      v.push_back(scanner.number());
+    }
+    scanner.take();
+    scanner.skip_separator();
+    const std::size_t n = v.size();
+    Matrix m;
+    if (name == "matrix" && n == 6) {
+      m = {v[0], v[1], v[2], v[3], v[4], v[5]};
+    } else if (name == "translate" && (n == 1 || n == 2)) {
+      m = {1, 0, 0, 1, v[0], n == 2 ? v[1] : 0};
+    } else if (name == "scale" && (n == 1 || n == 2)) {
+      m = {v[0], 0, 0, n == 2 ? v[1] : v[0], 0, 0};
+    } else if (name == "rotate" && (n == 1 || n == 3)) {
+      const double c = std::cos(v[0] * kDegree), s = std::sin(v[0] * kDegree);
+      m = {c, s, -s, c, 0, 0};
+      if (n == 3) m = Matrix{1, 0, 0, 1, v[1], v[2]} * m * Matrix{1, 0, 0, 1, -v[1], -v[2]};
+    } else if (name == "skewX" && n == 1) {
+      m.c = std::tan(v[0] * kDegree);
+    } else if (name == "skewY" && n == 1) {
+      m.b = std::tan(v[0] * kDegree);
+    } else {
+      fail(text, "is not a list of transforms");
+    }
+    result = result * m;
+  }
+  if (!result.finite()) fail(text, "is a transform beyond all numbers");
+  return result;
+}
+
+std::optional<std::string> paint(std::string_view text) {
+  const std::string_view clean = trimmed(text);
+  if (clean == "none" || clean == "transparent") return std::nullopt;
+  if (clean == "currentColor" || clean == "currentcolor") return "currentColor";
+  if (clean.starts_with("rgb(") && clean.ends_with(")")) {
+    std::string code = "#";
+    Scanner scanner(clean.substr(4, clean.size() - 5));
+    for (int i = 0; i < 3; ++i) {
+      scanner.skip_separator();
+      double level = scanner.number();
+      if (scanner.peek() == '%') {
+        scanner.take();
+        level *= 2.55;
+      }
+      constexpr std::string_view digits = "0123456789abcdef";
+      const auto whole = static_cast<unsigned>(std::lround(std::clamp(level, 0.0, 255.0)));
+      code += {digits[whole / 16], digits[whole % 16]};
+    }
+    return code;
+  }
+  try {
+    std::string code = "#";
+    for (const double level : parse_color(clean)) {
+      constexpr std::string_view digits = "0123456789abcdef";
+      const auto whole = static_cast<unsigned>(std::lround(level * 255));
+      code += {digits[whole / 16], digits[whole % 16]};
+    }
+    return code;
+  } catch (const std::invalid_argument&) {
+    // Other names of colours are names of layers as they stand.
+    if (!clean.empty() && std::all_of(clean.begin(), clean.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); })) return std::string(clean);
+    fail(clean, "is not a colour that is known");
+  }
+}
+
+}  // namespace ligne::svg

@@ -1,0 +1,17 @@
+#pragma once
+/// ligne devices: the plotters that the program knows.
+
+namespace CLI {
+class App;
+}
+
+namespace ligne {
+
+struct DevicesOptions {
+  bool json = false;
+};
+
+void setup_devices(CLI::App& app, DevicesOptions& options);
+void run_devices(const DevicesOptions& options);
+
+}  // namespace ligne

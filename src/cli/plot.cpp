@@ -1,0 +1,213 @@
+#include "cli/plot.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/models.hpp"
+#include "cli/option_helpers.hpp"
+#include "cli/parse.hpp"
+#include "cli/plotter_output.hpp"
+#include "cli/scene_drawing.hpp"
+#include "cli/stages.hpp"
+#include "cli/text.hpp"
+#include "plotting/drawing_reader.hpp"
+#include "plotting/output_file.hpp"
+#include "plotting/plot.hpp"
+#include "plotting/stroke_text.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kWidestPenMm = 50, kLowestDpi = 1, kHighestDpi = 9600;
+
+/// A larger file is refused before it is read: a drawing of it would have hundreds of millions of points.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
+
+constexpr const char* kExamples = R"(Examples:
+  ligne plot sombrero.svg --device hp7475a --report -o sombrero.hpgl
+  ligne plot gearbox.json --pen outline=1,black,0.5 --pen rest=2,blue,0.25 -o gearbox.gcode
+  ligne plot poster.svg --page A3 --scale fit --preview way.svg -o poster-ready.svg)";
+
+std::string read_drawing_file(const std::string& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) throw std::runtime_error(file + ": is a folder");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error(file + ": can not be read");
+  const std::string too_large = file + ": is larger than 256 MiB, too large for a drawing";
+  if (const std::uintmax_t size = std::filesystem::file_size(file, error); !error && size > kMostBytes) throw std::runtime_error(too_large);
+  std::string text;
+  std::string block(1 << 16, '\0');
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+    text.append(block, 0, static_cast<std::size_t>(in.gcount()));
+    if (text.size() > kMostBytes) throw std::runtime_error(too_large);
+  }
+  return text;
+}
+
+/// JSON begins with a brace, XML with an angle bracket, whatever the name says.
+ReadDrawing read_drawing(const PlotCommandOptions& options) {
+  const std::string text = read_drawing_file(options.drawing);
+  const std::string_view bom = "\xef\xbb\xbf";
+  std::string_view content = text;
+  if (content.starts_with(bom)) content.remove_prefix(bom.size());
+  const std::size_t first = content.find_first_not_of(" \t\r\n");
+  const char begins = first == std::string_view::npos ? '\0' : content[first];
+  if (begins == '{') return read_json_drawing(content, options.drawing);
+  if (begins == '<') return read_svg_drawing(text, options.drawing, options.skip);
+  throw std::runtime_error(options.drawing + ": is neither a ligne-drawing nor an SVG");
+}
+
+void transform(Drawing& drawing, double scale, Point2 shift) {
+  for (Layer& layer : drawing.layers) {
+    for (Point2& p : layer.lines.points) p = p * scale + shift;
+  }
+}
+
+/// Puts the drawing on the page that is asked for: its own page in the middle of that, or what it shows made to fill it.
+void place(const PlotCommandOptions& options, ReadDrawing& read) {
+  const Page own = read.page;
+  Page page = own;
+  const Rect ink = ink_of(read.drawing);
+  if (options.page) {
+    PageOptions wanted;
+    wanted.size = *options.page;
+    wanted.landscape = options.landscape;
+    wanted.portrait = options.portrait;
+    page = page_for(wanted, options.fit && !ink.empty() ? ink : own.sheet());
+  } else if ((options.landscape && own.height_mm > own.width_mm) || (options.portrait && own.width_mm > own.height_mm)) {
+    std::swap(page.width_mm, page.height_mm);
+  }
+  if (!options.page && !options.fit) {
+    page.width_mm *= options.scale;
+    page.height_mm *= options.scale;
+  }
+  page.margin_mm = options.margin_mm;
+  double scale = options.scale;
+  Rect from = own.sheet();
+  if (options.fit && !ink.empty() && (ink.width() > 0 || ink.height() > 0)) {
+    const Rect area = page.drawable();
+    if (!(area.width() > 0 && area.height() > 0)) throw UsageError("--margin", shortest(options.margin_mm) + " mm leaves nothing of the page");
+    from = ink;
+    const double across = ink.width() > 0 ? area.width() / ink.width() : area.height() / ink.height();
+    const double down = ink.height() > 0 ? area.height() / ink.height() : across;
+    scale = std::min(across, down);
+  }
+  transform(read.drawing, scale, page.sheet().max * 0.5 - (from.min + from.max) * (0.5 * scale));
+  read.page = page;
+}
+
+void warn_of_left_out(const PlotCommandOptions& options, const ReadDrawing& read, std::size_t unknown) {
+  if (options.run.quiet) return;
+  for (const auto& [name, count] : read.left_out) warn(options.drawing, std::to_string(count) + " times " + name + " left out, as asked");
+  if (unknown > 0) warn(options.drawing, std::to_string(unknown) + " characters are not in the font: drawn as boxes");
+  if (read.drawing.layers.empty()) warn(options.drawing, "there is no stroke in the drawing");
+}
+
+/// Layers of an SVG without layers are named by their colours.
+LineStyle style_of_layer(const std::string& layer, double pen_width_mm, bool hidden_solid) {
+  LineStyle style = layer_style(layer, pen_width_mm, hidden_solid);
+  if (!layer.starts_with('#')) return style;
+  try {
+    style.color = parse_color(layer);
+  } catch (const std::invalid_argument&) {
+    // A layer that only looks like a colour is drawn in black.
+  }
+  return style;
+}
+
+void plot(const PlotCommandOptions& options) {
+  const OutputFormat format = format_of(options.output);
+  if (format == OutputFormat::json) throw UsageError("--format", "plot writes svg, pdf, png, hpgl or gcode");
+  PlotterSetup setup = plotter_setup(options.plotter, format);
+  if (!setup.by_pens() && !setup.options.optimize) setup.options.optimize = Optimize::join;
+  RunReport run;
+  ReadDrawing read = timed(run.stages, "read", [&] { return read_drawing(options); });
+  const std::size_t unknown = draw_texts_as_strokes(read.drawing);
+  warn_of_left_out(options, read, unknown);
+  place(options, read);
+  PlotOptions style;
+  style.page = read.page;
+  style.pen_width_mm = options.pen_width_mm;
+  style.hidden_solid = read.dashes_cut;
+  style.dpi = options.dpi;
+  style.style = [&](const std::string& layer) { return style_of_layer(layer, options.pen_width_mm, style.hidden_solid); };
+  const std::string bytes = timed(run.stages, "write", [&] { return written(read.drawing, style, setup, format, run); });
+  timed(run.stages, "output", [&] { write_output(*options.output.file, bytes); });
+  report(options.run, run);
+}
+
+void add_placing_options(CLI::App& app, PlotCommandOptions& options) {
+  CLI::Option* page = add_parsed(
+                          app, "--page", "SIZE", options.page, [](const std::string& t) { return std::optional(parse_page_size(t)); },
+                          "A0 to A6, letter, legal, tabloid, or WxH; the drawing's own page comes into its middle")
+                          ->default_str("the drawing's");
+  CLI::Option* landscape = app.add_flag("--landscape", options.landscape, "page lies on its long side");
+  CLI::Option* portrait = app.add_flag("--portrait", options.portrait, "page stands on its short side");
+  CLI::Option* margin = add_parsed(
+                            app, "--margin", "LEN", options.margin_mm, [](const std::string& t) { return parse_length_mm(t); },
+                            "empty rim of the page when the drawing is to fit")
+                            ->default_str("10mm");
+  CLI::Option* pen = add_parsed(
+                         app, "--pen-width", "LEN", options.pen_width_mm,
+                         [](const std::string& t) {
+                           const double width = parse_length_mm(t);
+                           if (!(width > 0 && width <= kWidestPenMm)) throw std::invalid_argument(t + " is not above 0 and at most 50 mm");
+                           return width;
+                         },
+                         "width of the lines, where no pen has its own")
+                         ->default_str("0.35mm");
+  CLI::Option* scale = add_parsed(
+                           app, "--scale", "fit|N:M", options.scale,
+                           [&options](const std::string& t) {
+                             const std::optional<double> ratio = parse_scale(t);
+                             options.fit = !ratio;
+                             return ratio.value_or(1);
+                           },
+                           "true to scale, larger or smaller, or what is drawn fills the page")
+                           ->default_str("1:1");
+  landscape->excludes(portrait);
+  for (CLI::Option* option : {page, landscape, portrait, margin, pen, scale}) option->group("Page");
+}
+
+std::set<std::string> parse_skip(const std::string& text) {
+  std::set<std::string> names;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string name = text.substr(begin, end - begin);
+    parse_choice(name, kSkippable);
+    names.insert(name);
+    begin = end + 1;
+  }
+  return names;
+}
+
+}  // namespace
+
+void setup_plot(CLI::App& app, PlotCommandOptions& options) {
+  CLI::App* plot = app.add_subcommand("plot", "A drawing (JSON or SVG) made ready for pens and plotters");
+  plot->add_option("DRAWING", options.drawing, "ligne-drawing JSON, or an SVG of strokes")->required()->type_name("");
+  add_parsed(*plot, "--skip", "LIST", options.skip, parse_skip, "what of an SVG may be left out: text, image, fill, clip-path, ...")->group("Input");
+  add_placing_options(*plot, options);
+  add_output_options(*plot, options.output, "svg pdf png hpgl gcode (default: by the suffix)");
+  add_parsed(
+      *plot, "--dpi", "N", options.dpi, [](const std::string& text) { return parse_within(text, kLowestDpi, kHighestDpi, "dots per inch"); },
+      "resolution of a PNG")
+      ->default_str("150")
+      ->group("Output");
+  add_plotter_options(*plot, options.plotter);
+  add_run_options(*plot, options.run);
+  plot->footer(kExamples);
+}
+
+void run_plot(const PlotCommandOptions& options) {
+  format_of(options.output);
+  const std::string inputs[] = {options.drawing};
+  refuse_input_as_output("--output", *options.output.file, inputs);
+  check(options.plotter, *options.output.file, inputs);
+  run_with_threads(options.run, [&] { plot(options); });
+}
+
+}  // namespace ligne

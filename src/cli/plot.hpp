@@ -1,0 +1,35 @@
+#pragma once
+/// ligne plot: a drawing from a file, made ready for pens.
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "cli/output_options.hpp"
+#include "cli/page_options.hpp"
+#include "cli/plotter_options.hpp"
+#include "cli/run_options.hpp"
+
+namespace ligne {
+
+struct PlotCommandOptions {
+  std::string drawing;              ///< file
+  std::optional<PageSize> page;     ///< nothing: that of the drawing
+  bool landscape = false, portrait = false;
+  double margin_mm = 10;
+  double pen_width_mm = 0.35;
+  bool fit = false;                 ///< fill the page
+  double scale = 1;
+  std::set<std::string> skip;       ///< kinds of SVG content that may be left out
+  double dpi = 150;
+  OutputOptions output;
+  PlotterOptions plotter;
+  RunOptions run;
+};
+
+void setup_plot(CLI::App& app, PlotCommandOptions& options);
+
+/// Throws UsageError, std::runtime_error.
+void run_plot(const PlotCommandOptions& options);
+
+}  // namespace ligne

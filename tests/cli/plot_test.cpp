@@ -1,0 +1,146 @@
+/// ligne plot, ligne devices, and the plotter's options of the other commands, as a user runs them.
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace ligne::test {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kSvg =
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"60mm\" viewBox=\"0 0 100 60\" fill=\"none\" stroke=\"black\">\n"
+    "<path d=\"M20 20H45\"/><path d=\"M70 20H45\"/><path d=\"M70 20V40\" stroke=\"red\"/>\n</svg>\n";
+
+class PlotTest : public ProgramTest {
+ protected:
+  std::string written(const std::string& name, std::vector<std::string> arguments) const {
+    arguments.insert(arguments.end(), {"-o", name});
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.status == 0 ? contents(file(name)) : "";
+  }
+};
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+TEST_F(PlotTest, AnSvgBecomesHpglOfTrueSize) {
+  write("a.svg", kSvg);
+  const std::string hpgl = written("a.plt", {"plot", "a.svg"});
+  // One stroke over the corner of both colours, in steps of 0.025 mm from the lower left of the page.
+  EXPECT_EQ(hpgl, "IN;\nSP1;\nPU800,1600;\nPD2800,1600,2800,800;\nPU0,0;\nSP0;\n");
+}
+
+TEST_F(PlotTest, PensByColourAndLayersForOtherPrograms) {
+  write("a.svg", kSvg);
+  const std::string svg = written("b.svg", {"plot", "a.svg", "--pen", "#ff0000=2,red,0.7", "--pen", "rest=1,black"});
+  EXPECT_EQ(count(svg, "inkscape:groupmode=\"layer\""), 2u);
+  EXPECT_NE(svg.find("inkscape:label=\"1\""), std::string::npos);
+  EXPECT_NE(svg.find("inkscape:label=\"2 #ff0000\""), std::string::npos);
+  EXPECT_NE(svg.find("stroke-width=\"0.7\""), std::string::npos);
+  const std::string gcode = written("b.nc", {"plot", "a.svg", "--pen", "#ff0000=2", "--pen", "rest=1"});
+  EXPECT_EQ(count(gcode, "M0 (pen 2"), 1u);
+  EXPECT_EQ(count(gcode, "M0 "), 1u);
+}
+
+TEST_F(PlotTest, ColoursStay) {
+  write("a.svg", kSvg);
+  const std::string svg = written("b.svg", {"plot", "a.svg"});
+  EXPECT_NE(svg.find("inkscape:label=\"#ff0000\" id=\"pen-#ff0000\" fill=\"none\" stroke=\"#f00\""), std::string::npos) << svg;
+  EXPECT_EQ(count(svg, "<path"), 2u) << "the two black lines are one";
+}
+
+TEST_F(PlotTest, DrawingsOfOursComeAsJsonAndAsSvg) {
+  ASSERT_EQ(run({"draw", "cube.obj", "--margin", "20", "-o", "cube.json"}).status, 0);
+  ASSERT_EQ(run({"draw", "cube.obj", "--margin", "20", "-o", "cube.svg"}).status, 0);
+  const std::string direct = written("direct.hpgl", {"draw", "cube.obj", "--margin", "20", "--device", "hp7475a"});
+  const std::string json_way = written("json.hpgl", {"plot", "cube.json", "--device", "hp7475a"});
+  const std::string svg_way = written("svg.hpgl", {"plot", "cube.svg", "--device", "hp7475a"});
+  EXPECT_EQ(count(direct, "PU"), count(json_way, "PU"));
+  EXPECT_EQ(count(direct, "PU"), count(svg_way, "PU"));
+  EXPECT_EQ(json_way.size(), direct.size());
+}
+
+TEST_F(PlotTest, ReportAndPreview) {
+  write("a.svg", kSvg);
+  const Outcome outcome = run({"plot", "a.svg", "--report", "--preview", "way.svg", "-o", "a.gcode"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("before             3     0.070 m"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("after              1     0.070 m"), std::string::npos) << outcome.err;
+  EXPECT_NE(contents(file("way.svg")).find("id=\"pen-up\""), std::string::npos);
+  EXPECT_NE(contents(file("way.svg")).find("id=\"order-1\""), std::string::npos);
+}
+
+TEST_F(PlotTest, ScaleAndPage) {
+  write("a.svg", kSvg);
+  EXPECT_NE(written("a.plt", {"plot", "a.svg", "--scale", "2:1"}).find("PU1600,3200;\nPD5600,3200,5600,1600;"), std::string::npos);
+  // 50 mm wide, made to fill 100 mm between the margins.
+  const std::string fit = written("b.plt", {"plot", "a.svg", "--scale", "fit", "--page", "120x120", "--margin", "10"});
+  EXPECT_NE(fit.find("PU400,"), std::string::npos) << fit;
+  EXPECT_NE(fit.find("4400,"), std::string::npos) << fit;
+}
+
+TEST_F(PlotTest, RefusesByNameAndLeavesNothingBehind) {
+  write("bad.svg", "<svg width='10mm' height='10mm' viewBox='0 0 10 10'>\n<image/></svg>");
+  const Outcome outcome = run({"plot", "bad.svg", "-o", "bad.hpgl"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "ligne: bad.svg:2: <image> has image, which can not be drawn as strokes; --skip image leaves it out\n");
+  EXPECT_FALSE(exists("bad.hpgl"));
+  const Outcome skipped = run({"plot", "bad.svg", "--skip", "image,text", "-o", "bad.hpgl"});
+  EXPECT_EQ(skipped.status, 0);
+  EXPECT_NE(skipped.err.find("1 times image left out"), std::string::npos);
+}
+
+TEST_F(PlotTest, TheSameBytesWithAnyNumberOfThreads) {
+  const std::vector<std::string> surface{"surface", "sin(r)/r", "-x", "-12:12:30", "-y", "-12:12:30", "--margin", "20", "--device", "hp7475a"};
+  std::vector<std::string> one = surface, four = surface;
+  one.insert(one.end(), {"--threads", "1"});
+  four.insert(four.end(), {"--threads", "4"});
+  const std::string text = written("one.hpgl", one);
+  EXPECT_GT(text.size(), 10'000u);
+  EXPECT_EQ(text, written("four.hpgl", four));
+}
+
+TEST_F(PlotTest, ADeviceOfOnesOwn) {
+  write("mine.toml", "name = \"mine\"\ntitle = \"My plotter\"\nlanguage = \"hpgl\"\nstep = 0.1\nlimits = [0, 0, 200, 300]\nbegin = [\"HELLO\"]\n"
+                     "travel = \"U{x},{y};\"\ndraw = \"D{points};\"\ndot = \"D;\"\nspeed_down = 10\nspeed_up = 20\nlift_seconds = 1\npen_change_seconds = 1\n");
+  write("a.svg", kSvg);
+  EXPECT_EQ(written("a.hpgl", {"plot", "a.svg", "--device-file", "mine.toml"}), "HELLO\nU200,400;\nD700,400,700,200;\n");
+}
+
+TEST_F(PlotTest, DevicesAreListedWhereverTheProgramIs) {
+  const Outcome text = run({"devices"});
+  EXPECT_EQ(text.status, 0);
+  EXPECT_NE(text.out.find("hp7475a: HP 7475A"), std::string::npos);
+  const Outcome list = run({"devices", "--json"});
+  const json parsed = json::parse(list.out);
+  EXPECT_EQ(parsed["format"], "ligne-devices");
+  EXPECT_GE(parsed["devices"].size(), 8u);
+}
+
+TEST_F(PlotTest, WhatLeavesTheLimitsIsToldInMillimetres) {
+  const Outcome outcome = run({"draw", "cube.obj", "--page", "A4", "--margin", "0", "--device", "hp7475a", "-o", "a.hpgl"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(outcome.err.starts_with("ligne: device hp7475a, paper A4: the drawing leaves the limits: ")) << outcome.err;
+  EXPECT_EQ(run({"draw", "cube.obj", "--page", "A4", "--margin", "0", "--device", "hp7475a", "--fit-device", "-o", "a.hpgl"}).status, 0);
+}
+
+TEST_F(PlotTest, MaterialsHavePens) {
+  write("two.json", R"({"format":"ligne-scene","version":1,"materials":[{"name":"steel"},{"name":"glass"}],"objects":[
+{"vertices":[[0,0,0],[10,0,0],[10,10,0],[0,10,0]],"faces":[{"outer":[0,1,2,3],"material":0}]},
+{"vertices":[[20,0,0],[30,0,0],[30,10,0],[20,10,0]],"faces":[{"outer":[0,1,2,3],"material":1}]}]})");
+  const Outcome outcome = run({"draw", "two.json", "--view", "top", "--pen", "material:glass=2,blue", "--pen", "rest=1", "-o", "two.svg"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string svg = contents(file("two.svg"));
+  EXPECT_EQ(count(svg, "inkscape:groupmode=\"layer\""), 2u);
+  EXPECT_EQ(count(svg, "<path"), 2u);
+}
+
+}  // namespace
+}  // namespace ligne::test

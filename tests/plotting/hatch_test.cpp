@@ -1,0 +1,136 @@
+/// Regions filled with strokes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+
+#include "plotting/hatch.hpp"
+#include "plotting/paths/optimize.hpp"
+
+namespace ligne {
+namespace {
+
+using Contours = std::vector<std::vector<Point2>>;
+
+const std::vector<Point2> kSquare{{0, 0}, {20, 0}, {20, 20}, {0, 20}};
+
+std::vector<Point2> circle(Point2 c, double r, int n = 90) {
+  std::vector<Point2> points;
+  for (int i = 0; i < n; ++i) points.push_back({c.x + r * std::cos(2 * M_PI * i / n), c.y + r * std::sin(2 * M_PI * i / n)});
+  return points;
+}
+
+double border_distance(Point2 p, const Contours& contours) {
+  double least = 1e300;
+  for (const auto& contour : contours) {
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const Point2 a = contour[i], b = contour[(i + 1) % contour.size()], along = b - a;
+      const double t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
+      least = std::min(least, glm::distance(p, a + along * t));
+    }
+  }
+  return least;
+}
+
+bool inside(Point2 p, const Contours& contours) {
+  bool in = false;
+  for (const auto& contour : contours) {
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) in = !in;
+    }
+  }
+  return in;
+}
+
+/// Every point of every stroke is inside and half a pen from the border.
+void expect_inside(const Polylines& lines, const Contours& contours, double pen) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto line = lines[i];
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      for (int s = 0; s <= 20; ++s) {
+        const Point2 p = line[k - 1] + (line[k] - line[k - 1]) * (s / 20.0);
+        EXPECT_TRUE(inside(p, contours)) << p.x << " " << p.y;
+        EXPECT_GE(border_distance(p, contours), pen / 2 - 1e-6) << p.x << " " << p.y;
+      }
+    }
+  }
+}
+
+TEST(Hatch, ASquareIsOneStrokeOfRows) {
+  HatchOptions options;
+  options.angle_degrees = 0;
+  options.pen_width_mm = 0.5;
+  const Polylines lines = hatch(Contours{kSquare}, options);
+  ASSERT_EQ(lines.size(), 1u);
+  // Rows at 1, 2 ... 19, each from 0.25 to 19.75, neighbours the other way round.
+  ASSERT_EQ(lines[0].size(), 2u * 19);
+  for (std::size_t row = 0; row < 19; ++row) {
+    const Point2 a = lines[0][2 * row], b = lines[0][2 * row + 1];
+    EXPECT_NEAR(a.y, b.y, 1e-12);
+    EXPECT_NEAR(std::abs(a.x - b.x), 19.5, 1e-12);
+    if (row > 0) EXPECT_NEAR(std::abs(a.y - lines[0][2 * row - 1].y), 1, 1e-12);
+    if (row > 0) EXPECT_NEAR(a.x, lines[0][2 * row - 1].x, 1e-12);
+  }
+}
+
+TEST(Hatch, HolesAndCornersStayFree) {
+  const Contours contours{{{0, 0}, {40, 5}, {35, 30}, {20, 12}, {5, 35}}, circle({12, 14}, 4), circle({29, 12}, 3)};
+  for (const double angle : {0.0, 30.0, 45.0, 90.0, 137.0}) {
+    HatchOptions options;
+    options.angle_degrees = angle;
+    options.spacing_mm = 0.7;
+    options.pen_width_mm = 0.5;
+    const Polylines lines = hatch(contours, options);
+    expect_inside(lines, contours, options.pen_width_mm);
+    const PathLengths lengths = measure(lines, {0, 0}, false);
+    // The strokes ink about as much as the region has area, less the rim.
+    double area = 0;
+    for (const auto& contour : contours) {
+      double sum = 0;
+      for (std::size_t i = 0; i < contour.size(); ++i) {
+        const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
+        sum += a.x * b.y - a.y * b.x;
+      }
+      area += &contour == &contours[0] ? std::abs(sum) / 2 : -std::abs(sum) / 2;
+    }
+    EXPECT_NEAR(lengths.down_mm * options.spacing_mm, area, 0.15 * area) << angle;
+    EXPECT_LT(lines.size(), 12u) << "rows are tied together";
+  }
+}
+
+TEST(Hatch, CrossIsBothFamilies) {
+  HatchOptions options;
+  const double one = measure(hatch(Contours{kSquare}, options), {0, 0}, false).down_mm;
+  options.cross = true;
+  EXPECT_NEAR(measure(hatch(Contours{kSquare}, options), {0, 0}, false).down_mm, 2 * one, 0.02 * one);
+}
+
+TEST(Hatch, NeighboursShareTheirRows) {
+  HatchOptions options;
+  options.angle_degrees = 0;
+  const Contours right{{{20, 0.4}, {40, 0.4}, {40, 19}, {20, 19}}};
+  const Polylines a = hatch(Contours{kSquare}, options), b = hatch(right, options);
+  for (const Polylines* lines : {&a, &b}) {
+    for (const Point2 p : lines->points) EXPECT_NEAR(p.y, std::round(p.y), 1e-12);
+  }
+}
+
+TEST(Hatch, NarrowAndEmptyRegionsGetNothing) {
+  HatchOptions options;
+  options.angle_degrees = 0;
+  EXPECT_EQ(hatch({}, options).size(), 0u);
+  EXPECT_EQ(hatch(Contours{{{0, 0.9}, {20, 0.9}, {20, 1.1}, {0, 1.1}}}, options).size(), 0u);
+  EXPECT_EQ(hatch(Contours{{{1, 1}}}, options).size(), 0u);
+  options.spacing_mm = 0;
+  EXPECT_THROW(hatch(Contours{kSquare}, options), std::invalid_argument);
+  options.spacing_mm = 1e-9;
+  EXPECT_THROW(hatch(Contours{kSquare}, options), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ligne

@@ -1,0 +1,342 @@
+/// Joining, simplifying and ordering strokes: known answers, and that a drawing never changes by it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <oneapi/tbb/global_control.h>
+
+#include "plotting/paths/chain_ends.hpp"
+#include "plotting/paths/end_tree.hpp"
+#include "plotting/paths/optimize.hpp"
+#include "plotting/paths/simplify.hpp"
+
+namespace ligne {
+namespace {
+
+Polylines lines_of(const std::vector<std::vector<Point2>>& lists) {
+  Polylines lines;
+  for (const auto& list : lists) {
+    lines.points.insert(lines.points.end(), list.begin(), list.end());
+    lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
+  }
+  return lines;
+}
+
+double total_length(const Polylines& lines) { return measure(lines, {0, 0}, false).down_mm; }
+
+double distance(Point2 p, Point2 a, Point2 b) {
+  const Point2 along = b - a;
+  const double squared = glm::dot(along, along);
+  const double t = squared > 0 ? std::clamp(glm::dot(p - a, along) / squared, 0.0, 1.0) : 0;
+  return glm::distance(p, a + along * t);
+}
+
+double distance(Point2 p, const Polylines& lines) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto line = lines[i];
+    for (std::size_t k = 0; k < line.size(); ++k) least = std::min(least, distance(p, line[k], line[std::min(k + 1, line.size() - 1)]));
+  }
+  return least;
+}
+
+/// Largest distance of a point of `from`, sampled finely, from `to`.
+double farthest(const Polylines& from, const Polylines& to) {
+  double worst = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const auto line = from[i];
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      const Point2 next = line[std::min(k + 1, line.size() - 1)];
+      for (int s = 0; s < 7; ++s) worst = std::max(worst, distance(line[k] + (next - line[k]) * (s / 7.0), to));
+    }
+  }
+  return worst;
+}
+
+double sum(const JoinTolerances& t) { return t.ends_mm + t.overlap_mm + t.simplify_mm; }
+
+TEST(JoinStrokes, EndsThatMeetBecomeOneStrokeWhateverTheirDirection) {
+  const Polylines joined = join_strokes(lines_of({{{0, 0}, {10, 0}}, {{20, 5}, {10, 0}}, {{20, 5}, {30, 0}}}), {});
+  ASSERT_EQ(joined.size(), 1u);
+  EXPECT_EQ(joined[0].size(), 4u);
+  EXPECT_NEAR(total_length(joined), 10 + 2 * std::hypot(10, 5), 1e-5);
+}
+
+TEST(JoinStrokes, EndsWithinTheToleranceAndNotBeyond) {
+  EXPECT_EQ(join_strokes(lines_of({{{0, 0}, {10, 0}}, {{10.04, 0}, {20, 5}}}), {}).size(), 1u);
+  EXPECT_EQ(join_strokes(lines_of({{{0, 0}, {10, 0}}, {{10.06, 0}, {20, 5}}}), {}).size(), 2u);
+}
+
+TEST(JoinStrokes, TheNearestEndsGoTogether) {
+  // The end at 10 has two candidates; the nearer one leaves nothing else to join.
+  const Polylines joined = join_near_ends(lines_of({{{0, 0}, {10, 0}}, {{10.04, 0}, {20, 5}}, {{10, 0.01}, {20, -5}}}), 0.05);
+  ASSERT_EQ(joined.size(), 2u);
+  EXPECT_EQ(joined[0].back(), Point2(20, -5));
+}
+
+TEST(JoinStrokes, AGapIsClosedOnlyByALineThatComesBack) {
+  const Polylines closed = join_strokes(lines_of({{{0, 0}, {10, 0}, {10, 10}, {0, 0.03}}}), {});
+  ASSERT_EQ(closed.size(), 1u);
+  EXPECT_EQ(closed[0].front(), closed[0].back());
+  const Polylines tiny = join_strokes(lines_of({{{0, 0}, {0.04, 0}}}), {});
+  ASSERT_EQ(tiny.size(), 1u);
+  EXPECT_EQ(tiny[0].size(), 2u);
+}
+
+TEST(JoinStrokes, RingsAreTakenIntoWhatTheyTouch) {
+  // A line with two triangles on it, and a third on one of them: one stroke.
+  const Polylines joined = join_strokes(lines_of({{{0, 0}, {10, 0}},
+                                                  {{10, 0}, {20, 0}},
+                                                  {{10, 0}, {12, 5}, {8, 5}, {10, 0}},
+                                                  {{8, 5}, {12, 9}, {4, 9}, {8, 5}}}),
+                                        {});
+  ASSERT_EQ(joined.size(), 1u);
+  EXPECT_EQ(joined[0].front(), Point2(0, 0));
+  EXPECT_EQ(joined[0].back(), Point2(20, 0));
+}
+
+TEST(JoinStrokes, AFigureTakesHalfAsManyStrokesAsItHasOddPoints) {
+  // A grid of 6 x 6 cells: 20 points on the rim where three lines meet, 4 corners of two, the rest of four.
+  std::vector<std::vector<Point2>> lists;
+  for (int i = 0; i <= 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      lists.push_back({{j * 5.0, i * 5.0}, {j * 5.0 + 5, i * 5.0}});
+      lists.push_back({{i * 5.0, j * 5.0}, {i * 5.0, j * 5.0 + 5}});
+    }
+  }
+  const Polylines joined = join_strokes(lines_of(lists), {});
+  EXPECT_EQ(joined.size(), 10u);
+  EXPECT_NEAR(total_length(joined), 2 * 7 * 30, 1e-4);
+}
+
+TEST(JoinStrokes, LinesTwiceAndLinesThatOverlapAreDrawnOnce) {
+  std::vector<Point2> circle;
+  for (int i = 0; i <= 3000; ++i) circle.push_back({50 + 30 * std::cos(i * 2 * M_PI / 3000), 50 + 30 * std::sin(i * 2 * M_PI / 3000)});
+  std::vector<Point2> turned(circle.rbegin(), circle.rend());
+  const Polylines joined = join_strokes(lines_of({circle, turned, {{0, 0}, {10, 0}}, {{20, 0.001}, {5, 0.001}}, {{10, 0}, {0, 0}}}), {});
+  EXPECT_EQ(joined.size(), 2u);
+  EXPECT_NEAR(total_length(joined), 2 * M_PI * 30 + 20, 0.1);
+}
+
+TEST(JoinStrokes, FineCurvesTwiceAreDrawnOnce) {
+  // Segments of 2 micrometres.
+  std::vector<Point2> circle;
+  for (int i = 0; i <= 9000; ++i) circle.push_back({50 + 3 * std::cos(i * 2 * M_PI / 9000), 50 + 3 * std::sin(i * 2 * M_PI / 9000)});
+  const std::vector<Point2> turned(circle.rbegin(), circle.rend());
+  const Polylines joined = join_strokes(lines_of({circle, turned, circle}), {});
+  EXPECT_EQ(joined.size(), 1u);
+  EXPECT_NEAR(total_length(joined), 2 * M_PI * 3, 0.02);
+}
+
+TEST(JoinStrokes, DotsStayAndAreDrawnOnce) {
+  const Polylines joined = join_strokes(lines_of({{{5, 5}, {5, 5}}, {{0, 0}, {1, 0}}, {{5, 5}}}), {});
+  ASSERT_EQ(joined.size(), 2u);
+  EXPECT_EQ(joined[1].size(), 2u);
+  EXPECT_EQ(joined[1][0], joined[1][1]);
+}
+
+TEST(JoinStrokes, NothingIsNothing) {
+  EXPECT_EQ(join_strokes({}, {}).size(), 0u);
+  EXPECT_EQ(order_strokes({}, {}).size(), 0u);
+}
+
+TEST(Simplified, KeepsWhatTurnsAndDropsWhatDoesNot) {
+  const std::vector<Point2> line{{0, 0}, {1, 0.01}, {2, 0}, {3, 0.5}, {4, 0}};
+  EXPECT_EQ(simplified(line, 0.02), (std::vector<std::uint32_t>{0, 2, 3, 4}));
+  EXPECT_EQ(simplified(line, 0), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  const std::vector<Point2> there_and_back{{0, 0}, {5, 0}, {1, 0}};
+  EXPECT_EQ(simplified(there_and_back, 0.02).size(), 3u) << "the far point is no part of the segment";
+}
+
+TEST(EndTree, FindsWhatALookAtAllPointsFinds) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> place(0, 40);
+  std::vector<Point2> points(500);
+  for (Point2& p : points) p = {double(place(random)), double(place(random))};
+  EndTree tree(points);
+  std::vector<char> there(points.size(), 1);
+  for (std::size_t removed = 0; removed < points.size(); ++removed) {
+    const Point2 q{place(random) + 0.3, place(random) - 0.2};
+    const std::uint32_t found = tree.nearest(q);
+    double least = 1e300;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (there[i]) least = std::min(least, glm::distance(q, points[i]));
+    }
+    ASSERT_NE(found, EndTree::kNone);
+    ASSERT_TRUE(there[found]);
+    ASSERT_DOUBLE_EQ(glm::distance(q, points[found]), least);
+    tree.remove(found);
+    there[found] = 0;
+  }
+  EXPECT_EQ(tree.nearest({0, 0}), EndTree::kNone);
+}
+
+TEST(OrderStrokes, AClosedLineStartsWhereItIsNear) {
+  OrderOptions options;
+  options.home = {100, 0};
+  const Polylines ordered = order_strokes(lines_of({{{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 0}}}), options);
+  ASSERT_EQ(ordered.size(), 1u);
+  EXPECT_EQ(ordered[0].front(), Point2(90, 0));
+  EXPECT_EQ(ordered[0].back(), Point2(90, 0));
+  EXPECT_EQ(ordered[0].size(), 5u);
+}
+
+/// All orders and directions of few strokes.
+double best_way(const Polylines& lines, Point2 home, bool returns) {
+  std::vector<std::size_t> order(lines.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  double best = 1e300;
+  do {
+    for (unsigned turned = 0; turned < 1u << lines.size(); ++turned) {
+      Point2 pen = home;
+      double way = 0;
+      for (const std::size_t i : order) {
+        const bool back = turned >> i & 1;
+        way += glm::distance(pen, back ? lines[i].back() : lines[i].front());
+        pen = back ? lines[i].front() : lines[i].back();
+      }
+      best = std::min(best, way + (returns ? glm::distance(pen, home) : 0));
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+TEST(OrderStrokes, FewStrokesAreInTheBestOrderOrNear) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(0, 100);
+  double sum_found = 0, sum_best = 0;
+  for (int round = 0; round < 40; ++round) {
+    std::vector<std::vector<Point2>> lists;
+    for (int i = 0; i < 6; ++i) lists.push_back({{place(random), place(random)}, {place(random), place(random)}});
+    const Polylines lines = lines_of(lists);
+    OrderOptions options;
+    options.returns = round % 2 == 1;
+    const double best = best_way(lines, options.home, options.returns);
+    const double found = measure(order_strokes(lines, options), options.home, options.returns).up_mm;
+    EXPECT_GE(found, best - 1e-9);
+    EXPECT_LE(found, 1.35 * best);
+    sum_found += found;
+    sum_best += best;
+  }
+  EXPECT_LE(sum_found, 1.04 * sum_best);
+}
+
+Polylines random_drawing(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> node(0, 12), count(2, 7), kind(0, 5);
+  std::uniform_real_distribution<double> jitter(-0.012, 0.012), place(0, 60);
+  std::vector<std::vector<Point2>> lists;
+  for (int i = 0; i < 40; ++i) {
+    std::vector<Point2> line;
+    const int points = count(random), what = kind(random);
+    for (int k = 0; k < points; ++k) {
+      Point2 p{node(random) * 5.0, node(random) * 5.0};
+      if (what == 1) p += Point2{jitter(random), jitter(random)};
+      if (what == 2) p = {place(random), place(random)};
+      line.push_back(p);
+    }
+    if (what == 3) line.push_back(line.front());
+    if (what == 4) {  // a fine curve
+      line.clear();
+      const Point2 c{place(random), place(random)};
+      for (int k = 0; k < 200; ++k) line.push_back({c.x + k * 0.05, c.y + 4 * std::sin(k * 0.05)});
+    }
+    lists.push_back(line);
+    if (what == 5) lists.push_back({line.rbegin(), line.rend()});
+  }
+  return lines_of(lists);
+}
+
+TEST(OptimizePaths, ADrawingIsTheSameSetOfPoints) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Polylines lines = random_drawing(seed);
+    PathOptions options;
+    const Polylines better = optimize_paths(lines, options);
+    EXPECT_LE(farthest(lines, better), sum(options.tolerances)) << seed;
+    EXPECT_LE(farthest(better, lines), sum(options.tolerances)) << seed;
+    EXPECT_LE(total_length(better), total_length(lines) + 40 * options.tolerances.ends_mm) << seed;
+    EXPECT_LE(measure(better, {0, 0}, false).up_mm, measure(lines, {0, 0}, false).up_mm) << seed;
+    EXPECT_LE(better.size(), lines.size() * 3) << seed;
+  }
+}
+
+TEST(OptimizePaths, OrderingAloneKeepsEveryPoint) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const Polylines lines = join_strokes(random_drawing(seed), {});
+    const Polylines ordered = order_strokes(lines, {});
+    EXPECT_EQ(ordered.size(), lines.size());
+    EXPECT_NEAR(total_length(ordered), total_length(lines), 1e-6);
+    EXPECT_LE(farthest(ordered, lines), 1e-9);
+    EXPECT_LE(farthest(lines, ordered), 1e-9);
+  }
+}
+
+TEST(OptimizePaths, OffIsOff) {
+  const Polylines lines = random_drawing(1);
+  PathOptions options;
+  options.optimize = Optimize::off;
+  EXPECT_EQ(optimize_paths(lines, options).points, lines.points);
+}
+
+Polylines many_strokes(std::size_t n) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(0, 1000), step(-4, 4);
+  Polylines lines;
+  for (std::size_t i = 0; i < n; ++i) {
+    Point2 p{place(random), place(random)};
+    for (int k = 0; k < 5; ++k) {
+      lines.points.push_back(p);
+      p += Point2{step(random), step(random)};
+    }
+    lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
+  }
+  return lines;
+}
+
+TEST(OptimizePaths, TheSameWithAnyNumberOfThreads) {
+  const Polylines lines = many_strokes(3000);
+  Polylines one;
+  {
+    const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, 1);
+    one = optimize_paths(lines, {});
+  }
+  const Polylines many = optimize_paths(lines, {});
+  EXPECT_EQ(one.points, many.points);
+  EXPECT_EQ(one.begin, many.begin);
+}
+
+TEST(OptimizePaths, AHundredThousandStrokesInSeconds) {
+  const Polylines lines = many_strokes(100'000);
+  const auto start = std::chrono::steady_clock::now();
+  const Polylines better = optimize_paths(lines, {});
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  RecordProperty("seconds", std::to_string(seconds));
+  const double before = measure(lines, {0, 0}, false).up_mm, after = measure(better, {0, 0}, false).up_mm;
+  std::printf("100,000 strokes: %.2f s, up %.1f m before, %.1f m after\n", seconds, before / 1000, after / 1000);
+#ifdef NDEBUG
+  EXPECT_LT(seconds, 5);
+#endif
+  EXPECT_LT(after, before / 100);
+}
+
+TEST(OptimizePaths, StarsAndHeapsTakeNoLonger) {
+  // All strokes end in one point, which is where searches for near ends degenerate.
+  std::vector<std::vector<Point2>> star, heap;
+  for (int i = 0; i < 20'000; ++i) {
+    star.push_back({{100, 100}, {100 + 90 * std::cos(i * 0.01), 100 + 90 * std::sin(i * 0.01)}});
+    heap.push_back({{i % 3 * 1e-4, 0}, {i % 5 * 1e-4, 1e-4}});
+  }
+  for (const auto& lists : {star, heap}) {
+    const auto start = std::chrono::steady_clock::now();
+    optimize_paths(lines_of(lists), {});
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  }
+}
+
+}  // namespace
+}  // namespace ligne
