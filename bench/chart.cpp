@@ -65,7 +65,7 @@ void write_chart(const std::filesystem::path& file, const Chart& chart) {
   }
   out += line(px(0), py(0), px(x_end), py(0), kAxis) + line(px(0), py(0), px(0), py(y_end), kAxis);
   out += text(kWidth / 2 - 40, 22, "middle", chart.title) + text((px(0) + px(x_end)) / 2, kHeight - 12, "middle", chart.x_label);
-  out += text(kLeft - 6, kTop - 6, "end", chart.y_label);
+  out += text(6, kTop - 14, "start", chart.y_label);
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const Curve& c = chart.curves[i];
     const char* const dash = kDashes[i % std::size(kDashes)];

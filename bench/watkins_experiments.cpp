@@ -200,7 +200,7 @@ void model_tables(const std::vector<Model>& models) {
 void coherence_tables(const std::filesystem::path& folder, const std::vector<Model>& models) {
   std::printf("\n### Coherence, stack: lines studied, time in ms\n\n| model | lines | every line | where edges enter, end, cross | and it can be seen | gain |\n|---|---|---|---|---|---|\n");
   for (const Model& model : models) {
-    for (const std::uint32_t lines : {512u, 2048u, 8192u}) {
+    for (const std::uint32_t lines : {512u, 2048u, 8192u, 32768u}) {
       Cost r[3];
       for (int k = 0; k < 3; ++k) r[k] = study(model, lines, false, {SpanMethodKind::stack, k > 0, k > 1, true});
       std::printf("| %s | %u | %llu; %.1f | %llu; %.1f | %llu; %.1f | %.2f |\n", model.name.c_str(), lines, static_cast<unsigned long long>(r[0].scan.studied), 1e3 * r[0].seconds,
