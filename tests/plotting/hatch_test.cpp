@@ -73,8 +73,12 @@ TEST(Hatch, ASquareIsOneStrokeOfRows) {
     const Point2 a = lines[0][2 * row], b = lines[0][2 * row + 1];
     EXPECT_NEAR(a.y, b.y, 1e-12);
     EXPECT_NEAR(std::abs(a.x - b.x), 19.5, 1e-12);
-    if (row > 0) EXPECT_NEAR(std::abs(a.y - lines[0][2 * row - 1].y), 1, 1e-12);
-    if (row > 0) EXPECT_NEAR(a.x, lines[0][2 * row - 1].x, 1e-12);
+    if (row > 0) {
+      EXPECT_NEAR(std::abs(a.y - lines[0][2 * row - 1].y), 1, 1e-12);
+    }
+    if (row > 0) {
+      EXPECT_NEAR(a.x, lines[0][2 * row - 1].x, 1e-12);
+    }
   }
 }
 

@@ -68,7 +68,9 @@ TEST(SvgReader, CurvesAreWithinTheirFlatness) {
     EXPECT_GT(line.size(), 40u);
     for (std::size_t i = 0; i < line.size(); ++i) {
       EXPECT_NEAR(glm::distance(line[i], Point2(50, 50)), 40, 1e-6) << body;
-      if (i > 0) EXPECT_NEAR(glm::distance((line[i] + line[i - 1]) * 0.5, Point2(50, 50)), 40, 0.0051) << body;
+      if (i > 0) {
+        EXPECT_NEAR(glm::distance((line[i] + line[i - 1]) * 0.5, Point2(50, 50)), 40, 0.0051) << body;
+      }
     }
   }
   // A parabola as a quadratic and as a cubic.
@@ -77,7 +79,9 @@ TEST(SvgReader, CurvesAreWithinTheirFlatness) {
   }
   const std::vector<Point2> smooth = line_of("<path d='M0 50C0 30 20 30 20 50S40 70 40 50'/>");
   for (const Point2 p : smooth) {
-    if (p.x > 20.5 && p.x < 39.5) EXPECT_GT(p.y, 50) << "S mirrors the control point";
+    if (p.x > 20.5 && p.x < 39.5) {
+      EXPECT_GT(p.y, 50) << "S mirrors the control point";
+    }
   }
 }
 
