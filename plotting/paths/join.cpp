@@ -143,6 +143,7 @@ class Chains {
   void pair_ends();
   void number_chains();
   void take_in_rings();
+  void lengthen_by_ring(std::span<const std::uint32_t> node, std::uint32_t pass);
   std::uint32_t set_of(std::uint32_t chain);
 
   const StrokeModel& model_;
@@ -234,6 +235,23 @@ void Chains::take_in_rings() {
       ring_[low] = ring_[a] && ring_[b];
       parent_[high] = low;
     }
+    if (base != kNoPartner) lengthen_by_ring(node(n), base);
+  }
+}
+
+/// A chain that ends where a ring passes goes on round the ring.
+void Chains::lengthen_by_ring(std::span<const std::uint32_t> node, std::uint32_t pass) {
+  const std::uint32_t ring = set_of(chain_of_[pass / 2]);
+  if (!ring_[ring]) return;
+  for (const std::uint32_t e : node) {
+    const std::uint32_t chain = set_of(chain_of_[e / 2]);
+    if (partner_[e] != kNoPartner || chain == ring) continue;
+    partner_[partner_[pass]] = kNoPartner;
+    partner_[pass] = e;
+    partner_[e] = pass;
+    parent_[std::max(chain, ring)] = std::min(chain, ring);
+    ring_[std::min(chain, ring)] = 0;
+    return;
   }
 }
 

@@ -11,7 +11,7 @@ struct OrderOptions {
   Point2 home{0, 0};       ///< where the pen comes from, page mm
   bool returns = false;    ///< it goes back there at the end
   /// The work that improving may do, in strokes moved: the same for the same input, whatever the machine.
-  std::uint64_t most_work = 400'000'000;
+  std::uint64_t most_work = 150'000'000;
 };
 
 /// The same strokes in an order, and each in a direction, that makes the way with the pen up short: nearest neighbour first, then 2-opt and or-opt until

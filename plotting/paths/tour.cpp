@@ -26,7 +26,7 @@ namespace {
 // Adjustable: near ends that are tried, strokes that or-opt moves together, strokes that one move may shift.
 constexpr std::size_t kNear = 10;
 constexpr std::uint32_t kTogether = 3;
-constexpr std::uint32_t kMostShifted = 30'000;
+constexpr std::uint32_t kMostShifted = 10'000;
 
 /// A gain below a picometre is rounding, and could be gained for ever.
 constexpr double kLeastGainMm = 1e-9;

@@ -98,6 +98,8 @@ void Outline::arc_to(double rx, double ry, double rotation_degrees, bool large, 
   if (sweep && turn < 0) turn += 2 * std::numbers::pi;
   if (!sweep && turn > 0) turn -= 2 * std::numbers::pi;
   const Point2 center{middle.x + c * rx * center_unit.x - s * ry * center_unit.y, middle.y + s * rx * center_unit.x + c * ry * center_unit.y};
+  // Radii beyond all numbers: the arc is straight.
+  if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(turn)) return line_to(p);
   arc(center, rx, ry, rotation, std::atan2(from.y, from.x), turn);
   at_ = p;
   lines_.points.back() = to_mm_(p);

@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoOutput", {"draw", "cube.obj"}, kUsage, "--output: there is no output file"},
         Mistake{"OutputEmpty", {"draw", "cube.obj", "-o", ""}, kUsage, "--output: "},
         Mistake{
-            "NoSuffix", {"draw", "cube.obj", "-o", "out"}, kUsage, "--output: \"out\" does not end in .svg, .pdf, .png or"},
+            "NoSuffix", {"draw", "cube.obj", "-o", "out"}, kUsage, "--output: \"out\" does not end in .svg, .pdf, .png, "},
         Mistake{
             "UnknownSuffix", {"draw", "cube.obj", "-o", "out.dxf"}, kUsage, "--output: \"out.dxf\" does not end in .svg"},
         Mistake{"StandardOutputNeedsFormat", {"draw", "cube.obj", "-o", "-"}, kUsage, "--output: standard output needs a"},

@@ -311,17 +311,20 @@ TEST_P(Hp2xx, ReadsTheSameDrawingOfTheSameSize) {
   const Written w = written(device, drawing, true);
   const std::vector<Point2> read = hp2xx_points(w.text);
   ASSERT_FALSE(read.empty());
-  // hp2xx takes a unit for 0.025 mm, and puts the lower left of the drawing into a corner: size and shape are compared.
-  constexpr double kUnitMm = 0.025, kPixelMm = 25.4 / 90;
+  // hp2xx takes a unit for 0.025 mm, puts the lower left of the drawing into a corner, and fits its SVG to a page: shapes are compared, at our width. That sizes are true
+  // its G-code tells, below.
+  constexpr double kUnitMm = 0.025;
   Rect ours, theirs;
   std::vector<Point2> points;
   for (const auto& stroke : test::replay_hpgl(w.text).strokes) {
     for (const Point2 p : stroke) points.push_back(p * kUnitMm);
   }
   for (const Point2 p : points) ours.extend(p);
-  for (const Point2 p : read) theirs.extend(p * kPixelMm);
+  Rect pixels;
+  for (const Point2 p : read) pixels.extend(p);
+  const double pixel_mm = ours.width() / pixels.width();
+  for (const Point2 p : read) theirs.extend(p * pixel_mm);
   constexpr double kWithinMm = 0.05;
-  EXPECT_NEAR(theirs.width(), ours.width(), kWithinMm);
   EXPECT_NEAR(theirs.height(), ours.height(), kWithinMm);
   const auto nearest = [](Point2 p, const std::vector<Point2>& all) {
     double least = 1e300;
@@ -329,7 +332,7 @@ TEST_P(Hp2xx, ReadsTheSameDrawingOfTheSameSize) {
     return least;
   };
   std::vector<Point2> shifted;
-  for (const Point2 p : read) shifted.push_back({p.x * kPixelMm - theirs.min.x + ours.min.x, theirs.max.y - p.y * kPixelMm + ours.min.y});
+  for (const Point2 p : read) shifted.push_back({p.x * pixel_mm - theirs.min.x + ours.min.x, theirs.max.y - p.y * pixel_mm + ours.min.y});
   for (const Point2 p : points) EXPECT_LE(nearest(p, shifted), kWithinMm) << p.x << " " << p.y;
   for (const Point2 p : shifted) EXPECT_LE(nearest(p, points), kWithinMm) << p.x << " " << p.y;
 }
