@@ -26,6 +26,7 @@ libcgal-dev          hdr:CGAL/Lazy_exact_nt.h        exact arithmetic for the or
 librsvg2-bin         cmd:rsvg-convert                an independent reader of our SVG
 poppler-utils        cmd:pdftotext                   an independent reader of our PDF
 libpugixml-dev       hdr:pugixml.hpp                 reads SVG back
+libpolyclipping-dev  hdr:polyclipping/clipper.hpp    an independent clipper of polygons
 '
 
 # True when the probe (cmd:, pc: or hdr:) finds its thing.
