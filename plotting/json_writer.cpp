@@ -212,6 +212,10 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
     append_array(out, document.order->faces.size(),
                  [&](std::string& text, std::size_t i) { append_face(text, document.order->faces[i]); });
   }
+  if (document.debug) {
+    out += ",\n\"debug\":";
+    append_array(out, document.debug->size(), [&](std::string& text, std::size_t i) { append_contour(text, (*document.debug)[i]); });
+  }
   append_stats(out, document.statistics);
   return out;
 }

@@ -34,6 +34,7 @@ struct DrawingDocument {
   const StrokeModel* strokes = nullptr;
   const std::vector<Region>* regions = nullptr;
   const PaintOrder* order = nullptr;
+  const std::vector<std::vector<Point2>>* debug = nullptr;  ///< polylines that show how the method worked
   std::function<SourceEdge(std::uint32_t)> source;  ///< the source edge of that number; called from several threads at once
   glm::dmat4 model_to_page{1};
   bool perspective = false;

@@ -46,13 +46,25 @@ VisibilityResult study(const DrawOptions& options, const Method& method, const P
   ProgressBar bar(options.run);
   StudyOptions study_options;
   study_options.hidden_strokes = options.method.hidden != HiddenLines::none;
+  study_options.settings = settings_of(options.method, method);
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return method.study(projected, study_options);
 }
 
+/// Below all lines.
+void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& polylines) {
+  Layer layer{"debug", {}};
+  for (const std::vector<Point2>& line : polylines) {
+    layer.lines.points.insert(layer.lines.points.end(), line.begin(), line.end());
+    layer.lines.begin.push_back(static_cast<std::uint32_t>(layer.lines.points.size()));
+  }
+  drawing.layers.insert(drawing.layers.begin(), std::move(layer));
+}
+
 std::string written(OutputFormat format, const DrawingDocument& document, const PlotOptions& plot) {
   if (format == OutputFormat::json) return write_json(document, plot);
-  const Drawing drawing = make_drawing(*document.strokes);
+  Drawing drawing = make_drawing(*document.strokes);
+  if (document.debug) add_debug_layer(drawing, *document.debug);
   switch (format) {
     case OutputFormat::pdf:
       return write_pdf(drawing, plot);
@@ -70,6 +82,7 @@ void report(const RunOptions& options, const RunReport& run) {
 
 void draw(const DrawOptions& options) {
   const Method& method = method_of(options.method);
+  settings_of(options.method, method);  // a wrong one is told before anything is read
   const OutputFormat format = format_of(options.output);
   const std::string& place_of_warnings = options.model.files.front();
   RunReport run;
@@ -113,6 +126,7 @@ void draw(const DrawOptions& options) {
     document.strokes = &strokes;
     document.regions = result.regions ? &*result.regions : nullptr;
     document.order = result.order ? &*result.order : nullptr;
+    document.debug = result.debug.empty() ? nullptr : &result.debug;
     document.source = [&](std::uint32_t source) {
       return source < strokes.edge_count ? source_edge(scene, edges.at(source))
                                          : strokes.intersections.at(source - strokes.edge_count);

@@ -232,6 +232,7 @@ void inform(const InfoOptions& options) {
   Info info;
   RunReport run;
   info.method = &method_of(options.method);
+  settings_of(options.method, *info.method);
   info.models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   const Scene& scene = info.models.scene;
   info.up_axis = options.view.up_axis.value_or(scene.up_axis);

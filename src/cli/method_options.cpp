@@ -1,5 +1,6 @@
 #include "cli/method_options.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,6 +17,35 @@ const Method* parse_method(const std::string& text) {
   std::vector<std::string_view> names{"auto"};
   for (const Method* method : all_methods()) names.push_back(method->traits().name);
   throw std::invalid_argument("\"" + text + "\" is not one of " + list_of(names));
+}
+
+unsigned parse_value(const std::string& text, const MethodParameter& parameter) {
+  if (parameter.words.empty()) return parse_count(text, parameter.low, parameter.high);
+  return static_cast<unsigned>(parse_choice(text, parameter.words));
+}
+
+/// One option for each name, whatever the number of methods that have it.
+void add_parameters(CLI::App& app, MethodOptions& options) {
+  std::vector<std::string_view> names;
+  for (const Method* owner : all_methods()) {
+    for (const MethodParameter& parameter : owner->traits().parameters) {
+      if (std::find(names.begin(), names.end(), parameter.name) != names.end()) continue;
+      names.push_back(parameter.name);
+      std::string owners;
+      for (const Method* method : all_methods()) {
+        for (const MethodParameter& p : method->traits().parameters) {
+          if (p.name == parameter.name) owners += (owners.empty() ? "" : ", ") + std::string(method->traits().name);
+        }
+      }
+      app.add_option_function<std::string>(
+             "--" + std::string(parameter.name),
+             [&options, &parameter](const std::string& text) { options.given.emplace_back(&parameter, text); },
+             owners + ": " + std::string(parameter.meaning))
+          ->type_name(std::string(parameter.kind))
+          ->default_str(std::string(parameter.standard))
+          ->group("Methods");
+    }
+  }
 }
 
 }  // namespace
@@ -41,12 +71,29 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
           ->default_str("none");
   CLI::Option* cull = app.add_flag("--cull", options.cull, "leave out back faces of closed, consistently wound objects");
   for (CLI::Option* option : {method, edges, crease, hidden, cull}) option->group("Lines");
+  add_parameters(app, options);
 }
 
 const Method& method_of(const MethodOptions& options) {
   const Method* method = options.method ? options.method : find_method("auto");
   if (!method) throw UsageError("--method", "there is no default method");
   return *method;
+}
+
+MethodSettings settings_of(const MethodOptions& options, const Method& method) {
+  MethodSettings settings;
+  for (const auto& [parameter, text] : options.given) {
+    const std::string option = "--" + std::string(parameter->name);
+    const auto own = method.traits().parameters;
+    const auto found = std::find_if(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == parameter->name; });
+    if (found == own.end()) throw UsageError(option, "method " + std::string(method.traits().name) + " has no such option");
+    try {
+      settings.set(found->name, parse_value(text, *found));
+    } catch (const std::invalid_argument& e) {
+      throw UsageError(option, e.what());
+    }
+  }
+  return settings;
 }
 
 }  // namespace ligne

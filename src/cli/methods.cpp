@@ -26,6 +26,13 @@ std::string text_list(const Method* default_method) {
     text += "  numbers      " + precision_name(traits) + "\n";
     text += std::string("  penetration  ") + (traits.penetration ? "drawn" : "not drawn") + "\n";
     text += "  paper        " + std::string(traits.paper) + "\n";
+    const char* head = "  options      ";
+    for (const MethodParameter& p : traits.parameters) {
+      text += head + ("--" + std::string(p.name) + " " + std::string(p.kind));
+      if (!p.standard.empty()) text += " [" + std::string(p.standard) + "]";
+      text += ": " + std::string(p.meaning) + "\n";
+      head = "               ";
+    }
   }
   return text;
 }
@@ -42,6 +49,10 @@ std::string json_list(const Method* default_method) {
     entry["penetration"] = traits.penetration;
     entry["paper"] = traits.paper;
     entry["default"] = method == default_method;
+    entry["options"] = nlohmann::ordered_json::array();
+    for (const MethodParameter& p : traits.parameters) {
+      entry["options"].push_back({{"name", "--" + std::string(p.name)}, {"value", p.kind}, {"default", p.standard}, {"meaning", p.meaning}});
+    }
     list.push_back(std::move(entry));
   }
   return nlohmann::ordered_json{{"format", "ligne-methods"}, {"version", 1}, {"methods", std::move(list)}}.dump(2) + "\n";

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "drawing/statistics.hpp"
 #include "drawing/stroke.hpp"
 #include "view/projected_scene.hpp"
+#include "visibility/method_parameters.hpp"
 
 namespace ligne {
 
@@ -32,11 +34,13 @@ struct MethodTraits {
   bool penetration = true;   ///< draws penetrating faces right
   std::string_view paper;    ///< author, title, year
   double tolerance_mm = 0.001;  ///< how far on the page a line or an end of it may be off; more for methods that are not exact
+  std::span<const MethodParameter> parameters{};  ///< options of its own
 };
 
 struct StudyOptions {
   bool hidden_strokes = false;             ///< give the hidden pieces too
   std::function<void(double)> progress{};  ///< called with the fraction done, from one thread at a time; may be empty
+  MethodSettings settings{};               ///< values of the method's own parameters, each within its range
 };
 
 /// What was found. Models that a method does not produce stay empty.
@@ -46,6 +50,7 @@ struct VisibilityResult {
   std::optional<PaintOrder> order;
   std::optional<std::vector<Span>> spans;
   std::optional<PixelModel> pixels;
+  std::vector<std::vector<Point2>> debug;  ///< what shows how the method went about it: polylines in page mm
   Statistics statistics;
 };
 
