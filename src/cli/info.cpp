@@ -112,7 +112,7 @@ std::string text_of(const Info& info) {
   text += line("precision", rounded(scene.precision, 3) + " model units");
 
   text += "view\n";
-  for (std::size_t c = 0; c < kLineClassCount; ++c) {
+  for (std::size_t c = 0; c < kEdgeClassCount; ++c) {
     // The lines where faces penetrate each other are not edges of the scene: a method finds them.
     if (static_cast<LineClass>(c) == LineClass::intersection) continue;
     text += line(std::string(kLineClassNames[c]), std::to_string(info.view.edges[c]) + " edges");
@@ -187,7 +187,7 @@ std::string json_of(const Info& info) {
 
   Json view;
   view["edges"] = Json::object();
-  for (std::size_t c = 0; c < kLineClassCount; ++c) {
+  for (std::size_t c = 0; c < kEdgeClassCount; ++c) {
     if (static_cast<LineClass>(c) != LineClass::intersection)
       view["edges"][std::string(kLineClassNames[c])] = info.view.edges[c];
   }

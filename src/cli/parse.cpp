@@ -118,20 +118,20 @@ Axis parse_axis(std::string_view text) {
 }
 
 LineClasses parse_edges(std::string_view text) {
+  constexpr std::span names = std::span(kLineClassNames).first<kEdgeClassCount>();
   LineClasses classes;
   for (const std::string_view word : split(text, ',')) {
     bool known = false;
-    for (std::size_t i = 0; i < kLineClassCount; ++i) {
+    for (std::size_t i = 0; i < kEdgeClassCount; ++i) {
       const LineClass line_class = static_cast<LineClass>(i);
       const bool in_group = word == "all" || (word == "feature" && line_class != LineClass::mesh);
-      if (in_group || word == kLineClassNames[i]) {
+      if (in_group || word == names[i]) {
         classes.add(line_class);
         known = true;
       }
     }
     if (!known) {
-      fail(word, "is not one of " + list_of(kLineClassNames).replace(list_of(kLineClassNames).rfind(" or "), 4, ", ") +
-                     ", feature or all");
+      fail(word, "is not one of " + list_of(names).replace(list_of(names).rfind(" or "), 4, ", ") + ", feature or all");
     }
   }
   return classes;

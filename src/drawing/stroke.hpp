@@ -17,10 +17,13 @@ enum class LineClass : std::uint8_t {
   intersection,  ///< of two penetrating faces
   crease,        ///< normals differ by more than the crease angle, or more than two faces
   mesh,          ///< all others
+  horizon,       ///< iso-curve of a surface, whatever its faces (kCornerCurve in scene/scene.hpp)
 };
-inline constexpr std::size_t kLineClassCount = 5;
-inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{"outline", "border", "intersection", "crease",
-                                                                               "mesh"};
+inline constexpr std::size_t kLineClassCount = 6;
+/// The first classes are those that `--edges` names.
+inline constexpr std::size_t kEdgeClassCount = 5;
+inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{"outline", "border", "intersection",
+                                                                               "crease",  "mesh",   "horizon"};
 
 /// A set of classes.
 struct LineClasses {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <system_error>
+#include <utility>
 
 #include "scene/text_lines.hpp"
 
@@ -76,7 +77,10 @@ bool has_name(const Table& table, std::string_view name) {
 /// Goes through the formula once, token by token.
 class Preparation {
  public:
-  explicit Preparation(std::string_view formula) : formula_(formula) {}
+  Preparation(std::string_view formula, FormulaLanguage language) : formula_(formula) {
+    out_.uses.assign(language.variables.size(), false);
+    out_.language = std::move(language);
+  }
 
   FormulaText run() {
     while (skip_blanks(), at_ < formula_.size()) {
@@ -85,14 +89,21 @@ class Preparation {
       else if (is_letter(c)) take_name();
       else take_sign(c);
     }
-    if (!open_.empty()) throw formula_error(open_.back() + 1, "'(' without its ')'");
-    if (out_.text.empty()) throw formula_error(1, "is empty");
+    if (!open_.empty()) throw formula_error(out_.language, open_.back() + 1, "'(' without its ')'");
+    if (out_.text.empty()) throw formula_error(out_.language, 1, "is empty");
     out_.columns.push_back(formula_.size() + 1);
     return std::move(out_);
   }
 
  private:
-  InputError error(const std::string& cause) const { return formula_error(at_ + 1, cause); }
+  InputError error(const std::string& cause) const { return formula_error(out_.language, at_ + 1, cause); }
+
+  /// "x, y, pi and e".
+  std::string names() const {
+    std::string list;
+    for (const std::string_view variable : out_.language.variables) list += std::string(variable) + ", ";
+    return list + "pi and e";
+  }
 
   void skip_blanks() {
     while (at_ < formula_.size() && (is_blank(formula_[at_]) || formula_[at_] == '\n' || formula_[at_] == '\r')) ++at_;
@@ -128,13 +139,14 @@ class Preparation {
     const std::size_t next = formula_.find_first_not_of(" \t\v\f\r\n", end);
     const bool is_call = next != std::string_view::npos && formula_[next] == '(';
 
-    if (const auto variable = std::ranges::find(kFormulaVariables, name); variable != kFormulaVariables.end()) {
-      out_.uses[static_cast<std::size_t>(variable - kFormulaVariables.begin())] = true;
+    const auto variables = out_.language.variables;
+    if (const auto variable = std::ranges::find(variables, name); variable != variables.end()) {
+      out_.uses[static_cast<std::size_t>(variable - variables.begin())] = true;
     } else if (has_name(kFunctions, name)) {
       if (!is_call) throw error("function " + shown(name) + " without its arguments in parentheses");
     } else if (!has_name(kConstants, name)) {
       throw error(is_call ? "unknown function " + shown(name)
-                          : "unknown name " + shown(name) + "; there are x, y, r, theta, pi and e");
+                          : "unknown name " + shown(name) + "; there are " + names());
     }
     need_operator(name);
     if (has_name(kFunctions, name)) after_value_ = false;
@@ -184,15 +196,15 @@ class Preparation {
 std::span<const FormulaFunction> formula_functions() { return kFunctions; }
 std::span<const FormulaConstant> formula_constants() { return kConstants; }
 
-FormulaText prepare_formula(std::string_view formula) {
+FormulaText prepare_formula(std::string_view formula, FormulaLanguage language) {
   if (formula.size() > kLongestFormula) {
-    throw formula_error(kLongestFormula + 1, "is longer than " + std::to_string(kLongestFormula) + " characters");
+    throw formula_error(language, kLongestFormula + 1, "is longer than " + std::to_string(kLongestFormula) + " characters");
   }
-  return Preparation(formula).run();
+  return Preparation(formula, std::move(language)).run();
 }
 
-InputError formula_error(std::size_t column, const std::string& cause) {
-  return InputError("formula:" + std::to_string(column), cause);
+InputError formula_error(const FormulaLanguage& language, std::size_t column, const std::string& cause) {
+  return InputError(language.name + ":" + std::to_string(column), cause);
 }
 
 }  // namespace ligne

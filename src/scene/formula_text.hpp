@@ -28,7 +28,13 @@ struct FormulaConstant {
 };
 std::span<const FormulaConstant> formula_constants();
 
-/// In the order of FormulaText::uses: x, y, r, theta.
+/// The variables of a formula, and what stands for it in error messages.
+struct FormulaLanguage {
+  std::span<const std::string_view> variables;
+  std::string name = "formula";
+};
+
+/// Of z = f(x, y): the place, and its polar coordinates.
 inline constexpr std::array<std::string_view, 4> kFormulaVariables{"x", "y", "r", "theta"};
 
 /// More than anybody types, and little enough for a parser whose time grows with the square of the length.
@@ -37,14 +43,15 @@ inline constexpr std::size_t kLongestFormula = 10'000;
 struct FormulaText {
   std::string text;                  ///< without blanks, ** as ^
   std::vector<std::size_t> columns;  ///< of the characters of `text`, from 1, and of the end
-  std::array<bool, 4> uses{};        ///< which variables occur
+  std::vector<bool> uses;            ///< per variable of the language: whether it occurs
+  FormulaLanguage language;
 };
 
 /// Throws InputError for unknown characters and names, numbers and names side by side, assignments, parentheses without a
-/// partner, and whatever is too long.
-FormulaText prepare_formula(std::string_view formula);
+/// partner, and whatever is too long. The names of the language must outlive the result.
+FormulaText prepare_formula(std::string_view formula, FormulaLanguage language = {kFormulaVariables});
 
-/// "formula:COLUMN: cause".
-InputError formula_error(std::size_t column, const std::string& cause);
+/// "formula:COLUMN: cause", with the name of the language in place of "formula".
+InputError formula_error(const FormulaLanguage& language, std::size_t column, const std::string& cause);
 
 }  // namespace ligne

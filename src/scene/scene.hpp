@@ -46,6 +46,8 @@ enum class Axis : std::uint8_t { x, y, z };
 enum CornerFlag : std::uint8_t {
   kCornerFileHidden = 1,  ///< the file marks this edge as not to be drawn (3D Studio AB BC CA = 0): class mesh
   kCornerInner = 2,       ///< cut inside a polygon by triangulation: class mesh, never a crease
+  kCornerCurve = 4,       ///< part of an iso-curve: class horizon, whatever its faces
+  kCornerCrossing = 8,    ///< surfaces pass through each other along this edge: class intersection
 };
 
 /// A scene. Indices are into the arrays here. After finish_scene() (scene/clean.hpp) vertices of an object are distinct in

@@ -121,8 +121,13 @@ std::uint8_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::uin
     if ((a.face_and_direction & kReversed) == (b.face_and_direction & kReversed)) flags |= kEdgeUnlikeWound;
   }
   if (!buckets.corner_flags.empty()) {
-    std::uint8_t common = 0xff;  // an edge is as the file says only when all faces on it say so
-    for (std::uint32_t k = begin; k < end; ++k) common &= buckets.corner_flags[k];
+    std::uint8_t common = 0xff, any = 0;  // an edge is as the file says only when all faces on it say so
+    for (std::uint32_t k = begin; k < end; ++k) {
+      common &= buckets.corner_flags[k];
+      any |= buckets.corner_flags[k];
+    }
+    if (any & kCornerCurve) flags |= kEdgeCurve;
+    if (any & kCornerCrossing) flags |= kEdgeCrossing;
     if (common & kCornerFileHidden) flags |= kEdgeFileHidden;
     if (common & kCornerInner) flags |= kEdgeInner;
   }

@@ -95,7 +95,11 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
       const Edge& edge = topology.edges[e];
       const std::uint8_t flags = topology.edge_flags[e];
       LineClass& result = classes[e];
-      if (edge.face1 == kNone) {
+      if (flags & kEdgeCrossing) {
+        result = LineClass::intersection;
+      } else if (flags & kEdgeCurve) {
+        result = LineClass::horizon;
+      } else if (edge.face1 == kNone) {
         result = LineClass::border;
       } else if (flags & kEdgeManyFaces) {
         result = LineClass::crease;

@@ -63,6 +63,8 @@ TEST(ParsePoint, ThreeNumbers) {
 TEST(ParseEdges, ListsAndGroups) {
   const LineClasses some = parse_edges("outline,mesh");
   EXPECT_TRUE(some.has(LineClass::outline) && some.has(LineClass::mesh));
+  EXPECT_THROW(parse_edges("horizon"), std::invalid_argument) << "the curves of surfaces are no edges of models";
+  EXPECT_FALSE(parse_edges("all").has(LineClass::horizon));
   EXPECT_FALSE(some.has(LineClass::crease) || some.has(LineClass::border) || some.has(LineClass::intersection));
   EXPECT_EQ(parse_edges("feature").bits, parse_edges("outline,crease,border,intersection").bits);
   EXPECT_EQ(parse_edges("all").bits, parse_edges("feature,mesh").bits);

@@ -48,11 +48,21 @@ struct Drawn {
   }
 };
 
+View view_of(const HeightSource& source, const CameraRequest& request, double z_scale) {
+  const Camera camera = make_camera(request, box_of(source, survey(source), z_scale));
+  return make_view(stand_in(source, z_scale, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+}
+
 Drawn drawn(const HeightSource& source, const CameraRequest& request, HorizonOptions options = {}) {
-  const Camera camera = make_camera(request, stand_in(source, options.z_scale, nullptr));
-  const View view = make_view(stand_in(source, options.z_scale, &camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+  const View view = view_of(source, request, options.z_scale);
   Statistics statistics;
-  return {horizon_curves(source, view, options, statistics), view};
+  return {horizon_lines(source, view, options, statistics).curves, view};
+}
+
+HorizonOptions by_curves() {
+  HorizonOptions options;
+  options.hidden_by = HiddenBy::curves;
+  return options;
 }
 
 CameraRequest along(const Point3& direction) {
@@ -156,11 +166,11 @@ TEST(Horizon, IsWhatAllPairsSay) {
   for (const Function& f : {Function(waves), Function(sombrero), Function(ridges)}) {
     const FunctionHeights source = heights(f, 21);
     for (const Point3& direction : {Point3{1, 0.7, -0.5}, Point3{0.3, 1, -0.2}, Point3{1, 0.2, 0.4}, Point3{0.6, 0.8, -3}}) {
-      const Drawn picture = drawn(source, along(direction));
+      const Drawn picture = drawn(source, along(direction), by_curves());
       EXPECT_NEAR(picture.length(), brute_force(source, picture), 0.01) << direction.x;
     }
     for (const Point3& eye : {Point3{-3, -2.5, 2}, Point3{-1.2, -1.4, 0.6}}) {
-      const Drawn picture = drawn(source, from(eye));
+      const Drawn picture = drawn(source, from(eye), by_curves());
       EXPECT_NEAR(picture.length(), brute_force(source, picture), 0.01) << "eye " << eye.x;
     }
   }
@@ -169,8 +179,9 @@ TEST(Horizon, IsWhatAllPairsSay) {
 TEST(Horizon, SidesAreAlike) {
   // The same surface turned by quarters, seen from directions turned with it.
   const double full = drawn(heights(waves, 25), along({1, 0.7, -0.5})).length();
-  const auto turned = [](double x, double y) { return waves(y, -x); };
-  EXPECT_NEAR(drawn(heights(turned, 25), along({-0.7, 1, -0.5})).length(), full, 1e-3);
+  const double full_by_curves = drawn(heights(waves, 25), along({1, 0.7, -0.5}), by_curves()).length();
+  const auto turned = [](double x, double y) { return waves(y, -x); };  // a quarter: the cells' diagonals are others
+  EXPECT_NEAR(drawn(heights(turned, 25), along({-0.7, 1, -0.5}), by_curves()).length(), full_by_curves, 1e-3);
   const auto half = [](double x, double y) { return waves(-x, -y); };
   EXPECT_NEAR(drawn(heights(half, 25), along({-1, -0.7, -0.5})).length(), full, 1e-3);
 }

@@ -12,12 +12,11 @@ namespace ligne::horizon {
 
 class CurveTracker {
  public:
-  explicit CurveTracker(Polylines& lines) : lines_(&lines) {}
-
-  /// The part from t0 to t1 of the segment a, b in space is seen. Parts come in order along the curve.
-  void add(const HomogeneousPoint& a, const HomogeneousPoint& b, double t0, double t1) {
-    if (!(goes_on_ && t0 == 0)) {
+  /// The part from t0 to t1 of the segment a, b in space is seen; it belongs to `lines`. Parts come in order along the curve.
+  void add(const HomogeneousPoint& a, const HomogeneousPoint& b, double t0, double t1, Polylines& lines) {
+    if (!(goes_on_ && t0 == 0 && lines_ == &lines)) {
       end();
+      lines_ = &lines;
       points_.push_back(at(a, b, t0));
     }
     points_.push_back(at(a, b, t1));
@@ -45,13 +44,13 @@ class CurveTracker {
     points_.clear();
   }
 
- private:
   static Point2 at(const HomogeneousPoint& a, const HomogeneousPoint& b, double t) {
     const HomogeneousPoint p = t == 0 ? a : t == 1 ? b : interpolate(a, b, t);
     return {p.x / p.w, p.y / p.w};
   }
 
-  Polylines* lines_;
+ private:
+  Polylines* lines_ = nullptr;
   std::vector<Point2> points_;
   bool goes_on_ = false, reached_end_ = false;
 };

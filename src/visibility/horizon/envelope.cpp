@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "visibility/horizon/level.hpp"
+
 namespace ligne::horizon {
 namespace {
-
-/// Parts of the u axis that are shorter than this part of it are rounding.
-constexpr double kLeastPart = 0x1p-42;
-
-/// Heights that differ by less than this part of the picture's size are level: they are the sum of a dozen roundings. So are heights that a
-/// line has at places that differ by less.
-constexpr double kLevelPart = 0x1p-44;
 
 /// Appends a span, joined to the last one where that ends.
 void append(std::vector<Span>& spans, Span span, double least) {
@@ -36,7 +31,7 @@ std::size_t ExactEnvelope::cell_of(double u) const {
 }
 
 /// Puts into found_ where the line is above the pieces of the cell, or where there are none.
-void ExactEnvelope::find_above(const std::vector<Piece>& cell, const Piece& line, double tolerance) {
+void ExactEnvelope::find_in_cell(const std::vector<Piece>& cell, const Piece& line, double tolerance) {
   found_.clear();
   const auto level = [tolerance](double d) { return std::abs(d) <= tolerance ? 0.0 : d; };
   double at = line.u0;  // up to here all is known
@@ -81,7 +76,8 @@ void ExactEnvelope::rebuild(std::vector<Piece>& cell, const Piece& line) {
   cell.assign(rebuilt_.begin(), rebuilt_.end());
 }
 
-void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) {
+template <bool kRaise>
+void ExactEnvelope::search(const Line& line, std::vector<Span>& above) {
   const std::size_t first_span = above.size();
   const std::size_t first = cell_of(line.u0), last = cell_of(line.u1);
   Piece piece{line.u0, line.u1, line.u0, line.v0, (line.v1 - line.v0) / (line.u1 - line.u0)};
@@ -90,9 +86,9 @@ void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) {
     piece.u0 = c == first ? line.u0 : u_min_ + static_cast<double>(c) * width_;
     piece.u1 = c == last ? line.u1 : u_min_ + static_cast<double>(c + 1) * width_;
     if (!(piece.u0 < piece.u1)) continue;
-    find_above(cells_[c], piece, tolerance);
+    find_in_cell(cells_[c], piece, tolerance);
     if (found_.empty()) continue;
-    rebuild(cells_[c], piece);
+    if constexpr (kRaise) rebuild(cells_[c], piece);
     for (const Span& span : found_) {
       if (above.size() > first_span) {
         append(above, span, least_);
@@ -107,6 +103,14 @@ void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) {
   if (line.u1 - above.back().to <= least_) above.back().to = line.u1;
 }
 
+void ExactEnvelope::find_above(const Line& line, std::vector<Span>& above) {
+  search<false>(line, above);
+}
+
+void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) {
+  search<true>(line, above);
+}
+
 double ExactEnvelope::height(double u) const {
   double highest = kNothing;
   // Where pieces end the neighbours count too, also those of the next cell.
@@ -117,6 +121,14 @@ double ExactEnvelope::height(double u) const {
     }
   }
   return highest;
+}
+
+double ExactEnvelope::height_beside(double u, int side) const {
+  const double at = u + 2 * (side < 0 ? -least_ : least_);
+  for (const Piece& p : cells_[cell_of(at)]) {
+    if (p.u0 <= at && at <= p.u1) return p.height(std::clamp(u, p.u0, p.u1));
+  }
+  return kNothing;
 }
 
 std::size_t ExactEnvelope::piece_count() const {
@@ -136,7 +148,8 @@ std::size_t PixelEnvelope::column_of(double u) const {
   return c <= 0 ? 0 : std::min(static_cast<std::size_t>(c), heights_.size() - 1);
 }
 
-void PixelEnvelope::raise(const Line& line, std::vector<Span>& above) {
+template <bool kRaise>
+void PixelEnvelope::search(const Line& line, std::vector<Span>& above) {
   const std::size_t first_span = above.size(), first = column_of(line.u0), last = column_of(line.u1);
   const double slope = (line.v1 - line.v0) / (line.u1 - line.u0);
   for (std::size_t c = first; c <= last; ++c) {
@@ -144,13 +157,21 @@ void PixelEnvelope::raise(const Line& line, std::vector<Span>& above) {
     const double right = std::min(line.u1, u_min_ + static_cast<double>(c + 1) * width_);
     const double height = line.v0 + slope * ((left + right) / 2 - line.u0);
     if (!(height > heights_[c])) continue;
-    heights_[c] = height;
+    if constexpr (kRaise) heights_[c] = height;
     if (above.size() > first_span && above.back().to >= left) {
       above.back().to = right;
     } else {
       above.push_back({left, right});
     }
   }
+}
+
+void PixelEnvelope::find_above(const Line& line, std::vector<Span>& above) {
+  search<false>(line, above);
+}
+
+void PixelEnvelope::raise(const Line& line, std::vector<Span>& above) {
+  search<true>(line, above);
 }
 
 }  // namespace ligne::horizon

@@ -27,12 +27,17 @@ class ExactEnvelope {
   /// For lines in [u_min, u_max]. `cells` is best about the number of curves.
   ExactEnvelope(double u_min, double u_max, std::size_t cells);
 
-  /// Appends to `above` where the line is higher than the horizon, or where there is none yet (ascending, each as long as can be); then raises
-  /// the horizon there.
+  /// Appends to `above` where the line is higher than the horizon, or where there is none yet: ascending, each as long as can be.
+  void find_above(const Line& line, std::vector<Span>& above);
+
+  /// The same; then raises the horizon there.
   void raise(const Line& line, std::vector<Span>& above);
 
-  /// Height of the horizon at u, kNothing where there is none.
+  /// Height of the horizon at u, kNothing where there is none: the higher one where it jumps.
   double height(double u) const;
+
+  /// Its limit from the left (side < 0) or from the right.
+  double height_beside(double u, int side) const;
 
   std::size_t piece_count() const;
 
@@ -45,7 +50,9 @@ class ExactEnvelope {
   };
 
   std::size_t cell_of(double u) const;
-  void find_above(const std::vector<Piece>& cell, const Piece& line, double tolerance);
+  template <bool kRaise>
+  void search(const Line& line, std::vector<Span>& above);
+  void find_in_cell(const std::vector<Piece>& cell, const Piece& line, double tolerance);
   void rebuild(std::vector<Piece>& cell, const Piece& line);
 
   double u_min_, extent_, width_, least_;
@@ -58,10 +65,14 @@ class ExactEnvelope {
 class PixelEnvelope {
  public:
   PixelEnvelope(double u_min, double u_max, std::size_t columns);
+  void find_above(const Line& line, std::vector<Span>& above);
   void raise(const Line& line, std::vector<Span>& above);
   double height(double u) const { return heights_[column_of(u)]; }
+  double height_beside(double u, int) const { return height(u); }
 
  private:
+  template <bool kRaise>
+  void search(const Line& line, std::vector<Span>& above);
   std::size_t column_of(double u) const;
 
   double u_min_, width_;

@@ -9,6 +9,7 @@ namespace ligne::horizon {
 
 /// Positions in ascending order: the samples, and the eye's where it lies between two of them. There the surface is divided, without a curve.
 struct GridAxis {
+  /// `eye`: the viewer's place along the axis, nothing in parallel projection.
   GridAxis(const std::vector<double>& samples, std::size_t stride, std::optional<double> eye);
 
   std::size_t sample_count;
@@ -24,7 +25,10 @@ struct GridAxis {
     bool first_is_drawn = true;  ///< false where another part draws the curve at its first position
   };
   /// Two parts where the eye lies inside, else one. Without an eye `forward` is the line of sight along the axis.
-  std::vector<Part> parts(std::optional<double> eye, double forward) const;
+  std::vector<Part> parts(double forward) const;
+
+ private:
+  std::optional<double> eye_;
 };
 
 }  // namespace ligne::horizon

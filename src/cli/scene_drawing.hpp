@@ -1,0 +1,39 @@
+#pragma once
+/// From a scene to the file that shows it: what all commands that draw scenes have in common.
+
+#include <string>
+
+#include "cli/method_options.hpp"
+#include "cli/output_options.hpp"
+#include "cli/page_options.hpp"
+#include "cli/run_options.hpp"
+#include "cli/stages.hpp"
+#include "cli/view_options.hpp"
+#include "scene/scene.hpp"
+
+namespace ligne {
+
+/// What is drawn and how.
+struct SceneDrawing {
+  const Method& method;
+  MethodSettings settings{};  ///< of the method's own parameters
+  LineClasses classes;
+  double crease_degrees = 30;
+  HiddenLines hidden = HiddenLines::none;
+  bool cull = false;
+  const ViewOptions& view;
+  const PageOptions& page;
+  const OutputOptions& output;
+  const RunOptions& run;
+  double dpi = 150;   ///< PNG
+  std::string title;  ///< of the document, may be empty
+  std::string place_of_warnings;
+};
+
+/// Studies, draws and writes; then reports when the options ask for it. Throws UsageError, std::runtime_error.
+void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run);
+
+/// Counts and times, where the options want them.
+void report(const RunOptions& options, const RunReport& run);
+
+}  // namespace ligne

@@ -1,0 +1,134 @@
+#include "cli/surface_samples.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "cli/models.hpp"
+#include "scene/height_filters.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr unsigned kCurves = 40;
+/// Samples between two neighbouring curves when nothing is said: smooth, but no more than a thousand along a curve for its own sake.
+constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000;
+
+/// Positions of the samples, and every how many there is a curve.
+struct Positions {
+  std::vector<double> at;
+  std::size_t stride = 1;
+};
+
+/// `crossed`: whether curves run along this axis and need samples between those of the other family.
+Positions positions(const CurveRange& range, bool crossed, const std::optional<unsigned>& samples) {
+  const unsigned intervals = range.curves.value_or(kCurves) - 1;
+  Positions result;
+  if (crossed && samples) {
+    result.stride = std::max(1u, (*samples - 1 + intervals - 1) / intervals);
+  } else if (crossed) {
+    result.stride = std::clamp(kSamplesAlong / intervals, 1u, kSamplesBetween);
+  }
+  const std::size_t n = result.stride * intervals;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(n);
+    result.at.push_back(i == n ? range.to : range.from + t * (range.to - range.from));
+  }
+  return result;
+}
+
+bool x_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::y; }
+bool y_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::x; }
+
+AxisWindow window_of(const std::optional<CurveRange>& range) { return range ? AxisWindow{range->from, range->to} : AxisWindow{}; }
+
+Surface grid_surface(const SurfaceOptions& options, const std::string& file) {
+  Warnings warnings;
+  Surface surface{file, read_grid(file, warnings)};
+  for (const auto& [kind, count] : warnings.counts()) {
+    if (!options.run.quiet) warn(file, std::to_string(count) + " " + kind);
+  }
+  if (options.x || options.y) {
+    surface.heights = window_heights(std::move(surface.heights), window_of(options.x), window_of(options.y), file);
+  }
+  surface.x_stride = surface.y_stride = options.every.value_or(1);
+  return surface;
+}
+
+/// The range of a formula's variable: as given, else that of the grids, else the default.
+CurveRange range_of(const std::optional<CurveRange>& given, const std::vector<Surface>& grids,
+                    const std::vector<double>& (HeightSource::*axis)() const) {
+  CurveRange range = given.value_or(CurveRange{});
+  if (given || grids.empty()) return range;
+  range.from = ((*grids.front().heights).*axis)().front();
+  range.to = ((*grids.front().heights).*axis)().back();
+  for (const Surface& grid : grids) {
+    range.from = std::min(range.from, ((*grid.heights).*axis)().front());
+    range.to = std::max(range.to, ((*grid.heights).*axis)().back());
+  }
+  return range;
+}
+
+/// The range of a parameter of the k-th parametric surface.
+CurveRange parameter_range(const std::vector<CurveRange>& given, std::size_t k) {
+  if (given.empty()) return {0, 2 * std::numbers::pi, {}};
+  return given[std::min(k, given.size() - 1)];
+}
+
+/// Leaves out the families of curves that are not wanted.
+template <class AnySurface>
+void choose_curves(AnySurface& surface, const SurfaceOptions& options) {
+  if (!x_curves(options)) surface.x_stride = 0;
+  if (!y_curves(options)) surface.y_stride = 0;
+}
+
+}  // namespace
+
+std::vector<Surface> surfaces_of(const SurfaceOptions& options) {
+  std::vector<Surface> grids;
+  for (const std::string& file : options.grids) grids.push_back(grid_surface(options, file));
+  // The horizon knows the curves alone; a mesh is fine in both directions.
+  const bool mesh = !drawn_by_horizon(options);
+  const CurveRange x_range = range_of(options.x, grids, &HeightSource::x), y_range = range_of(options.y, grids, &HeightSource::y);
+  std::vector<Surface> surfaces;
+  for (const std::string& formula : options.formulas) {
+    Positions x = positions(x_range, mesh || y_curves(options), options.samples);
+    Positions y = positions(y_range, mesh || x_curves(options), options.samples);
+    Surface& surface = surfaces.emplace_back(Surface{formula, nullptr, x.stride, y.stride, true});
+    surface.heights = formula_heights(formula, std::move(x.at), std::move(y.at));
+  }
+  for (Surface& grid : grids) surfaces.push_back(std::move(grid));
+  for (Surface& surface : surfaces) {
+    if (options.log_z) surface.heights = log_heights(std::move(surface.heights));
+    choose_curves(surface, options);
+  }
+  return surfaces;
+}
+
+std::vector<SurfacePoints> points_of(const SurfaceOptions& options) {
+  std::vector<SurfacePoints> all;
+  std::size_t samples = 0;
+  for (const Surface& surface : surfaces_of(options)) {
+    take_samples(samples, surface.heights->x().size(), surface.heights->y().size(), surface.name);
+    SurfacePoints& points = all.emplace_back(points_of(*surface.heights));
+    points.name = surface.name;
+    points.x_stride = surface.x_stride;
+    points.y_stride = surface.y_stride;
+    points.from_formula = surface.from_formula;
+  }
+  for (std::size_t k = 0; k < options.parametric.size(); ++k) {
+    const std::array<std::string, 3>& formulas = options.parametric[k];
+    const Positions u = positions(parameter_range(options.u, k), true, options.samples);
+    const Positions v = positions(parameter_range(options.v, k), true, options.samples);
+    const std::string name = formulas[0] + "; " + formulas[1] + "; " + formulas[2];
+    take_samples(samples, u.at.size(), v.at.size(), name);
+    SurfacePoints& points = all.emplace_back(parametric_points(formulas, u.at, v.at));
+    points.name = name;
+    points.x_stride = u.stride;
+    points.y_stride = v.stride;
+    choose_curves(points, options);
+  }
+  return all;
+}
+
+}  // namespace ligne

@@ -1,0 +1,29 @@
+#pragma once
+/// From the options of a surface to its samples.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/surface_options.hpp"
+#include "scene/height_source.hpp"
+#include "scene/surface_points.hpp"
+
+namespace ligne {
+
+/// Heights, and every how many samples there is a curve (HorizonOptions).
+struct Surface {
+  std::string name;  ///< the formula, or the file
+  std::unique_ptr<HeightSource> heights;
+  std::size_t x_stride = 1, y_stride = 1;
+  bool from_formula = false;
+};
+
+/// The surfaces z = f(x, y): those of formulas, then those of grids. Throws UsageError, InputError.
+std::vector<Surface> surfaces_of(const SurfaceOptions& options);
+
+/// The samples of all surfaces, for meshes; z = f(x, y) before the parametric ones. Throws UsageError, InputError.
+std::vector<SurfacePoints> points_of(const SurfaceOptions& options);
+
+}  // namespace ligne

@@ -1,0 +1,162 @@
+#pragma once
+/// What hides, in the two forms that the sweep over the grid works with.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "visibility/horizon/coverage.hpp"
+#include "visibility/horizon/envelope.hpp"
+#include "visibility/horizon/sight_line.hpp"
+
+namespace ligne::horizon {
+
+/// A segment is upright on the drawing plane when its ends are no farther apart across it than this part of the picture.
+inline constexpr double kUprightPart = 0x1p-42;
+
+/// Where a segment can be seen: above all that is nearer, below it, or either. A surface that rises in the picture behind the line of sight
+/// shows itself above its nearer parts only.
+enum class Against : std::uint8_t { upper, lower, both };
+
+/// Which banks of an upright line are looked at. It is hidden where all of them are covered; curves that hide have no banks.
+enum class Banks : std::uint8_t { left, right, both, none };
+
+/// An upper and a lower horizon, functions of u: for surfaces without holes.
+template <class Envelope>
+class TwoHorizons {
+ public:
+  static constexpr bool kCovers = false;
+
+  TwoHorizons(double u_min, double u_max, std::size_t cells)
+      : upright_(kUprightPart * (u_max - u_min)), upper_(u_min, u_max, cells), lower_(u_min, u_max, cells) {}
+
+  /// The fractions in space of a segment that are seen; valid until the next call.
+  const std::vector<Span>& seen(const SightPoint& a, const SightPoint& b, Against against, Banks banks) {
+    const SightLine sight(a, b, upright_);
+    seen_.clear();
+    if (sight.upright()) {
+      seen_upright(sight.line(), a.v(), banks);
+    } else if (against == Against::upper) {
+      upper_.find_above(sight.line(), seen_);
+    } else if (against == Against::lower) {
+      lower_.find_above(sight.upside_down(), seen_);
+    } else {
+      above_.clear();
+      below_.clear();
+      upper_.find_above(sight.line(), above_);
+      lower_.find_above(sight.upside_down(), below_);
+      join();
+    }
+    sight.to_space(seen_);
+    return seen_;
+  }
+
+  /// From now on the segment is part of the upper, of the lower horizon.
+  void raise(const SightPoint& a, const SightPoint& b, bool upper, bool lower) {
+    const SightLine sight(a, b, upright_);
+    if (sight.upright()) return;
+    above_.clear();
+    if (upper) upper_.raise(sight.line(), above_);
+    if (lower) lower_.raise(sight.upside_down(), above_);
+  }
+
+ private:
+  /// What is above or below, the two put together.
+  void join() {
+    std::vector<Span>& all = above_;
+    all.insert(all.end(), below_.begin(), below_.end());
+    std::sort(all.begin(), all.end(), [](const Span& s, const Span& t) { return s.from < t.from; });
+    for (const Span& s : all) {
+      if (!seen_.empty() && s.from <= seen_.back().to) {
+        seen_.back().to = std::max(seen_.back().to, s.to);
+      } else {
+        seen_.push_back(s);
+      }
+    }
+  }
+
+  /// `nearest`: the height of the line's nearer end, through which the surface passes on both banks.
+  void seen_upright(const Line& line, double nearest, Banks banks) {
+    const double u = line.u0;
+    double high = upper_.height(u), low = -lower_.height(u);
+    if (banks == Banks::both) {
+      high = std::min(upper_.height_beside(u, -1), upper_.height_beside(u, 1));
+      low = -std::min(lower_.height_beside(u, -1), lower_.height_beside(u, 1));
+    } else if (banks != Banks::none) {
+      const int side = banks == Banks::left ? -1 : 1;
+      high = upper_.height_beside(u, side);
+      low = -lower_.height_beside(u, side);
+    }
+    if (banks != Banks::none) {
+      high = std::max(high, nearest);
+      low = std::min(low, nearest);
+    }
+    if (!(line.v0 < line.v1)) return;
+    if (!(high >= low)) {  // there is no horizon here yet
+      seen_.push_back({line.v0, line.v1});
+      return;
+    }
+    if (line.v0 < low) seen_.push_back({line.v0, std::min(low, line.v1)});
+    if (high < line.v1) seen_.push_back({std::max(high, line.v0), line.v1});
+  }
+
+  double upright_;
+  Envelope upper_, lower_;
+  std::vector<Span> above_, below_, seen_;
+};
+
+/// A horizon that is no function of u: for surfaces with holes.
+class GeneralHorizon {
+ public:
+  static constexpr bool kCovers = true;
+
+  GeneralHorizon(double u_min, double u_max, std::size_t cells)
+      : upright_(kUprightPart * (u_max - u_min)), coverage_(u_min, u_max, cells) {}
+
+  const std::vector<Span>& seen(const SightPoint& a, const SightPoint& b, Against, Banks banks) {
+    const SightLine sight(a, b, upright_);
+    const Line& line = sight.line();
+    seen_.clear();
+    if (!sight.upright()) {
+      coverage_.find_uncovered(line, seen_);
+    } else if (line.v0 < line.v1) {
+      seen_upright(line, banks);
+    }
+    sight.to_space(seen_);
+    return seen_;
+  }
+
+  void cover(const SightPoint& a, const SightPoint& b, const SightPoint& c) {
+    coverage_.cover({{{a.u(), a.v()}, {b.u(), b.v()}, {c.u(), c.v()}}});
+  }
+
+ private:
+  void seen_upright(const Line& line, Banks banks) {
+    std::array<std::vector<Span>, 2> covered;  // left, right
+    for (const int k : {0, 1}) {
+      if (banks != (k == 0 ? Banks::right : Banks::left)) coverage_.find_covered_beside(line.u0, line.v0, line.v1, k == 0 ? -1 : 1, covered[k]);
+    }
+    std::vector<Span> hidden;
+    if (banks == Banks::left || banks == Banks::right) {
+      hidden = covered[banks == Banks::left ? 0 : 1];
+    } else {
+      for (const Span& a : covered[0]) {
+        for (const Span& b : covered[1]) {
+          const Span both{std::max(a.from, b.from), std::min(a.to, b.to)};
+          if (both.from < both.to) hidden.push_back(both);
+        }
+      }
+    }
+    const double least = coverage_.least();
+    Coverage::append_uncovered(line.v0, line.v1, least, hidden, seen_);
+    if (seen_.empty()) return;
+    if (seen_.front().from - line.v0 <= least) seen_.front().from = line.v0;
+    if (line.v1 - seen_.back().to <= least) seen_.back().to = line.v1;
+  }
+
+  double upright_;
+  Coverage coverage_;
+  std::vector<Span> seen_;
+};
+
+}  // namespace ligne::horizon

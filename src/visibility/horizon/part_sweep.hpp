@@ -1,0 +1,401 @@
+#pragma once
+/// The sweep over one part of the grid, from the nearest cell to the farthest.
+///
+/// Notation. Positions are counted from the viewer: column c and row r grow away from it. Cell c of a strip between two rows has the corners
+///
+///     q ---- f      row            n: nearest, f: farthest
+///     |      |
+///     n ---- p      before         columns c - 1, c
+///
+/// Its diagonal runs p - q ("anti") or n - f ("main"), whichever is the one of HiddenBy::surface in the grid's own directions. `first` is the
+/// triangle at the side n - p, `second` the one at the side q - f.
+///
+/// Invariant: when an edge is asked for, all that lies before it on any line of sight has been taken, and nothing that lies behind it.
+///
+/// A sight goes over the ground along one straight path, on which the surface is a function. While it rises in the picture ("facing" > 0: its upper
+/// side is seen) each of its points is seen when it is above all before; so the upper horizon needs to know no more than the
+/// edges where the surface stops to rise, and the lower one those where it stops to fall.
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "view/clip.hpp"
+#include "visibility/horizon/chains.hpp"
+#include "visibility/horizon/curve_tracker.hpp"
+#include "visibility/horizon/grid_axis.hpp"
+#include "visibility/horizon/horizon.hpp"
+#include "visibility/horizon/horizons.hpp"
+#include "visibility/horizon/sight.hpp"
+
+namespace ligne::horizon {
+
+/// In perspective nothing nearer to the vertical through the eye than this part of the target distance is drawn.
+inline constexpr double kNearestPart = 0x1p-30;
+/// Rows that are read at a time, by all threads.
+inline constexpr std::size_t kRowsAtATime = 64;
+
+/// Where the sweep puts what is seen.
+struct LineStore {
+  HorizonLines lines;
+  Chains outline, contours, base_contours;
+};
+
+/// A sample, for the horizon and on the page.
+struct Sample {
+  Point3 p;
+  SightPoint seen;
+  HomogeneousPoint page;
+  bool hole = true, inside = false;  ///< inside the window
+};
+
+template <class Horizon>
+class PartSweep {
+ public:
+  struct Grid {
+    const HeightSource& heights;
+    const GridAxis &x, &y;
+    const GridAxis::Part &columns, &rows;
+    bool transposed;  ///< x and y have changed places
+  };
+
+  PartSweep(const Grid& grid, const View& view, const HorizonOptions& options, std::pair<double, double> u_range, std::size_t cells,
+            LineStore& store)
+      : heights_(grid.heights), view_(view), options_(options), x_(grid.x), y_(grid.y), columns_(grid.columns), rows_(grid.rows),
+        transposed_(grid.transposed), anti_(grid.columns.sign == grid.rows.sign), sight_(view.camera, grid.columns.sign, grid.rows.sign),
+        volume_{view.window, view.near_distance}, nearest_(kNearestPart * view.camera.target_distance),
+        horizon_(u_range.first, u_range.second, cells), store_(store), column_curves_(columns_.order.size()) {
+    for (const double level : options.contours) levels_.push_back(level * options.z_scale);
+  }
+
+  /// Calls progress(rows done).
+  template <class Progress>
+  void run(Progress progress) {
+    std::vector<std::vector<Sample>> rows(kRowsAtATime);
+    std::vector<std::vector<Facings>> facings(kRowsAtATime);
+    std::vector<Sample> last_row;
+    // A strip is studied when the facings of the next one are known.
+    std::vector<Sample> before, row;
+    std::vector<Facings> strip, next;
+    const std::size_t n = rows_.order.size();
+    for (std::size_t first = 0; first < n; first += kRowsAtATime) {
+      const std::size_t count = std::min(kRowsAtATime, n - first);
+      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) { read(rows_.order[first + k], rows[k]); });
+      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+        if (first + k > 0) find_facings(k > 0 ? rows[k - 1] : last_row, rows[k], facings[k]);
+      });
+      last_row = rows[count - 1];
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t r = first + k;
+        if (r >= 2) study(before, row, strip, facings[k], r - 1);
+        std::swap(before, row);
+        std::swap(row, rows[k]);
+        std::swap(strip, facings[k]);
+      }
+      progress(count);
+    }
+    next.assign(columns_.order.size(), Facings{});
+    if (n >= 2) study(before, row, strip, next, n - 1);
+    for (CurveTracker& curve : column_curves_) curve.end();
+    find_back_lines();
+  }
+
+  std::size_t segments = 0;
+
+ private:
+  /// +1: the upper side is seen, -1: the lower one, 0: edge on.
+  static constexpr std::int8_t kNoFace = 2;
+  struct Facings {
+    std::int8_t first = kNoFace, second = kNoFace;
+    bool any() const { return first != kNoFace; }
+  };
+  std::int8_t near_column(const Facings& f) const { return anti_ ? f.first : f.second; }
+  std::int8_t far_column(const Facings& f) const { return anti_ ? f.second : f.first; }
+
+  Sample sample(const Point3& p) const {
+    Sample s{p, sight_(p), to_homogeneous(view_, p), false, false};
+    s.inside = volume_.contains(s.page);
+    return s;
+  }
+
+  Point3 placed(double x, double y, double z) const { return transposed_ ? Point3{y, x, z} : Point3{x, y, z}; }
+
+  void read(std::size_t row, std::vector<Sample>& samples) const {
+    std::vector<double> z(x_.sample_count), other;
+    heights_.read_row(y_.sample[row], z);
+    if (y_.fraction[row] > 0) {
+      other.resize(z.size());
+      heights_.read_row(y_.sample[row] + 1, other);
+      for (std::size_t i = 0; i < z.size(); ++i) z[i] += (other[i] - z[i]) * y_.fraction[row];
+    }
+    samples.resize(columns_.order.size());
+    for (std::size_t c = 0; c < samples.size(); ++c) {
+      const std::size_t column = columns_.order[c], i = x_.sample[column];
+      const double here = x_.fraction[column] > 0 ? z[i] + (z[i + 1] - z[i]) * x_.fraction[column] : z[i];
+      const double height = here * options_.z_scale;
+      samples[c] = std::isfinite(height) ? sample(placed(x_.at[column], y_.at[row], height)) : Sample{};
+    }
+  }
+
+  /// Facing of the triangle a, b, c, counter-clockwise in columns and rows.
+  std::int8_t facing(const Sample& a, const Sample& b, const Sample& c) const {
+    const SightPoint &p = a.seen, &q = b.seen, &r = c.seen;
+    const double det = p.w * (q.x * r.y - q.y * r.x) + q.w * (r.x * p.y - r.y * p.x) + r.w * (p.x * q.y - p.y * q.x);
+    const double turned = columns_.sign * rows_.sign * (transposed_ ? -det : det);
+    return static_cast<std::int8_t>((turned > 0) - (turned < 0));
+  }
+
+  void find_facings(const std::vector<Sample>& before, const std::vector<Sample>& row, std::vector<Facings>& facings) const {
+    facings.assign(row.size(), Facings{});
+    for (std::size_t c = 1; c < row.size(); ++c) {
+      const Sample &n = before[c - 1], &p = before[c], &q = row[c - 1], &f = row[c];
+      if (n.hole || p.hole || q.hole || f.hole) continue;
+      facings[c] = anti_ ? Facings{facing(n, p, q), facing(p, f, q)} : Facings{facing(n, p, f), facing(n, f, q)};
+    }
+  }
+
+  /// The strip before row r: its cells, its columns' pieces, and row r; row 0 too when r is 1.
+  void study(const std::vector<Sample>& before, const std::vector<Sample>& row, const std::vector<Facings>& strip,
+             const std::vector<Facings>& next, std::size_t r) {
+    CurveTracker first_row, this_row;
+    const bool first_drawn = rows_.first_is_drawn && y_.drawn[rows_.order[0]], row_drawn = y_.drawn[rows_.order[r]];
+    const std::size_t columns = row.size();
+    for (std::size_t c = 0; c < columns; ++c) {
+      const bool column_drawn = x_.drawn[columns_.order[c]] && (c > 0 || columns_.first_is_drawn);
+      const std::int8_t behind = c + 1 < columns ? near_column(strip[c + 1]) : kNoFace;
+      if (c == 0) {
+        edge(before[0], row[0], kNoFace, behind, column_drawn ? &column_curves_[0] : nullptr);
+        continue;
+      }
+      const Facings& cell = strip[c];
+      if (r == 1) edge(before[c - 1], before[c], kNoFace, cell.first, first_drawn ? &first_row : nullptr, &row[c]);
+      const auto far_column_edge = [&] {
+        edge(before[c], row[c], far_column(cell), behind, column_drawn ? &column_curves_[c] : nullptr);
+      };
+      const auto far_row_edge = [&] {
+        edge(row[c - 1], row[c], cell.second, next[c].first, row_drawn ? &this_row : nullptr, &before[c]);
+      };
+      if (!cell.any()) {
+        far_column_edge();
+        far_row_edge();
+        continue;
+      }
+      const Sample &n = before[c - 1], &p = before[c], &q = row[c - 1], &f = row[c];
+      if (anti_) {
+        contents(n, p, q, cell.first);
+        edge(p, q, cell.first, cell.second, nullptr);
+        cover(n, p, q);
+        contents(p, f, q, cell.second);
+        far_column_edge();
+        far_row_edge();
+        cover(p, f, q);
+      } else if (first_is_nearer(n, f)) {
+        contents(n, p, f, cell.first);
+        far_column_edge();  // before the diagonal, whose far end it shares: it may be upright
+        edge(n, f, cell.first, cell.second, nullptr);
+        cover(n, p, f);
+        contents(n, f, q, cell.second);
+        far_row_edge();
+        cover(n, f, q);
+      } else {
+        contents(n, f, q, cell.second);
+        edge(n, f, cell.second, cell.first, nullptr);
+        far_row_edge();
+        cover(n, f, q);
+        contents(n, p, f, cell.first);
+        far_column_edge();
+        cover(n, p, f);
+      }
+    }
+    first_row.end();
+    this_row.end();
+  }
+
+  /// Whether sights cross the diagonal n - f from the side of p to the side of q.
+  bool first_is_nearer(const Sample& n, const Sample& f) const {
+    const Camera& camera = view_.camera;
+    const Point3 sight = camera.perspective ? n.p - camera.eye : camera.forward, diagonal = f.p - n.p;
+    const int column = transposed_ ? 1 : 0, row = 1 - column;
+    return std::abs(sight[column] * diagonal[row]) <= std::abs(sight[row] * diagonal[column]);
+  }
+
+  /// An edge between the nearer and the farther of its faces; `curve` when it is drawn as part of a curve. Of an edge of a row straight before
+  /// the eye only the bank of `bank` has been taken as far as the edge goes.
+  void edge(const Sample& a, const Sample& b, std::int8_t nearer, std::int8_t farther, CurveTracker* curve, const Sample* bank = nullptr) {
+    if (nearer == kNoFace && farther == kNoFace) {
+      if (curve) curve->interrupt();
+      return;
+    }
+    const bool by_curves = options_.hidden_by == HiddenBy::curves;
+    const bool folded = nearer != kNoFace && farther != kNoFace && (nearer > 0) != (farther > 0);
+    const bool silhouette = folded && !curve && options_.outline;
+    bool upper = by_curves && curve, lower = upper;
+    if (!Horizon::kCovers && !by_curves) {
+      upper = (nearer == kNoFace || nearer >= 0) && !(farther == 1);
+      lower = (nearer == kNoFace || nearer <= 0) && !(farther == -1);
+    }
+    if (!curve && !silhouette && !upper && !lower) return;
+    const auto part = before_the_eye(a, b);
+    if (!part) {
+      if (curve) curve->interrupt();
+      return;
+    }
+    if (curve || silhouette) {
+      const std::int8_t facing = nearer != kNoFace ? nearer : farther;
+      const Against against = by_curves || nearer == kNoFace || nearer == 0 ? Against::both : nearer > 0 ? Against::upper : Against::lower;
+      ++segments;
+      Banks banks = by_curves ? Banks::none : Banks::both;
+      if (bank && !by_curves) banks = bank->seen.u() < a.seen.u() ? Banks::left : Banks::right;
+      const std::vector<Span>& seen = horizon_.seen(part->a, part->b, against, banks);
+      if (silhouette) {
+        give(a, b, *part, seen, [&](double t0, double t1) { add_to(store_.outline, a, b, t0, t1); });
+      } else if (facing < 0 && options_.underside == Underside::none) {
+        curve->interrupt();
+      } else {
+        Polylines& lines = facing < 0 && options_.underside == Underside::apart ? store_.lines.underside : store_.lines.curves;
+        give(a, b, *part, seen, [&](double t0, double t1) { curve->add(a.page, b.page, t0, t1, lines); });
+        curve->next_segment();
+      }
+    }
+    if constexpr (!Horizon::kCovers) {
+      if (upper || lower) horizon_.raise(part->a, part->b, upper, lower);
+    }
+  }
+
+  void cover(const Sample& a, const Sample& b, const Sample& c) {
+    if constexpr (Horizon::kCovers) {
+      // What is too near to the vertical through the eye is cut away.
+      std::vector<SightPoint> contour;
+      const std::array<const SightPoint*, 3> corners{&a.seen, &b.seen, &c.seen};
+      for (int i = 0; i < 3; ++i) {
+        const SightPoint &s = *corners[i], &e = *corners[(i + 1) % 3];
+        const bool s_near = sight_.perspective() && s.w < nearest_, e_near = sight_.perspective() && e.w < nearest_;
+        if (!s_near) contour.push_back(s);
+        if (s_near != e_near) contour.push_back(between(s, e, (nearest_ - s.w) / (e.w - s.w)));
+      }
+      for (std::size_t i = 2; i < contour.size(); ++i) horizon_.cover(contour[0], contour[i - 1], contour[i]);
+    }
+  }
+
+  /// The contour lines in a triangle.
+  void contents(const Sample& a, const Sample& b, const Sample& c, std::int8_t facing) {
+    if (levels_.empty()) return;
+    const std::array<const Sample*, 3> corners{&a, &b, &c};
+    const auto [low, high] = std::minmax({a.p.z, b.p.z, c.p.z});
+    for (auto level = std::upper_bound(levels_.begin(), levels_.end(), low); level != levels_.end() && *level <= high; ++level) {
+      std::array<Point3, 2> ends;
+      int n = 0;
+      for (int i = 0; i < 3 && n < 2; ++i) {
+        // From the lower to the higher end, so that both neighbours of an edge find the same point.
+        const Sample *s = corners[i], *e = corners[(i + 1) % 3];
+        if (s->p.z > e->p.z) std::swap(s, e);
+        if (!(s->p.z < *level && *level <= e->p.z)) continue;
+        const double t = (*level - s->p.z) / (e->p.z - s->p.z);
+        ends[n++] = {s->p.x + t * (e->p.x - s->p.x), s->p.y + t * (e->p.y - s->p.y), *level};
+      }
+      if (n < 2) continue;
+      if (options_.contours_on_surface && facing != 0) {
+        contour(ends, facing > 0 ? Against::upper : Against::lower, store_.contours);
+      }
+      if (options_.contour_base) {
+        for (Point3& end : ends) end.z = *options_.contour_base * options_.z_scale;
+        contour(ends, Against::both, store_.base_contours);
+      }
+    }
+  }
+
+  void contour(const std::array<Point3, 2>& ends, Against against, Chains& chains) {
+    const Sample a = sample(ends[0]), b = sample(ends[1]);
+    const auto part = before_the_eye(a, b);
+    if (part) give(a, b, *part, horizon_.seen(part->a, part->b, against, Banks::both), [&](double t0, double t1) { add_to(chains, a, b, t0, t1); });
+  }
+
+  void find_back_lines() {
+    for (std::size_t i = 0; i < options_.back_lines.size(); ++i) {
+      const auto& line = options_.back_lines[i];
+      const Sample a = sample(line[0]), b = sample(line[1]);
+      double from = 0, to = 1;  // what is in this part
+      if (sight_.perspective()) {
+        const std::array<std::array<double, 2>, 2> ahead{{{columns_.sign * (a.p.x - view_.camera.eye.x), columns_.sign * (b.p.x - view_.camera.eye.x)},
+                                                          {rows_.sign * (a.p.y - view_.camera.eye.y), rows_.sign * (b.p.y - view_.camera.eye.y)}}};
+        for (const auto& [da, db] : ahead) {
+          if (da < 0 && db < 0) to = -1;
+          if (da < 0 && db > 0) from = std::max(from, da / (da - db));
+          if (db < 0 && da > 0) to = std::min(to, da / (da - db));
+        }
+      }
+      if (!(from < to)) continue;
+      const auto part = before_the_eye(a, b, from, to);
+      if (!part) continue;
+      auto& seen = store_.lines.back_lines[i];
+      give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, Banks::both), [&](double t0, double t1) { seen.push_back({t0, t1}); });
+    }
+  }
+
+  static void add_to(Chains& chains, const Sample& a, const Sample& b, double t0, double t1) {
+    chains.add(CurveTracker::at(a.page, b.page, t0), CurveTracker::at(a.page, b.page, t1));
+  }
+
+  /// The part of a segment that is in front of the eye.
+  struct FrontPart {
+    SightPoint a, b;
+    double from, to;
+  };
+  std::optional<FrontPart> before_the_eye(const Sample& a, const Sample& b, double from = 0, double to = 1) const {
+    if (!sight_.perspective()) return FrontPart{a.seen, b.seen, 0, 1};
+    FrontPart part{from == 0 ? a.seen : between(a.seen, b.seen, from), to == 1 ? b.seen : between(a.seen, b.seen, to), from, to};
+    const bool a_near = part.a.w < nearest_, b_near = part.b.w < nearest_;
+    if (a_near && b_near) return std::nullopt;
+    if (a_near || b_near) {
+      const double t = (nearest_ - part.a.w) / (part.b.w - part.a.w);
+      const SightPoint cut = between(part.a, part.b, t);
+      (a_near ? part.from : part.to) = from + t * (to - from);
+      (a_near ? part.a : part.b) = cut;
+    }
+    return part;
+  }
+
+  /// Calls sink(t0, t1) for what is seen inside the window.
+  template <class Sink>
+  void give(const Sample& a, const Sample& b, const FrontPart& part, const std::vector<Span>& seen, Sink sink) const {
+    if (seen.empty()) return;
+    std::array<double, 2> inside{0, 1};
+    if (!a.inside || !b.inside) {
+      const auto clipped = clip_segment(a.page, b.page, volume_);
+      if (!clipped) return;
+      inside = *clipped;
+    }
+    const double extent = part.to - part.from;
+    for (const Span& s : seen) {
+      const double t0 = std::max(part.from + s.from * extent, inside[0]);
+      const double t1 = std::min(s.to == 1 ? part.to : part.from + s.to * extent, inside[1]);
+      if (t0 < t1) sink(t0, t1);
+    }
+  }
+
+  /// The point at the fraction t in space.
+  static SightPoint between(const SightPoint& a, const SightPoint& b, double t) {
+    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
+  }
+
+  const HeightSource& heights_;
+  const View& view_;
+  const HorizonOptions& options_;
+  const GridAxis &x_, &y_;
+  const GridAxis::Part &columns_, &rows_;
+  bool transposed_;
+  bool anti_;  ///< the diagonal runs from column to column against the rows
+  Sight sight_;
+  ClipVolume volume_;
+  double nearest_;
+  Horizon horizon_;
+  LineStore& store_;
+  std::vector<CurveTracker> column_curves_;
+  std::vector<double> levels_;  ///< of contours, scaled
+};
+
+}  // namespace ligne::horizon

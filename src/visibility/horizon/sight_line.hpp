@@ -1,0 +1,43 @@
+#pragma once
+/// A segment as it is held against a horizon: from left to right, with the way back to fractions in space.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "visibility/horizon/envelope.hpp"
+#include "visibility/horizon/sight.hpp"
+
+namespace ligne::horizon {
+
+class SightLine {
+ public:
+  /// Upright are segments no wider than `upright`: they have no width that could hide.
+  SightLine(const SightPoint& a, const SightPoint& b, double upright) : w0_(a.w), w1_(b.w), line_{a.u(), a.v(), b.u(), b.v()} {
+    upright_ = std::abs(line_.u1 - line_.u0) <= upright;
+    turned_ = upright_ ? line_.v1 < line_.v0 : line_.u1 < line_.u0;
+    if (turned_) line_ = {line_.u1, line_.v1, line_.u0, line_.v0};
+  }
+
+  bool upright() const { return upright_; }
+  const Line& line() const { return line_; }  ///< u0 < u1; upright: v0 <= v1
+  Line upside_down() const { return {line_.u0, -line_.v0, line_.u1, -line_.v1}; }
+
+  /// Spans of u, upright of v, become fractions of the segment in space, ascending.
+  void to_space(std::vector<Span>& spans) const {
+    const double from = upright_ ? line_.v0 : line_.u0, extent = (upright_ ? line_.v1 : line_.u1) - from;
+    for (Span& s : spans) {
+      s = {(s.from - from) / extent, (s.to - from) / extent};
+      if (turned_) s = {1 - s.to, 1 - s.from};
+      s = {fraction_in_space(w0_, w1_, s.from), fraction_in_space(w0_, w1_, s.to)};
+    }
+    if (turned_) std::reverse(spans.begin(), spans.end());
+  }
+
+ private:
+  double w0_, w1_;
+  Line line_;
+  bool upright_, turned_;
+};
+
+}  // namespace ligne::horizon

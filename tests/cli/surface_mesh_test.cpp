@@ -1,0 +1,252 @@
+/// The command `ligne surface` by the mesh methods.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "program.hpp"
+
+namespace ligne::test {
+namespace {
+
+using nlohmann::json;
+constexpr double kPi = std::numbers::pi;
+constexpr double kMicrometre = 1e-3;
+
+class SurfaceMeshTest : public ProgramTest {
+ protected:
+  Outcome surface(std::vector<std::string> arguments, const std::vector<std::string>& more) const {
+    arguments.insert(arguments.begin(), "surface");
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+  json drawn(const std::vector<std::string>& arguments) const {
+    const Outcome outcome = surface(arguments, {"-o", "-", "--format", "json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return outcome.status == 0 ? json::parse(outcome.out) : json();
+  }
+  /// Length of the lines of each layer in mm.
+  std::map<std::string, double> layers(const std::vector<std::string>& arguments) const {
+    const Outcome outcome = surface(arguments, {"-o", "-", "--format", "svg"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    std::map<std::string, double> lengths;
+    std::string layer;
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line);) {
+      if (const auto id = line.find(" id=\""); line.starts_with("<g ")) {
+        layer = line.substr(id + 5, line.find('"', id + 5) - id - 5);
+      } else if (line.starts_with("<path d=\"M")) {
+        lengths[layer] += path_length(line.substr(10, line.find('"', 10) - 10));
+      }
+    }
+    return lengths;
+  }
+  void fails(const std::vector<std::string>& arguments, int status, const std::string& message) const {
+    const Outcome outcome = surface(arguments, {});
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("ligne: " + message, 0), 0u) << outcome.err;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+  }
+
+ private:
+  /// "x y l dx dy dx dy ...", with or without z at the end.
+  static double path_length(std::string d) {
+    const bool closed = d.back() == 'z';
+    for (char& c : d) {
+      if (c == 'l' || c == 'z') c = ' ';
+    }
+    std::istringstream numbers(d);
+    double x = 0, y = 0, sum_x = 0, sum_y = 0, length = 0;
+    numbers >> x >> y;
+    while (numbers >> x >> y) {
+      length += std::hypot(x, y);
+      sum_x += x;
+      sum_y += y;
+    }
+    return closed ? length + std::hypot(sum_x, sum_y) : length;
+  }
+};
+
+/// Page length of the visible strokes of a class, in model units of a parallel view.
+double length(const json& drawing, const std::string& line_class) {
+  const auto& m = drawing["view"]["matrix"];
+  const double scale = std::hypot(m[0].get<double>(), m[1].get<double>(), m[2].get<double>());
+  double sum = 0;
+  for (const json& stroke : drawing["strokes"]) {
+    if (stroke["class"] != line_class || !stroke["visible"].get<bool>()) continue;
+    const auto& p = stroke["points"];
+    sum += std::hypot(p[1][0].get<double>() - p[0][0].get<double>(), p[1][1].get<double>() - p[0][1].get<double>());
+  }
+  return sum / scale;
+}
+
+TEST_F(SurfaceMeshTest, TwoPlanesCrossAlongALine) {
+  // 11 curves in steps of 0.3, so that the line x = 0 where the planes meet is none of them.
+  const std::vector<std::string> planes{"x", "-1*x", "-x", "-1:2:11", "-y", "-1:1:5", "--z-scale", "1"};
+  const auto with = [&](std::vector<std::string> view) {
+    view.insert(view.begin(), planes.begin(), planes.end());
+    return drawn(view);
+  };
+  const json top = with({"--view", "top"});
+  EXPECT_NEAR(length(top, "intersection"), 2, kMicrometre);
+  for (const json& stroke : top["strokes"]) {
+    if (stroke["class"] != "intersection") continue;
+    for (const json& end : stroke["source"]["ends"]) {
+      EXPECT_NEAR(end[0].get<double>(), 0, 1e-6);
+      EXPECT_NEAR(end[2].get<double>(), 0, 1e-6);
+    }
+  }
+  EXPECT_NEAR(length(with({"--view", "front"}), "intersection"), 0, kMicrometre) << "seen end on";
+}
+
+TEST_F(SurfaceMeshTest, SurfacesThatCrossAlongTheirOwnEdges) {
+  // Three samples each way: the planes meet along a column of samples, which is a curve or not.
+  for (const char* curves : {"2", "3"}) {
+    const json planes = drawn({"x", "(-x)", "-x", std::string("-1:1:") + curves, "-y", "-1:1:2", "--samples", "3", "--z-scale", "1", "--azimuth", "-120"});
+    // The line, 2 long, makes an angle with the sight whose cosine is sin(120) cos(30).
+    EXPECT_NEAR(length(planes, "intersection"), 2 * std::sqrt(1 - 0.75 * 0.75), kMicrometre) << curves;
+  }
+  // A saddle and the plane through it: two lines, each 2 long.
+  EXPECT_NEAR(length(drawn({"x^2-y^2", "0", "-x", "-1:1:5", "-y", "-1:1:5", "--samples", "9", "--z-scale", "1", "--view", "top"}), "intersection"),
+              2 * std::sqrt(8.0), kMicrometre);
+  EXPECT_NEAR(length(drawn({"x*y", "0", "-x", "-1:1:5", "-y", "-1:1:5", "--z-scale", "1", "--view", "top"}), "intersection"), 4 - 4 * 0.1,
+              kMicrometre)
+      << "the two triangles at the origin lie in the plane";
+}
+
+TEST_F(SurfaceMeshTest, TorusFromAbove) {
+  const json torus = drawn({"--parametric", "(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)", "-u", "0:2*pi:25", "-v", "0:2*pi:21", "--samples", "2",
+                            "--lines", "x", "--view", "top"});
+  // Seen from above the outer and the inner equator are the outline: polygons of 24 sides.
+  const double sides = 24;
+  EXPECT_NEAR(length(torus, "outline"), 2 * sides * std::sin(kPi / sides) * (4 + 2), kMicrometre);
+  // Each curve of constant u is half a polygon of 20 sides, seen from above as the straight line from r = 2 to r = 4.
+  EXPECT_NEAR(length(torus, "horizon"), sides * 2, kMicrometre);
+  EXPECT_EQ(length(torus, "intersection"), 0);
+  EXPECT_EQ(length(torus, "border"), 0);
+}
+
+TEST_F(SurfaceMeshTest, FormulasThatBeginWithAMinus) {
+  const json sheet = drawn({"--parametric", "-u", "-v", "-1", "-u", "0:1:2", "-v", "0:2:2", "--view", "top"});
+  EXPECT_NEAR(length(sheet, "horizon"), 6, kMicrometre);
+}
+
+TEST_F(SurfaceMeshTest, EveryParametricSurfaceHasItsRanges) {
+  const json sheets = drawn({"--parametric", "u", "v", "0", "--parametric", "u", "v", "0", "-u", "0:1:2", "-u", "3:4:2", "-v", "0:1:2", "--view", "top"});
+  EXPECT_NEAR(length(sheets, "horizon"), 8, kMicrometre);
+}
+
+TEST_F(SurfaceMeshTest, TheHorizonAndTheMeshDrawTheSame) {
+  for (const std::vector<std::string>& view : {std::vector<std::string>{}, {"--azimuth", "20", "--elevation", "50"}, {"--eye", "30,-20,25"}}) {
+    std::vector<std::string> arguments{"5*sin(r)/r", "-x", "-9:9:60", "-y", "-8:9:55", "--z-scale", "1"};
+    arguments.insert(arguments.end(), view.begin(), view.end());
+    const double horizon = layers(arguments).at("horizon");
+    arguments.insert(arguments.end(), {"--method", "appel"});
+    const auto mesh = layers(arguments);
+    EXPECT_NEAR(mesh.at("horizon"), horizon, 0.02 * horizon);
+    EXPECT_GT(mesh.at("outline"), 0);
+    EXPECT_EQ(mesh.count("intersection") + mesh.count("mesh") + mesh.count("crease"), 0u);
+  }
+}
+
+TEST_F(SurfaceMeshTest, HeightRangesEndInBorders) {
+  const json bowl = drawn({"x^2+y^2", "-x", "-2:2:41", "-y", "-2:2:41", "--z-range", "0:1", "--z-scale", "1", "--view", "top"});
+  EXPECT_NEAR(length(bowl, "border"), 2 * kPi, 0.01);
+  double largest = 0;
+  for (const json& stroke : bowl["strokes"]) {
+    for (const json& end : stroke["source"]["ends"]) largest = std::max(largest, end[2].get<double>());
+  }
+  EXPECT_EQ(largest, 1);
+}
+
+TEST_F(SurfaceMeshTest, BlocksStandOnTheirBase) {
+  // A flat block 4 wide, 2 deep, 1 high, seen from the front: its rim and its base, and the uprights.
+  const json block = drawn({"1", "-x", "0:4:5", "-y", "0:2:3", "--z-scale", "1", "--skirt", "0", "--view", "front"});
+  EXPECT_NEAR(length(block, "border"), 2 * (4 + 1), kMicrometre);
+  EXPECT_NEAR(length(block, "horizon"), 0, kMicrometre) << "all on the rim";
+  const json open = drawn({"1", "-x", "0:4:5", "-y", "0:2:3", "--z-scale", "1", "--skirt", "--view", "front"});
+  EXPECT_NEAR(length(open, "horizon"), 4, kMicrometre) << "no range of heights, no depth of the base";
+}
+
+TEST_F(SurfaceMeshTest, HiddenLines) {
+  const std::vector<std::string> hill{"2*exp(-r^2)", "-x", "-3:3:20", "-y", "-3:3:20", "--elevation", "20"};
+  EXPECT_EQ(layers(hill).count("hidden"), 0u);
+  std::vector<std::string> dashed = hill;
+  dashed.insert(dashed.end(), {"--hidden", "dashed"});
+  EXPECT_GT(layers(dashed).at("hidden"), 10);
+}
+
+TEST_F(SurfaceMeshTest, GridsAndFormulasTogether) {
+  write("hill.csv", "0,0,0,0\n0,3,3,0\n0,3,3,0\n0,0,0,0\n");
+  // The level of 1.5 takes the ground of the grid; its line on the hill is an octagon, of which the ground shows nothing.
+  const json lake = drawn({"1.5", "--grid", "hill.csv", "--z-scale", "1", "--view", "top"});
+  EXPECT_GT(length(lake, "intersection"), 6);
+  const json window = drawn({"--grid", "hill.csv", "-x", "1:2", "-y", "0.5:3", "--view", "top"});
+  EXPECT_NEAR(length(window, "horizon"), 2 * 2 + 3 * 1, kMicrometre);
+}
+
+TEST_F(SurfaceMeshTest, Logarithms) {
+  const json heights = drawn({"10^x", "-x", "0:2:3", "-y", "0:1:2", "--log-z", "--z-scale", "1"});
+  for (const json& stroke : heights["strokes"]) {
+    for (const json& end : stroke["source"]["ends"]) EXPECT_NEAR(end[2].get<double>(), end[0].get<double>(), 1e-12);
+  }
+  EXPECT_GT(layers({"x", "--log-z", "-x", "-1:1:20"}).at("horizon"), 0) << "by the horizon, too; half of it are holes";
+}
+
+TEST_F(SurfaceMeshTest, MeshFiles) {
+  for (const std::string name : {"hill.json", "hill.obj"}) {
+    const Outcome outcome = surface({"x*y", "-x", "0:1:3", "-y", "0:1:3", "--samples", "5", "--z-scale", "2", "--as-mesh"}, {"-o", name});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome info = run({"info", name, "--json"});
+    ASSERT_EQ(info.status, 0) << info.err;
+    EXPECT_EQ(json::parse(info.out)["scene"]["faces"], 32) << info.out;
+    EXPECT_EQ(run({"draw", name, "--edges", "all", "-o", "hill.svg"}).status, 0);
+  }
+  fails({"x", "--as-mesh", "-o", "a.svg"}, 2, "--output: a.svg does not end in .json or .obj");
+  fails({"x", "--as-mesh", "-o", "-", "--format", "svg"}, 2, "--format: ");
+  fails({"sqrt(-1-r)", "--as-mesh", "-o", "a.obj"}, 1, "surface: has no cell without a hole");
+}
+
+TEST_F(SurfaceMeshTest, TheSameBytesWithAnyNumberOfThreads) {
+  const std::vector<std::string> bowls{"x^2+y^2", "8-x^2-y^2", "-x", "-3:3", "-y", "-3:3", "--hidden", "dashed", "--z-range", "0:7"};
+  const auto with = [&](const char* threads) { return surface(bowls, {"--threads", threads, "-o", "-", "--format", "json"}).out; };
+  EXPECT_EQ(with("1"), with("4"));
+}
+
+TEST_F(SurfaceMeshTest, Mistakes) {
+  write("flat.csv", "1,1,1\n1,1,1\n1,1,1\n");
+  fails({"x", "--method", "newton", "-o", "a.svg"}, 2, "--method: \"newton\" is not one of auto, horizon");
+  fails({"x", "y", "--method", "horizon", "-o", "a.svg"}, 2, "--method: horizon draws no several surfaces");
+  fails({"x", "--method", "horizon", "--hidden", "solid", "-o", "a.svg"}, 2, "--method: horizon draws no --hidden");
+  fails({"x", "--method", "appel", "--horizon", "pixels", "-o", "a.svg"}, 2, "--horizon: ");
+  fails({"x", "--z-range", "3:1", "-o", "a.svg"}, 2, "--z-range: the range 3:1 does not ascend");
+  fails({"x", "--z-range", "1:3:4", "-o", "a.svg"}, 2, "--z-range: \"1:3:4\" is not A:B");
+  fails({"x", "--z-range", "1:1/0", "-o", "a.svg"}, 2, "--z-range: \"1/0\" is not a finite number");
+  fails({"x", "--skirt", "0", "-o", "a.svg"}, 2, "--skirt: 0 is above the lowest height, -5");
+  fails({"x", "--skirt", "deep", "-o", "a.svg"}, 2, "--skirt: ");
+  fails({"--parametric", "u", "v", "-o", "a.svg"}, 2, "--output: there is no output file");
+  fails({"--parametric", "u", "v"}, 2, "--parametric: its value is missing");
+  fails({"--parametric", "u", "v", "w", "-o", "a.svg"}, 1, "formula of z:1: unknown name 'w'");
+  fails({"--parametric", "u", "v", "0", "-x", "0:1", "-o", "a.svg"}, 2, "-x, -y: go with z = f(x, y)");
+  fails({"--parametric", "u", "v", "0", "--skirt", "-o", "a.svg"}, 2, "--skirt: goes with z = f(x, y)");
+  fails({"--parametric", "u", "v", "0", "-u", "0:1:1", "-o", "a.svg"}, 2, "-u: ");
+  fails({"--parametric", "u", "v", "0", "-u", "1:1", "-o", "a.svg"}, 2, "-u: the range 1:1 does not ascend");
+  fails({"--parametric", "u", "v", "0", "-v", "0:q", "-o", "a.svg"}, 2, "-v: \"q\":1: unknown name 'q'");
+  fails({"x", "-u", "0:1", "-o", "a.svg"}, 2, "-u, -v: go with --parametric");
+  for (const char* n : {"0", "1", "1000000000"}) fails({"x", "y", "-x", std::string("0:1:") + n, "-o", "a.svg"}, 2, "-x: ");
+  fails({"x", "-x", "0:1:20000", "-y", "0:1:20000", "--method", "appel", "-o", "a.svg"}, 1, "x: 20000 x 20000 samples are too many for a mesh");
+  fails({"--grid", "flat.csv", "-x", "0:1:4", "-o", "a.svg"}, 2, "-x, -y: a grid takes A:B");
+  fails({"--grid", "flat.csv", "-x", "7:9", "-o", "a.svg"}, 1, "flat.csv: the window -x, -y holds 0 columns");
+  fails({"--grid", "flat.csv", "--samples", "9", "-o", "a.svg"}, 2, "--samples: ");
+  fails({"x", "--z-range", "30:40", "-o", "a.svg"}, 0, "surface: warning: nothing to draw is in view");
+  fails({"10^(100*x)", "--method", "appel", "--z-scale", "1", "-o", "a.svg"}, 1, "surface: has a coordinate beyond 1.6e60");
+  fails({"x", "y", "--output", "a.gif"}, 2, "--output: ");
+}
+
+}  // namespace
+}  // namespace ligne::test

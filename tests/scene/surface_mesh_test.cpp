@@ -1,0 +1,314 @@
+/// Surfaces as meshes.
+
+#include "scene/surface_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "height_tools.hpp"
+#include "scene/height_filters.hpp"
+#include "scene/mesh_writer.hpp"
+#include "scene/topology.hpp"
+
+namespace ligne {
+namespace {
+
+using height_test::error_line;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kPi = std::numbers::pi;
+
+std::vector<double> evenly(double from, double to, std::size_t intervals) {
+  std::vector<double> positions;
+  for (std::size_t i = 0; i <= intervals; ++i) positions.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(intervals));
+  return positions;
+}
+
+SurfacePoints heights(const std::string& formula, std::size_t intervals, double from = -2, double to = 2) {
+  return points_of(*formula_heights(formula, evenly(from, to, intervals), evenly(from, to, intervals)));
+}
+
+SurfacePoints parametric(const char* x, const char* y, const char* z, std::vector<double> u, std::vector<double> v) {
+  return parametric_points({x, y, z}, u, v);
+}
+
+Scene scene_of(const SurfaceMesh& mesh, double z_scale = 1, std::optional<double> base = {}) {
+  return surface_scene(std::span(&mesh, 1), z_scale, base);
+}
+
+struct Counts {
+  int vertices, edges, faces, borders = 0, many = 0, unlike = 0, curves = 0;
+  int characteristic() const { return vertices - edges + faces; }
+};
+
+Counts count(const Scene& scene) {
+  const Topology topology = build_topology(scene);
+  Counts counts{static_cast<int>(scene.vertices.size()), static_cast<int>(topology.edges.size()), static_cast<int>(scene.faces.size())};
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    counts.borders += topology.edges[e].face1 == kNone;
+    counts.many += (topology.edge_flags[e] & kEdgeManyFaces) != 0;
+    counts.unlike += (topology.edge_flags[e] & kEdgeUnlikeWound) != 0;
+    counts.curves += (topology.edge_flags[e] & kEdgeCurve) != 0;
+  }
+  return counts;
+}
+
+TEST(SurfaceMesh, CellsAreCutFromLowXHighYToHighXLowY) {
+  const Scene scene = scene_of(make_surface_mesh(heights("x*y", 1, 0, 1)));
+  const Topology topology = build_topology(scene);
+  ASSERT_EQ(scene.faces.size(), 2u);
+  int diagonals = 0;
+  for (const Edge& edge : topology.edges) {
+    if (edge.face1 == kNone) continue;
+    ++diagonals;
+    EXPECT_EQ(std::set({scene.vertices[edge.v0].x, scene.vertices[edge.v1].x}), std::set({0.0, 1.0}));
+    EXPECT_EQ(scene.vertices[edge.v0].x + scene.vertices[edge.v0].y, 1);
+    EXPECT_EQ(scene.vertices[edge.v1].x + scene.vertices[edge.v1].y, 1);
+  }
+  EXPECT_EQ(diagonals, 1);
+  for (std::uint32_t f = 0; f < 2; ++f) EXPECT_GT(face_normal(scene, f).z, 0);
+}
+
+TEST(SurfaceMesh, CellsWithAHoleAreLeftOut) {
+  SurfacePoints surface = heights("0", 4);
+  EXPECT_EQ(make_surface_mesh(surface).triangles.size(), 32u);
+  surface.points[2 * 5 + 2].z = kNaN;
+  EXPECT_EQ(make_surface_mesh(surface).triangles.size(), 24u);
+  surface.points[0].x = std::numeric_limits<double>::infinity();
+  const SurfaceMesh mesh = make_surface_mesh(surface);
+  EXPECT_EQ(mesh.triangles.size(), 22u);
+  EXPECT_EQ(scene_of(mesh).vertices.size(), 23u) << "holes are no vertices";
+}
+
+TEST(SurfaceMesh, CurvesAreEveryStrideAndTheLast) {
+  SurfacePoints surface = heights("x+y", 5);
+  const auto curves = [&](std::size_t x_stride, std::size_t y_stride) {
+    surface.x_stride = x_stride;
+    surface.y_stride = y_stride;
+    return count(scene_of(make_surface_mesh(surface))).curves;
+  };
+  EXPECT_EQ(curves(1, 1), 2 * 6 * 5);
+  EXPECT_EQ(curves(2, 0), 4 * 5);  // 0, 2, 4 and 5
+  EXPECT_EQ(curves(0, 5), 2 * 5);
+  EXPECT_EQ(curves(0, 0), 0);
+}
+
+TEST(SurfaceMesh, ClosedSurfacesClose) {
+  const auto full = evenly(0, 2 * kPi, 12);
+  const Counts torus = count(scene_of(make_surface_mesh(
+      parametric("(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)", full, full))));
+  EXPECT_EQ(torus.vertices, 144);
+  EXPECT_EQ(torus.characteristic(), 0);
+  EXPECT_EQ(torus.borders + torus.many + torus.unlike, 0);
+  EXPECT_EQ(torus.curves, 2 * 144);
+
+  const Counts sphere = count(scene_of(make_surface_mesh(
+      parametric("sin(u)*cos(v)", "sin(u)*sin(v)", "cos(u)", evenly(0, kPi, 6), full))));
+  EXPECT_EQ(sphere.vertices, 2 + 5 * 12);
+  EXPECT_EQ(sphere.characteristic(), 2);
+  EXPECT_EQ(sphere.borders + sphere.many + sphere.unlike, 0);
+  EXPECT_EQ(sphere.curves, 5 * 12 + 6 * 12);
+
+  const Counts moebius = count(scene_of(make_surface_mesh(
+      parametric("(1+v*cos(u/2))*cos(u)", "(1+v*cos(u/2))*sin(u)", "v*sin(u/2)", full, evenly(-0.5, 0.5, 4)))));
+  EXPECT_EQ(moebius.vertices, 12 * 5);
+  EXPECT_EQ(moebius.characteristic(), 0);
+  EXPECT_EQ(moebius.borders, 2 * 12) << "one border, twice round";
+  EXPECT_EQ(moebius.many, 0);
+  EXPECT_EQ(moebius.unlike, 4) << "the seam";
+
+  const Counts klein = count(scene_of(make_surface_mesh(
+      parametric("(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*cos(u)", "(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*sin(u)",
+                 "sin(u/2)*sin(v)+cos(u/2)*sin(2*v)", full, evenly(kPi / 14, kPi / 14 + 2 * kPi, 14)))));
+  EXPECT_EQ(klein.vertices, 12 * 14);
+  EXPECT_EQ(klein.characteristic(), 0);
+  EXPECT_EQ(klein.borders + klein.many, 0);
+  EXPECT_EQ(klein.unlike, 14) << "the seam";
+}
+
+TEST(SurfaceMesh, CurvesThatRunIntoAPoleAreWhole) {
+  // A cone that does not close: its first and last curves have a triangle on one side only, and that one may have collapsed.
+  for (const bool pole_first : {true, false}) {
+    const auto v = pole_first ? evenly(0, 1, 3) : evenly(-1, 0, 3);
+    SurfacePoints cone = parametric("v*cos(u)", "v*sin(u)", "v", evenly(0, 2, 4), v);
+    cone.y_stride = 0;
+    const Counts counts = count(scene_of(make_surface_mesh(cone)));
+    EXPECT_EQ(counts.curves, 5 * 3) << pole_first;
+    EXPECT_EQ(counts.borders, 2 * 3 + 4);
+  }
+}
+
+TEST(SurfaceMesh, HeightsAreCutWhereTheyCross) {
+  constexpr std::size_t kIntervals = 40;
+  constexpr double kStep = 0.1, kTop = 2.503;
+  SurfaceMesh mesh = make_surface_mesh(heights("x^2+y^2", kIntervals));
+  clip_heights(mesh, 0, kTop);
+  const Scene scene = scene_of(mesh);
+  const Counts counts = count(scene);
+  EXPECT_EQ(counts.characteristic(), 1) << "a disc";
+  EXPECT_EQ(counts.many + counts.unlike, 0);
+  const Topology topology = build_topology(scene);
+  std::map<std::uint32_t, int> ends;
+  double length = 0;
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    const Edge& edge = topology.edges[e];
+    if (edge.face1 != kNone) continue;
+    EXPECT_FALSE(topology.edge_flags[e] & kEdgeCurve);
+    const Point3 a = scene.vertices[edge.v0], b = scene.vertices[edge.v1];
+    length += std::hypot(b.x - a.x, b.y - a.y);
+    for (const std::uint32_t v : {edge.v0, edge.v1}) {
+      ++ends[v];
+      const Point3 p = scene.vertices[v];
+      EXPECT_EQ(p.z, kTop) << "to the last bit";
+      // It lies on a row, a column or a diagonal, where the chord of the parabola crosses.
+      const auto off_grid = [&](double t) { return std::abs(t / kStep - std::round(t / kStep)); };
+      const double x = std::floor(p.x / kStep) * kStep, y = std::floor(p.y / kStep) * kStep;
+      const auto f = [](double s, double t) { return s * s + t * t; };
+      double chord = 0;
+      if (off_grid(p.x) < 1e-9) {
+        const double column = std::round(p.x / kStep) * kStep, s = (p.y - y) / kStep;
+        chord = (1 - s) * f(column, y) + s * f(column, y + kStep);
+      } else if (off_grid(p.y) < 1e-9) {
+        const double row = std::round(p.y / kStep) * kStep, s = (p.x - x) / kStep;
+        chord = (1 - s) * f(x, row) + s * f(x + kStep, row);
+      } else {
+        ASSERT_LT(off_grid(p.x + p.y), 1e-9);
+        const double s = (p.x - x) / kStep;
+        chord = (1 - s) * f(x, y + kStep) + s * f(x + kStep, y);
+      }
+      EXPECT_NEAR(chord, kTop, 1e-12);
+    }
+  }
+  for (const auto& [v, n] : ends) EXPECT_EQ(n, 2) << "one closed line";
+  EXPECT_NEAR(length, 2 * kPi * std::sqrt(kTop), 0.01);
+}
+
+TEST(SurfaceMesh, CutsThatMeetVertices) {
+  // z = x over x = -2 .. 2 in steps of 1: both planes run through rows of vertices.
+  SurfaceMesh mesh = make_surface_mesh(heights("x", 4));
+  clip_heights(mesh, -1, 1);
+  const Scene scene = scene_of(mesh);
+  EXPECT_EQ(scene.faces.size(), 16u);
+  EXPECT_EQ(scene.vertices.size(), 15u);
+  EXPECT_EQ(count(scene).curves, 3 * 4 + 5 * 2);
+  SurfaceMesh flat = make_surface_mesh(heights("1", 4));
+  clip_heights(flat, 1, 2);
+  EXPECT_EQ(flat.triangles.size(), 32u) << "what lies in the plane stays";
+  clip_heights(flat, 1.5, 2);
+  EXPECT_TRUE(flat.triangles.empty());
+  EXPECT_FALSE(height_range(std::span(&flat, 1)));
+  EXPECT_TRUE(scene_of(flat).objects.empty());
+}
+
+TEST(SurfaceMesh, CutsOfHeightsNearTheLimitOfNumbers) {
+  SurfacePoints surface = heights("x", 1, 0, 1);
+  for (Point3& p : surface.points) p.z = p.x > 0 ? 1.7e308 : -1.7e308;
+  SurfaceMesh mesh = make_surface_mesh(surface);
+  EXPECT_EQ(error_line([&] { scene_of(mesh); }), "surface: has a coordinate beyond 1.6e60, too large to compute with");
+  clip_heights(mesh, -1, 1);
+  for (const Point3& p : scene_of(mesh).vertices) EXPECT_NEAR(p.x, 0.5, 1e-15);
+}
+
+TEST(SurfaceMesh, SkirtsHangFromTheOuterRim) {
+  SurfacePoints surface = heights("2+x", 4);
+  surface.points[2 * 5 + 2].z = kNaN;
+  const Scene scene = scene_of(make_surface_mesh(surface), 10, -1.0);
+  ASSERT_EQ(scene.objects.size(), 5u);
+  double lowest = 1e300;
+  for (const Point3& p : scene.vertices) lowest = std::min(lowest, p.z);
+  EXPECT_EQ(lowest, -10);
+  for (std::size_t o = 1; o < 5; ++o) {
+    const Object& wall = scene.objects[o];
+    EXPECT_EQ(wall.face_end - wall.face_begin, 8u);
+    EXPECT_EQ(wall.vertex_end - wall.vertex_begin, 10u);
+    // The walls look outwards.
+    for (std::uint32_t f = wall.face_begin; f < wall.face_end; ++f) {
+      const Point3 normal = face_normal(scene, f), p = scene.vertices[scene.faces.contour(f, 0)[0]];
+      EXPECT_EQ(normal.z, 0);
+      EXPECT_GT(normal.x * p.x + normal.y * p.y, 0);
+    }
+  }
+  const Scene touching = scene_of(make_surface_mesh(heights("2+x", 4)), 1, 0.0);
+  EXPECT_EQ(touching.objects.size(), 4u) << "the rim at x = -2 lies on the base: no wall";
+  EXPECT_EQ(touching.objects[1].face_end - touching.objects[1].face_begin, 7u) << "one triangle where the wall begins";
+}
+
+std::vector<Point3> corner_positions(const Scene& scene) {
+  std::vector<Point3> positions;
+  for (const std::uint32_t v : scene.faces.corners()) positions.push_back(scene.vertices[v]);
+  return positions;
+}
+
+TEST(SurfaceMesh, FilesReadBackTheSame) {
+  SurfaceMesh mesh = make_surface_mesh(heights("sin(x*y)/3", 7));
+  mesh.name = "a \"name\"\nof two lines";
+  const Scene scene = scene_of(mesh, 1.7, -2.0);
+  const auto read = [](const std::string& text, ModelFormat format) {
+    Warnings warnings;
+    const Scene back = read_scene(reader_test::bytes_of(text), format, {}, "M", {}, warnings);
+    EXPECT_TRUE(warnings.counts().empty());
+    return back;
+  };
+  for (const ModelFormat format : {ModelFormat::ligne_scene, ModelFormat::obj}) {
+    const Scene back = read(format == ModelFormat::obj ? write_obj(scene) : write_ligne_scene(scene), format);
+    EXPECT_EQ(back.vertices.size(), scene.vertices.size());
+    EXPECT_TRUE(std::ranges::equal(corner_positions(back), corner_positions(scene)));
+    ASSERT_EQ(back.objects.size(), 5u);
+  }
+  const Scene back = read(write_ligne_scene(scene), ModelFormat::ligne_scene);
+  EXPECT_EQ(back.objects[0].precision, scene.objects[0].precision);
+  EXPECT_EQ(back.objects[0].name, mesh.name);
+  EXPECT_EQ(back.up_axis, Axis::z);
+}
+
+TEST(SurfacePoints, MistakesInParametricFormulas) {
+  const auto error = [](const char* x, const char* y, const char* z) {
+    return error_line([&] { parametric(x, y, z, {0, 1}, {0, 1}); });
+  };
+  EXPECT_EQ(error("u+w", "v", "0"), "formula of x:3: unknown name 'w'; there are u, v, pi and e");
+  EXPECT_EQ(error("u", "v", "x"), "formula of z:1: unknown name 'x'; there are u, v, pi and e");
+  EXPECT_EQ(error("u", "sin v", "0"), "formula of y:1: function 'sin' without its arguments in parentheses");
+  EXPECT_EQ(error("u", "v", "u,v"), "formula of z:2: ',' outside the arguments of a function");
+}
+
+TEST(SurfacePoints, NumbersAsFormulas) {
+  EXPECT_EQ(constant_of("2*pi"), 2 * kPi);
+  EXPECT_EQ(constant_of("-1.5e2"), -150);
+  EXPECT_TRUE(std::isnan(constant_of("0/0")));
+  EXPECT_EQ(error_line([] { constant_of("2*x"); }), "\"2*x\":3: unknown name 'x'; there are pi and e");
+}
+
+TEST(SurfacePoints, TooManySamplesAreRefused) {
+  std::size_t taken = 0;
+  take_samples(taken, 2000, 1000, "a");
+  take_samples(taken, 1000, 2000, "b");
+  EXPECT_EQ(taken, kMostMeshSamples);
+  EXPECT_EQ(error_line([&] { take_samples(taken, 2, 2, "c"); }),
+            "c: 2 x 2 samples are too many for a mesh: all surfaces together may have 4000000");
+}
+
+TEST(HeightFilters, Logarithms) {
+  const auto source = log_heights(formula_heights("x", {-1, 0, 1, 100}, {0, 1}));
+  const auto z = height_test::heights_of(*source);
+  EXPECT_TRUE(std::isnan(z[0][0]) && std::isnan(z[0][1]));
+  EXPECT_EQ(z[1][2], 0);
+  EXPECT_EQ(z[1][3], 2);
+}
+
+TEST(HeightFilters, Windows) {
+  const auto window = [](AxisWindow x, AxisWindow y) { return window_heights(formula_heights("x+10*y", evenly(0, 5, 5), evenly(0, 4, 4)), x, y, "g"); };
+  const auto part = window({0.5, 3}, {});
+  EXPECT_EQ(part->x(), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(part->y().size(), 5u);
+  const auto corner = window({4, 9}, {2, 3});
+  EXPECT_EQ(height_test::heights_of(*corner), (std::vector<std::vector<double>>{{24, 25}, {34, 35}}));
+  EXPECT_EQ(error_line([&] { window({7, 9}, {}); }), "g: the window -x, -y holds 0 columns and 5 rows of the grid; it takes two of each");
+}
+
+}  // namespace
+}  // namespace ligne
