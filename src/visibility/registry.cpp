@@ -3,12 +3,14 @@
 #include <array>
 
 #include "visibility/appel/appel.hpp"
+#include "visibility/atherton_weiler/atherton_weiler.hpp"
 
 namespace ligne {
 
 std::span<const Method* const> all_methods() {
   static const AppelMethod appel;
-  static const std::array<const Method*, 1> methods{&appel};
+  static const AthertonWeilerMethod atherton_weiler;
+  static const std::array<const Method*, 2> methods{&appel, &atherton_weiler};
   return methods;
 }
 

@@ -1,0 +1,58 @@
+#pragma once
+/// The visible part of one facet: it is the subject, what is in front of it are the clip faces, nearest first.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/edge_overlay.hpp"
+#include "visibility/atherton_weiler/facet_order.hpp"
+
+namespace ligne::atherton_weiler {
+
+/// Numbers of source segments: side k of facet f is 3 f + k; cuts have one number in common.
+inline constexpr std::uint32_t kCutSource = 0xffffffffu;
+inline std::uint32_t side_source(std::uint32_t facet, unsigned side) { return 3 * facet + side; }
+
+/// A facet, or the part of it on the left of a line, as the edges of its contour. Side k of a facet is the segment from the vertex of the
+/// lower number, so that both facets on it have the same segment.
+struct ClipPart {
+  std::array<ContourEdge, 4> edges;
+  std::uint32_t count = 0;  ///< 0 when nothing is left
+};
+ClipPart whole_facet(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t facet);
+ClipPart left_of(const ClipPart& triangle, const LatticeSegment& line);
+
+/// Working memory that is kept from facet to facet.
+class FacetClip {
+ public:
+  void begin(const ClipPart& subject) {
+    subject_ = subject;
+    clips_.clear();
+  }
+  void add(const ClipPart& clip) {
+    if (clip.count > 0) clips_.push_back(clip);
+  }
+  std::size_t clip_count() const { return clips_.size(); }
+
+  /// Appends the border of what is left of the subject, its inside on the left.
+  void finish(std::vector<ContourEdge>& out);
+
+ private:
+  /// A part of the page in half steps; its sides are odd, so that no corner lies on them and no side runs along them.
+  struct Window {
+    std::int64_t x0, y0, x1, y1;
+  };
+  enum class Meeting : std::uint8_t { apart, covers, meets };
+
+  static Meeting meet(const ClipPart& part, const Window& window);
+  void split(const Window& window, std::span<const std::uint32_t> list, int depth, std::vector<ContourEdge>& out);
+  void borders_in(const Window& window, std::span<const std::uint32_t> list, bool whole, std::vector<ContourEdge>& out);
+
+  ClipPart subject_;
+  std::vector<ClipPart> clips_;
+  EdgeOverlay overlay_;
+};
+
+}  // namespace ligne::atherton_weiler
