@@ -76,25 +76,30 @@ ClipPart left_of(const ClipPart& triangle, const LatticeSegment& line) {
   return part;
 }
 
-FacetClip::Meeting FacetClip::meet(const ClipPart& part, const Window& w) {
-  // Determinants of doubled coordinates are rounded, by less than this.
-  constexpr double kDoubt = 16;
-  bool covers = true;
-  const double x[2] = {static_cast<double>(w.x0), static_cast<double>(w.x1)}, y[2] = {static_cast<double>(w.y0), static_cast<double>(w.y1)};
-  for (std::uint32_t k = 0; k < part.count; ++k) {
+FacetClip::Lines::Lines(const ClipPart& part) : line{}, count(part.count) {
+  for (std::uint32_t k = 0; k < count; ++k) {
     const ContourEdge& e = part.edges[k];
-    const double dx = e.dx(), dy = e.dy();
-    const double ax = 2 * double(e.segment.a.x), ay = 2 * double(e.segment.a.y);
-    const auto inside = [&](double px, double py) { return dx * (py - ay) - dy * (px - ax); };
-    // The determinant grows with y where dx > 0 and falls with x where dy > 0.
-    if (inside(x[dy < 0], y[dx > 0]) < -kDoubt) return Meeting::apart;
-    covers = covers && inside(x[dy > 0], y[dx < 0]) > kDoubt;
+    const double dx = e.dx(), dy = e.dy(), x = 2 * double(e.segment.a.x), y = 2 * double(e.segment.a.y);
+    line[k] = {-dy, dx, dy * x - dx * y};
+  }
+}
+
+FacetClip::Meeting FacetClip::Lines::meet(const Window& w) const {
+  // Five numbers below 2^55 are rounded: the sum is off by less than this.
+  constexpr double kDoubt = 64;
+  const double x0 = static_cast<double>(w.x0), x1 = static_cast<double>(w.x1), y0 = static_cast<double>(w.y0), y1 = static_cast<double>(w.y1);
+  bool covers = true;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Line& l = line[k];
+    const double ax0 = l.a * x0, ax1 = l.a * x1, by0 = l.b * y0, by1 = l.b * y1;
+    if (std::max(ax0, ax1) + std::max(by0, by1) + l.c < -kDoubt) return Meeting::apart;
+    covers = covers && std::min(ax0, ax1) + std::min(by0, by1) + l.c > kDoubt;
   }
   return covers ? Meeting::covers : Meeting::meets;
 }
 
 void FacetClip::finish(std::vector<ContourEdge>& out) {
-  if (clips_.empty()) {
+  if (clip_count() == 0) {
     out.insert(out.end(), subject_.edges.begin(), subject_.edges.begin() + subject_.count);
     return;
   }
@@ -107,7 +112,7 @@ void FacetClip::finish(std::vector<ContourEdge>& out) {
   }
   std::vector<std::uint32_t> all(clips_.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-  if (all.size() <= kFewClips) {
+  if (all.size() <= kFewClips || !faces_.empty()) {
     borders_in(window, all, true, out);
   } else {
     split(window, all, 0, out);
@@ -115,11 +120,11 @@ void FacetClip::finish(std::vector<ContourEdge>& out) {
 }
 
 void FacetClip::split(const Window& window, std::span<const std::uint32_t> list, int depth, std::vector<ContourEdge>& out) {
-  if (meet(subject_, window) == Meeting::apart) return;
+  if (Lines(subject_).meet(window) == Meeting::apart) return;
   std::vector<std::uint32_t> kept;
   kept.reserve(list.size());
   for (const std::uint32_t i : list) {
-    const Meeting m = meet(clips_[i], window);
+    const Meeting m = lines_[i].meet(window);
     if (m == Meeting::covers) return;
     if (m == Meeting::meets) kept.push_back(i);
   }
@@ -146,6 +151,7 @@ void FacetClip::borders_in(const Window& window, std::span<const std::uint32_t> 
   for (const std::uint32_t i : list) {
     for (std::uint32_t k = 0; k < clips_[i].count; ++k) overlay_.add(clips_[i].edges[k], 1);
   }
+  for (const ContourFace& face : faces_) overlay_.add(face, 1);
   for (std::size_t i = 0; i < overlay_.size(); ++i) {
     const ContourEdge edge = overlay_.edge(i);
     SegmentParameter from = edge.from, to = edge.to;

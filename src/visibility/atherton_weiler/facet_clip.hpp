@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ inline std::uint32_t side_source(std::uint32_t facet, unsigned side) { return 3 
 struct ClipPart {
   std::array<ContourEdge, 4> edges;
   std::uint32_t count = 0;  ///< 0 when nothing is left
+
+  ContourFace face() const { return {{EdgeLoop(edges.begin(), edges.begin() + count)}}; }
 };
 ClipPart whole_facet(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t facet);
 ClipPart left_of(const ClipPart& triangle, const LatticeSegment& line);
@@ -30,11 +33,18 @@ class FacetClip {
   void begin(const ClipPart& subject) {
     subject_ = subject;
     clips_.clear();
+    lines_.clear();
+    faces_.clear();
   }
   void add(const ClipPart& clip) {
-    if (clip.count > 0) clips_.push_back(clip);
+    if (clip.count == 0) return;
+    clips_.push_back(clip);
+    lines_.emplace_back(clip);
   }
-  std::size_t clip_count() const { return clips_.size(); }
+  void add(std::vector<ContourFace> clips) {
+    faces_.insert(faces_.end(), std::make_move_iterator(clips.begin()), std::make_move_iterator(clips.end()));
+  }
+  std::size_t clip_count() const { return clips_.size() + faces_.size(); }
 
   /// Appends the border of what is left of the subject, its inside on the left.
   void finish(std::vector<ContourEdge>& out);
@@ -46,12 +56,25 @@ class FacetClip {
   };
   enum class Meeting : std::uint8_t { apart, covers, meets };
 
-  static Meeting meet(const ClipPart& part, const Window& window);
+  /// The lines of a convex part: a point (x, y) in half steps is inside while a x + b y + c > 0 for all of them.
+  struct Lines {
+    explicit Lines(const ClipPart& part);
+    Meeting meet(const Window& window) const;
+
+    struct Line {
+      double a, b, c;
+    };
+    std::array<Line, 4> line;
+    std::uint32_t count;
+  };
+
   void split(const Window& window, std::span<const std::uint32_t> list, int depth, std::vector<ContourEdge>& out);
   void borders_in(const Window& window, std::span<const std::uint32_t> list, bool whole, std::vector<ContourEdge>& out);
 
   ClipPart subject_;
   std::vector<ClipPart> clips_;
+  std::vector<Lines> lines_;
+  std::vector<ContourFace> faces_;  ///< clip faces that are no convex parts
   EdgeOverlay overlay_;
 };
 

@@ -7,6 +7,8 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include "geometry/clip_contour_by_contour.hpp"
+
 // Per face: (1) each of its facets is the subject once. The lists of the cells that it lies in give what may be in front, nearest first.
 // Where two overlap their order is found from the depths of the overlap; what begins nearer and proves to be behind clips nothing, it
 // will itself be clipped. (2) Pieces of several facets are one face: what two of them have in common vanishes. (3) The
@@ -120,6 +122,15 @@ class Worker {
   std::vector<std::uint32_t> stamp_;  ///< per facet: the facet for which it was looked at last, plus one
   FacetClip clip_;
   std::vector<ContourEdge> edges_;
+  /// Facets that touch the one at hand or cross it.
+  struct Near {
+    std::uint32_t facet;
+    FacetOrder order;  ///< of the one at hand and this
+    ClipPart part;     ///< what of it is in front
+  };
+  std::vector<Near> near_;
+
+  std::vector<ContourFace> rings(std::uint32_t a, const Near& g) const;
 };
 
 bool Worker::covered_by(std::uint32_t facet, std::uint32_t other) const {
@@ -139,11 +150,38 @@ int common_corners(const Facet& a, const Facet& b) {
   return n;
 }
 
+/// The part of facet a in front of facet b.
+ClipPart part_in_front(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a, const FacetOrder& a_b) {
+  if (a_b.order == Order::cut) return left_of(whole_facet(facets, vertices, a), a_b.cut);
+  return a_b.order == Order::first ? whole_facet(facets, vertices, a) : ClipPart{};
+}
+
+/// Three facets through one line have three cuts that should be one line, but each is rounded by itself. Between them a may be in front of h, h
+/// in front of g, and g in front of a: nobody is seen. So it may be where three touch within their tolerances. There the face of the
+/// lowest number is taken for the one in front. Gives the places where g is in front of a, and there is such an h.
+std::vector<ContourFace> Worker::rings(std::uint32_t a, const Near& g) const {
+  std::vector<ContourFace> places;
+  if (facets_[g.facet].face < facets_[a].face) return places;
+  for (const Near& h : near_) {
+    if (h.order.order == Order::second || facets_[h.facet].face < facets_[a].face || facets_[h.facet].face == facets_[g.facet].face) continue;
+    const FacetOrder h_g = order_of(facets_, scene_.vertices, h.facet, g.facet);
+    if (!h_g.touch || h_g.order == Order::apart || h_g.order == Order::second) continue;
+    const ClipPart h_before_g = part_in_front(facets_, scene_.vertices, h.facet, h_g);
+    ClipPart h_behind_a = whole_facet(facets_, scene_.vertices, h.facet);
+    if (h.order.order == Order::cut) h_behind_a = left_of(h_behind_a, h.order.cut);
+    if (h_before_g.count == 0 || h_behind_a.count == 0) continue;
+    ClipResult both = clip_contour_by_contour(h_before_g.face(), h_behind_a.face());
+    std::move(both.inside.begin(), both.inside.end(), std::back_inserter(places));
+  }
+  return places;
+}
+
 void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
   const Facet& f = facets_[facet];
   const LatticePoint a = scene_.vertices[f.v[0]].p, b = scene_.vertices[f.v[1]].p, c = scene_.vertices[f.v[2]].p;
   const double x0 = std::min({a.x, b.x, c.x}), x1 = std::max({a.x, b.x, c.x}), y0 = std::min({a.y, b.y, c.y}), y1 = std::max({a.y, b.y, c.y});
   clip_.begin(whole_facet(facets_, scene_.vertices, facet));
+  near_.clear();
   bool listed = false, hidden = false;
   stamp_[facet] = facet + 1;
   grid_.for_each_leaf_in(x0, y0, x1, y1, [&](const Cell& cell, const CellSquare& square) {
@@ -162,6 +200,8 @@ void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
       ++counts.compared;
       if (order.tie || (order.touch && common_corners(f, g) < 2)) touches_[facet] = 1;
       counts.ties += order.tie;
+      const bool near = order.touch && (order.order == Order::cut || order.tie || common_corners(f, g) == 0);
+      if (near) near_.push_back({other, order, {}});
       if (order.order == Order::first) {
         counts.wrong_sorts += g.z_near < f.z_near;
         continue;
@@ -170,15 +210,30 @@ void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
       if (order.order == Order::cut) {
         ++counts.cuts;
         part = left_of(part, {order.cut.b, order.cut.a});
-      } else if (covered_by(facet, other)) {
+        if (part.count == 0) continue;
+      } else if (!order.touch && covered_by(facet, other)) {
         hidden = true;
         return;
       }
-      clip_.add(part);
+      if (near) {
+        near_.back().part = part;
+      } else {
+        clip_.add(part);
+      }
     }
   });
   counts.not_listed += !listed;
   if (hidden || !listed) return;
+  for (const Near& g : near_) {
+    if (g.part.count == 0) continue;
+    const std::vector<ContourFace> ring = near_.size() > 1 ? rings(facet, g) : std::vector<ContourFace>{};
+    if (ring.empty()) {
+      clip_.add(g.part);
+    } else {
+      const std::vector<ContourFace> part{g.part.face()};
+      clip_.add(clip_contour_by_contour(part, ring).outside);
+    }
+  }
   counts.clips += clip_.clip_count();
   clip_.finish(edges_);
 }
