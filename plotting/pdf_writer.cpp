@@ -9,6 +9,7 @@
 #include <cairo-pdf.h>
 
 #include "plotting/cairo_path.hpp"
+#include "plotting/cairo_text.hpp"
 #include "plotting/writers.hpp"
 
 namespace ligne {
@@ -65,6 +66,11 @@ std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
     cairo_set_source_surface(cairo.get(), recording.get(), 0, 0);
     cairo_paint(cairo.get());
     check_cairo(cairo_status(cairo.get()));
+  }
+  if (!drawing.texts.empty()) {
+    const CairoContext cairo(cairo_create(surface.get()));
+    cairo_scale(cairo.get(), kPointsPerMm, kPointsPerMm);
+    write_texts(cairo.get(), drawing.texts);
   }
   cairo_surface_show_page(surface.get());
   cairo_surface_finish(surface.get());

@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "plotting/cairo_path.hpp"
+#include "plotting/cairo_text.hpp"
 #include "plotting/writers.hpp"
 
 namespace ligne {
@@ -31,6 +32,8 @@ std::string write_png(const Drawing& drawing, const PlotOptions& options) {
   for (const Layer& layer : drawing.layers) {
     stroke_polylines(cairo.get(), layer.lines, layer_style(layer.name, options.pen_width_mm, options.hidden_solid), scale);
   }
+  cairo_scale(cairo.get(), scale, scale);
+  write_texts(cairo.get(), drawing.texts);
   check_cairo(cairo_status(cairo.get()));
   std::string png;
   check_cairo(cairo_surface_write_to_png_stream(surface.get(), append_to_string, &png));

@@ -5,12 +5,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include <oneapi/tbb/parallel_for.h>
 
 #include "plotting/cairo_path.hpp"
+#include "plotting/cairo_text.hpp"
 #include "plotting/number_text.hpp"
+#include "plotting/utf8.hpp"
 #include "plotting/writers.hpp"
 
 namespace ligne {
@@ -192,17 +195,37 @@ std::string chunk_text(const Polylines& lines, Chunk chunk, double device) {
   return writer.take();
 }
 
+std::string group_start(std::string_view layer) {
+  const std::string name = xml_text(layer);
+  return "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + name + "\" id=\"" + name + "\"";
+}
+
 std::string layer_start(const Layer& layer, const LineStyle& style) {
-  const std::string name = xml_text(layer.name);
   const bool dashed = !style.dashes_mm.empty();
-  std::string text = "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + name + "\" id=\"" + name +
-                     "\" fill=\"none\" stroke=\"" + color_text(style.color) + "\" stroke-width=\"" + number(style.width_mm) +
+  std::string text = group_start(layer.name) +
+                     " fill=\"none\" stroke=\"" + color_text(style.color) + "\" stroke-width=\"" + number(style.width_mm) +
                      "\" stroke-linecap=\"" + (dashed ? "butt" : "round") + "\" stroke-linejoin=\"round\"";
   for (std::size_t i = 0; i < style.dashes_mm.size(); ++i) {
     text += i == 0 ? " stroke-dasharray=\"" : " ";
     text += number(style.dashes_mm[i]);
   }
   return text + (dashed ? "\">\n" : ">\n");
+}
+
+/// Texts in a layer of their own, in a typeface.
+std::string text_layer(std::span<const TextItem> items) {
+  std::string text = group_start("text") + " fill=\"#000\" stroke=\"none\" font-family=\"'" + kTypeface +
+                     "', Verdana, Arial, sans-serif\">\n";
+  for (const TextItem& item : items) {
+    const Point2 base = base_point(item);
+    const std::string x = number(base.x), y = number(base.y);
+    text += "<text x=\"" + x + "\" y=\"" + y + "\" font-size=\"" + number(item.height_mm / kCapitalsOfSize) + "\"";
+    if (item.across == TextAcross::center) text += " text-anchor=\"middle\"";
+    if (item.across == TextAcross::right) text += " text-anchor=\"end\"";
+    if (item.rotation_degrees != 0) text += " transform=\"rotate(" + number(-item.rotation_degrees) + " " + x + " " + y + ")\"";
+    text += ">" + xml_text(clean_utf8(item.text)) + "</text>\n";
+  }
+  return text + "</g>\n";
 }
 
 }  // namespace
@@ -228,6 +251,7 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
     for (const std::string& text : texts) svg += text;
     svg += "</g>\n";
   }
+  if (!drawing.texts.empty()) svg += text_layer(drawing.texts);
   return svg + "</svg>\n";
 }
 

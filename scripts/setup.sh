@@ -1,6 +1,6 @@
 # Set-up shared by ligne.sh and test.sh: the packages, and the build. To be sourced by bash; $root is the project's folder.
 
-# One package a line: Debian package, what shows that it is there (command, pkg-config name or header), why.
+# One package a line: Debian package, what shows that it is there (command, pkg-config name, header or file of a font), why.
 # A line that begins with "optional" is a package that the build can do without.
 readonly build_packages='
 g++                  cmd:c++                         C++20 compiler
@@ -16,6 +16,7 @@ nlohmann-json3-dev   hdr:nlohmann/json.hpp           JSON
 libtinyobjloader-dev hdr:tiny_obj_loader.h           OBJ files
 libmuparser-dev      hdr:muParser.h                  formulas
 libpng-dev           hdr:png.h                       grids of heights as PNG
+fonts-dejavu-core    font:DejaVuSans.ttf             text in PDF and PNG
 optional libdraco-dev hdr:draco/compression/decode.h compressed glTF files
 '
 readonly test_packages='
@@ -29,12 +30,13 @@ libpugixml-dev       hdr:pugixml.hpp                 reads SVG back
 libpolyclipping-dev  hdr:polyclipping/clipper.hpp    an independent clipper of polygons
 '
 
-# True when the probe (cmd:, pc: or hdr:) finds its thing.
+# True when the probe (cmd:, pc:, hdr: or font:) finds its thing.
 is_there() {
   case $1 in
     cmd:*) command -v "${1#cmd:}" >/dev/null 2>&1 ;;
     pc:*) pkg-config --exists "${1#pc:}" >/dev/null 2>&1 ;;
     hdr:*) printf '#if !__has_include(<%s>)\n#error missing\n#endif\n' "${1#hdr:}" | c++ -x c++ -E - >/dev/null 2>&1 ;;
+    font:*) fc-list 2>/dev/null | grep -qF "/${1#font:}:" ;;
   esac
 }
 

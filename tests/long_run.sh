@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # long_run.sh [MINUTES [FOLDER]]: the tests that find more the longer they run. Every fuzzer runs so many minutes (10) on one processor, the
-# geometry fuzzer first; then all tests, with all views of the models by rays. FOLDER (build/found) collects what the fuzzers find, and
+# geometry fuzzer first; then all tests, with LIGNE_RANDOM_SCENES random scenes (a million) and all views of the models by rays. FOLDER (build/found) collects what the fuzzers find, and
 # their corpora, from which the next run goes on. Needs clang. All parts run; the exit status is 1 when one has found something.
 set -euo pipefail
 
@@ -27,5 +27,5 @@ done
 
 cmake --preset default
 cmake --build --preset default
-LIGNE_CHECK_ALL=1 ctest --preset default || status=1
+LIGNE_RANDOM_SCENES=${LIGNE_RANDOM_SCENES:-1000000} LIGNE_CHECK_ALL=1 ctest --preset default --parallel "$(nproc)" || status=1
 exit $status

@@ -6,6 +6,11 @@
 
 namespace ligne {
 
+/// Room beside the picture for what is written round it, in mm.
+struct Room {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+
 struct Placement {
   Page page;
   View view;
@@ -15,7 +20,8 @@ struct Placement {
   bool larger_than_page() const;
 };
 
-/// Chooses the page's orientation and puts the camera's picture on it.
-Placement place(const Scene& scene, const Camera& camera, const PageOptions& options);
+/// Chooses the page's orientation and puts the camera's picture on it, in the middle of what the margins and the room leave. Throws UsageError
+/// when they leave nothing.
+Placement place(const Scene& scene, const Camera& camera, const PageOptions& options, const Room& room = {});
 
 }  // namespace ligne

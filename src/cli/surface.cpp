@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "cli/models.hpp"
-#include "cli/placement.hpp"
 #include "cli/progress.hpp"
+#include "cli/scene_drawing.hpp"
 #include "cli/stages.hpp"
 #include "cli/surface_mesh.hpp"
 #include "cli/surface_samples.hpp"
 #include "plotting/output_file.hpp"
 #include "plotting/writers.hpp"
+#include "scene/height_filters.hpp"
 #include "visibility/horizon/horizon.hpp"
 
 namespace ligne {
@@ -30,47 +30,116 @@ double z_scale_of(const SurfaceOptions& options, const HeightSource& heights, co
   return height > 0 && std::isfinite(scale) ? scale : 1;
 }
 
-void draw(const SurfaceOptions& options) {
-  RunReport run;
-  run.method = "horizon";
-  const Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(options).front()); });
-  const HeightSource& heights = *surface.heights;
-  const std::string place = place_of_warnings(options);
+/// Adds the ground at a height.
+void add_rectangle(Scene& scene, const HeightSource& heights, double z) {
+  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+  for (const double y : {heights.y().front(), heights.y().back()}) {
+    for (const double x : {heights.x().front(), heights.x().back()}) scene.vertices.push_back({x, y, z});
+  }
+  scene.faces.add_triangle(first, first + 1, first + 2);
+  scene.faces.add_triangle(first + 1, first + 3, first + 2);
+}
 
-  HorizonOptions horizon;
-  Placement placement;
-  timed(run.stages, "place", [&] {
-    const HeightSurvey found = survey(heights);
-    horizon.holes = found.holes;
-    horizon.z_scale = z_scale_of(options, heights, found);
-    const Camera camera = camera_of(view_of(options), box_of(heights, found, horizon.z_scale));
-    placement = ligne::place(stand_in(heights, horizon.z_scale, camera), camera, options.page);
-  });
-  horizon.outline = true;
+/// What the horizon draws of a surface, and where.
+struct HorizonRequest {
+  HorizonOptions options;
+  Camera camera;
+  Scene extent;         ///< what the page must hold
+  HeightSurvey heights; ///< what a box round it spans, before scaling
+};
+
+/// A ridgeline plot is as high as this part of its width, and seen as high as its rows are lifted.
+constexpr double kRidgelineHeight = 1.2;
+const Point3 kRidgelineSight{0, 1, -1};
+
+/// Changes the heights into those of a ridgeline plot, where one is wanted.
+HorizonRequest request_of(const SurfaceOptions& options, Surface& surface) {
+  HorizonRequest request;
+  HorizonOptions& horizon = request.options;
   horizon.x_stride = surface.x_stride;
   horizon.y_stride = surface.y_stride;
   if (options.pixels) horizon.resolution = options.resolution.value_or(kResolution);
+  horizon.underside = options.curves.underside;
+  horizon.hidden_by = options.curves.hidden_by;
+  horizon.outline = options.curves.outline.value_or(horizon.hidden_by == HiddenBy::surface);
+
+  HeightSurvey found = survey(*surface.heights);
+  horizon.holes = found.holes;
+  ViewOptions view = view_of(options);
+  if (options.curves.ridgeline) {
+    const double rows = options.curves.ridgeline_overlap * static_cast<double>(std::max<std::size_t>(surface.y_stride, 1));
+    surface.heights = ridgeline_heights(std::move(surface.heights), found.low, found.high, rows, kRidgelineHeight);
+    found = survey(*surface.heights);
+    view.direction = kRidgelineSight;
+    horizon.hidden_by = HiddenBy::curves;
+    horizon.underside = Underside::none;
+    horizon.outline = false;
+  } else {
+    horizon.z_scale = z_scale_of(options, *surface.heights, found);
+  }
+
+  const HeightSource& heights = *surface.heights;
+  request.camera = camera_of(view, box_of(heights, found, horizon.z_scale));
+  request.extent = stand_in(heights, horizon.z_scale, request.camera);
+  request.heights = found;
+  if (found.empty()) return request;
+  horizon.contours = contour_levels(options.curves, found.low, found.high);
+  horizon.contours_on_surface = options.curves.contours || options.curves.contour_step;
+  if (options.curves.contours_base) {
+    horizon.contour_base = contour_base_of(options.curves, found.low, found.high);
+    add_rectangle(request.extent, heights, *horizon.contour_base * horizon.z_scale);
+    request.heights.low = std::min(found.low, *horizon.contour_base);
+    request.heights.high = std::max(found.high, *horizon.contour_base);
+  }
+  return request;
+}
+
+Drawing drawing_of(HorizonLines& lines) {
   Drawing drawing;
+  const auto add = [&](const char* layer, Polylines& polylines) {
+    if (polylines.size() > 0) drawing.layers.push_back({layer, std::move(polylines)});
+  };
+  add("contour-base", lines.base_contours);
+  add("underside", lines.underside);
+  add("horizon", lines.curves);
+  add("contour", lines.contours);
+  add("border", lines.border);
+  add("outline", lines.outline);
+  return drawing;
+}
+
+void draw(const SurfaceOptions& options) {
+  RunReport run;
+  run.method = "horizon";
+  Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(options).front()); });
+  HorizonRequest request;
+  Surroundings around;
+  timed(run.stages, "place", [&] {
+    request = request_of(options, surface);
+    around = place_with_axes(*surface.heights, request.heights, request.options.z_scale, request.extent, request.camera, options.page, options.axes,
+                             options.title);
+    request.options.back_lines = back_lines(around);
+  });
+  HorizonLines lines;
   timed(run.stages, "study", [&] {
     ProgressBar bar(options.run);
-    if (bar.wanted()) horizon.progress = [&bar](double fraction) { bar.update(fraction); };
-    HorizonLines lines = horizon_lines(heights, placement.view, horizon, run.study);
-    const auto add = [&](const char* layer, Polylines& polylines) {
-      if (polylines.size() > 0) drawing.layers.push_back({layer, std::move(polylines)});
-    };
-    add("horizon", lines.curves);
-    add("outline", lines.outline);
+    if (bar.wanted()) request.options.progress = [&bar](double fraction) { bar.update(fraction); };
+    lines = horizon_lines(*surface.heights, around.placement.view, request.options, run.study);
   });
+  Drawing drawing = drawing_of(lines);
   if (!options.run.quiet) {
     if (drawing.layers.empty()) {
-      warn(place, "nothing to draw is in view: the drawing is empty");
-    } else if (placement.larger_than_page()) {
-      warn(place, "the picture is larger than the page: what lies outside is left out");
+      warn(place_of_warnings(options), "nothing to draw is in view: the drawing is empty");
+    } else if (around.placement.larger_than_page()) {
+      warn(place_of_warnings(options), "the picture is larger than the page: what lies outside is left out");
     }
   }
 
+  const std::size_t unknown = add_surroundings(drawing, around, options.axes, lines);
+  if (unknown > 0 && !options.run.quiet) warn(place_of_warnings(options), std::to_string(unknown) + " characters are not in the font: drawn as boxes");
+
   PlotOptions plot;
-  plot.page = placement.page;
+  plot.page = around.placement.page;
   plot.pen_width_mm = options.page.pen_width_mm;
   plot.title = options.title;
   plot.dpi = options.dpi;
@@ -81,8 +150,7 @@ void draw(const SurfaceOptions& options) {
                                          : write_svg(drawing, plot);
   });
   timed(run.stages, "output", [&] { write_output(*options.output.file, bytes); });
-  if (options.run.stats) std::fputs(report_text(run).c_str(), stderr);
-  if (!options.run.stats_json.empty()) write_output(options.run.stats_json, report_json(run));
+  report(options.run, run);
 }
 
 }  // namespace

@@ -96,7 +96,9 @@ void check_sources(const SurfaceOptions& options) {
     throw UsageError("-x, -y", "a grid takes A:B, a window; --every N says which curves are drawn");
   }
   if (!grids && options.every) throw UsageError("--every", "goes with --grid; a formula has its number of curves in -x A:B:N");
-  if (grids) refuse_input_as_output("--output", *options.output.file, options.grids);
+  if (!grids) return;
+  refuse_input_as_output("--output", *options.output.file, options.grids);
+  if (!options.run.stats_json.empty()) refuse_input_as_output("--stats-json", options.run.stats_json, options.grids);
 }
 
 void add_parameter_range(CLI::App& app, const std::string& name, std::vector<CurveRange>& ranges, const std::string& help) {
@@ -112,6 +114,7 @@ void add_parameter_range(CLI::App& app, const std::string& name, std::vector<Cur
          help)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
       ->type_name("A:B[:N]")
       ->default_str("0:2*pi:40")
       ->group("Surface");
@@ -172,6 +175,9 @@ ViewOptions view_of(const SurfaceOptions& options) {
   const double azimuth = options.azimuth_degrees.value_or(kAzimuth) * degree;
   const double elevation = options.elevation_degrees.value_or(kElevation) * degree;
   view.direction = Point3{-std::cos(azimuth) * std::cos(elevation), -std::sin(azimuth) * std::cos(elevation), -std::sin(elevation)};
+  // Straight from above and below the azimuth says which way is up on the page.
+  const double side = std::sin(elevation);
+  if (!view.up && std::abs(side) == 1) view.up = Point3{-std::cos(azimuth) * side, -std::sin(azimuth) * side, 0};
   return view;
 }
 
@@ -188,7 +194,15 @@ void check(const SurfaceOptions& options) {
     throw UsageError("--azimuth, --elevation", "do not go with --view, --direction or --eye");
   }
   if (options.resolution && !options.pixels) throw UsageError("--resolution", "goes with --horizon pixels");
-  const std::string reason = needs_mesh(options);
+  check(options.curves);
+  check(options.axes);
+  if (options.curves.ridgeline && (options.view_given || options.azimuth_degrees || options.elevation_degrees)) {
+    throw UsageError("--ridgeline", "has its own view");
+  }
+  const std::string reason = needs_mesh(options), other = options.axes.style.empty() ? needs_horizon(options.curves) : "--axes";
+  if (!other.empty() && !drawn_by_horizon(options)) {
+    throw UsageError(other, "is drawn by the method horizon, which draws no " + (reason.empty() ? "mesh" : reason));
+  }
   if (options.horizon_given && !reason.empty()) throw UsageError("--method", "horizon draws no " + reason + "; a mesh method does: ligne methods");
   if (options.pixels && !drawn_by_horizon(options)) throw UsageError("--horizon", "pixels goes with the method horizon");
 }
@@ -201,6 +215,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->type_name("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
       ->group(group);
   surface
       ->add_option_function<std::vector<std::string>>(
@@ -212,6 +227,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->type_size(3)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
       ->type_name("X Y Z")
       ->group(group);
   add_parsed(*surface, "-x", "A:B[:N]", options.x, parse_range, "range of x and number of curves of constant x; with --grid a window")
@@ -255,6 +271,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->expected(0, 1)
       ->type_name("[Z]")
       ->group(group);
+  add_curve_options(*surface, options.curves);
   add_method_choice(*surface, options);
   add_parsed(*surface, "--horizon", "exact|pixels", options.pixels,
              [](const std::string& t) {
@@ -278,6 +295,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->group("View");
   add_view_options(*surface, options.view);
   surface->get_option("--view")->default_str("by azimuth and elevation");
+  add_axes_options(*surface, options.axes);
   add_page_options(*surface, options.page);
   add_output_options(*surface, options.output, "svg pdf png json (default: by the suffix)");
   surface->add_flag("--as-mesh", options.as_mesh, "write the surface as a mesh file, .json (ligne-scene) or .obj")->group("Output");
@@ -285,7 +303,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
              [](const std::string& t) { return parse_within(t, kLowestDpi, kHighestDpi, "dots per inch"); }, "resolution of a PNG")
       ->default_str("150")
       ->group("Output");
-  surface->add_option("--title", options.title, "title of an SVG or PDF document")->type_name("TEXT")->group("Output");
+  surface->add_option("--title", options.title, "title above the picture, and of the document")->type_name("TEXT")->group("Output");
   add_run_options(*surface, options.run);
   surface->callback([surface, &options] {
     for (const char* name : {"--view", "--direction", "--eye"}) options.view_given |= surface->count(name) > 0;

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "cli/curve_options.hpp"
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/run_options.hpp"
+#include "cli/surface_axes.hpp"
 #include "cli/view_options.hpp"
 
 namespace ligne {
@@ -42,6 +44,8 @@ struct SurfaceOptions {
   const Method* method = nullptr;    ///< the mesh method that is asked for; nullptr: the default
   HiddenLines hidden = HiddenLines::none;
   bool as_mesh = false;
+  CurveOptions curves;
+  AxesOptions axes;
   bool pixels = false;
   std::optional<unsigned> resolution;
   double dpi = 150;

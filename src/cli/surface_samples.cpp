@@ -14,6 +14,9 @@ constexpr unsigned kCurves = 40;
 /// Samples between two neighbouring curves when nothing is said: smooth, but no more than a thousand along a curve for its own sake.
 constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000;
 
+/// Up to so many samples of a formula are held (32 MB), since a picture asks for each several times; more are computed anew.
+constexpr std::size_t kHeldSamples = std::size_t{1} << 22;
+
 /// Positions of the samples, and every how many there is a curve.
 struct Positions {
   std::vector<double> at;
@@ -37,8 +40,8 @@ Positions positions(const CurveRange& range, bool crossed, const std::optional<u
   return result;
 }
 
-bool x_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::y; }
-bool y_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::x; }
+bool x_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::y && !options.curves.ridgeline; }
+bool y_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::x || options.curves.ridgeline; }
 
 AxisWindow window_of(const std::optional<CurveRange>& range) { return range ? AxisWindow{range->from, range->to} : AxisWindow{}; }
 
@@ -87,15 +90,16 @@ void choose_curves(AnySurface& surface, const SurfaceOptions& options) {
 std::vector<Surface> surfaces_of(const SurfaceOptions& options) {
   std::vector<Surface> grids;
   for (const std::string& file : options.grids) grids.push_back(grid_surface(options, file));
-  // The horizon knows the curves alone; a mesh is fine in both directions.
-  const bool mesh = !drawn_by_horizon(options);
+  // What hides is fine in both directions, unless it is the curves alone.
+  const bool by_curves = options.curves.hidden_by == HiddenBy::curves || options.curves.ridgeline;
   const CurveRange x_range = range_of(options.x, grids, &HeightSource::x), y_range = range_of(options.y, grids, &HeightSource::y);
   std::vector<Surface> surfaces;
   for (const std::string& formula : options.formulas) {
-    Positions x = positions(x_range, mesh || y_curves(options), options.samples);
-    Positions y = positions(y_range, mesh || x_curves(options), options.samples);
+    Positions x = positions(x_range, !by_curves || y_curves(options), options.samples);
+    Positions y = positions(y_range, !by_curves || x_curves(options), options.samples);
     Surface& surface = surfaces.emplace_back(Surface{formula, nullptr, x.stride, y.stride, true});
     surface.heights = formula_heights(formula, std::move(x.at), std::move(y.at));
+    if (surface.heights->x().size() * surface.heights->y().size() <= kHeldSamples) surface.heights = held(*surface.heights);
   }
   for (Surface& grid : grids) surfaces.push_back(std::move(grid));
   for (Surface& surface : surfaces) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The drawing: named layers of polylines, in page millimetres.
+/// The drawing: named layers of polylines, and text, in page millimetres.
 
 #include <cstdint>
 #include <span>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawing/stroke.hpp"
+#include "drawing/text_item.hpp"
 #include "geometry/point.hpp"
 
 namespace ligne {
@@ -28,9 +29,11 @@ struct Layer {
   Polylines lines;
 };
 
-/// Layers in the order in which they are painted. Layers without lines are left out.
+/// Layers in the order in which they are painted. Layers without lines are left out. Texts are painted last; writers put them into a layer
+/// "text" in a typeface. A drawing has either texts or a layer "text" of lines (plotting/stroke_text.hpp).
 struct Drawing {
   std::vector<Layer> layers;
+  std::vector<TextItem> texts{};
 };
 
 /// Every line once: where strokes lie on each other within `tolerance_mm` one of them stands for all (by class, then the

@@ -1,5 +1,7 @@
 #include "scene/height_filters.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,8 +9,18 @@
 #include <utility>
 #include <vector>
 
+#include "scene/held_heights.hpp"
+
 namespace ligne {
 namespace {
+
+/// Row by row.
+std::vector<double> all_heights(const HeightSource& heights) {
+  const std::size_t columns = heights.x().size(), rows = heights.y().size();
+  std::vector<double> z(columns * rows);
+  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t j) { heights.read_row(j, std::span(z).subspan(j * columns, columns)); });
+  return z;
+}
 
 class LogHeights : public HeightSource {
  public:
@@ -22,6 +34,34 @@ class LogHeights : public HeightSource {
 
  private:
   std::unique_ptr<HeightSource> heights_;
+};
+
+/// Positions at equal distances from 0 to `end`.
+std::vector<double> spaced(std::size_t n, double end) {
+  std::vector<double> at(n);
+  for (std::size_t i = 0; i < n; ++i) at[i] = end * static_cast<double>(i) / static_cast<double>(n - 1);
+  return at;
+}
+
+std::vector<double> from_zero_to_one(std::vector<double> at) {
+  const double first = at.front(), extent = at.back() - first;
+  for (double& x : at) x = (x - first) / extent;
+  return at;
+}
+
+class RidgelineHeights : public HeightSource {
+ public:
+  RidgelineHeights(std::unique_ptr<HeightSource> heights, double low, double factor, double rows_height)
+      : HeightSource(from_zero_to_one(heights->x()), spaced(heights->y().size(), rows_height)), heights_(std::move(heights)), low_(low), factor_(factor) {}
+
+  void read_row(std::size_t j, std::span<double> z) const override {
+    heights_->read_row(j, z);
+    for (double& height : z) height = (height - low_) * factor_;
+  }
+
+ private:
+  std::unique_ptr<HeightSource> heights_;
+  double low_, factor_;
 };
 
 /// Samples [begin, end) of an axis.
@@ -59,6 +99,21 @@ class WindowHeights : public HeightSource {
 
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights) {
   return std::make_unique<LogHeights>(std::move(heights));
+}
+
+std::unique_ptr<HeightSource> held(const HeightSource& heights) {
+  return std::make_unique<HeldHeights<double>>(heights.x(), heights.y(), all_heights(heights), SampleOrder::first_row_lowest(heights.x().size()));
+}
+
+std::unique_ptr<HeightSource> transposed(const HeightSource& heights) {
+  const SampleOrder order{0, static_cast<std::ptrdiff_t>(heights.x().size()), 1};
+  return std::make_unique<HeldHeights<double>>(heights.y(), heights.x(), all_heights(heights), order);
+}
+
+std::unique_ptr<HeightSource> ridgeline_heights(std::unique_ptr<HeightSource> heights, double low, double high, double rows, double rows_height) {
+  const double distance = rows_height / static_cast<double>(heights->y().size() - 1);
+  const double factor = high > low ? rows * distance / (high - low) : 0;
+  return std::make_unique<RidgelineHeights>(std::move(heights), low, factor, rows_height);
 }
 
 std::unique_ptr<HeightSource> window_heights(std::unique_ptr<HeightSource> heights, AxisWindow x, AxisWindow y, const std::string& name) {

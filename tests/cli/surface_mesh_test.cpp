@@ -184,7 +184,7 @@ TEST_F(SurfaceMeshTest, HiddenLines) {
 TEST_F(SurfaceMeshTest, GridsAndFormulasTogether) {
   write("hill.csv", "0,0,0,0\n0,3,3,0\n0,3,3,0\n0,0,0,0\n");
   // The level of 1.5 takes the ground of the grid; its line on the hill is an octagon, of which the ground shows nothing.
-  const json lake = drawn({"1.5", "--grid", "hill.csv", "--z-scale", "1", "--view", "top"});
+  const json lake = drawn({"--grid", "hill.csv", "1.5", "--z-scale", "1", "--view", "top"});
   EXPECT_GT(length(lake, "intersection"), 6);
   const json window = drawn({"--grid", "hill.csv", "-x", "1:2", "-y", "0.5:3", "--view", "top"});
   EXPECT_NEAR(length(window, "horizon"), 2 * 2 + 3 * 1, kMicrometre);

@@ -1,5 +1,6 @@
 /// The command `ligne surface`.
 
+#include <cmath>
 #include <regex>
 
 #include "program.hpp"
@@ -77,6 +78,92 @@ TEST_F(SurfaceTest, ThreadsAndHorizons) {
   };
   EXPECT_EQ(with({"--threads", "1"}), with({"--threads", "4"}));
   EXPECT_NE(with({"--horizon", "pixels", "--resolution", "300"}), with({}));
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
+  return n;
+}
+
+TEST_F(SurfaceTest, AxesAreLayersOfTheirOwn) {
+  const std::vector<std::string> plot{"sin(r)/r", "-x", "-9:9", "-y", "-9:9", "--title", "a < b", "--x-label", "east"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), plot.begin(), plot.end());
+    return svg(more);
+  };
+  const std::string text = with({"--axes"});
+  EXPECT_NE(text.find("id=\"axes\""), std::string::npos);
+  EXPECT_NE(text.find("id=\"text\""), std::string::npos);
+  for (const char* label : {">a &lt; b</text>", ">east</text>", ">y</text>", ">z</text>", ">\u22124</text>", ">0.8</text>"}) {
+    EXPECT_EQ(count(text, label), label == std::string(">\u22124</text>") ? 2u : 1u) << label;
+  }
+  const std::string strokes = with({"--axes", "--text", "stroke"});
+  EXPECT_EQ(count(strokes, "<text"), 0u);
+  EXPECT_EQ(count(strokes, "id=\"text\""), 1u);
+  EXPECT_GT(count(with({"--axes=grid"}), "<path"), count(text, "<path"));
+  EXPECT_EQ(count(with({"--axes", "--y-label", ""}), ">y</text>"), 0u) << "an empty name is none";
+  EXPECT_EQ(with({"--axes", "--threads", "1"}), with({"--axes", "--threads", "4"}));
+}
+
+TEST_F(SurfaceTest, ATitleNeedsNoAxes) {
+  const std::string text = svg({"x*y", "--title", "saddle"});
+  EXPECT_EQ(count(text, "<title>saddle</title>"), 1u);
+  EXPECT_EQ(count(text, ">saddle</text>"), 1u);
+  EXPECT_EQ(count(text, "id=\"axes\""), 0u);
+  EXPECT_EQ(count(svg({"x*y"}), "<text"), 0u);
+}
+
+/// Length in mm of all that a layer of an SVG holds.
+double length_of_layer(const std::string& svg, const std::string& layer) {
+  const std::size_t from = svg.find("id=\"" + layer + "\"");
+  if (from == std::string::npos) return 0;
+  const std::string text = svg.substr(from, svg.find("</g>", from) - from);
+  double length = 0;
+  const std::regex path("d=\"([^\"]*)\""), number("-?[0-9]*\\.?[0-9]+");
+  for (std::sregex_iterator p(text.begin(), text.end(), path), end; p != end; ++p) {
+    const std::string data = (*p)[1];
+    const bool relative = data.find('l') != std::string::npos;
+    std::vector<double> values;
+    for (std::sregex_iterator n(data.begin(), data.end(), number); n != end; ++n) values.push_back(std::stod(n->str()));
+    for (std::size_t i = 3; i < values.size(); i += 2) {
+      length += relative ? std::hypot(values[i - 1], values[i]) : std::hypot(values[i - 1] - values[i - 3], values[i] - values[i - 2]);
+    }
+  }
+  return length;
+}
+
+TEST_F(SurfaceTest, TheSurfaceHidesTheAxesBehindIt) {
+  // A slope that rises away from the viewer hides the edge of the ground at the back, 100 mm long; with a hole in its middle it does not.
+  const auto length = [&](const std::string& formula) {
+    return length_of_layer(svg({formula, "-x", "0:1:5", "-y", "0:1:5", "--z-scale", "1", "--scale", "100:1", "--axes", "--azimuth", "-90", "--elevation", "20"}),
+                           "axes");
+  };
+  const double hidden = length("y"), seen = length("if(abs(y-0.5) < 0.44, sqrt(-1), y)");
+  EXPECT_GT(hidden, 100) << "the edge at the top of the back is seen";
+  EXPECT_GE(seen - hidden, 100 - 0.01);
+}
+
+TEST_F(SurfaceTest, AxesEverywhereAndOfEverything) {
+  for (const char* elevation : {"90", "-90", "0", "89.999", "-30"}) {
+    for (const char* azimuth : {"0", "90", "-90", "45"}) {
+      EXPECT_EQ(count(svg({"x*y", "--axes=grid", "--elevation", elevation, "--azimuth", azimuth}), "id=\"axes\""), 1u);
+    }
+  }
+  EXPECT_EQ(count(svg({"3", "--axes"}), "id=\"axes\""), 1u) << "a flat surface";
+  EXPECT_EQ(count(svg({"x*y", "--axes=box", "--eye", "4,4,2", "--target=-5,-5,0", "--fov", "90"}), "id=\"axes\""), 1u) << "from within the box";
+  EXPECT_EQ(count(svg({"1e9+x", "--axes", "-x", "0:1e-7", "-y", "0:1e9", "--page", "a6"}), "id=\"axes\""), 1u);
+  fails({"sqrt(-1-r)", "--axes", "-o", "a.svg"}, 0, "surface: warning: nothing to draw is in view");
+}
+
+TEST_F(SurfaceTest, MistakesOfAxes) {
+  fails({"x", "--axes=cage", "-o", "a.svg"}, 2, "--axes: ");
+  fails({"x", "--x-label", "east", "-o", "a.svg"}, 2, "--x-label: goes with --axes");
+  fails({"x", "--text", "ink", "-o", "a.svg"}, 2, "--text: ");
+  fails({"x", "--axes", "--text-height", "0", "-o", "a.svg"}, 2, "--text-height: ");
+  fails({"x", "--axes", "--text-height", "100", "-o", "a.svg"}, 2, "--text-height: 100 mm is more than a tenth of the 190 mm");
+  fails({"x", "--axes", "--x-label", std::string(1000, 'n'), "-o", "a.svg"}, 2, "--page: numbers and names of the axes leave nothing");
+  fails({"x", "--title", "\u6f22", "--text", "stroke", "-o", "a.svg"}, 0, "surface: warning: 1 characters are not in the font");
 }
 
 TEST_F(SurfaceTest, Mistakes) {

@@ -111,6 +111,42 @@ TEST(Svg, DoesNotDependOnTheNumberOfThreads) {
 
 // ---- PDF ------------------------------------------------------------------------------------------------------------
 
+Drawing text_drawing() {
+  Drawing drawing;
+  drawing.texts = {{"a < b & \"c\" > 'd'", {50, 60}, 3, TextAcross::left, TextUp::base, 0},
+                   {"upwards", {20, 100}, 3, TextAcross::center, TextUp::middle, 90},
+                   {"2\u00b710\u2076\xff\n", {90, 100}, 3, TextAcross::right, TextUp::top, 0}};
+  return drawing;
+}
+
+TEST(Svg, TextsAreALayerOfText) {
+  const Xml xml = parse_xml(write_svg(text_drawing(), {}));
+  ASSERT_EQ(xml.error, "");
+  ASSERT_EQ(xml.elements.size(), 5u);
+  EXPECT_EQ(xml.elements[1].attributes.at("id"), "text");
+  EXPECT_EQ(xml.elements[1].attributes.at("stroke"), "none");
+  for (std::size_t i = 2; i < 5; ++i) EXPECT_EQ(xml.elements[i].name, kSvg + "text");
+  EXPECT_EQ(xml.elements[2].attributes.at("x"), "50");
+  EXPECT_EQ(xml.elements[2].attributes.at("y"), "60");
+  EXPECT_EQ(xml.elements[2].attributes.count("text-anchor"), 0u);
+  EXPECT_EQ(xml.elements[3].attributes.at("text-anchor"), "middle");
+  EXPECT_EQ(xml.elements[3].attributes.at("x"), "21.5") << "half the height to the right of the middle: it reads upwards";
+  EXPECT_EQ(xml.elements[3].attributes.at("transform"), "rotate(-90 21.5 100)");
+  EXPECT_EQ(xml.elements[4].attributes.at("text-anchor"), "end");
+  EXPECT_EQ(xml.elements[4].attributes.at("y"), "103");
+  EXPECT_NE(xml.text.find("a < b & \"c\" > 'd'"), std::string::npos);
+  EXPECT_NE(xml.text.find("2\u00b710\u2076\ufffd "), std::string::npos);
+}
+
+TEST(Pdf, TextsAreText) {
+  const std::string pdf = write_pdf(text_drawing(), {});
+  EXPECT_NE(pdf.find("/Font"), std::string::npos);
+  EXPECT_EQ(pdf, write_pdf(text_drawing(), {}));
+  EXPECT_EQ(write_pdf({}, {}).find("/FontDescriptor"), std::string::npos);
+}
+
+TEST(Png, TextsAreDrawn) { EXPECT_NE(write_png(text_drawing(), {}), write_png({}, {})); }
+
 TEST(Pdf, IsOnePageOfTrueSizeWithoutADate) {
   PlotOptions options;
   options.page = parse_page("100x50mm");

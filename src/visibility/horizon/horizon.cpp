@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/height_filters.hpp"
 #include "visibility/horizon/part_sweep.hpp"
 
 namespace ligne {
@@ -22,25 +23,6 @@ std::pair<double, double> u_range(const Camera& camera, const Sight& sight, cons
   return range;
 }
 
-/// Heights with x and y in each other's place, all of them held.
-class Transposed : public HeightSource {
- public:
-  explicit Transposed(const HeightSource& heights) : HeightSource(heights.y(), heights.x()), z_(x().size() * y().size()) {
-    const std::size_t rows = x().size(), columns = y().size();
-    tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t j) {
-      std::vector<double> row(columns);
-      heights.read_row(j, row);
-      for (std::size_t i = 0; i < columns; ++i) z_[i * rows + j] = row[i];
-    });
-  }
-  void read_row(std::size_t j, std::span<double> z) const override {
-    std::copy_n(z_.begin() + static_cast<std::ptrdiff_t>(j * z.size()), z.size(), z.begin());
-  }
-
- private:
-  std::vector<double> z_;
-};
-
 template <class Horizon>
 HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View& view, const HorizonOptions& options, Statistics& statistics) {
   const Camera& camera = view.camera;
@@ -50,7 +32,8 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
   const GridAxis y(heights.y(), transposed ? options.x_stride : options.y_stride, eye(row));
   const auto parts_x = x.parts(camera.forward[column]), parts_y = y.parts(camera.forward[row]);
 
-  LineStore store{{}, Chains(view.window), Chains(view.window), Chains(view.window)};
+  const Chains none(view.window);
+  LineStore store{{}, none, none, none, none};
   store.lines.back_lines.resize(options.back_lines.size());
   const double all_rows = static_cast<double>(parts_x.size() * y.at.size());
   double done = 0;
@@ -70,6 +53,7 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
   }
   HorizonLines lines = std::move(store.lines);
   lines.outline = store.outline.finish();
+  lines.border = store.border.finish();
   lines.contours = store.contours.finish();
   lines.base_contours = store.base_contours.finish();
   for (auto& spans : lines.back_lines) {
@@ -77,7 +61,7 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
   }
   statistics.count("segments studied", segments);
   statistics.count("curve strokes", lines.curves.size() + lines.underside.size());
-  statistics.count("outline strokes", lines.outline.size());
+  statistics.count("outline strokes", lines.outline.size() + lines.border.size());
   statistics.count("contour strokes", lines.contours.size() + lines.base_contours.size());
   return lines;
 }
@@ -96,7 +80,7 @@ HorizonLines horizon_lines(const HeightSource& heights, const View& view, const 
   };
   // Columns may lie along the sights, since a strip knows the cells on both sides of them; rows may not.
   const Point3& forward = view.camera.forward;
-  if (!view.camera.perspective && forward.y == 0 && forward.x != 0) return sweep(Transposed(heights), true);
+  if (!view.camera.perspective && forward.y == 0 && forward.x != 0) return sweep(*transposed(heights), true);
   return sweep(heights, false);
 }
 

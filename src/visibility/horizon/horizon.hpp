@@ -21,7 +21,7 @@ namespace ligne {
 /// curves that are drawn and nothing between them.
 enum class HiddenBy : std::uint8_t { surface, curves };
 
-/// Curves seen from below: with the others, apart, or not at all.
+/// Curves whose lower side is seen: with the others, apart, or not at all. (With HiddenBy::curves and `none` the space below a curve hides too.)
 enum class Underside : std::uint8_t { same, apart, none };
 
 struct HorizonOptions {
@@ -31,11 +31,12 @@ struct HorizonOptions {
   double z_scale = 1;  ///< heights are multiplied by it
   HiddenBy hidden_by = HiddenBy::surface;
   Underside underside = Underside::same;
-  bool outline = false;               ///< the surface's silhouette too, where it is not a curve that is drawn; not with HiddenBy::curves
+  bool outline = false;               ///< the surface's silhouette and rims too, where they are not curves that are drawn; not with HiddenBy::curves
   std::vector<double> contours;       ///< heights of contour lines, ascending, before scaling; not with HiddenBy::curves
   bool contours_on_surface = true;
   std::optional<double> contour_base; ///< the contours also on the plane of this height, before scaling
-  std::vector<std::array<Point3, 2>> back_lines;  ///< segments in the upright planes of the grid's far borders, heights scaled
+  /// Segments in the upright planes of the grid's far borders, or on a level ground that the surface stands on; heights scaled.
+  std::vector<std::array<Point3, 2>> back_lines;
   /// Columns of pixels of the horizon; 0: the horizon is exact.
   std::size_t resolution = 0;
   std::optional<bool> holes;  ///< whether a sample may be no number; found out when not said
@@ -44,7 +45,7 @@ struct HorizonOptions {
 
 /// What is seen; points in page mm.
 struct HorizonLines {
-  Polylines curves, underside, outline, contours, base_contours;
+  Polylines curves, underside, outline, border, contours, base_contours;
   std::vector<std::vector<horizon::Span>> back_lines;  ///< of each the parameters that are seen, ascending
 };
 

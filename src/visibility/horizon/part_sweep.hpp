@@ -42,7 +42,7 @@ inline constexpr std::size_t kRowsAtATime = 64;
 /// Where the sweep puts what is seen.
 struct LineStore {
   HorizonLines lines;
-  Chains outline, contours, base_contours;
+  Chains outline, border, contours, base_contours;
 };
 
 /// A sample, for the horizon and on the page.
@@ -107,8 +107,9 @@ class PartSweep {
   std::size_t segments = 0;
 
  private:
-  /// +1: the upper side is seen, -1: the lower one, 0: edge on.
-  static constexpr std::int8_t kNoFace = 2;
+  /// +1: the upper side is seen, -1: the lower one, 0: edge on. Beyond an edge there may be no face, or one of another part of the grid.
+  static constexpr std::int8_t kNoFace = 2, kOtherPart = 3;
+  static bool is_face(std::int8_t facing) { return facing < kNoFace; }
   struct Facings {
     std::int8_t first = kNoFace, second = kNoFace;
     bool any() const { return first != kNoFace; }
@@ -164,15 +165,17 @@ class PartSweep {
     CurveTracker first_row, this_row;
     const bool first_drawn = rows_.first_is_drawn && y_.drawn[rows_.order[0]], row_drawn = y_.drawn[rows_.order[r]];
     const std::size_t columns = row.size();
+    const std::int8_t before_columns = begins_at_rim(columns_, x_) ? kNoFace : kOtherPart;
+    const std::int8_t before_rows = begins_at_rim(rows_, y_) ? kNoFace : kOtherPart;
     for (std::size_t c = 0; c < columns; ++c) {
       const bool column_drawn = x_.drawn[columns_.order[c]] && (c > 0 || columns_.first_is_drawn);
       const std::int8_t behind = c + 1 < columns ? near_column(strip[c + 1]) : kNoFace;
       if (c == 0) {
-        edge(before[0], row[0], kNoFace, behind, column_drawn ? &column_curves_[0] : nullptr);
+        edge(before[0], row[0], before_columns, behind, column_drawn ? &column_curves_[0] : nullptr);
         continue;
       }
       const Facings& cell = strip[c];
-      if (r == 1) edge(before[c - 1], before[c], kNoFace, cell.first, first_drawn ? &first_row : nullptr, &row[c]);
+      if (r == 1) edge(before[c - 1], before[c], before_rows, cell.first, first_drawn ? &first_row : nullptr, &row[c]);
       const auto far_column_edge = [&] {
         edge(before[c], row[c], far_column(cell), behind, column_drawn ? &column_curves_[c] : nullptr);
       };
@@ -215,6 +218,10 @@ class PartSweep {
     this_row.end();
   }
 
+  static bool begins_at_rim(const GridAxis::Part& part, const GridAxis& axis) {
+    return part.order.front() == 0 || part.order.front() + 1 == axis.at.size();
+  }
+
   /// Whether sights cross the diagonal n - f from the side of p to the side of q.
   bool first_is_nearer(const Sample& n, const Sample& f) const {
     const Camera& camera = view_.camera;
@@ -226,34 +233,36 @@ class PartSweep {
   /// An edge between the nearer and the farther of its faces; `curve` when it is drawn as part of a curve. Of an edge of a row straight before
   /// the eye only the bank of `bank` has been taken as far as the edge goes.
   void edge(const Sample& a, const Sample& b, std::int8_t nearer, std::int8_t farther, CurveTracker* curve, const Sample* bank = nullptr) {
-    if (nearer == kNoFace && farther == kNoFace) {
+    if (!is_face(nearer) && !is_face(farther)) {
       if (curve) curve->interrupt();
       return;
     }
     const bool by_curves = options_.hidden_by == HiddenBy::curves;
-    const bool folded = nearer != kNoFace && farther != kNoFace && (nearer > 0) != (farther > 0);
-    const bool silhouette = folded && !curve && options_.outline;
-    bool upper = by_curves && curve, lower = upper;
+    const bool rim = nearer == kNoFace || farther == kNoFace;
+    const bool folded = is_face(nearer) && is_face(farther) && (nearer > 0) != (farther > 0);
+    const bool outlined = (folded || rim) && !curve && options_.outline;
+    bool upper = by_curves && curve, lower = upper && options_.underside != Underside::none;
     if (!Horizon::kCovers && !by_curves) {
-      upper = (nearer == kNoFace || nearer >= 0) && !(farther == 1);
-      lower = (nearer == kNoFace || nearer <= 0) && !(farther == -1);
+      upper = (!is_face(nearer) || nearer >= 0) && farther != 1;
+      lower = (!is_face(nearer) || nearer <= 0) && farther != -1;
     }
-    if (!curve && !silhouette && !upper && !lower) return;
+    if (!curve && !outlined && !upper && !lower) return;
     const auto part = before_the_eye(a, b);
     if (!part) {
       if (curve) curve->interrupt();
       return;
     }
-    if (curve || silhouette) {
-      const std::int8_t facing = nearer != kNoFace ? nearer : farther;
-      const Against against = by_curves || nearer == kNoFace || nearer == 0 ? Against::both : nearer > 0 ? Against::upper : Against::lower;
+    if (curve || outlined) {
+      const std::int8_t facing = is_face(nearer) ? nearer : farther;
+      Against against = !is_face(nearer) || nearer == 0 ? Against::both : nearer > 0 ? Against::upper : Against::lower;
+      if (by_curves) against = lower ? Against::both : Against::upper;
       ++segments;
       Banks banks = by_curves ? Banks::none : Banks::both;
       if (bank && !by_curves) banks = bank->seen.u() < a.seen.u() ? Banks::left : Banks::right;
       const std::vector<Span>& seen = horizon_.seen(part->a, part->b, against, banks);
-      if (silhouette) {
-        give(a, b, *part, seen, [&](double t0, double t1) { add_to(store_.outline, a, b, t0, t1); });
-      } else if (facing < 0 && options_.underside == Underside::none) {
+      if (outlined) {
+        give(a, b, *part, seen, [&](double t0, double t1) { add_to(rim ? store_.border : store_.outline, a, b, t0, t1); });
+      } else if (facing < 0 && options_.underside == Underside::none && !by_curves) {
         curve->interrupt();
       } else {
         Polylines& lines = facing < 0 && options_.underside == Underside::apart ? store_.lines.underside : store_.lines.curves;
@@ -302,8 +311,10 @@ class PartSweep {
         contour(ends, facing > 0 ? Against::upper : Against::lower, store_.contours);
       }
       if (options_.contour_base) {
-        for (Point3& end : ends) end.z = *options_.contour_base * options_.z_scale;
-        contour(ends, Against::both, store_.base_contours);
+        // What lies below the surface here can not be seen above what is nearer.
+        const double base = *options_.contour_base * options_.z_scale;
+        for (Point3& end : ends) end.z = base;
+        contour(ends, base < *level ? Against::lower : Against::upper, store_.base_contours);
       }
     }
   }
@@ -332,7 +343,7 @@ class PartSweep {
       const auto part = before_the_eye(a, b, from, to);
       if (!part) continue;
       auto& seen = store_.lines.back_lines[i];
-      give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, Banks::both), [&](double t0, double t1) { seen.push_back({t0, t1}); });
+      give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, Banks::none), [&](double t0, double t1) { seen.push_back({t0, t1}); });
     }
   }
 

@@ -1,0 +1,67 @@
+#include "drawing/text_item.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace ligne {
+namespace {
+
+/// Unit vectors of a turned frame on the page: to the right, and upwards. Quarter turns are exact.
+std::array<Point2, 2> frame(double rotation_degrees) {
+  const double quarters = rotation_degrees / 90;
+  if (quarters == std::round(quarters)) {
+    switch (static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4))) {
+      case 0: return {Point2{1, 0}, Point2{0, -1}};
+      case 1: return {Point2{0, -1}, Point2{-1, 0}};
+      case 2: return {Point2{-1, 0}, Point2{0, 1}};
+      default: return {Point2{0, 1}, Point2{1, 0}};
+    }
+  }
+  const double angle = rotation_degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+  return {Point2{c, -s}, Point2{-s, -c}};
+}
+
+}  // namespace
+
+Point2 base_point(const TextItem& item) {
+  const double above = item.up == TextUp::base ? 0 : item.up == TextUp::middle ? 0.5 : 1;
+  return item.at - frame(item.rotation_degrees)[1] * (above * item.height_mm);
+}
+
+std::array<Point2, 2> TextBox::axes() const { return frame(rotation_degrees); }
+
+std::array<Point2, 4> TextBox::corners() const {
+  const auto [u, v] = axes();
+  return {center - u * half.x - v * half.y, center + u * half.x - v * half.y, center + u * half.x + v * half.y,
+          center - u * half.x + v * half.y};
+}
+
+double TextBox::reach(Point2 direction) const {
+  const auto [u, v] = axes();
+  return half.x * std::abs(glm::dot(u, direction)) + half.y * std::abs(glm::dot(v, direction));
+}
+
+TextBox text_box(const TextItem& item, const TextExtent& extent) {
+  const auto [u, v] = frame(item.rotation_degrees);
+  const double along = item.across == TextAcross::left ? 0.5 : item.across == TextAcross::center ? 0 : -0.5;
+  TextBox box;
+  box.center = base_point(item) + u * (along * extent.width) + v * ((extent.ascent - extent.descent) / 2);
+  box.half = {extent.width / 2, (extent.ascent + extent.descent) / 2};
+  box.rotation_degrees = item.rotation_degrees;
+  return box;
+}
+
+bool overlap(const TextBox& a, const TextBox& b, double gap_mm) {
+  // Two convex figures are apart when they are apart along a side's normal of one of them.
+  const Point2 between = b.center - a.center;
+  for (const TextBox* box : {&a, &b}) {
+    for (const Point2 n : box->axes()) {
+      if (std::abs(glm::dot(between, n)) >= a.reach(n) + b.reach(n) + gap_mm) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace ligne
