@@ -29,6 +29,7 @@ std::string write_png(const Drawing& drawing, const PlotOptions& options) {
   const CairoContext cairo(cairo_create(surface.get()));
   cairo_set_source_rgb(cairo.get(), 1, 1, 1);
   cairo_paint(cairo.get());
+  paint_fills(cairo.get(), drawing.fills, scale);
   for (const Layer& layer : drawing.layers) {
     stroke_polylines(cairo.get(), layer.lines, layer_style(layer.name, options.pen_width_mm, options.hidden_solid), scale);
   }

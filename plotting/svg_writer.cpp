@@ -200,6 +200,43 @@ std::string group_start(std::string_view layer) {
   return "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + name + "\" id=\"" + name + "\"";
 }
 
+/// The contours of one area as one path.
+std::string fill_path(const Fill& fill) {
+  std::string text = "<path d=\"";
+  char buffer[2 * kNumberBytes];
+  for (const std::vector<Point2>& contour : fill.contours) {
+    UnitPoint last{0, 0};
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const UnitPoint p{std::llround(contour[i].x * kUnitsPerMm), std::llround(contour[i].y * kUnitsPerMm)};
+      if (i > 0 && p == last) continue;
+      text += i == 0 ? "M" : "L";
+      char* end = write_fixed(buffer, p.x, kDecimals, true);
+      *end++ = ' ';
+      end = write_fixed(end, p.y, kDecimals, true);
+      text.append(buffer, end);
+      last = p;
+    }
+    text += 'Z';
+  }
+  return text + "\"/>\n";
+}
+
+/// One layer, with a group for those of one colour that follow each other.
+std::string fills_text(const std::vector<Fill>& fills) {
+  if (fills.empty()) return {};
+  std::string text = group_start("fill") + " fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
+  for (std::size_t i = 0; i < fills.size();) {
+    const Fill& first = fills[i];
+    const std::string color = color_text(first.color);
+    text += "<g fill=\"" + color + "\"";
+    text += first.opacity < 1 ? " fill-opacity=\"" + number(first.opacity) + "\">\n"
+                              : " stroke=\"" + color + "\" stroke-width=\"" + number(kFillRimMm) + "\">\n";
+    for (; i < fills.size() && fills[i].color == first.color && fills[i].opacity == first.opacity; ++i) text += fill_path(fills[i]);
+    text += "</g>\n";
+  }
+  return text + "</g>\n";
+}
+
 std::string layer_start(const Layer& layer, const LineStyle& style) {
   const bool dashed = !style.dashes_mm.empty();
   std::string text = group_start(layer.name) +
@@ -239,6 +276,7 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
   if (!options.title.empty()) svg += "<title>" + xml_text(options.title) + "</title>\n";
 
   const double device = device_units(largest_coordinate(drawing, options.page));
+  svg += fills_text(drawing.fills);
   for (const Layer& layer : drawing.layers) {
     const std::vector<Chunk> chunks = chunks_of(layer.lines);
     std::vector<std::string> texts(chunks.size());

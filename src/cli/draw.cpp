@@ -25,13 +25,13 @@ void check(const DrawOptions& options) {
 }
 
 void draw(const DrawOptions& options) {
-  const Method& method = method_of(options.method);
+  const Method& method = options.fill.asked() && !options.method.method ? region_method() : method_of(options.method);
   const MethodSettings settings = settings_of(options.method, method);  // a wrong one is told before anything is read
   RunReport run;
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   draw_scene(models.scene,
              {method, settings, options.method.edges, options.method.crease_degrees, options.method.hidden, options.method.cull, options.view,
-              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front()},
+              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), options.fill},
              run);
 }
 
@@ -42,6 +42,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_model_options(*draw, options.model);
   add_view_options(*draw, options.view);
   add_method_options(*draw, options.method);
+  add_fill_options(*draw, options.fill);
   add_page_options(*draw, options.page);
   add_output_options(*draw, options.output);
   add_parsed(

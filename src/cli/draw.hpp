@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/fills.hpp"
 #include "cli/method_options.hpp"
 #include "cli/models.hpp"
 #include "cli/output_options.hpp"
@@ -21,6 +22,7 @@ struct DrawOptions {
   RunOptions run;
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty
+  FillOptions fill{};
 };
 
 /// Adds the command; it runs when the command line names it. `options` must outlive the parse.

@@ -12,6 +12,8 @@
 #include "plotting/writers.hpp"
 #include "scene/topology.hpp"
 #include "view/projected_scene.hpp"
+#include "visibility/atherton_weiler/details.hpp"
+#include "visibility/atherton_weiler/shadows.hpp"
 #include "visibility/tolerances.hpp"
 
 namespace ligne {
@@ -42,10 +44,12 @@ void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& p
   drawing.layers.insert(drawing.layers.begin(), std::move(layer));
 }
 
-std::string written(OutputFormat format, const DrawingDocument& document, const PlotOptions& plot) {
+std::string written(OutputFormat format, const DrawingDocument& document, const PlotOptions& plot, std::vector<Fill> fills, Polylines hatching) {
   if (format == OutputFormat::json) return write_json(document, plot);
   Drawing drawing = make_drawing(*document.strokes);
   if (document.debug) add_debug_layer(drawing, *document.debug);
+  drawing.fills = std::move(fills);
+  if (hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), {"hatch", std::move(hatching)});
   switch (format) {
     case OutputFormat::pdf:
       return write_pdf(drawing, plot);
@@ -72,10 +76,21 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   });
   // Only the JSON drawing names the source edges; the study needs the memory of the rest.
   const std::vector<Edge> edges = format == OutputFormat::json ? std::move(topology.edges) : std::vector<Edge>{};
+  const std::vector<Light> lights = lights_of(request.fill, scene);
   topology = {};
   VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected); });
   if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
   StrokeModel& strokes = *result.strokes;
+  if (request.fill.asked() && !result.regions) {
+    throw UsageError(request.fill.kind == FillKind::none ? "--light" : "--fill",
+                     std::string(request.method.traits().name) + " does not produce regions; atherton-weiler does");
+  }
+  if (result.regions && !scene.details.empty()) *result.regions = atherton_weiler::cut_details(scene, placement.view, std::move(*result.regions));
+  if (!lights.empty() && result.regions) {
+    timed(run.stages, "shadows", [&] {
+      *result.regions = atherton_weiler::cast_shadows(scene, build_topology(scene), placement.view, lights, *result.regions);
+    });
+  }
 
   if (!request.run.quiet) {
     if (strokes.strokes.empty()) {
@@ -108,7 +123,14 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     document.near_distance = placement.view.near_distance;
     document.method = run.method;
     document.statistics = result.statistics;
-    return written(format, document, plot);
+    std::vector<Fill> fills;
+    Polylines hatching;
+    if (result.regions && request.fill.kind == FillKind::hatch) {
+      hatching = hatch_regions(scene, placement.view, *result.regions, lights, plot.pen_width_mm);
+    } else if (result.regions && request.fill.kind != FillKind::none) {
+      fills = fill_regions(scene, placement.view, *result.regions, lights, request.fill.kind);
+    }
+    return written(format, document, plot, std::move(fills), std::move(hatching));
   });
   run.study = std::move(result.statistics);
   timed(run.stages, "output", [&] { write_output(*request.output.file, bytes); });

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/fills.hpp"
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
@@ -28,6 +29,7 @@ struct SceneDrawing {
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty
   std::string place_of_warnings;
+  FillOptions fill{};
 };
 
 /// Studies, draws and writes; then reports when the options ask for it. Throws UsageError, std::runtime_error.

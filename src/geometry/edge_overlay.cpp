@@ -53,6 +53,7 @@ Banks EdgeOverlay::start(std::size_t i, SegmentParameter from, SegmentParameter 
     if (k == i) continue;
     const ContourEdge& e = edges_[k].edge;
     const double at_a = orientation(line.a, line.b, e.segment.a), at_b = orientation(line.a, line.b, e.segment.b);
+    if (at_a * at_b > 0 && edges_[k].within) continue;
     int first = side_of_end(line, e.segment, e.from, at_a, at_b), last = side_of_end(line, e.segment, e.to, at_a, at_b);
     if (first == last) {
       if (first == 0) add_ends(line, edges_[k].edge, from, to);

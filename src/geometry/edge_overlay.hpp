@@ -1,5 +1,5 @@
 #pragma once
-/// Two sets of directed edges laid over each other: along an edge, how often each set winds round the page just left and just right of it.
+/// Sets of directed edges laid over each other: along an edge, how often each set winds round the page just left and just right of it.
 ///
 /// The line of an edge, moved to the left by less than anything that matters, meets no corner and runs along no edge. On it the
 /// winding of a set changes where an edge of the set has one end on its left and the other on its right; an end exactly on the
@@ -15,15 +15,17 @@
 
 namespace ligne {
 
-/// Windings of set 0 and set 1 on the two banks of a part of an edge, in the direction of its segment.
+/// Windings of the sets, up to three, on the two banks of a part of an edge, in the direction of its segment.
 struct Banks {
-  std::array<std::int32_t, 2> left{}, right{};
+  std::array<std::int32_t, 3> left{}, right{};
 };
 
 class EdgeOverlay {
  public:
   void clear() { edges_.clear(); }
-  void add(const ContourEdge& edge, unsigned set) { edges_.push_back({edge, set}); }
+  void add(const ContourEdge& edge, unsigned set) {
+    edges_.push_back({edge, set, edge.from.num >= 0 && edge.to.num <= edge.to.den});
+  }
   void add(const ContourFace& face, unsigned set);
   std::size_t size() const { return edges_.size(); }
   const ContourEdge& edge(std::size_t i) const { return edges_[i].edge; }
@@ -54,6 +56,7 @@ class EdgeOverlay {
   struct Item {
     ContourEdge edge;
     unsigned set;
+    bool within;  ///< the run does not leave its segment
   };
   struct Event {
     SegmentParameter t;

@@ -21,11 +21,7 @@ std::int64_t fine_offset(double d, SegmentParameter t) {
 
 }  // namespace
 
-int product_difference_sign(double a, double b, double c, double d) {
-  const double p = a * b, q = c * d, difference = p - q;
-  const double doubt = kProductRounding * (std::abs(p) + std::abs(q));
-  if (difference > doubt) return 1;
-  if (difference < -doubt) return -1;
+int exact_product_difference_sign(double a, double b, double c, double d) {
   const Int128 exact = whole(a) * whole(b) - whole(c) * whole(d);
   return (exact > 0) - (exact < 0);
 }

@@ -36,8 +36,17 @@ inline double value(SegmentParameter t) { return t.num / t.den; }
 /// a factor is itself a difference, another one; the difference carries a third.
 inline constexpr double kProductRounding = 0x1p-50;
 
-/// Sign of a b - c d for whole numbers below 2^54.
-int product_difference_sign(double a, double b, double c, double d);
+/// Sign of a b - c d for whole numbers below 2^54, in whole numbers of 128 bits.
+int exact_product_difference_sign(double a, double b, double c, double d);
+
+/// The same; mostly doubles tell.
+inline int product_difference_sign(double a, double b, double c, double d) {
+  const double p = a * b, q = c * d, difference = p - q;
+  const double doubt = kProductRounding * (std::abs(p) + std::abs(q));
+  if (difference > doubt) return 1;
+  if (difference < -doubt) return -1;
+  return exact_product_difference_sign(a, b, c, d);
+}
 
 /// -1, 0, +1 as s is less than, equal to, greater than t.
 inline int compare(SegmentParameter s, SegmentParameter t) { return product_difference_sign(s.num, t.den, t.num, s.den); }

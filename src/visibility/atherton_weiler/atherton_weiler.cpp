@@ -68,7 +68,7 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
   const Facets facets = make_facets(scene, coincidence_steps);
   appel::CellGrid::Options grid_options;
   grid_options.margin_steps = coincidence_steps + 1;
-  grid_options.drop_hidden = !(options.hidden_strokes && scene.with_intersections);
+  grid_options.drop_hidden = !(options.hidden_strokes && scene.with_intersections) && scene.face_is_transparent.empty();
   const appel::CellGrid grid(scene, facets.facets, grid_options);
   statistics.time("grid", clock.lap());
 

@@ -98,9 +98,16 @@ FacetClip::Meeting FacetClip::Lines::meet(const Window& w) const {
   return covers ? Meeting::covers : Meeting::meets;
 }
 
-void FacetClip::finish(std::vector<ContourEdge>& out) {
+std::vector<ContourEdge>& FacetClip::level(std::size_t k) {
+  if (out_->size() <= k) out_->resize(k + 1);
+  return (*out_)[k];
+}
+
+void FacetClip::finish(std::vector<std::vector<ContourEdge>>& out) {
+  out_ = &out;
   if (clip_count() == 0) {
-    out.insert(out.end(), subject_.edges.begin(), subject_.edges.begin() + subject_.count);
+    std::vector<ContourEdge>& seen = level(0);
+    seen.insert(seen.end(), subject_.edges.begin(), subject_.edges.begin() + subject_.count);
     return;
   }
   Window window{INT64_MAX, INT64_MAX, INT64_MIN, INT64_MIN};
@@ -113,26 +120,26 @@ void FacetClip::finish(std::vector<ContourEdge>& out) {
   std::vector<std::uint32_t> all(clips_.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
   if (all.size() <= kFewClips || !faces_.empty()) {
-    borders_in(window, all, true, out);
+    borders_in(window, all, true);
   } else {
-    split(window, all, 0, out);
+    split(window, all, 0);
   }
 }
 
-void FacetClip::split(const Window& window, std::span<const std::uint32_t> list, int depth, std::vector<ContourEdge>& out) {
+void FacetClip::split(const Window& window, std::span<const std::uint32_t> list, int depth) {
   if (Lines(subject_).meet(window) == Meeting::apart) return;
   std::vector<std::uint32_t> kept;
   kept.reserve(list.size());
   for (const std::uint32_t i : list) {
     const Meeting m = lines_[i].meet(window);
-    if (m == Meeting::covers) return;
-    if (m == Meeting::meets) kept.push_back(i);
+    if (m == Meeting::covers && !clips_[i].transparent) return;
+    if (m != Meeting::apart) kept.push_back(i);
   }
   const std::int64_t width = window.x1 - window.x0, height = window.y1 - window.y0;
-  // Lists that do not become shorter are of sides through one place; deeper halves would only repeat them.
-  const bool crowded = kept.size() > kFewClips && depth < kDeepest && std::max(width, height) > 8 && (depth % 6 != 0 || depth == 0 || kept.size() < list.size());
-  if (!crowded) {
-    borders_in(window, kept, false, out);
+  // Lists that do not become shorter are of sides through one place, or of transparent faces; deeper halves would only repeat them.
+  const bool shorter = depth == 0 || depth % 6 != 0 || kept.size() < list.size();
+  if (kept.size() <= kFewClips || depth >= kDeepest || std::max(width, height) <= 8 || !shorter) {
+    borders_in(window, kept, false);
     return;
   }
   Window a = window, b = window;
@@ -141,33 +148,57 @@ void FacetClip::split(const Window& window, std::span<const std::uint32_t> list,
   } else {
     a.y1 = b.y0 = window.y0 + height / 4 * 2;
   }
-  split(a, kept, depth + 1, out);
-  split(b, kept, depth + 1, out);
+  split(a, kept, depth + 1);
+  split(b, kept, depth + 1);
 }
 
-void FacetClip::borders_in(const Window& window, std::span<const std::uint32_t> list, bool whole, std::vector<ContourEdge>& out) {
+/// Whether the edge's segment lies on the outer side of a side of the subject, or along it. There it borders nothing of the subject that a side
+/// of the subject does not border too.
+bool FacetClip::beside_subject(const ContourEdge& edge) const {
+  if (edge.source == kCutSource) return false;
+  for (std::uint32_t k = 0; k < subject_.count; ++k) {
+    const ContourEdge& side = subject_.edges[k];
+    const double a = orientation(side.segment.a, side.segment.b, edge.segment.a), b = orientation(side.segment.a, side.segment.b, edge.segment.b);
+    if (side.reversed ? a >= 0 && b >= 0 : a <= 0 && b <= 0) return true;
+  }
+  return false;
+}
+
+void FacetClip::borders_in(const Window& window, std::span<const std::uint32_t> list, bool whole) {
   overlay_.clear();
   for (std::uint32_t k = 0; k < subject_.count; ++k) overlay_.add(subject_.edges[k], 0);
   for (const std::uint32_t i : list) {
-    for (std::uint32_t k = 0; k < clips_[i].count; ++k) overlay_.add(clips_[i].edges[k], 1);
+    const ClipPart& part = clips_[i].form;
+    for (std::uint32_t k = 0; k < part.count; ++k) overlay_.add(part.edges[k], clips_[i].transparent ? 2 : 1);
   }
-  for (const ContourFace& face : faces_) overlay_.add(face, 1);
+  for (const Clip<ContourFace>& face : faces_) overlay_.add(face.form, face.transparent ? 2 : 1);
+  constexpr std::int32_t kUnseen = -1;
+  const auto level_of = [](const std::array<std::int32_t, 3>& winding) {
+    return winding[0] > 0 && winding[1] <= 0 ? std::max(winding[2], 0) : kUnseen;
+  };
   for (std::size_t i = 0; i < overlay_.size(); ++i) {
     const ContourEdge edge = overlay_.edge(i);
+    if (i >= subject_.count && beside_subject(edge)) continue;
     SegmentParameter from = edge.from, to = edge.to;
     if (!whole && !(cut_range(edge.segment.a.x, edge.segment.dx(), window.x0, window.x1, from, to) &&
                     cut_range(edge.segment.a.y, edge.segment.dy(), window.y0, window.y1, from, to))) {
       continue;
     }
-    const std::size_t first = out.size();
-    overlay_.for_each_part(i, from, to, [&](SegmentParameter f, SegmentParameter t, const Banks& b, bool corner) {
-      const bool left = b.left[0] > 0 && b.left[1] <= 0, right = b.right[0] > 0 && b.right[1] <= 0;
-      if (left == right) return;
-      if (!corner && out.size() > first && out.back().reversed == right && compare(out.back().to, f) == 0) {
+    const auto add = [&](std::int32_t k, SegmentParameter f, SegmentParameter t, bool reversed, bool goes_on) {
+      if (k == kUnseen) return;
+      std::vector<ContourEdge>& out = level(static_cast<std::size_t>(k));
+      if (goes_on && !out.empty() && out.back().source == edge.source && out.back().segment == edge.segment &&
+          out.back().reversed == reversed && compare(out.back().to, f) == 0) {
         out.back().to = t;
       } else {
-        out.push_back({edge.segment, f, t, edge.source, right});
+        out.push_back({edge.segment, f, t, edge.source, reversed});
       }
+    };
+    overlay_.for_each_part(i, from, to, [&](SegmentParameter f, SegmentParameter t, const Banks& b, bool corner) {
+      const std::int32_t left = level_of(b.left), right = level_of(b.right);
+      if (left == right) return;
+      add(left, f, t, false, !corner);
+      add(right, f, t, true, !corner);
     });
   }
 }

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <iterator>
 #include <span>
 #include <vector>
 
@@ -36,18 +35,18 @@ class FacetClip {
     lines_.clear();
     faces_.clear();
   }
-  void add(const ClipPart& clip) {
+  void add(const ClipPart& clip, bool transparent) {
     if (clip.count == 0) return;
-    clips_.push_back(clip);
+    clips_.push_back({clip, transparent});
     lines_.emplace_back(clip);
   }
-  void add(std::vector<ContourFace> clips) {
-    faces_.insert(faces_.end(), std::make_move_iterator(clips.begin()), std::make_move_iterator(clips.end()));
+  void add(std::vector<ContourFace> clips, bool transparent) {
+    for (ContourFace& face : clips) faces_.push_back({std::move(face), transparent});
   }
   std::size_t clip_count() const { return clips_.size() + faces_.size(); }
 
-  /// Appends the border of what is left of the subject, its inside on the left.
-  void finish(std::vector<ContourEdge>& out);
+  /// Appends the borders of what is left of the subject, the inside on the left: out[k] of that behind k transparent clip faces.
+  void finish(std::vector<std::vector<ContourEdge>>& out);
 
  private:
   /// A part of the page in half steps; its sides are odd, so that no corner lies on them and no side runs along them.
@@ -68,14 +67,23 @@ class FacetClip {
     std::uint32_t count;
   };
 
-  void split(const Window& window, std::span<const std::uint32_t> list, int depth, std::vector<ContourEdge>& out);
-  void borders_in(const Window& window, std::span<const std::uint32_t> list, bool whole, std::vector<ContourEdge>& out);
+  template <class Form>
+  struct Clip {
+    Form form;
+    bool transparent;
+  };
+
+  void split(const Window& window, std::span<const std::uint32_t> list, int depth);
+  void borders_in(const Window& window, std::span<const std::uint32_t> list, bool whole);
+  bool beside_subject(const ContourEdge& edge) const;
+  std::vector<ContourEdge>& level(std::size_t k);
 
   ClipPart subject_;
-  std::vector<ClipPart> clips_;
+  std::vector<Clip<ClipPart>> clips_;
   std::vector<Lines> lines_;
-  std::vector<ContourFace> faces_;  ///< clip faces that are no convex parts
+  std::vector<Clip<ContourFace>> faces_;  ///< clip faces that are no convex parts
   EdgeOverlay overlay_;
+  std::vector<std::vector<ContourEdge>>* out_ = nullptr;
 };
 
 }  // namespace ligne::atherton_weiler

@@ -91,28 +91,35 @@ class Worker {
 
   /// Appends the regions of the face of these facets.
   void study(std::span<const std::uint32_t> group, VisibleFaces& out) {
-    edges_.clear();
+    for (std::vector<ContourEdge>& edges : levels_) edges.clear();
     for (const std::uint32_t f : group) clip(f, out.counts);
-    if (edges_.empty()) return;
-    if (group.size() > 1) split_at_common_ends(edges_);
-    const std::uint32_t face = facets_[group[0]].face;
-    for (const ContourFace& piece : link_edges(edges_)) {
+    for (std::uint32_t level = 0; level < levels_.size(); ++level) {
+      if (levels_[level].empty()) continue;
+      if (group.size() > 1) split_at_common_ends(levels_[level]);
+      add_regions(facets_[group[0]].face, level, out);
+    }
+  }
+
+ private:
+  void add_regions(std::uint32_t face, std::uint32_t level, VisibleFaces& out) {
+    for (const ContourFace& piece : link_edges(levels_[level])) {
       Region region;
       region.face = face;
+      region.level = level;
       for (const EdgeLoop& loop : piece.contours) {
         std::vector<Point2>& contour = region.contours.emplace_back();
         contour.reserve(loop.size());
         for (const ContourEdge& e : loop) {
           contour.push_back(to_mm(scene_.lattice, e.begin()));
-          if (e.source != kCutSource) out.borders.push_back({e.source, value(e.from), value(e.to)});
+          if (level == 0 && e.source != kCutSource) out.borders.push_back({e.source, value(e.from), value(e.to)});
         }
       }
       out.regions.push_back(std::move(region));
     }
   }
 
- private:
   void clip(std::uint32_t facet, StudyCounts& counts);
+  bool transparent(std::uint32_t face) const { return !scene_.face_is_transparent.empty() && scene_.face_is_transparent[face]; }
   bool covered_by(std::uint32_t facet, std::uint32_t other) const;
 
   const ProjectedScene& scene_;
@@ -121,7 +128,7 @@ class Worker {
   std::vector<std::uint8_t>& touches_;
   std::vector<std::uint32_t> stamp_;  ///< per facet: the facet for which it was looked at last, plus one
   FacetClip clip_;
-  std::vector<ContourEdge> edges_;
+  std::vector<std::vector<ContourEdge>> levels_;  ///< borders of the face at hand, by the number of transparent faces in front
   /// Facets that touch the one at hand or cross it.
   struct Near {
     std::uint32_t facet;
@@ -211,14 +218,14 @@ void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
         ++counts.cuts;
         part = left_of(part, {order.cut.b, order.cut.a});
         if (part.count == 0) continue;
-      } else if (!order.touch && covered_by(facet, other)) {
+      } else if (!order.touch && !transparent(g.face) && covered_by(facet, other)) {
         hidden = true;
         return;
       }
       if (near) {
         near_.back().part = part;
       } else {
-        clip_.add(part);
+        clip_.add(part, transparent(g.face));
       }
     }
   });
@@ -228,14 +235,14 @@ void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
     if (g.part.count == 0) continue;
     const std::vector<ContourFace> ring = near_.size() > 1 ? rings(facet, g) : std::vector<ContourFace>{};
     if (ring.empty()) {
-      clip_.add(g.part);
+      clip_.add(g.part, transparent(facets_[g.facet].face));
     } else {
       const std::vector<ContourFace> part{g.part.face()};
-      clip_.add(clip_contour_by_contour(part, ring).outside);
+      clip_.add(clip_contour_by_contour(part, ring).outside, transparent(facets_[g.facet].face));
     }
   }
   counts.clips += clip_.clip_count();
-  clip_.finish(edges_);
+  clip_.finish(levels_);
 }
 
 }  // namespace
