@@ -200,9 +200,8 @@ std::string group_start(std::string_view layer) {
   return "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + name + "\" id=\"" + name + "\"";
 }
 
-/// The contours of one area as one path.
-std::string fill_path(const Fill& fill) {
-  std::string text = "<path d=\"";
+/// Appends the contours of an area to the path at hand.
+void add_fill(const Fill& fill, std::string& text) {
   char buffer[2 * kNumberBytes];
   for (const std::vector<Point2>& contour : fill.contours) {
     UnitPoint last{0, 0};
@@ -218,21 +217,22 @@ std::string fill_path(const Fill& fill) {
     }
     text += 'Z';
   }
-  return text + "\"/>\n";
 }
 
-/// One layer, with a group for those of one colour that follow each other.
+/// One layer. Opaque areas of one colour that follow each other are one path: between two paths the paper would shine through.
 std::string fills_text(const std::vector<Fill>& fills) {
   if (fills.empty()) return {};
   std::string text = group_start("fill") + " fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
   for (std::size_t i = 0; i < fills.size();) {
     const Fill& first = fills[i];
     const std::string color = color_text(first.color);
-    text += "<g fill=\"" + color + "\"";
-    text += first.opacity < 1 ? " fill-opacity=\"" + number(first.opacity) + "\">\n"
-                              : " stroke=\"" + color + "\" stroke-width=\"" + number(kFillRimMm) + "\">\n";
-    for (; i < fills.size() && fills[i].color == first.color && fills[i].opacity == first.opacity; ++i) text += fill_path(fills[i]);
-    text += "</g>\n";
+    text += "<path fill=\"" + color + "\"";
+    text += first.opacity < 1 ? " fill-opacity=\"" + number(first.opacity) + "\" d=\""
+                              : " stroke=\"" + color + "\" stroke-width=\"" + number(kFillRimMm) + "\" d=\"";
+    do {
+      add_fill(fills[i++], text);
+    } while (i < fills.size() && first.opacity >= 1 && fills[i].color == first.color && fills[i].opacity == first.opacity);
+    text += "\"/>\n";
   }
   return text + "</g>\n";
 }
