@@ -152,6 +152,35 @@ void append_region(std::string& out, const Region& region) {
   out += '}';
 }
 
+/// The spans of one line, [begin, end).
+void append_line_of_spans(std::string& out, const SpanModel& model, std::size_t begin, std::size_t end) {
+  out += "{\"line\":";
+  append_integer(out, model.spans[begin].line);
+  out += ",\"y\":";
+  append_shortest(out, model.lines.y_mm(model.spans[begin].line));
+  out += ",\"spans\":[";
+  for (std::size_t i = begin; i < end; ++i) {
+    out += i == begin ? "[" : ",[";
+    append_rounded(out, model.spans[i].x_from, kPageDecimals);
+    out += ',';
+    append_rounded(out, model.spans[i].x_to, kPageDecimals);
+    out += ',';
+    append_face(out, model.spans[i].face);
+    out += ']';
+  }
+  out += "]}";
+}
+
+void append_spans(std::string& out, const SpanModel& model) {
+  std::vector<std::size_t> first;  // of each line that has any
+  for (std::size_t i = 0; i < model.spans.size(); ++i) {
+    if (i == 0 || model.spans[i].line != model.spans[i - 1].line) first.push_back(i);
+  }
+  const std::size_t lines = first.size();
+  first.push_back(model.spans.size());
+  append_array(out, lines, [&](std::string& text, std::size_t i) { append_line_of_spans(text, model, first[i], first[i + 1]); });
+}
+
 void append_head(std::string& out, const DrawingDocument& document, const Page& page) {
   out += "{\"format\":\"ligne-drawing\",\"version\":1,\n\"page\":{\"width_mm\":";
   append_shortest(out, page.width_mm);
@@ -224,6 +253,10 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
     out += ",\n\"order\":";
     append_array(out, document.order->faces.size(),
                  [&](std::string& text, std::size_t i) { append_face(text, document.order->faces[i]); });
+  }
+  if (document.spans) {
+    out += ",\n\"spans\":";
+    append_spans(out, *document.spans);
   }
   if (document.debug) {
     out += ",\n\"debug\":";

@@ -37,7 +37,8 @@ struct LayerPen {
   double width;  ///< of the pen width
 };
 constexpr LayerPen kLayerPens[] = {{"intersection", 0.7}, {"crease", 0.7}, {"mesh", 0.5}, {"hidden", 0.5},
-                                   {"axes", 0.7},         {"text", 0.7},   {"debug", 0.5},       {"hatch", 0.5}};
+                                   {"axes", 0.7},         {"text", 0.7},   {"debug", 0.5},
+                                   {"hatch", 0.5}};
 constexpr std::array<double, 3> kDebugColor{0.8, 0, 0};
 
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }

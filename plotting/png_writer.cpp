@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 #include "plotting/cairo_path.hpp"
@@ -14,9 +15,24 @@ constexpr double kMmPerInch = 25.4;
 constexpr double kLargestSide = 32767;
 constexpr double kMostPixels = 560e6;
 
+void put_pixels(cairo_surface_t* surface, const GrayPicture& picture) {
+  cairo_surface_flush(surface);
+  unsigned char* const data = cairo_image_surface_get_data(surface);
+  if (!data) return;  // the surface is in error, which is told later
+  const int stride = cairo_image_surface_get_stride(surface);
+  for (std::uint32_t y = 0; y < picture.height; ++y) {
+    const std::uint8_t* const row = picture.gray.data() + std::size_t{y} * picture.width;
+    for (std::uint32_t x = 0; x < picture.width; ++x) {
+      const std::uint32_t pixel = row[x] * 0x010101u;
+      std::memcpy(data + std::size_t{y} * static_cast<std::size_t>(stride) + 4 * std::size_t{x}, &pixel, sizeof pixel);
+    }
+  }
+  cairo_surface_mark_dirty(surface);
+}
+
 }  // namespace
 
-std::string write_png(const Drawing& drawing, const PlotOptions& options) {
+PixelSize png_size(const PlotOptions& options) {
   const double scale = options.dpi / kMmPerInch;
   const double width = std::max(1.0, std::round(options.page.width_mm * scale));
   const double height = std::max(1.0, std::round(options.page.height_mm * scale));
@@ -24,11 +40,18 @@ std::string write_png(const Drawing& drawing, const PlotOptions& options) {
   if (!(width <= kLargestSide && height <= kLargestSide && width * height <= kMostPixels)) {
     throw std::runtime_error("PNG: the picture is too large at this resolution");
   }
+  return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+}
+
+std::string write_png(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
+  const double scale = options.dpi / kMmPerInch;
+  const PixelSize size = png_size(options);
   const CairoSurface surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size.width), static_cast<int>(size.height)));
   const CairoContext cairo(cairo_create(surface.get()));
   cairo_set_source_rgb(cairo.get(), 1, 1, 1);
   cairo_paint(cairo.get());
+  if (under) put_pixels(surface.get(), *under);
   paint_fills(cairo.get(), drawing.fills, scale);
   for (const Layer& layer : drawing.layers) {
     stroke_polylines(cairo.get(), layer.lines, layer_style(layer.name, options.pen_width_mm, options.hidden_solid), scale);

@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "drawing/drawing.hpp"
+#include "drawing/shading.hpp"
 #include "drawing/result_models.hpp"
 #include "drawing/statistics.hpp"
 #include "plotting/page.hpp"
@@ -26,14 +27,22 @@ struct PlotOptions {
 std::string write_svg(const Drawing& drawing, const PlotOptions& options);
 /// PDF of true size, one page.
 std::string write_pdf(const Drawing& drawing, const PlotOptions& options);
-/// PNG on white, for looking.
-std::string write_png(const Drawing& drawing, const PlotOptions& options);
+/// Pixels of a PNG, width and height.
+struct PixelSize {
+  std::uint32_t width = 1, height = 1;
+};
+/// Throws std::runtime_error when the picture would be too large.
+PixelSize png_size(const PlotOptions& options);
+
+/// PNG on white, for looking; `under` lies below the lines and is as large as png_size() says, or null.
+std::string write_png(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
 
 /// What the JSON drawing holds beside page and pens: docs/drawing-format.md.
 struct DrawingDocument {
   const StrokeModel* strokes = nullptr;
   const std::vector<Region>* regions = nullptr;
   const PaintOrder* order = nullptr;
+  const SpanModel* spans = nullptr;
   const std::vector<std::vector<Point2>>* debug = nullptr;  ///< polylines that show how the method worked
   std::function<SourceEdge(std::uint32_t)> source;  ///< the source edge of that number; called from several threads at once
   glm::dmat4 model_to_page{1};

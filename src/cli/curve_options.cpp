@@ -83,7 +83,6 @@ void check(const CurveOptions& options) {
 std::string needs_horizon(const CurveOptions& options) {
   if (options.ridgeline) return "--ridgeline";
   if (options.contours_base) return "--contours-base";
-  if (options.contours || options.contour_step) return "--contours";
   if (options.underside != Underside::same) return "--underside";
   if (options.hidden_by != HiddenBy::surface) return "--hidden-by curves";
   return "";

@@ -1,5 +1,5 @@
 #pragma once
-/// Options of ligne surface that say what the method horizon draws beside plain curves.
+/// Options of ligne surface that say which lines are drawn beside plain curves, and what hides.
 
 #include <optional>
 #include <string>

@@ -14,7 +14,7 @@ constexpr const char* kExamples = R"(Examples:
   ligne draw tower.obj --eye 9,6,14 --fov 40 -q -o - --format svg | rsvg-convert -z 2 > tower.png)";
 
 void check(const DrawOptions& options) {
-  format_of(options.output);
+  check(options.faces, format_of(options.output), method_of(options.method));
   check(options.page);
   refuse_input_as_output("--output", *options.output.file, options.model.files);
   if (options.run.stats_json.empty()) return;
@@ -31,7 +31,7 @@ void draw(const DrawOptions& options) {
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   draw_scene(models.scene,
              {method, settings, options.method.edges, options.method.crease_degrees, options.method.hidden, options.method.cull, options.view,
-              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), options.fill},
+              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces, options.fill},
              run);
 }
 
@@ -52,6 +52,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
       ->default_str("150")
       ->group("Output");
   draw->add_option("--title", options.title, "title of an SVG or PDF")->type_name("TEXT")->group("Output");
+  add_face_options(*draw, options.faces);
   add_run_options(*draw, options.run);
   draw->footer(kExamples);
 }

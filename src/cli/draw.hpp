@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/face_options.hpp"
 #include "cli/fills.hpp"
 #include "cli/method_options.hpp"
 #include "cli/models.hpp"
@@ -22,6 +23,7 @@ struct DrawOptions {
   RunOptions run;
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty
+  FaceOptions faces;
   FillOptions fill{};
 };
 

@@ -21,7 +21,9 @@ const Method* parse_method(const std::string& text) {
 
 unsigned parse_value(const std::string& text, const MethodParameter& parameter) {
   if (parameter.words.empty()) return parse_count(text, parameter.low, parameter.high);
-  return static_cast<unsigned>(parse_choice(text, parameter.words));
+  const bool number = parameter.high > 0 && !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  if (number) return parse_count(text, parameter.low, parameter.high);
+  return static_cast<unsigned>(parse_choice(text, parameter.words)) + (parameter.high > 0 ? parameter.high + 1 : 0);
 }
 
 /// One option for each name, whatever the number of methods that have it.

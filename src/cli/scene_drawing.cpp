@@ -1,7 +1,10 @@
 #include "cli/scene_drawing.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "cli/culling.hpp"
 #include "cli/errors.hpp"
@@ -25,11 +28,13 @@ SourceEdge source_edge(const Scene& scene, const Edge& edge) {
 }
 
 /// The method's study, with the progress bar over it.
-VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projected) {
+VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projected, const PlotOptions& plot) {
   ProgressBar bar(request.run);
   StudyOptions study_options;
   study_options.hidden_strokes = request.hidden != HiddenLines::none;
+  study_options.span_lines = span_lines(request.faces, plot);
   study_options.settings = request.settings;
+  if (format_of(request.output) != OutputFormat::json) study_options.wanted = request.faces.wanted() ? kStrokes | kSpans : kStrokes;  // all that is drawn
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return request.method.study(projected, study_options);
 }
@@ -44,20 +49,48 @@ void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& p
   drawing.layers.insert(drawing.layers.begin(), std::move(layer));
 }
 
-std::string written(OutputFormat format, const DrawingDocument& document, const PlotOptions& plot, std::vector<Fill> fills, Polylines hatching) {
-  if (format == OutputFormat::json) return write_json(document, plot);
+/// What surface hides of the axes is not drawn, also where hidden lines are.
+void remove_hidden_axes(StrokeModel& model) {
+  std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
+}
+
+/// The document as lines, with what stands round it.
+Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, const SceneDrawing& request) {
   Drawing drawing = make_drawing(*document.strokes);
   if (document.debug) add_debug_layer(drawing, *document.debug);
-  drawing.fills = std::move(fills);
-  if (hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), {"hatch", std::move(hatching)});
+  if (!request.frame) return drawing;
+  const std::size_t unknown = add_surroundings(drawing, around, request.frame->axes);
+  if (unknown > 0 && !request.run.quiet) {
+    warn(request.place_of_warnings, std::to_string(unknown) + " characters are not in the font: drawn as boxes");
+  }
+  return drawing;
+}
+
+/// Below all lines.
+void add_hatching(Drawing& drawing, Polylines hatching) {
+  if (hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), Layer{"hatch", std::move(hatching)});
+}
+
+std::string written(OutputFormat format, const Drawing& drawing, const PlotOptions& plot, const GrayPicture* under) {
   switch (format) {
     case OutputFormat::pdf:
       return write_pdf(drawing, plot);
     case OutputFormat::png:
-      return write_png(drawing, plot);
+      return write_png(drawing, plot, under);
     default:
       return write_svg(drawing, plot);
   }
+}
+
+/// Details and light on the regions of a study.
+void finish_regions(const Scene& scene, const SceneDrawing& request, const View& view, std::span<const Light> lights, VisibilityResult& result) {
+  if (request.fill.asked() && !result.regions) {
+    throw UsageError(request.fill.kind == FillKind::none ? "--light" : "--fill",
+                     std::string(request.method.traits().name) + " does not produce regions; atherton-weiler does");
+  }
+  if (!result.regions) return;
+  if (!scene.details.empty()) *result.regions = atherton_weiler::cut_details(scene, view, std::move(*result.regions));
+  if (!lights.empty()) *result.regions = atherton_weiler::cast_shadows(scene, build_topology(scene), view, lights, *result.regions);
 }
 
 }  // namespace
@@ -67,51 +100,53 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   const OutputFormat format = format_of(request.output);
   Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
 
-  Placement placement;
+  Surroundings around;
+  Placement& placement = around.placement;
   const ProjectedScene projected = timed(run.stages, "project", [&] {
-    placement = place(scene, camera_of(request.view, scene), request.page);
+    const Camera camera = camera_of(request.view, scene);
+    if (request.frame) {
+      around = place_with_axes(request.frame->box, scene, camera, request.page, request.frame->axes, request.title);
+    } else {
+      placement = place(scene, camera, request.page);
+    }
     ProjectedScene all = project(scene, topology, placement.view, {request.classes, request.crease_degrees});
     if (request.cull) cull_back_faces(scene, topology, all, request.place_of_warnings, request.run.quiet);
+    add_lines(all, all_lines(around), LineClass::axes);
     return all;
   });
-  // Only the JSON drawing names the source edges; the study needs the memory of the rest.
-  const std::vector<Edge> edges = format == OutputFormat::json ? std::move(topology.edges) : std::vector<Edge>{};
-  const std::vector<Light> lights = lights_of(request.fill, scene);
-  topology = {};
-  VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected); });
-  if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
-  StrokeModel& strokes = *result.strokes;
-  if (request.fill.asked() && !result.regions) {
-    throw UsageError(request.fill.kind == FillKind::none ? "--light" : "--fill",
-                     std::string(request.method.traits().name) + " does not produce regions; atherton-weiler does");
-  }
-  if (result.regions && !scene.details.empty()) *result.regions = atherton_weiler::cut_details(scene, placement.view, std::move(*result.regions));
-  if (!lights.empty() && result.regions) {
-    timed(run.stages, "shadows", [&] {
-      *result.regions = atherton_weiler::cast_shadows(scene, build_topology(scene), placement.view, lights, *result.regions);
-    });
-  }
-
-  if (!request.run.quiet) {
-    if (strokes.strokes.empty()) {
-      warn(request.place_of_warnings, "nothing to draw is in view: the drawing is empty");
-    } else if (placement.larger_than_page()) {
-      warn(request.place_of_warnings, "the picture is larger than the page: what lies outside is left out");
-    }
-  }
-
   PlotOptions plot;
   plot.page = placement.page;
   plot.pen_width_mm = request.page.pen_width_mm;
   plot.hidden_solid = request.hidden == HiddenLines::solid;
   plot.title = request.title;
   plot.dpi = request.dpi;
+  // Only the JSON drawing names the source edges; the study needs the memory of the rest.
+  const std::vector<Edge> edges = format == OutputFormat::json ? std::move(topology.edges) : std::vector<Edge>{};
+  topology = {};
+  VisibilityResult result = timed(run.stages, "study", [&] { return study(request, projected, plot); });
+  if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
+  StrokeModel& strokes = *result.strokes;
+  remove_hidden_axes(strokes);
+  const std::vector<Light> lights = lights_of(request.fill, scene);
+  if (request.fill.asked() || !scene.details.empty()) {
+    timed(run.stages, "regions", [&] { finish_regions(scene, request, placement.view, lights, result); });
+  }
+
+  if (!request.run.quiet) {
+    if (std::none_of(strokes.strokes.begin(), strokes.strokes.end(), [](const Stroke& s) { return s.line_class != LineClass::axes; })) {
+      warn(request.place_of_warnings, "nothing to draw is in view: the drawing is empty");
+    } else if (placement.larger_than_page()) {
+      warn(request.place_of_warnings, "the picture is larger than the page: what lies outside is left out");
+    }
+  }
+
   timed(run.stages, "drawing", [&] { remove_coincident_strokes(strokes, coincidence_mm(projected)); });
   const std::string bytes = timed(run.stages, "write", [&] {
     DrawingDocument document;
     document.strokes = &strokes;
     document.regions = result.regions ? &*result.regions : nullptr;
     document.order = result.order ? &*result.order : nullptr;
+    document.spans = result.spans ? &*result.spans : nullptr;
     document.debug = result.debug.empty() ? nullptr : &result.debug;
     document.source = [&](std::uint32_t source) {
       return source < strokes.edge_count ? source_edge(scene, edges.at(source))
@@ -123,14 +158,16 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     document.near_distance = placement.view.near_distance;
     document.method = run.method;
     document.statistics = result.statistics;
-    std::vector<Fill> fills;
-    Polylines hatching;
+    if (format == OutputFormat::json) return write_json(document, plot);
+    FacePicture faces = result.spans ? picture_faces(request.faces, scene, placement.view.camera, *result.spans, plot) : FacePicture{};
+    Drawing drawing = drawing_of(document, around, request);
+    add_hatching(drawing, std::move(faces.hatching));
     if (result.regions && request.fill.kind == FillKind::hatch) {
-      hatching = hatch_regions(scene, placement.view, *result.regions, lights, plot.pen_width_mm);
+      add_hatching(drawing, hatch_regions(scene, placement.view, *result.regions, lights, plot.pen_width_mm));
     } else if (result.regions && request.fill.kind != FillKind::none) {
-      fills = fill_regions(scene, placement.view, *result.regions, lights, request.fill.kind);
+      drawing.fills = fill_regions(scene, placement.view, *result.regions, lights, request.fill.kind);
     }
-    return written(format, document, plot, std::move(fills), std::move(hatching));
+    return written(format, drawing, plot, faces.shaded ? &*faces.shaded : nullptr);
   });
   run.study = std::move(result.statistics);
   timed(run.stages, "output", [&] { write_output(*request.output.file, bytes); });

@@ -3,16 +3,24 @@
 
 #include <string>
 
+#include "cli/face_options.hpp"
 #include "cli/fills.hpp"
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stages.hpp"
+#include "cli/surface_axes.hpp"
 #include "cli/view_options.hpp"
 #include "scene/scene.hpp"
 
 namespace ligne {
+
+/// Axes and a title round the picture of what is plotted.
+struct PlotFrame {
+  const AxesOptions& axes;
+  std::optional<PlotBox> box;
+};
 
 /// What is drawn and how.
 struct SceneDrawing {
@@ -29,6 +37,8 @@ struct SceneDrawing {
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty
   std::string place_of_warnings;
+  const PlotFrame* frame = nullptr;  ///< not for JSON; without it the title is only that of the document
+  FaceOptions faces{};
   FillOptions fill{};
 };
 

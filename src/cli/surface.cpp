@@ -94,6 +94,20 @@ HorizonRequest request_of(const SurfaceOptions& options, Surface& surface) {
   return request;
 }
 
+std::optional<PlotBox> plot_box(const HeightSource& heights, const HeightSurvey& found, double z_scale) {
+  if (found.empty()) return std::nullopt;
+  return PlotBox{{{heights.x().front(), heights.y().front(), found.low}, {heights.x().back(), heights.y().back(), found.high}}, z_scale};
+}
+
+/// What the study saw of the axes' lines.
+Polylines axes_of(const HorizonLines& lines, const Surroundings& around) {
+  std::vector<std::vector<VisibleInterval>> seen(lines.back_lines.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (const horizon::Span& span : lines.back_lines[i]) seen[i].push_back({span.from, span.to});
+  }
+  return lines_of_axes(around, seen);
+}
+
 Drawing drawing_of(HorizonLines& lines) {
   Drawing drawing;
   const auto add = [&](const char* layer, Polylines& polylines) {
@@ -116,8 +130,8 @@ void draw(const SurfaceOptions& options) {
   Surroundings around;
   timed(run.stages, "place", [&] {
     request = request_of(options, surface);
-    around = place_with_axes(*surface.heights, request.heights, request.options.z_scale, request.extent, request.camera, options.page, options.axes,
-                             options.title);
+    around = place_with_axes(plot_box(*surface.heights, request.heights, request.options.z_scale), request.extent, request.camera, options.page,
+                             options.axes, options.title);
     request.options.back_lines = back_lines(around);
   });
   HorizonLines lines;
@@ -135,7 +149,8 @@ void draw(const SurfaceOptions& options) {
     }
   }
 
-  const std::size_t unknown = add_surroundings(drawing, around, options.axes, lines);
+  if (Polylines axes = axes_of(lines, around); axes.size() > 0) drawing.layers.push_back({"axes", std::move(axes)});
+  const std::size_t unknown = add_surroundings(drawing, around, options.axes);
   if (unknown > 0 && !options.run.quiet) warn(place_of_warnings(options), std::to_string(unknown) + " characters are not in the font: drawn as boxes");
 
   PlotOptions plot;

@@ -8,7 +8,6 @@
 #include "cli/parse.hpp"
 #include "cli/text.hpp"
 #include "view/axes_box.hpp"
-#include "view/axis_lines.hpp"
 #include "visibility/tolerances.hpp"
 
 namespace ligne {
@@ -67,18 +66,17 @@ Room widest(const Room& a, const Room& b) {
   return {std::max(a.left, b.left), std::max(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
 }
 
-/// Nothing where there are no heights.
-std::optional<AxesRequest> request_of(const AxesOptions& options, const HeightSource& heights, const HeightSurvey& survey, double z_scale) {
-  if (survey.empty() || !std::isfinite((survey.high - survey.low) * z_scale)) return std::nullopt;
+std::optional<AxesRequest> request_of(const AxesOptions& options, const std::optional<PlotBox>& plot) {
+  if (options.style.empty() || !plot) return std::nullopt;
+  const auto& [box, z_scale] = *plot;
+  if (!std::isfinite((box.high.z - box.low.z) * z_scale)) return std::nullopt;
   AxesRequest request;
   request.style = style_of(options);
   for (int k = 0; k < 3; ++k) {
     request.axes[k].name = options.names[k].value_or(kDefaultNames[k]);
+    request.axes[k].from = box.low[k];
+    request.axes[k].to = box.high[k];
   }
-  const auto range = [&](int k, double from, double to) { request.axes[k].from = from, request.axes[k].to = to; };
-  range(0, heights.x().front(), heights.x().back());
-  range(1, heights.y().front(), heights.y().back());
-  range(2, survey.low, survey.high);
   request.axes[2].factor = z_scale;
   return request;
 }
@@ -122,10 +120,9 @@ void check(const AxesOptions& options) {
   }
 }
 
-Surroundings place_with_axes(const HeightSource& heights, const HeightSurvey& survey, double z_scale, const Scene& scene, const Camera& camera,
-                             const PageOptions& page, const AxesOptions& options, const std::string& title) {
-  std::optional<AxesRequest> request;
-  if (!options.style.empty()) request = request_of(options, heights, survey, z_scale);
+Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera, const PageOptions& page,
+                             const AxesOptions& options, const std::string& title) {
+  std::optional<AxesRequest> request = request_of(options, box);
   const Scene extent = request ? box_scene(request->box()) : scene;
   const MeasureText measure = [&](std::string_view text, double height) { return text_extent(text, height, options.text); };
 
@@ -165,24 +162,38 @@ std::vector<std::array<Point3, 2>> back_lines(const Surroundings& surroundings) 
   return lines;
 }
 
-std::size_t add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesOptions& options, const HorizonLines& seen) {
+std::vector<std::array<Point3, 2>> all_lines(const Surroundings& surroundings) {
+  std::vector<std::array<Point3, 2>> lines = back_lines(surroundings);
+  for (const AxisLine& line : surroundings.axes.front_lines) lines.push_back({line.a, line.b});
+  return lines;
+}
+
+Polylines lines_of_axes(const Surroundings& surroundings, std::span<const std::vector<VisibleInterval>> seen) {
   const AxesPicture& axes = surroundings.axes;
   std::vector<AxisLine> all = axes.lines;
   all.insert(all.end(), axes.front_lines.begin(), axes.front_lines.end());
   const auto visibility = [&](std::span<const AxisLine> given) {
-    std::vector<std::vector<VisibleInterval>> visible(given.size());
-    for (std::size_t i = 0; i < seen.back_lines.size(); ++i) {
-      for (const auto& span : seen.back_lines[i]) visible[i].push_back({span.from, span.to});
-    }
-    for (std::size_t i = seen.back_lines.size(); i < given.size(); ++i) visible[i].push_back({});
+    std::vector<std::vector<VisibleInterval>> visible(seen.begin(), seen.end());
+    visible.resize(given.size(), {VisibleInterval{}});
     return visible;
   };
-  Polylines lines = axis_lines(all, surroundings.placement.view, visibility, kLeastPartMm);
-  for (const auto& mark : axes.marks) {
+  return axis_lines(all, surroundings.placement.view, visibility, kLeastPartMm);
+}
+
+std::size_t add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesOptions& options) {
+  const std::string name(kLineClassNames[static_cast<std::size_t>(LineClass::axes)]);
+  Layer layer{name, {}};
+  const auto found = std::find_if(drawing.layers.begin(), drawing.layers.end(), [&](const Layer& l) { return l.name == name; });
+  if (found != drawing.layers.end()) {
+    layer = std::move(*found);
+    drawing.layers.erase(found);
+  }
+  Polylines& lines = layer.lines;
+  for (const auto& mark : surroundings.axes.marks) {
     lines.points.insert(lines.points.end(), mark.begin(), mark.end());
     lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
   }
-  if (lines.size() > 0) drawing.layers.push_back({"axes", std::move(lines)});
+  if (lines.size() > 0) drawing.layers.push_back(std::move(layer));
   drawing.texts = surroundings.texts;
   return options.text == TextStyle::stroke ? draw_texts_as_strokes(drawing) : 0;
 }

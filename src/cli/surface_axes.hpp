@@ -3,15 +3,15 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "cli/placement.hpp"
 #include "drawing/drawing.hpp"
 #include "plotting/stroke_text.hpp"
-#include "scene/height_source.hpp"
 #include "view/axes_layout.hpp"
-#include "visibility/horizon/horizon.hpp"
+#include "view/axis_lines.hpp"
 
 namespace CLI {
 class App;
@@ -38,16 +38,28 @@ struct Surroundings {
   std::vector<TextItem> texts;  ///< of the axes, and the title
 };
 
-/// Places the camera's picture and what is asked for round it on the page. `survey`: the heights that the axes' box spans; `scene`: what the page
-/// must hold where there are no axes.
-Surroundings place_with_axes(const HeightSource& heights, const HeightSurvey& survey, double z_scale, const Scene& scene, const Camera& camera,
-                             const PageOptions& page, const AxesOptions& options, const std::string& title);
+/// What the axes measure: the box, its heights before scaling.
+struct PlotBox {
+  AxesBox box;
+  double z_scale = 1;
+};
 
-/// The lines of the axes that the surface may hide, for HorizonOptions.
+/// Places the camera's picture and what is asked for round it on the page. `box` is nothing where there are no heights; `scene`: what the page must
+/// hold where there are no axes.
+Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera, const PageOptions& page,
+                             const AxesOptions& options, const std::string& title);
+
+/// The lines of the axes that what is plotted may hide.
 std::vector<std::array<Point3, 2>> back_lines(const Surroundings& surroundings);
 
-/// Adds the axes' lines, those behind the surface as far as the study saw them, ticks and texts to the drawing. Returns the number of
-/// characters that the single-stroke font lacks.
-std::size_t add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesOptions& options, const HorizonLines& seen);
+/// The same, and those before it.
+std::vector<std::array<Point3, 2>> all_lines(const Surroundings& surroundings);
+
+/// The lines of the axes on the page: of back_lines() the parts `seen`, and all that is before them.
+Polylines lines_of_axes(const Surroundings& surroundings, std::span<const std::vector<VisibleInterval>> seen);
+
+/// Adds ticks to the layer of the axes, which becomes the last one, and texts to the drawing. Returns the number of characters that the
+/// single-stroke font lacks.
+std::size_t add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesOptions& options);
 
 }  // namespace ligne

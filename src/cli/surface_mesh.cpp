@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -56,20 +57,61 @@ bool may_cross(const SurfaceOptions& options) {
   return options.formulas.size() + options.grids.size() > 1 || !options.parametric.empty();
 }
 
-Scene scene_of(const SurfaceOptions& options) {
+/// What all surfaces take together, with the base; nothing where there are none. Of z = f(x, y) it is the ground of all samples, whether
+/// there is a height or not.
+std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes, std::optional<double> base) {
+  const auto range = height_range(meshes);
+  if (!range) return std::nullopt;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  AxesBox box{{kInfinity, kInfinity, (*range)[0]}, {-kInfinity, -kInfinity, (*range)[1]}};
+  if (base) box.low.z = std::min(box.low.z, *base);
+  const auto extend = [&](const Point3& p) {
+    for (int k = 0; k < 2; ++k) {
+      box.low[k] = std::min(box.low[k], p[k]);
+      box.high[k] = std::max(box.high[k], p[k]);
+    }
+  };
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!surfaces[i].parametric) {
+      extend(surfaces[i].points.front());
+      extend(surfaces[i].points.back());
+      continue;
+    }
+    for (const auto& triangle : meshes[i].triangles) {
+      for (const std::uint32_t v : triangle) extend(meshes[i].vertices[v]);
+    }
+  }
+  return box;
+}
+
+struct Plot {
+  Scene scene;
+  std::optional<PlotBox> box;
+};
+
+Plot plot_of(const SurfaceOptions& options) {
   const std::vector<SurfacePoints> surfaces = points_of(options);
   std::vector<SurfaceMesh> meshes;
   for (const SurfacePoints& surface : surfaces) {
     meshes.push_back(make_surface_mesh(surface));
     if (options.z_range) clip_heights(meshes.back(), (*options.z_range)[0], (*options.z_range)[1]);
   }
-  Scene scene = surface_scene(meshes, z_scale_of(options, surfaces, meshes), base_of(options, meshes));
+  const double z_scale = z_scale_of(options, surfaces, meshes);
+  const std::optional<double> base = base_of(options, meshes);
+  Plot plot;
+  if (const auto box = box_of(surfaces, meshes, base)) plot.box = PlotBox{*box, z_scale};
+  if (const auto range = height_range(meshes); range && !options.as_mesh) {
+    const std::vector<double> levels = contour_levels(options.curves, (*range)[0], (*range)[1]);
+    for (SurfaceMesh& mesh : meshes) cut_contours(mesh, levels);
+  }
+  plot.scene = surface_scene(meshes, z_scale, base);
+  Scene& scene = plot.scene;
   if (may_cross(options) && !options.as_mesh) {
     double precision = 0;
     for (const Object& object : scene.objects) precision = std::max(precision, object.precision);
     mark_crossing_edges(scene, precision);
   }
-  return scene;
+  return plot;
 }
 
 void write_mesh(const SurfaceOptions& options, const Scene& scene, RunReport& run) {
@@ -85,18 +127,23 @@ void write_mesh(const SurfaceOptions& options, const Scene& scene, RunReport& ru
 
 void run_surface_mesh(const SurfaceOptions& options) {
   RunReport run;
-  const Scene scene = timed(run.stages, "read", [&] { return scene_of(options); });
-  if (options.as_mesh) return write_mesh(options, scene, run);
+  const Plot plot = timed(run.stages, "read", [&] { return plot_of(options); });
+  if (options.as_mesh) return write_mesh(options, plot.scene, run);
 
   MethodOptions choice;
   choice.method = options.method;
   LineClasses classes;
-  for (const LineClass c : {LineClass::horizon, LineClass::outline, LineClass::border}) classes.add(c);
+  for (const LineClass c : {LineClass::horizon, LineClass::contour}) classes.add(c);
+  if (options.curves.outline.value_or(true)) {
+    for (const LineClass c : {LineClass::outline, LineClass::border}) classes.add(c);
+  }
   if (may_cross(options)) classes.add(LineClass::intersection);
   const ViewOptions view = view_of(options);
+  const PlotFrame frame{options.axes, plot.box};
   SceneDrawing drawing{method_of(choice), {}, classes, choice.crease_degrees, options.hidden, false, view, options.page, options.output, options.run,
-                       options.dpi, options.title, place_of_warnings(options)};
-  draw_scene(scene, drawing, run);
+                       options.dpi, options.title, place_of_warnings(options),
+                       format_of(options.output) == OutputFormat::json ? nullptr : &frame};
+  draw_scene(plot.scene, drawing, run);
 }
 
 }  // namespace ligne

@@ -181,6 +181,26 @@ ViewOptions view_of(const SurfaceOptions& options) {
   return view;
 }
 
+namespace {
+
+/// What only the horizon draws does not go together with what only meshes can.
+void check_engines(const SurfaceOptions& options) {
+  std::string reason = needs_mesh(options);
+  if (options.horizon_given && !reason.empty()) throw UsageError("--method", "horizon draws no " + reason + "; a mesh method does: ligne methods");
+  const std::string other = options.pixels ? "--horizon pixels" : needs_horizon(options.curves);
+  if (!other.empty() && !drawn_by_horizon(options)) {
+    if (reason.empty()) reason = "--method " + std::string(options.method->traits().name);
+    throw UsageError(other, "is drawn by the method horizon alone, and does not go with " + reason);
+  }
+  if (options.as_mesh && (options.curves.contours || options.curves.contour_step)) throw UsageError("--contours", "are lines, which --as-mesh does not write");
+  if (options.as_mesh && !options.axes.style.empty()) throw UsageError("--axes", "are lines, which --as-mesh does not write");
+  if (!options.as_mesh && !options.axes.style.empty() && format_of(options.output) == OutputFormat::json) {
+    throw UsageError("--axes", "are not written as json");
+  }
+}
+
+}  // namespace
+
 void check(const SurfaceOptions& options) {
   if (!options.output.file) throw UsageError("--output", "there is no output file: -o FILE, or -o - --format NAME");
   check_sources(options);
@@ -195,16 +215,12 @@ void check(const SurfaceOptions& options) {
   }
   if (options.resolution && !options.pixels) throw UsageError("--resolution", "goes with --horizon pixels");
   check(options.curves);
+  if (options.lines == CurveFamilies::none && options.curves.hidden_by == HiddenBy::curves) throw UsageError("--hidden-by", "curves needs --lines that hide");
   check(options.axes);
   if (options.curves.ridgeline && (options.view_given || options.azimuth_degrees || options.elevation_degrees)) {
     throw UsageError("--ridgeline", "has its own view");
   }
-  const std::string reason = needs_mesh(options), other = options.axes.style.empty() ? needs_horizon(options.curves) : "--axes";
-  if (!other.empty() && !drawn_by_horizon(options)) {
-    throw UsageError(other, "is drawn by the method horizon, which draws no " + (reason.empty() ? "mesh" : reason));
-  }
-  if (options.horizon_given && !reason.empty()) throw UsageError("--method", "horizon draws no " + reason + "; a mesh method does: ligne methods");
-  if (options.pixels && !drawn_by_horizon(options)) throw UsageError("--horizon", "pixels goes with the method horizon");
+  check_engines(options);
 }
 
 CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
@@ -246,9 +262,9 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
              "grid: a curve at every Nth row and column")
       ->default_str("1")
       ->group(group);
-  add_parsed(*surface, "--lines", "x|y|xy", options.lines,
+  add_parsed(*surface, "--lines", "x|y|xy|none", options.lines,
              [](const std::string& t) { return static_cast<CurveFamilies>(parse_choice(t, kCurveFamilyNames)); },
-             "curves of constant x, of constant y, or both")
+             "curves of constant x, of constant y, both, or none: contours and outlines alone")
       ->default_str("xy")
       ->group(group);
   add_parsed(*surface, "--z-scale", "K", options.z_scale, parse_positive,

@@ -22,8 +22,8 @@ struct CurveRange {
   std::optional<unsigned> curves;
 };
 
-enum class CurveFamilies { x, y, xy };
-inline constexpr std::string_view kCurveFamilyNames[] = {"x", "y", "xy"};
+enum class CurveFamilies { x, y, xy, none };
+inline constexpr std::string_view kCurveFamilyNames[] = {"x", "y", "xy", "none"};
 
 struct SurfaceOptions {
   std::vector<std::string> formulas, grids;

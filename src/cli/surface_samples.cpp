@@ -40,8 +40,8 @@ Positions positions(const CurveRange& range, bool crossed, const std::optional<u
   return result;
 }
 
-bool x_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::y && !options.curves.ridgeline; }
-bool y_curves(const SurfaceOptions& options) { return options.lines != CurveFamilies::x || options.curves.ridgeline; }
+bool x_curves(const SurfaceOptions& options) { return (options.lines == CurveFamilies::x || options.lines == CurveFamilies::xy) && !options.curves.ridgeline; }
+bool y_curves(const SurfaceOptions& options) { return options.lines == CurveFamilies::y || options.lines == CurveFamilies::xy || options.curves.ridgeline; }
 
 AxisWindow window_of(const std::optional<CurveRange>& range) { return range ? AxisWindow{range->from, range->to} : AxisWindow{}; }
 

@@ -24,7 +24,7 @@ struct Polylines {
   }
 };
 
-/// A layer's name is also its id: the line classes of drawing/stroke.hpp, "hidden", "horizon", "axes", "text", "debug", "hatch".
+/// A layer's name is also its id: the line classes of drawing/stroke.hpp, "hidden", "underside", "contour-base", "text", "debug", "hatch".
 struct Layer {
   std::string name;
   Polylines lines;

@@ -23,11 +23,26 @@ struct PaintOrder {
   std::vector<std::uint32_t> faces;
 };
 
+/// Scan lines of the page, from the top downwards.
+struct SpanLines {
+  double first_mm = 0;    ///< height of the first on the page
+  double spacing_mm = 1;  ///< from line to line
+  std::uint32_t count = 0;
+
+  double y_mm(std::uint32_t line) const { return first_mm + line * spacing_mm; }
+};
+
 /// A run of one scan line on which one face is seen.
 struct Span {
   std::uint32_t line = 0;
   double x_from = 0, x_to = 0;  ///< page mm
   std::uint32_t face = 0;
+};
+
+/// Spans line by line from the top, on each line from left to right, disjoint.
+struct SpanModel {
+  SpanLines lines;
+  std::vector<Span> spans;
 };
 
 /// One face per pixel, row by row from the top; 0xffffffff where nothing is seen.

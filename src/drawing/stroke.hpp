@@ -17,13 +17,15 @@ enum class LineClass : std::uint8_t {
   intersection,  ///< of two penetrating faces
   crease,        ///< normals differ by more than the crease angle, or more than two faces
   mesh,          ///< all others
-  horizon,       ///< iso-curve of a surface, whatever its faces (kCornerCurve in scene/scene.hpp)
+  contour,       ///< contour line of a surface, whatever its faces (kCornerContour in scene/scene.hpp)
+  horizon,       ///< iso-curve of a surface, whatever its faces (kCornerCurve)
+  axes,          ///< line of the axes, of no face (add_lines in view/projected_scene.hpp)
 };
-inline constexpr std::size_t kLineClassCount = 6;
+inline constexpr std::size_t kLineClassCount = 8;
 /// The first classes are those that `--edges` names.
 inline constexpr std::size_t kEdgeClassCount = 5;
-inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{"outline", "border", "intersection",
-                                                                               "crease",  "mesh",   "horizon"};
+inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{"outline", "border",  "intersection", "crease",
+                                                                               "mesh",    "contour", "horizon",      "axes"};
 
 /// A set of classes.
 struct LineClasses {

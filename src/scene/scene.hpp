@@ -48,6 +48,7 @@ enum CornerFlag : std::uint8_t {
   kCornerInner = 2,       ///< cut inside a polygon by triangulation: class mesh, never a crease
   kCornerCurve = 4,       ///< part of an iso-curve: class horizon, whatever its faces
   kCornerCrossing = 8,    ///< surfaces pass through each other along this edge: class intersection
+  kCornerContour = 16,    ///< part of a contour line: class contour, whatever its faces
 };
 
 /// A scene. Indices are into the arrays here. After finish_scene() (scene/clean.hpp) vertices of an object are distinct in

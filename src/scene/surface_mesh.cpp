@@ -41,16 +41,56 @@ std::vector<std::uint32_t> vertices_of(const SurfacePoints& surface, std::vector
 
 bool is_curve(std::size_t i, std::size_t count, std::size_t stride) { return stride != 0 && (i % stride == 0 || i + 1 == count); }
 
+/// The cells of a grid with a frame of cells round it, and which of them are outside: those of the frame, and those with a hole at a corner that are
+/// joined with it side by side.
+class Outside {
+ public:
+  Outside(const SurfacePoints& surface, const std::vector<std::uint32_t>& vertex)
+      : width_(surface.columns + 1), cells_(width_ * (surface.rows + 1), kOpen) {
+    for (std::size_t j = 0; j + 1 < surface.rows; ++j) {
+      for (std::size_t i = 0; i + 1 < surface.columns; ++i) {
+        const std::uint32_t* v = &vertex[j * surface.columns + i];
+        const std::uint32_t* w = v + surface.columns;
+        if (v[0] != kNone && v[1] != kNone && w[0] != kNone && w[1] != kNone) cells_[(j + 1) * width_ + i + 1] = kFilled;
+      }
+    }
+    std::vector<std::size_t> reached{0};
+    cells_[0] = kOutside;
+    const auto reach = [&](std::size_t cell) {
+      if (cells_[cell] != kOpen) return;
+      cells_[cell] = kOutside;
+      reached.push_back(cell);
+    };
+    while (!reached.empty()) {
+      const std::size_t cell = reached.back(), column = cell % width_;
+      reached.pop_back();
+      if (column > 0) reach(cell - 1);
+      if (column + 1 < width_) reach(cell + 1);
+      if (cell >= width_) reach(cell - width_);
+      if (cell + width_ < cells_.size()) reach(cell + width_);
+    }
+  }
+
+  /// Of the cell whose low corner is sample (i, j), each counted from 1; 0 is the frame.
+  bool operator()(std::size_t i, std::size_t j) const { return cells_[j * width_ + i] == kOutside; }
+
+ private:
+  enum Kind : std::uint8_t { kOpen, kFilled, kOutside };
+  std::size_t width_;
+  std::vector<Kind> cells_;
+};
+
 /// Puts the cells of a grid into a mesh.
 class CellCutter {
  public:
   CellCutter(const SurfacePoints& surface, const std::vector<std::uint32_t>& vertex, SurfaceMesh& mesh)
-      : surface_(surface), vertex_(vertex), mesh_(mesh) {}
+      : surface_(surface), vertex_(vertex), outside_(surface, vertex), mesh_(mesh) {}
 
   void cut(std::size_t i, std::size_t j) {
     const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i, j + 1), d = at(i + 1, j + 1);
     if (a == kNone || b == kNone || c == kNone || d == kNone) return;
-    const std::uint8_t bottom = row_flags(j), top = row_flags(j + 1), left = column_flags(i), right = column_flags(i + 1);
+    const std::uint8_t bottom = row_flags(j) | rim(i + 1, j, SurfaceMesh::kRimBottom), top = row_flags(j + 1) | rim(i + 1, j + 2, SurfaceMesh::kRimTop);
+    const std::uint8_t left = column_flags(i) | rim(i, j + 1, SurfaceMesh::kRimLeft), right = column_flags(i + 1) | rim(i + 2, j + 1, SurfaceMesh::kRimRight);
     // Where a side has no length the diagonal lies on another one, and is what that is.
     std::uint8_t diagonal = 0;
     if (a == b) diagonal |= left;
@@ -63,14 +103,10 @@ class CellCutter {
 
  private:
   std::uint32_t at(std::size_t i, std::size_t j) const { return vertex_[j * surface_.columns + i]; }
-  std::uint8_t row_flags(std::size_t j) const {
-    return static_cast<std::uint8_t>((is_curve(j, surface_.rows, surface_.y_stride) ? kCornerCurve : 0) |
-                                     (j == 0 ? SurfaceMesh::kRimBottom : 0) | (j + 1 == surface_.rows ? SurfaceMesh::kRimTop : 0));
-  }
-  std::uint8_t column_flags(std::size_t i) const {
-    return static_cast<std::uint8_t>((is_curve(i, surface_.columns, surface_.x_stride) ? kCornerCurve : 0) |
-                                     (i == 0 ? SurfaceMesh::kRimLeft : 0) | (i + 1 == surface_.columns ? SurfaceMesh::kRimRight : 0));
-  }
+  std::uint8_t row_flags(std::size_t j) const { return is_curve(j, surface_.rows, surface_.y_stride) ? kCornerCurve : 0; }
+  std::uint8_t column_flags(std::size_t i) const { return is_curve(i, surface_.columns, surface_.x_stride) ? kCornerCurve : 0; }
+  /// The flag when the neighbour, told as to Outside, is outside.
+  std::uint8_t rim(std::size_t i, std::size_t j, std::uint8_t flag) const { return outside_(i, j) ? flag : 0; }
   void add(std::array<std::uint32_t, 3> corners, std::array<std::uint8_t, 3> flags) {
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
     mesh_.triangles.push_back(corners);
@@ -79,6 +115,7 @@ class CellCutter {
 
   const SurfacePoints& surface_;
   const std::vector<std::uint32_t>& vertex_;
+  Outside outside_;
   SurfaceMesh& mesh_;
 };
 
@@ -177,7 +214,7 @@ class ObjectMaker {
 
   void add_triangle(const std::array<std::uint32_t, 3>& v, const std::array<std::uint8_t, 3>& flags = {}) {
     scene_.faces.add_triangle(v[0], v[1], v[2]);
-    for (const std::uint8_t f : flags) scene_.corner_flags.push_back(f & kCornerCurve);
+    for (const std::uint8_t f : flags) scene_.corner_flags.push_back(f & (kCornerCurve | kCornerContour));
   }
 
   void end() {

@@ -26,8 +26,9 @@ namespace ligne {
 
 /// A mesh before its heights are scaled. Triangles are wound counter-clockwise in the plane of the parameters (seen from above, for z = f(x, y)).
 struct SurfaceMesh {
-  /// Flags of the edge from a corner to the next: CornerFlag kCornerCurve, and on which rim of the grid the edge lies.
-  enum Flag : std::uint8_t { kRimBottom = 16, kRimRight = 32, kRimTop = 64, kRimLeft = 128 };
+  /// Flags of the edge from a corner to the next: CornerFlag kCornerCurve and kCornerContour, and, on the outer rim of what there is of
+  /// the grid, which way is out.
+  enum Flag : std::uint8_t { kRimBottom = 8, kRimRight = 32, kRimTop = 64, kRimLeft = 128 };
 
   std::string name;
   bool from_formula = false;
@@ -44,11 +45,16 @@ SurfaceMesh make_surface_mesh(const SurfacePoints& surface);
 /// borders. A cut edge has the same new vertex in both of its triangles.
 void clip_heights(SurfaceMesh& mesh, double low, double high);
 
+/// Cuts the triangles along the planes of the heights `levels` (ascending, before scaling); the new edges are contour lines. So is an edge that lies
+/// in a plane with a face below it. A vertex that is within the rounding of a formula (kFormulaRounding) of a level counts as at that level,
+/// and keeps its place. Throws InputError when there would be more than 12 million triangles.
+void cut_contours(SurfaceMesh& mesh, std::span<const double> levels);
+
 /// The least and the greatest height of the triangles, or nothing.
 std::optional<std::array<double, 2>> height_range(std::span<const SurfaceMesh> meshes);
 
 /// A scene with an object for each mesh, z up, heights multiplied by `z_scale`. With `base` (before scaling, not above any height) every mesh also
-/// gets upright walls from the rims of its grid down to that height: one object for each rim, so that where two meet, and at the base, the walls have
+/// gets upright walls from its outer rim down to that height: one object for each of the four directions, so that where two meet, and at the base, the walls have
 /// borders. Throws InputError when a coordinate is too large to compute with.
 Scene surface_scene(std::span<const SurfaceMesh> meshes, double z_scale, std::optional<double> base);
 

@@ -128,6 +128,7 @@ std::uint8_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::uin
     }
     if (any & kCornerCurve) flags |= kEdgeCurve;
     if (any & kCornerCrossing) flags |= kEdgeCrossing;
+    if (any & kCornerContour) flags |= kEdgeContour;
     if (common & kCornerFileHidden) flags |= kEdgeFileHidden;
     if (common & kCornerInner) flags |= kEdgeInner;
   }

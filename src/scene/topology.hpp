@@ -22,6 +22,7 @@ enum EdgeFlag : std::uint8_t {
   kEdgeUnlikeWound = 8,  ///< its two faces run through it in the same direction: their windings disagree
   kEdgeCurve = 16,       ///< part of an iso-curve of a surface: one of its faces says so
   kEdgeCrossing = 32,    ///< surfaces cross along it
+  kEdgeContour = 64,     ///< part of a contour line: one of its faces says so
 };
 
 /// A triangle of a face; wound as the face is.

@@ -97,6 +97,8 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
       LineClass& result = classes[e];
       if (flags & kEdgeCrossing) {
         result = LineClass::intersection;
+      } else if ((flags & kEdgeContour) && edge.face1 != kNone) {
+        result = LineClass::contour;
       } else if (flags & kEdgeCurve) {
         result = LineClass::horizon;
       } else if (edge.face1 == kNone) {

@@ -193,4 +193,24 @@ ProjectedScene project(const Scene& scene, const Topology& topology, const View&
   return out;
 }
 
+void add_lines(ProjectedScene& projected, std::span<const std::array<Point3, 2>> lines, LineClass line_class) {
+  const ClipVolume volume{projected.view.window, projected.view.near_distance};
+  const auto add_vertex = [&](const HomogeneousPoint& p) {
+    projected.vertices.push_back(to_vertex(p, projected.lattice));
+    return static_cast<std::uint32_t>(projected.vertices.size() - 1);
+  };
+  for (const auto& line : lines) {
+    const std::uint32_t source = projected.source_count++;
+    const HomogeneousPoint a = to_homogeneous(projected.view, line[0]), b = to_homogeneous(projected.view, line[1]);
+    const auto part = clip_segment(a, b, volume);
+    if (!part) continue;
+    const bool clipped = (*part)[0] > 0 || (*part)[1] < 1;
+    if (clipped && projected.edge_parts.empty()) projected.edge_parts.assign(projected.edges.size(), {0, 1});
+    const std::uint32_t v0 = add_vertex((*part)[0] > 0 ? interpolate(a, b, (*part)[0]) : a);
+    const std::uint32_t v1 = add_vertex((*part)[1] < 1 ? interpolate(a, b, (*part)[1]) : b);
+    projected.edges.push_back({v0, v1, kNone, kNone, source, line_class});
+    if (clipped || !projected.edge_parts.empty()) projected.edge_parts.push_back(*part);
+  }
+}
+
 }  // namespace ligne

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "drawing/stroke.hpp"
@@ -22,7 +23,7 @@ struct ProjectedVertex {
 struct ProjectedEdge {
   std::uint32_t v0 = 0, v1 = 0;        ///< projected vertices
   std::uint32_t face0 = kNone, face1 = kNone;  ///< its first two faces
-  std::uint32_t source = 0;            ///< edge of the topology
+  std::uint32_t source = 0;            ///< edge of the topology, or a line beside it (add_lines)
   LineClass line_class = LineClass::mesh;
 };
 
@@ -42,7 +43,7 @@ struct ProjectedScene {
   std::vector<ProjectedEdge> edges;  ///< candidates of the selected classes
   /// Where edges were clipped: per candidate edge the part of its source edge that is inside. Empty when nothing was.
   std::vector<std::array<double, 2>> edge_parts;
-  std::uint32_t source_count = 0;   ///< number of edges of the topology
+  std::uint32_t source_count = 0;   ///< number of edges of the topology, and of lines beside them
   bool with_intersections = false;  ///< the selection has class intersection
   /// Per face of the scene: whether what is behind is seen through it. Empty when all faces are opaque. For lines every face is opaque.
   std::vector<std::uint8_t> face_is_transparent;
@@ -58,5 +59,9 @@ struct ProjectedScene {
 
 /// Projects, clips to the view's window and near plane, snaps to the lattice, and classifies the edges.
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection);
+
+/// Adds lines in model space that are edges of no face: candidates of class `line_class`, whose sources are numbered from `source_count` upwards, in
+/// their order. What is out of view is left out.
+void add_lines(ProjectedScene& projected, std::span<const std::array<Point3, 2>> lines, LineClass line_class);
 
 }  // namespace ligne

@@ -40,7 +40,9 @@ struct MethodTraits {
 struct StudyOptions {
   bool hidden_strokes = false;             ///< give the hidden pieces too
   std::function<void(double)> progress{};  ///< called with the fraction done, from one thread at a time; may be empty
+  std::optional<SpanLines> span_lines{};   ///< the lines for which a method that produces spans gives them
   MethodSettings settings{};               ///< values of the method's own parameters, each within its range
+  std::uint8_t wanted = 0xff;              ///< products; a method may leave others out
 };
 
 /// What was found. Models that a method does not produce stay empty.
@@ -48,7 +50,7 @@ struct VisibilityResult {
   std::optional<StrokeModel> strokes;
   std::optional<std::vector<Region>> regions;
   std::optional<PaintOrder> order;
-  std::optional<std::vector<Span>> spans;
+  std::optional<SpanModel> spans;
   std::optional<PixelModel> pixels;
   std::vector<std::vector<Point2>> debug;  ///< what shows how the method went about it: polylines in page mm
   Statistics statistics;

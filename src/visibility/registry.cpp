@@ -4,13 +4,17 @@
 
 #include "visibility/appel/appel.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
+#include "visibility/warnock/warnock.hpp"
+#include "visibility/watkins/watkins.hpp"
 
 namespace ligne {
 
 std::span<const Method* const> all_methods() {
   static const AppelMethod appel;
   static const AthertonWeilerMethod atherton_weiler;
-  static const std::array<const Method*, 2> methods{&appel, &atherton_weiler};
+  static const WarnockMethod warnock;
+  static const WatkinsMethod scan;
+  static const std::array<const Method*, 4> methods{&appel, &atherton_weiler, &warnock, &scan};
   return methods;
 }
 

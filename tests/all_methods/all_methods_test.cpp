@@ -9,7 +9,7 @@
 
 #include "scene/reader.hpp"
 #include "support/judge.hpp"
-#include "visibility/registry.hpp"
+#include "support/variants.hpp"
 
 namespace ligne::test {
 namespace {
@@ -57,15 +57,15 @@ TEST_P(AllMethods, AgreeWithTheOracle) {
   ASSERT_NE(view, views.end());
   const JudgedView judged(scene, file.stem().string(), *view);
   int skipped = 0;
-  for (const Method* method : all_methods()) {
+  for (const Variant& variant : variants()) {
     for (const char* edges : {"all", "feature"}) {
-      const Verdict verdict = judged.judge(*method, edges);
+      const Verdict verdict = judged.judge(*variant.method, edges, variant.settings);
       if (!verdict.skipped.empty()) {
-        std::cout << method->traits().name << " skipped: " << verdict.skipped << '\n';
+        std::cout << variant.name << " skipped: " << verdict.skipped << '\n';
         ++skipped;
         break;
       }
-      EXPECT_TRUE(verdict.passes()) << verdict.faults;
+      EXPECT_TRUE(verdict.passes()) << variant.name << '\n' << verdict.faults;
       if (verdict.line_mm > 0) {
         const double share = verdict.undecided_mm / verdict.line_mm;
         RecordProperty("undecided_permille", static_cast<int>(1000 * share));

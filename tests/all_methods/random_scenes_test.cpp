@@ -14,7 +14,7 @@
 #include "scene/clean.hpp"
 #include "support/judge.hpp"
 #include "support/scene_parts.hpp"
-#include "visibility/registry.hpp"
+#include "support/variants.hpp"
 
 namespace ligne::test {
 namespace {
@@ -59,8 +59,14 @@ std::string faults_in(Scene scene, const std::string& name, std::size_t view) {
   const auto views = standard_views(scene);
   const JudgedView judged(scene, name, views[view % views.size()]);
   std::string faults;
-  for (const Method* method : all_methods()) {
-    for (const char* edges : {"all", "feature"}) faults += judged.judge(*method, edges).faults;
+  // Every method, and one by one the ways that its options let it work.
+  const std::vector<Variant> all = variants();
+  for (const Variant& variant : all) {
+    if (!variant.is_default && &variant != &all[view % all.size()]) continue;
+    for (const char* edges : {"all", "feature"}) {
+      const std::string of_variant = judged.judge(*variant.method, edges, variant.settings).faults;
+      if (!of_variant.empty()) faults += variant.name + '\n' + of_variant;
+    }
   }
   return faults;
 }

@@ -159,6 +159,22 @@ TEST_F(DrawTest, EveryMethodByName) {
   }
 }
 
+TEST_F(DrawTest, WarnockShowsItsWindowsAndAreas) {
+  const std::vector<std::string> warnock{"draw", "cube.obj", "--method", "warnock", "--resolution", "64"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), warnock.begin(), warnock.end());
+    return run(more).status;
+  };
+  ASSERT_EQ(with({"--show", "windows", "-o", "shown.svg"}), 0);
+  ASSERT_EQ(with({"-o", "plain.svg"}), 0);
+  EXPECT_NE(contents(file("shown.svg")).find("id=\"debug\""), std::string::npos);
+  EXPECT_EQ(contents(file("plain.svg")).find("id=\"debug\""), std::string::npos);
+  ASSERT_EQ(with({"--show", "windows", "-o", "shown.json"}), 0);
+  const json drawing = json::parse(contents(file("shown.json")));
+  EXPECT_GE(drawing["debug"].size(), 4u) << "the first window at least";
+  EXPECT_EQ(drawing["regions"].size(), 3u) << "a cube shows three faces";
+}
+
 TEST_F(DrawTest, FormatsBySuffixAndByName) {
   const std::pair<const char*, const char*> formats[] = {
       {"svg", "<?xml"}, {"pdf", "%PDF-"}, {"png", "\x89PNG"}, {"json", "{"}};
@@ -215,6 +231,62 @@ TEST_F(DrawTest, SameBytesForAnyNumberOfThreads) {
   EXPECT_GT(one.size(), 10000u);
   EXPECT_EQ(one, bytes("2"));
   EXPECT_EQ(one, bytes("7"));
+}
+
+/// The options of scan lines: the drawing is the same with every span method, the bytes with any number of threads, in every form.
+TEST_F(DrawTest, ScanLines) {
+  const std::string model = LIGNE_SOURCE_DIR "/examples/models/stair-tower.obj";
+  const auto bytes = [&](std::vector<std::string> more, const char* format) {
+    std::vector<std::string> arguments{"draw", model, "-q", "-o", "-", "--format", format, "--method", "watkins", "--dpi", "40"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string exact = bytes({}, "svg");
+  EXPECT_GT(exact.size(), 10000u);
+  for (const char* kind : {"merge", "stack", "box", "point"}) EXPECT_EQ(bytes({"--span-method", kind}, "svg"), exact) << kind;
+  EXPECT_EQ(bytes({"--lines", "exact"}, "svg"), exact);
+  for (const char* threads : {"1", "2", "7"}) {
+    EXPECT_EQ(bytes({"--threads", threads}, "svg"), exact);
+    EXPECT_EQ(bytes({"--threads", threads, "--lines", "600"}, "json"), bytes({"--lines", "600"}, "json"));
+    EXPECT_EQ(bytes({"--threads", threads, "--shade"}, "png"), bytes({"--shade"}, "png"));
+    EXPECT_EQ(bytes({"--threads", threads, "--hatch", "1mm"}, "svg"), bytes({"--hatch", "1mm"}, "svg"));
+  }
+}
+
+TEST_F(DrawTest, SpansInJson) {
+  const json cube = drawn({"cube.obj", "--method", "watkins", "--lines", "100", "--landscape"});
+  const json& spans = cube["spans"];
+  ASSERT_GT(spans.size(), 80u);
+  double area = 0;
+  for (const json& line : spans) {
+    double x = 0;
+    EXPECT_NEAR(line["y"].get<double>(), (line["line"].get<double>() + 0.5) * 2.1, 1e-9);
+    for (const json& span : line["spans"]) {
+      EXPECT_GE(span[0].get<double>(), x);
+      EXPECT_GT(span[1].get<double>(), span[0].get<double>());
+      x = span[1].get<double>();
+      area += (span[1].get<double>() - span[0].get<double>()) * 2.1;
+    }
+  }
+  // A cube seen along its diagonal is a regular hexagon, here 190 mm high between two corners.
+  EXPECT_NEAR(area, 95 * 95 * 3 * std::sqrt(3) / 2, 150);
+  EXPECT_FALSE(drawn({"cube.obj", "--method", "watkins"}).contains("spans"));
+}
+
+TEST_F(DrawTest, FacesInGrayAndHatched) {
+  const auto png = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"draw", "cube.obj", "-o", "-", "--format", "png", "--method", "watkins", "--dpi", "30"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments).out;
+  };
+  EXPECT_TRUE(png({"--shade", "--view", "trimetric"}) != png({"--view", "trimetric"}));  // seen along its diagonal a cube is as bright as paper
+  const std::string hatched = run({"draw", "cube.obj", "-o", "-", "--format", "svg", "--method", "watkins", "--hatch", "2mm", "--view", "trimetric"}).out;
+  EXPECT_NE(hatched.find("id=\"hatch\""), std::string::npos);
+  const std::string one_level =
+      run({"draw", "cube.obj", "-o", "-", "--format", "svg", "--method", "watkins", "--hatch", "2mm", "--hatch-levels", "1", "--view", "trimetric"}).out;
+  EXPECT_NE(one_level, hatched);
 }
 
 TEST_F(DrawTest, ProgressIsForTerminalsUnlessAskedFor) {

@@ -1,13 +1,9 @@
 /// The command `ligne surface` by the mesh methods.
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
-#include "program.hpp"
+#include "surface_program.hpp"
 
 namespace ligne::test {
 namespace {
@@ -16,74 +12,7 @@ using nlohmann::json;
 constexpr double kPi = std::numbers::pi;
 constexpr double kMicrometre = 1e-3;
 
-class SurfaceMeshTest : public ProgramTest {
- protected:
-  Outcome surface(std::vector<std::string> arguments, const std::vector<std::string>& more) const {
-    arguments.insert(arguments.begin(), "surface");
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments);
-  }
-  json drawn(const std::vector<std::string>& arguments) const {
-    const Outcome outcome = surface(arguments, {"-o", "-", "--format", "json"});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    return outcome.status == 0 ? json::parse(outcome.out) : json();
-  }
-  /// Length of the lines of each layer in mm.
-  std::map<std::string, double> layers(const std::vector<std::string>& arguments) const {
-    const Outcome outcome = surface(arguments, {"-o", "-", "--format", "svg"});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    std::map<std::string, double> lengths;
-    std::string layer;
-    std::istringstream lines(outcome.out);
-    for (std::string line; std::getline(lines, line);) {
-      if (const auto id = line.find(" id=\""); line.starts_with("<g ")) {
-        layer = line.substr(id + 5, line.find('"', id + 5) - id - 5);
-      } else if (line.starts_with("<path d=\"M")) {
-        lengths[layer] += path_length(line.substr(10, line.find('"', 10) - 10));
-      }
-    }
-    return lengths;
-  }
-  void fails(const std::vector<std::string>& arguments, int status, const std::string& message) const {
-    const Outcome outcome = surface(arguments, {});
-    EXPECT_EQ(outcome.status, status) << outcome.err;
-    EXPECT_EQ(outcome.err.rfind("ligne: " + message, 0), 0u) << outcome.err;
-    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
-  }
-
- private:
-  /// "x y l dx dy dx dy ...", with or without z at the end.
-  static double path_length(std::string d) {
-    const bool closed = d.back() == 'z';
-    for (char& c : d) {
-      if (c == 'l' || c == 'z') c = ' ';
-    }
-    std::istringstream numbers(d);
-    double x = 0, y = 0, sum_x = 0, sum_y = 0, length = 0;
-    numbers >> x >> y;
-    while (numbers >> x >> y) {
-      length += std::hypot(x, y);
-      sum_x += x;
-      sum_y += y;
-    }
-    return closed ? length + std::hypot(sum_x, sum_y) : length;
-  }
-};
-
-/// Page length of the visible strokes of a class, in model units of a parallel view.
-double length(const json& drawing, const std::string& line_class) {
-  const auto& m = drawing["view"]["matrix"];
-  const double scale = std::hypot(m[0].get<double>(), m[1].get<double>(), m[2].get<double>());
-  double sum = 0;
-  for (const json& stroke : drawing["strokes"]) {
-    if (stroke["class"] != line_class || !stroke["visible"].get<bool>()) continue;
-    const auto& p = stroke["points"];
-    sum += std::hypot(p[1][0].get<double>() - p[0][0].get<double>(), p[1][1].get<double>() - p[0][1].get<double>());
-  }
-  return sum / scale;
-}
+using SurfaceMeshTest = SurfaceProgramTest;
 
 TEST_F(SurfaceMeshTest, TwoPlanesCrossAlongALine) {
   // 11 curves in steps of 0.3, so that the line x = 0 where the planes meet is none of them.
@@ -223,7 +152,7 @@ TEST_F(SurfaceMeshTest, Mistakes) {
   fails({"x", "--method", "newton", "-o", "a.svg"}, 2, "--method: \"newton\" is not one of auto, horizon");
   fails({"x", "y", "--method", "horizon", "-o", "a.svg"}, 2, "--method: horizon draws no several surfaces");
   fails({"x", "--method", "horizon", "--hidden", "solid", "-o", "a.svg"}, 2, "--method: horizon draws no --hidden");
-  fails({"x", "--method", "appel", "--horizon", "pixels", "-o", "a.svg"}, 2, "--horizon: ");
+  fails({"x", "--method", "appel", "--horizon", "pixels", "-o", "a.svg"}, 2, "--horizon pixels: ");
   fails({"x", "--z-range", "3:1", "-o", "a.svg"}, 2, "--z-range: the range 3:1 does not ascend");
   fails({"x", "--z-range", "1:3:4", "-o", "a.svg"}, 2, "--z-range: \"1:3:4\" is not A:B");
   fails({"x", "--z-range", "1:1/0", "-o", "a.svg"}, 2, "--z-range: \"1/0\" is not a finite number");

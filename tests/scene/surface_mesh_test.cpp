@@ -11,6 +11,8 @@
 #include <numbers>
 #include <set>
 
+#include <glm/geometric.hpp>
+
 #include "height_tools.hpp"
 #include "scene/height_filters.hpp"
 #include "scene/mesh_writer.hpp"
@@ -236,6 +238,80 @@ TEST(SurfaceMesh, SkirtsHangFromTheOuterRim) {
   const Scene touching = scene_of(make_surface_mesh(heights("2+x", 4)), 1, 0.0);
   EXPECT_EQ(touching.objects.size(), 4u) << "the rim at x = -2 lies on the base: no wall";
   EXPECT_EQ(touching.objects[1].face_end - touching.objects[1].face_begin, 7u) << "one triangle where the wall begins";
+}
+
+TEST(SurfaceMesh, SkirtsFollowTheRimOfWhatThereIs) {
+  // Of 6 x 6 cells of side 1 those round the rim are missing, and one more.
+  SurfacePoints surface = heights("2", 6, 0, 6);
+  for (std::size_t k = 0; k < 7; ++k) {
+    for (const std::size_t sample : {k, 42 + k, 7 * k, 7 * k + 6}) surface.points[sample].z = kNaN;
+  }
+  surface.points[1 * 7 + 1].z = kNaN;  // at the corner of the 4 x 4 that are left
+  const Scene scene = scene_of(make_surface_mesh(surface), 1, 0.0);
+  ASSERT_EQ(scene.objects.size(), 5u);
+  double length = 0;
+  for (std::size_t o = 1; o < 5; ++o) {
+    const Object& wall = scene.objects[o];
+    length += (wall.face_end - wall.face_begin) / 2;
+    for (std::uint32_t f = wall.face_begin; f < wall.face_end; ++f) {
+      const Point3 normal = face_normal(scene, f), p = scene.vertices[scene.faces.contour(f, 0)[0]];
+      EXPECT_GT(normal.x * (p.x - 3) + normal.y * (p.y - 3), 0) << "outwards";
+    }
+  }
+  EXPECT_EQ(length, 16) << "the step at the corner is as long as the corner";
+}
+
+TEST(SurfaceMesh, ContoursCutTrianglesAlongTheirPlanes) {
+  const std::vector<double> levels{-3, -1, 0, 0.5, 1, 1.0000000000000002, 2, 7};
+  for (const char* formula : {"x*x-y*y", "x+y", "x-y", "floor(x)+y/8", "1"}) {
+    SurfaceMesh mesh = make_surface_mesh(heights(formula, 8));
+    const Scene whole = scene_of(mesh);
+    cut_contours(mesh, levels);
+    const Scene scene = scene_of(mesh);
+    const auto area = [formula](const Scene& s) {
+      double sum = 0;
+      for (std::uint32_t f = 0; f < s.faces.size(); ++f) {
+        const auto c = s.faces.contour(f, 0);
+        const Point3 n = glm::cross(s.vertices[c[1]] - s.vertices[c[0]], s.vertices[c[2]] - s.vertices[c[0]]);
+        EXPECT_GT(n.z, 0) << formula;
+        sum += glm::length(n) / 2;
+      }
+      return sum;
+    };
+    EXPECT_NEAR(area(scene), area(whole), 1e-12 * area(whole)) << formula;
+    const Counts before = count(whole), counts = count(scene);
+    EXPECT_EQ(counts.characteristic(), 1) << formula << ": neighbours have the same corners on their common edge";
+    EXPECT_EQ(counts.many + counts.unlike, 0) << formula;
+    EXPECT_GE(counts.borders, before.borders);
+    const Topology topology = build_topology(scene);
+    for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+      const double a = scene.vertices[topology.edges[e].v0].z, b = scene.vertices[topology.edges[e].v1].z;
+      const bool level = a == b && std::find(levels.begin(), levels.end(), a) != levels.end();
+      EXPECT_TRUE(level || !(topology.edge_flags[e] & kEdgeContour)) << formula;
+      for (const double l : levels) {
+        const double rounding = 2 * std::abs(l) * kFormulaRounding;  // levels that near are one
+        EXPECT_FALSE(std::min(a, b) < l - rounding && l + rounding < std::max(a, b)) << formula << ": an edge crosses " << l;
+      }
+    }
+    EXPECT_EQ(counts.faces == before.faces, std::string(formula) == "1" || std::string(formula) == "x+y");
+  }
+}
+
+TEST(SurfaceMesh, ContoursThatMeetVertices) {
+  // The level runs along a row of samples: one line, since one of its sides is below; the flat top has a rim.
+  SurfaceMesh mesh = make_surface_mesh(heights("min(1,y)", 4));
+  cut_contours(mesh, std::vector<double>{1});
+  const Scene scene = scene_of(mesh);
+  EXPECT_EQ(scene.faces.size(), 32u) << "nothing to cut";
+  const Topology topology = build_topology(scene);
+  int along = 0;
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    if (!(topology.edge_flags[e] & kEdgeContour)) continue;
+    ++along;
+    EXPECT_EQ(scene.vertices[topology.edges[e].v0].y, 1);
+    EXPECT_EQ(scene.vertices[topology.edges[e].v1].y, 1);
+  }
+  EXPECT_EQ(along, 4);
 }
 
 std::vector<Point3> corner_positions(const Scene& scene) {

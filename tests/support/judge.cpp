@@ -143,14 +143,40 @@ struct JudgedView::Lines {
   std::map<std::array<std::uint32_t, 2>, std::vector<Crossing>> of_faces;  ///< intersections by their faces
 };
 
-JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView& standard)
+namespace {
+
+/// The accuracy for which the oracle is made.
+constexpr double kOracleMm = 0.001;
+
+/// The same view on a page `by` times smaller.
+oracle::View smaller(oracle::View view, double by) {
+  view.scale /= by;
+  view.offset /= by;
+  view.window.min /= by;
+  view.window.max /= by;
+  return view;
+}
+
+std::vector<oracle::Interval> larger(std::vector<oracle::Interval> intervals, double by) {
+  for (oracle::Interval& i : intervals) {
+    i.from *= by;
+    i.to *= by;
+  }
+  return intervals;
+}
+
+}  // namespace
+
+JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView& standard, double accuracy_mm)
     : scene_(scene),
       name_(std::move(name)),
       standard_(standard),
+      accuracy_mm_(accuracy_mm),
       topology_(build_topology(scene)),
       view_(make_view(scene, make_camera(standard.camera, scene), kFrame, kSheet)),
-      oracle_(std::make_unique<oracle::Oracle>(scene, oracle_view(standard.camera, view_), kCreaseDegrees)),
+      oracle_(std::make_unique<oracle::Oracle>(scene, smaller(oracle_view(standard.camera, view_), accuracy_mm / kOracleMm), kCreaseDegrees)),
       lines_(std::make_unique<Lines>()) {
+  const double by = accuracy_mm / kOracleMm;
   std::map<EdgeKey, std::uint32_t> numbers;
   std::uint32_t object = 0;
   for (std::uint32_t e = 0; e < topology_.edges.size(); ++e) {
@@ -167,16 +193,16 @@ JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView&
   for (std::size_t i = 0; i < oracle_->edges().size(); ++i) {
     const oracle::Edge& edge = oracle_->edges()[i];
     const std::string what = words(("object " + std::to_string(edge.object) + " edge").c_str(), edge.a, edge.b);
-    if (!add_candidate({false, true, edge.edge_class, {}, oracle_->visible_intervals(i), what})) continue;
+    if (!add_candidate({false, true, edge.edge_class, {}, larger(oracle_->visible_intervals(i), by), what})) continue;
     const auto number = numbers.find(key_of(edge.object, edge.a, edge.b));
     if (number != numbers.end()) lines_->of_edge[number->second] = lines_->candidates.size() - 1;
   }
   for (std::size_t i = 0; i < oracle_->intersections().size(); ++i) {
     const oracle::Intersection& x = oracle_->intersections()[i];
     const std::string faces = "intersection of faces " + std::to_string(x.face0) + " and " + std::to_string(x.face1);
-    const Segment page{x.page_a, x.page_b};
+    const Segment page{x.page_a * by, x.page_b * by};
     Candidate candidate{
-        true, x.proper, EdgeClass::intersection, {}, oracle_->intersection_intervals(i), words(faces.c_str(), x.a, x.b)};
+        true, x.proper, EdgeClass::intersection, {}, larger(oracle_->intersection_intervals(i), by), words(faces.c_str(), x.a, x.b)};
     lines_->of_faces[{x.face0, x.face1}].push_back({page, x.vague, candidate});
     add_candidate(std::move(candidate));
   }
@@ -328,7 +354,7 @@ std::string report(const Verdict& verdict) {
 
 }  // namespace
 
-Verdict JudgedView::judge(const Method& method, const std::string& edges) const {
+Verdict JudgedView::judge(const Method& method, const std::string& edges, const MethodSettings& settings) const {
   const MethodTraits& traits = method.traits();
   Verdict verdict;
   if (!(traits.products & kStrokes)) {
@@ -348,9 +374,13 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges) const 
   const double coincidence = coincidence_mm(projected);
   // A stroke that gave way lies within the coincidence tolerance of the one that stands; the ends of both are rounded to the
   // lattice.
-  const double tolerance = std::max(traits.tolerance_mm, coincidence + 2 * projected.lattice.step_mm);
+  const double limited = accuracy_mm_ > kOracleMm ? accuracy_mm_ : 0;
+  const double tolerance = std::max({traits.tolerance_mm, limited, coincidence + 2 * projected.lattice.step_mm});
   for (const bool hidden : {false, true}) {
-    VisibilityResult result = method.study(projected, {hidden, {}});
+    StudyOptions options;
+    options.hidden_strokes = hidden;
+    options.settings = settings;
+    VisibilityResult result = method.study(projected, options);
     if (!result.strokes) {
       verdict.faults = "  gives no strokes, although its traits say so\n";
       return verdict;

@@ -38,13 +38,15 @@ struct Verdict {
 /// A scene in one view on an A4 sheet, with the oracle's answers. These are found once, for all methods.
 class JudgedView {
  public:
-  /// `name` is the corpus scene's, "tests/corpus/NAME.json"; it stands in the command that shows a fault.
-  JudgedView(const Scene& scene, std::string name, const StandardView& view);
+  /// `name` is the corpus scene's, "tests/corpus/NAME.json"; it stands in the command that shows a fault. For methods that are limited
+  /// by a resolution `accuracy_mm` is that resolution: the oracle is asked on a page so much smaller that what it leaves open around
+  /// every change, a micrometre there, is that much here.
+  JudgedView(const Scene& scene, std::string name, const StandardView& view, double accuracy_mm = 0.001);
   ~JudgedView();
 
   /// Draws with the method as `ligne draw --edges EDGES` does and compares. `edges` is "all" or "feature". The method's
-  /// tolerance is that of its traits.
-  Verdict judge(const Method& method, const std::string& edges) const;
+  /// tolerance is that of its traits, or the accuracy of this view when that is coarser.
+  Verdict judge(const Method& method, const std::string& edges, const MethodSettings& settings = {}) const;
 
   const View& view() const { return view_; }
   const oracle::Oracle& oracle() const { return *oracle_; }
@@ -56,6 +58,7 @@ class JudgedView {
   const Scene& scene_;
   std::string name_;
   StandardView standard_;
+  double accuracy_mm_;
   Topology topology_;
   View view_;
   std::unique_ptr<oracle::Oracle> oracle_;

@@ -16,23 +16,33 @@ bool same(const Stroke& a, const Stroke& b) {
          a.line_class == b.line_class && a.visible == b.visible;
 }
 
-TEST(Determinism, OneThreadAndManyGiveTheSameStrokes) {
-  Scene scene;
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> u(-1, 1);
-  for (int i = 0; i < 1500; ++i) {
-    add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {2, 2, 2}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
-  }
-  const auto with_threads = [&](int n) {
-    tbb::task_arena arena(n);
-    return arena.execute([&] { return draw(scene, {along({-1, 2, -1}), "all", true}); });
-  };
-  const Picture one = with_threads(1), four = with_threads(4);
-  ASSERT_EQ(one.model.strokes.size(), four.model.strokes.size());
-  for (std::size_t i = 0; i < one.model.strokes.size(); ++i) {
-    ASSERT_TRUE(same(one.model.strokes[i], four.model.strokes[i])) << "stroke " << i;
+class Determinism : public testing::TestWithParam<const Method*> {};
+
+TEST_P(Determinism, OneThreadAndManyGiveTheSameStrokes) {
+  if (!(GetParam()->traits().products & kStrokes)) GTEST_SKIP() << "gives no strokes";
+  // Hidden lines and intersections cost a method the more, the more boxes hide each other.
+  for (const auto& [boxes, hidden] : {std::pair(1500, false), std::pair(500, true)}) {
+    Scene scene;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> u(-1, 1);
+    for (int i = 0; i < boxes; ++i) {
+      add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {2, 2, 2}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+    }
+    const auto with_threads = [&, hidden = hidden](int n) {
+      tbb::task_arena arena(n);
+      return arena.execute([&] { return draw(scene, {along({-1, 2, -1}), "all", hidden, 0, std::string(GetParam()->traits().name)}); });
+    };
+    const Picture one = with_threads(1), four = with_threads(4);
+    ASSERT_GT(one.model.strokes.size(), 1000u);
+    ASSERT_EQ(one.model.strokes.size(), four.model.strokes.size());
+    for (std::size_t i = 0; i < one.model.strokes.size(); ++i) {
+      ASSERT_TRUE(same(one.model.strokes[i], four.model.strokes[i])) << "stroke " << i;
+    }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Methods, Determinism, testing::ValuesIn(all_methods().begin(), all_methods().end()),
+                         [](const auto& info) { return std::string(info.param->traits().name); });
 
 }  // namespace
 }  // namespace ligne::test

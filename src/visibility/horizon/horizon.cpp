@@ -69,13 +69,27 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
 }  // namespace
 }  // namespace horizon
 
+namespace {
+
+/// Lines that lie off the surface, where the eye is over the grid: the surface reaches down to the point below the eye, and no edge tells the lower
+/// horizon so.
+bool needs_coverage(const HeightSource& heights, const Camera& camera, const HorizonOptions& options) {
+  if (!camera.perspective || (options.back_lines.empty() && !options.contour_base)) return false;
+  const Point3& eye = camera.eye;
+  return heights.x().front() < eye.x && eye.x < heights.x().back() && heights.y().front() < eye.y && eye.y < heights.y().back();
+}
+
+}  // namespace
+
 HorizonLines horizon_lines(const HeightSource& heights, const View& view, const HorizonOptions& options, Statistics& statistics) {
   using namespace horizon;
   const bool by_curves = options.hidden_by == HiddenBy::curves;
   const auto sweep = [&](const HeightSource& source, bool transposed) {
     if (options.resolution) return sweep_all<TwoHorizons<PixelEnvelope>>(source, transposed, view, options, statistics);
     // Curves that hide cover nothing: the classical method has no answer to holes.
-    if (!by_curves && options.holes.value_or(survey(heights).holes)) return sweep_all<GeneralHorizon>(source, transposed, view, options, statistics);
+    if (!by_curves && (needs_coverage(heights, view.camera, options) || options.holes.value_or(survey(heights).holes))) {
+      return sweep_all<GeneralHorizon>(source, transposed, view, options, statistics);
+    }
     return sweep_all<TwoHorizons<ExactEnvelope>>(source, transposed, view, options, statistics);
   };
   // Columns may lie along the sights, since a strip knows the cells on both sides of them; rows may not.

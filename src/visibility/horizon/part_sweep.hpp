@@ -307,22 +307,30 @@ class PartSweep {
         ends[n++] = {s->p.x + t * (e->p.x - s->p.x), s->p.y + t * (e->p.y - s->p.y), *level};
       }
       if (n < 2) continue;
+      if (away(ends[1]) < away(ends[0])) std::swap(ends[0], ends[1]);
       if (options_.contours_on_surface && facing != 0) {
-        contour(ends, facing > 0 ? Against::upper : Against::lower, store_.contours);
+        contour(ends, facing > 0 ? Against::upper : Against::lower, Banks::both, store_.contours);
       }
       if (options_.contour_base) {
         // What lies below the surface here can not be seen above what is nearer.
         const double base = *options_.contour_base * options_.z_scale;
         for (Point3& end : ends) end.z = base;
-        contour(ends, base < *level ? Against::lower : Against::upper, store_.base_contours);
+        contour(ends, base < *level ? Against::lower : Against::upper, Banks::none, store_.base_contours);
       }
     }
   }
 
-  void contour(const std::array<Point3, 2>& ends, Against against, Chains& chains) {
+  /// Along every sight this grows.
+  double away(const Point3& p) const {
+    const int column = transposed_ ? 1 : 0;
+    return columns_.sign * p[column] + rows_.sign * p[1 - column];
+  }
+
+  /// `ends`: the nearer one first.
+  void contour(const std::array<Point3, 2>& ends, Against against, Banks banks, Chains& chains) {
     const Sample a = sample(ends[0]), b = sample(ends[1]);
     const auto part = before_the_eye(a, b);
-    if (part) give(a, b, *part, horizon_.seen(part->a, part->b, against, Banks::both), [&](double t0, double t1) { add_to(chains, a, b, t0, t1); });
+    if (part) give(a, b, *part, horizon_.seen(part->a, part->b, against, banks), [&](double t0, double t1) { add_to(chains, a, b, t0, t1); });
   }
 
   void find_back_lines() {

@@ -1,0 +1,290 @@
+#include "visibility/warnock/control.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include <oneapi/tbb/parallel_for.h>
+
+namespace ligne::warnock {
+namespace {
+
+// Adjustable parameters.
+constexpr std::size_t kFewFaces = 24;        ///< a window with so few is solved
+constexpr double kLittleWork = 600;          ///< or one with so few tests to make
+constexpr double kSmallestSteps = 64;        ///< windows below are solved, whatever they hold
+constexpr int kMostStalls = 4;               ///< so are windows whose lists did not become shorter in so many divisions
+constexpr double kStall = 0.7;               ///< shorter: less than this part of the parent's
+constexpr int kDeepest = 100;                ///< divisions at vertices may be uneven
+constexpr std::size_t kParallelLoad = 2048;  ///< elements and pieces from which on the children are tasks of their own
+constexpr double kSlender = 4;               ///< windows longer by this are not cut along
+constexpr std::size_t kTriedElements = 8;    ///< nearest intersectors whose vertices may be cut points
+constexpr std::size_t kMostElements = 64;    ///< a window with more is divided without a closer look
+constexpr std::size_t kMostOfExact = 24;     ///< the same where windows with few edges are solved anyway
+constexpr int kProgressDepth = 4;            ///< windows of this depth report
+
+constexpr Window kNoWindow{0, -1, 0, -1};
+
+class Clock {
+ public:
+  /// Adds the time since the last call to `seconds`.
+  void lap(double& seconds) {
+    const auto now = std::chrono::steady_clock::now();
+    seconds += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+FramePoint middle_in(FramePoint p, FramePoint q, const Window& w) {
+  const auto part = clip_parameters<4>({p.u - w.u0, w.u1 - p.u, p.v - w.v0, w.v1 - p.v}, {q.u - w.u0, w.u1 - q.u, q.v - w.v0, w.v1 - q.v});
+  const double t = part ? ((*part)[0] + (*part)[1]) / 2 : 0.5;
+  return {std::round(p.u + t * (q.u - p.u)), std::round(p.v + t * (q.v - p.v))};
+}
+
+bool strictly_inside(const Window& w, FramePoint p) { return w.u0 < p.u && p.u < w.u1 && w.v0 < p.v && p.v < w.v1; }
+
+/// The vertex, or point of a side, that stands in the way of understanding; the centre when there is none.
+FramePoint point_of_failure(const FaceTable& table, const Lists& lists, const Window& w, FramePoint centre) {
+  FramePoint best = centre;
+  double best_distance = std::numeric_limits<double>::infinity();
+  const Element* first = nullptr;
+  std::size_t tried = 0;
+  for (const Element& e : lists.elements) {
+    if (e.relation != Relation::intersector) continue;
+    if (!first) first = &e;
+    if (++tried > kTriedElements) break;
+    for (const Side& s : table.sides_of(table.faces[e.face])) {
+      const FramePoint p = table.at(s.v0);
+      if (!strictly_inside(w, p)) continue;
+      const double distance = std::max(std::abs(p.u - centre.u), std::abs(p.v - centre.v));
+      if (distance >= best_distance) continue;
+      best_distance = distance;
+      best = p;
+    }
+  }
+  if (best_distance < std::numeric_limits<double>::infinity() || !first) return best;
+  const auto sides = table.sides_of(table.faces[first->face]);
+  const Side& s = sides[std::min<std::size_t>(first->side, sides.size() - 1)];
+  return middle_in(table.at(s.v0), table.at(s.v1), w);
+}
+
+}  // namespace
+
+void Counts::operator+=(const Counts& o) {
+  windows += o.windows;
+  divided += o.divided;
+  empty += o.empty;
+  for (std::size_t i = 0; i < kUnderstoodCount; ++i) understood[i] += o.understood[i];
+  solved += o.solved;
+  limit += o.limit;
+  analysis += o.analysis;
+  depth += o.depth;
+  solution += o.solution;
+  analysis_seconds += o.analysis_seconds;
+  understanding_seconds += o.understanding_seconds;
+  solution_seconds += o.solution_seconds;
+  area_seconds += o.area_seconds;
+}
+
+void Outcome::add(Outcome&& o) {
+  parts.insert(parts.end(), o.parts.begin(), o.parts.end());
+  pairs.add(std::move(o.pairs));
+  areas.insert(areas.end(), o.areas.begin(), o.areas.end());
+  cuts.insert(cuts.end(), o.cuts.begin(), o.cuts.end());
+  counts += o.counts;
+}
+
+Division divide(const FaceTable& table, const Lists& lists, const Window& w, const Rules& rules) {
+  const double least = std::max(rules.limit, 1.0);
+  Division d;
+  d.across = w.width() > least && w.width() * kSlender > w.height();
+  d.down = w.height() > least && w.height() * kSlender > w.width();
+  const FramePoint centre{std::floor((w.u0 + w.u1) / 2), std::floor((w.v0 + w.v1) / 2)};
+  const FramePoint p = rules.split == SplitChoice::vertex ? point_of_failure(table, lists, w, centre) : centre;
+  d.u = w.u0 < p.u && p.u < w.u1 ? p.u : centre.u;
+  d.v = w.v0 < p.v && p.v < w.v1 ? p.v : centre.v;
+  return d;
+}
+
+/// What one thread works with for a while.
+struct Control::Task {
+  Task(const Control& control, Progress& p)
+      : progress(p), solution(control.table_, control.lines_, control.rules_.coincidence_steps, control.rules_.margin_steps),
+        area_search(control.table_, control.lines_),
+        outcome{{}, PenetrationSearch(*control.table_.facets, *control.table_.vertices), {}, {}, {}} {}
+
+  Progress& progress;
+  Solution solution;
+  AreaSearch area_search;
+  Outcome outcome;
+};
+
+class Control::Progress {
+ public:
+  explicit Progress(const std::function<void(double)>& report) : report_(report) {}
+  void add(double part) {
+    if (!report_) return;
+    const std::lock_guard lock(mutex_);
+    done_ += part;
+    report_(std::min(done_, 1.0));
+  }
+
+ private:
+  const std::function<void(double)>& report_;
+  std::mutex mutex_;
+  double done_ = 0;
+};
+
+Control::Control(const FaceTable& table, const std::vector<PageLine>& lines, const Rules& rules)
+    : table_(table), lines_(lines), rules_(rules), margin_(std::ceil(rules.margin_steps * table.frame.unit())),
+      analysis_(table, margin_, rules.drop_hidden) {}
+
+Outcome Control::study(const Window& window, std::vector<Piece> pieces, const std::function<void(double)>& report) const {
+  Progress progress(report);
+  Task task(*this, progress);
+  if (window.empty()) return std::move(task.outcome);  // a scene without vertices
+  Clock clock;
+  Lists lists = analysis_.begin(window, task.outcome.counts.analysis);
+  clock.lap(task.outcome.counts.analysis_seconds);
+  if (rules_.show_windows) {
+    const FramePoint a{window.u0, window.v0}, b{window.u1, window.v0}, c{window.u1, window.v1}, d{window.u0, window.v1};
+    task.outcome.cuts = {{a, b}, {b, c}, {c, d}, {d, a}};
+  }
+  study(window, std::move(lists), std::move(pieces), 0, 0, task);
+  task.outcome.counts.solution += task.solution.counts();
+  return std::move(task.outcome);
+}
+
+bool Control::few_edges(const Lists& lists, const std::vector<Piece>& pieces) const {
+  const auto n = static_cast<double>(lists.elements.size()), m = static_cast<double>(pieces.size());
+  if (lists.elements.size() <= kFewFaces) return true;
+  return m * n + (rules_.find_pairs || rules_.areas ? n * n / 2 : 0) <= kLittleWork;
+}
+
+void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces, int depth, int stalled, Task& task) const {
+  Counts& counts = task.outcome.counts;
+  ++counts.windows;
+  const auto report = [&] {
+    if (depth <= kProgressDepth) task.progress.add(std::pow(0.25, depth));
+  };
+  const bool exact = rules_.limit == 0;
+  const bool wanted = !pieces.empty() || (rules_.find_pairs && lists.elements.size() > 1) || (rules_.areas && !lists.elements.empty());
+  if (!wanted) {
+    ++counts.empty;
+    report();
+    return;
+  }
+  Clock clock;
+  const Situation situation(table_, lists, window.grown(-margin_), exact ? kMostOfExact : kMostElements, counts.analysis, counts.depth);
+  const Understood understood = understand(situation);
+  clock.lap(counts.understanding_seconds);
+  if (understood != Understood::no) {
+    ++counts.understood[static_cast<std::size_t>(understood)];
+    draw(window, lists, pieces, understood, task);
+    report();
+    return;
+  }
+  const Division division = divide(table_, lists, window, rules_);
+  const bool indivisible = !division.across && !division.down;
+  if (exact && (few_edges(lists, pieces) || window.longer_side() < kSmallestSteps * table_.frame.unit() || stalled >= kMostStalls ||
+                depth >= kDeepest || indivisible)) {
+    ++counts.solved;
+    draw(window, lists, pieces, understood, task);
+    report();
+  } else if (indivisible) {
+    ++counts.limit;
+    draw_at_limit(window, lists, pieces, task);
+    report();
+  } else {
+    ++counts.divided;
+    split(window, division, lists, pieces, depth, stalled, task);
+    if (depth == kProgressDepth) report();
+  }
+}
+
+void Control::split(const Window& window, const Division& division, const Lists& lists, const std::vector<Piece>& pieces, int depth,
+                    int stalled, Task& task) const {
+  const Window& w = window;
+  if (rules_.show_windows) {
+    if (division.across) task.outcome.cuts.push_back({{division.u, w.v0}, {division.u, w.v1}});
+    if (division.down) task.outcome.cuts.push_back({{w.u0, division.v}, {w.u1, division.v}});
+  }
+  std::array<std::vector<Piece>, 4> parts;
+  for (const Piece& piece : pieces) {
+    cut_piece(lines_[piece.line], piece, table_.frame, division, [&](int child, const Piece& part) { parts[child].push_back(part); });
+  }
+  std::array<Window, 4> windows;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const bool high_u = k % 2 == 1, high_v = k / 2 == 1;
+    windows[k] = (high_u && !division.across) || (high_v && !division.down)
+                     ? kNoWindow
+                     : Window{high_u ? division.u : w.u0, division.across && !high_u ? division.u : w.u1, high_v ? division.v : w.v0,
+                              division.down && !high_v ? division.v : w.v1};
+  }
+  Clock clock;
+  std::array<Lists, 4> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
+  clock.lap(task.outcome.counts.analysis_seconds);
+  const auto study_child = [&](std::size_t k, Task& own) {
+    Lists& own_lists = child_lists[k];
+    // Pieces behind the cover are hidden.
+    std::erase_if(parts[k], [&](const Piece& p) {
+      return lines_[p.line].z(p.from) > own_lists.cover && lines_[p.line].z(p.to) > own_lists.cover;
+    });
+    const bool shorter = static_cast<double>(own_lists.elements.size()) < kStall * static_cast<double>(lists.elements.size());
+    study(windows[k], std::move(own_lists), std::move(parts[k]), depth + 1, shorter ? 0 : stalled + 1, own);
+  };
+  if (lists.elements.size() + pieces.size() < kParallelLoad) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!windows[k].empty()) study_child(k, task);
+    }
+    return;
+  }
+  std::vector<Task> tasks;
+  tasks.reserve(4);
+  for (int k = 0; k < 4; ++k) tasks.emplace_back(*this, task.progress);
+  tbb::parallel_for(std::size_t{0}, std::size_t{4}, [&](std::size_t k) {
+    if (!windows[k].empty()) study_child(k, tasks[k]);
+  });
+  for (Task& t : tasks) {
+    t.outcome.counts.solution += t.solution.counts();
+    task.outcome.add(std::move(t.outcome));
+  }
+}
+
+void Control::draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood, Task& task) const {
+  Outcome& out = task.outcome;
+  Clock clock;
+  const bool covered = understood == Understood::surrounder && rules_.drop_hidden;
+  const bool pairs = rules_.find_pairs && !covered;
+  if (!pieces.empty() || pairs) {
+    task.solution.load(lists, window);
+    task.solution.draw_lines(pieces, out.parts);
+    if (pairs) task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(), out.pairs);
+  }
+  clock.lap(out.counts.solution_seconds);
+  if (!rules_.areas) return;
+  if (understood == Understood::surrounder) {
+    task.area_search.take_front(lists, window, out.areas);
+  } else {
+    task.area_search.find(lists, window, pieces, out.areas);
+  }
+  clock.lap(out.counts.area_seconds);
+}
+
+/// A piece shows the edge of the face that is nearest in its middle, or nothing.
+void Control::draw_at_limit(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Task& task) const {
+  Clock clock;
+  task.solution.load(lists, window);
+  task.solution.draw_by_middle(pieces, task.outcome.parts);
+  if (rules_.find_pairs) {
+    task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(), task.outcome.pairs);
+  }
+  clock.lap(task.outcome.counts.solution_seconds);
+  if (rules_.areas) task.area_search.take_front(lists, window, task.outcome.areas);
+}
+
+}  // namespace ligne::warnock

@@ -1,0 +1,102 @@
+#include "visibility/warnock/depth.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace ligne::warnock {
+namespace {
+
+/// Smallest and largest difference of two planes over what is added.
+class Gap {
+ public:
+  Gap(const Face& face, const Face& cover, DepthCounts& counts)
+      : face_(face), cover_(cover), tolerance_(std::max(face.slack, cover.slack)), counts_(counts) {}
+
+  void add(double u, double v) {
+    counts_.depths += 2;
+    const double h = face_.z(u, v) - cover_.z(u, v);
+    lowest_ = std::min(lowest_, h);
+    highest_ = std::max(highest_, h);
+  }
+
+  void add_corners(const Window& w) {
+    add(w.u0, w.v0);
+    add(w.u1, w.v0);
+    add(w.u0, w.v1);
+    add(w.u1, w.v1);
+  }
+
+  DepthComparison result() const {
+    if (lowest_ > highest_) return {};
+    const bool behind = highest_ > tolerance_, before = lowest_ < -tolerance_;
+    const DepthOrder order = behind && before ? DepthOrder::crossing
+                             : behind         ? DepthOrder::behind
+                             : before         ? DepthOrder::before
+                                              : DepthOrder::level;
+    return {order, lowest_ > tolerance_ || highest_ < -tolerance_};
+  }
+
+ private:
+  const Face& face_;
+  const Face& cover_;
+  double tolerance_;
+  DepthCounts& counts_;
+  double lowest_ = std::numeric_limits<double>::infinity(), highest_ = -lowest_;
+};
+
+/// A triangle cut by a window: at most seven corners.
+struct Clipped {
+  std::array<FramePoint, 8> p{};
+  int n = 0;
+};
+
+/// Sutherland and Hodgman: cuts away where f < 0.
+template <class F>
+Clipped cut(const Clipped& polygon, F f) {
+  Clipped result;
+  for (int i = 0; i < polygon.n; ++i) {
+    const FramePoint a = polygon.p[i], b = polygon.p[(i + 1) % polygon.n];
+    const double fa = f(a), fb = f(b);
+    if (fa >= 0) result.p[result.n++] = a;
+    if ((fa < 0) != (fb < 0)) {
+      const double t = fa / (fa - fb);
+      result.p[result.n++] = {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)};
+    }
+  }
+  return result;
+}
+
+Clipped clipped(const FaceTable& table, const Facet& facet, const Window& w) {
+  Clipped c;
+  for (const std::uint32_t v : facet.v) c.p[c.n++] = table.at(v);
+  c = cut(c, [&](FramePoint p) { return p.u - w.u0; });
+  c = cut(c, [&](FramePoint p) { return w.u1 - p.u; });
+  c = cut(c, [&](FramePoint p) { return p.v - w.v0; });
+  return cut(c, [&](FramePoint p) { return w.v1 - p.v; });
+}
+
+}  // namespace
+
+DepthComparison compare_depth(const FaceTable& table, const Element& element, const Face& cover, const Window& window, DepthCounts& counts) {
+  ++counts.comparisons;
+  const Face& face = table.faces[element.face];
+  Gap rough(face, cover, counts);
+  if (element.relation == Relation::surrounder) {
+    rough.add_corners(window);
+    return rough.result();
+  }
+  const Window common = window.common(face.box);
+  if (common.empty()) return {};
+  rough.add_corners(common);
+  const DepthComparison result = rough.result();
+  if (result.clear || result.order == DepthOrder::level) return result;
+  ++counts.clipped;
+  Gap exact(face, cover, counts);
+  for (const std::uint32_t id : table.facets_of(face)) {
+    const Clipped c = clipped(table, (*table.facets)[id], common);
+    for (int i = 0; i < c.n; ++i) exact.add(c.p[i].u, c.p[i].v);
+  }
+  return exact.result();
+}
+
+}  // namespace ligne::warnock

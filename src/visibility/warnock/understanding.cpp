@@ -1,0 +1,206 @@
+#include "visibility/warnock/understanding.hpp"
+
+#include <algorithm>
+
+namespace ligne::warnock {
+namespace {
+
+// Adjustable parameters.
+constexpr std::size_t kMostSeen = 12;      ///< so many seen intersectors are never understood
+constexpr std::size_t kMostFacets = 16;    ///< of an intersector that is held against another on the page
+
+/// Calls visit(p, q) for the sides of the face that meet the inner window, until it returns false; false when it did.
+template <class Visit>
+bool all_sides(const Situation& s, const Placed& placed, Visit visit) {
+  for (const Side& side : s.table.sides_of(*placed.face)) {
+    const FramePoint p = s.table.at(side.v0), q = s.table.at(side.v1);
+    if (meets(p, q, s.inner) && !visit(p, q)) return false;
+  }
+  return true;
+}
+
+bool same(FramePoint a, FramePoint b) { return a.u == b.u && a.v == b.v; }
+
+/// Whether a side of the triangle has all of the other on its outer side or along it.
+bool side_separates(const FramePoint (&t)[3], const FramePoint (&o)[3]) {
+  for (int i = 0; i < 3; ++i) {
+    const FramePoint p = t[i], q = t[(i + 1) % 3];
+    if (turn(p, q, o[0]) <= 0 && turn(p, q, o[1]) <= 0 && turn(p, q, o[2]) <= 0) return true;
+  }
+  return false;
+}
+
+bool facets_apart(const FaceTable& table, const Facet& a, const Facet& b) {
+  const FramePoint ta[3] = {table.at(a.v[0]), table.at(a.v[1]), table.at(a.v[2])};
+  const FramePoint tb[3] = {table.at(b.v[0]), table.at(b.v[1]), table.at(b.v[2])};
+  return side_separates(ta, tb) || side_separates(tb, ta);
+}
+
+bool faces_apart(const Situation& s, const Face& a, const Face& b) {
+  if (!a.box.meets(b.box)) return true;
+  const auto of_a = s.table.facets_of(a), of_b = s.table.facets_of(b);
+  if (of_a.size() > kMostFacets || of_b.size() > kMostFacets) return false;
+  return std::all_of(of_a.begin(), of_a.end(), [&](std::uint32_t i) {
+    return std::all_of(of_b.begin(), of_b.end(), [&](std::uint32_t k) { return facets_apart(s.table, (*s.table.facets)[i], (*s.table.facets)[k]); });
+  });
+}
+
+}  // namespace
+
+Situation::Situation(const FaceTable& t, const Lists& lists, const Window& w, std::size_t most, AnalysisCounts& analysis, DepthCounts& d)
+    : table(t), inner(w), depth(d) {
+  if (inner.empty() || lists.elements.size() > most) {
+    crowded = true;
+    return;
+  }
+  placed.reserve(lists.elements.size());
+  for (const Element& e : lists.elements) {
+    Placed p{e, &table.faces[e.face]};
+    if (e.relation == Relation::intersector && !e.box.inside(inner)) {
+      p.element.relation = relation_to(table, *p.face, inner, p.element.side, analysis);
+      if (p.element.relation == Relation::disjoint) continue;
+    }
+    placed.push_back(p);
+  }
+}
+
+Covers study_surrounders(const Situation& s) {
+  Covers covers;
+  for (const Placed& p : s.placed) {
+    if (p.element.relation != Relation::surrounder) continue;
+    if (!covers.front) {
+      covers.front = &p;
+      continue;
+    }
+    const DepthOrder to_front = s.compare(p, *covers.front).order;
+    if (to_front == DepthOrder::behind || to_front == DepthOrder::level) continue;
+    if (!covers.other) {
+      (to_front == DepthOrder::before ? covers.front : covers.other) = &p;
+      continue;
+    }
+    const DepthOrder to_other = s.compare(p, *covers.other).order;
+    if (to_other == DepthOrder::behind || to_other == DepthOrder::level) continue;
+    if (to_front == DepthOrder::before && to_other == DepthOrder::before) {
+      covers = {&p, nullptr, false};
+    } else {
+      return {nullptr, nullptr, true};
+    }
+  }
+  return covers;
+}
+
+std::optional<std::vector<const Placed*>> seen_intersectors(const Situation& s, const Placed* cover) {
+  std::vector<const Placed*> seen;
+  for (const Placed& p : s.placed) {
+    if (p.element.relation != Relation::intersector) continue;
+    if (cover) {
+      const DepthOrder order = s.compare(p, *cover).order;
+      if (order == DepthOrder::crossing) return std::nullopt;
+      if (order == DepthOrder::behind || order == DepthOrder::apart) continue;
+    }
+    seen.push_back(&p);
+    if (seen.size() > kMostSeen) return std::nullopt;
+  }
+  return seen;
+}
+
+bool surrounder_before_everything(const Situation& s, const Covers& covers) {
+  if (!covers.front || covers.other) return false;
+  return std::all_of(s.placed.begin(), s.placed.end(), [&](const Placed& p) {
+    if (&p == covers.front) return true;
+    const DepthComparison c = s.compare(p, *covers.front);
+    return c.order == DepthOrder::apart || (c.order == DepthOrder::behind && c.clear);
+  });
+}
+
+bool penetrating_surrounders_before_everything(const Situation& s, const Covers& covers) {
+  if (!covers.front || !covers.other) return false;
+  return std::all_of(s.placed.begin(), s.placed.end(), [&](const Placed& p) {
+    if (&p == covers.front || &p == covers.other) return true;
+    const auto hidden_by = [&](const Placed& cover) {
+      const DepthComparison c = s.compare(p, cover);
+      return c.order == DepthOrder::apart || (c.order == DepthOrder::behind && c.clear);
+    };
+    return hidden_by(*covers.front) || hidden_by(*covers.other);
+  });
+}
+
+bool seen_edges_in_one_line(const Situation& s, std::span<const Placed* const> seen) {
+  bool first = true;
+  FramePoint from, to;
+  // Bit 1: the face lies to the left of the line, bit 2: to the right.
+  std::vector<int> banks(seen.size(), 0);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const bool in_line = all_sides(s, *seen[i], [&](FramePoint p, FramePoint q) {
+      if (first) {
+        first = false;
+        from = p;
+        to = q;
+      }
+      if (turn(from, to, p) != 0 || turn(from, to, q) != 0) return false;
+      banks[i] |= (q.u - p.u) * (to.u - from.u) + (q.v - p.v) * (to.v - from.v) > 0 ? 1 : 2;
+      return true;
+    });
+    if (!in_line) return false;
+  }
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (std::size_t k = i + 1; k < seen.size(); ++k) {
+      if ((banks[i] & banks[k]) != 0 && s.compare(*seen[i], *seen[k]).order == DepthOrder::crossing) return false;
+    }
+  }
+  return true;
+}
+
+bool single_intersector(std::span<const Placed* const> seen) { return seen.size() == 1; }
+
+bool seen_edges_meet_in_one_vertex(const Situation& s, std::span<const Placed* const> seen) {
+  bool first = true;
+  FramePoint a, b;  // the candidates: both ends of the first side, as long as they serve
+  bool a_serves = false, b_serves = false;
+  for (const Placed* p : seen) {
+    const bool together = all_sides(s, *p, [&](FramePoint from, FramePoint to) {
+      if (first) {
+        first = false;
+        a = from;
+        b = to;
+        a_serves = s.inner.holds(a);
+        b_serves = s.inner.holds(b);
+      } else {
+        a_serves = a_serves && (same(from, a) || same(to, a));
+        b_serves = b_serves && (same(from, b) || same(to, b));
+      }
+      return a_serves || b_serves;
+    });
+    if (!together) return false;
+  }
+  return !first;
+}
+
+bool seen_intersectors_apart(const Situation& s, std::span<const Placed* const> seen) {
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (std::size_t k = i + 1; k < seen.size(); ++k) {
+      if (!faces_apart(s, *seen[i]->face, *seen[k]->face)) return false;
+    }
+  }
+  return true;
+}
+
+Understood understand(const Situation& s) {
+  if (s.crowded) return Understood::no;
+  const Covers covers = study_surrounders(s);
+  if (covers.failed) return Understood::no;
+  if (surrounder_before_everything(s, covers)) return Understood::surrounder;
+  if (covers.other) {
+    if (penetrating_surrounders_before_everything(s, covers)) return Understood::penetrating_surrounders;
+    return Understood::no;
+  }
+  const auto seen = seen_intersectors(s, covers.front);
+  if (!seen) return Understood::no;
+  if (single_intersector(*seen)) return Understood::single_intersector;
+  if (seen_edges_in_one_line(s, *seen)) return Understood::one_line;
+  if (seen_edges_meet_in_one_vertex(s, *seen)) return Understood::one_vertex;
+  if (seen_intersectors_apart(s, *seen)) return Understood::apart;
+  return Understood::no;
+}
+
+}  // namespace ligne::warnock

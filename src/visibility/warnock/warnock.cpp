@@ -1,0 +1,262 @@
+#include "visibility/warnock/warnock.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "visibility/common/stroke_maker.hpp"
+#include "visibility/tolerances.hpp"
+#include "visibility/warnock/control.hpp"
+#include "visibility/warnock/initial_window.hpp"
+#include "visibility/warnock/regions.hpp"
+
+// Phases: (1) facets and faces, sorted by depth; (2) windows with the candidate edges: visible parts, penetrating pairs; (3) windows with the
+// intersections that were found: their visible parts, and areas; (4) parts put together into strokes, areas into regions. See docs/methods/warnock.md.
+
+namespace ligne {
+namespace {
+
+using namespace warnock;
+
+constexpr std::string_view kWindowNames[] = {"screen", "bounding", "principal"};
+constexpr std::string_view kSplitNames[] = {"centre", "vertex"};
+constexpr std::string_view kShowNames[] = {"windows"};
+constexpr unsigned kLowestResolution = 1, kHighestResolution = 1 << 20;
+
+constexpr MethodParameter kParameters[] = {
+    {"warnock-window", "screen|bounding|principal", "first window: the sheet, the square round the scene, or the smallest rectangle of any direction",
+     "bounding", kWindowNames},
+    {"warnock-split", "centre|vertex", "where windows are divided", "centre", kSplitNames},
+    {"resolution", "N", "classical limit: no window smaller than the sheet's longer side by N (default: none, exact)", "", {}, kLowestResolution,
+     kHighestResolution},
+    {"show", "windows", "the subdivision as layer debug", "", kShowNames},
+};
+
+constexpr std::string_view kCaseNames[kUnderstoodCount] = {"",
+                                                           "understood: surrounder before everything",
+                                                           "understood: two penetrating surrounders",
+                                                           "understood: seen edges in one line",
+                                                           "understood: single intersector",
+                                                           "understood: seen edges meet in one vertex",
+                                                           "understood: seen intersectors apart"};
+
+class Clock {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double s = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return s;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+double longer_side_mm(const ProjectedScene& scene) { return std::max(scene.view.window.width(), scene.view.window.height()); }
+
+/// The visible parts of each line, in order; first[i] is where those of line i begin.
+struct PartsByLine {
+  std::vector<std::size_t> first;
+  std::vector<FoundPart> parts;
+};
+
+PartsByLine by_line(const std::vector<FoundPart>& found, std::size_t lines) {
+  PartsByLine result;
+  result.first.assign(lines + 1, 0);
+  for (const FoundPart& p : found) ++result.first[p.line + 1];
+  for (std::size_t i = 0; i < lines; ++i) result.first[i + 1] += result.first[i];
+  result.parts.resize(found.size());
+  std::vector<std::size_t> next(result.first.begin(), result.first.end() - 1);
+  for (const FoundPart& p : found) result.parts[next[p.line]++] = p;
+  return result;
+}
+
+/// Where a line comes from.
+struct Origin {
+  std::uint32_t source;
+  LineClass line_class;
+  std::array<double, 2> range;  ///< part of the source edge
+  bool may_coincide;            ///< whatever lies near
+};
+
+/// Appends the strokes of all lines, in their order.
+template <class OriginOf>
+void make_strokes(const ProjectedScene& scene, const std::vector<PageLine>& lines, const std::vector<FoundPart>& found, bool hidden_too,
+                  const OriginOf& origin_of, std::vector<Stroke>& strokes) {
+  const PartsByLine sorted = by_line(found, lines.size());
+  const StrokeMaker maker(scene, hidden_too);
+  const double least = kLeastPartMm / scene.lattice.step_mm;
+  constexpr std::size_t kBlock = 4096;
+  const std::size_t blocks = (lines.size() + kBlock - 1) / kBlock;
+  std::vector<std::vector<Stroke>> made(blocks);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    std::vector<FoundPart> of_line;
+    std::vector<LinePart> parts;
+    for (std::size_t i = block * kBlock; i < std::min(lines.size(), (block + 1) * kBlock); ++i) {
+      if (lines[i].p0 == lines[i].p1) continue;  // seen end on
+      of_line.assign(sorted.parts.begin() + static_cast<std::ptrdiff_t>(sorted.first[i]),
+                     sorted.parts.begin() + static_cast<std::ptrdiff_t>(sorted.first[i + 1]));
+      std::sort(of_line.begin(), of_line.end(), [](const FoundPart& a, const FoundPart& b) { return a.part.from < b.part.from; });
+      parts.clear();
+      bool near_side = false;
+      for (const FoundPart& p : of_line) {
+        append_part(parts, p.part);
+        near_side |= p.near_side;
+      }
+      drop_short_parts(parts, page_length(lines[i]), least);
+      const Origin o = origin_of(i);
+      maker.add(lines[i], parts, o.range, o.source, o.line_class, near_side || o.may_coincide, made[block]);
+    }
+  });
+  for (const std::vector<Stroke>& m : made) strokes.insert(strokes.end(), m.begin(), m.end());
+}
+
+std::vector<Piece> whole_lines(const std::vector<PageLine>& lines) {
+  std::vector<Piece> pieces;
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    if (!(lines[i].p0 == lines[i].p1)) pieces.push_back({i, 0, 1});
+  }
+  return pieces;
+}
+
+void tell(const Counts& c, Statistics& s) {
+  s.count("windows studied", c.windows);
+  s.count("windows divided", c.divided);
+  s.count("windows with nothing to draw", c.empty);
+  for (std::size_t i = 1; i < kUnderstoodCount; ++i) s.count(std::string(kCaseNames[i]), c.understood[i]);
+  s.count("solved exactly", c.solved);
+  s.count("at the limit of resolution", c.limit);
+  s.count("analysis: faces looked at", c.analysis.faces);
+  s.count("analysis: surrounders inherited", c.analysis.inherited);
+  s.count("analysis: disjoint by their boxes", c.analysis.box);
+  s.count("analysis: intersectors by their boxes", c.analysis.inside);
+  s.count("analysis: intersectors by the remembered side", c.analysis.remembered);
+  s.count("analysis: sides against windows", c.analysis.side_tests);
+  s.count("analysis: faces not studied behind a cover", c.analysis.not_studied);
+  s.count("understanding: pairs of faces compared", c.depth.comparisons);
+  s.count("understanding: depths computed", c.depth.depths);
+  s.count("understanding: contours cut by the window", c.depth.clipped);
+  s.count("drawing: line-facet tests", c.solution.line_facet_tests);
+  s.count("drawing: facet-facet tests", c.solution.pair_tests);
+}
+
+/// Times in the modules, summed over the threads.
+void tell_times(const Counts& c, Statistics& s) {
+  s.time("analysis, all threads", c.analysis_seconds);
+  s.time("understanding, all threads", c.understanding_seconds);
+  s.time("drawing, all threads", c.solution_seconds);
+  s.time("areas, all threads", c.area_seconds);
+}
+
+std::vector<std::vector<Point2>> page_lines(const std::vector<WindowCut>& cuts, const WindowFrame& frame, const Lattice& lattice) {
+  std::vector<std::vector<Point2>> lines;
+  const auto point = [&](FramePoint p) { return lattice.origin_mm + frame.to_page(p.u, p.v) * lattice.step_mm; };
+  for (const WindowCut& c : cuts) lines.push_back({point(c.from), point(c.to)});
+  return lines;
+}
+
+}  // namespace
+
+double warnock_tolerance_mm(const ProjectedScene& scene, unsigned resolution) {
+  return 2 * std::numbers::sqrt2 * longer_side_mm(scene) / resolution;
+}
+
+const MethodTraits& WarnockMethod::traits() const {
+  static const MethodTraits traits{
+      "warnock", "subdivision of the picture into windows that are plain enough; edges and areas, exact or with --resolution limited", kStrokes | kRegions,
+      true, true, "J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969", 0.001, kParameters};
+  return traits;
+}
+
+VisibilityResult WarnockMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+  VisibilityResult result;
+  Statistics& statistics = result.statistics;
+  StrokeModel model;
+  model.lattice = scene.lattice;
+  model.edge_count = scene.source_count;
+  const double step = scene.lattice.step_mm;
+  const auto resolution = options.settings.find("resolution");
+  Clock clock;
+
+  // 1. Faces by depth.
+  Rules rules;
+  rules.coincidence_steps = coincidence_mm(scene) / step;
+  rules.margin_steps = rules.coincidence_steps + 1;
+  const InitialWindow first = initial_window(scene, options.settings.choice("warnock-window", WindowChoice::bounding));
+  const Facets facets = make_facets(scene, rules.coincidence_steps);
+  const FaceTable table = make_faces(scene, facets.facets, first.frame);
+  rules.split = options.settings.choice("warnock-split", SplitChoice::centre);
+  if (resolution) rules.limit = std::max(1.0, std::ceil(longer_side_mm(scene) / *resolution / step * first.frame.unit()));
+  const bool regions = (options.wanted & kRegions) != 0;
+  rules.find_pairs = scene.with_intersections || regions;
+  rules.drop_hidden = !(options.hidden_strokes && scene.with_intersections);
+  rules.show_windows = options.settings.find("show").has_value();
+  statistics.time("faces", clock.lap());
+
+  // 2. Windows with the candidate edges.
+  const bool twice = rules.find_pairs;
+  const auto report = [&](double from, double to) {
+    return options.progress ? std::function<void(double)>([&options, from, to](double part) { options.progress(from + part * (to - from)); })
+                            : std::function<void(double)>();
+  };
+  std::vector<PageLine> lines;
+  lines.reserve(scene.edges.size());
+  for (const ProjectedEdge& e : scene.edges) lines.emplace_back(scene.vertices[e.v0], scene.vertices[e.v1], e.face0, e.face1);
+  Outcome of_edges = Control(table, lines, rules).study(first.window, whole_lines(lines), report(0, twice ? 0.5 : 1));
+  const auto thin = [&](std::uint32_t f) { return f < facets.face_is_thin.size() && facets.face_is_thin[f]; };
+  make_strokes(scene, lines, of_edges.parts, options.hidden_strokes,
+               [&](std::size_t i) {
+                 const ProjectedEdge& e = scene.edges[i];
+                 return Origin{e.source, e.line_class, scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i],
+                               thin(e.face0) || thin(e.face1)};
+               },
+               model.strokes);
+  statistics.time("windows", clock.lap());
+
+  // 3. Windows with the intersections.
+  std::vector<Intersection> intersections;
+  if (rules.find_pairs) intersections = of_edges.pairs.finish(kLeastPartMm / step);
+  Counts of_intersections;
+  if (!intersections.empty() || regions) {
+    Rules second = rules;
+    second.find_pairs = second.show_windows = false;
+    second.areas = regions;
+    std::vector<PageLine> crossings;
+    crossings.reserve(intersections.size());
+    for (const Intersection& x : intersections) crossings.emplace_back(x.from, x.to, x.face0, x.face1);
+    Outcome outcome = Control(table, crossings, second).study(first.window, whole_lines(crossings), report(0.5, 1));
+    of_intersections = outcome.counts;
+    if (scene.with_intersections) {
+      make_strokes(scene, crossings, outcome.parts, options.hidden_strokes,
+                   [&](std::size_t i) {
+                     return Origin{scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, {0, 1}, true};
+                   },
+                   model.strokes);
+      number_intersections(scene, intersections, model);
+    }
+    statistics.time("windows of intersections", clock.lap());
+    if (regions) {
+      result.regions = make_regions(outcome.areas, first.frame, scene.lattice, kLeastPartMm / step);
+      statistics.time("regions", clock.lap());
+    }
+  }
+
+  statistics.count("faces", table.faces.size());
+  statistics.count("facets", facets.facets.size());
+  statistics.count("candidate edges", scene.edges.size());
+  tell(of_edges.counts, statistics);
+  statistics.count("intersection segments tested", intersections.size());
+  statistics.count("windows studied for intersections and areas", of_intersections.windows);
+  statistics.count("strokes", model.strokes.size());
+  if (result.regions) statistics.count("regions", result.regions->size());
+  tell_times(of_edges.counts, statistics);
+  result.debug = page_lines(of_edges.cuts, first.frame, scene.lattice);
+  result.strokes = std::move(model);
+  return result;
+}
+
+}  // namespace ligne

@@ -1,0 +1,344 @@
+#include "visibility/watkins/line_scan.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace ligne::watkins {
+namespace {
+
+/// Edges on one line of the page have accumulators that differ by their roundings; that is no exchange. In grid units: far above 2^-53 of
+/// the largest u, far below a lattice step at any number of lines that a page can have.
+constexpr double kSamePlace = 0x1p-20;
+
+}  // namespace
+
+void ScanCounts::operator+=(const ScanCounts& o) {
+  lines += o.lines;
+  studied += o.studied;
+  segments += o.segments;
+  entered += o.entered;
+  ended += o.ended;
+  exchanges += o.exchanges;
+  passed_chains += o.passed_chains;
+  passed_points += o.passed_points;
+  passed_exchanges += o.passed_exchanges;
+}
+
+LineScan::LineScan(const ScanScene& scene, std::span<const SweepLine> lines, const ScanOptions& options, LineListener& listener)
+    : scene_(scene), lines_(lines), options_(options), listener_(listener), open_(scene.face_count, 0) {
+  if (scene.grid.whole) {
+    whole_ = make_span_method<std::int32_t>(options.kind);
+  } else {
+    real_ = make_span_method<double>(options.kind);
+  }
+}
+
+SpanCounts LineScan::span_counts() const {
+  SpanCounts counts = whole_ ? whole_->counts() : real_->counts();
+  counts.swaps += sort_swaps_;
+  return counts;
+}
+
+void LineScan::scan(std::uint32_t first, std::uint32_t end) {
+  begin(first);
+  for (std::uint32_t line = first; line < end; ++line) {
+    if (line != first) ended_edges_.clear();
+    const bool studied = take_line(line);
+    if (order_.empty()) {
+      listener_.line(*this, line, studied);
+      continue;
+    }
+    ++counts_.lines;
+    listener_.line(*this, line, studied);
+  }
+  for (const std::uint32_t slot : order_) listener_.ended(*this, slot);
+}
+
+std::uint32_t LineScan::make_slot(std::uint32_t edge, const EdgeTrack& track) {
+  if (free_slots_.empty()) {
+    free_slots_.push_back(static_cast<std::uint32_t>(slots_.size()));
+    slots_.emplace_back();
+  }
+  const std::uint32_t slot = free_slots_.back();
+  free_slots_.pop_back();
+  slots_[slot] = {track, key(track.u), edge, false, true};
+  return slot;
+}
+
+/// Edges that come in from lines above the group.
+void LineScan::begin(std::uint32_t line) {
+  order_.clear();
+  spans_.clear();
+  must_study_ = true;
+  ended_edges_.clear();
+  if (line == 0) return;
+  for (std::uint32_t e = 0; e < scene_.first_of_line[line]; ++e) {
+    const EdgeTrack& track = scene_.edges[e].track;
+    if (track.last == line && track.first < line) ended_edges_.push_back(e);
+    if (track.last <= line) continue;
+    // One line above: taking the line advances them.
+    EdgeTrack before = track.on(line);
+    before.u -= track.du;
+    before.z -= track.dz;
+    order_.push_back(make_slot(e, before));
+  }
+}
+
+/// The line's edges in order, and its spans: studied, or carried on. Says which.
+bool LineScan::take_line(std::uint32_t line) {
+  ended_.clear();
+  entered_.clear();
+  std::erase_if(order_, [&](std::uint32_t slot) {
+    if (slots_[slot].track.last != line) return false;
+    ended_.push_back(slot);
+    ended_edges_.push_back(slots_[slot].edge);
+    return true;
+  });
+  for (const std::uint32_t slot : order_) {
+    ActiveEdge& a = slots_[slot];
+    a.track.advance();
+    a.u = key(a.track.u);
+    a.entered = false;
+  }
+  for (std::uint32_t e = scene_.first_of_line[line]; e < scene_.first_of_line[line + 1]; ++e) {
+    if (scene_.edges[e].track.first == scene_.edges[e].track.last) continue;
+    entered_.push_back(make_slot(e, scene_.edges[e].track));
+  }
+  counts_.ended += ended_.size();
+  counts_.entered += entered_.size();
+  const bool exchanged = sort();
+  const bool study = must_study_ || !options_.coherence || exchanged || changes_matter(line);
+  for (const std::uint32_t slot : ended_) listener_.ended(*this, slot);
+  if (study) {
+    if (scene_.grid.whole) {
+      study_line(*whole_);
+    } else {
+      study_line(*real_);
+    }
+    if (!order_.empty()) ++counts_.studied;
+  } else {
+    follow_edges();
+  }
+  for (const std::uint32_t slot : ended_) free_slots_.push_back(slot);
+  return study;
+}
+
+/// Puts the list in order: what was there before is almost so, and every exchange is a change of the scene; what enters is sorted by itself and
+/// merged in. Says whether two edges changed places of which one bounds a span.
+bool LineScan::sort() {
+  const auto before = [this](std::uint32_t a, std::uint32_t b) {
+    const ActiveEdge &p = slots_[a], &q = slots_[b];
+    if (p.u != q.u) return p.u < q.u;
+    if (p.track.du != q.track.du) return p.track.du < q.track.du;
+    return p.edge < q.edge;
+  };
+  bool matters = false;
+  for (std::size_t i = 1; i < order_.size(); ++i) {
+    const std::uint32_t moving = order_[i];
+    std::size_t k = i;
+    for (; k > 0 && slots_[moving].u < slots_[order_[k - 1]].u - kSamePlace; --k) {
+      ++counts_.exchanges;
+      if (!options_.recognise || slots_[moving].boundary || slots_[order_[k - 1]].boundary) {
+        matters = true;
+      } else {
+        ++counts_.passed_exchanges;
+      }
+      order_[k] = order_[k - 1];
+    }
+    order_[k] = moving;
+  }
+  std::sort(entered_.begin(), entered_.end(), before);
+  const auto middle = static_cast<std::ptrdiff_t>(order_.size());
+  order_.insert(order_.end(), entered_.begin(), entered_.end());
+  std::inplace_merge(order_.begin(), order_.begin() + middle, order_.end(), [this](std::uint32_t a, std::uint32_t b) { return slots_[a].u < slots_[b].u; });
+  return matters;
+}
+
+bool LineScan::same_faces(std::uint32_t a, std::uint32_t b) const {
+  const auto p = scene_.faces_of(scene_.edges[a]), q = scene_.faces_of(scene_.edges[b]);
+  return std::equal(p.begin(), p.end(), q.begin(), q.end());
+}
+
+/// Ends and beginnings of edges, vertex by vertex.
+bool LineScan::changes_matter(std::uint32_t line) {
+  if (ended_.empty() && entered_.empty()) return false;
+  if (!options_.recognise) return true;
+  const auto bottom = [this](std::uint32_t slot) { return scene_.edges[slots_[slot].edge].bottom; };
+  const auto top = [this](std::uint32_t slot) { return scene_.edges[slots_[slot].edge].top; };
+  std::sort(ended_.begin(), ended_.end(), [&](std::uint32_t a, std::uint32_t b) { return bottom(a) != bottom(b) ? bottom(a) < bottom(b) : a < b; });
+  std::sort(entered_.begin(), entered_.end(), [&](std::uint32_t a, std::uint32_t b) { return top(a) != top(b) ? top(a) < top(b) : a < b; });
+  std::size_t i = 0, k = 0;
+  while (i < ended_.size() || k < entered_.size()) {
+    const std::uint32_t vertex = std::min(i < ended_.size() ? bottom(ended_[i]) : kNone, k < entered_.size() ? top(entered_[k]) : kNone);
+    std::size_t i_end = i, k_end = k;
+    while (i_end < ended_.size() && bottom(ended_[i_end]) == vertex) ++i_end;
+    while (k_end < entered_.size() && top(entered_[k_end]) == vertex) ++k_end;
+    if (group_matters(line, i, i_end, k, k_end)) return true;
+    i = i_end;
+    k = k_end;
+  }
+  return false;
+}
+
+/// What ends and begins at one vertex: does it change what is seen?
+bool LineScan::group_matters(std::uint32_t line, std::size_t ended_begin, std::size_t ended_end, std::size_t entered_begin, std::size_t entered_end) {
+  if (ended_end - ended_begin == 1 && entered_end - entered_begin == 1) {
+    const std::uint32_t from = ended_[ended_begin], to = entered_[entered_begin];
+    const bool bends = scene_.lines_of(scene_.edges[slots_[to].edge]).empty() || slots_[from].boundary;
+    if (bends && same_faces(slots_[from].edge, slots_[to].edge)) {  // figure 2.59 a: the edge goes on in another direction
+      if (slots_[from].boundary) {
+        slots_[to].boundary = true;
+        for (LineSpan& s : spans_) {
+          if (s.left == from) s.left = to;
+          if (s.right == from) s.right = to;
+        }
+      }
+      ++counts_.passed_chains;
+      return false;
+    }
+  }
+  for (std::size_t i = ended_begin; i < ended_end; ++i) {
+    if (slots_[ended_[i]].boundary) return true;
+  }
+  if (entered_begin != entered_end && !behind_a_span(line, entered_begin, entered_end)) return true;
+  ++counts_.passed_points;  // figure 2.59 b
+  return false;
+}
+
+/// Whether all edges that enter at a vertex lie inside one span, behind its face.
+bool LineScan::behind_a_span(std::uint32_t line, std::size_t entered_begin, std::size_t entered_end) {
+  const auto u0 = [this](const LineSpan& s) { return slots_[s.left].u; };
+  const auto u1 = [this](const LineSpan& s) { return slots_[s.right].u; };
+  const double u = slots_[entered_[entered_begin]].u;
+  const auto after = std::partition_point(spans_.begin(), spans_.end(), [&](const LineSpan& s) { return u0(s) < u; });
+  if (after == spans_.begin()) return false;
+  const LineSpan& span = *(after - 1);
+  for (std::size_t i = entered_begin; i < entered_end; ++i) {
+    const ActiveEdge& a = slots_[entered_[i]];
+    // A cell of margin: an edge that comes so near to the end of the span within the line is looked at.
+    if (!(a.u - std::abs(a.track.du) > u0(span) && a.u + std::abs(a.track.du) < u1(span))) return false;
+    const GridPlane& plane = scene_.planes[span.face];
+    const double margin = std::abs(plane.zu) + std::abs(plane.zv);
+    if (!(a.track.z > plane.z(a.u, line) + margin)) return false;
+  }
+  for (std::size_t i = entered_begin; i < entered_end; ++i) listener_.hidden_point(*this, entered_[i], span.face);
+  return true;
+}
+
+/// Carried on: every span goes from edge to edge as before.
+void LineScan::follow_edges() {
+  for (LineSpan& s : spans_) {
+    s.u0 = slots_[s.left].u;
+    s.u1 = slots_[s.right].u;
+  }
+}
+
+/// A face's segments lie between its first and second edge on the line, its third and fourth, and so on.
+template <class X>
+void LineScan::collect_segments(std::vector<ScanSegment<X>>& segments) {
+  segments.clear();
+  ends_.clear();
+  const auto coordinate = [](double u) {
+    if constexpr (std::is_integral_v<X>) {
+      return static_cast<X>(u);
+    } else {
+      return u;
+    }
+  };
+  for (const std::uint32_t slot : order_) {
+    const ActiveEdge& a = slots_[slot];
+    for (const std::uint32_t face : scene_.faces_of(scene_.edges[a.edge])) {
+      if (open_[face] == 0) {
+        segments.push_back({coordinate(a.u), coordinate(a.u), a.track.z, a.track.z, static_cast<std::uint32_t>(ends_.size())});
+        ends_.push_back({slot, slot, a.u, a.u, face});
+        open_[face] = static_cast<std::uint32_t>(ends_.size());
+      } else {
+        const std::uint32_t i = open_[face] - 1;
+        segments[i].x1 = coordinate(a.u);
+        segments[i].z1 = a.track.z;
+        ends_[i].right = slot;
+        ends_[i].u1 = a.u;
+        open_[face] = 0;
+      }
+    }
+  }
+  counts_.segments += segments.size();
+  if (!options_.sorted) {
+    std::sort(segments.begin(), segments.end(), [this](const auto& a, const auto& b) {
+      return std::pair(ends_[a.face].face, a.face) < std::pair(ends_[b.face].face, b.face);
+    });
+    return;
+  }
+  // By left end they are sorted; depth and slope decide where several begin at one place.
+  for (std::size_t i = 1; i < segments.size(); ++i) {
+    const ScanSegment<X> moving = segments[i];
+    std::size_t k = i;
+    for (; k > 0 && comes_before(moving, segments[k - 1]); --k) {
+      ++sort_swaps_;
+      segments[k] = segments[k - 1];
+    }
+    segments[k] = moving;
+  }
+}
+
+template <class X>
+void LineScan::study_line(SpanMethod<X>& method) {
+  if constexpr (std::is_integral_v<X>) {
+    collect_segments(whole_segments_);
+    method.study(whole_segments_, found_);
+    for (VisibleSpan& s : found_) s.segment = whole_segments_[s.segment].face;
+  } else {
+    collect_segments(real_segments_);
+    method.study(real_segments_, found_);
+    for (VisibleSpan& s : found_) s.segment = real_segments_[s.segment].face;
+  }
+  place_spans(found_);
+}
+
+/// Whose edges bound the spans.
+void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
+  for (const std::uint32_t slot : order_) slots_[slot].boundary = false;
+  spans_.clear();
+  must_study_ = false;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const VisibleSpan& s = found[i];
+    const SegmentEnds& ends = ends_[s.segment];
+    LineSpan span{kNone, kNone, s.x0, s.x1, ends.face};
+    span.left = i > 0 && found[i - 1].x1 == s.x0 ? spans_.back().right : ends.left;
+    span.right = i + 1 < found.size() && found[i + 1].x0 == s.x1 ? boundary_between(s, found[i + 1]) : ends.right;
+    for (const std::uint32_t slot : {span.left, span.right}) {
+      if (slot == kNone) {
+        must_study_ = true;
+      } else {
+        slots_[slot].boundary = true;
+      }
+    }
+    spans_.push_back(span);
+  }
+}
+
+/// The edge between two spans that touch: the right end of the left one, the left end of the right one, or, where neither ends, the line in
+/// which their faces penetrate.
+std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleSpan& right) const {
+  const SegmentEnds &l = ends_[left.segment], &r = ends_[right.segment];
+  if (l.u1 == left.x1) return l.right;
+  if (r.u0 == right.x0) return r.left;
+  const double near = 1;  // a cell
+  std::uint32_t best = kNone;
+  double distance = near;
+  const std::uint32_t f = std::min(l.face, r.face), g = std::max(l.face, r.face);
+  const auto from = std::partition_point(order_.begin(), order_.end(), [&](std::uint32_t s) { return slots_[s].u < left.x1 - near; });
+  for (auto s = from; s != order_.end() && slots_[*s].u <= left.x1 + near; ++s) {
+    const ActiveEdge& a = slots_[*s];
+    for (const std::uint32_t line : scene_.lines_of(scene_.edges[a.edge])) {
+      if (std::min(lines_[line].face0, lines_[line].face1) != f || std::max(lines_[line].face0, lines_[line].face1) != g) continue;
+      if (std::abs(a.u - left.x1) < distance) {
+        distance = std::abs(a.u - left.x1);
+        best = *s;
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace ligne::watkins

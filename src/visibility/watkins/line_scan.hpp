@@ -1,0 +1,130 @@
+#pragma once
+/// The scan by lines: which edges a line meets, what is seen on it, and which lines need no study at all (thesis 2.3.2, 2.3.5).
+///
+/// Invariants, on every line after it was taken: the active list is ordered by u; the spans are those that a full study of the line would give
+/// (their ends follow the edges that bound them); an edge is marked as a boundary exactly when it bounds a span.
+///
+/// A line is studied anew only where something changes that can be seen: an edge enters or ends, two edges change places. Changes among
+/// hidden elements are recognised and passed over (figure 2.59): an edge whose end goes on in another one of the same faces, points that
+/// appear behind the span that they lie in, ends of edges that bound nothing, exchanges of two such edges. Where faces penetrate, their common
+/// line is an edge of the scene like any other, so it enters, crosses and ends as one; only a penetration without such an edge forces the next line to
+/// be studied.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "visibility/watkins/scan_scene.hpp"
+#include "visibility/watkins/span_method.hpp"
+
+namespace ligne::watkins {
+
+struct ScanOptions {
+  SpanMethodKind kind = SpanMethodKind::stack;
+  bool coherence = true;   ///< pass over lines on which nothing changes
+  bool recognise = true;   ///< and over changes among hidden elements
+  bool sorted = true;      ///< segments by the full key; otherwise as their faces come
+};
+
+struct ScanCounts {
+  std::uint64_t lines = 0;              ///< lines that meet an edge
+  std::uint64_t studied = 0;            ///< of them: by the span method
+  std::uint64_t segments = 0;           ///< on studied lines
+  std::uint64_t entered = 0, ended = 0; ///< edges
+  std::uint64_t exchanges = 0;          ///< neighbours that changed places from one line to the next
+  std::uint64_t passed_chains = 0;      ///< changes that altered nothing: an edge goes on in another
+  std::uint64_t passed_points = 0;      ///< hidden points
+  std::uint64_t passed_exchanges = 0;   ///< exchanges of hidden edges
+  void operator+=(const ScanCounts& o);
+};
+
+/// An edge on the line at hand.
+struct ActiveEdge {
+  EdgeTrack track;
+  double u = 0;             ///< where it is: the accumulator, or the whole number nearest to it
+  std::uint32_t edge = 0;   ///< of the scene
+  bool boundary = false;    ///< bounds a span
+  bool entered = false;     ///< on this line
+};
+
+/// A run on which one face is seen, between two active edges (kNone: a penetration that no edge stands for).
+struct LineSpan {
+  std::uint32_t left, right;  ///< slots
+  double u0, u1;
+  std::uint32_t face;
+};
+
+class LineScan;
+
+/// Gets every line.
+class LineListener {
+ public:
+  virtual ~LineListener() = default;
+  virtual void line(const LineScan& scan, std::uint32_t line, bool studied) = 0;
+  virtual void ended(const LineScan& scan, std::uint32_t slot) = 0;   ///< the edge of the slot is met by no further line
+  virtual void hidden_point(const LineScan& scan, std::uint32_t slot, std::uint32_t face) = 0;  ///< an edge entered behind that face, unstudied
+};
+
+class LineScan {
+ public:
+  LineScan(const ScanScene& scene, std::span<const SweepLine> lines, const ScanOptions& options, LineListener& listener);
+
+  /// Lines [first, end).
+  void scan(std::uint32_t first, std::uint32_t end);
+
+  const ScanScene& scene() const { return scene_; }
+  const std::vector<std::uint32_t>& order() const { return order_; }   ///< slots by u
+  const ActiveEdge& active(std::uint32_t slot) const { return slots_[slot]; }
+  const std::vector<LineSpan>& spans() const { return spans_; }
+  const std::vector<std::uint32_t>& ended_edges() const { return ended_edges_; }  ///< edges that the line before met, and this one does not
+  const ScanCounts& counts() const { return counts_; }
+  SpanCounts span_counts() const;
+
+ private:
+  void begin(std::uint32_t line);
+  bool take_line(std::uint32_t line);
+  bool sort();
+  bool changes_matter(std::uint32_t line);
+  bool group_matters(std::uint32_t line, std::size_t ended_begin, std::size_t ended_end, std::size_t entered_begin, std::size_t entered_end);
+  bool behind_a_span(std::uint32_t line, std::size_t entered_begin, std::size_t entered_end);
+  bool same_faces(std::uint32_t a, std::uint32_t b) const;
+  void follow_edges();
+  template <class X>
+  void study_line(SpanMethod<X>& method);
+  template <class X>
+  void collect_segments(std::vector<ScanSegment<X>>& segments);
+  void place_spans(const std::vector<VisibleSpan>& found);
+  std::uint32_t boundary_between(const VisibleSpan& left, const VisibleSpan& right) const;
+  std::uint32_t make_slot(std::uint32_t edge, const EdgeTrack& track);
+  double key(double u) const { return scene_.grid.whole ? std::floor(u + 0.5) : u; }
+
+  struct SegmentEnds {
+    std::uint32_t left, right;  ///< slots
+    double u0, u1;
+    std::uint32_t face;
+  };
+
+  const ScanScene& scene_;
+  std::span<const SweepLine> lines_;
+  ScanOptions options_;
+  LineListener& listener_;
+  std::unique_ptr<SpanMethod<double>> real_;
+  std::unique_ptr<SpanMethod<std::int32_t>> whole_;
+
+  std::vector<ActiveEdge> slots_;
+  std::vector<std::uint32_t> free_slots_, order_;
+  std::vector<std::uint32_t> ended_, entered_;  ///< slots, on the line at hand
+  std::vector<std::uint32_t> ended_edges_;
+  bool must_study_ = true;                      ///< the spans hold something that can not be carried on
+  std::vector<LineSpan> spans_;
+
+  std::vector<std::uint32_t> open_;             ///< by face: segment that has begun, plus one
+  std::vector<SegmentEnds> ends_;               ///< by segment
+  std::vector<ScanSegment<double>> real_segments_;
+  std::vector<ScanSegment<std::int32_t>> whole_segments_;
+  std::vector<VisibleSpan> found_;
+  std::uint64_t sort_swaps_ = 0;
+  ScanCounts counts_;
+};
+
+}  // namespace ligne::watkins

@@ -1,0 +1,30 @@
+#include "visibility/watkins/pair_finder.hpp"
+
+#include <algorithm>
+
+namespace ligne::watkins {
+
+void PairFinder::at_point(std::span<const std::uint32_t> touched, const Cover& cover) {
+  for (const std::uint32_t f : touched) {
+    if (!contains(cover, f)) continue;
+    for (const std::uint32_t g : cover) test(f, g);
+  }
+}
+
+void PairFinder::at_crossing(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right, const Cover& outside) {
+  for (const std::uint32_t f : left) {
+    if (!contains(outside, f)) continue;
+    for (const std::uint32_t g : right) {
+      if (!contains(outside, g)) test(f, g);
+    }
+  }
+}
+
+void PairFinder::test(std::uint32_t f, std::uint32_t g) {
+  const Facet &a = facets_[f], &b = facets_[g];
+  if (f == g || a.face == b.face || a.z_near > b.z_far || b.z_near > a.z_far) return;
+  const auto wanted = [this](const PageSegment& s) { return !covers_ || !covers_->hides(s); };
+  search_.test(search_.place(std::min(f, g)), search_.place(std::max(f, g)), wanted);
+}
+
+}  // namespace ligne::watkins

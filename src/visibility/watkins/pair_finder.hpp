@@ -1,0 +1,36 @@
+#pragma once
+/// Pairs of facets that may penetrate, found where the scan first meets both.
+///
+/// Two facets that overlap on the page begin to do so, in the order of the scan, at a point of one of them or where two of their sides cross. There and
+/// only there they are held against each other.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "visibility/common/penetration.hpp"
+#include "visibility/watkins/cover_grid.hpp"
+#include "visibility/watkins/sweep_status.hpp"
+
+namespace ligne::watkins {
+
+class PairFinder {
+ public:
+  /// What lies behind `covers`, which may be null, is not wanted.
+  PairFinder(const std::vector<Facet>& facets, PenetrationSearch& search, const CoverGrid* covers) : facets_(facets), search_(search), covers_(covers) {}
+
+  /// At a point: the facets that have a corner or a side there against all over a gap below it.
+  void at_point(std::span<const std::uint32_t> touched, const Cover& cover);
+  /// At a crossing: below it, between the edges, lie the facets left of the left edge and those right of the right one. `outside` is over the gap left of
+  /// both.
+  void at_crossing(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right, const Cover& outside);
+
+ private:
+  void test(std::uint32_t f, std::uint32_t g);
+
+  const std::vector<Facet>& facets_;
+  PenetrationSearch& search_;
+  const CoverGrid* covers_;
+};
+
+}  // namespace ligne::watkins

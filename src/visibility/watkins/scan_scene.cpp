@@ -1,0 +1,117 @@
+#include "visibility/watkins/scan_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ligne::watkins {
+namespace {
+
+/// A side of a triangle of that face, or a line.
+struct Use {
+  std::uint32_t other;  ///< the higher vertex
+  bool line;
+  std::uint32_t index;
+  friend auto operator<=>(const Use&, const Use&) = default;
+};
+
+/// Plane of each face by its largest triangle on the page.
+std::vector<GridPlane> planes_of(const ProjectedScene& scene, const LineGrid& grid, std::uint32_t face_count) {
+  std::vector<GridPlane> planes(face_count);
+  std::vector<double> largest(face_count, 0);
+  for (const Triangle& t : scene.triangles) {
+    const ProjectedVertex &a = scene.vertices[t.v[0]], &b = scene.vertices[t.v[1]], &c = scene.vertices[t.v[2]];
+    const double area = orientation(a.p, b.p, c.p);
+    if (std::abs(area) <= largest[t.face]) continue;
+    largest[t.face] = std::abs(area);
+    const double abx = double(b.p.x) - a.p.x, aby = double(b.p.y) - a.p.y, acx = double(c.p.x) - a.p.x, acy = double(c.p.y) - a.p.y;
+    const double zx = ((b.z - a.z) * acy - (c.z - a.z) * aby) / area, zy = ((c.z - a.z) * abx - (b.z - a.z) * acx) / area;
+    GridPlane& plane = planes[t.face];
+    plane.zu = zx * grid.spacing;
+    plane.zv = zy * grid.spacing;
+    plane.z0 = a.z + zx * (grid.u_origin - a.p.x) + zy * (grid.v_origin - a.p.y);
+  }
+  return planes;
+}
+
+}  // namespace
+
+ScanScene make_scan_scene(const ProjectedScene& scene, std::span<const SweepLine> lines, const LineGrid& grid) {
+  ScanScene result;
+  result.grid = grid;
+  for (const Triangle& t : scene.triangles) result.face_count = std::max(result.face_count, t.face + 1);
+  result.planes = planes_of(scene, grid, result.face_count);
+
+  // Lines that are edges of the scene end at its vertices, the others at vertices of their own.
+  std::vector<ProjectedVertex> vertices = scene.vertices;
+  std::vector<std::array<std::uint32_t, 2>> line_ends(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i < scene.edges.size()) {
+      line_ends[i] = {scene.edges[i].v0, scene.edges[i].v1};
+    } else {
+      const auto n = static_cast<std::uint32_t>(vertices.size());
+      line_ends[i] = {n, n + 1};
+      vertices.push_back(lines[i].from);
+      vertices.push_back(lines[i].to);
+    }
+  }
+  // Uses by their lower vertex.
+  std::vector<std::uint32_t> begin(vertices.size() + 1, 0);
+  const auto for_each_use = [&](const auto& use) {
+    for (const Triangle& t : scene.triangles) {
+      for (int k = 0; k < 3; ++k) use(t.v[k], t.v[(k + 1) % 3], false, t.face);
+    }
+    for (std::uint32_t i = 0; i < lines.size(); ++i) use(line_ends[i][0], line_ends[i][1], true, i);
+  };
+  for_each_use([&](std::uint32_t a, std::uint32_t b, bool, std::uint32_t) { ++begin[std::min(a, b) + 1]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Use> uses(begin.back());
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for_each_use([&](std::uint32_t a, std::uint32_t b, bool line, std::uint32_t i) { uses[next[std::min(a, b)]++] = {std::max(a, b), line, i}; });
+
+  std::vector<ScanEdge> edges;
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    const auto first = uses.begin() + begin[v], end = uses.begin() + begin[v + 1];
+    std::sort(first, end);
+    for (auto use = first; use != end;) {
+      ScanEdge edge;
+      edge.faces_begin = static_cast<std::uint32_t>(result.edge_faces.size());
+      edge.lines_begin = static_cast<std::uint32_t>(result.edge_lines.size());
+      const std::uint32_t other = use->other;
+      while (use != end && use->other == other) {
+        if (use->line) {
+          result.edge_lines.push_back(use->index);
+          ++use;
+          continue;
+        }
+        auto same = use;
+        while (same != end && same->other == other && !same->line && same->index == use->index) ++same;
+        if ((same - use) % 2 == 1) result.edge_faces.push_back(use->index);
+        use = same;
+      }
+      edge.faces_end = static_cast<std::uint32_t>(result.edge_faces.size());
+      edge.lines_end = static_cast<std::uint32_t>(result.edge_lines.size());
+      if (edge.faces_begin == edge.faces_end && edge.lines_begin == edge.lines_end) continue;
+      edge.top = v;
+      edge.bottom = other;
+      if (comes_before(vertices[other].p, vertices[v].p)) std::swap(edge.top, edge.bottom);
+      const ProjectedVertex &a = vertices[edge.top], &b = vertices[edge.bottom];
+      edge.u_top = grid.u(a.p.x);
+      edge.v_top = grid.v(a.p.y);
+      edge.u_bottom = grid.u(b.p.x);
+      edge.v_bottom = grid.v(b.p.y);
+      edge.track = EdgeTrack::between({edge.u_top, edge.v_top, a.z}, {edge.u_bottom, edge.v_bottom, b.z}, grid.count);
+      edges.push_back(edge);
+    }
+  }
+  // Buckets by first line.
+  result.first_of_line.assign(std::size_t{grid.count} + 2, 0);
+  for (const ScanEdge& e : edges) ++result.first_of_line[e.track.first + 1];
+  std::partial_sum(result.first_of_line.begin(), result.first_of_line.end(), result.first_of_line.begin());
+  result.edges.resize(edges.size());
+  std::vector<std::uint32_t> place(result.first_of_line.begin(), result.first_of_line.end() - 1);
+  for (const ScanEdge& e : edges) result.edges[place[e.track.first]++] = e;
+  return result;
+}
+
+}  // namespace ligne::watkins

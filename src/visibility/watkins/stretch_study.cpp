@@ -1,0 +1,131 @@
+#include "visibility/watkins/stretch_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ligne::watkins {
+namespace {
+
+/// Ends of stretches and of hidden intervals are computed in different ways: within a thousandth of a step they are the same.
+constexpr double kSamePlaceSteps = 0x1p-10;
+
+/// Whether both banks of [t0, t1] are known to be hidden, each by one interval.
+bool hidden_all_along(const LineState& state, double t0, double t1, double slack) {
+  bool left = false, right = false;
+  for (const HiddenInterval& h : state.hidden) {
+    if (h.from > t0 + slack || h.to < t1 - slack) continue;
+    left |= h.bank != Bank::right;
+    right |= h.bank != Bank::left;
+    if (left && right) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void StretchCounts::operator+=(const StretchCounts& o) {
+  stretches += o.stretches;
+  carried += o.carried;
+  in_front += o.in_front;
+  studied += o.studied;
+  facet_tests += o.facet_tests;
+}
+
+StretchStudy::StretchStudy(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
+                           double coincidence_steps, SpanMethodKind kind)
+    : vertices_(vertices), facets_(facets), lines_(lines), coincidence_steps_(coincidence_steps), spans_(make_span_method<double>(kind)) {}
+
+void StretchStudy::study(std::uint32_t index, LineState& state, double x0, double y0, double x1, double y1, const Cover& left,
+                         const Cover& right) {
+  const SweepLine& l = lines_[index];
+  const PageLine line(l.from, l.to, l.face0, l.face1);
+  const bool steep = std::abs(line.dy) > std::abs(line.dx);
+  const auto parameter = [&](double x, double y) { return std::clamp(steep ? (y - line.p0.y) / line.dy : (x - line.p0.x) / line.dx, 0.0, 1.0); };
+  double t0 = parameter(x0, y0), t1 = parameter(x1, y1);
+  if (t0 > t1) std::swap(t0, t1);
+  const double slack = kSamePlaceSteps / line.size;
+  if (t1 - t0 <= slack) return;
+  ++counts_.stretches;
+  if (hidden_all_along(state, t0, t1, slack)) {
+    ++counts_.carried;
+    return;
+  }
+  candidates_.clear();
+  const double z_far = std::max(line.z(t0), line.z(t1));
+  add_candidates(line, state, z_far, left, true);
+  add_candidates(line, state, z_far, right, false);
+  if (candidates_.empty()) {
+    ++counts_.in_front;
+    return;
+  }
+  if (candidates_.size() > 1) {
+    propose(line, t0 + (t1 - t0) / 2);
+    for (const std::uint32_t i : proposed_) {
+      if (candidates_[i].facet == kNone) continue;
+      test(line, candidates_[i].facet, state);
+      candidates_[i].facet = kNone;
+    }
+    if (hidden_all_along(state, t0, t1, slack)) return;
+  }
+  for (const Candidate& c : candidates_) {
+    if (c.facet != kNone) test(line, c.facet, state);
+  }
+}
+
+void StretchStudy::add_candidates(const PageLine& line, const LineState& state, double z_far, const Cover& cover, bool left) {
+  const std::size_t others = candidates_.size();
+  for (const std::uint32_t f : cover) {
+    const Facet& facet = facets_[f];
+    if (facet.z_near > z_far || facet.face == line.face0 || facet.face == line.face1) continue;
+    if (std::find(state.tested.begin(), state.tested.end(), f) != state.tested.end()) continue;
+    if (!left) {
+      const auto end = candidates_.begin() + static_cast<std::ptrdiff_t>(others);
+      const auto same = std::find_if(candidates_.begin(), end, [&](const Candidate& c) { return c.facet == f; });
+      if (same != end) {
+        same->right = true;
+        continue;
+      }
+    }
+    candidates_.push_back({f, left, !left});
+  }
+}
+
+/// The scan line runs across the line at t, one step to either side; 0 is on the line.
+void StretchStudy::propose(const PageLine& line, double t) {
+  ++counts_.studied;
+  const bool down = comes_before(line.p0, line.p1);
+  const double length = std::hypot(line.dx, line.dy) * (down ? 1 : -1);
+  const double nx = line.dy / length, ny = -line.dx / length;  // to the right
+  const double x = line.p0.x + t * line.dx, y = line.p0.y + t * line.dy;
+  segments_.clear();
+  for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
+    const Candidate& c = candidates_[i];
+    const Facet& facet = facets_[c.facet];
+    const double from = c.left ? -1 : 0, to = c.right ? 1 : 0;
+    segments_.push_back({from, to, depth(facet, x + from * nx, y + from * ny), depth(facet, x + to * nx, y + to * ny), i});
+  }
+  std::sort(segments_.begin(), segments_.end(), [](const auto& a, const auto& b) { return comes_before(a, b); });
+  spans_->study(segments_, found_);
+  proposed_.clear();
+  for (const VisibleSpan& s : found_) {
+    if (s.x0 <= 0 && s.x1 >= 0) proposed_.push_back(segments_[s.segment].face);
+  }
+}
+
+void StretchStudy::test(const PageLine& line, std::uint32_t facet, LineState& state) {
+  ++counts_.facet_tests;
+  state.tested.push_back(facet);
+  const HiddenInterval h = hidden_interval(line, facets_[facet], vertices_.data(), 0, 1, coincidence_steps_, state.near_side);
+  if (h.bank != Bank::none) state.hidden.push_back(h);
+}
+
+double StretchStudy::depth(const Facet& facet, double x, double y) const {
+  const ProjectedVertex &a = vertices_[facet.v[0]], &b = vertices_[facet.v[1]], &c = vertices_[facet.v[2]];
+  const double abx = double(b.p.x) - a.p.x, aby = double(b.p.y) - a.p.y, acx = double(c.p.x) - a.p.x, acy = double(c.p.y) - a.p.y;
+  const double qx = x - a.p.x, qy = y - a.p.y;
+  const double area = abx * acy - aby * acx;
+  const double v = (qx * acy - qy * acx) / area, w = (abx * qy - aby * qx) / area;
+  return a.z + v * (b.z - a.z) + w * (c.z - a.z);
+}
+
+}  // namespace ligne::watkins

@@ -1,0 +1,130 @@
+// The method warnock on the corpus: as many strokes as the default method, whatever the windows; and with a limit of resolution, errors
+// that shrink in proportion.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "scene/reader.hpp"
+#include "support/judge.hpp"
+#include "support/scenes.hpp"
+#include "visibility/warnock/warnock.hpp"
+
+namespace ligne::test {
+namespace {
+
+/// warnock with settings, and the tolerance that goes with them.
+class WarnockWith final : public Method {
+ public:
+  WarnockWith(MethodSettings settings, double tolerance_mm) : settings_(std::move(settings)), traits_(warnock_.traits()) {
+    traits_.tolerance_mm = tolerance_mm;
+    traits_.exact = tolerance_mm <= 0.001;
+  }
+  const MethodTraits& traits() const override { return traits_; }
+  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override {
+    StudyOptions own = options;
+    own.settings = settings_;
+    own.wanted = kStrokes;
+    return warnock_.study(scene, own);
+  }
+
+ private:
+  MethodSettings settings_;
+  WarnockMethod warnock_;
+  MethodTraits traits_;
+};
+
+MethodSettings with(std::string_view name, unsigned value) {
+  MethodSettings s;
+  s.set(name, value);
+  return s;
+}
+
+std::vector<std::filesystem::path> corpus() {
+  std::vector<std::filesystem::path> files;
+  constexpr std::uintmax_t kLargeBytes = 100'000;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
+    if (entry.path().extension() == ".json" && entry.file_size() <= kLargeBytes) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Scene scene_of(const std::filesystem::path& file) {
+  Warnings warnings;
+  return read_scene(file, {}, warnings);
+}
+
+class WarnockOnCorpus : public testing::TestWithParam<std::filesystem::path> {};
+
+/// Visible and hidden strokes of the drawing, lines drawn once.
+std::array<std::size_t, 2> stroke_counts(const ProjectedScene& projected, const Method& method, bool hidden) {
+  StrokeModel model = *method.study(projected, {hidden, {}}).strokes;
+  remove_coincident_strokes(model, coincidence_mm(projected));
+  const auto visible = static_cast<std::size_t>(std::count_if(model.strokes.begin(), model.strokes.end(), [](const Stroke& s) { return s.visible; }));
+  return {visible, model.strokes.size() - visible};
+}
+
+TEST_P(WarnockOnCorpus, AsManyStrokesAsTheDefaultMethod) {
+  const Scene scene = scene_of(GetParam());
+  const Topology topology = build_topology(scene);
+  for (const StandardView& standard : standard_views(scene)) {
+    const View view = make_view(scene, make_camera(standard.camera, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
+                                {{0, 0}, {kPageWidth, kPageHeight}});
+    for (const char* edges : {"all", "feature"}) {
+      const ProjectedScene projected = project(scene, topology, view, {classes(edges), 30});
+      for (const bool hidden : {false, true}) {
+        const auto expected = stroke_counts(projected, *find_method("auto"), hidden);
+        for (const std::string_view name : {"warnock-window", "warnock-split"}) {
+          for (unsigned choice = 0; choice < (name == "warnock-window" ? 3u : 2u); ++choice) {
+            const WarnockWith method(with(name, choice), 0.001);
+            EXPECT_EQ(stroke_counts(projected, method, hidden), expected)
+                << standard.name << " " << standard.options << " " << edges << (hidden ? " hidden " : " ") << name << " " << choice;
+          }
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, WarnockOnCorpus, testing::ValuesIn(corpus()),
+                         [](const auto& info) { return info.param.stem().string(); });
+
+/// Lines drawn although hidden and lines that are missing, by more than a micrometre, over all scenes and two views.
+struct Errors {
+  double sum_mm = 0;
+  double worst_of_tolerance = 0;  ///< the longest place over warnock_tolerance_mm()
+};
+
+Errors errors(unsigned resolution) {
+  Errors result;
+  for (const std::filesystem::path& file : corpus()) {
+    const Scene scene = scene_of(file);
+    for (const StandardView& view : standard_views(scene)) {
+      if (view.name != "odd" && view.name != "near") continue;
+      const JudgedView judged(scene, file.stem().string(), view);
+      const Verdict verdict = judged.judge(WarnockWith(with("resolution", resolution), 0.001), "all");
+      ProjectedScene page;
+      page.view = judged.view();
+      const double worst = std::max(verdict.drawn_hidden.worst_mm, verdict.missing.worst_mm);
+      result.sum_mm += verdict.drawn_hidden.length_mm + verdict.missing.length_mm;
+      result.worst_of_tolerance = std::max(result.worst_of_tolerance, worst / warnock_tolerance_mm(page, resolution));
+    }
+  }
+  return result;
+}
+
+TEST(WarnockResolution, ErrorShrinksInProportion) {
+  const Errors coarse = errors(512), middle = errors(2048), fine = errors(8192);
+  std::cout << "error in mm at 512, 2048, 8192: " << coarse.sum_mm << ", " << middle.sum_mm << ", " << fine.sum_mm << "; worst, of the tolerance: "
+            << coarse.worst_of_tolerance << ", " << middle.worst_of_tolerance << ", " << fine.worst_of_tolerance << '\n';
+  EXPECT_GT(coarse.sum_mm, 0) << "a limit is a limit";
+  // Four times the resolution: a quarter, give or take what windows happen to hold.
+  EXPECT_LT(middle.sum_mm, coarse.sum_mm / 3);
+  EXPECT_LT(fine.sum_mm, middle.sum_mm / 3);
+  for (const Errors& e : {coarse, middle, fine}) EXPECT_LE(e.worst_of_tolerance, 1);
+}
+
+}  // namespace
+}  // namespace ligne::test

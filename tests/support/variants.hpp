@@ -1,0 +1,37 @@
+#pragma once
+/// Every method in every way in which its own options let it work.
+
+#include <string>
+#include <vector>
+
+#include "visibility/registry.hpp"
+
+namespace ligne::test {
+
+struct Variant {
+  const Method* method;
+  MethodSettings settings;
+  bool is_default;
+  std::string name;  ///< as on the command line, "watkins --span-method box"
+};
+
+/// The methods as they are by default, and with every other word of every parameter that is a choice of words, one at a time.
+inline std::vector<Variant> variants() {
+  std::vector<Variant> list;
+  for (const Method* method : all_methods()) {
+    const std::string name(method->traits().name);
+    list.push_back({method, {}, true, name});
+    for (const MethodParameter& p : method->traits().parameters) {
+      if (p.high > 0) continue;  // a number, or a word in its place
+      for (unsigned i = 0; i < p.words.size(); ++i) {
+        if (p.words[i] == p.standard) continue;
+        Variant v{method, {}, false, name + " --" + std::string(p.name) + " " + std::string(p.words[i])};
+        v.settings.set(p.name, i);
+        list.push_back(std::move(v));
+      }
+    }
+  }
+  return list;
+}
+
+}  // namespace ligne::test

@@ -1,0 +1,180 @@
+// The module of control of the method warnock: the first window, divisions, and the findings of the thesis.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <oneapi/tbb/task_arena.h>
+#include <random>
+
+#include "support/scenes.hpp"
+#include "visibility/warnock_tools.hpp"
+
+namespace ligne::test {
+namespace {
+
+using namespace warnock;
+
+TEST(WarnockControl, PiecesShareTheirEndsAndFindTheirChild) {
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> u(-100, 100);
+  const WindowFrame frame{3, -2};
+  const Division division{7, -5, true, true};
+  for (int i = 0; i < 2000; ++i) {
+    const PageLine line({{u(random), u(random)}, 0}, {{u(random), u(random)}, 0}, kNone, kNone);
+    if (line.p0 == line.p1) continue;
+    double end = 0;
+    cut_piece(line, {0, 0, 1}, frame, division, [&](int child, const Piece& piece) {
+      EXPECT_EQ(piece.from, end);
+      EXPECT_LT(piece.from, piece.to);
+      end = piece.to;
+      const double middle = (piece.from + piece.to) / 2;
+      const double mu = frame.u(line.p0) + middle * (frame.u(line.p1) - frame.u(line.p0));
+      const double mv = frame.v(line.p0) + middle * (frame.v(line.p1) - frame.v(line.p0));
+      EXPECT_EQ(child % 2 == 1, mu >= division.u) << mu;
+      EXPECT_EQ(child / 2 == 1, mv >= division.v) << mv;
+    });
+    EXPECT_EQ(end, 1);
+  }
+}
+
+TEST(WarnockControl, WindowsOfAnyWidthAreDivided) {
+  Stage stage;
+  stage.add_rectangle(-100, -100, 100, 100, 1);
+  const FaceTable& table = stage.table();
+  Rules rules;
+  const auto division = [&](const Window& w) { return divide(table, {}, w, rules); };
+  EXPECT_TRUE(division({0, 100, 0, 100}).across && division({0, 100, 0, 100}).down);
+  EXPECT_EQ(division({0, 100, 0, 100}).u, 50);
+  EXPECT_FALSE(division({0, 1, 0, 100}).across) << "a window of width one";
+  EXPECT_TRUE(division({0, 1, 0, 100}).down);
+  EXPECT_FALSE(division({0, 1, 0, 1}).across || division({0, 1, 0, 1}).down);
+  EXPECT_FALSE(division({0, 10, 0, 100}).across) << "a slender window is not cut along";
+  rules.limit = 30;
+  EXPECT_FALSE(division({0, 30, 0, 20}).across) << "at the limit";
+  EXPECT_TRUE(division({0, 31, 0, 20}).across);
+}
+
+TEST(WarnockControl, DivisionAtAVertexThatStandsInTheWay) {
+  Stage stage;
+  stage.add({{-900, 30, 1}, {40, 20, 1}, {-900, 900, 1}});
+  const FaceTable& table = stage.table();
+  Rules rules;
+  rules.split = SplitChoice::vertex;
+  AnalysisCounts counts;
+  const Analysis analysis(table, 1, true);
+  const Window whole{-1000, 1000, -1000, 1000};
+  const Division d = divide(table, analysis.begin(whole, counts), whole, rules);
+  EXPECT_EQ(d.u, 40);
+  EXPECT_EQ(d.v, 20);
+  const Window between{-300, 0, -200, 100};  // only the side from (-900, 30) to (40, 20) passes
+  const Division e = divide(table, analysis.begin(between, counts), between, rules);
+  EXPECT_EQ(e.u, -150);
+  EXPECT_NEAR(e.v, 22, 1) << "the middle of the side in the window";
+}
+
+TEST(WarnockControl, PrincipalDirectionIsThatOfTheSmallestRectangle) {
+  ProjectedScene scene;
+  for (const auto& [x, y] : {std::pair{0, 0}, {400, 300}, {250, 500}, {-150, 200}, {100, 200}}) scene.vertices.push_back({{x, y}, 0});
+  const WindowFrame frame = principal_frame(scene.vertices);
+  EXPECT_EQ(frame.b * 400, frame.a * 300) << "along (400, 300)";
+  const InitialWindow first = initial_window(scene, WindowChoice::principal);
+  EXPECT_NEAR(first.window.width() / first.frame.unit(), 500, 1e-9);
+  EXPECT_NEAR(first.window.height() / first.frame.unit(), 250, 1e-9);
+  const InitialWindow square = initial_window(scene, WindowChoice::bounding);
+  EXPECT_EQ(square.window.width(), square.window.height());
+  for (const ProjectedVertex& v : scene.vertices) EXPECT_TRUE(square.window.holds(square.frame(v.p)));
+}
+
+TEST(WarnockControl, SceneWithoutAnything) {
+  ProjectedScene scene;
+  scene.lattice.step_mm = 0x1p-17;
+  for (const unsigned window : {0u, 1u, 2u}) {
+    StudyOptions options;
+    options.settings.set("warnock-window", window);
+    options.settings.set("show", 0);
+    const VisibilityResult result = find_method("warnock")->study(scene, options);
+    EXPECT_TRUE(result.strokes->strokes.empty());
+    EXPECT_TRUE(result.regions->empty());
+    EXPECT_TRUE(result.debug.empty());
+  }
+}
+
+/// Figures 2.20 to 2.23: a square of 50 mm turned by 40 degrees, before a triangle that it hides; on a sheet of 100 x 100 mm.
+std::uint64_t windows_of_square(double shift_x, double shift_y, unsigned window, unsigned split, unsigned resolution) {
+  Scene scene;
+  const double angle = 40 * std::acos(-1.0) / 180, c = std::cos(angle), s = std::sin(angle);
+  std::vector<Point3> square;
+  for (const auto& [x, y] : {std::pair{-25, -25}, {25, -25}, {25, 25}, {-25, 25}}) square.push_back({c * x - s * y, s * x + c * y, 0});
+  add_face(scene, {square});
+  std::vector<Point3> triangle;
+  for (const auto& [x, y] : {std::pair{-6, -5}, {16, -3}, {4, 17}}) triangle.push_back({x + shift_x, y + shift_y, -10.0});
+  add_face(scene, {triangle});
+  CameraRequest request = along({0, 0, -1});
+  request.up = Point3{0, 1, 0};
+  const View view = make_view(scene, make_camera(request, scene), {{{10, 10}, {90, 90}}}, {{0, 0}, {100, 100}}, 1);
+  const ProjectedScene projected = project(scene, build_topology(scene), view, {classes("all"), 30});
+  StudyOptions options;
+  options.wanted = kStrokes;
+  options.settings.set("warnock-window", window);
+  options.settings.set("warnock-split", split);
+  if (resolution > 0) options.settings.set("resolution", resolution);
+  const VisibilityResult result = find_method("warnock")->study(projected, options);
+  EXPECT_EQ(result.strokes->strokes.size(), 4u) << "the sides of the square, in one piece each";
+  for (const auto& [name, n] : result.statistics.counts) {
+    if (name == "windows studied") return n;
+  }
+  return 0;
+}
+
+TEST(WarnockFindings, FewerWindowsFromTheScreenToTheBoundingSquareToThePrincipalDirection) {
+  constexpr unsigned kScreen = 0, kBounding = 1, kPrincipal = 2;
+  EXPECT_EQ(windows_of_square(0, 0, kScreen, 0, 1024), 49u);
+  EXPECT_EQ(windows_of_square(0, 0, kBounding, 0, 1024), 21u);
+  EXPECT_EQ(windows_of_square(0, 0, kPrincipal, 0, 1024), 1u);
+  // The triangle a little farther to the right.
+  EXPECT_EQ(windows_of_square(4, 2, kScreen, 0, 1024), 53u);
+  EXPECT_EQ(windows_of_square(4, 2, kBounding, 0, 1024), 41u);
+  EXPECT_EQ(windows_of_square(4, 2, kPrincipal, 0, 1024), 1u);
+  // Divisions at vertices: no better.
+  EXPECT_EQ(windows_of_square(0, 0, kScreen, 1, 1024), 67u);
+}
+
+TEST(WarnockFindings, FewEdgesAreSolvedInOneWindow) {
+  for (const unsigned window : {0u, 1u, 2u}) EXPECT_EQ(windows_of_square(4, 2, window, 0, 0), 1u);
+}
+
+TEST(WarnockControl, OneThreadAndManyFindTheSame) {
+  Scene scene;
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 600; ++i) {
+    add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {2, 2, 2}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+  }
+  const Camera camera = make_camera(along({-1, 2, -1}), scene);
+  const View view = make_view(scene, camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+  const ProjectedScene projected = project(scene, build_topology(scene), view, {classes("all"), 30});
+  const auto with_threads = [&](int n) {
+    tbb::task_arena arena(n);
+    return arena.execute([&] {
+      StudyOptions options;
+      options.settings.set("show", 0);
+      return find_method("warnock")->study(projected, options);
+    });
+  };
+  const VisibilityResult one = with_threads(1), four = with_threads(4);
+  ASSERT_EQ(one.strokes->strokes.size(), four.strokes->strokes.size());
+  for (std::size_t i = 0; i < one.strokes->strokes.size(); ++i) {
+    const Stroke &a = one.strokes->strokes[i], &b = four.strokes->strokes[i];
+    ASSERT_TRUE(a.from == b.from && a.to == b.to && a.t_from == b.t_from && a.t_to == b.t_to && a.source == b.source && a.may_coincide == b.may_coincide);
+  }
+  EXPECT_EQ(one.debug, four.debug);
+  EXPECT_EQ(one.statistics.counts, four.statistics.counts);
+  ASSERT_EQ(one.regions->size(), four.regions->size());
+  for (std::size_t i = 0; i < one.regions->size(); ++i) {
+    EXPECT_EQ((*one.regions)[i].face, (*four.regions)[i].face);
+    EXPECT_EQ((*one.regions)[i].contours, (*four.regions)[i].contours);
+  }
+}
+
+}  // namespace
+}  // namespace ligne::test

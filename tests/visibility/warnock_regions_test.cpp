@@ -1,0 +1,191 @@
+// Areas of the method warnock: no overlap, no gap, and each shows the face that is in front.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "geometry/point.hpp"
+#include "scene/reader.hpp"
+#include "support/scenes.hpp"
+#include "support/standard_views.hpp"
+
+namespace ligne::test {
+namespace {
+
+struct Areas {
+  ProjectedScene projected;
+  std::vector<Region> regions;
+};
+
+Areas areas_of(const Scene& scene, const CameraRequest& camera, const MethodSettings& settings = {}) {
+  const Topology topology = build_topology(scene);
+  const View view = make_view(scene, make_camera(camera, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
+                              {{0, 0}, {kPageWidth, kPageHeight}});
+  Areas result{project(scene, topology, view, {classes("all"), 30}), {}};
+  StudyOptions options;
+  options.settings = settings;
+  result.regions = *find_method("warnock")->study(result.projected, options).regions;
+  return result;
+}
+
+double signed_area(const std::vector<Point2>& contour) {
+  double sum = 0;
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const Point2 p = contour[i] - contour[0], q = contour[(i + 1) % contour.size()] - contour[0];
+    sum += p.x * q.y - p.y * q.x;
+  }
+  return sum / 2;
+}
+
+double area_of(const Region& r) {
+  double sum = 0;
+  for (const auto& c : r.contours) sum += signed_area(c);
+  return sum;
+}
+
+/// Even-odd over all contours; `near` is set when a contour passes within `distance`.
+bool holds(const Region& r, Point2 p, double distance, bool& near) {
+  bool inside = false;
+  for (const auto& c : r.contours) {
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const Point2 a = c[i], b = c[(i + 1) % c.size()];
+      const Point2 d = b - a;
+      const double t = std::clamp(glm::dot(p - a, d) / std::max(glm::dot(d, d), 1e-300), 0.0, 1.0);
+      near = near || glm::length(a + d * t - p) < distance;
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * d.x) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+/// Depths of all faces at a page point, by their triangles.
+std::map<std::uint32_t, double> depths_at(const ProjectedScene& scene, Point2 mm) {
+  std::map<std::uint32_t, double> depths;
+  const Point2 p = (mm - scene.lattice.origin_mm) / scene.lattice.step_mm;
+  for (const Triangle& t : scene.triangles) {
+    const ProjectedVertex &a = scene.vertices[t.v[0]], &b = scene.vertices[t.v[1]], &c = scene.vertices[t.v[2]];
+    const double area = orientation(a.p, b.p, c.p);
+    if (area == 0) continue;
+    const auto cross = [&](const LatticePoint& s, const LatticePoint& e) {
+      return ((double(e.x) - s.x) * (p.y - s.y) - (double(e.y) - s.y) * (p.x - s.x)) / area;
+    };
+    const double wc = cross(a.p, b.p), wa = cross(b.p, c.p), wb = cross(c.p, a.p);
+    if (wa < 0 || wb < 0 || wc < 0) continue;
+    const double z = wa * a.z + wb * b.z + wc * c.z;
+    const auto found = depths.try_emplace(t.face, z).first;
+    found->second = std::min(found->second, z);
+  }
+  return depths;
+}
+
+std::vector<std::filesystem::path> corpus() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& e : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
+    constexpr std::uintmax_t kLargeBytes = 100'000;
+    if (e.path().extension() == ".json" && e.file_size() <= kLargeBytes) files.push_back(e.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class WarnockRegions : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(WarnockRegions, ShowTheFaceInFrontEverywhereOnce) {
+  Warnings warnings;
+  const Scene scene = read_scene(GetParam(), {}, warnings);
+  for (const StandardView& view : standard_views(scene)) {
+    if (view.name != "odd" && view.name != "near" && view.name != "front") continue;
+    const Areas areas = areas_of(scene, view.camera);
+    constexpr int kColumns = 61, kRows = 43;
+    constexpr double kDepthMm = 0.002;  // nearer to each other than this faces touch
+    std::vector<Rect> boxes;
+    for (const Region& r : areas.regions) {
+      EXPECT_GT(area_of(r), 0);
+      Rect box{r.contours[0][0], r.contours[0][0]};
+      for (const Point2 p : r.contours[0]) box = {glm::min(box.min, p), glm::max(box.max, p)};
+      boxes.push_back(box);
+      for (std::size_t k = 1; k < r.contours.size(); ++k) EXPECT_LT(signed_area(r.contours[k]), 0) << "hole";
+    }
+    int wrong = 0, asked = 0;
+    std::string first;
+    for (int row = 0; row < kRows; ++row) {
+      for (int column = 0; column < kColumns; ++column) {
+        const Point2 p{kPageWidth * (column + 0.4137) / kColumns, kPageHeight * (row + 0.5793) / kRows};
+        bool near = false;
+        std::vector<std::uint32_t> shown;
+        for (std::size_t i = 0; i < areas.regions.size(); ++i) {
+          const Rect& b = boxes[i];
+          if (p.x < b.min.x - 1 || p.x > b.max.x + 1 || p.y < b.min.y - 1 || p.y > b.max.y + 1) continue;
+          if (holds(areas.regions[i], p, 0.002, near)) shown.push_back(areas.regions[i].face);
+        }
+        if (near) continue;
+        ++asked;
+        const auto depths = depths_at(areas.projected, p);
+        bool right = shown.size() == (depths.empty() ? 0u : 1u);
+        if (right && !shown.empty()) {
+          const auto own = depths.find(shown[0]);
+          const double nearest = std::min_element(depths.begin(), depths.end(), [](auto& a, auto& b) { return a.second < b.second; })->second;
+          right = own != depths.end() && own->second <= nearest + kDepthMm;
+        }
+        if (right) continue;
+        ++wrong;
+        if (first.empty()) {
+          first = "at " + std::to_string(p.x) + ", " + std::to_string(p.y) + ": shown";
+          for (const auto f : shown) first += " " + std::to_string(f);
+          first += "; there are";
+          for (const auto& [f, z] : depths) first += " " + std::to_string(f) + " (" + std::to_string(z) + ")";
+        }
+      }
+    }
+    EXPECT_EQ(wrong, 0) << view.name << ", of " << asked << ", first " << first;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, WarnockRegions, testing::ValuesIn(corpus()),
+                         [](const auto& info) { return info.param.stem().string(); });
+
+/// A plate of 4 x 3 behind a cube: what is seen of both together is the plate, seen from above.
+TEST(WarnockAreas, AddUpToThePlateBehind) {
+  Scene scene;
+  add_face(scene, {{{-4, -3, 0}, {4, -3, 0}, {4, 3, 0}, {-4, 3, 0}}});
+  add_box(scene, {0, 0, 2}, {2, 2, 1}, rotation(0.3, 0.2, 0.4));
+  add_box(scene, {1, 0, 2}, {2, 1, 1}, rotation(0.1, -0.6, 0.2));  // penetrates the other
+  for (const char* window : {"screen", "bounding", "principal"}) {
+    for (const unsigned split : {0u, 1u}) {
+      MethodSettings settings;
+      const std::string_view names[] = {"screen", "bounding", "principal"};
+      settings.set("warnock-window", static_cast<unsigned>(std::find(std::begin(names), std::end(names), window) - std::begin(names)));
+      settings.set("warnock-split", split);
+      const Areas areas = areas_of(scene, along({0, 0, -1}), settings);
+      double total = 0;
+      for (const Region& r : areas.regions) total += area_of(r);
+      const double scale = areas.projected.view.scale;
+      // Every corner is rounded to the lattice: half a step along the rim.
+      EXPECT_NEAR(total, 48 * scale * scale, 28 * scale * areas.projected.lattice.step_mm) << window << " " << split;
+      const auto of_plate = std::count_if(areas.regions.begin(), areas.regions.end(), [](const Region& r) { return r.face == 0; });
+      EXPECT_EQ(of_plate, 1);
+      EXPECT_EQ(areas.regions[0].contours.size(), 2u) << "the plate has one hole, where the boxes are";
+    }
+  }
+}
+
+/// A bar before a plate cuts it in two; a plate with a hole shows what is behind.
+TEST(WarnockAreas, OneRegionForEachPieceWithItsHoles) {
+  Scene scene;
+  add_face(scene, {{{-4, -3, 0}, {4, -3, 0}, {4, 3, 0}, {-4, 3, 0}}});
+  add_face(scene, {{{-1, -5, 1}, {1, -5, 1}, {1, 5, 1}, {-1, 5, 1}}});
+  const Areas cut = areas_of(scene, along({0, 0, -1}));
+  ASSERT_EQ(cut.regions.size(), 3u);
+  EXPECT_EQ(cut.regions[0].face, 0u);
+  EXPECT_EQ(cut.regions[1].face, 0u);
+  EXPECT_EQ(cut.regions[2].face, 1u);
+  for (const Region& r : cut.regions) {
+    EXPECT_EQ(r.contours.size(), 1u);
+    EXPECT_EQ(r.contours[0].size(), 4u) << "no corners but the four";
+  }
+}
+
+}  // namespace
+}  // namespace ligne::test

@@ -1,0 +1,182 @@
+// The four span methods against a plain search, and against each other: random segments, whole and real, that overlap, touch, coincide and penetrate.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "visibility/watkins/span_method.hpp"
+
+namespace ligne::watkins {
+namespace {
+
+template <class X>
+using Segments = std::vector<ScanSegment<X>>;
+
+constexpr SpanMethodKind kKinds[] = {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box, SpanMethodKind::point};
+
+template <class X>
+std::vector<VisibleSpan> spans(SpanMethodKind kind, Segments<X> segments, SpanCounts* counts = nullptr) {
+  const auto method = make_span_method<X>(kind);
+  std::vector<VisibleSpan> out{{0, 1, 77}};  // what was there before goes
+  method->study(segments, out);
+  if (counts) *counts = method->counts();
+  return out;
+}
+
+/// Depth of what is seen at x, infinite where nothing is.
+template <class X>
+double nearest(const Segments<X>& segments, double x) {
+  double z = 1e300;
+  for (const auto& s : segments) {
+    if (s.x0 < s.x1 && double(s.x0) < x && x < double(s.x1)) z = std::min(z, s.z(x));
+  }
+  return z;
+}
+
+template <class X>
+void expect_right(const Segments<X>& segments, const std::vector<VisibleSpan>& found, double depth_slack, const std::string& what) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    ASSERT_LT(found[i].x0, found[i].x1) << what;
+    ASSERT_LT(found[i].segment, segments.size());
+    if (i > 0) {
+      ASSERT_LE(found[i - 1].x1, found[i].x0) << what;
+      ASSERT_FALSE(found[i - 1].x1 == found[i].x0 && found[i - 1].segment == found[i].segment) << what << ": one span in two";
+    }
+  }
+  // Every run between two places where anything may change has one answer.
+  std::vector<double> places;
+  for (const auto& s : segments) places.insert(places.end(), {double(s.x0), double(s.x1)});
+  for (const VisibleSpan& s : found) places.insert(places.end(), {s.x0, s.x1});
+  std::sort(places.begin(), places.end());
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    if (places[i + 1] - places[i] < 1e-9) continue;
+    for (const double share : {0.001, 0.25, 0.5, 0.75, 0.999}) {
+      const double x = places[i] + share * (places[i + 1] - places[i]);
+      const auto span = std::find_if(found.begin(), found.end(), [x](const VisibleSpan& s) { return s.x0 < x && x < s.x1; });
+      const double expected = nearest(segments, x);
+      if (expected == 1e300) {
+        ASSERT_TRUE(span == found.end()) << what << ": something is seen at " << x;
+      } else {
+        ASSERT_TRUE(span != found.end()) << what << ": nothing is seen at " << x;
+        ASSERT_NEAR(segments[span->segment].z(x), expected, depth_slack) << what << " at " << x;
+      }
+    }
+  }
+}
+
+template <class X>
+class WatkinsSpans : public testing::Test {};
+using Coordinates = testing::Types<double, std::int32_t>;
+TYPED_TEST_SUITE(WatkinsSpans, Coordinates);
+
+TYPED_TEST(WatkinsSpans, RandomSegments) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 400; ++round) {
+    std::uniform_int_distribution<int> count(0, 24), place(0, round % 2 ? 20 : 200);
+    // Depths on a coarse grid tie and touch; on a fine one they hardly do.
+    std::uniform_int_distribution<int> depth(0, round % 4 < 2 ? 4 : 100000);
+    Segments<TypeParam> segments;
+    const int n = count(random);
+    for (int i = 0; i < n; ++i) {
+      auto a = static_cast<TypeParam>(place(random)), b = static_cast<TypeParam>(place(random));
+      if (b < a) std::swap(a, b);
+      segments.push_back({a, b, double(depth(random)), double(depth(random)), static_cast<std::uint32_t>(i)});
+    }
+    if (round % 3 == 0) std::sort(segments.begin(), segments.end(), [](const auto& a, const auto& b) { return comes_before(a, b); });
+    for (const SpanMethodKind kind : kKinds) {
+      // Point by point on whole coordinates a penetration is put to the nearest cell.
+      const bool cells = std::is_integral_v<TypeParam> && kind == SpanMethodKind::point;
+      double steepest = 0;
+      for (const auto& s : segments) steepest = std::max(steepest, std::abs(s.slope()));
+      expect_right(segments, spans(kind, segments), cells ? 1.01 * steepest : 1e-6, std::string(kSpanMethodNames[static_cast<int>(kind)]) + ", round " + std::to_string(round));
+      if (this->HasFatalFailure()) return;
+    }
+  }
+}
+
+TYPED_TEST(WatkinsSpans, NothingAndSegmentsWithoutLength) {
+  for (const SpanMethodKind kind : kKinds) {
+    EXPECT_TRUE(spans<TypeParam>(kind, {}).empty());
+    EXPECT_TRUE(spans<TypeParam>(kind, {{3, 3, 1, 2, 0}}).empty());
+  }
+}
+
+/// Figure 2.45: one long segment behind, two short ones before it.
+TYPED_TEST(WatkinsSpans, FigureOfTheThesis) {
+  const Segments<TypeParam> segments{{0, 10, 5, 5, 0}, {1, 4, 2, 2, 1}, {3, 8, 1, 3, 2}};
+  for (const SpanMethodKind kind : kKinds) {
+    const auto found = spans(kind, segments);
+    ASSERT_EQ(found.size(), 4u) << static_cast<int>(kind);
+    EXPECT_EQ(found[0].segment, 0u);
+    EXPECT_EQ(found[0].x1, 1);
+    EXPECT_EQ(found[1].segment, 1u);
+    EXPECT_EQ(found[1].x1, 3);
+    EXPECT_EQ(found[2].segment, 2u);
+    EXPECT_EQ(found[2].x1, 8);
+    EXPECT_EQ(found[3].segment, 0u);
+  }
+}
+
+/// Two that penetrate: the place is computed, with reals and, but for points, with whole numbers too.
+TYPED_TEST(WatkinsSpans, Penetration) {
+  const Segments<TypeParam> segments{{0, 10, 0, 10, 0}, {0, 10, 6, 6, 1}};
+  for (const SpanMethodKind kind : kKinds) {
+    SpanCounts counts;
+    const auto found = spans(kind, segments, &counts);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].segment, 0u);
+    EXPECT_EQ(found[1].segment, 1u);
+    EXPECT_NEAR(found[0].x1, 6, 1e-12);
+  }
+}
+
+/// Three planes through one point, all at once.
+TYPED_TEST(WatkinsSpans, ThreePenetrateInOnePlace) {
+  const Segments<TypeParam> segments{{0, 8, 0, 8, 0}, {0, 8, 8, 0, 1}, {0, 8, 4, 4, 2}};
+  for (const SpanMethodKind kind : kKinds) expect_right(segments, spans(kind, segments), 1e-9, "three");
+}
+
+/// A screen segment hides everything: the box method sees that at once, the stack goes through all (thesis, end of 2.3.3.4).
+TYPED_TEST(WatkinsSpans, ScreenSegmentIsTheBoxMethodsBest) {
+  Segments<TypeParam> segments{{0, 1000, -1, -1, 0}};
+  for (int i = 0; i < 100; ++i) {
+    segments.push_back({static_cast<TypeParam>(10 * i), static_cast<TypeParam>(10 * i + 9), 5, 5, static_cast<std::uint32_t>(i + 1)});
+  }
+  SpanCounts box, stack;
+  ASSERT_EQ(spans(SpanMethodKind::box, segments, &box).size(), 1u);
+  ASSERT_EQ(spans(SpanMethodKind::stack, segments, &stack).size(), 1u);
+  EXPECT_EQ(box.boxes, 1u);
+  EXPECT_LT(box.total(), stack.total());
+}
+
+TYPED_TEST(WatkinsSpans, SortedSegmentsCostTheMergeLess) {
+  Segments<TypeParam> segments;
+  for (int i = 0; i < 60; ++i) segments.push_back({static_cast<TypeParam>(i), static_cast<TypeParam>(i + 20), double(i % 7), double(i % 5), static_cast<std::uint32_t>(i)});
+  SpanCounts sorted, backwards;
+  spans(SpanMethodKind::merge, segments, &sorted);
+  std::reverse(segments.begin(), segments.end());
+  spans(SpanMethodKind::merge, segments, &backwards);
+  EXPECT_NE(sorted.total(), backwards.total());
+}
+
+/// Each method counts what it does and nothing that it does not do.
+TYPED_TEST(WatkinsSpans, CountsAreTheMethodsOwn) {
+  const Segments<TypeParam> segments{{0, 10, 5, 5, 0}, {1, 4, 2, 2, 1}, {3, 8, 1, 3, 2}};
+  SpanCounts merge, stack, box, point;
+  spans(SpanMethodKind::merge, segments, &merge);
+  spans(SpanMethodKind::stack, segments, &stack);
+  spans(SpanMethodKind::box, segments, &box);
+  spans(SpanMethodKind::point, segments, &point);
+  EXPECT_GT(merge.insertions, 0u);
+  EXPECT_EQ(merge.pushes + merge.boxes + merge.points, 0u);
+  EXPECT_GT(stack.pushes, 0u);
+  EXPECT_EQ(stack.insertions + stack.boxes + stack.points, 0u);
+  EXPECT_GT(box.boxes, 0u);
+  EXPECT_EQ(box.insertions + box.pushes + box.points, 0u);
+  EXPECT_GT(point.points, 0u);
+  EXPECT_EQ(point.insertions + point.pushes + point.boxes, 0u);
+}
+
+}  // namespace
+}  // namespace ligne::watkins

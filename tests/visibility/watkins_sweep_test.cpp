@@ -1,0 +1,195 @@
+// The exact scan: its list, its stops, its bands.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "scene/clean.hpp"
+#include "support/scenes.hpp"
+#include "visibility/watkins/exact_study.hpp"
+
+namespace ligne::watkins {
+namespace {
+
+using namespace ligne::test;
+
+SweepNode upright(std::int32_t x) {
+  SweepNode n;
+  n.top = {x, 0};
+  n.bottom = {x, 1000};
+  return n;
+}
+
+/// Many edges put in anywhere: found again by search, and in order.
+TEST(WatkinsStatus, ListStaysInOrder) {
+  SweepStatus status;
+  std::mt19937 random(1);
+  std::vector<std::int32_t> places;
+  for (std::int32_t i = 0; i < 1000; ++i) places.push_back(2 * i);
+  std::shuffle(places.begin(), places.end(), random);
+  std::vector<std::uint32_t> slots;
+  for (const std::int32_t x : places) {
+    const std::uint32_t left = status.last_left_of({x, 500});
+    const std::uint32_t slot = status.insert_after(left);
+    const std::uint32_t node = status.make_node();
+    const SweepNode n = upright(x);
+    status.node(node).top = n.top;
+    status.node(node).bottom = n.bottom;
+    status.put(slot, node);
+    slots.push_back(slot);
+  }
+  for (std::int32_t x = -1; x < 2000; x += 2) {
+    const std::uint32_t left = status.last_left_of({x, 500});
+    EXPECT_EQ(left == SweepStatus::kLeftEnd, x < 0);
+    if (x > 0) {
+      EXPECT_EQ(status.node(status.node_at(left)).top.x, x - 1);
+    }
+  }
+  for (std::size_t i = 0; i < slots.size(); i += 2) {
+    status.free_node(status.node_at(slots[i]));
+    status.erase(slots[i]);
+  }
+  std::int32_t last = -1;
+  std::size_t count = 0;
+  for (std::uint32_t s = status.next(SweepStatus::kLeftEnd); s != SweepStatus::kLeftEnd; s = status.next(s), ++count) {
+    EXPECT_GT(status.node(status.node_at(s)).top.x, last);
+    last = status.node(status.node_at(s)).top.x;
+    EXPECT_EQ(status.next(status.previous(s)), s);
+  }
+  EXPECT_EQ(count, 500u);
+  for (std::size_t i = 1; i < slots.size(); i += 2) status.erase(slots[i]);
+  EXPECT_EQ(status.next(SweepStatus::kLeftEnd), SweepStatus::kLeftEnd);
+  EXPECT_EQ(status.last_left_of({5, 5}), SweepStatus::kLeftEnd);
+  EXPECT_NE(status.insert_after(SweepStatus::kLeftEnd), SweepStatus::kLeftEnd);  // and begins anew
+}
+
+TEST(WatkinsStatus, ToggleIsItsOwnInverse) {
+  Cover cover;
+  for (const std::uint32_t f : {1u, 2u, 3u}) toggle(cover, f);
+  toggle(cover, 1);
+  EXPECT_EQ(cover.size(), 2u);
+  toggle(cover, 2);
+  toggle(cover, 3);
+  EXPECT_TRUE(cover.empty());
+}
+
+struct Prepared {
+  ProjectedScene projected;
+  Facets facets;
+  std::vector<SweepLine> lines;
+};
+
+Prepared prepare(Scene scene, const CameraRequest& camera) {
+  Warnings warnings;
+  finish_scene(scene, warnings);
+  const Topology topology = build_topology(scene);
+  const View view = make_view(scene, make_camera(camera, scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+  Prepared p{project(scene, topology, view, {classes("all"), 30}), {}, {}};
+  p.facets = make_facets(p.projected, 1);
+  for (const ProjectedEdge& e : p.projected.edges) p.lines.push_back({p.projected.vertices[e.v0], p.projected.vertices[e.v1], e.face0, e.face1});
+  return p;
+}
+
+ExactResult study(const Prepared& p, SpanMethodKind kind = SpanMethodKind::stack, bool penetrations = false) {
+  ExactOptions options;
+  options.kind = kind;
+  options.coincidence_steps = 30;
+  options.penetrations = penetrations;
+  return study_exactly(p.projected.vertices, p.facets.facets, p.lines, options);
+}
+
+/// Two plates, one before the other, turned: ten stops for the eight corners and two diagonals' ends, crossings where sides and diagonals cross.
+TEST(WatkinsSweep, StopsOfTwoPlates) {
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {10, 0, 1}, {11, 0, 11}, {1, 0, 10}}});
+  add_face(scene, {{{3, 5, 2}, {20, 5, 3}, {21, 5, 8}, {4, 5, 7}}});
+  const Prepared p = prepare(scene, along({0, 1, 0}));
+  const ExactResult r = study(p);
+  EXPECT_EQ(r.counts.sweep.points, 8u);
+  EXPECT_EQ(r.counts.sweep.searches, 2u);  // only the highest corner of each plate hangs in the air
+  // The two long sides of the plate behind cross the right side of the one before; and diagonals cross what they cross.
+  EXPECT_GE(r.counts.sweep.crossings, 2u);
+  EXPECT_LE(r.counts.sweep.crossings, 8u);
+  OpenParts open;
+  int parts = 0, hidden = 0;
+  for (std::size_t i = 0; i < p.lines.size(); ++i) {
+    const auto& found = r.found.visible_parts(i, open);
+    parts += static_cast<int>(found.size());
+    hidden += found.empty();
+  }
+  EXPECT_EQ(hidden, 1);  // the short side behind the plate
+  EXPECT_EQ(parts, 7);
+}
+
+/// The same intervals whatever span method proposes the facets, and none missing against a test of every facet.
+TEST(WatkinsSweep, FindingsAreThoseOfAllFacets) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> u(-1, 1);
+  Scene scene;
+  for (int i = 0; i < 40; ++i) {
+    add_box(scene, Point3{u(random), u(random), u(random)} * 6.0, {3, 2, 2.5}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+  }
+  const Prepared p = prepare(scene, along({-1, 2, -1}));
+  OpenParts open, all;
+  for (const SpanMethodKind kind : {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box, SpanMethodKind::point}) {
+    const ExactResult r = study(p, kind);
+    EXPECT_GT(r.counts.stretches.studied, 0u);
+    for (std::size_t i = 0; i < p.lines.size(); ++i) {
+      const SweepLine& l = p.lines[i];
+      if (l.from.p == l.to.p) continue;
+      const PageLine line(l.from, l.to, l.face0, l.face1);
+      all.reset(0, 1);
+      bool near_side = false;
+      for (const Facet& f : p.facets.facets) {
+        if (f.face == l.face0 || f.face == l.face1 || all.empty()) continue;
+        all.take(hidden_interval(line, f, p.projected.vertices.data(), 0, 1, 0, near_side));
+      }
+      const std::vector<LinePart> expected = all.finish();
+      const std::vector<LinePart>& found = r.found.visible_parts(i, open);
+      double expected_length = 0, found_length = 0;
+      for (const LinePart& part : expected) expected_length += part.to - part.from;
+      for (const LinePart& part : found) found_length += part.to - part.from;
+      ASSERT_NEAR(found_length, expected_length, 1e-9) << "line " << i;
+    }
+    EXPECT_LT(r.counts.stretches.facet_tests, p.lines.size() * p.facets.facets.size() / 4);
+  }
+}
+
+/// Every edge seen is found in some band; the bands are made of the scene alone, and hold every point once.
+TEST(WatkinsSweep, BandsHoldEveryPointOnce) {
+  Scene scene;
+  for (int i = 0; i < 40; ++i) {
+    for (int k = 0; k < 40; ++k) add_box(scene, {1.5 * i, 1.5 * k, 0.1 * ((i * 7 + k * 3) % 10)}, {1, 1, 1});
+  }
+  const Prepared p = prepare(scene, along({-1, 2, -1}));
+  const SweepScene sweep = make_sweep_scene(p.projected.vertices, p.facets.facets, p.lines);
+  const std::vector<SweepBand> bands = make_bands(sweep);
+  ASSERT_GT(bands.size(), 1u);
+  std::uint32_t next = 0;
+  for (const SweepBand& b : bands) {
+    EXPECT_EQ(b.first, next);
+    next = b.end;
+    for (const std::uint32_t e : b.active) {
+      EXPECT_LT(sweep.edges[e].top_point, b.first);
+      EXPECT_GE(sweep.edges[e].bottom_point, b.first);
+    }
+  }
+  EXPECT_EQ(next, sweep.points.size());
+  for (std::size_t i = 1; i < sweep.points.size(); ++i) ASSERT_TRUE(comes_before(sweep.points[i - 1], sweep.points[i]));
+}
+
+/// Pairs that penetrate: every crossing of two plates, found where they begin to overlap on the page.
+TEST(WatkinsSweep, FindsWhatPenetrates) {
+  Scene scene;
+  add_face(scene, {{{0, -5, 0}, {10, 5, 0}, {10, 5, 10}, {0, -5, 10}}});
+  add_face(scene, {{{0, 5, 2}, {10, -5, 2}, {10, -5, 8}, {0, 5, 8}}});
+  const Prepared p = prepare(scene, along({0, 1, 0}));
+  ExactResult r = study(p, SpanMethodKind::stack, true);
+  double sum = 0;
+  for (const Intersection& i : take_intersections(r, p.projected.vertices, p.facets.facets, 1)) sum += std::hypot(double(i.to.p.x) - i.from.p.x, double(i.to.p.y) - i.from.p.y);
+  const double unit = p.projected.view.scale / p.projected.lattice.step_mm;
+  EXPECT_NEAR(sum, 6 * unit, 4);
+}
+
+}  // namespace
+}  // namespace ligne::watkins
