@@ -34,7 +34,11 @@ VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projec
   study_options.hidden_strokes = request.hidden != HiddenLines::none;
   study_options.span_lines = span_lines(request.faces, plot);
   study_options.settings = request.settings;
-  if (format_of(request.output) != OutputFormat::json) study_options.wanted = request.faces.wanted() ? kStrokes | kSpans : kStrokes;  // all that is drawn
+  if (format_of(request.output) != OutputFormat::json) {  // all that is drawn
+    study_options.wanted = kStrokes;
+    if (request.faces.wanted()) study_options.wanted |= kSpans;
+    if (request.fill.asked()) study_options.wanted |= kRegions;
+  }
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return request.method.study(projected, study_options);
 }

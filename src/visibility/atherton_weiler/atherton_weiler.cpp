@@ -128,7 +128,7 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
   statistics.count("regions", visible.regions.size());
   statistics.count("lines beside borders", studied);
   statistics.count("strokes", model.strokes.size());
-  result.regions = std::move(visible.regions);
+  if (options.wanted & kRegions) result.regions = std::move(visible.regions);
   result.strokes = std::move(model);
   return result;
 }
