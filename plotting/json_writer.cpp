@@ -136,7 +136,8 @@ void append_region(std::string& out, const Region& region) {
     if (i > 1) out += ',';
     append_contour(out, region.contours[i]);
   }
-  out += "],\"level\":" + std::to_string(region.level);
+  out += ']';
+  if (region.level > 0) out += ",\"level\":" + std::to_string(region.level);
   if (region.lights != 0xffffffffu) {
     out += ",\"lights\":[";
     bool first = true;
