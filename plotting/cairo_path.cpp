@@ -18,6 +18,11 @@ double largest_coordinate(const Drawing& drawing, const Page& page) {
   for (const Layer& layer : drawing.layers) {
     for (const Point2 p : layer.lines.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
+  for (const Fill& fill : drawing.fills) {
+    for (const auto& contour : fill.contours) {
+      for (const Point2 p : contour) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    }
+  }
   return largest;
 }
 
@@ -49,6 +54,36 @@ void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& s
   add_polylines(cairo, lines, 0, lines.size());
   cairo_restore(cairo);
   cairo_stroke(cairo);
+  check_cairo(cairo_status(cairo));
+}
+
+void paint_fills(cairo_t* cairo, const std::vector<Fill>& fills, double units_per_mm) {
+  cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_EVEN_ODD);
+  cairo_set_line_width(cairo, kFillRimMm * units_per_mm);
+  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_dash(cairo, nullptr, 0, 0);
+  for (std::size_t i = 0; i < fills.size();) {
+    const Fill& first = fills[i];
+    cairo_set_source_rgba(cairo, first.color[0], first.color[1], first.color[2], first.opacity);
+    for (; i < fills.size() && fills[i].color == first.color && fills[i].opacity == first.opacity; ++i) {
+      for (const std::vector<Point2>& contour : fills[i].contours) {
+        cairo_new_sub_path(cairo);
+        for (const Point2& p : contour) cairo_line_to(cairo, p.x * units_per_mm, p.y * units_per_mm);
+        cairo_close_path(cairo);
+      }
+      // Transparent areas one by one: two that lie on each other would be an even number.
+      if (first.opacity < 1) {
+        ++i;
+        break;
+      }
+    }
+    if (first.opacity < 1) {
+      cairo_fill(cairo);
+    } else {
+      cairo_fill_preserve(cairo);
+      cairo_stroke(cairo);
+    }
+  }
   check_cairo(cairo_status(cairo));
 }
 

@@ -136,7 +136,21 @@ void append_region(std::string& out, const Region& region) {
     if (i > 1) out += ',';
     append_contour(out, region.contours[i]);
   }
-  out += "]}";
+  out += ']';
+  if (region.level > 0) out += ",\"level\":" + std::to_string(region.level);
+  if (region.lights != 0xffffffffu) {
+    out += ",\"lights\":[";
+    bool first = true;
+    for (unsigned i = 0; i < 32; ++i) {
+      if (!(region.lights >> i & 1u)) continue;
+      if (!first) out += ',';
+      out += std::to_string(i);
+      first = false;
+    }
+    out += ']';
+  }
+  if (region.material != 0xffffffffu) out += ",\"material\":" + std::to_string(region.material);
+  out += '}';
 }
 
 /// The spans of one line, [begin, end).

@@ -48,6 +48,7 @@ std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
   const cairo_rectangle_t extents{0, 0, std::ceil(width * units), std::ceil(height * units)};
   const CairoSurface recording(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &extents));
   const CairoContext pen(cairo_create(recording.get()));
+  paint_fills(pen.get(), drawing.fills, units * kPointsPerMm);
   for (const Layer& layer : drawing.layers) {
     stroke_polylines(pen.get(), rounded(layer.lines, kPartsOfUnit * units * kPointsPerMm),
                      options.style_of(layer.name), units * kPointsPerMm);
@@ -60,7 +61,7 @@ std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
   if (!options.title.empty()) {
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, options.title.c_str());
   }
-  if (!drawing.layers.empty()) {
+  if (!drawing.layers.empty() || !drawing.fills.empty()) {
     const CairoContext cairo(cairo_create(surface.get()));
     cairo_scale(cairo.get(), 1 / units, 1 / units);
     cairo_set_source_surface(cairo.get(), recording.get(), 0, 0);

@@ -52,6 +52,7 @@ std::string write_png(const Drawing& drawing, const PlotOptions& options, const 
   cairo_set_source_rgb(cairo.get(), 1, 1, 1);
   cairo_paint(cairo.get());
   if (under) put_pixels(surface.get(), *under);
+  paint_fills(cairo.get(), drawing.fills, scale);
   for (const Layer& layer : drawing.layers) {
     stroke_polylines(cairo.get(), layer.lines, options.style_of(layer.name), scale);
   }

@@ -208,6 +208,43 @@ std::string group_start(std::string_view layer) {
   return "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + xml_text(layer) + "\" id=\"" + xml_text(id_of(layer)) + "\"";
 }
 
+/// Appends the contours of an area to the path at hand.
+void add_fill(const Fill& fill, std::string& text) {
+  char buffer[2 * kNumberBytes];
+  for (const std::vector<Point2>& contour : fill.contours) {
+    UnitPoint last{0, 0};
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const UnitPoint p{std::llround(contour[i].x * kUnitsPerMm), std::llround(contour[i].y * kUnitsPerMm)};
+      if (i > 0 && p == last) continue;
+      text += i == 0 ? "M" : "L";
+      char* end = write_fixed(buffer, p.x, kDecimals, true);
+      *end++ = ' ';
+      end = write_fixed(end, p.y, kDecimals, true);
+      text.append(buffer, end);
+      last = p;
+    }
+    text += 'Z';
+  }
+}
+
+/// One layer. Opaque areas of one colour that follow each other are one path: between two paths the paper would shine through.
+std::string fills_text(const std::vector<Fill>& fills) {
+  if (fills.empty()) return {};
+  std::string text = group_start("fill") + " fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
+  for (std::size_t i = 0; i < fills.size();) {
+    const Fill& first = fills[i];
+    const std::string color = color_text(first.color);
+    text += "<path fill=\"" + color + "\"";
+    text += first.opacity < 1 ? " fill-opacity=\"" + number(first.opacity) + "\" d=\""
+                              : " stroke=\"" + color + "\" stroke-width=\"" + number(kFillRimMm) + "\" d=\"";
+    do {
+      add_fill(fills[i++], text);
+    } while (i < fills.size() && first.opacity >= 1 && fills[i].color == first.color && fills[i].opacity == first.opacity);
+    text += "\"/>\n";
+  }
+  return text + "</g>\n";
+}
+
 std::string layer_start(const Layer& layer, const LineStyle& style) {
   const bool dashed = !style.dashes_mm.empty();
   std::string text = group_start(layer.name) +
@@ -247,6 +284,7 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
   if (!options.title.empty()) svg += "<title>" + xml_text(options.title) + "</title>\n";
 
   const double device = device_units(largest_coordinate(drawing, options.page));
+  svg += fills_text(drawing.fills);
   for (const Layer& layer : drawing.layers) {
     const std::vector<Chunk> chunks = chunks_of(layer.lines);
     std::vector<std::string> texts(chunks.size());

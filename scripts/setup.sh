@@ -29,6 +29,7 @@ libcgal-dev          hdr:CGAL/Lazy_exact_nt.h        exact arithmetic for the or
 librsvg2-bin         cmd:rsvg-convert                an independent reader of our SVG
 poppler-utils        cmd:pdftotext                   an independent reader of our PDF
 hp2xx                cmd:hp2xx                       an independent reader of our HPGL
+libpolyclipping-dev  hdr:polyclipping/clipper.hpp    an independent clipper of polygons
 '
 
 # True when the probe (cmd:, pc:, hdr: or font:) finds its thing.

@@ -26,14 +26,14 @@ void check(const DrawOptions& options) {
 }
 
 void draw(const DrawOptions& options) {
-  const Method& method = method_of(options.method);
+  const Method& method = options.fill.asked() && !options.method.method ? region_method() : method_of(options.method);
   const MethodSettings settings = settings_of(options.method, method);  // a wrong one is told before anything is read
   const PlotterSetup plotter = plotter_setup(options.plotter, format_of(options.output));
   RunReport run;
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   draw_scene(models.scene,
              {method, settings, options.method.edges, options.method.crease_degrees, options.method.hidden, options.method.cull, options.view,
-              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces, plotter},
+              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces, plotter, options.fill},
              run);
 }
 
@@ -44,6 +44,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_model_options(*draw, options.model);
   add_view_options(*draw, options.view);
   add_method_options(*draw, options.method);
+  add_fill_options(*draw, options.fill);
   add_page_options(*draw, options.page);
   add_output_options(*draw, options.output);
   add_parsed(

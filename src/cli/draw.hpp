@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/face_options.hpp"
+#include "cli/fills.hpp"
 #include "cli/method_options.hpp"
 #include "cli/models.hpp"
 #include "cli/output_options.hpp"
@@ -25,6 +26,7 @@ struct DrawOptions {
   double dpi = 150;   ///< PNG
   std::string title;  ///< of the document, may be empty
   FaceOptions faces;
+  FillOptions fill{};
 };
 
 /// Adds the command; it runs when the command line names it. `options` must outlive the parse.

@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "cli/culling.hpp"
 #include "cli/errors.hpp"
@@ -16,6 +18,8 @@
 #include "plotting/writers.hpp"
 #include "scene/topology.hpp"
 #include "view/projected_scene.hpp"
+#include "visibility/atherton_weiler/details.hpp"
+#include "visibility/atherton_weiler/shadows.hpp"
 #include "visibility/tolerances.hpp"
 
 namespace ligne {
@@ -57,7 +61,11 @@ VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projec
   study_options.hidden_strokes = request.hidden != HiddenLines::none;
   study_options.span_lines = span_lines(request.faces, plot);
   study_options.settings = request.settings;
-  if (format_of(request.output) != OutputFormat::json) study_options.wanted = request.faces.wanted() ? kStrokes | kSpans : kStrokes;  // all that is drawn
+  if (format_of(request.output) != OutputFormat::json) {  // all that is drawn
+    study_options.wanted = kStrokes;
+    if (request.faces.wanted()) study_options.wanted |= kSpans;
+    if (request.fill.asked()) study_options.wanted |= kRegions;
+  }
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return request.method.study(projected, study_options);
 }
@@ -95,6 +103,17 @@ void add_hatching(Drawing& drawing, Polylines hatching) {
   if (hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), Layer{"hatch", std::move(hatching)});
 }
 
+/// Details and light on the regions of a study.
+void finish_regions(const Scene& scene, const SceneDrawing& request, const View& view, std::span<const Light> lights, VisibilityResult& result) {
+  if (request.fill.asked() && !result.regions) {
+    throw UsageError(request.fill.kind == FillKind::none ? "--light" : "--fill",
+                     std::string(request.method.traits().name) + " does not produce regions; atherton-weiler does");
+  }
+  if (!result.regions) return;
+  if (!scene.details.empty()) *result.regions = atherton_weiler::cut_details(scene, view, std::move(*result.regions));
+  if (!lights.empty()) *result.regions = atherton_weiler::cast_shadows(scene, build_topology(scene), view, lights, *result.regions);
+}
+
 }  // namespace
 
 void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run) {
@@ -130,6 +149,10 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
   StrokeModel& strokes = *result.strokes;
   remove_hidden_axes(strokes);
+  const std::vector<Light> lights = lights_of(request.fill, scene);
+  if (request.fill.asked() || !scene.details.empty()) {
+    timed(run.stages, "regions", [&] { finish_regions(scene, request, placement.view, lights, result); });
+  }
 
   if (!request.run.quiet) {
     if (std::none_of(strokes.strokes.begin(), strokes.strokes.end(), [](const Stroke& s) { return s.line_class != LineClass::axes; })) {
@@ -161,6 +184,11 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     FacePicture faces = result.spans ? picture_faces(request.faces, scene, placement.view.camera, *result.spans, plot) : FacePicture{};
     Drawing drawing = drawing_of(document, around, request, scene);
     add_hatching(drawing, std::move(faces.hatching));
+    if (result.regions && request.fill.kind == FillKind::hatch) {
+      add_hatching(drawing, hatch_regions(scene, placement.view, *result.regions, lights, plot.pen_width_mm));
+    } else if (result.regions && request.fill.kind != FillKind::none) {
+      drawing.fills = fill_regions(scene, placement.view, *result.regions, lights, request.fill.kind);
+    }
     return written(drawing, plot, request.plotter, format, run, faces.shaded ? &*faces.shaded : nullptr);
   });
   run.study = std::move(result.statistics);

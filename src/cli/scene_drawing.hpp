@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/face_options.hpp"
+#include "cli/fills.hpp"
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
@@ -40,6 +41,7 @@ struct SceneDrawing {
   const PlotFrame* frame = nullptr;  ///< not for JSON; without it the title is only that of the document
   FaceOptions faces{};
   PlotterSetup plotter{};
+  FillOptions fill{};
 };
 
 /// Studies, draws and writes; then reports when the options ask for it. Throws UsageError, std::runtime_error.

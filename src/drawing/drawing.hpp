@@ -1,6 +1,7 @@
 #pragma once
-/// The drawing: named layers of polylines, and text, in page millimetres.
+/// The drawing: named layers of polylines, text, and areas, in page millimetres.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -23,18 +24,26 @@ struct Polylines {
   }
 };
 
-/// A layer's name is also its id: the line classes of drawing/stroke.hpp, "hidden", "underside", "contour-base", "text", "debug".
+/// A layer's name is also its id: the line classes of drawing/stroke.hpp, "hidden", "underside", "contour-base", "text", "debug", "hatch".
 struct Layer {
   std::string name;
   Polylines lines;
   std::string material{};  ///< name of the material, where the layer holds the lines of one material only
 };
 
-/// Layers in the order in which they are painted. Layers without lines are left out. Texts are painted last; writers put them into a layer
+/// An area of one colour.
+struct Fill {
+  std::vector<std::vector<Point2>> contours;  ///< page mm, not closed; what an odd number of them surrounds is filled
+  std::array<double, 3> color{0, 0, 0};       ///< red, green, blue in [0, 1]
+  double opacity = 1;
+};
+
+/// Layers in the order in which they are painted, over the fills. Layers without lines are left out. Texts are painted last; writers put them into a layer
 /// "text" in a typeface. A drawing has either texts or a layer "text" of lines (plotting/stroke_text.hpp).
 struct Drawing {
   std::vector<Layer> layers;
   std::vector<TextItem> texts{};
+  std::vector<Fill> fills{};  ///< in the order in which they are painted
 };
 
 /// Every line once: where strokes lie on each other within `tolerance_mm` one of them stands for all (by class, then the

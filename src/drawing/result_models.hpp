@@ -12,6 +12,10 @@ namespace ligne {
 struct Region {
   std::uint32_t face = 0;                      ///< face of the scene
   std::vector<std::vector<Point2>> contours;  ///< page mm; the first is outer, the others holes
+  std::uint32_t level = 0;  ///< how many transparent faces are in front of it: 0 is seen directly
+  /// Bit i: light i reaches it. All bits where no light was asked for.
+  std::uint32_t lights = 0xffffffffu;
+  std::uint32_t material = 0xffffffffu;  ///< of the detail of which it is a part; 0xffffffff for that of the face
 };
 
 /// Faces (or pieces of them) in painting order, farthest first.

@@ -158,6 +158,20 @@ void select_edges(const Scene& scene, const Topology& topology, const Camera& ca
 
 }  // namespace
 
+namespace {
+
+std::vector<std::uint8_t> transparent_faces(const Scene& scene) {
+  const auto transparent = [&](std::uint32_t material) { return material < scene.materials.size() && scene.materials[material].opacity < 1; };
+  bool any = false;
+  for (std::uint32_t m = 0; m < scene.materials.size(); ++m) any |= transparent(m);
+  if (!any) return {};
+  std::vector<std::uint8_t> result(scene.faces.size());
+  for (std::size_t f = 0; f < result.size(); ++f) result[f] = transparent(scene.face_material.empty() ? 0 : scene.face_material[f]);
+  return result;
+}
+
+}  // namespace
+
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection) {
   ProjectedScene out;
   out.view = view;
@@ -165,6 +179,7 @@ ProjectedScene project(const Scene& scene, const Topology& topology, const View&
   out.source_count = static_cast<std::uint32_t>(topology.edges.size());
   out.with_intersections = selection.classes.has(LineClass::intersection);
   out.input_error_mm = input_error_mm(scene, view);
+  out.face_is_transparent = transparent_faces(scene);
   select_edges(scene, topology, view.camera, selection, out);
   const ClipVolume volume{view.window, view.near_distance};
   if (project_vertices(scene, view, volume, out)) {

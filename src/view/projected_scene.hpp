@@ -45,6 +45,8 @@ struct ProjectedScene {
   std::vector<std::array<double, 2>> edge_parts;
   std::uint32_t source_count = 0;   ///< number of edges of the topology, and of lines beside them
   bool with_intersections = false;  ///< the selection has class intersection
+  /// Per face of the scene: whether what is behind is seen through it. Empty when all faces are opaque. For lines every face is opaque.
+  std::vector<std::uint8_t> face_is_transparent;
   /// Error of the input's own coordinates in page mm at the target plane: surfaces closer than this touch.
   double input_error_mm = 0;
 

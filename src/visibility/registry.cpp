@@ -3,6 +3,7 @@
 #include <array>
 
 #include "visibility/appel/appel.hpp"
+#include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/warnock/warnock.hpp"
 #include "visibility/watkins/watkins.hpp"
 
@@ -10,9 +11,10 @@ namespace ligne {
 
 std::span<const Method* const> all_methods() {
   static const AppelMethod appel;
+  static const AthertonWeilerMethod atherton_weiler;
   static const WarnockMethod warnock;
   static const WatkinsMethod scan;
-  static const std::array<const Method*, 3> methods{&appel, &warnock, &scan};
+  static const std::array<const Method*, 4> methods{&appel, &atherton_weiler, &warnock, &scan};
   return methods;
 }
 

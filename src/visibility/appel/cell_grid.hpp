@@ -58,6 +58,11 @@ struct CellFacet {
   CellBox box{};     ///< of its projection
 };
 
+/// A rectangle of the page.
+struct PageRange {
+  double x0, y0, x1, y1;
+};
+
 struct Cell {
   static constexpr std::uint32_t kSplit = 0xffffffffu;
   std::uint32_t begin = 0;  ///< first entry of the list, or first child, in the arena
@@ -89,6 +94,10 @@ class CellGrid {
   template <class Visit>
   void for_each_leaf_of(std::size_t i, Visit visit) const;
 
+  /// Calls visit(cell, square) for every leaf that meets the rectangle [x0, x1] x [y0, y1].
+  template <class Visit>
+  void for_each_leaf_in(double x0, double y0, double x1, double y1, Visit visit) const;
+
   /// Whether every list holds all facets that meet its cell, the hidden ones too.
   bool complete() const { return complete_; }
   std::size_t top_cell_count() const { return cells_.size(); }
@@ -108,6 +117,9 @@ class CellGrid {
             double to, const Visit& visit) const;
   template <class Visit>
   void visit_leaves(const Cell& cell, const CellSquare& square, const Visit& visit) const;
+  template <class Visit>
+  void visit_leaves_in(const CellSquare& root, double size, int columns, int rows, const Cell* cells, const PageRange& range,
+                       const Visit& visit) const;
   CellSquare top_square(std::size_t i) const {
     return {x_ + double(i % columns_) * size_, y_ + double(i / columns_) * size_, size_};
   }
@@ -192,6 +204,30 @@ void CellGrid::visit_leaves(const Cell& cell, const CellSquare& square, const Vi
   for (int k = 0; k < kSplitSide * kSplitSide; ++k) {
     visit_leaves(arenas_[cell.arena].children[cell.begin + k],
                  {square.x + (k % kSplitSide) * child, square.y + (k / kSplitSide) * child, child}, visit);
+  }
+}
+
+template <class Visit>
+void CellGrid::for_each_leaf_in(double x0, double y0, double x1, double y1, Visit visit) const {
+  visit_leaves_in({x_, y_, 0}, size_, columns_, rows_, cells_.data(), {x0, y0, x1, y1}, visit);
+}
+
+template <class Visit>
+void CellGrid::visit_leaves_in(const CellSquare& root, double size, int columns, int rows, const Cell* cells, const PageRange& range,
+                               const Visit& visit) const {
+  const auto clamped = [](double v, int n) { return v < 0 ? 0 : v >= n ? n - 1 : static_cast<int>(v); };
+  const int left = clamped((range.x0 - root.x) / size, columns), right = clamped((range.x1 - root.x) / size, columns);
+  const int top = clamped((range.y0 - root.y) / size, rows), bottom = clamped((range.y1 - root.y) / size, rows);
+  for (int row = top; row <= bottom; ++row) {
+    for (int column = left; column <= right; ++column) {
+      const Cell& cell = cells[static_cast<std::size_t>(row) * columns + column];
+      const CellSquare square{root.x + column * size, root.y + row * size, size};
+      if (cell.count == Cell::kSplit) {
+        visit_leaves_in(square, size / kSplitSide, kSplitSide, kSplitSide, arenas_[cell.arena].children.data() + cell.begin, range, visit);
+      } else {
+        visit(cell, square);
+      }
+    }
   }
 }
 

@@ -1,6 +1,7 @@
-"""Scenes after the figures on clipping a face by a face in chapter 3 of the thesis (3.2.3.4, figures 3.26 to 3.33).
+"""Scenes after the figures on clipping a face by a face in chapter 3 of the thesis (3.2.3.4, figures 3.24 to 3.33).
 
-The clip face is always the nearer one, at y = 0; the subject face stands at y = 3. README.md says what its text gives of each.
+The clip face is always the nearer one, at y = 0; the subject face stands at y = 3. README.md says what its text gives of each. Figures 2.61
+and 2.65 are of the same kind.
 """
 
 from .mesh import Scene
@@ -12,6 +13,19 @@ S = rectangle(0, 0, 4, 4)
 def pair(name, figure, about, clip, subject, clip_holes=(), subject_holes=()):
     return Scene(name, f"thesis, figure {figure}: {about}", sheet(clip, 0, clip_holes, "clip face"),
                  sheet(subject, 3, subject_holes, "subject face"))
+
+
+def in_general():
+    comb = [(0, 1), (13, 1), (13, 3), (2, 3), (2, 5), (13, 5), (13, 7), (2, 7), (2, 9), (13, 9), (13, 11), (0, 11)]
+    return [
+        Scene("thesis_2_61", "thesis, figure 2.61: scene and visibility model: a face with a hole before a face before a third, three visible polygons",
+              sheet(rectangle(0, 0, 8, 8), 0, [rectangle(2, 2, 6, 6)], "near"), sheet([(4, 4), (14, 5), (12, 12), (3, 11)], 3, name="middle"),
+              sheet(rectangle(1, 1, 16, 10), 6, name="far")),
+        pair("thesis_2_65", "2.65", "clipping a face gives two inner faces, C and D, and two outer ones, A and B",
+             rectangle(0, 3, 14, 6), [(1, 0), (4, 0), (6, 7), (8, 0), (13, 0), (10, 10), (3, 10)], (), [rectangle(4, 8, 6, 9)]),
+        pair("thesis_3_24", "3.24", "the greatest number of intersections: every long side of one comb cuts every long side of the other",
+             comb, [(z, x) for x, z in reversed(comb)]),
+    ]
 
 
 def one_contains_the_other():
@@ -67,4 +81,4 @@ def singular_points():
 
 
 def scenes():
-    return [*one_contains_the_other(), *outer_contours_cross(), *singular_points()]
+    return [*in_general(), *one_contains_the_other(), *outer_contours_cross(), *singular_points()]

@@ -1,0 +1,136 @@
+#include "visibility/atherton_weiler/atherton_weiler.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "visibility/appel/intersections.hpp"
+#include "visibility/appel/visible_parts.hpp"
+#include "visibility/atherton_weiler/border_lines.hpp"
+#include "visibility/atherton_weiler/visible_faces.hpp"
+#include "visibility/common/stroke_maker.hpp"
+#include "visibility/tolerances.hpp"
+
+// Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that borders do not
+// tell. See docs/methods/atherton-weiler.md.
+
+namespace ligne {
+namespace {
+
+using namespace atherton_weiler;
+
+class Clock {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double s = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return s;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Appends work(i, strokes) for i in [0, n), in order; `work` is made anew for each block.
+template <class MakeWork>
+void make_strokes(std::size_t n, std::vector<Stroke>& strokes, MakeWork make_work) {
+  constexpr std::size_t kBlock = 4096;
+  const std::size_t blocks = (n + kBlock - 1) / kBlock;
+  std::vector<std::vector<Stroke>> found(blocks);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    auto work = make_work();
+    for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) work(i, found[block]);
+  });
+  for (const std::vector<Stroke>& part : found) strokes.insert(strokes.end(), part.begin(), part.end());
+}
+
+}  // namespace
+
+const MethodTraits& AthertonWeilerMethod::traits() const {
+  static const MethodTraits traits{
+      "atherton-weiler", "faces clipped by the faces in front of them: visible polygons with holes, and their borders as lines",
+      kStrokes | kRegions, true, true,
+      "K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, 1977"};
+  return traits;
+}
+
+VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+  VisibilityResult result;
+  Statistics& statistics = result.statistics;
+  const double step = scene.lattice.step_mm;
+  const double coincidence_steps = coincidence_mm(scene) / step;
+  const double least = kLeastPartMm / step;
+  Clock clock;
+
+  // 1. Facets and cells.
+  const Facets facets = make_facets(scene, coincidence_steps);
+  appel::CellGrid::Options grid_options;
+  grid_options.margin_steps = coincidence_steps + 1;
+  grid_options.drop_hidden = !(options.hidden_strokes && scene.with_intersections) && scene.face_is_transparent.empty();
+  const appel::CellGrid grid(scene, facets.facets, grid_options);
+  statistics.time("grid", clock.lap());
+
+  // 2. Visible faces.
+  VisibleFaces visible = find_visible_faces(scene, facets.facets, grid, options.progress);
+  statistics.time("faces", clock.lap());
+
+  // 3. Lines.
+  StrokeModel model;
+  model.lattice = scene.lattice;
+  model.edge_count = scene.source_count;
+  const BorderLines borders(scene, facets, visible);
+  const StrokeMaker maker(scene, options.hidden_strokes);
+  make_strokes(scene.edges.size(), model.strokes, [&] {
+    return [&, search = appel::VisibleParts(scene, facets.facets, grid, coincidence_steps), parts = std::vector<LinePart>()](
+               std::size_t i, std::vector<Stroke>& out) mutable {
+      const ProjectedEdge& edge = scene.edges[i];
+      const ProjectedVertex &a = scene.vertices[edge.v0], &b = scene.vertices[edge.v1];
+      if (a.p == b.p) return;  // seen end on
+      const PageLine line(a, b, edge.face0, edge.face1);
+      if (borders.needs_study(i)) {
+        parts = search.find(line);
+      } else {
+        parts.assign(borders.parts(i).begin(), borders.parts(i).end());
+      }
+      drop_short_parts(parts, page_length(line), least);
+      const auto range = scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i];
+      maker.add(line, parts, range, edge.source, edge.line_class, true, out);
+    };
+  });
+  std::vector<Intersection> intersections;
+  if (scene.with_intersections) {
+    intersections = appel::find_intersections(scene, facets.facets, grid, grid_options.margin_steps);
+  }
+  make_strokes(intersections.size(), model.strokes, [&] {
+    return [&, search = appel::VisibleParts(scene, facets.facets, grid, coincidence_steps)](std::size_t i, std::vector<Stroke>& out) mutable {
+      const Intersection& s = intersections[i];
+      const PageLine line(s.from, s.to, s.face0, s.face1);
+      std::vector<LinePart>& parts = search.find(line);
+      drop_short_parts(parts, page_length(line), least);
+      maker.add(line, parts, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, true, out);
+    };
+  });
+  number_intersections(scene, intersections, model);
+  statistics.time("lines", clock.lap());
+
+  std::size_t studied = 0;
+  for (std::size_t i = 0; i < scene.edges.size(); ++i) studied += borders.needs_study(i);
+  const StudyCounts& counts = visible.counts;
+  statistics.count("facets", facets.facets.size());
+  statistics.count("facets behind covers", counts.not_listed);
+  statistics.count("pairs compared", counts.compared);
+  statistics.count("wrong sorts", counts.wrong_sorts);
+  statistics.count("pairs cut", counts.cuts);
+  statistics.count("pairs that coincide", counts.ties);
+  statistics.count("clip faces", counts.clips);
+  statistics.count("regions", visible.regions.size());
+  statistics.count("lines beside borders", studied);
+  statistics.count("strokes", model.strokes.size());
+  if (options.wanted & kRegions) result.regions = std::move(visible.regions);
+  result.strokes = std::move(model);
+  return result;
+}
+
+}  // namespace ligne

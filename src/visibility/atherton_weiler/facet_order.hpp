@@ -1,0 +1,31 @@
+#pragma once
+/// Which of two facets is in front where they overlap on the page: Atherton and Weiler's comparison of depths, for the piece that a clip
+/// has found inside.
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/exact_segment.hpp"
+#include "visibility/common/facet.hpp"
+
+namespace ligne::atherton_weiler {
+
+enum class Order : std::uint8_t {
+  apart,   ///< no inner point of the page in common
+  first,   ///< the first is in front wherever they overlap
+  second,  ///< the second is
+  cut,     ///< they pass through each other: the first is in front to the left of the cut, the second to the right
+};
+
+struct FacetOrder {
+  Order order = Order::apart;
+  bool touch = false;    ///< somewhere over the overlap they are within their tolerances of each other
+  bool tie = false;      ///< everywhere: they coincide, and the face of the lower number is taken for the one in front
+  LatticeSegment cut{};  ///< two lattice points of the common line
+};
+
+/// The answer depends on the two facets alone and not on their order: order_of(b, a) is order_of(a, b) with the roles exchanged, and the
+/// same cut in the other direction. So of two facets each point of the page is given to exactly one.
+FacetOrder order_of(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a, std::uint32_t b);
+
+}  // namespace ligne::atherton_weiler
