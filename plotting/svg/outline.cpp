@@ -64,7 +64,9 @@ void Outline::cubic_to(Point2 control1, Point2 control2, Point2 p) {
 void Outline::arc(Point2 center, double rx, double ry, double rotation, double from, double sweep) {
   const double radius = std::max(rx, ry) * to_mm_.stretch();
   const double step = radius > kFlatnessMm ? 2 * std::acos(1 - kFlatnessMm / radius) : std::numbers::pi / 2;
-  const int n = static_cast<int>(std::clamp(std::ceil(std::abs(sweep) / step), 4.0, kMostPieces));
+  // Where the radius is beyond all proportion to the flatness, the step is nothing.
+  const double wanted = step > 0 ? std::ceil(std::abs(sweep) / step) : kMostPieces;
+  const int n = static_cast<int>(std::clamp(wanted, 4.0, kMostPieces));
   const double c = std::cos(rotation), s = std::sin(rotation);
   for (int i = 1; i <= n; ++i) {
     const double angle = from + sweep * i / n, x = rx * std::cos(angle), y = ry * std::sin(angle);

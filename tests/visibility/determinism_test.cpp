@@ -4,7 +4,9 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <random>
+#include <string>
 
 #include "support/scenes.hpp"
 
@@ -42,7 +44,11 @@ TEST_P(Determinism, OneThreadAndManyGiveTheSameStrokes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Determinism, testing::ValuesIn(all_methods().begin(), all_methods().end()),
-                         [](const auto& info) { return std::string(info.param->traits().name); });
+                         [](const auto& info) {
+                           std::string name(info.param->traits().name);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace ligne::test
