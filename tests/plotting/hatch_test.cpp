@@ -103,7 +103,7 @@ TEST(Hatch, HolesAndCornersStayFree) {
       area += &contour == &contours[0] ? std::abs(sum) / 2 : -std::abs(sum) / 2;
     }
     EXPECT_NEAR(lengths.down_mm * options.spacing_mm, area, 0.15 * area) << angle;
-    // About a hundred spans; beside a round hole the straight way to the next row would come nearer than half a pen.
+    // About a hundred spans; beside a round hole the straight way to the next row would come nearer than half a pen, so the pen is lifted there.
     EXPECT_LT(lines.size(), 30u) << "rows are tied together";
   }
 }
