@@ -4,11 +4,17 @@
 #include <cmath>
 
 namespace ligne {
+namespace {
+
+/// A page without extent gets the lattice of one a picometre wide, so that the step stays a normal number.
+constexpr double kLeastExtentMm = 1e-9;
+
+}  // namespace
 
 Lattice Lattice::covering(const Rect& page_mm) {
   Lattice lattice;
   if (page_mm.empty()) return lattice;
-  const double half = std::max({page_mm.width(), page_mm.height(), 1e-9}) / 2;
+  const double half = std::max({page_mm.width(), page_mm.height(), kLeastExtentMm}) / 2;
   // One step of slack on every side keeps rounded coordinates inside the limit.
   const int exponent = static_cast<int>(std::ceil(std::log2(half / (kLatticeLimit - 2))));
   lattice.step_mm = std::ldexp(1.0, exponent);

@@ -1,7 +1,6 @@
 #include "visibility/appel/appel.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
 
 #include <oneapi/tbb/parallel_for.h>
@@ -9,6 +8,7 @@
 #include "visibility/appel/cell_grid.hpp"
 #include "visibility/appel/intersections.hpp"
 #include "visibility/appel/visible_parts.hpp"
+#include "visibility/common/clock.hpp"
 #include "visibility/common/stroke_maker.hpp"
 #include "visibility/tolerances.hpp"
 
@@ -19,19 +19,6 @@ namespace ligne {
 namespace {
 
 using namespace appel;
-
-class Clock {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double s = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return s;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// Runs work(i, search, strokes) for i in [0, n) in blocks; strokes come out in that order.
 template <class Work>

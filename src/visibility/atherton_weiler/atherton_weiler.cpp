@@ -1,7 +1,6 @@
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -9,6 +8,7 @@
 #include "visibility/appel/visible_parts.hpp"
 #include "visibility/atherton_weiler/border_lines.hpp"
 #include "visibility/atherton_weiler/visible_faces.hpp"
+#include "visibility/common/clock.hpp"
 #include "visibility/common/stroke_maker.hpp"
 #include "visibility/tolerances.hpp"
 
@@ -19,19 +19,6 @@ namespace ligne {
 namespace {
 
 using namespace atherton_weiler;
-
-class Clock {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double s = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return s;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// Appends work(i, strokes) for i in [0, n), in order; `work` is made anew for each block.
 template <class MakeWork>

@@ -1,7 +1,7 @@
+#include "visibility/common/clock.hpp"
 #include "visibility/warnock/control.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <mutex>
 
@@ -25,19 +25,6 @@ constexpr std::size_t kMostOfExact = 24;     ///< the same where windows with fe
 constexpr int kProgressDepth = 4;            ///< windows of this depth report
 
 constexpr Window kNoWindow{0, -1, 0, -1};
-
-class Clock {
- public:
-  /// Adds the time since the last call to `seconds`.
-  void lap(double& seconds) {
-    const auto now = std::chrono::steady_clock::now();
-    seconds += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 FramePoint middle_in(FramePoint p, FramePoint q, const Window& w) {
   const auto part = clip_parameters<4>({p.u - w.u0, w.u1 - p.u, p.v - w.v0, w.v1 - p.v}, {q.u - w.u0, w.u1 - q.u, q.v - w.v0, w.v1 - q.v});
@@ -149,7 +136,7 @@ Outcome Control::study(const Window& window, std::vector<Piece> pieces, const st
   if (window.empty()) return std::move(task.outcome);  // a scene without vertices
   Clock clock;
   Lists lists = analysis_.begin(window, task.outcome.counts.analysis);
-  clock.lap(task.outcome.counts.analysis_seconds);
+  task.outcome.counts.analysis_seconds += clock.lap();
   if (rules_.show_windows) {
     const FramePoint a{window.u0, window.v0}, b{window.u1, window.v0}, c{window.u1, window.v1}, d{window.u0, window.v1};
     task.outcome.cuts = {{a, b}, {b, c}, {c, d}, {d, a}};
@@ -181,7 +168,7 @@ void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces
   Clock clock;
   const Situation situation(table_, lists, window.grown(-margin_), exact ? kMostOfExact : kMostElements, counts.analysis, counts.depth);
   const Understood understood = understand(situation);
-  clock.lap(counts.understanding_seconds);
+  counts.understanding_seconds += clock.lap();
   if (understood != Understood::no) {
     ++counts.understood[static_cast<std::size_t>(understood)];
     draw(window, lists, pieces, understood, task);
@@ -227,7 +214,7 @@ void Control::split(const Window& window, const Division& division, const Lists&
   }
   Clock clock;
   std::array<Lists, 4> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
-  clock.lap(task.outcome.counts.analysis_seconds);
+  task.outcome.counts.analysis_seconds += clock.lap();
   const auto study_child = [&](std::size_t k, Task& own) {
     Lists& own_lists = child_lists[k];
     // Pieces behind the cover are hidden.
@@ -265,14 +252,14 @@ void Control::draw(const Window& window, const Lists& lists, const std::vector<P
     task.solution.draw_lines(pieces, out.parts);
     if (pairs) task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(), out.pairs);
   }
-  clock.lap(out.counts.solution_seconds);
+  out.counts.solution_seconds += clock.lap();
   if (!rules_.areas) return;
   if (understood == Understood::surrounder) {
     task.area_search.take_front(lists, window, out.areas);
   } else {
     task.area_search.find(lists, window, pieces, out.areas);
   }
-  clock.lap(out.counts.area_seconds);
+  out.counts.area_seconds += clock.lap();
 }
 
 /// A piece shows the edge of the face that is nearest in its middle, or nothing.
@@ -283,7 +270,7 @@ void Control::draw_at_limit(const Window& window, const Lists& lists, const std:
   if (rules_.find_pairs) {
     task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(), task.outcome.pairs);
   }
-  clock.lap(task.outcome.counts.solution_seconds);
+  task.outcome.counts.solution_seconds += clock.lap();
   if (rules_.areas) task.area_search.take_front(lists, window, task.outcome.areas);
 }
 

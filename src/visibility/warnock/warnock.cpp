@@ -1,12 +1,12 @@
 #include "visibility/warnock/warnock.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "visibility/common/clock.hpp"
 #include "visibility/common/stroke_maker.hpp"
 #include "visibility/tolerances.hpp"
 #include "visibility/warnock/control.hpp"
@@ -42,19 +42,6 @@ constexpr std::string_view kCaseNames[kUnderstoodCount] = {"",
                                                            "understood: single intersector",
                                                            "understood: seen edges meet in one vertex",
                                                            "understood: seen intersectors apart"};
-
-class Clock {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double s = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return s;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 double longer_side_mm(const ProjectedScene& scene) { return std::max(scene.view.window.width(), scene.view.window.height()); }
 

@@ -1,11 +1,11 @@
 #include "visibility/watkins/watkins.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "visibility/common/clock.hpp"
 #include "visibility/common/stroke_maker.hpp"
 #include "visibility/tolerances.hpp"
 #include "visibility/watkins/exact_study.hpp"
@@ -26,19 +26,6 @@ constexpr unsigned kMostLines = 1u << 20;
 constexpr MethodParameter kParameters[] = {
     {"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point", "stack", kSpanMethodNames, 0, 0},
     {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event", "exact", kExactWord, 1, kMostLines},
-};
-
-class Clock {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double s = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return s;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 /// Runs work(i, open, strokes) for i in [0, n) in blocks; strokes come out in that order.
