@@ -1,4 +1,3 @@
-#include "visibility/common/clock.hpp"
 #include "visibility/warnock/control.hpp"
 
 #include <algorithm>
@@ -6,6 +5,8 @@
 #include <mutex>
 
 #include <oneapi/tbb/parallel_for.h>
+
+#include "visibility/common/clock.hpp"
 
 namespace ligne::warnock {
 namespace {
