@@ -148,11 +148,11 @@ class Nobody final : public LineListener {
 Cost study(const Model& model, std::uint32_t lines, bool whole, const ScanOptions& options) {
   LineGrid grid = grid_of_lines(model.scene, lines);
   grid.whole = whole;
-  const ScanScene scene = make_scan_scene(model.scene, model.lines, grid);
+  const ScanScene scene = make_scan_scene(model.scene, model.facets, model.lines, grid);
   Cost cost;
   cost.seconds = seconds([&] {
     Nobody nobody;
-    LineScan scan(scene, model.lines, options, nobody);
+    LineScan scan(scene, model.scene.vertices, model.facets, model.lines, options, nobody);
     scan.scan(0, lines);
     cost.scan = scan.counts();
     cost.spans = scan.span_counts();

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/edge_overlay.hpp"
-#include "visibility/atherton_weiler/facet_order.hpp"
+#include "visibility/common/facet_order.hpp"
 
 namespace ligne::atherton_weiler {
 

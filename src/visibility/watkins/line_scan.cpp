@@ -15,6 +15,9 @@ constexpr double kSamePlace = 0x1p-20;
 void ScanCounts::operator+=(const ScanCounts& o) {
   lines += o.lines;
   studied += o.studied;
+  studied_first += o.studied_first;
+  studied_exchanges += o.studied_exchanges;
+  studied_ends += o.studied_ends;
   segments += o.segments;
   entered += o.entered;
   ended += o.ended;
@@ -24,12 +27,15 @@ void ScanCounts::operator+=(const ScanCounts& o) {
   passed_exchanges += o.passed_exchanges;
 }
 
-LineScan::LineScan(const ScanScene& scene, std::span<const SweepLine> lines, const ScanOptions& options, LineListener& listener)
-    : scene_(scene), lines_(lines), options_(options), listener_(listener), open_(scene.face_count, 0) {
+LineScan::LineScan(const ScanScene& scene, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
+                   const ScanOptions& options, LineListener& listener)
+    : scene_(scene), lines_(lines), options_(options), listener_(listener), face_orders_(vertices, facets, scene.of_faces), open_(scene.face_count, 0) {
   if (scene.grid.whole) {
     whole_ = make_span_method<std::int32_t>(options.kind);
+    whole_->ask(this);
   } else {
     real_ = make_span_method<double>(options.kind);
+    real_->ask(this);
   }
 }
 
@@ -61,7 +67,7 @@ std::uint32_t LineScan::make_slot(std::uint32_t edge, const EdgeTrack& track) {
   }
   const std::uint32_t slot = free_slots_.back();
   free_slots_.pop_back();
-  slots_[slot] = {track, key(track.u), edge, false, true};
+  slots_[slot] = {track, key(track.u), edge, false, true, kNone, kNone};
   return slot;
 }
 
@@ -69,6 +75,7 @@ std::uint32_t LineScan::make_slot(std::uint32_t edge, const EdgeTrack& track) {
 void LineScan::begin(std::uint32_t line) {
   order_.clear();
   spans_.clear();
+  penetrating_.clear();
   must_study_ = true;
   ended_edges_.clear();
   if (line == 0) return;
@@ -106,8 +113,8 @@ bool LineScan::take_line(std::uint32_t line) {
   }
   counts_.ended += ended_.size();
   counts_.entered += entered_.size();
-  const bool exchanged = sort();
-  const bool study = must_study_ || !options_.coherence || exchanged || changes_matter(line);
+  const bool first = must_study_, exchanged = sort(line);
+  const bool study = first || !options_.coherence || exchanged || changes_matter(line);
   for (const std::uint32_t slot : ended_) listener_.ended(*this, slot);
   if (study) {
     if (scene_.grid.whole) {
@@ -115,7 +122,10 @@ bool LineScan::take_line(std::uint32_t line) {
     } else {
       study_line(*real_);
     }
-    if (!order_.empty()) ++counts_.studied;
+    if (!order_.empty()) {
+      ++counts_.studied;
+      ++(first ? counts_.studied_first : exchanged ? counts_.studied_exchanges : counts_.studied_ends);
+    }
   } else {
     follow_edges();
   }
@@ -124,8 +134,8 @@ bool LineScan::take_line(std::uint32_t line) {
 }
 
 /// Puts the list in order: what was there before is almost so, and every exchange is a change of the scene; what enters is sorted by itself and
-/// merged in. Says whether two edges changed places of which one bounds a span.
-bool LineScan::sort() {
+/// merged in. Says whether two edges changed places so that it can be seen.
+bool LineScan::sort(std::uint32_t line) {
   const auto before = [this](std::uint32_t a, std::uint32_t b) {
     const ActiveEdge &p = slots_[a], &q = slots_[b];
     if (p.u != q.u) return p.u < q.u;
@@ -138,7 +148,7 @@ bool LineScan::sort() {
     std::size_t k = i;
     for (; k > 0 && slots_[moving].u < slots_[order_[k - 1]].u - kSamePlace; --k) {
       ++counts_.exchanges;
-      if (!options_.recognise || slots_[moving].boundary || slots_[order_[k - 1]].boundary) {
+      if (exchange_matters(line, moving, order_[k - 1])) {
         matters = true;
       } else {
         ++counts_.passed_exchanges;
@@ -152,6 +162,25 @@ bool LineScan::sort() {
   order_.insert(order_.end(), entered_.begin(), entered_.end());
   std::inplace_merge(order_.begin(), order_.begin() + middle, order_.end(), [this](std::uint32_t a, std::uint32_t b) { return slots_[a].u < slots_[b].u; });
   return matters;
+}
+
+/// Two edges that bound nothing change places unseen (figure 2.59 c). So does one of them with the end of a span if it comes behind the next
+/// span: hidden it was, and hidden it stays.
+bool LineScan::exchange_matters(std::uint32_t line, std::uint32_t to_the_left, std::uint32_t to_the_right) {
+  if (!options_.recognise || must_study_) return true;
+  const ActiveEdge &l = slots_[to_the_left], &r = slots_[to_the_right];
+  if (!l.boundary && !r.boundary) return false;
+  if (l.boundary && r.boundary) return true;
+  const std::uint32_t span = l.boundary ? l.after : r.before, hidden = l.boundary ? to_the_right : to_the_left;
+  if (span == kNone || !behind(line, slots_[hidden], spans_[span].face)) return true;
+  listener_.hidden_point(*this, hidden, spans_[span].face);
+  return false;
+}
+
+/// Whether an edge is behind a face, and farther from it than the face's depth changes within a cell.
+bool LineScan::behind(std::uint32_t line, const ActiveEdge& a, std::uint32_t face) const {
+  const GridPlane& plane = scene_.planes[face];
+  return a.track.z > plane.z(a.u, line) + std::abs(plane.zu) + std::abs(plane.zv);
 }
 
 bool LineScan::same_faces(std::uint32_t a, std::uint32_t b) const {
@@ -188,6 +217,8 @@ bool LineScan::group_matters(std::uint32_t line, std::size_t ended_begin, std::s
     if (bends && same_faces(slots_[from].edge, slots_[to].edge)) {  // figure 2.59 a: the edge goes on in another direction
       if (slots_[from].boundary) {
         slots_[to].boundary = true;
+        slots_[to].before = slots_[from].before;
+        slots_[to].after = slots_[from].after;
         for (LineSpan& s : spans_) {
           if (s.left == from) s.left = to;
           if (s.right == from) s.right = to;
@@ -198,11 +229,21 @@ bool LineScan::group_matters(std::uint32_t line, std::size_t ended_begin, std::s
     }
   }
   for (std::size_t i = ended_begin; i < ended_end; ++i) {
-    if (slots_[ended_[i]].boundary) return true;
+    if (slots_[ended_[i]].boundary || bounds_a_penetration(ended_[i])) return true;
+  }
+  for (std::size_t i = entered_begin; i < entered_end; ++i) {
+    if (bounds_a_penetration(entered_[i])) return true;
   }
   if (entered_begin != entered_end && !behind_a_span(line, entered_begin, entered_end)) return true;
   ++counts_.passed_points;  // figure 2.59 b
   return false;
+}
+
+/// Whether the edge bounds a face that meets another one in a penetration without an edge: nobody but the face's own edges knows where that ends.
+bool LineScan::bounds_a_penetration(std::uint32_t slot) const {
+  if (penetrating_.empty()) return false;
+  const std::span<const std::uint32_t> faces = scene_.faces_of(scene_.edges[slots_[slot].edge]);
+  return std::any_of(faces.begin(), faces.end(), [this](std::uint32_t f) { return std::find(penetrating_.begin(), penetrating_.end(), f) != penetrating_.end(); });
 }
 
 /// Whether all edges that enter at a vertex lie inside one span, behind its face.
@@ -217,9 +258,7 @@ bool LineScan::behind_a_span(std::uint32_t line, std::size_t entered_begin, std:
     const ActiveEdge& a = slots_[entered_[i]];
     // A cell of margin: an edge that comes so near to the end of the span within the line is looked at.
     if (!(a.u - std::abs(a.track.du) > u0(span) && a.u + std::abs(a.track.du) < u1(span))) return false;
-    const GridPlane& plane = scene_.planes[span.face];
-    const double margin = std::abs(plane.zu) + std::abs(plane.zv);
-    if (!(a.track.z > plane.z(a.u, line) + margin)) return false;
+    if (!behind(line, a, span.face)) return false;
   }
   for (std::size_t i = entered_begin; i < entered_end; ++i) listener_.hidden_point(*this, entered_[i], span.face);
   return true;
@@ -249,7 +288,7 @@ void LineScan::collect_segments(std::vector<ScanSegment<X>>& segments) {
     const ActiveEdge& a = slots_[slot];
     for (const std::uint32_t face : scene_.faces_of(scene_.edges[a.edge])) {
       if (open_[face] == 0) {
-        segments.push_back({coordinate(a.u), coordinate(a.u), a.track.z, a.track.z, static_cast<std::uint32_t>(ends_.size())});
+        segments.push_back({coordinate(a.u), coordinate(a.u), a.track.z, a.track.z, static_cast<std::uint32_t>(ends_.size()), scene_.touch[face]});
         ends_.push_back({slot, slot, a.u, a.u, face});
         open_[face] = static_cast<std::uint32_t>(ends_.size());
       } else {
@@ -297,8 +336,15 @@ void LineScan::study_line(SpanMethod<X>& method) {
 
 /// Whose edges bound the spans.
 void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
-  for (const std::uint32_t slot : order_) slots_[slot].boundary = false;
+  std::erase_if(order_, [this](std::uint32_t slot) {
+    slots_[slot].boundary = false;
+    slots_[slot].before = slots_[slot].after = kNone;
+    if (slots_[slot].edge != scene_.unlisted) return false;
+    free_slots_.push_back(slot);
+    return true;
+  });
   spans_.clear();
+  penetrating_.clear();
   must_study_ = false;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const VisibleSpan& s = found[i];
@@ -306,20 +352,15 @@ void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
     LineSpan span{kNone, kNone, s.x0, s.x1, ends.face};
     span.left = i > 0 && found[i - 1].x1 == s.x0 ? spans_.back().right : ends.left;
     span.right = i + 1 < found.size() && found[i + 1].x0 == s.x1 ? boundary_between(s, found[i + 1]) : ends.right;
-    for (const std::uint32_t slot : {span.left, span.right}) {
-      if (slot == kNone) {
-        must_study_ = true;
-      } else {
-        slots_[slot].boundary = true;
-      }
-    }
+    slots_[span.left].boundary = slots_[span.right].boundary = true;
+    slots_[span.left].after = slots_[span.right].before = static_cast<std::uint32_t>(i);
     spans_.push_back(span);
   }
 }
 
 /// The edge between two spans that touch: the right end of the left one, the left end of the right one, or, where neither ends, the line in
 /// which their faces penetrate.
-std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleSpan& right) const {
+std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleSpan& right) {
   const SegmentEnds &l = ends_[left.segment], &r = ends_[right.segment];
   if (l.u1 == left.x1) return l.right;
   if (r.u0 == right.x0) return r.left;
@@ -338,7 +379,25 @@ std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleS
       }
     }
   }
-  return best;
+  return best == kNone ? penetration_edge(left, right) : best;
+}
+
+/// An edge for two spans that penetrate, in the list until the next study. It goes where the planes of the two faces meet.
+std::uint32_t LineScan::penetration_edge(const VisibleSpan& left, const VisibleSpan& right) {
+  const std::uint32_t f = ends_[left.segment].face, g = ends_[right.segment].face;
+  for (const std::uint32_t face : {f, g}) {
+    if (std::find(penetrating_.begin(), penetrating_.end(), face) == penetrating_.end()) penetrating_.push_back(face);
+  }
+  EdgeTrack track;
+  track.u = left.x1;
+  track.last = kNone;
+  const GridPlane &p = scene_.planes[f], &q = scene_.planes[g];
+  const double step = (q.zv - p.zv) / (p.zu - q.zu);
+  if (std::isfinite(step)) track.du = step;  // otherwise upright: parallel planes of faces that are not quite plane
+  const std::uint32_t slot = make_slot(scene_.unlisted, track);
+  slots_[slot].entered = false;
+  order_.insert(std::partition_point(order_.begin(), order_.end(), [&](std::uint32_t s) { return slots_[s].u < slots_[slot].u; }), slot);
+  return slot;
 }
 
 }  // namespace ligne::watkins

@@ -64,6 +64,9 @@ void report(const LineStudyResult& result, Statistics& statistics) {
   statistics.count("groups of lines", result.groups);
   statistics.count("scan lines", result.scan.lines);
   statistics.count("scan lines studied", result.scan.studied);
+  statistics.count("of them at the beginning of a group", result.scan.studied_first);
+  statistics.count("of them where edges change places", result.scan.studied_exchanges);
+  statistics.count("of them where edges enter or end", result.scan.studied_ends);
   statistics.count("segments on them", result.scan.segments);
   statistics.count("edges that entered", result.scan.entered);
   statistics.count("exchanges from line to line", result.scan.exchanges);
