@@ -67,7 +67,7 @@ std::uint32_t LineScan::make_slot(std::uint32_t edge, const EdgeTrack& track) {
   }
   const std::uint32_t slot = free_slots_.back();
   free_slots_.pop_back();
-  slots_[slot] = {track, key(track.u), edge, false, true, kNone, kNone};
+  slots_[slot] = {track, key(track.u), edge, false, true, kNone, kNone, kNone};
   return slot;
 }
 
@@ -95,14 +95,15 @@ void LineScan::begin(std::uint32_t line) {
 bool LineScan::take_line(std::uint32_t line) {
   ended_.clear();
   entered_.clear();
-  std::erase_if(order_, [&](std::uint32_t slot) {
-    if (slots_[slot].track.last != line) return false;
-    ended_.push_back(slot);
-    ended_edges_.push_back(slots_[slot].edge);
-    return true;
-  });
+  gone_.clear();
   for (const std::uint32_t slot : order_) {
     ActiveEdge& a = slots_[slot];
+    if (a.track.last == line) {
+      ended_.push_back(slot);
+      gone_.push_back(slot);
+      ended_edges_.push_back(a.edge);
+      continue;
+    }
     a.track.advance();
     a.u = key(a.track.u);
     a.entered = false;
@@ -113,9 +114,15 @@ bool LineScan::take_line(std::uint32_t line) {
   }
   counts_.ended += ended_.size();
   counts_.entered += entered_.size();
+  if (options_.recognise && !must_study_) link_chains();
+  std::erase_if(order_, [&](std::uint32_t& slot) {
+    if (slots_[slot].track.last != line) return false;
+    slot = slots_[slot].goes_on;
+    return slot == kNone;
+  });
   const bool first = must_study_, exchanged = sort(line);
   const bool study = first || !options_.coherence || exchanged || changes_matter(line);
-  for (const std::uint32_t slot : ended_) listener_.ended(*this, slot);
+  for (const std::uint32_t slot : gone_) listener_.ended(*this, slot);
   if (study) {
     if (scene_.grid.whole) {
       study_line(*whole_);
@@ -129,7 +136,7 @@ bool LineScan::take_line(std::uint32_t line) {
   } else {
     follow_edges();
   }
-  for (const std::uint32_t slot : ended_) free_slots_.push_back(slot);
+  for (const std::uint32_t slot : gone_) free_slots_.push_back(slot);
   return study;
 }
 
@@ -161,107 +168,20 @@ bool LineScan::sort(std::uint32_t line) {
   const auto middle = static_cast<std::ptrdiff_t>(order_.size());
   order_.insert(order_.end(), entered_.begin(), entered_.end());
   std::inplace_merge(order_.begin(), order_.begin() + middle, order_.end(), [this](std::uint32_t a, std::uint32_t b) { return slots_[a].u < slots_[b].u; });
+  if (!entered_.empty()) put_apart();
   return matters;
 }
 
-/// Two edges that bound nothing change places unseen (figure 2.59 c). So does one of them with the end of a span if it comes behind the next
-/// span: hidden it was, and hidden it stays.
-bool LineScan::exchange_matters(std::uint32_t line, std::uint32_t to_the_left, std::uint32_t to_the_right) {
-  if (!options_.recognise || must_study_) return true;
-  const ActiveEdge &l = slots_[to_the_left], &r = slots_[to_the_right];
-  if (!l.boundary && !r.boundary) return false;
-  if (l.boundary && r.boundary) return true;
-  const std::uint32_t span = l.boundary ? l.after : r.before, hidden = l.boundary ? to_the_right : to_the_left;
-  if (span == kNone || !behind(line, slots_[hidden], spans_[span].face)) return true;
-  listener_.hidden_point(*this, hidden, spans_[span].face);
-  return false;
-}
-
-/// Whether an edge is behind a face, and farther from it than the face's depth changes within a cell.
-bool LineScan::behind(std::uint32_t line, const ActiveEdge& a, std::uint32_t face) const {
-  const GridPlane& plane = scene_.planes[face];
-  return a.track.z > plane.z(a.u, line) + std::abs(plane.zu) + std::abs(plane.zv);
-}
-
-bool LineScan::same_faces(std::uint32_t a, std::uint32_t b) const {
-  const auto p = scene_.faces_of(scene_.edges[a]), q = scene_.faces_of(scene_.edges[b]);
-  return std::equal(p.begin(), p.end(), q.begin(), q.end());
-}
-
-/// Ends and beginnings of edges, vertex by vertex.
-bool LineScan::changes_matter(std::uint32_t line) {
-  if (ended_.empty() && entered_.empty()) return false;
-  if (!options_.recognise) return true;
-  const auto bottom = [this](std::uint32_t slot) { return scene_.edges[slots_[slot].edge].bottom; };
-  const auto top = [this](std::uint32_t slot) { return scene_.edges[slots_[slot].edge].top; };
-  std::sort(ended_.begin(), ended_.end(), [&](std::uint32_t a, std::uint32_t b) { return bottom(a) != bottom(b) ? bottom(a) < bottom(b) : a < b; });
-  std::sort(entered_.begin(), entered_.end(), [&](std::uint32_t a, std::uint32_t b) { return top(a) != top(b) ? top(a) < top(b) : a < b; });
-  std::size_t i = 0, k = 0;
-  while (i < ended_.size() || k < entered_.size()) {
-    const std::uint32_t vertex = std::min(i < ended_.size() ? bottom(ended_[i]) : kNone, k < entered_.size() ? top(entered_[k]) : kNone);
-    std::size_t i_end = i, k_end = k;
-    while (i_end < ended_.size() && bottom(ended_[i_end]) == vertex) ++i_end;
-    while (k_end < entered_.size() && top(entered_[k_end]) == vertex) ++k_end;
-    if (group_matters(line, i, i_end, k, k_end)) return true;
-    i = i_end;
-    k = k_end;
-  }
-  return false;
-}
-
-/// What ends and begins at one vertex: does it change what is seen?
-bool LineScan::group_matters(std::uint32_t line, std::size_t ended_begin, std::size_t ended_end, std::size_t entered_begin, std::size_t entered_end) {
-  if (ended_end - ended_begin == 1 && entered_end - entered_begin == 1) {
-    const std::uint32_t from = ended_[ended_begin], to = entered_[entered_begin];
-    const bool bends = scene_.lines_of(scene_.edges[slots_[to].edge]).empty() || slots_[from].boundary;
-    if (bends && same_faces(slots_[from].edge, slots_[to].edge)) {  // figure 2.59 a: the edge goes on in another direction
-      if (slots_[from].boundary) {
-        slots_[to].boundary = true;
-        slots_[to].before = slots_[from].before;
-        slots_[to].after = slots_[from].after;
-        for (LineSpan& s : spans_) {
-          if (s.left == from) s.left = to;
-          if (s.right == from) s.right = to;
-        }
-      }
-      ++counts_.passed_chains;
-      return false;
+/// Where an edge enters on another one, on this very line, nothing tells on which side of it it belongs. It is put on the side that it leaves: if the two
+/// part, they change places on the next line, like any others.
+void LineScan::put_apart() {
+  for (std::size_t i = 1; i < order_.size(); ++i) {
+    for (std::size_t k = i; k > 0; --k) {
+      const ActiveEdge &p = slots_[order_[k - 1]], &q = slots_[order_[k]];
+      if (q.u - p.u > kSamePlace || !(p.entered || q.entered) || p.track.du >= q.track.du) break;
+      std::swap(order_[k - 1], order_[k]);
     }
   }
-  for (std::size_t i = ended_begin; i < ended_end; ++i) {
-    if (slots_[ended_[i]].boundary || bounds_a_penetration(ended_[i])) return true;
-  }
-  for (std::size_t i = entered_begin; i < entered_end; ++i) {
-    if (bounds_a_penetration(entered_[i])) return true;
-  }
-  if (entered_begin != entered_end && !behind_a_span(line, entered_begin, entered_end)) return true;
-  ++counts_.passed_points;  // figure 2.59 b
-  return false;
-}
-
-/// Whether the edge bounds a face that meets another one in a penetration without an edge: nobody but the face's own edges knows where that ends.
-bool LineScan::bounds_a_penetration(std::uint32_t slot) const {
-  if (penetrating_.empty()) return false;
-  const std::span<const std::uint32_t> faces = scene_.faces_of(scene_.edges[slots_[slot].edge]);
-  return std::any_of(faces.begin(), faces.end(), [this](std::uint32_t f) { return std::find(penetrating_.begin(), penetrating_.end(), f) != penetrating_.end(); });
-}
-
-/// Whether all edges that enter at a vertex lie inside one span, behind its face.
-bool LineScan::behind_a_span(std::uint32_t line, std::size_t entered_begin, std::size_t entered_end) {
-  const auto u0 = [this](const LineSpan& s) { return slots_[s.left].u; };
-  const auto u1 = [this](const LineSpan& s) { return slots_[s.right].u; };
-  const double u = slots_[entered_[entered_begin]].u;
-  const auto after = std::partition_point(spans_.begin(), spans_.end(), [&](const LineSpan& s) { return u0(s) < u; });
-  if (after == spans_.begin()) return false;
-  const LineSpan& span = *(after - 1);
-  for (std::size_t i = entered_begin; i < entered_end; ++i) {
-    const ActiveEdge& a = slots_[entered_[i]];
-    // A cell of margin: an edge that comes so near to the end of the span within the line is looked at.
-    if (!(a.u - std::abs(a.track.du) > u0(span) && a.u + std::abs(a.track.du) < u1(span))) return false;
-    if (!behind(line, a, span.face)) return false;
-  }
-  for (std::size_t i = entered_begin; i < entered_end; ++i) listener_.hidden_point(*this, entered_[i], span.face);
-  return true;
 }
 
 /// Carried on: every span goes from edge to edge as before.

@@ -51,6 +51,7 @@ struct ActiveEdge {
   bool boundary = false;    ///< bounds a span
   bool entered = false;     ///< on this line
   std::uint32_t before = 0, after = 0;  ///< of a boundary: the spans left and right of it, or kNone
+  std::uint32_t goes_on = 0;            ///< slot of the edge in which it goes on, when it has ended; or kNone
 };
 
 /// A run on which one face is seen, between two active edges.
@@ -92,10 +93,17 @@ class LineScan : private PairOrders {
   bool take_line(std::uint32_t line);
   bool sort(std::uint32_t line);
   bool exchange_matters(std::uint32_t line, std::uint32_t to_the_left, std::uint32_t to_the_right);
+  void put_apart();
+  void sort_by_vertex();
+  template <class Visit>
+  void for_each_vertex(Visit visit) const;
+  void link_chains();
   bool changes_matter(std::uint32_t line);
-  bool group_matters(std::uint32_t line, std::size_t ended_begin, std::size_t ended_end, std::size_t entered_begin, std::size_t entered_end);
+  bool vertex_matters(std::uint32_t line, std::span<const std::uint32_t> ended, std::span<const std::uint32_t> entered);
+  bool flat_edge_matters(std::uint32_t line) const;
+  bool behind_spans(std::uint32_t line, const ScanEdge& edge) const;
   bool bounds_a_penetration(std::uint32_t slot) const;
-  bool behind_a_span(std::uint32_t line, std::size_t entered_begin, std::size_t entered_end);
+  bool behind_a_span(std::uint32_t line, std::span<const std::uint32_t> entered);
   bool behind(std::uint32_t line, const ActiveEdge& a, std::uint32_t face) const;
   bool same_faces(std::uint32_t a, std::uint32_t b) const;
   void follow_edges();
@@ -126,7 +134,8 @@ class LineScan : private PairOrders {
 
   std::vector<ActiveEdge> slots_;
   std::vector<std::uint32_t> free_slots_, order_;
-  std::vector<std::uint32_t> ended_, entered_;  ///< slots, on the line at hand
+  std::vector<std::uint32_t> ended_, entered_;  ///< slots, on the line at hand; without edges that go on in others
+  std::vector<std::uint32_t> gone_;             ///< slots of all edges that ended
   std::vector<std::uint32_t> ended_edges_;
   bool must_study_ = true;                      ///< there is nothing to be carried on
   std::vector<std::uint32_t> penetrating_;      ///< faces that meet in a penetration without an edge
