@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 // Many clip faces over one subject: the page is halved again and again, and each half has only the clip faces that meet it. A half that one
 // of them covers is done: nothing is seen there. Halving changes no result: a part of an edge is decided by all faces that meet its
@@ -103,6 +104,53 @@ std::vector<ContourEdge>& FacetClip::level(std::size_t k) {
   return (*out_)[k];
 }
 
+/// A side that two clip faces have in common, one on each bank, bounds nothing of the two together: how often all of them wind round a place
+/// is the same without it. So a surface of many facets is laid over the subject as one face, by its rim.
+void FacetClip::pair_sides() {
+  sides_.clear();
+  partner_.assign(4 * clips_.size(), kNoPartner);
+  for (std::uint32_t i = 0; i < clips_.size(); ++i) {
+    for (std::uint32_t k = 0; k < clips_[i].form.count; ++k) {
+      const ContourEdge& e = clips_[i].form.edges[k];
+      const bool whole = e.source != kCutSource && e.from.num == 0 && e.to.num == e.to.den;
+      if (whole) sides_.push_back({e.segment, clips_[i].transparent, e.reversed, i, k});
+    }
+  }
+  const auto place = [](const Side& s) { return std::tuple(s.segment.a.x, s.segment.a.y, s.segment.b.x, s.segment.b.y, s.transparent); };
+  std::sort(sides_.begin(), sides_.end(), [&](const Side& a, const Side& b) {
+    const auto pa = place(a), pb = place(b);
+    return pa != pb ? pa < pb : std::tuple(a.reversed, a.clip) < std::tuple(b.reversed, b.clip);
+  });
+  for (std::size_t i = 0; i < sides_.size();) {
+    std::size_t back = i;
+    while (back < sides_.size() && place(sides_[back]) == place(sides_[i]) && !sides_[back].reversed) ++back;
+    std::size_t end = back;
+    while (end < sides_.size() && place(sides_[end]) == place(sides_[i])) ++end;
+    for (std::size_t k = i, other = back; k < back && other < end; ++k, ++other) {
+      partner_[4 * sides_[k].clip + sides_[k].number] = sides_[other].clip;
+      partner_[4 * sides_[other].clip + sides_[other].number] = sides_[k].clip;
+    }
+    i = end;
+  }
+}
+
+/// Whether the opaque clip faces hide all of the subject: when no rim of theirs passes over its inside, what holds at one place of it holds
+/// everywhere, and each whole facet among them hides a place.
+bool FacetClip::covered() const {
+  bool hides = false;
+  for (std::uint32_t i = 0; i < clips_.size(); ++i) {
+    if (clips_[i].transparent) continue;
+    bool whole = true;
+    for (std::uint32_t k = 0; k < clips_[i].form.count; ++k) {
+      const ContourEdge& edge = clips_[i].form.edges[k];
+      whole = whole && edge.source != kCutSource;
+      if (!is_paired(i, k) && passes_over_subject(edge)) return false;
+    }
+    hides = hides || whole;
+  }
+  return hides;
+}
+
 void FacetClip::finish(std::vector<std::vector<ContourEdge>>& out) {
   out_ = &out;
   if (clip_count() == 0) {
@@ -110,6 +158,9 @@ void FacetClip::finish(std::vector<std::vector<ContourEdge>>& out) {
     seen.insert(seen.end(), subject_.edges.begin(), subject_.edges.begin() + subject_.count);
     return;
   }
+  pair_sides();
+  listed_.assign(clips_.size(), list_number_ = 0);
+  if (covered()) return;
   Window window{INT64_MAX, INT64_MAX, INT64_MIN, INT64_MIN};
   for (std::uint32_t k = 0; k < subject_.count; ++k) {
     for (const LatticePoint p : {subject_.edges[k].segment.a, subject_.edges[k].segment.b}) {
@@ -164,12 +215,29 @@ bool FacetClip::beside_subject(const ContourEdge& edge) const {
   return false;
 }
 
+/// Whether the edge's segment has points in the inside of the subject; true also where only the line of a cut does.
+bool FacetClip::passes_over_subject(const ContourEdge& edge) const {
+  if (beside_subject(edge)) return false;
+  int left = 0, right = 0;
+  for (std::uint32_t k = 0; k < subject_.count; ++k) {
+    const ContourEdge& side = subject_.edges[k];
+    const double at = orientation(edge.segment.a, edge.segment.b, side.reversed ? side.segment.b : side.segment.a);
+    left += at > 0;
+    right += at < 0;
+  }
+  return left > 0 && right > 0;
+}
+
 void FacetClip::borders_in(const Window& window, std::span<const std::uint32_t> list, bool whole) {
+  ++list_number_;
+  for (const std::uint32_t i : list) listed_[i] = list_number_;
   overlay_.clear();
   for (std::uint32_t k = 0; k < subject_.count; ++k) overlay_.add(subject_.edges[k], 0);
   for (const std::uint32_t i : list) {
     const ClipPart& part = clips_[i].form;
-    for (std::uint32_t k = 0; k < part.count; ++k) overlay_.add(part.edges[k], clips_[i].transparent ? 2 : 1);
+    for (std::uint32_t k = 0; k < part.count; ++k) {
+      if (!is_paired(i, k)) overlay_.add(part.edges[k], clips_[i].transparent ? 2 : 1);
+    }
   }
   for (const Clip<ContourFace>& face : faces_) overlay_.add(face.form, face.transparent ? 2 : 1);
   constexpr std::int32_t kUnseen = -1;

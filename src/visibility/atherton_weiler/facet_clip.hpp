@@ -73,15 +73,34 @@ class FacetClip {
     bool transparent;
   };
 
+  /// A side of a clip face that is no cut.
+  struct Side {
+    LatticeSegment segment;
+    bool transparent, reversed;
+    std::uint32_t clip, number;
+  };
+
+  void pair_sides();
+  bool is_paired(std::uint32_t clip, std::uint32_t side) const {
+    const std::uint32_t partner = partner_[4 * clip + side];
+    return partner != kNoPartner && listed_[partner] == listed_[clip];
+  }
+  bool covered() const;
   void split(const Window& window, std::span<const std::uint32_t> list, int depth);
   void borders_in(const Window& window, std::span<const std::uint32_t> list, bool whole);
   bool beside_subject(const ContourEdge& edge) const;
+  bool passes_over_subject(const ContourEdge& edge) const;
   std::vector<ContourEdge>& level(std::size_t k);
 
   ClipPart subject_;
   std::vector<Clip<ClipPart>> clips_;
   std::vector<Lines> lines_;
   std::vector<Clip<ContourFace>> faces_;  ///< clip faces that are no convex parts
+  std::vector<Side> sides_;
+  static constexpr std::uint32_t kNoPartner = 0xffffffffu;
+  std::vector<std::uint32_t> partner_;  ///< per clip face four: the clip face on the other bank of its side
+  std::vector<std::uint32_t> listed_;   ///< per clip face: the list it was in last
+  std::uint32_t list_number_ = 0;
   EdgeOverlay overlay_;
   std::vector<std::vector<ContourEdge>>* out_ = nullptr;
 };
