@@ -147,20 +147,35 @@ bool FacetClip::find_inner_point(const Window& window, double& x, double& y) con
   return x > window.x0 && x < window.x1 && y > window.y0 && y < window.y1 && subject_lines_.surely_inside(x, y);
 }
 
-/// Where no rim of theirs passes over it, what holds at one place of the subject holds at all of them.
+/// From a clip face over some place of the subject its neighbours are gone through, over the sides that pass over the subject. When none of these
+/// is a rim, what holds at the one place holds everywhere. Clip faces of other surfaces are not asked, so that those which happen to be
+/// listed without their neighbours do not matter.
 bool FacetClip::covers(std::span<const Number> list, const Window& window) {
-  begin_list(list);
-  for (const Number i : list) {
-    if (clips_[i].transparent) continue;
-    const ClipPart& part = clips_[i].form;
-    for (std::uint32_t k = 0; k < part.count; ++k) {
-      if (is_rim(i, k) && !beside(part.edges[k].segment, window) && passes_over_subject(part.edges[k])) return false;
-    }
-  }
   double x = 0, y = 0;
-  return find_inner_point(window, x, y) && std::any_of(list.begin(), list.end(), [&](Number i) {
-           return !clips_[i].transparent && lines_[i].surely_inside(x, y);
-         });
+  if (!find_inner_point(window, x, y)) return false;
+  begin_list(list);
+  const std::uint32_t listed = list_number_;
+  for (const Number start : list) {
+    if (clips_[start].transparent || listed_[start] != listed || !lines_[start].surely_inside(x, y)) continue;
+    const std::uint32_t reached = ++list_number_;
+    bool rim = false;
+    patch_.assign(1, start);
+    listed_[start] = reached;
+    for (std::size_t n = 0; n < patch_.size() && !rim; ++n) {
+      const ClipPart& part = clips_[patch_[n]].form;
+      for (std::uint32_t k = 0; k < part.count && !rim; ++k) {
+        const std::uint32_t partner = sides_.partner(patch_[n], k);
+        if (partner != SharedSides::kNone && listed_[partner] == reached) continue;
+        if (beside(part.edges[k].segment, window) || !passes_over_subject(part.edges[k])) continue;
+        rim = partner == SharedSides::kNone || listed_[partner] != listed;  // not listed, or of a patch with a rim
+        if (rim) break;
+        listed_[partner] = reached;
+        patch_.push_back(partner);
+      }
+    }
+    if (!rim) return true;
+  }
+  return false;
 }
 
 void FacetClip::finish(std::vector<std::vector<ContourEdge>>& out) {

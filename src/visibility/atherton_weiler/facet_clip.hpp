@@ -79,6 +79,7 @@ class FacetClip {
   SharedSides sides_;
   std::vector<std::uint32_t> listed_;  ///< per clip face: the list it was in last
   std::uint32_t list_number_ = 0;
+  std::vector<Number> patch_;          ///< clip faces of one surface
   EdgeOverlay overlay_;
   std::vector<std::vector<ContourEdge>>* out_ = nullptr;
 };
