@@ -98,35 +98,17 @@ class Worker {
     for (std::vector<ContourEdge>& edges : levels_) edges.clear();
     for (const std::uint32_t f : group) clip(f, out.counts);
     for (std::uint32_t level = 0; level < levels_.size(); ++level) {
-      if (levels_[level].empty()) continue;
-      if (group.size() > 1) split_at_common_ends(levels_[level]);
-      add_regions(facets_[group[0]].face, level, out);
+      if (!levels_[level].empty()) add_regions(scene_.lattice, facets_[group[0]].face, level, levels_[level], group.size() > 1, out);
     }
   }
 
  private:
-  void add_regions(std::uint32_t face, std::uint32_t level, VisibleFaces& out) {
-    for (const ContourFace& piece : link_edges(levels_[level])) {
-      Region region;
-      region.face = face;
-      region.level = level;
-      for (const EdgeLoop& loop : piece.contours) {
-        std::vector<Point2>& contour = region.contours.emplace_back();
-        contour.reserve(loop.size());
-        for (const ContourEdge& e : loop) {
-          contour.push_back(to_mm(scene_.lattice, e.begin()));
-          if (level == 0 && e.source != kCutSource) out.borders.push_back({e.source, value(e.from), value(e.to)});
-        }
-      }
-      out.regions.push_back(std::move(region));
-    }
-  }
-
   static constexpr std::uint32_t kNothing = 0xffffffffu, kCovers = 0xfffffffeu;
 
   void clip(std::uint32_t facet, StudyCounts& counts);
   std::uint32_t compare(std::uint32_t facet, std::uint32_t other, StudyCounts& counts);
   bool transparent(std::uint32_t face) const { return !scene_.face_is_transparent.empty() && scene_.face_is_transparent[face]; }
+  bool clear(std::uint32_t face) const { return !scene_.face_is_transparent.empty() && scene_.face_is_transparent[face] == kClearFace; }
   bool covered_by(std::uint32_t facet, std::uint32_t other) const;
 
   const ProjectedScene& scene_;
@@ -196,7 +178,7 @@ std::vector<ContourFace> Worker::rings(std::uint32_t a, const Near& g) const {
 /// nothing was laid over it or it waits in near_.
 std::uint32_t Worker::compare(std::uint32_t facet, std::uint32_t other, StudyCounts& counts) {
   const Facet &f = facets_[facet], &g = facets_[other];
-  if (g.face == f.face) return kNothing;
+  if (g.face == f.face || clear(g.face)) return kNothing;
   const FacetOrder order = order_of(facets_, scene_.vertices, facet, other);
   if (order.order == Order::apart) return kNothing;
   ++counts.compared;
@@ -278,6 +260,25 @@ void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
 }
 
 }  // namespace
+
+void add_regions(const Lattice& lattice, std::uint32_t face, std::uint32_t level, std::vector<ContourEdge>& edges, bool several_pieces,
+                 VisibleFaces& out) {
+  if (several_pieces) split_at_common_ends(edges);
+  for (const ContourFace& piece : link_edges(edges)) {
+    Region region;
+    region.face = face;
+    region.level = level;
+    for (const EdgeLoop& loop : piece.contours) {
+      std::vector<Point2>& contour = region.contours.emplace_back();
+      contour.reserve(loop.size());
+      for (const ContourEdge& e : loop) {
+        contour.push_back(to_mm(lattice, e.begin()));
+        if (e.source != kCutSource) out.borders.push_back({e.source, level, value(e.from), value(e.to)});
+      }
+    }
+    out.regions.push_back(std::move(region));
+  }
+}
 
 VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
                                 const std::function<void(double)>& progress) {
