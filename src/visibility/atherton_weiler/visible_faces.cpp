@@ -8,7 +8,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "geometry/clip_contour_by_contour.hpp"
-#include "visibility/atherton_weiler/facet_order.hpp"
+#include "visibility/common/facet_order.hpp"
 
 // Per face: (1) each of its facets is the subject once. The lists of the cells that it lies in give what may be in front, nearest first.
 // Where two overlap their order is found from the depths of the overlap; what begins nearer and proves to be behind clips nothing, it
