@@ -41,7 +41,8 @@ class Shading {
       if (i < 32 && !(region.lights >> i & 1u)) continue;
       const Light& light = lights_[i];
       const Point3 way = light.kind == Light::Kind::parallel ? light.vector : point - light.vector;
-      if (glm::dot(way, way) > 0) sum += shade(normal, glm::normalize(way), 1.0 / static_cast<double>(lights_.size())) - kAmbient;
+      const double share = i < region.light_shares.size() ? region.light_shares[i] : 1;
+      if (glm::dot(way, way) > 0) sum += shade(normal, glm::normalize(way), share / static_cast<double>(lights_.size())) - kAmbient;
     }
     return std::clamp(sum, kAmbient, 1.0);
   }
@@ -121,11 +122,11 @@ const Method& region_method() {
   return *all_methods().front();
 }
 
-std::vector<Light> lights_of(const FillOptions& options, const Scene& scene) {
+std::vector<Light> lights_of(const FillOptions& options, bool shadow_lines, const Scene& scene) {
   std::vector<Light> lights;
   for (const Point3& direction : options.lights) lights.push_back({Light::Kind::parallel, direction});
   const bool shaded = options.kind == FillKind::shade || options.kind == FillKind::hatch;
-  if (lights.empty() && shaded) lights = scene.lights;
+  if (lights.empty() && (shaded || shadow_lines)) lights = scene.lights;
   return lights;
 }
 

@@ -34,8 +34,9 @@ void add_fill_options(CLI::App& app, FillOptions& options);
 /// The first method of the registry that gives regions.
 const Method& region_method();
 
-/// Lights that cast shadows: those of the options; without any, those of the scene when it is filled by shade or hatched.
-std::vector<Light> lights_of(const FillOptions& options, const Scene& scene);
+/// Lights that cast shadows: those of the options; without any, those of the scene when it is filled by shade or hatched, or borders of
+/// shadows are drawn.
+std::vector<Light> lights_of(const FillOptions& options, bool shadow_lines, const Scene& scene);
 
 /// Colours of the regions, in painting order: those seen through most transparent faces first. `material`: the face's colour; `shade`: darker
 /// as the light comes in flatter, darkest where no light comes. Without lights a light stands behind the viewer, to the upper left.

@@ -54,6 +54,8 @@ Drawing drawing_by_material(const StrokeModel& strokes, const std::function<Sour
   return drawing;
 }
 
+bool wants_regions(const SceneDrawing& request) { return request.fill.asked() || request.classes.has(LineClass::shadow); }
+
 /// The method's study, with the progress bar over it.
 VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projected, const PlotOptions& plot) {
   ProgressBar bar(request.run);
@@ -64,7 +66,7 @@ VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projec
   if (format_of(request.output) != OutputFormat::json) {  // all that is drawn
     study_options.wanted = kStrokes;
     if (request.faces.wanted()) study_options.wanted |= kSpans;
-    if (request.fill.asked()) study_options.wanted |= kRegions;
+    if (wants_regions(request)) study_options.wanted |= kRegions;
   }
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return request.method.study(projected, study_options);
@@ -103,15 +105,18 @@ void add_hatching(Drawing& drawing, Polylines hatching) {
   if (hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), Layer{"hatch", std::move(hatching)});
 }
 
-/// Details and light on the regions of a study.
+/// Details and light on the regions of a study, and the lines of shadows.
 void finish_regions(const Scene& scene, const SceneDrawing& request, const View& view, std::span<const Light> lights, VisibilityResult& result) {
-  if (request.fill.asked() && !result.regions) {
-    throw UsageError(request.fill.kind == FillKind::none ? "--light" : "--fill",
-                     std::string(request.method.traits().name) + " does not produce regions; atherton-weiler does");
+  if (wants_regions(request) && !result.regions) {
+    const char* const option = request.fill.kind != FillKind::none ? "--fill" : request.fill.asked() ? "--light" : "--edges";
+    throw UsageError(option, std::string(request.method.traits().name) + " does not produce regions; atherton-weiler does");
   }
   if (!result.regions) return;
   if (!scene.details.empty()) *result.regions = atherton_weiler::cut_details(scene, view, std::move(*result.regions));
-  if (!lights.empty()) *result.regions = atherton_weiler::cast_shadows(scene, build_topology(scene), view, lights, *result.regions);
+  if (lights.empty()) return;
+  atherton_weiler::CastShadows shadows = atherton_weiler::cast_shadows(scene, build_topology(scene), view, lights, *result.regions);
+  *result.regions = std::move(shadows.regions);
+  if (request.classes.has(LineClass::shadow)) atherton_weiler::add_shadow_strokes(scene, view, shadows.borders, *result.strokes);
 }
 
 }  // namespace
@@ -149,8 +154,11 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
   StrokeModel& strokes = *result.strokes;
   remove_hidden_axes(strokes);
-  const std::vector<Light> lights = lights_of(request.fill, scene);
-  if (request.fill.asked() || !scene.details.empty()) {
+  const std::vector<Light> lights = lights_of(request.fill, request.classes.has(LineClass::shadow), scene);
+  if (lights.empty() && request.classes.has(LineClass::shadow)) {
+    throw UsageError("--edges", "there is no light that casts a shadow: give --light, or lights in the scene");
+  }
+  if (wants_regions(request) || !scene.details.empty()) {
     timed(run.stages, "regions", [&] { finish_regions(scene, request, placement.view, lights, result); });
   }
 
