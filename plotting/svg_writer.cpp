@@ -110,11 +110,11 @@ class PathWriter {
   void begin(Point2 mm) {
     points_.assign(1, units(mm));
     start_ = mm;
-    dot_ = true;
+    stays_ = moves_ = false;
   }
   void line_to(Point2 mm) {
     const UnitPoint p = units(mm);
-    dot_ = dot_ && mm == start_;
+    (mm == start_ ? stays_ : moves_) = true;
     if (p != points_.back()) points_.push_back(p);
   }
   /// A line shorter than a unit is none, but one of no length at all is a dot.
@@ -126,7 +126,7 @@ class PathWriter {
       out_ += "<path d=\"";
       out_ += absolute_.size() <= relative_.size() ? absolute_ : relative_;
       out_ += closed ? "Z\"/>\n" : "\"/>\n";
-    } else if (dot_ && !points_.empty()) {
+    } else if (stays_ && !moves_) {
       write(absolute_, 'L', false);
       out_ += "<path d=\"" + absolute_ + "h0\"/>\n";
     }
@@ -157,7 +157,7 @@ class PathWriter {
 
   std::vector<UnitPoint> points_;
   Point2 start_{0, 0};
-  bool dot_ = false;  ///< it has not left its first point
+  bool stays_ = false, moves_ = false;  ///< there are lines to the first point, to others
   std::string absolute_, relative_, out_;
 };
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <glm/geometric.hpp>
+
 #include "plotting/dashes.hpp"
 #include "plotting/hatch.hpp"
 #include "plotting/stroke_text.hpp"
@@ -18,6 +20,8 @@ constexpr double kCapitals = 1493.0 / 2048;
 constexpr std::string_view kWhite = "#ffffff";
 /// Adjustable: distance of the strokes that fill an area, in widths of the pen.
 constexpr double kFillSpacing = 0.8;
+/// Crossings of contours with the lines of hatches, in all.
+constexpr double kMostFillWork = 5e7;
 
 /// Whether a fill of these lines would show: some line leaves its first chord.
 bool has_area(const Polylines& lines) {
@@ -80,6 +84,12 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   options.pen_width_mm = fills_.pen_width_mm;
   options.spacing_mm = kFillSpacing * fills_.pen_width_mm;
   options.even_odd = style.fill_even_odd;
+  // What the engine has to do grows with how often the contours cross its lines.
+  const double line_mm = cover_line_mm(options.spacing_mm, options.pen_width_mm);
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    for (std::size_t k = 1; k < contours[i].size(); ++k) fill_work_ += 1 + glm::distance(contours[i][k - 1], contours[i][k]) / line_mm;
+  }
+  if (fill_work_ > kMostFillWork) throw std::invalid_argument("has fills that ask for endless work");
   add_lines(hatch(area, options), context, *style.fill);
 }
 

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <string>
@@ -277,6 +279,30 @@ TEST(SvgReader, DotsAndFills) {
   EXPECT_GT(measure(with(FillReading::How::hatch).drawing.layers.at(0).lines, {0, 0}, false).down_mm, 400 / 0.4 * 0.9) << "wound alike: no hole";
   EXPECT_NE(error_of(square), "");
   EXPECT_NE(error_of(page("<line x2='9' y2='9'/><rect width='5' height='5' fill='white' stroke='none'/>")), "");
+}
+
+ReadDrawing read_file(const char* name) {
+  std::ifstream in(std::string(LIGNE_SOURCE_DIR "/tests/plotting/drawings/") + name);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return read_svg_drawing(text, name, {});
+}
+
+/// In the manner of other programs: a point is 25.4 / 72 mm, a pixel 25.4 / 96.
+TEST(SvgReader, DrawingsOfOtherPrograms) {
+  const ReadDrawing matplotlib = read_file("matplotlib.svg");
+  EXPECT_NEAR(matplotlib.page.width_mm, 50.8, 1e-9);
+  EXPECT_EQ(lines_of(matplotlib), (Lines{"1270,1270 2117,423 ", "3810,423 4657,1270 ", "1270,2117 1270,2240 ", "1270,2117 1270,423 "}));
+  ASSERT_EQ(matplotlib.drawing.texts.size(), 1u);
+  EXPECT_NEAR(matplotlib.drawing.texts[0].height_mm, 10 * 25.4 / 72 * 0.729, 0.001);
+  const ReadDrawing gnuplot = read_file("gnuplot.svg");
+  EXPECT_NEAR(gnuplot.page.width_mm, 50.8, 1e-9);
+  EXPECT_EQ(lines_of(gnuplot), (Lines{"1270,1905 1508,1905 ", "3810,1905 3572,1905 ", "1270,635 2540,1270 3810,635 ", "2421,635 2659,635 ", "2540,516 2540,754 "}));
+  ASSERT_EQ(gnuplot.drawing.layers.size(), 3u);
+  EXPECT_EQ(gnuplot.drawing.layers[2].name, "#009e73") << "the colour of the use";
+  EXPECT_EQ(gnuplot.drawing.texts.at(0).across, TextAcross::right);
+  const ReadDrawing svglite = read_file("svglite.svg");
+  EXPECT_EQ(lines_of(svglite), (Lines{"1270,2117 3810,2117 ", "1270,1270 2540,1270 2540,2117 "}));
+  EXPECT_EQ(svglite.drawing.layers.at(1).name, "#df536b");
 }
 
 TEST(SvgReader, TextShowsThroughClipPathsInPart) {
