@@ -63,7 +63,10 @@ class DrawingReader {
     if (line_class == stroke.end() || !line_class->is_string()) fail_stroke("has no class");
     if (visible == stroke.end() || !visible->is_boolean()) fail_stroke("visible is neither true nor false");
     if (points == stroke.end() || !points->is_array() || points->size() < 2) fail_stroke("has no two points");
-    Polylines& lines = layer_of(line_class->get_ref<const std::string&>(), visible->get<bool>());
+    const auto level = stroke.find("level");
+    if (level != stroke.end() && !level->is_number_unsigned()) fail_stroke("its level is not a whole number");
+    const bool through_glass = level != stroke.end() && level->get<std::uint64_t>() > 0;
+    Polylines& lines = layer_of(line_class->get_ref<const std::string&>(), visible->get<bool>(), through_glass);
     for (const json& p : *points) {
       if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) fail_stroke("a point is not two numbers");
       const Point2 point{p[0].get<double>(), p[1].get<double>()};
@@ -74,9 +77,9 @@ class DrawingReader {
     ++count_;
   }
 
-  Polylines& layer_of(const std::string& line_class, bool visible) {
+  Polylines& layer_of(const std::string& line_class, bool visible, bool through_glass) {
     for (std::size_t c = 0; c < kLineClassCount; ++c) {
-      if (kLineClassNames[c] == line_class) return layers_[visible ? kLineClassCount - c : 0].lines;
+      if (kLineClassNames[c] == line_class) return layers_[stroke_layer(static_cast<LineClass>(c), visible, through_glass)].lines;
     }
     fail_stroke("there is no class of that name");
   }
@@ -100,10 +103,9 @@ class DrawingReader {
   bool in_strokes_ = false, has_strokes_ = false;
   std::size_t count_ = 0;
   /// In the order of painting.
-  std::array<Layer, kLineClassCount + 1> layers_ = [] {
-    std::array<Layer, kLineClassCount + 1> layers;
-    layers[0].name = "hidden";
-    for (std::size_t c = 0; c < kLineClassCount; ++c) layers[kLineClassCount - c].name = kLineClassNames[c];
+  std::array<Layer, kStrokeLayerCount> layers_ = [] {
+    std::array<Layer, kStrokeLayerCount> layers;
+    for (std::size_t l = 0; l < kStrokeLayerCount; ++l) layers[l].name = stroke_layer_name(l);
     return layers;
   }();
 };

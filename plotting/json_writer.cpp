@@ -68,6 +68,7 @@ void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, 
   out += "{\"class\":\"";
   out += kLineClassNames[static_cast<std::size_t>(s.line_class)];
   out += s.visible ? "\",\"visible\":true" : "\",\"visible\":false";
+  if (s.level > 0) out += ",\"level\":" + std::to_string(s.level);
   out += ",\"source\":{\"edge\":";
   if (s.source < model.edge_count) {
     append_integer(out, s.source);
@@ -146,6 +147,14 @@ void append_region(std::string& out, const Region& region) {
       if (!first) out += ',';
       out += std::to_string(i);
       first = false;
+    }
+    out += ']';
+  }
+  if (!region.light_shares.empty()) {
+    out += ",\"light_shares\":[";
+    for (std::size_t i = 0; i < region.light_shares.size(); ++i) {
+      if (i > 0) out += ',';
+      append_shortest(out, region.light_shares[i]);
     }
     out += ']';
   }

@@ -37,7 +37,7 @@ struct LineStyle {
 };
 
 /// Style of the layer of that name at the given pen width: outlines and borders full width, intersections and creases 0.7,
-/// mesh 0.5, hidden 0.5 and dashed (ISO 128-2: dash 12 d, gap 3 d) unless `hidden_solid`.
+/// mesh and shadow 0.5, behind-glass 0.5 and grey, hidden 0.5 and dashed (ISO 128-2: dash 12 d, gap 3 d) unless `hidden_solid`.
 LineStyle layer_style(std::string_view layer, double pen_width_mm, bool hidden_solid);
 
 }  // namespace ligne

@@ -15,7 +15,7 @@ constexpr const char* kExamples = R"(Examples:
 
 /// The method that is asked for; else, for fills and hatching, one that gives regions.
 const Method& method_of(const DrawOptions& options) {
-  const bool regions = options.fill.asked() || options.hatch.asked();
+  const bool regions = options.fill.asked() || options.hatch.asked() || options.method.edges.has(LineClass::shadow);
   return regions && !options.method.method ? region_method() : method_of(options.method);
 }
 
@@ -35,13 +35,15 @@ void check(const DrawOptions& options) {
 }
 
 void draw(const DrawOptions& options) {
+  LineClasses classes = options.method.edges;
+  if (!options.method.edges_given && !options.fill.lights.empty()) classes.add(LineClass::shadow);
   const Method& method = method_of(options);
   const MethodSettings settings = settings_of(options.method, method);  // a wrong one is told before anything is read
   const PlotterSetup plotter = plotter_setup(options.plotter, format_of(options.output));
   RunReport run;
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   draw_scene(models.scene,
-             {method, settings, options.method.edges, options.method.crease_degrees, options.method.hidden, options.method.cull, options.view,
+             {method, settings, classes, options.method.crease_degrees, options.method.hidden, options.method.cull, options.view,
               options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces, plotter, options.fill, options.hatch},
              run);
 }

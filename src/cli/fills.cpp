@@ -52,10 +52,10 @@ Material material_of(const Scene& scene, const Region& region) {
   return region.material < scene.materials.size() ? scene.materials[region.material] : material_of(scene, region.face);
 }
 
-std::vector<Light> lights_of(const FillOptions& options, const Scene& scene, bool shaded) {
+std::vector<Light> lights_of(const FillOptions& options, const Scene& scene, bool cast) {
   std::vector<Light> lights;
   for (const Point3& direction : options.lights) lights.push_back({Light::Kind::parallel, direction});
-  if (lights.empty() && shaded) lights = scene.lights;
+  if (lights.empty() && cast) lights = scene.lights;
   return lights;
 }
 
@@ -70,7 +70,7 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
   std::vector<Item> items;
   for (const Region& region : regions) {
     const Material material = material_of(scene, region);
-    const double brightness = kind == FillKind::material ? 1 : kAmbient + (1 - kAmbient) * light.of(region.face, region.lights);
+    const double brightness = kind == FillKind::material ? 1 : kAmbient + (1 - kAmbient) * light.of(region.face, region.lights, region.light_shares);
     Item item{region.level, {region.contours, {}, material.opacity}};
     for (int c = 0; c < 3; ++c) {
       item.fill.color[static_cast<std::size_t>(c)] = std::round(std::clamp(material.color[c] * brightness, 0.0, 1.0) * 255) / 255;

@@ -162,7 +162,7 @@ FaceHatch Hatching::of(std::uint32_t face, const Region* region) {
   unsigned shade = 1;
   if (request.kind == HatchKind::shade) {
     const std::uint32_t reached = region ? region->lights : 0xffffffffu;
-    const double light = std::clamp(light_.of(face, reached), 0.0, 1.0);
+    const double light = std::clamp(light_.of(face, reached, region ? std::span<const double>(region->light_shares) : std::span<const double>()), 0.0, 1.0);
     const unsigned shades = request.levels == 0 ? kMostShades : request.levels;
     shade = 1 + std::min(shades - 1, static_cast<unsigned>(light * shades));
     how.strokes.rows = request.levels > 0 ? kRowCycle >> (shade - 1) : light > kBrightest ? 0 : static_cast<std::uint32_t>(std::ceil((1 - light) * kRowCycle));

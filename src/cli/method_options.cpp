@@ -57,8 +57,12 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
   CLI::Option* method =
       add_parsed(app, "--method", "NAME", options.method, parse_method, "visibility method, see: ligne methods")
           ->default_str("auto");
-  CLI::Option* edges = add_parsed(app, "--edges", "LIST", options.edges, parse_edges,
-                                  "of outline,crease,border,intersection,mesh; feature: the first four; all")
+  const auto parse_given_edges = [&options](const std::string& text) {
+    options.edges_given = true;
+    return parse_edges(text);
+  };
+  CLI::Option* edges = add_parsed(app, "--edges", "LIST", options.edges, parse_given_edges,
+                                  "of outline,crease,border,intersection,mesh,shadow; feature: the first four; all: all of the model")
                            ->default_str("feature");
   CLI::Option* crease = add_parsed(
                             app, "--crease", "DEG", options.crease_degrees,

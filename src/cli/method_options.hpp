@@ -21,6 +21,7 @@ inline constexpr std::string_view kHiddenLinesNames[] = {"none", "dashed", "soli
 struct MethodOptions {
   const Method* method = nullptr;  ///< nullptr: the default method
   LineClasses edges;               ///< add_method_options() sets the default
+  bool edges_given = false;
   double crease_degrees = 30;
   HiddenLines hidden = HiddenLines::none;
   bool cull = false;

@@ -118,10 +118,12 @@ Axis parse_axis(std::string_view text) {
 }
 
 LineClasses parse_edges(std::string_view text) {
-  constexpr std::span names = std::span(kLineClassNames).first<kEdgeClassCount>();
+  std::vector<std::string_view> names(kLineClassNames.begin(), kLineClassNames.begin() + kEdgeClassCount);
+  names.push_back(kLineClassNames[static_cast<std::size_t>(LineClass::shadow)]);
   LineClasses classes;
   for (const std::string_view word : split(text, ',')) {
-    bool known = false;
+    bool known = word == names.back();
+    if (known) classes.add(LineClass::shadow);
     for (std::size_t i = 0; i < kEdgeClassCount; ++i) {
       const LineClass line_class = static_cast<LineClass>(i);
       const bool in_group = word == "all" || (word == "feature" && line_class != LineClass::mesh);

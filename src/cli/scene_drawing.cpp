@@ -59,6 +59,10 @@ Drawing drawing_by_material(const StrokeModel& strokes, const std::function<Sour
 /// Where a method gives regions these are hatched, else its spans.
 bool hatches_regions(const SceneDrawing& request) { return request.hatch.asked() && (request.method.traits().products & kRegions); }
 
+bool wants_regions(const SceneDrawing& request) {
+  return request.fill.asked() || hatches_regions(request) || request.classes.has(LineClass::shadow);
+}
+
 /// The method's study, with the progress bar over it.
 VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projected, const PlotOptions& plot) {
   ProgressBar bar(request.run);
@@ -69,7 +73,7 @@ VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projec
   if (format_of(request.output) != OutputFormat::json) {  // all that is drawn
     study_options.wanted = kStrokes;
     if (request.faces.shade) study_options.wanted |= kSpans;
-    if (request.fill.asked() || hatches_regions(request)) study_options.wanted |= kRegions;
+    if (wants_regions(request)) study_options.wanted |= kRegions;
   }
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
   return request.method.study(projected, study_options);
@@ -108,15 +112,18 @@ void add_hatching(Drawing& drawing, std::vector<Layer> hatching) {
   drawing.layers.insert(drawing.layers.begin(), std::make_move_iterator(hatching.begin()), std::make_move_iterator(hatching.end()));
 }
 
-/// Details and light on the regions of a study.
+/// Details and light on the regions of a study, and the lines of shadows.
 void finish_regions(const Scene& scene, const SceneDrawing& request, const View& view, std::span<const Light> lights, VisibilityResult& result) {
-  if (request.fill.asked() && !result.regions) {
-    throw UsageError(request.fill.kind == FillKind::none ? "--light" : "--fill",
-                     std::string(request.method.traits().name) + " does not produce regions; atherton-weiler does");
+  if (wants_regions(request) && !result.regions) {
+    const char* const option = request.fill.kind != FillKind::none ? "--fill" : request.fill.asked() ? "--light" : "--edges";
+    throw UsageError(option, std::string(request.method.traits().name) + " does not produce regions; atherton-weiler does");
   }
   if (!result.regions) return;
   if (!scene.details.empty()) *result.regions = atherton_weiler::cut_details(scene, view, std::move(*result.regions));
-  if (!lights.empty()) *result.regions = atherton_weiler::cast_shadows(scene, build_topology(scene), view, lights, *result.regions);
+  if (lights.empty()) return;
+  atherton_weiler::CastShadows shadows = atherton_weiler::cast_shadows(scene, build_topology(scene), view, lights, *result.regions);
+  *result.regions = std::move(shadows.regions);
+  if (request.classes.has(LineClass::shadow)) atherton_weiler::add_shadow_strokes(scene, view, shadows.borders, *result.strokes);
 }
 
 }  // namespace
@@ -146,8 +153,8 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   plot.hidden_solid = request.hidden == HiddenLines::solid;
   plot.title = request.title;
   plot.dpi = request.dpi;
-  const bool shaded = request.fill.kind == FillKind::shade || request.hatch.kind == HatchKind::shade;
-  const std::vector<Light> lights = lights_of(request.fill, scene, shaded);
+  const bool cast = request.fill.kind == FillKind::shade || request.hatch.kind == HatchKind::shade || request.classes.has(LineClass::shadow);
+  const std::vector<Light> lights = lights_of(request.fill, scene, cast);
   const HatchPatches patches = request.hatch.asked() ? hatch_patches(scene, topology, request.crease_degrees) : HatchPatches{};
   const HatchScene hatch{request.hatch, scene, placement.view, lights, patches, request.plotter.pens, plot};
   std::vector<Layer> hatching;
@@ -162,7 +169,10 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
   StrokeModel& strokes = *result.strokes;
   remove_hidden_axes(strokes);
-  if (request.fill.asked() || hatches_regions(request) || !scene.details.empty()) {
+  if (lights.empty() && request.classes.has(LineClass::shadow)) {
+    throw UsageError("--edges", "there is no light that casts a shadow: give --light, or lights in the scene");
+  }
+  if (wants_regions(request) || !scene.details.empty()) {
     timed(run.stages, "regions", [&] { finish_regions(scene, request, placement.view, lights, result); });
   }
   if (result.regions && hatches_regions(request)) {

@@ -29,7 +29,10 @@ namespace {
 // Adjustable: a stroke may cross this many cells of the index on the average.
 constexpr double kCellsPerStroke = 64;
 
-std::size_t rank(const Stroke& s) { return (s.visible ? 0 : kLineClassCount) + static_cast<std::size_t>(s.line_class); }
+std::size_t rank(const Stroke& s) {
+  const std::size_t group = !s.visible ? 2 : s.level > 0 ? 1 : 0;
+  return group * kLineClassCount + static_cast<std::size_t>(s.line_class);
+}
 
 bool by_source(const Stroke& l, const Stroke& r) {
   return std::tie(l.source, l.t_from, l.t_to) < std::tie(r.source, r.t_from, r.t_to);

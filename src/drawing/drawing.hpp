@@ -24,7 +24,14 @@ struct Polylines {
   }
 };
 
-/// A layer's name is also its id: the line classes of drawing/stroke.hpp, "hidden", "underside", "contour-base", "text", "debug", "hatch".
+/// Layers of strokes, in the order in which they are painted: hidden strokes, those seen through transparent faces, then the classes, the
+/// strongest last.
+inline constexpr std::size_t kStrokeLayerCount = kLineClassCount + 2;
+std::size_t stroke_layer(LineClass line_class, bool visible, unsigned level);
+/// "hidden", "behind-glass", or the name of the class.
+std::string_view stroke_layer_name(std::size_t layer);
+
+/// A layer's name is also its id: those of strokes, "underside", "contour-base", "text", "debug", "hatch".
 struct Layer {
   std::string name;
   Polylines lines;
@@ -48,7 +55,8 @@ struct Drawing {
 };
 
 /// Every line once: where strokes lie on each other within `tolerance_mm` one of them stands for all (by class, then the
-/// nearer, then the lower source), and a hidden stroke gives way to every visible one. Strokes whose `may_coincide` is
+/// nearer, then the lower source). A hidden stroke gives way to every visible one, and one seen through transparent faces to every one seen
+/// directly. Strokes whose `may_coincide` is
 /// false are only held against those where it is true. Those that lie on no other keep their order; the others follow, by
 /// precedence.
 void remove_coincident_strokes(StrokeModel& model, double tolerance_mm);

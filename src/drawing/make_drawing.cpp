@@ -25,17 +25,10 @@
 namespace ligne {
 namespace {
 
-// Layers in the order of painting: what matters most is painted last.
-constexpr std::size_t kLayerCount = kLineClassCount + 1;
-constexpr std::string_view kHiddenLayer = "hidden";
+constexpr std::size_t kLayerCount = kStrokeLayerCount;
+constexpr std::size_t kHiddenLayer = 0, kGlassLayer = 1;
 
-std::size_t layer_of(const Stroke& stroke) {
-  return stroke.visible ? kLineClassCount - static_cast<std::size_t>(stroke.line_class) : 0;
-}
-
-std::string_view layer_name(std::size_t layer) {
-  return layer == 0 ? kHiddenLayer : kLineClassNames[kLineClassCount - layer];
-}
+std::size_t layer_of(const Stroke& stroke) { return stroke_layer(stroke.line_class, stroke.visible, stroke.level); }
 
 // Adjustable parameters: ends in a bucket (12 bytes each, to stay in the first-level cache with their table), and the
 // number of buckets that a scattering pass can write to at once.
@@ -177,6 +170,16 @@ Polylines StrokeGraph::polylines(const Lattice& lattice) const {
 
 }  // namespace
 
+std::size_t stroke_layer(LineClass line_class, bool visible, unsigned level) {
+  if (!visible) return kHiddenLayer;
+  return level > 0 ? kGlassLayer : kStrokeLayerCount - 1 - static_cast<std::size_t>(line_class);
+}
+
+std::string_view stroke_layer_name(std::size_t layer) {
+  if (layer == kHiddenLayer) return "hidden";
+  return layer == kGlassLayer ? "behind-glass" : kLineClassNames[kStrokeLayerCount - 1 - layer];
+}
+
 Drawing make_drawing(const StrokeModel& model) {
   std::array<std::size_t, kLayerCount + 1> begin{};
   for (const Stroke& s : model.strokes) {
@@ -198,7 +201,7 @@ Drawing make_drawing(const StrokeModel& model) {
 
   Drawing drawing;
   for (std::size_t l = 0; l < kLayerCount; ++l) {
-    if (lines[l].size() > 0) drawing.layers.push_back({std::string(layer_name(l)), std::move(lines[l])});
+    if (lines[l].size() > 0) drawing.layers.push_back({std::string(stroke_layer_name(l)), std::move(lines[l])});
   }
   return drawing;
 }

@@ -20,18 +20,19 @@ enum class LineClass : std::uint8_t {
   contour,       ///< contour line of a surface, whatever its faces (kCornerContour in scene/scene.hpp)
   horizon,       ///< iso-curve of a surface, whatever its faces (kCornerCurve)
   axes,          ///< line of the axes, of no face (add_lines in view/projected_scene.hpp)
+  shadow,        ///< border of a shadow on a face; no edge of the scene
 };
-inline constexpr std::size_t kLineClassCount = 8;
-/// The first classes are those that `--edges` names.
+inline constexpr std::size_t kLineClassCount = 9;
+/// The first classes are those of the scene's edges.
 inline constexpr std::size_t kEdgeClassCount = 5;
-inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{"outline", "border",  "intersection", "crease",
-                                                                               "mesh",    "contour", "horizon",      "axes"};
+inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{"outline", "border",  "intersection", "crease", "mesh",
+                                                                               "contour", "horizon", "axes",         "shadow"};
 
 /// A set of classes.
 struct LineClasses {
-  std::uint8_t bits = 0;
+  std::uint16_t bits = 0;
   bool has(LineClass c) const { return (bits >> static_cast<unsigned>(c)) & 1u; }
-  void add(LineClass c) { bits = static_cast<std::uint8_t>(bits | (1u << static_cast<unsigned>(c))); }
+  void add(LineClass c) { bits = static_cast<std::uint16_t>(bits | (1u << static_cast<unsigned>(c))); }
 };
 
 /// A straight piece of one source edge, visible or hidden as a whole.
@@ -44,6 +45,7 @@ struct Stroke {
   LineClass line_class = LineClass::mesh;
   bool visible = true;
   bool may_coincide = true;  ///< false only where the method knows that no other stroke lies on this one
+  std::uint8_t level = 0;  ///< how many transparent faces are in front of it, 255 for more; 0 is seen directly
 };
 
 /// Parameter on the source edge at the fraction `s` of the stroke's length on the page. Perspective foreshortens: with the
@@ -55,7 +57,7 @@ inline double source_parameter(const Stroke& stroke, double s) {
   return stroke.t_from + u * (stroke.t_to - stroke.t_from);
 }
 
-/// Where a stroke comes from: an edge of the scene, or the common segment of two penetrating faces.
+/// Where a stroke comes from: an edge of the scene, the common segment of two penetrating faces, or a line on a face.
 struct SourceEdge {
   std::array<Point3, 2> ends{};  ///< model coordinates; a stroke's parameter runs from the first to the second
   std::array<std::uint32_t, 2> faces{0xffffffffu, 0xffffffffu};  ///< the faces that meet here, 0xffffffff where there is none
@@ -63,7 +65,7 @@ struct SourceEdge {
 };
 
 /// All strokes of one study. Sources below `edge_count` are edges of the scene, by index; the others are the
-/// intersections, in order.
+/// intersections and, behind them, borders of shadows, in order.
 struct StrokeModel {
   Lattice lattice;
   std::vector<Stroke> strokes;

@@ -28,7 +28,7 @@ class BorderCollector {
 
 }  // namespace
 
-ClipResult clip_contour_by_contour(std::span<const ContourFace> subject, std::span<const ContourFace> clip) {
+ClipResult clip_contour_by_contour(std::span<const ContourFace> subject, std::span<const ContourFace> clip, bool closed) {
   EdgeOverlay overlay;
   for (const ContourFace& face : subject) overlay.add(face, 0);
   for (const ContourFace& face : clip) overlay.add(face, 1);
@@ -40,7 +40,7 @@ ClipResult clip_contour_by_contour(std::span<const ContourFace> subject, std::sp
       outside.part(edge, from, to, b.left[0] > 0 && b.left[1] <= 0, b.right[0] > 0 && b.right[1] <= 0, !corner);
     });
   }
-  return {link_edges(inside.take()), link_edges(outside.take())};
+  return {link_edges(inside.take(), closed), link_edges(outside.take(), closed)};
 }
 
 }  // namespace ligne

@@ -47,7 +47,10 @@ ContourFace make_contour_face(std::span<const std::vector<LatticePoint>> contour
 /// Invariants: contours of one face do not cross; a corner appears once in a contour; faces that have only corners in common are faces
 /// of their own. Runs on one source that follow each other are one edge,
 /// but where other contours touch it. Contours without area are left out.
-std::vector<ContourFace> link_edges(std::vector<ContourEdge> edges);
+///
+/// With `closed` contours stay closed exactly, not only on the fine lattice: runs shorter than that can tell, which are otherwise left out, are kept in a
+/// contour that passes there, begin() and end() the same. For faces that will be clipped again: lines along their edges may pass through the gap.
+std::vector<ContourFace> link_edges(std::vector<ContourEdge> edges, bool closed = false);
 
 /// Twice the signed area in square steps, computed exactly from the corners on the fine lattice and rounded once.
 double twice_area(const EdgeLoop& loop);

@@ -40,9 +40,10 @@ struct Loop {
 
 class Linker {
  public:
-  explicit Linker(std::vector<ContourEdge> edges) : edges_(std::move(edges)) {}
+  Linker(std::vector<ContourEdge> edges, bool closed) : edges_(std::move(edges)), closed_(closed) {}
 
   std::vector<ContourFace> link() {
+    if (closed_) gather_short_runs();
     gather_runs();
     find_corners();
     for (std::uint32_t i = 0; i < runs_.size(); ++i) {
@@ -53,6 +54,8 @@ class Linker {
 
  private:
   void gather_runs();
+  void gather_short_runs();
+  void insert_short_runs(EdgeLoop& loop);
   void find_corners();
   void trace(std::uint32_t first);
   std::uint32_t next(std::uint32_t run) const;
@@ -66,6 +69,8 @@ class Linker {
   const ContourEdge& edge(std::uint32_t run) const { return edges_[runs_[run].edge]; }
 
   std::vector<ContourEdge> edges_;
+  bool closed_;
+  std::vector<Run> short_runs_;        ///< those that end where they begin, by place, when they are to be kept
   std::vector<Run> runs_;              ///< by begin
   std::vector<std::uint32_t> corner_;  ///< per run: the first run that begins where it ends; the corner's number
   std::vector<std::uint8_t> used_;
@@ -75,6 +80,38 @@ class Linker {
 };
 
 constexpr std::uint32_t kNowhere = 0xffffffffu;
+
+/// Of two on one segment one is kept, or none when they run against each other.
+void Linker::gather_short_runs() {
+  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+    const FinePoint p = edges_[i].begin();
+    if (p != edges_[i].end() || compare(edges_[i].from, edges_[i].to) == 0) continue;
+    const auto same = std::find_if(short_runs_.begin(), short_runs_.end(), [&](const Run& r) {
+      const ContourEdge &a = edges_[r.edge], &b = edges_[i];
+      return r.begin == p && a.segment == b.segment && compare(a.from, b.from) == 0 && compare(a.to, b.to) == 0;
+    });
+    if (same == short_runs_.end()) {
+      short_runs_.push_back({p, p, i});
+    } else if (edges_[same->edge].reversed != edges_[i].reversed) {
+      short_runs_.erase(same);
+    }
+  }
+  std::stable_sort(short_runs_.begin(), short_runs_.end(), [](const Run& a, const Run& b) { return a.begin < b.begin; });
+}
+
+/// Takes those that lie at corners of the loop.
+void Linker::insert_short_runs(EdgeLoop& loop) {
+  EdgeLoop all;
+  for (const ContourEdge& e : loop) {
+    const FinePoint p = e.begin();
+    const auto first = std::lower_bound(short_runs_.begin(), short_runs_.end(), p, [](const Run& r, const FinePoint& q) { return r.begin < q; });
+    auto last = first;
+    for (; last != short_runs_.end() && last->begin == p; ++last) all.push_back(edges_[last->edge]);
+    short_runs_.erase(first, last);
+    all.push_back(e);
+  }
+  loop = std::move(all);
+}
 
 void Linker::gather_runs() {
   runs_.reserve(edges_.size());
@@ -191,6 +228,7 @@ void Linker::add_loop(std::span<const std::uint32_t> runs) {
   }
   for (const FinePoint p : loop.corners) loop.box.extend(p);
   loop.area = twice_area(loop.edges);
+  if (!short_runs_.empty() && loop.area != 0) insert_short_runs(loop.edges);
   if (loop.area > 0) outer_.push_back(std::move(loop));
   else if (loop.area < 0) holes_.push_back(std::move(loop));
 }
@@ -248,6 +286,6 @@ std::vector<ContourFace> Linker::make_faces() {
 
 }  // namespace
 
-std::vector<ContourFace> link_edges(std::vector<ContourEdge> edges) { return Linker(std::move(edges)).link(); }
+std::vector<ContourFace> link_edges(std::vector<ContourEdge> edges, bool closed) { return Linker(std::move(edges), closed).link(); }
 
 }  // namespace ligne

@@ -37,7 +37,7 @@ FaceLight::FaceLight(const Scene& scene, const Camera& camera, std::span<const L
   if (lights.empty()) from_eye_ = face_brightness(scene, camera);
 }
 
-double FaceLight::of(std::uint32_t face, std::uint32_t reached) const {
+double FaceLight::of(std::uint32_t face, std::uint32_t reached, std::span<const double> shares) const {
   if (lights_.empty()) return from_eye_[face];
   const Point3 point = scene_.vertices[scene_.faces.contour(face, 0)[0]];
   Point3 normal = face_normal(scene_, face);
@@ -49,7 +49,8 @@ double FaceLight::of(std::uint32_t face, std::uint32_t reached) const {
     if (i < kBits && !(reached >> i & 1u)) continue;
     const Light& light = lights_[i];
     const Point3 way = light.kind == Light::Kind::parallel ? light.vector : point - light.vector;
-    if (glm::dot(way, way) > 0) sum += std::max(0.0, -glm::dot(normal, glm::normalize(way)));
+    const double share = i < shares.size() ? shares[i] : 1;
+    if (glm::dot(way, way) > 0) sum += share * std::max(0.0, -glm::dot(normal, glm::normalize(way)));
   }
   return std::min(1.0, sum / static_cast<double>(lights_.size()));
 }

@@ -22,8 +22,8 @@ class FaceLight {
   FaceLight(const Scene& scene, const Camera& camera, std::span<const Light> lights);
 
   /// From 0 to 1: the mean over the lights of cos(theta), theta between the normal and the way to the light, 0 for one behind the face. Bit i of `reached` tells
-  /// whether light i (of the first 32) reaches it.
-  double of(std::uint32_t face, std::uint32_t reached = 0xffffffffu) const;
+  /// whether light i (of the first 32) reaches it, shares[i] how much of it comes through transparent faces (all, where there is no such number).
+  double of(std::uint32_t face, std::uint32_t reached = 0xffffffffu, std::span<const double> shares = {}) const;
 
  private:
   const Scene& scene_;

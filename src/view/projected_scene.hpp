@@ -27,6 +27,9 @@ struct ProjectedEdge {
   LineClass line_class = LineClass::mesh;
 };
 
+/// See ProjectedScene::face_is_transparent.
+inline constexpr std::uint8_t kClearFace = 2;
+
 struct EdgeSelection {
   LineClasses classes;
   double crease_degrees = 30;
@@ -45,7 +48,8 @@ struct ProjectedScene {
   std::vector<std::array<double, 2>> edge_parts;
   std::uint32_t source_count = 0;   ///< number of edges of the topology, and of lines beside them
   bool with_intersections = false;  ///< the selection has class intersection
-  /// Per face of the scene: whether what is behind is seen through it. Empty when all faces are opaque. For lines every face is opaque.
+  /// Per face of the scene: 1 when what is behind is seen through it, kClearFace when it is seen but is not even in the way. Empty when all faces
+  /// are opaque. Methods that know no transparency take every face for opaque.
   std::vector<std::uint8_t> face_is_transparent;
   /// Error of the input's own coordinates in page mm at the target plane: surfaces closer than this touch.
   double input_error_mm = 0;

@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <map>
 
+#include "drawing/drawing.hpp"
 #include "scene/reader.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/atherton_weiler/details.hpp"
 #include "visibility/atherton_weiler/shadows.hpp"
+#include "visibility/tolerances.hpp"
 
 namespace ligne {
 namespace {
@@ -32,6 +34,7 @@ struct Seen {
   Topology topology;
   View view;
   std::vector<Region> regions;
+  StrokeModel strokes;
 
   Seen(const char* name, const char* from) {
     Warnings warnings;
@@ -40,21 +43,46 @@ struct Seen {
     CameraRequest request;
     request.named_view = from;
     view = make_view(scene, make_camera(request, scene), {{{0, 0}, {200, 200}}}, {{0, 0}, {200, 200}}, 1);
-    regions = *AthertonWeilerMethod().study(project(scene, topology, view, {}), {}).regions;
+    EdgeSelection selection;
+    for (std::size_t c = 0; c < kEdgeClassCount; ++c) selection.classes.add(static_cast<LineClass>(c));
+    const ProjectedScene projected = project(scene, topology, view, selection);
+    VisibilityResult result = AthertonWeilerMethod().study(projected, {});
+    regions = std::move(*result.regions);
+    strokes = std::move(*result.strokes);
+    remove_coincident_strokes(strokes, coincidence_mm(projected));
   }
 
   /// Areas of a face's regions by the lights that reach them.
   std::map<std::uint32_t, double> lit(std::uint32_t face, const std::vector<Light>& lights) const {
     std::map<std::uint32_t, double> areas;
-    for (const Region& r : atherton_weiler::cast_shadows(scene, topology, view, lights, regions)) {
+    for (const Region& r : atherton_weiler::cast_shadows(scene, topology, view, lights, regions).regions) {
       if (r.face == face) areas[r.lights] += area(r);
     }
     return areas;
+  }
+
+  /// Lengths of the borders of shadows that are drawn, by level.
+  std::map<unsigned, double> shadow_lines(const std::vector<Light>& lights) const {
+    StrokeModel model = strokes;
+    add_shadow_strokes(scene, view, atherton_weiler::cast_shadows(scene, topology, view, lights, regions).borders, model);
+    remove_coincident_strokes(model, 0.001);
+    return lengths(model, [](const Stroke& s) { return s.line_class == LineClass::shadow; });
+  }
+
+  template <class Wanted>
+  static std::map<unsigned, double> lengths(const StrokeModel& model, Wanted wanted) {
+    std::map<unsigned, double> sums;
+    for (const Stroke& s : model.strokes) {
+      if (wanted(s)) sums[s.level] += glm::distance(model.lattice.to_mm(s.from), model.lattice.to_mm(s.to));
+    }
+    return sums;
   }
 };
 
 /// Contours go from page to page through the lattice: a step of 10 nm along some hundred millimetres.
 constexpr double kArea = 1e-4;
+/// A drawing owes its coordinates to a micrometre; a dozen ends.
+constexpr double kLength = 0.01;
 
 TEST(Shadows, ASquareOverAFloor) {
   // The shadow is the square, moved by 3: (5, 5) to (8, 8). The square hides (2, 2) to (5, 5) from above.
@@ -64,6 +92,9 @@ TEST(Shadows, ASquareOverAFloor) {
   EXPECT_NEAR(floor.at(1), 100 - 9 - 9, kArea);
   EXPECT_NEAR(plate.at(1), 9, kArea);
   EXPECT_EQ(plate.size(), 1u);
+  const auto lines = seen.shadow_lines(seen.scene.lights);
+  EXPECT_NEAR(lines.at(0), 4 * 3, kLength);
+  EXPECT_EQ(lines.size(), 1u);
 }
 
 TEST(Shadows, AFrameOverAFloorInTwoLights) {
@@ -75,6 +106,42 @@ TEST(Shadows, AFrameOverAFloorInTwoLights) {
   EXPECT_NEAR(floor.at(1), 64 - 16, kArea);  // reached by the parallel light only: the ring (0, 0) to (8, 8) round (2, 2) to (6, 6)
   EXPECT_NEAR(floor.at(3), 400 - 12 - 48 - 12, kArea);
   EXPECT_EQ(floor.count(0), 0u);
+  // Of the point's outer border half lies on that of the floor; its inner border lies behind the frame's.
+  EXPECT_NEAR(seen.shadow_lines(seen.scene.lights).at(0), (16 + 8) + 16, kLength);
+}
+
+TEST(Shadows, NoLinesWhereOneFaceIsCutIntoSeveral) {
+  // The floor is two triangles; the shadow, (5, 6) to (8, 9), lies on both, and their common side is no border of it.
+  const Seen seen("shadow_triangles.json", "top");
+  EXPECT_NEAR(seen.lit(0, seen.scene.lights).at(0) + seen.lit(1, seen.scene.lights).at(0), 9, kArea);
+  EXPECT_NEAR(seen.shadow_lines(seen.scene.lights).at(0), 4 * 3, kLength);
+}
+
+TEST(Shadows, TransparentFacesWeakenTheLight) {
+  // Light falls by 1 where it goes 1 to the right. On the floor: red (6, 2) to (10, 6), blue (6, 4) to (10, 8), the opaque square (18, 12) to (20, 16).
+  const Seen seen("shadow_glass.json", "top");
+  std::map<std::pair<std::uint32_t, double>, double> areas;  // by face and share
+  for (const Region& r : atherton_weiler::cast_shadows(seen.scene, seen.topology, seen.view, seen.scene.lights, seen.regions).regions) {
+    const double share = r.lights == 0 ? 0 : r.light_shares.empty() ? 1 : r.light_shares[0];
+    areas[{r.face, std::round(share * 1000) / 1000}] += area(r);
+  }
+  EXPECT_NEAR((areas[{0, 0.0}]), 8, kArea);
+  EXPECT_NEAR((areas[{0, 0.3}]), 8, kArea);
+  EXPECT_NEAR((areas[{0, 0.5}]), 8, kArea);
+  EXPECT_NEAR((areas[{0, 0.6}]), 8, kArea);
+  EXPECT_NEAR((areas[{0, 1.0}]), 400 - 16 - 8 - 24, kArea);
+  // Red onto blue, which is 2 lower: (4, 2) to (8, 6).
+  EXPECT_NEAR((areas[{2, 0.6}]), 8, kArea);
+  EXPECT_NEAR((areas[{2, 1.0}]), 8, kArea);
+  EXPECT_NEAR((areas[{1, 1.0}]), 16, kArea);
+  EXPECT_NEAR((areas[{3, 1.0}]), 16, kArea);
+  EXPECT_EQ(areas.size(), 9u);
+  // The opaque square: three sides, 8. Red and blue on the floor: x = 10 from 2 to 8; y = 2 from 6 to 10; y = 4, 6 and 8 from 8 to 10, before that under
+  // blue's border or, y = 6, under the line that red casts on blue; x = 6 up to 6 under red's border, then to 8 behind blue. On blue: y = 6, up to x = 6 under
+  // red's border.
+  const auto lines = seen.shadow_lines(seen.scene.lights);
+  EXPECT_NEAR(lines.at(0), 8 + 6 + 4 + 2 + 2 + 2 + 2, kLength);
+  EXPECT_NEAR(lines.at(1), 2, kLength);
 }
 
 TEST(Shadows, ALightBehindReachesNothing) {
@@ -105,6 +172,23 @@ TEST(Transparency, LevelsAreListedToAnyDepth) {
   EXPECT_NEAR(at(0, 1), 49 + 49 - 2 * 16, 1e-6);
   EXPECT_NEAR(at(0, 2), 16, 1e-6);
   EXPECT_EQ(areas.size(), 6u);
+}
+
+TEST(Transparency, LinesAreSeenThroughToAnyDepth) {
+  // Green (3, 3) to (9, 9) before blue (4, 4) to (11, 11) before red (1, 1) to (8, 8), 28 round each of the latter. Through green: of blue two sides of 5;
+  // of red two sides from 3 to 8, of which 4 to 8 lies behind blue too. The window (5, 5) to (7, 7) is behind all. The plate that is seen edge on, x = 10 from
+  // 0.5 to 11.5, lies behind blue from 4 on, to 11.
+  const Seen seen("transparent_three.json", "front");
+  const auto lines = Seen::lengths(seen.strokes, [](const Stroke& s) { return s.visible; });
+  EXPECT_NEAR(lines.at(0), 24 + (28 - 10) + (28 - 10) + 48 + (11 - 7), kLength);
+  EXPECT_NEAR(lines.at(1), 10 + 2 + 7, kLength);
+  EXPECT_NEAR(lines.at(2), 8, kLength);
+  EXPECT_NEAR(lines.at(3), 8, kLength);
+  EXPECT_EQ(lines.size(), 4u);
+  const Drawing drawing = make_drawing(seen.strokes);
+  ASSERT_EQ(drawing.layers.size(), 2u);
+  EXPECT_EQ(drawing.layers[0].name, "behind-glass");
+  EXPECT_EQ(drawing.layers[1].name, "border");
 }
 
 TEST(Details, AreClippedWithTheirFace) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <random>
 
 #include <polyclipping/clipper.hpp>
@@ -151,6 +152,36 @@ TEST_P(Regions, AreWhatIsInFront) {
       EXPECT_NEAR(united(regions, projected.lattice), sum, 4e-9 * area);
     }
     ask_oracle(regions, judged.oracle(), random);
+  }
+}
+
+/// Area by face, mm^2.
+std::map<std::uint32_t, double> areas_of(const std::vector<Region>& regions) {
+  std::map<std::uint32_t, double> areas;
+  for (const Region& r : regions) {
+    for (const auto& contour : r.contours) areas[r.face] += twice_area_mm(contour) / 2;
+  }
+  return areas;
+}
+
+TEST_P(Regions, AreTheSameByTheClassicalStudy) {
+  Warnings warnings;
+  const Scene scene = read_scene(GetParam(), {}, warnings);
+  const Topology topology = build_topology(scene);
+  for (const StandardView& standard : standard_views(scene)) {
+    const JudgedView judged(scene, GetParam().stem().string(), standard);
+    const ProjectedScene projected = project(scene, topology, judged.view(), {});
+    const std::map<std::uint32_t, double> wanted = areas_of(*AthertonWeilerMethod().study(projected, {}).regions);
+    double whole = 0;
+    for (const auto& [face, area] : wanted) whole += area;
+    for (const unsigned study : {1u, 2u}) {
+      SCOPED_TRACE(standard.name + (study == 1 ? " polygons" : " silhouettes"));
+      StudyOptions options;
+      options.settings.set("study", study);
+      std::map<std::uint32_t, double> areas = areas_of(*AthertonWeilerMethod().study(projected, options).regions);
+      for (const auto& [face, area] : wanted) areas[face] -= area;
+      for (const auto& [face, difference] : areas) EXPECT_NEAR(difference, 0, 1e-9 * whole) << "face " << face;
+    }
   }
 }
 

@@ -233,6 +233,59 @@ TEST_F(DrawTest, SameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(one, bytes("7"));
 }
 
+/// Shadow lines come with --light, where --edges does not say otherwise; without it by --edges, from the lights of the scene.
+TEST_F(DrawTest, ShadowLines) {
+  const std::string scene = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/shadow_frame.json";
+  const auto shadows = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), scene);
+    return strokes_by_class(drawn(options))["shadow"];
+  };
+  EXPECT_EQ(shadows({"--view", "top"}), 0);
+  EXPECT_EQ(shadows({"--view", "top", "--light=2,2,-1"}), 8);
+  EXPECT_EQ(shadows({"--view", "top", "--light=2,2,-1", "--edges", "feature"}), 0);
+  EXPECT_GT(shadows({"--view", "top", "--edges", "feature,shadow"}), 8) << "two lights in the scene";
+  EXPECT_GT(shadows({"--view", "top", "--edges", "shadow", "--method", "warnock"}), 8);
+  const Outcome dark = run({"draw", "cube.obj", "--edges", "shadow", "-o", "x.svg"});
+  EXPECT_EQ(dark.status, 2);
+  EXPECT_EQ(dark.err, "ligne: --edges: there is no light that casts a shadow: give --light, or lights in the scene\n");
+  const Outcome lines = run({"draw", scene, "--edges", "shadow", "--method", "appel", "-o", "x.svg"});
+  EXPECT_EQ(lines.status, 2);
+  EXPECT_EQ(lines.err, "ligne: --edges: appel does not produce regions; atherton-weiler does\n");
+}
+
+TEST_F(DrawTest, GlassAndLightGiveTheSameBytesForAnyNumberOfThreads) {
+  const std::string scenes = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/", models = LIGNE_SOURCE_DIR "/examples/models/";
+  for (const std::string& model : {scenes + "shadow_glass.json", scenes + "transparent_three.json", models + "stair-tower.obj"}) {
+    for (const char* fill : {"none", "shade", "hatch"}) {
+      for (const char* format : {"svg", "json"}) {
+        const auto bytes = [&](const char* threads) {
+          return run({"draw", model, "-q", "-o", "-", "--format", format, "--fill", fill, "--light=1,1,-2", "--light=-1,2,-2", "--threads", threads}).out;
+        };
+        const std::string one = bytes("1");
+        EXPECT_GT(one.size(), 1000u);
+        EXPECT_EQ(one, bytes("2")) << model << ' ' << fill << ' ' << format;
+      }
+    }
+  }
+}
+
+TEST_F(DrawTest, WhatIsSeenThroughGlassIsALayer) {
+  const std::string scene = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/transparent_three.json";
+  const json drawing = drawn({scene, "--view", "front", "--method", "atherton-weiler"});
+  int behind = 0;
+  for (const json& stroke : drawing["strokes"]) behind += stroke.value("level", 0) > 0;
+  EXPECT_GT(behind, 6);
+  const auto svg = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"-o", "-", "--format", "svg"});
+    return run(arguments).out;
+  };
+  const std::string text = svg({"draw", scene, "--view", "front", "--method", "atherton-weiler"});
+  EXPECT_NE(text.find("id=\"behind-glass\""), std::string::npos);
+  EXPECT_EQ(svg({"draw", scene, "--view", "front", "--method", "appel"}).find("behind-glass"), std::string::npos) << "it knows no transparency";
+  ASSERT_EQ(run({"draw", scene, "--view", "front", "--method", "atherton-weiler", "-o", "glass.json"}).status, 0);
+  EXPECT_NE(svg({"plot", "glass.json"}).find("behind-glass"), std::string::npos);
+}
+
 /// The options of scan lines: the drawing is the same with every span method, the bytes with any number of threads, in every form.
 TEST_F(DrawTest, ScanLines) {
   const std::string model = LIGNE_SOURCE_DIR "/examples/models/stair-tower.obj";

@@ -68,8 +68,10 @@ TEST(ParseEdges, ListsAndGroups) {
   EXPECT_FALSE(some.has(LineClass::crease) || some.has(LineClass::border) || some.has(LineClass::intersection));
   EXPECT_EQ(parse_edges("feature").bits, parse_edges("outline,crease,border,intersection").bits);
   EXPECT_EQ(parse_edges("all").bits, parse_edges("feature,mesh").bits);
+  EXPECT_TRUE(parse_edges("all,shadow").has(LineClass::shadow));
+  EXPECT_FALSE(parse_edges("all").has(LineClass::shadow)) << "borders of shadows are no edges of models";
   EXPECT_EQ(complaint([] { parse_edges("outline,edges"); }),
-            "\"edges\" is not one of outline, border, intersection, crease, mesh, feature or all");
+            "\"edges\" is not one of outline, border, intersection, crease, mesh, shadow, feature or all");
   EXPECT_NE(complaint([] { parse_edges(""); }), "");
   EXPECT_NE(complaint([] { parse_edges("outline,"); }), "");
 }

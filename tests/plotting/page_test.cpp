@@ -59,7 +59,7 @@ TEST(Pages, MalformedPages) {
 TEST(LayerStyles, Widths) {
   for (const char* layer : {"outline", "border"}) EXPECT_DOUBLE_EQ(layer_style(layer, 0.5, false).width_mm, 0.5);
   for (const char* layer : {"intersection", "crease"}) EXPECT_DOUBLE_EQ(layer_style(layer, 0.5, false).width_mm, 0.35);
-  for (const char* layer : {"mesh", "hidden"}) EXPECT_DOUBLE_EQ(layer_style(layer, 0.5, false).width_mm, 0.25);
+  for (const char* layer : {"mesh", "hidden", "behind-glass", "shadow"}) EXPECT_DOUBLE_EQ(layer_style(layer, 0.5, false).width_mm, 0.25);
   EXPECT_EQ(layer_style("hidden", 0.5, false).dashes_mm, (std::vector<double>{3, 0.75}));
   EXPECT_TRUE(layer_style("hidden", 0.5, true).dashes_mm.empty());
   EXPECT_TRUE(layer_style("outline", 0.5, false).dashes_mm.empty());

@@ -99,6 +99,7 @@ struct CellGrid::Build {
   std::vector<CellRange> ranges;      ///< per facet, margin included
   std::vector<std::uint8_t> wanted;   ///< per top-level cell, when only some are filled
 
+  bool hides(const Facet& f) const { return !options.see_through || scene.face_is_transparent.empty() || !scene.face_is_transparent[f.face]; }
   bool choose_cells();
   void find_ranges();
   void mark_wanted();
@@ -212,7 +213,7 @@ void CellGrid::Build::for_each_meeting(int row0, int row1, bool large_only, Visi
 void CellGrid::Build::find_covers() {
   for_each_band([&](int row0, int row1) {
     for_each_meeting(row0, row1, true, [&](std::size_t i, std::size_t cell, Meeting m, double, double z_far) {
-      if (m != Meeting::covers) return;
+      if (m != Meeting::covers || !hides(facets[i])) return;
       float& cover = grid.cells_[cell].cover;
       cover = std::min(cover, round_up(z_far + facets[i].touch));
     });
@@ -311,7 +312,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
       const Meeting m = meet(g, f, child, options.margin_steps, z_near, z_far);
       if (m == Meeting::apart || (options.drop_hidden && z_near > covers[k])) continue;
       lists[k].push_back({entry.facet, round_down(z_near), {}});
-      if (m == Meeting::covers) covers[k] = std::min(covers[k], round_up(z_far + f.touch));
+      if (m == Meeting::covers && hides(f)) covers[k] = std::min(covers[k], round_up(z_far + f.touch));
     }
   }
   std::size_t total = 0;

@@ -79,6 +79,7 @@ class CellGrid {
     double margin_steps = 0;
     /// Leave out of the lists what is behind the cover. Off when all intersections are wanted, the hidden ones too.
     bool drop_hidden = true;
+    bool see_through = false;  ///< transparent faces cover nothing
     /// When not null: only the cells that these lines run through are filled.
     const std::vector<ProjectedEdge>* only_along = nullptr;
   };

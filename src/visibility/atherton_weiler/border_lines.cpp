@@ -44,6 +44,34 @@ struct EdgePart {
   LinePart part;
 };
 
+/// Appends a part of an edge to those from `first` on; one that begins within the last one continues it.
+void unite(std::vector<LinePart>& parts, std::size_t first, const LinePart& part) {
+  if (parts.size() > first && part.from <= parts.back().to) {
+    parts.back().to = std::max(parts.back().to, part.to);
+  } else {
+    parts.push_back(part);
+  }
+}
+
+/// Puts parts of a higher level between those that are there, where there is room. Both are in order and disjoint.
+void fill_gaps(std::vector<LinePart>& parts, std::size_t first, const std::vector<LinePart>& higher) {
+  std::vector<LinePart> all(parts.begin() + static_cast<std::ptrdiff_t>(first), parts.end());
+  const std::size_t n = all.size();
+  for (LinePart p : higher) {
+    for (std::size_t i = 0; i < n && p.from < p.to; ++i) {
+      const LinePart& lower = parts[first + i];
+      if (lower.to <= p.from) continue;
+      if (lower.from >= p.to) break;
+      if (p.from < lower.from) all.push_back({p.from, lower.from, p.level});
+      p.from = lower.to;
+    }
+    if (p.from < p.to) all.push_back(p);
+  }
+  std::sort(all.begin(), all.end(), [](const LinePart& a, const LinePart& b) { return a.from < b.from; });
+  parts.resize(first);
+  parts.insert(parts.end(), all.begin(), all.end());
+}
+
 }  // namespace
 
 BorderLines::BorderLines(const ProjectedScene& scene, const Facets& facets, const VisibleFaces& visible) {
@@ -74,22 +102,23 @@ BorderLines::BorderLines(const ProjectedScene& scene, const Facets& facets, cons
     const auto [v, w] = vertices(b.side);
     finder.find(v, w, [&](std::uint32_t edge) {
       const bool along = scene.edges[edge].v0 < scene.edges[edge].v1;
-      found.push_back({edge, along ? LinePart{b.from, b.to} : LinePart{1 - b.to, 1 - b.from}});
+      found.push_back({edge, along ? LinePart{b.from, b.to, b.level} : LinePart{1 - b.to, 1 - b.from, b.level}});
     });
   }
   tbb::parallel_sort(found.begin(), found.end(), [](const EdgePart& a, const EdgePart& b) {
-    return std::tuple(a.edge, a.part.from, a.part.to) < std::tuple(b.edge, b.part.from, b.part.to);
+    return std::tuple(a.edge, a.part.level, a.part.from, a.part.to) < std::tuple(b.edge, b.part.level, b.part.from, b.part.to);
   });
   begin_.assign(scene.edges.size() + 1, 0);
   std::size_t k = 0;
+  std::vector<LinePart> higher;
   for (std::uint32_t edge = 0; edge < scene.edges.size(); ++edge) {
     const std::size_t first = parts_.size();
-    for (; k < found.size() && found[k].edge == edge; ++k) {
-      if (parts_.size() > first && found[k].part.from <= parts_.back().to) {
-        parts_.back().to = std::max(parts_.back().to, found[k].part.to);
-      } else {
-        parts_.push_back(found[k].part);
-      }
+    for (; k < found.size() && found[k].edge == edge && found[k].part.level == 0; ++k) unite(parts_, first, found[k].part);
+    while (k < found.size() && found[k].edge == edge) {
+      const std::uint32_t level = found[k].part.level;
+      higher.clear();
+      for (; k < found.size() && found[k].edge == edge && found[k].part.level == level; ++k) unite(higher, 0, found[k].part);
+      fill_gaps(parts_, first, higher);
     }
     begin_[edge + 1] = static_cast<std::uint32_t>(parts_.size());
   }

@@ -15,7 +15,8 @@ class BorderLines {
   /// Leads every border part back to its candidate edge, if it has one.
   BorderLines(const ProjectedScene& scene, const Facets& facets, const VisibleFaces& visible);
 
-  /// The visible parts of a candidate edge: where a region of one of its faces borders on it. In order and disjoint.
+  /// The visible parts of a candidate edge: where regions border on it, each at the lowest level that one of them has there: what is
+  /// farther is seen through more. In order and disjoint.
   std::span<const LinePart> parts(std::size_t edge) const {
     return std::span(parts_).subspan(begin_[edge], begin_[edge + 1] - begin_[edge]);
   }

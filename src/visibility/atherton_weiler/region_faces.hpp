@@ -20,7 +20,7 @@ inline ContourFace on_lattice(const Region& region, const Lattice& lattice) {
 
 /// A region with these contours, otherwise like the other.
 inline Region region_of(const ContourFace& face, const Lattice& lattice, const Region& like) {
-  Region region{like.face, {}, like.level, like.lights, like.material};
+  Region region{like.face, {}, like.level, like.lights, like.light_shares, like.material};
   for (const EdgeLoop& loop : face.contours) {
     auto& contour = region.contours.emplace_back();
     for (const ContourEdge& e : loop) contour.push_back(to_mm(lattice, e.begin()));

@@ -14,6 +14,7 @@ namespace ligne::atherton_weiler {
 /// A part of a side of a facet that borders a region of the facet's face.
 struct BorderPart {
   std::uint32_t side = 0;    ///< see side_source()
+  std::uint32_t level = 0;   ///< of the region
   double from = 0, to = 1;   ///< on the segment from the vertex of the lower number
 };
 
@@ -40,6 +41,11 @@ struct VisibleFaces {
   std::vector<std::uint8_t> facet_touches;   ///< per facet: somewhere it touches another one that is no neighbour along a side
   StudyCounts counts;
 };
+
+/// Appends the regions that these edges bound, and their borders. `several_pieces`: the edges are those of pieces that lie beside each other; what two
+/// of these have in common vanishes.
+void add_regions(const Lattice& lattice, std::uint32_t face, std::uint32_t level, std::vector<ContourEdge>& edges, bool several_pieces,
+                 VisibleFaces& out);
 
 /// `grid` lists the facets of the scene. `progress` may be empty.
 VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const appel::CellGrid& grid,

@@ -43,16 +43,18 @@ void drop_short_parts(std::vector<LinePart>& parts, double length, double least)
   if (length <= least) {
     double visible = 0;
     for (const LinePart& p : parts) visible += p.to - p.from;
-    parts.assign(visible > 0.5 ? 1 : 0, LinePart{0, 1});
+    parts.assign(visible > 0.5 ? 1 : 0, LinePart{0, 1, parts.front().level});
     return;
   }
   std::size_t n = 0;
   for (const LinePart& p : parts) {
-    if (n > 0 && (p.from - parts[n - 1].to) * length <= least) {
+    const bool goes_on = n > 0 && (p.from - parts[n - 1].to) * length <= least;
+    if (goes_on && (parts[n - 1].level == p.level || (p.to - p.from) * length <= least)) {
       parts[n - 1].to = p.to;
-    } else {
-      parts[n++] = p;
+      continue;
     }
+    if (goes_on) parts[n - 1].to = p.from;
+    parts[n++] = p;
   }
   parts.resize(n);
   std::erase_if(parts, [&](const LinePart& p) { return (p.to - p.from) * length <= least; });

@@ -10,6 +10,7 @@ namespace ligne {
 /// A part of a line, as parameters.
 struct LinePart {
   double from = 0, to = 0;
+  std::uint32_t level = 0;  ///< of what is seen: how many transparent faces are in front of it
 };
 
 /// Begins with one open part; intervals are taken from it in any order.
@@ -47,9 +48,9 @@ class OpenParts {
   std::vector<HiddenInterval> one_sided_;  ///< intervals that cover one bank
 };
 
-/// Appends a part; one that begins where the last one ends continues it.
+/// Appends a part; one of the same level that begins where the last one ends continues it.
 inline void append_part(std::vector<LinePart>& parts, const LinePart& part) {
-  if (!parts.empty() && parts.back().to == part.from) {
+  if (!parts.empty() && parts.back().to == part.from && parts.back().level == part.level) {
     parts.back().to = part.to;
   } else {
     parts.push_back(part);
@@ -57,7 +58,8 @@ inline void append_part(std::vector<LinePart>& parts, const LinePart& part) {
 }
 
 /// Joins parts of [0, 1] over hidden gaps shorter than the least length and drops parts that are shorter; what remains of a line that
-/// is shorter as a whole is the line or nothing. Lengths are in page steps.
+/// is shorter as a whole is the line or nothing. What goes on in another level is a part of its own; where it is too short the one before
+/// goes on. Lengths are in page steps.
 void drop_short_parts(std::vector<LinePart>& parts, double length, double least);
 
 }  // namespace ligne

@@ -1,5 +1,6 @@
 #include "visibility/common/stroke_maker.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ligne {
@@ -47,6 +48,7 @@ Stroke StrokeMaker::stroke(const PageLine& line, LinePart part, std::array<doubl
   s.source = source;
   s.line_class = line_class;
   s.visible = visible;
+  s.level = static_cast<std::uint8_t>(std::min(part.level, 255u));
   s.may_coincide = may_coincide || !visible;  // the search stops when a line is hidden, before it has seen all neighbours
   return s;
 }

@@ -1,0 +1,222 @@
+#include "visibility/atherton_weiler/clip_units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+
+#include "geometry/clip_contour_by_contour.hpp"
+#include "visibility/atherton_weiler/clip_part.hpp"
+
+namespace ligne::atherton_weiler {
+namespace {
+
+/// Sets of things that hang together.
+class Groups {
+ public:
+  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  /// The lowest number stands for the set.
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// All that the faces cover, each place once.
+std::vector<ContourFace> united(const std::vector<ContourFace>& faces) {
+  return faces.size() == 1 ? faces : clip_contour_by_contour(faces, {}).outside;
+}
+
+class UnitMaker {
+ public:
+  UnitMaker(const ProjectedScene& scene, const std::vector<Facet>& facets) : scene_(scene), facets_(facets) {}
+
+  std::vector<ContourFace> outline(const std::vector<std::uint32_t>& facets) const {
+    std::vector<ContourFace> faces;
+    for (const std::uint32_t f : facets) faces.push_back(whole_facet(facets_, scene_.vertices, f).face());
+    return united(faces);
+  }
+
+  ClipUnit unit_of(std::vector<UnitFace> faces, std::vector<ContourFace> outline) const {
+    ClipUnit unit;
+    unit.z_near = 1e300;
+    unit.z_far = -1e300;
+    for (const UnitFace& face : faces) {
+      for (const std::uint32_t f : face.facets) {
+        const Facet& facet = facets_[f];
+        unit.z_near = std::min(unit.z_near, double(facet.z_near) - facet.touch);
+        unit.z_far = std::max(unit.z_far, double(facet.z_far) + facet.touch);
+      }
+    }
+    unit.transparent = !scene_.face_is_transparent.empty() && scene_.face_is_transparent[faces[0].face] != 0;
+    unit.box = box_of(outline);
+    unit.body = faces.size() > 1;
+    unit.faces = std::move(faces);
+    unit.outline = std::move(outline);
+    return unit;
+  }
+
+ private:
+  const ProjectedScene& scene_;
+  const std::vector<Facet>& facets_;
+};
+
+enum class Side : std::uint8_t { front, back, neither };
+
+/// On which side of the facet's plane the vertices are: behind it (a front face), before it, or some on either side.
+Side side_of(const ProjectedScene& scene, const Facet& f, const std::vector<std::uint32_t>& vertices) {
+  const ProjectedVertex &a = scene.vertices[f.v[0]], &b = scene.vertices[f.v[1]], &c = scene.vertices[f.v[2]];
+  const double area = orientation(a.p, b.p, c.p);
+  bool before = false, behind = false;
+  for (const std::uint32_t v : vertices) {
+    const ProjectedVertex& p = scene.vertices[v];
+    const double plane_z = (orientation(b.p, c.p, p.p) * a.z + orientation(c.p, a.p, p.p) * b.z + orientation(a.p, b.p, p.p) * c.z) / area;
+    before |= p.z < plane_z - f.touch;
+    behind |= p.z > plane_z + f.touch;
+  }
+  return before && behind ? Side::neither : before ? Side::back : Side::front;
+}
+
+/// Bodies of the scene: sets of triangles that hang together, closed, of opaque faces. For each its vertices and facets.
+struct Body {
+  std::vector<std::uint32_t> vertices, facets;
+};
+
+std::vector<Body> closed_bodies(const ProjectedScene& scene, const std::vector<Facet>& facets) {
+  constexpr std::uint32_t kOpen = 0xffffffffu;
+  Groups groups(scene.vertices.size());
+  std::vector<std::array<std::uint32_t, 2>> sides;
+  for (const Triangle& t : scene.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = t.v[k], w = t.v[(k + 1) % 3];
+      groups.join(v, w);
+      sides.push_back({std::min(v, w), std::max(v, w)});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<std::uint32_t> number(scene.vertices.size(), 0);  // of the group's body, by the vertex that stands for it
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end] == sides[i]) ++end;
+    if (end - i != 2) number[groups.find(sides[i][0])] = kOpen;
+    i = end;
+  }
+  if (!scene.face_is_transparent.empty()) {
+    for (const Triangle& t : scene.triangles) {
+      if (scene.face_is_transparent[t.face]) number[groups.find(t.v[0])] = kOpen;
+    }
+  }
+  std::vector<Body> bodies;
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    std::uint32_t& n = number[groups.find(facets[f].v[0])];
+    if (n == kOpen) continue;
+    if (n == 0) {
+      bodies.emplace_back();
+      n = static_cast<std::uint32_t>(bodies.size());
+    }
+    bodies[n - 1].facets.push_back(f);
+  }
+  for (std::uint32_t v = 0; v < scene.vertices.size(); ++v) {
+    const std::uint32_t n = number[groups.find(v)];
+    if (n != kOpen && n != 0) bodies[n - 1].vertices.push_back(v);
+  }
+  return bodies;
+}
+
+double area_of(const std::vector<ContourFace>& faces) { return twice_area(faces); }
+
+/// The facets of a list by face, in the order of their first facets.
+std::vector<UnitFace> by_face(const std::vector<Facet>& facets, const std::vector<std::uint32_t>& list, const UnitMaker& maker) {
+  std::vector<std::uint32_t> sorted = list;
+  std::stable_sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) { return facets[a].face < facets[b].face; });
+  std::vector<UnitFace> faces;
+  for (const std::uint32_t f : sorted) {
+    if (faces.empty() || faces.back().face != facets[f].face) faces.push_back({facets[f].face, {}, {}});
+    faces.back().facets.push_back(f);
+  }
+  for (UnitFace& face : faces) face.outline = maker.outline(face.facets);
+  return faces;
+}
+
+/// The body as one unit, when it is convex on the page too.
+std::optional<ClipUnit> silhouette(const ProjectedScene& scene, const std::vector<Facet>& facets, const Body& body, const UnitMaker& maker) {
+  std::vector<std::uint32_t> front, back;
+  for (const std::uint32_t f : body.facets) {
+    const Side side = side_of(scene, facets[f], body.vertices);
+    if (side == Side::neither) return std::nullopt;
+    (side == Side::front ? front : back).push_back(f);
+  }
+  if (front.empty()) return std::nullopt;
+  std::vector<UnitFace> faces = by_face(facets, front, maker);
+  if (faces.size() < 2) return std::nullopt;
+  std::vector<ContourFace> outline = maker.outline(front);
+  double sum = 0;
+  for (const UnitFace& face : faces) sum += area_of(face.outline);
+  if (sum != area_of(outline)) return std::nullopt;
+  if (!back.empty() && !clip_contour_by_contour(maker.outline(back), outline).outside.empty()) return std::nullopt;
+  return maker.unit_of(std::move(faces), std::move(outline));
+}
+
+}  // namespace
+
+PageBox box_of(const std::vector<ContourFace>& faces) {
+  constexpr double kPart = 1.0 / (1 << kFineBits);
+  PageBox box;
+  for (const ContourFace& face : faces) {
+    for (const ContourEdge& e : face.contours[0]) {
+      const FinePoint p = e.begin();
+      const double x = static_cast<double>(p.x) * kPart, y = static_cast<double>(p.y) * kPart;
+      box.extend({x, y, x, y});
+    }
+  }
+  return box;
+}
+
+PageBox box_of(const Facet& facet, const std::vector<ProjectedVertex>& vertices) {
+  PageBox box;
+  for (const std::uint32_t v : facet.v) {
+    const LatticePoint p = vertices[v].p;
+    box.extend({double(p.x), double(p.y), double(p.x), double(p.y)});
+  }
+  return box;
+}
+
+std::vector<ClipUnit> clip_units(const ProjectedScene& scene, const std::vector<Facet>& facets, bool silhouettes) {
+  const UnitMaker maker(scene, facets);
+  std::vector<std::pair<std::uint32_t, ClipUnit>> units;  // with their lowest facets
+  std::vector<std::uint8_t> taken(facets.size(), 0);
+  if (silhouettes) {
+    for (const Body& body : closed_bodies(scene, facets)) {
+      std::optional<ClipUnit> unit = silhouette(scene, facets, body, maker);
+      if (!unit) continue;
+      for (const std::uint32_t f : body.facets) taken[f] = 1;
+      units.emplace_back(body.facets.front(), std::move(*unit));
+    }
+  }
+  std::vector<std::uint32_t> rest;
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    if (!taken[f]) rest.push_back(f);
+  }
+  for (UnitFace& face : by_face(facets, rest, maker)) {
+    std::vector<ContourFace> outline = face.outline;
+    const std::uint32_t first = face.facets.front();
+    std::vector<UnitFace> one;
+    one.push_back(std::move(face));
+    units.emplace_back(first, maker.unit_of(std::move(one), std::move(outline)));
+  }
+  std::sort(units.begin(), units.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<ClipUnit> result;
+  result.reserve(units.size());
+  for (auto& [first, unit] : units) result.push_back(std::move(unit));
+  return result;
+}
+
+}  // namespace ligne::atherton_weiler

@@ -1,0 +1,233 @@
+#include "visibility/atherton_weiler/polygon_study.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <mutex>
+#include <numeric>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "geometry/clip_contour_by_contour.hpp"
+#include "visibility/atherton_weiler/unit_order.hpp"
+
+// Per zone, with its polygons nearest first: (1) the first polygon is the clip face. Every other one is clipped by it. (2) What is inside and
+// behind it is not seen, or seen through it. (3) Where a piece inside proves to be nearer, the sort was wrong: the clip is begun again, with this piece as
+// clip face, on what is inside; (4) otherwise all of the clip face is seen. (5) The same with what is outside.
+//
+// It ends: a clip face that is done leaves its list, so lists become shorter from call to call, but where a wrong sort is found. There the chain of
+// clip faces becomes longer, and a polygon that is in the chain is not taken for nearer again.
+
+namespace ligne::atherton_weiler {
+namespace {
+
+/// What is still to be seen of a unit.
+struct Polygon {
+  std::uint32_t unit = 0;
+  std::uint32_t slab = 0;
+  std::uint32_t level = 0;  ///< transparent faces in front of it
+  std::vector<ContourFace> pieces;
+  PageBox box;
+};
+
+/// A visible piece: the edges that bound it.
+struct Piece {
+  std::uint32_t face = 0, level = 0;
+  std::vector<ContourEdge> edges;
+};
+
+void append_edges(const std::vector<ContourFace>& faces, std::vector<ContourEdge>& edges) {
+  for (const ContourFace& face : faces) {
+    for (const EdgeLoop& loop : face.contours) edges.insert(edges.end(), loop.begin(), loop.end());
+  }
+}
+
+/// Units that hang together by their boxes, by the lowest one; found by a sweep from left to right.
+std::vector<std::vector<std::uint32_t>> zones_of(const std::vector<ClipUnit>& units) {
+  std::vector<std::uint32_t> parent(units.size()), by_left(units.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  std::iota(by_left.begin(), by_left.end(), 0u);
+  const auto find = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  std::sort(by_left.begin(), by_left.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(units[a].box.x0, a) < std::pair(units[b].box.x0, b);
+  });
+  std::vector<std::uint32_t> open;
+  for (const std::uint32_t u : by_left) {
+    std::erase_if(open, [&](std::uint32_t o) { return units[o].box.x1 <= units[u].box.x0; });
+    for (const std::uint32_t o : open) {
+      if (!units[o].box.meets(units[u].box)) continue;
+      const std::uint32_t a = find(o), b = find(u);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+    open.push_back(u);
+  }
+  std::vector<std::vector<std::uint32_t>> zones;
+  std::vector<std::uint32_t> number(units.size());
+  for (std::uint32_t u = 0; u < units.size(); ++u) {
+    const std::uint32_t root = find(u);
+    if (root == u) {
+      number[u] = static_cast<std::uint32_t>(zones.size());
+      zones.emplace_back();
+    }
+    zones[number[root]].push_back(u);
+  }
+  return zones;
+}
+
+class ZoneStudy {
+ public:
+  ZoneStudy(const std::vector<ClipUnit>& units, UnitOrders orders) : units_(units), orders_(std::move(orders)) {}
+
+  void study(std::vector<std::uint32_t> zone) {
+    std::sort(zone.begin(), zone.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(units_[a].z_near, a) < std::pair(units_[b].z_near, b);
+    });
+    std::vector<Polygon> list;
+    double far = -1e300;
+    for (const std::uint32_t u : zone) {
+      const ClipUnit& unit = units_[u];
+      counts.slabs += unit.z_near > far;
+      far = std::max(far, unit.z_far);
+      list.push_back({u, static_cast<std::uint32_t>(counts.slabs), 0, unit.outline, unit.box});
+    }
+    study(list, {}, 1);
+  }
+
+  std::vector<Piece> pieces;
+  PolygonCounts counts;
+
+ private:
+  /// `chain`: the clip faces for which the first polygon of the list proved to be nearer; empty when it was just sorted first.
+  void study(std::vector<Polygon>& list, std::vector<std::uint32_t> chain, std::uint64_t depth);
+  void show(const Polygon& polygon);
+
+  const std::vector<ClipUnit>& units_;
+  UnitOrders orders_;
+};
+
+void set_pieces(Polygon& polygon, std::vector<ContourFace> pieces) {
+  polygon.pieces = std::move(pieces);
+  polygon.box = box_of(polygon.pieces);
+}
+
+Polygon like(const Polygon& polygon, std::vector<ContourFace> pieces) {
+  Polygon result{polygon.unit, polygon.slab, polygon.level, {}, {}};
+  set_pieces(result, std::move(pieces));
+  return result;
+}
+
+void ZoneStudy::study(std::vector<Polygon>& list, std::vector<std::uint32_t> chain, std::uint64_t depth) {
+  counts.deepest = std::max(counts.deepest, depth);
+  for (std::size_t i = 0; i < list.size(); ++i, chain.clear()) {
+    Polygon clip = std::move(list[i]);
+    if (clip.pieces.empty()) continue;
+    const bool transparent = units_[clip.unit].transparent;
+    std::vector<Polygon> nearer, behind;
+    for (std::size_t k = i + 1; k < list.size(); ++k) {
+      Polygon& subject = list[k];
+      if (subject.pieces.empty() || !subject.box.meets(clip.box)) continue;
+      ClipResult parts = clip_contour_by_contour(subject.pieces, clip.pieces, true);
+      ++counts.clips;
+      if (parts.inside.empty()) continue;
+      const bool passed = std::find(chain.begin(), chain.end(), subject.unit) != chain.end();
+      const UnitOrder order = passed || subject.slab > clip.slab ? UnitOrder::first : orders_.order(clip.unit, subject.unit);
+      if (order == UnitOrder::mixed) {
+        ClipResult cut = clip_contour_by_contour(parts.inside, orders_.front_parts(clip.unit, subject.unit), true);
+        counts.splits += !cut.inside.empty() && !cut.outside.empty();
+        if (!cut.inside.empty()) nearer.push_back(like(subject, std::move(cut.inside)));
+        if (transparent && !cut.outside.empty()) behind.push_back(like(subject, std::move(cut.outside)));
+      } else if (order == UnitOrder::second) {
+        nearer.push_back(like(subject, std::move(parts.inside)));
+      } else if (transparent) {
+        behind.push_back(like(subject, std::move(parts.inside)));
+      }
+      set_pieces(subject, std::move(parts.outside));
+    }
+    if (nearer.empty()) {
+      show(clip);
+      for (Polygon& p : behind) ++p.level;
+      if (!behind.empty()) study(behind, {}, depth + 1);
+      continue;
+    }
+    counts.wrong_sorts += nearer.size();
+    std::vector<std::uint32_t> longer = chain;
+    longer.push_back(clip.unit);
+    nearer.push_back(std::move(clip));
+    std::move(behind.begin(), behind.end(), std::back_inserter(nearer));
+    study(nearer, std::move(longer), depth + 1);
+  }
+}
+
+/// A body's faces are details of its silhouette, clipped to what is seen of it.
+void ZoneStudy::show(const Polygon& polygon) {
+  for (const UnitFace& face : units_[polygon.unit].faces) {
+    Piece piece{face.face, polygon.level, {}};
+    if (units_[polygon.unit].body) {
+      append_edges(clip_contour_by_contour(face.outline, polygon.pieces).inside, piece.edges);
+    } else {
+      append_edges(polygon.pieces, piece.edges);
+    }
+    if (!piece.edges.empty()) pieces.push_back(std::move(piece));
+  }
+}
+
+/// The pieces of a face and level put together.
+void add_all(const Lattice& lattice, std::vector<Piece>& pieces, VisibleFaces& out) {
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return std::pair(a.face, a.level) < std::pair(b.face, b.level);
+  });
+  for (std::size_t i = 0; i < pieces.size();) {
+    std::vector<ContourEdge> edges;
+    const std::size_t first = i;
+    for (; i < pieces.size() && pieces[i].face == pieces[first].face && pieces[i].level == pieces[first].level; ++i) {
+      edges.insert(edges.end(), pieces[i].edges.begin(), pieces[i].edges.end());
+    }
+    add_regions(lattice, pieces[first].face, pieces[first].level, edges, true, out);
+  }
+}
+
+}  // namespace
+
+void PolygonCounts::operator+=(const PolygonCounts& o) {
+  zones += o.zones;
+  slabs += o.slabs;
+  bodies += o.bodies;
+  clips += o.clips;
+  wrong_sorts += o.wrong_sorts;
+  splits += o.splits;
+  deepest = std::max(deepest, o.deepest);
+}
+
+VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet>& facets, bool silhouettes,
+                            const std::function<void(double)>& progress, PolygonCounts& counts) {
+  VisibleFaces result;
+  result.facet_touches.assign(facets.size(), 0);
+  const std::vector<ClipUnit> units = clip_units(scene, facets, silhouettes);
+  std::vector<std::vector<std::uint32_t>> zones = zones_of(units);
+  counts.zones = zones.size();
+  counts.bodies = static_cast<std::uint64_t>(std::count_if(units.begin(), units.end(), [](const ClipUnit& u) { return u.body; }));
+  std::vector<VisibleFaces> found(zones.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  tbb::parallel_for(std::size_t{0}, zones.size(), [&](std::size_t z) {
+    // Facets of different zones are never compared: each task marks its own.
+    const std::size_t size = zones[z].size();
+    ZoneStudy study(units, UnitOrders(scene, facets, units, result.facet_touches));
+    study.study(std::move(zones[z]));
+    add_all(scene.lattice, study.pieces, found[z]);
+    const std::lock_guard lock(mutex);
+    counts += study.counts;
+    done += size;
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(units.size()));
+  });
+  for (VisibleFaces& part : found) {
+    std::move(part.regions.begin(), part.regions.end(), std::back_inserter(result.regions));
+    result.borders.insert(result.borders.end(), part.borders.begin(), part.borders.end());
+  }
+  std::stable_sort(result.regions.begin(), result.regions.end(), [](const Region& a, const Region& b) { return a.face < b.face; });
+  return result;
+}
+
+}  // namespace ligne::atherton_weiler

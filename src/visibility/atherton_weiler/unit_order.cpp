@@ -1,0 +1,67 @@
+#include "visibility/atherton_weiler/unit_order.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "geometry/clip_contour_by_contour.hpp"
+#include "visibility/atherton_weiler/clip_part.hpp"
+
+namespace ligne::atherton_weiler {
+namespace {
+
+int common_corners(const Facet& a, const Facet& b) {
+  int n = 0;
+  for (const std::uint32_t v : a.v) n += v == b.v[0] || v == b.v[1] || v == b.v[2];
+  return n;
+}
+
+UnitOrder turned(UnitOrder order) {
+  return order == UnitOrder::first ? UnitOrder::second : order == UnitOrder::second ? UnitOrder::first : order;
+}
+
+}  // namespace
+
+template <class Visit>
+void UnitOrders::for_each_pair(std::uint32_t a, std::uint32_t b, Visit visit) const {
+  for (const UnitFace& face_a : units_[a].faces) {
+    for (const std::uint32_t fa : face_a.facets) {
+      const PageBox box = box_of(facets_[fa], scene_.vertices);
+      if (!box.meets(units_[b].box)) continue;
+      for (const UnitFace& face_b : units_[b].faces) {
+        for (const std::uint32_t fb : face_b.facets) {
+          if (box.meets(box_of(facets_[fb], scene_.vertices))) visit(fa, fb, order_of(facets_, scene_.vertices, fa, fb));
+        }
+      }
+    }
+  }
+}
+
+UnitOrder UnitOrders::order(std::uint32_t a, std::uint32_t b) {
+  if (a > b) return turned(order(b, a));
+  const auto [entry, is_new] = known_.try_emplace(std::uint64_t{a} << 32 | b, UnitOrder::first);
+  if (!is_new) return entry->second;
+  bool first = false, second = false;
+  for_each_pair(a, b, [&](std::uint32_t fa, std::uint32_t fb, const FacetOrder& o) {
+    if (o.order == Order::apart) return;
+    first |= o.order != Order::second;
+    second |= o.order != Order::first;
+    if (o.tie || (o.touch && common_corners(facets_[fa], facets_[fb]) < 2)) touches_[fa] = touches_[fb] = 1;
+  });
+  entry->second = first && second ? UnitOrder::mixed : second ? UnitOrder::second : UnitOrder::first;
+  return entry->second;
+}
+
+std::vector<ContourFace> UnitOrders::front_parts(std::uint32_t a, std::uint32_t b) const {
+  std::vector<ContourFace> parts;
+  for_each_pair(a, b, [&](std::uint32_t fa, std::uint32_t fb, const FacetOrder& o) {
+    if (o.order == Order::apart || o.order == Order::first) return;
+    ClipPart front = whole_facet(facets_, scene_.vertices, fb);
+    if (o.order == Order::cut) front = left_of(front, {o.cut.b, o.cut.a});
+    if (front.count == 0) return;
+    ClipResult both = clip_contour_by_contour(std::vector{front.face()}, std::vector{whole_facet(facets_, scene_.vertices, fa).face()}, true);
+    std::move(both.inside.begin(), both.inside.end(), std::back_inserter(parts));
+  });
+  return parts;
+}
+
+}  // namespace ligne::atherton_weiler
