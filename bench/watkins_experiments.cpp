@@ -55,9 +55,9 @@ SpanCounts operations(SpanMethodKind kind, std::vector<ScanSegment<X>> segments,
   return method->counts();
 }
 
-double seconds(const std::function<void()>& work) {
+double seconds(int times, const std::function<void()>& work) {
   double best = 1e300;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < times; ++i) {
     const std::clock_t start = std::clock();  // of the processor: the machine may have other work
     work();
     best = std::min(best, double(std::clock() - start) / CLOCKS_PER_SEC);
@@ -133,7 +133,7 @@ Model load(const std::filesystem::path& file) {
 
 /// What a scan of the whole page by one group of lines costs; no seam breaks the coherence.
 struct Cost {
-  double seconds = 0;  ///< of the scan alone, the best of five
+  double seconds = 0;  ///< of the scan alone, the best of some
   ScanCounts scan;
   SpanCounts spans;
 };
@@ -145,14 +145,14 @@ class Nobody final : public LineListener {
   void hidden_point(const LineScan&, std::uint32_t, std::uint32_t) override {}
 };
 
-Cost study(const Model& model, std::uint32_t lines, bool whole, const ScanOptions& options) {
+Cost study(const Model& model, std::uint32_t lines, bool whole, const ScanOptions& options, int times = 5) {
   LineGrid grid = grid_of_lines(model.scene, lines);
   grid.whole = whole;
-  const ScanScene scene = make_scan_scene(model.scene, model.lines, grid);
+  const ScanScene scene = make_scan_scene(model.scene, model.facets, model.lines, grid);
   Cost cost;
-  cost.seconds = seconds([&] {
+  cost.seconds = seconds(times, [&] {
     Nobody nobody;
-    LineScan scan(scene, model.lines, options, nobody);
+    LineScan scan(scene, model.scene.vertices, model.facets, model.lines, options, nobody);
     scan.scan(0, lines);
     cost.scan = scan.counts();
     cost.spans = scan.span_counts();
@@ -197,7 +197,7 @@ void model_tables(const std::vector<Model>& models) {
   }
 }
 
-void coherence_tables(const std::filesystem::path& folder, const std::vector<Model>& models) {
+void coherence_tables(const std::vector<Model>& models) {
   std::printf("\n### Coherence, stack: lines studied, time in ms\n\n| model | lines | every line | where edges enter, end, cross | and it can be seen | gain |\n|---|---|---|---|---|---|\n");
   for (const Model& model : models) {
     for (const std::uint32_t lines : {512u, 2048u, 8192u, 32768u}) {
@@ -207,23 +207,30 @@ void coherence_tables(const std::filesystem::path& folder, const std::vector<Mod
                   static_cast<unsigned long long>(r[1].scan.studied), 1e3 * r[1].seconds, static_cast<unsigned long long>(r[2].scan.studied), 1e3 * r[2].seconds, r[0].seconds / r[2].seconds);
     }
   }
+}
+
+/// Studies rise with the lines until no two changes share one: then there are as many as changes that can be seen.
+void studies_table(const std::filesystem::path& folder, const std::vector<Model>& models) {
+  constexpr std::uint32_t kFirst = 1000, kDoublings = 10, kInChart = 32'000;
   Chart chart{"Lines studied", "scan lines", "studied", {}};
-  std::printf("\n### Lines studied against lines of the page\n\n| model |");
-  const std::uint32_t counts[] = {256, 512, 1024, 2048, 4096, 8192, 16384, 32768};
-  for (const std::uint32_t n : counts) std::printf(" %u |", n);
-  std::printf("\n|---|");
-  for (std::size_t i = 0; i < std::size(counts); ++i) std::printf("---|");
+  std::printf("\n### Lines studied against lines of the page\n\n| model | facets | intersections |");
+  for (std::uint32_t k = 0; k <= kDoublings; ++k) std::printf(" %u |", kFirst << k);
+  std::printf(" exchanges | ends |\n|---|---|---|");
+  for (std::uint32_t k = 0; k <= kDoublings + 2; ++k) std::printf("---|");
   std::printf("\n");
   for (const Model& model : models) {
-    std::printf("| %s |", model.name.c_str());
+    std::printf("| %s | %zu | %zu |", model.name.c_str(), model.facets.size(), model.lines.size() - model.scene.edges.size());
     Curve curve{model.name, {}};
-    for (const std::uint32_t n : counts) {
-      const std::uint64_t studied = study(model, n, false, {SpanMethodKind::stack, true, true, true}).scan.studied;
-      std::printf(" %llu |", static_cast<unsigned long long>(studied));
-      curve.points.emplace_back(n, static_cast<double>(studied));
+    ScanCounts scan;
+    for (std::uint32_t k = 0; k <= kDoublings; ++k) {
+      const std::uint32_t n = kFirst << k;
+      scan = study(model, n, false, {SpanMethodKind::stack, true, true, true}, 1).scan;
+      std::printf(" %llu |", static_cast<unsigned long long>(scan.studied));
+      if (n <= kInChart) curve.points.emplace_back(n, static_cast<double>(scan.studied));
     }
-    std::printf("\n");
-    if (model.facets.size() < 5000) chart.curves.push_back(std::move(curve));
+    std::printf(" %llu | %llu |\n", static_cast<unsigned long long>(scan.studied_exchanges), static_cast<unsigned long long>(scan.studied_ends));
+    std::fflush(stdout);
+    if (model.facets.size() < 10'000) chart.curves.push_back(std::move(curve));
   }
   write_chart(folder / "watkins-lines-studied.svg", chart);
 }
@@ -244,7 +251,8 @@ int main(int argc, char** argv) {
     std::vector<Model> models;
     for (int i = 2; i < argc; ++i) models.push_back(load(argv[i]));
     model_tables(models);
-    coherence_tables(folder, models);
+    coherence_tables(models);
+    studies_table(folder, models);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "ligne_watkins_experiments: %s\n", e.what());
     return 1;

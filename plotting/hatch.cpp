@@ -1,201 +1,362 @@
-/// Hatching, in the frame of the strokes (u along them, v across):
+/// Hatching, in the frame of the strokes:
 ///
-/// 1. Rows lie at v = k x spacing, counted from the origin, so that regions side by side share them.
-/// 2. A row keeps what lies inside and at least half a pen from every border. What a segment forbids on a row is the part of the row within half a pen of it: a segment's
-///    neighbourhood is convex, so that part is one interval. Inside is decided between the forbidden intervals by the crossings of the row (even-odd); no crossing
-///    lies in an open one, since a crossing is forbidden.
-/// 3. Spans of neighbouring rows are tied into strokes while the way from the end of one to the beginning of the next stays clear of the borders.
+/// 1. Runs of the cover that touch are joined, line by line. What is left is the area, seen on lines that are at most a sixth of the pen apart.
+/// 2. The area is made narrower by half a pen: a point stays when a shape about it that surrounds the pen's tip stays inside on all lines that it meets. A corner that points along the
+///    lines, between two of them, can come nearer by half their distance; a slit that is narrower than that is not seen.
+/// 3. Every so many lines the line is a row, and what stayed of it are strokes.
+/// 4. Strokes of neighbouring rows are tied, where both end at the rim. The tie goes straight, or, where that would come too near to the rim, along what stayed of the lines between.
+///
+/// A surface of n rows has the row k when the bits of k mod 16, read backwards, are less than n: every number of rows is spread, and contains the smaller ones.
 
 #include "plotting/hatch.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include <glm/geometric.hpp>
+#include <oneapi/tbb/parallel_for.h>
+
+#include "plotting/paths/simplify.hpp"
 
 namespace ligne {
 namespace {
 
-struct Segment {
-  Point2 a, b;
-};
+/// Runs nearer than this are one: the micrometre to which drawings are right.
+constexpr double kTouchMm = 1e-3;
+/// A tie that leaves the lines between by less goes straight: the rounding of coordinates.
+constexpr double kRoundingMm = 1e-6;
 
-struct Span {
+// Adjustable: how fine the lines lie, how long a tie may be.
+constexpr double kLinesPerPen = 6, kFinestPenMm = 0.1;
+constexpr double kShortestPens = 1; ///< shorter strokes are blots
+constexpr double kLongestTie = 4;   ///< by the distance of the rows
+constexpr double kWidestDetour = 1; ///< of a tie from the straight way, and from the rim, by the same
+
+struct Interval {
   double from, to;
 };
+using Line = std::vector<Interval>;
 
-/// Distance between two segments.
-double distance(Point2 p, const Segment& s) {
-  const Point2 along = s.b - s.a;
-  const double squared = glm::dot(along, along);
-  const double t = squared > 0 ? std::clamp(glm::dot(p - s.a, along) / squared, 0.0, 1.0) : 0;
-  return glm::distance(p, s.a + along * t);
+/// Half the width that must be free on the lines about the middle of the pen: that of its tip on the line before, so that a corner which ends between two lines is not missed.
+std::vector<double> pen_profile(double radius, double line_mm) {
+  std::vector<double> half{radius};
+  for (double y = 0; y < radius; y += line_mm) half.push_back(std::sqrt(radius * radius - y * y));
+  return half;
 }
 
-double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
-
-double distance(const Segment& s, const Segment& t) {
-  const double a = cross(s.b - s.a, t.a - s.a), b = cross(s.b - s.a, t.b - s.a), c = cross(t.b - t.a, s.a - t.a), d = cross(t.b - t.a, s.b - t.a);
-  if (((a > 0 && b < 0) || (a < 0 && b > 0)) && ((c > 0 && d < 0) || (c < 0 && d > 0))) return 0;
-  return std::min({distance(s.a, t), distance(s.b, t), distance(t.a, s), distance(t.b, s)});
+/// What is in `kept` and, made narrower by `half` at each end, in `line`.
+void keep_within(Line& kept, const Line& line, double half, Line& scratch) {
+  scratch.clear();
+  std::size_t i = 0, k = 0;
+  while (i < kept.size() && k < line.size()) {
+    const double from = std::max(kept[i].from, line[k].from + half), to = std::min(kept[i].to, line[k].to - half);
+    if (from < to) scratch.push_back({from, to});
+    kept[i].to < line[k].to - half ? ++i : ++k;
+  }
+  kept.swap(scratch);
 }
 
-/// The part of the row v that lies nearer than r to the segment; empty (from > to) when none does.
-Span forbidden(const Segment& s, double v, double r) {
-  Span span{1e300, -1e300};
-  const auto add = [&](double u) {
-    span.from = std::min(span.from, u);
-    span.to = std::max(span.to, u);
-  };
-  for (const Point2 end : {s.a, s.b}) {
-    const double dv = v - end.y;
-    if (std::abs(dv) > r) continue;
-    const double half = std::sqrt(r * r - dv * dv);
-    add(end.x - half);
-    add(end.x + half);
-  }
-  // The two long sides of the segment's neighbourhood.
-  const Point2 along = s.b - s.a;
-  const double length = glm::length(along);
-  if (length == 0) return span;
-  const Point2 across = Point2{-along.y, along.x} * (r / length);
-  for (const double side : {-1.0, 1.0}) {
-    const Point2 p = s.a + across * side, q = s.b + across * side;
-    if ((p.y <= v) == (q.y <= v)) continue;
-    add(p.x + (q.x - p.x) * (v - p.y) / (q.y - p.y));
-  }
-  return span;
+/// A run of a group of surfaces that are hatched together.
+struct GroupRun {
+  std::int32_t line;
+  double from, to;
+  std::uint32_t rows, layer;
+};
+
+/// The rank of a row in its cycle: it is drawn on surfaces of more rows than that.
+std::uint32_t rank_of(std::int64_t row) {
+  static_assert(kRowCycle == 16);
+  const auto k = static_cast<std::uint32_t>((row % kRowCycle + kRowCycle) % kRowCycle);
+  return (k & 1) << 3 | (k & 2) << 1 | (k & 4) >> 1 | (k & 8) >> 3;
 }
 
 class Hatcher {
  public:
-  Hatcher(std::span<const std::vector<Point2>> contours, const HatchOptions& options, double angle_degrees)
-      : spacing_(options.spacing_mm), radius_(options.pen_width_mm / 2), origin_(options.origin) {
-    const double angle = angle_degrees * std::numbers::pi / 180;
-    // Page y points down: counter-clockwise as seen.
-    along_ = {std::cos(angle), -std::sin(angle)};
-    across_ = {-along_.y, along_.x};
-    for (const std::vector<Point2>& contour : contours) {
-      for (std::size_t i = 0; i < contour.size(); ++i) {
-        const Segment s{to_frame(contour[i]), to_frame(contour[(i + 1) % contour.size()])};
-        if (s.a != s.b || contour.size() == 1) segments_.push_back(s);
-      }
-    }
-  }
+  /// The runs are ordered by line and beginning.
+  Hatcher(const HatchFrame& frame, double line_mm, std::uint32_t every, double pen_mm, std::span<const GroupRun> runs);
 
-  void run(Polylines& out);
+  void run(std::uint32_t layer, Polylines& out);
 
  private:
-  /// A stroke that may go on: its last point, and the row in which that lies.
+  /// A stroke that may go on.
   struct Open {
-    std::vector<Point2> points;
+    std::vector<Point2> points;  ///< frame
+    std::int32_t line;
+    bool at_left = false;        ///< it ended at the left end of its row
+    bool used = false;
+    double u() const { return points.back().x; }
   };
 
-  Point2 to_frame(Point2 p) const { return {glm::dot(p - origin_, along_), glm::dot(p - origin_, across_)}; }
-  Point2 to_page(Point2 q) const { return origin_ + along_ * q.x + across_ * q.y; }
-  std::vector<Span> row(double v, std::span<const std::uint32_t> near) const;
-  bool clear(Point2 a, Point2 b, std::span<const std::uint32_t> near) const;
-  void finish(Open& open, Polylines& out) const;
+  static constexpr std::int64_t kAll = -1;
+  std::size_t index(std::int32_t line) const { return static_cast<std::size_t>(std::int64_t{line} - first_); }
+  /// What of a line is covered by surfaces of more rows than `rank`; kAll: by any.
+  Line covered(std::int64_t rank, std::int32_t line, std::optional<std::uint32_t> layer = {}) const;
+  Line inside(std::int64_t rank, std::int32_t line) const;
+  /// Whether a stroke that ends there ends at the rim.
+  bool at_rim(std::int32_t line, double u) const { return rim_distance(line, u) <= kTouchMm; }
+  double rim_distance(std::int32_t line, double u) const;
+  bool route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, std::vector<Point2>& way) const;
+  bool tie(Open& stroke, const Interval& span, std::int32_t line, std::vector<Open>& open) const;
+  void finish(const Open& stroke, Polylines& out) const;
 
-  double spacing_, radius_;
-  Point2 origin_, along_, across_;
-  std::vector<Segment> segments_;
+  const HatchFrame& frame_;
+  double line_mm_, shortest_mm_;
+  std::int64_t every_;
+  std::span<const GroupRun> runs_;
+  std::int32_t first_ = 0;
+  std::vector<std::size_t> begin_;  ///< of each line, in the runs
+  std::vector<Line> free_;          ///< what stays of each line of the whole area
+  std::vector<double> profile_;
+  std::int64_t longest_ = 0;        ///< lines between two rows of the surface with the fewest
+  bool layers_ = false;             ///< there are several
 };
 
-/// Free spans of a row, ascending.
-std::vector<Span> Hatcher::row(double v, std::span<const std::uint32_t> near) const {
-  std::vector<Span> closed;
-  std::vector<double> crossings;
-  for (const std::uint32_t i : near) {
-    const Segment& s = segments_[i];
-    const Span span = forbidden(s, v, radius_);
-    if (span.from <= span.to) closed.push_back(span);
-    if ((s.a.y <= v) != (s.b.y <= v)) crossings.push_back(s.a.x + (s.b.x - s.a.x) * (v - s.a.y) / (s.b.y - s.a.y));
+Hatcher::Hatcher(const HatchFrame& frame, double line_mm, std::uint32_t every, double pen_mm, std::span<const GroupRun> runs)
+    : frame_(frame), line_mm_(line_mm), shortest_mm_(kShortestPens * pen_mm), every_(every), runs_(runs), profile_(pen_profile(pen_mm / 2, line_mm)) {
+  if (runs.empty()) return;
+  first_ = runs.front().line;
+  const std::size_t lines = index(runs.back().line) + 1;
+  begin_.assign(lines + 1, 0);
+  std::uint32_t fewest = kRowCycle;
+  for (const GroupRun& run : runs) {
+    ++begin_[index(run.line) + 1];
+    if (run.rows > 0) fewest = std::min(fewest, run.rows);
+    layers_ = layers_ || run.layer != runs.front().layer;
   }
-  std::sort(crossings.begin(), crossings.end());
-  std::sort(closed.begin(), closed.end(), [](const Span& l, const Span& r) { return l.from < r.from; });
-  std::vector<Span> free;
-  double reached = closed.empty() ? 0 : closed[0].to;
-  for (const Span& span : closed) {
-    if (span.from > reached) {
-      const double middle = (reached + span.from) / 2;
-      const auto before = std::lower_bound(crossings.begin(), crossings.end(), middle) - crossings.begin();
-      if (before % 2 == 1) free.push_back({reached, span.from});
+  longest_ = every_ * ((kRowCycle + fewest - 1) / fewest);
+  for (std::size_t i = 0; i < lines; ++i) begin_[i + 1] += begin_[i];
+  free_.resize(lines);
+  oneapi::tbb::parallel_for(std::size_t{0}, lines, [&](std::size_t i) { free_[i] = inside(kAll, first_ + static_cast<std::int32_t>(i)); });
+}
+
+Line Hatcher::covered(std::int64_t rank, std::int32_t line, std::optional<std::uint32_t> layer) const {
+  Line cover;
+  if (line < first_ || index(line) + 1 >= begin_.size()) return cover;
+  for (std::size_t i = begin_[index(line)]; i < begin_[index(line) + 1]; ++i) {
+    const GroupRun& run = runs_[i];
+    if (std::int64_t{run.rows} <= rank || (layer && run.layer != *layer)) continue;
+    if (!cover.empty() && run.from <= cover.back().to + kTouchMm) {
+      cover.back().to = std::max(cover.back().to, run.to);
+    } else {
+      cover.push_back({run.from, run.to});
     }
-    reached = std::max(reached, span.to);
   }
-  return free;
+  return cover;
 }
 
-/// Whether the pen can go from a to b without touching a border.
-bool Hatcher::clear(Point2 a, Point2 b, std::span<const std::uint32_t> near) const {
-  // The ends themselves lie exactly half a pen from a border; rounding is far below this share.
-  constexpr double kShare = 1 - 1e-9;
-  return std::all_of(near.begin(), near.end(), [&](std::uint32_t i) { return distance(Segment{a, b}, segments_[i]) >= radius_ * kShare; });
+/// What stays of a line when the area is made narrower by half a pen.
+Line Hatcher::inside(std::int64_t rank, std::int32_t line) const {
+  Line kept, scratch;
+  for (const Interval& run : covered(rank, line)) {
+    if (run.from + profile_[0] < run.to - profile_[0]) kept.push_back({run.from + profile_[0], run.to - profile_[0]});
+  }
+  for (std::size_t i = 1; i < profile_.size() && !kept.empty(); ++i) {
+    for (const std::int32_t side : {-1, 1}) keep_within(kept, covered(rank, line + side * static_cast<std::int32_t>(i)), profile_[i], scratch);
+  }
+  return kept;
 }
 
-void Hatcher::finish(Open& open, Polylines& out) const {
-  if (open.points.empty()) return;
-  for (const Point2 p : open.points) out.points.push_back(to_page(p));
+double Hatcher::rim_distance(std::int32_t line, double u) const {
+  double least = 1e300;
+  for (const Interval& run : free_[index(line)]) least = std::min({least, std::abs(run.from - u), std::abs(run.to - u)});
+  return least;
+}
+
+/// The way of a tie between two rows: straight, or beside what is not free. False when there is none.
+bool Hatcher::route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, std::vector<Point2>& way) const {
+  way.clear();
+  const double rows_mm = (to_line - from_line) * line_mm_;
+  for (std::int32_t line = from_line + 1; line < to_line; ++line) {
+    const double straight = from.x + (to - from.x) * (line - from_line) / (to_line - from_line);
+    double best = 1e300, u = straight;
+    for (const Interval& run : free_[index(line)]) {
+      const double clamped = std::clamp(straight, run.from, run.to);
+      if (std::abs(clamped - straight) < best) best = std::abs(clamped - straight), u = clamped;
+    }
+    if (best > kWidestDetour * rows_mm || rim_distance(line, u) > kWidestDetour * rows_mm) return false;
+    if (best > kRoundingMm) way.push_back({u, line * line_mm_});
+  }
+  if (way.empty()) return true;
+  way.insert(way.begin(), from);
+  way.push_back({to, to_line * line_mm_});
+  const std::vector<std::uint32_t> kept = simplified(way, kTouchMm);
+  for (std::size_t i = 1; i + 1 < kept.size(); ++i) way[i - 1] = way[kept[i]];
+  way.resize(kept.size() - 2);
+  return true;
+}
+
+/// Lets a stroke begin at the end of the row at which an open one ended, the nearest first. `open` is ordered by u.
+bool Hatcher::tie(Open& stroke, const Interval& span, std::int32_t line, std::vector<Open>& open) const {
+  struct Candidate {
+    double length;
+    Open* before;
+    bool from_left;
+  };
+  std::vector<Candidate> candidates;
+  const double reach = kLongestTie * static_cast<double>(longest_) * line_mm_;
+  for (const bool from_left : {true, false}) {
+    const double u = from_left ? span.from : span.to;
+    if (!at_rim(line, u)) continue;
+    auto before = std::lower_bound(open.begin(), open.end(), u - reach, [](const Open& o, double v) { return o.u() < v; });
+    for (; before != open.end() && before->u() <= u + reach; ++before) {
+      const double rows_mm = (line - before->line) * line_mm_, length = std::hypot(before->u() - u, rows_mm);
+      if (!before->used && before->at_left == from_left && length <= kLongestTie * rows_mm && at_rim(before->line, before->u())) candidates.push_back({length, &*before, from_left});
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+  std::vector<Point2> way;
+  for (const Candidate& c : candidates) {
+    const double u = c.from_left ? span.from : span.to;
+    if (!route(c.before->points.back(), c.before->line, u, line, way)) continue;
+    c.before->used = true;
+    stroke.points = std::move(c.before->points);
+    c.before->points = {{u, 0}};  // keeps its place in the order
+    stroke.points.insert(stroke.points.end(), way.begin(), way.end());
+    stroke.points.push_back({u, line * line_mm_});
+    stroke.points.push_back({c.from_left ? span.to : span.from, line * line_mm_});
+    stroke.at_left = !c.from_left;
+    return true;
+  }
+  return false;
+}
+
+void Hatcher::finish(const Open& stroke, Polylines& out) const {
+  for (const Point2 p : stroke.points) out.points.push_back(frame_.to_page(p));
   out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
-  open.points.clear();
 }
 
-void Hatcher::run(Polylines& out) {
-  if (segments_.empty()) return;
-  double low = 1e300, high = -1e300;
-  for (const Segment& s : segments_) {
-    low = std::min({low, s.a.y, s.b.y});
-    high = std::max({high, s.a.y, s.b.y});
-  }
-  const double first = std::ceil((low + radius_) / spacing_), last = std::floor((high - radius_) / spacing_);
-  if (!(last >= first)) return;
-  if (last - first >= kMostHatchRows) throw std::invalid_argument("a hatch has more than a million rows");
-
-  // Segments by the first row that they can touch, and those that the rows at hand can touch.
-  const auto reach_low = [&](std::uint32_t i) { return std::min(segments_[i].a.y, segments_[i].b.y) - radius_ - spacing_; };
-  const auto reach_high = [&](std::uint32_t i) { return std::max(segments_[i].a.y, segments_[i].b.y) + radius_ + spacing_; };
-  std::vector<std::uint32_t> order(segments_.size()), near;
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) { return reach_low(l) < reach_low(r); });
-
-  std::vector<Open> open;
-  std::size_t next = 0;
-  for (double k = first; k <= last; ++k) {
-    const double v = k * spacing_;
-    std::erase_if(near, [&](std::uint32_t i) { return reach_high(i) < v; });
-    for (; next < order.size() && reach_low(order[next]) <= v; ++next) near.push_back(order[next]);
-    const bool forward = std::fmod(k, 2) == 0;
-    std::vector<Open> now;
-    for (Span span : row(v, near)) {
-      Point2 from{span.from, v}, to{span.to, v};
-      if (!forward) std::swap(from, to);
-      Open stroke;
-      for (Open& before : open) {
-        if (before.points.empty() || !clear(before.points.back(), from, near)) continue;
-        stroke.points = std::move(before.points);
-        before.points.clear();
-        break;
+void Hatcher::run(std::uint32_t layer, Polylines& out) {
+  const std::int64_t last = std::int64_t{first_} + static_cast<std::int64_t>(free_.size()) - 1;
+  auto row = static_cast<std::int64_t>(std::ceil(static_cast<double>(first_) / static_cast<double>(every_)));
+  std::vector<Open> open, next;
+  Line scratch;
+  for (; row * every_ <= last; ++row) {
+    const auto line = static_cast<std::int32_t>(row * every_);
+    next.clear();
+    const std::uint32_t rank = rank_of(row);
+    Line spans = inside(rank, line);
+    if (layers_) keep_within(spans, covered(rank, line, layer), 0, scratch);
+    for (const Interval& span : spans) {
+      if (span.to - span.from < shortest_mm_) continue;
+      Open stroke{{}, line};
+      if (!tie(stroke, span, line, open)) {
+        stroke.points = {{span.from, line * line_mm_}, {span.to, line * line_mm_}};
+        stroke.at_left = row % 2 != 0;
+        if (stroke.at_left) std::swap(stroke.points[0], stroke.points[1]);
       }
-      stroke.points.push_back(from);
-      stroke.points.push_back(to);
-      now.push_back(std::move(stroke));
+      next.push_back(std::move(stroke));
     }
-    for (Open& before : open) finish(before, out);
-    open = std::move(now);
+    for (Open& before : open) {
+      if (before.used) continue;
+      if (line + every_ - before.line > longest_) {
+        finish(before, out);
+      } else {
+        next.push_back(std::move(before));
+      }
+    }
+    open.swap(next);
+    std::stable_sort(open.begin(), open.end(), [](const Open& a, const Open& b) { return a.u() < b.u(); });
   }
-  for (Open& stroke : open) finish(stroke, out);
+  for (const Open& stroke : open) finish(stroke, out);
 }
 
 }  // namespace
 
+HatchFrame::HatchFrame(Point2 origin, double angle_degrees) : origin_(origin) {
+  const double angle = angle_degrees * std::numbers::pi / 180;
+  // Page y points down: counter-clockwise as seen.
+  along_ = {std::cos(angle), -std::sin(angle)};
+  across_ = {-along_.y, along_.x};
+}
+
+Point2 HatchFrame::to_frame(Point2 page) const { return {glm::dot(page - origin_, along_), glm::dot(page - origin_, across_)}; }
+Point2 HatchFrame::to_page(Point2 frame) const { return origin_ + along_ * frame.x + across_ * frame.y; }
+
+double cover_line_mm(double spacing_mm, double pen_mm) {
+  if (!(spacing_mm > 0) || !(pen_mm > 0)) throw std::invalid_argument("spacing and pen width of a hatch are above zero");
+  const double wanted = std::max(pen_mm, kFinestPenMm) / kLinesPerPen;
+  return spacing_mm / std::max(1.0, std::ceil(spacing_mm / wanted));
+}
+
+void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm, std::vector<CoverRun>& cover) {
+  double low = 1e300, high = -1e300;
+  std::vector<std::vector<Point2>> turned(contours.size());
+  for (std::size_t c = 0; c < contours.size(); ++c) {
+    for (const Point2 p : contours[c]) {
+      turned[c].push_back(frame.to_frame(p));
+      low = std::min(low, turned[c].back().y);
+      high = std::max(high, turned[c].back().y);
+    }
+  }
+  const double first = std::ceil(low / line_mm), last = std::floor(high / line_mm);
+  if (!(first <= last)) return;
+  if (!(std::abs(first) < 2e9 && std::abs(last) < 2e9)) throw std::invalid_argument("a hatch has too many lines");
+  // The contours' crossings with the lines, by line.
+  std::vector<std::pair<std::int32_t, double>> crossings;
+  for (const std::vector<Point2>& contour : turned) {
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      Point2 a = contour[i], b = contour[i + 1 == contour.size() ? 0 : i + 1];
+      if (a.y > b.y || (a.y == b.y && a.x > b.x)) std::swap(a, b);  // an edge between two areas is crossed at the same point for both
+      for (double line = std::ceil(a.y / line_mm); line * line_mm < b.y; ++line) {
+        crossings.emplace_back(static_cast<std::int32_t>(line), a.x + (b.x - a.x) * ((line * line_mm - a.y) / (b.y - a.y)));
+      }
+    }
+  }
+  std::sort(crossings.begin(), crossings.end());
+  for (std::size_t i = 0; i + 1 < crossings.size();) {
+    if (crossings[i].first != crossings[i + 1].first) {
+      ++i;
+      continue;
+    }
+    if (crossings[i].second < crossings[i + 1].second) cover.push_back({crossings[i].first, crossings[i].second, crossings[i + 1].second, surface});
+    i += 2;
+  }
+}
+
+void hatch_cover(const HatchFrame& frame, double line_mm, std::span<const CoverRun> cover, std::span<const SurfaceHatch> surfaces,
+                 std::span<const double> pen_mm, std::span<Polylines> layers) {
+  if (!(line_mm > 0) || std::any_of(pen_mm.begin(), pen_mm.end(), [](double pen) { return !(pen > 0); })) {
+    throw std::invalid_argument("spacing and pen width of a hatch are above zero");
+  }
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<GroupRun>> groups;
+  for (const CoverRun& run : cover) {
+    const SurfaceHatch& how = surfaces[run.surface];
+    if (how.every > 0) groups[{how.group, how.every}].push_back({run.line, run.from, run.to, how.rows, how.layer});
+  }
+  for (auto& [group, runs] : groups) {
+    std::sort(runs.begin(), runs.end(), [](const GroupRun& a, const GroupRun& b) { return std::tie(a.line, a.from, a.to) < std::tie(b.line, b.from, b.to); });
+    for (std::uint32_t layer = 0; layer < layers.size(); ++layer) {
+      if (std::none_of(runs.begin(), runs.end(), [&](const GroupRun& run) { return run.layer == layer; })) continue;
+      Hatcher(frame, line_mm, group.second, pen_mm[layer], runs).run(layer, layers[layer]);
+    }
+  }
+}
+
 Polylines hatch(std::span<const std::vector<Point2>> contours, const HatchOptions& options) {
-  if (!(options.spacing_mm > 0) || !(options.pen_width_mm > 0)) throw std::invalid_argument("spacing and pen width of a hatch are above zero");
+  const double line_mm = cover_line_mm(options.spacing_mm, options.pen_width_mm);
   Polylines out;
-  Hatcher(contours, options, options.angle_degrees).run(out);
-  if (options.cross) Hatcher(contours, options, options.angle_degrees + 90).run(out);
+  for (const double turn : {0.0, 90.0}) {
+    if (turn > 0 && !options.cross) break;
+    const HatchFrame frame(options.origin, options.angle_degrees + turn);
+    double low = 1e300, high = -1e300;
+    for (const std::vector<Point2>& contour : contours) {
+      for (const Point2 p : contour) {
+        low = std::min(low, frame.to_frame(p).y);
+        high = std::max(high, frame.to_frame(p).y);
+      }
+    }
+    if (high - low > kMostHatchRows * options.spacing_mm) throw std::invalid_argument("a hatch has more than a million rows");
+    std::vector<CoverRun> cover;
+    add_cover(contours, 0, frame, line_mm, cover);
+    const SurfaceHatch how{static_cast<std::uint32_t>(std::lround(options.spacing_mm / line_mm)), kRowCycle, 0, 0};
+    hatch_cover(frame, line_mm, cover, {&how, 1}, {&options.pen_width_mm, 1}, {&out, 1});
+  }
   return out;
 }
 

@@ -29,6 +29,13 @@ unsigned parse_pen_number(std::string_view text) {
   return number;
 }
 
+unsigned parse_shade(std::string_view text) {
+  if (text.size() != 1 || text[0] < '1' || text[0] > static_cast<char>('0' + kMostPenShades)) {
+    throw std::invalid_argument("\"" + std::string(text) + "\" is not a shade, 1 (the darkest) to " + std::to_string(kMostPenShades));
+  }
+  return static_cast<unsigned>(text[0] - '0');
+}
+
 }  // namespace
 
 std::array<double, 3> parse_color(std::string_view text) {
@@ -58,7 +65,8 @@ std::string layer_label(const Pen& pen) {
   return label;
 }
 
-unsigned PenTable::pen_of(std::string_view layer, std::string_view material) const {
+unsigned PenTable::pen_of(std::string_view layer, std::string_view material, unsigned shade) const {
+  if (const auto found = pen_of_shade.find(shade); shade > 0 && found != pen_of_shade.end()) return found->second;
   if (const auto found = pen_of_material.find(material); !material.empty() && found != pen_of_material.end()) return found->second;
   if (const auto found = pen_of_layer.find(layer); found != pen_of_layer.end()) return found->second;
   // As in labels of ours and of others: signs before the number.
@@ -100,9 +108,11 @@ void add_pen(PenTable& table, std::string_view text) {
     if (!(width > 0)) throw std::invalid_argument("the width of pen " + std::to_string(number) + " is not above 0");
     pen.width_mm = width;
   }
-  constexpr std::string_view kMaterial = "material:";
+  constexpr std::string_view kMaterial = "material:", kShade = "shade:";
   if (layer == "rest") {
     table.rest = number;
+  } else if (layer.starts_with(kShade)) {
+    table.pen_of_shade[parse_shade(layer.substr(kShade.size()))] = number;
   } else if (layer.starts_with(kMaterial)) {
     table.pen_of_material[std::string(layer.substr(kMaterial.size()))] = number;
   } else {

@@ -22,7 +22,7 @@ struct Pen {
   std::optional<unsigned> delay_ms;     ///< "+D"
 };
 
-inline constexpr unsigned kMostPens = 1000;
+inline constexpr unsigned kMostPens = 1000, kMostPenShades = 4;
 
 /// Name of a pen's layer in an SVG as Inkscape, vpype and the AxiDraw software read it: "2 name", with the signs before the number and the settings behind it.
 std::string layer_label(const Pen& pen);
@@ -32,11 +32,12 @@ struct PenTable {
   std::map<unsigned, Pen> pens;
   std::map<std::string, unsigned, std::less<>> pen_of_layer;
   std::map<std::string, unsigned, std::less<>> pen_of_material;
+  std::map<unsigned, unsigned> pen_of_shade;  ///< of hatching: degrees of darkness from 1, the darkest
   unsigned rest = 1;
 
   bool empty() const { return pens.empty(); }
-  /// Number of the pen of a layer. A layer that nothing is said of and whose name begins with a number has the pen of that number.
-  unsigned pen_of(std::string_view layer, std::string_view material) const;
+  /// Number of the pen of a layer: by its shade, its material, its name, whatever is named, in this order. A layer that nothing is said of and whose name begins with a number has the pen of that number.
+  unsigned pen_of(std::string_view layer, std::string_view material, unsigned shade = 0) const;
   /// The pen of that number, also when the table does not describe it.
   Pen pen(unsigned number) const;
 };
@@ -44,7 +45,7 @@ struct PenTable {
 /// "#rgb", "#rrggbb" or one of the sixteen names of CSS 1. Throws std::invalid_argument.
 std::array<double, 3> parse_color(std::string_view text);
 
-/// "CLASS=N", "CLASS=N,COLOUR" or "CLASS=N,COLOUR,WIDTH"; CLASS is a layer, "material:NAME", or "rest" for all others. Throws std::invalid_argument.
+/// "CLASS=N", "CLASS=N,COLOUR" or "CLASS=N,COLOUR,WIDTH"; CLASS is a layer, "material:NAME", "shade:N" or "rest" for all others. Throws std::invalid_argument.
 void add_pen(PenTable& table, std::string_view text);
 
 /// A table of pens as TOML, docs/plotting.md. Throws std::runtime_error, "FILE:LINE: what is wrong".

@@ -45,12 +45,12 @@ std::vector<PenWork> work_of(const Drawing& given, const PlotRequest& request) {
     if (empty(layer.lines)) continue;
     Pen pen;
     if (!request.pens.empty()) {
-      pen = request.pens.pen(request.pens.pen_of(layer.name, layer.material));
+      pen = request.pens.pen(request.pens.pen_of(layer.name, layer.material, layer.shade));
     } else if (request.pen_per_layer) {
       pen.number = next++;
       pen.name = layer.name;
     } else {
-      pen.number = request.pens.pen_of(layer.name, layer.material);
+      pen.number = request.pens.pen_of(layer.name, layer.material, layer.shade);
     }
     const LineStyle style = request.style.style_of(layer.name);
     if (request.pens.empty() && request.pen_per_layer) pen.color = style.color;

@@ -71,6 +71,21 @@ class TomlTable {
     for (const toml::node& element : *array) values.push_back(number_of(element, key));
     return values;
   }
+  /// A list of whole numbers; nothing: an empty one.
+  std::vector<unsigned> counts(std::string_view key, unsigned low, unsigned high) const {
+    const toml::node* node = find(key);
+    if (!node) return {};
+    const std::string cause = std::string(key) + " is not a list of whole numbers from " + std::to_string(low) + " to " + std::to_string(high);
+    std::vector<unsigned> values;
+    const toml::array* array = node->as_array();
+    if (!array) fail(cause, node);
+    for (const toml::node& element : *array) {
+      const auto value = element.value_exact<std::int64_t>();
+      if (!value || *value < low || *value > high) fail(cause, &element);
+      values.push_back(static_cast<unsigned>(*value));
+    }
+    return values;
+  }
   /// A list of texts; nothing: an empty one.
   std::vector<std::string> texts(std::string_view key) const {
     const toml::node* node = find(key);

@@ -13,8 +13,17 @@ constexpr const char* kExamples = R"(Examples:
   ligne draw flange.glb --view front --scale 1:2 --unit m --hidden dashed --page A3 -o flange.pdf
   ligne draw tower.obj --eye 9,6,14 --fov 40 -q -o - --format svg | rsvg-convert -z 2 > tower.png)";
 
+/// The method that is asked for; else, for fills and hatching, one that gives regions.
+const Method& method_of(const DrawOptions& options) {
+  const bool regions = options.fill.asked() || options.hatch.asked() || options.method.edges.has(LineClass::shadow);
+  return regions && !options.method.method ? region_method() : method_of(options.method);
+}
+
 void check(const DrawOptions& options) {
-  check(options.faces, format_of(options.output), method_of(options.method));
+  const Method& method = method_of(options);
+  check(options.faces, format_of(options.output), method);
+  check(options.hatch, format_of(options.output), method);
+  if (options.faces.shade && options.hatch.asked()) throw UsageError("--hatch", "does not go together with --shade");
   check(options.page);
   refuse_input_as_output("--output", *options.output.file, options.model.files);
   check(options.plotter, *options.output.file, options.model.files);
@@ -28,15 +37,14 @@ void check(const DrawOptions& options) {
 void draw(const DrawOptions& options) {
   LineClasses classes = options.method.edges;
   if (!options.method.edges_given && !options.fill.lights.empty()) classes.add(LineClass::shadow);
-  const bool regions = options.fill.asked() || classes.has(LineClass::shadow);
-  const Method& method = regions && !options.method.method ? region_method() : method_of(options.method);
+  const Method& method = method_of(options);
   const MethodSettings settings = settings_of(options.method, method);  // a wrong one is told before anything is read
   const PlotterSetup plotter = plotter_setup(options.plotter, format_of(options.output));
   RunReport run;
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   draw_scene(models.scene,
              {method, settings, classes, options.method.crease_degrees, options.method.hidden, options.method.cull, options.view,
-              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces, plotter, options.fill},
+              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces, plotter, options.fill, options.hatch},
              run);
 }
 
@@ -58,6 +66,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
       ->group("Output");
   draw->add_option("--title", options.title, "title of an SVG or PDF")->type_name("TEXT")->group("Output");
   add_face_options(*draw, options.faces);
+  add_hatch_options(*draw, options.hatch);
   add_plotter_options(*draw, options.plotter);
   add_run_options(*draw, options.run);
   draw->footer(kExamples);

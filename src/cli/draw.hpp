@@ -5,6 +5,7 @@
 
 #include "cli/face_options.hpp"
 #include "cli/fills.hpp"
+#include "cli/hatch_options.hpp"
 #include "cli/method_options.hpp"
 #include "cli/models.hpp"
 #include "cli/output_options.hpp"
@@ -27,6 +28,7 @@ struct DrawOptions {
   std::string title;  ///< of the document, may be empty
   FaceOptions faces;
   FillOptions fill{};
+  HatchRequest hatch{};
 };
 
 /// Adds the command; it runs when the command line names it. `options` must outlive the parse.

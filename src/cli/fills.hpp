@@ -1,5 +1,5 @@
 #pragma once
-/// Regions as areas of colour, or hatched.
+/// Regions as areas of colour.
 
 #include <cstdint>
 #include <span>
@@ -17,10 +17,8 @@ class App;
 
 namespace ligne {
 
-class Method;
-
-enum class FillKind : std::uint8_t { none, material, shade, hatch };
-inline constexpr std::string_view kFillNames[] = {"none", "material", "shade", "hatch"};
+enum class FillKind : std::uint8_t { none, material, shade };
+inline constexpr std::string_view kFillNames[] = {"none", "material", "shade"};
 
 struct FillOptions {
   FillKind kind = FillKind::none;
@@ -31,20 +29,18 @@ struct FillOptions {
 
 void add_fill_options(CLI::App& app, FillOptions& options);
 
-/// The first method of the registry that gives regions.
-const Method& region_method();
-
-/// Lights that cast shadows: those of the options; without any, those of the scene when it is filled by shade or hatched, or borders of
-/// shadows are drawn.
-std::vector<Light> lights_of(const FillOptions& options, bool shadow_lines, const Scene& scene);
+/// Lights that cast shadows: those of the options; without any, and when shadows are `cast`, those of the scene.
+std::vector<Light> lights_of(const FillOptions& options, const Scene& scene, bool cast);
 
 /// Colours of the regions, in painting order: those seen through most transparent faces first. `material`: the face's colour; `shade`: darker
 /// as the light comes in flatter, darkest where no light comes. Without lights a light stands behind the viewer, to the upper left.
 std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::vector<Region>& regions, std::span<const Light> lights,
                                FillKind kind);
 
-/// Regions that are seen directly, as parallel lines: the darker the closer, lit parts at 45 degrees, what no light reaches crossed.
-Polylines hatch_regions(const Scene& scene, const View& view, const std::vector<Region>& regions, std::span<const Light> lights,
-                        double pen_width_mm);
+/// The material of a face.
+Material material_of(const Scene& scene, std::uint32_t face);
+
+/// The material of a region: its own where it is part of a detail, else that of its face.
+Material material_of(const Scene& scene, const Region& region);
 
 }  // namespace ligne

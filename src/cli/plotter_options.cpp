@@ -86,7 +86,7 @@ void add_plotter_options(CLI::App& app, PlotterOptions& options) {
                                 throw UsageError("--pen", e.what());
                               }
                             },
-                            "CLASS=N[,COLOUR[,WIDTH]]: a class of lines, material:NAME or rest to pen N; repeatable")
+                            "CLASS=N[,COLOUR[,WIDTH]]: a class of lines, material:NAME, shade:N or rest to pen N; repeatable")
                          ->type_name("TEXT")
                          ->expected(1)
                          ->allow_extra_args(false)
@@ -132,6 +132,7 @@ PlotterSetup plotter_setup(const PlotterOptions& options, OutputFormat format) {
   }
   for (const auto& [layer, number] : options.pens.pen_of_layer) setup.pens.pen_of_layer[layer] = number;
   for (const auto& [material, number] : options.pens.pen_of_material) setup.pens.pen_of_material[material] = number;
+  for (const auto& [shade, number] : options.pens.pen_of_shade) setup.pens.pen_of_shade[shade] = number;
   if (options.pens.rest != PenTable{}.rest) setup.pens.rest = options.pens.rest;
   return setup;
 }

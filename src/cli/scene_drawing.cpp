@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <span>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "cli/culling.hpp"
 #include "cli/errors.hpp"
+#include "cli/hatching.hpp"
 #include "cli/models.hpp"
 #include "cli/placement.hpp"
 #include "cli/plotter_output.hpp"
@@ -54,7 +56,12 @@ Drawing drawing_by_material(const StrokeModel& strokes, const std::function<Sour
   return drawing;
 }
 
-bool wants_regions(const SceneDrawing& request) { return request.fill.asked() || request.classes.has(LineClass::shadow); }
+/// Where a method gives regions these are hatched, else its spans.
+bool hatches_regions(const SceneDrawing& request) { return request.hatch.asked() && (request.method.traits().products & kRegions); }
+
+bool wants_regions(const SceneDrawing& request) {
+  return request.fill.asked() || hatches_regions(request) || request.classes.has(LineClass::shadow);
+}
 
 /// The method's study, with the progress bar over it.
 VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projected, const PlotOptions& plot) {
@@ -65,7 +72,7 @@ VisibilityResult study(const SceneDrawing& request, const ProjectedScene& projec
   study_options.settings = request.settings;
   if (format_of(request.output) != OutputFormat::json) {  // all that is drawn
     study_options.wanted = kStrokes;
-    if (request.faces.wanted()) study_options.wanted |= kSpans;
+    if (request.faces.shade) study_options.wanted |= kSpans;
     if (wants_regions(request)) study_options.wanted |= kRegions;
   }
   if (bar.wanted()) study_options.progress = [&bar](double fraction) { bar.update(fraction); };
@@ -101,8 +108,8 @@ Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, 
 }
 
 /// Below all lines.
-void add_hatching(Drawing& drawing, Polylines hatching) {
-  if (hatching.size() > 0) drawing.layers.insert(drawing.layers.begin(), Layer{"hatch", std::move(hatching)});
+void add_hatching(Drawing& drawing, std::vector<Layer> hatching) {
+  drawing.layers.insert(drawing.layers.begin(), std::make_move_iterator(hatching.begin()), std::make_move_iterator(hatching.end()));
 }
 
 /// Details and light on the regions of a study, and the lines of shadows.
@@ -146,6 +153,14 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   plot.hidden_solid = request.hidden == HiddenLines::solid;
   plot.title = request.title;
   plot.dpi = request.dpi;
+  const bool cast = request.fill.kind == FillKind::shade || request.hatch.kind == HatchKind::shade || request.classes.has(LineClass::shadow);
+  const std::vector<Light> lights = lights_of(request.fill, scene, cast);
+  const HatchPatches patches = request.hatch.asked() ? hatch_patches(scene, topology, request.crease_degrees) : HatchPatches{};
+  const HatchScene hatch{request.hatch, scene, placement.view, lights, patches, request.plotter.pens, plot};
+  std::vector<Layer> hatching;
+  if (request.hatch.asked() && !hatches_regions(request)) {
+    timed(run.stages, "hatch", [&] { hatching = hatch_spans(hatch, topology, request.method, request.settings, request.cull); });
+  }
   // Only the JSON drawing, and pens by material, ask for the source edges; the study needs the memory of the rest.
   const bool asked = format == OutputFormat::json || !request.plotter.pens.pen_of_material.empty();
   const std::vector<Edge> edges = asked ? std::move(topology.edges) : std::vector<Edge>{};
@@ -154,12 +169,14 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   if (!result.strokes) throw UsageError("--method", std::string(request.method.traits().name) + " does not produce lines");
   StrokeModel& strokes = *result.strokes;
   remove_hidden_axes(strokes);
-  const std::vector<Light> lights = lights_of(request.fill, request.classes.has(LineClass::shadow), scene);
   if (lights.empty() && request.classes.has(LineClass::shadow)) {
     throw UsageError("--edges", "there is no light that casts a shadow: give --light, or lights in the scene");
   }
   if (wants_regions(request) || !scene.details.empty()) {
     timed(run.stages, "regions", [&] { finish_regions(scene, request, placement.view, lights, result); });
+  }
+  if (result.regions && hatches_regions(request)) {
+    timed(run.stages, "hatch", [&] { hatching = hatch_regions(hatch, *result.regions); });
   }
 
   if (!request.run.quiet) {
@@ -189,15 +206,14 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     document.method = run.method;
     document.statistics = result.statistics;
     if (format == OutputFormat::json) return write_json(document, plot);
-    FacePicture faces = result.spans ? picture_faces(request.faces, scene, placement.view.camera, *result.spans, plot) : FacePicture{};
+    std::optional<GrayPicture> gray;
+    if (request.faces.shade && result.spans) gray = picture_faces(scene, placement.view.camera, *result.spans, plot);
     Drawing drawing = drawing_of(document, around, request, scene);
-    add_hatching(drawing, std::move(faces.hatching));
-    if (result.regions && request.fill.kind == FillKind::hatch) {
-      add_hatching(drawing, hatch_regions(scene, placement.view, *result.regions, lights, plot.pen_width_mm));
-    } else if (result.regions && request.fill.kind != FillKind::none) {
+    add_hatching(drawing, std::move(hatching));
+    if (result.regions && request.fill.kind != FillKind::none) {
       drawing.fills = fill_regions(scene, placement.view, *result.regions, lights, request.fill.kind);
     }
-    return written(drawing, plot, request.plotter, format, run, faces.shaded ? &*faces.shaded : nullptr);
+    return written(drawing, plot, request.plotter, format, run, gray ? &*gray : nullptr);
   });
   run.study = std::move(result.statistics);
   timed(run.stages, "output", [&] { write_output(*request.output.file, bytes); });

@@ -5,6 +5,7 @@
 
 #include "cli/face_options.hpp"
 #include "cli/fills.hpp"
+#include "cli/hatch_options.hpp"
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
@@ -42,6 +43,7 @@ struct SceneDrawing {
   FaceOptions faces{};
   PlotterSetup plotter{};
   FillOptions fill{};
+  HatchRequest hatch{};
 };
 
 /// Studies, draws and writes; then reports when the options ask for it. Throws UsageError, std::runtime_error.

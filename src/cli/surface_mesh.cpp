@@ -24,6 +24,9 @@ namespace {
 /// How far below the lowest height the base lies when nothing is said, as a part of the range of heights.
 constexpr double kBaseDepth = 0.05;
 
+/// Degrees: surfaces turn over their cells by less, and by more into their skirts. Creases are not drawn; hatching ends there.
+constexpr double kCrease = 75;
+
 /// The factor by which heights take half of the larger side of the ground; 1 where a surface is parametric.
 double z_scale_of(const SurfaceOptions& options, const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes) {
   if (options.z_scale) return *options.z_scale;
@@ -132,8 +135,6 @@ void run_surface_mesh(const SurfaceOptions& options) {
   const Plot plot = timed(run.stages, "read", [&] { return plot_of(options); });
   if (options.as_mesh) return write_mesh(options, plot.scene, run);
 
-  MethodOptions choice;
-  choice.method = options.method;
   LineClasses classes;
   for (const LineClass c : {LineClass::horizon, LineClass::contour}) classes.add(c);
   if (options.curves.outline.value_or(true)) {
@@ -142,9 +143,9 @@ void run_surface_mesh(const SurfaceOptions& options) {
   if (may_cross(options)) classes.add(LineClass::intersection);
   const ViewOptions view = view_of(options);
   const PlotFrame frame{options.axes, plot.box};
-  SceneDrawing drawing{method_of(choice), {}, classes, choice.crease_degrees, options.hidden, false, view, options.page, options.output, options.run,
+  SceneDrawing drawing{mesh_method_of(options), {}, classes, kCrease, options.hidden, false, view, options.page, options.output, options.run,
                        options.dpi, options.title, place_of_warnings(options),
-                       format_of(options.output) == OutputFormat::json ? nullptr : &frame, {}, plotter};
+                       format_of(options.output) == OutputFormat::json ? nullptr : &frame, {}, plotter, {}, options.hatch};
   draw_scene(plot.scene, drawing, run);
 }
 

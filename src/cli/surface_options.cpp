@@ -73,6 +73,7 @@ std::string needs_mesh(const SurfaceOptions& options) {
   if (options.z_range) return "--z-range";
   if (options.skirt) return "--skirt";
   if (options.hidden != HiddenLines::none) return "--hidden";
+  if (options.hatch.asked()) return "--hatch";
   if (options.as_mesh) return "--as-mesh";
   if (format_of(options.output) == OutputFormat::json) return "json";
   return "";
@@ -146,6 +147,13 @@ void add_method_choice(CLI::App& app, SurfaceOptions& options) {
 
 }  // namespace
 
+const Method& mesh_method_of(const SurfaceOptions& options) {
+  if (!options.method && options.hatch.asked()) return region_method();
+  MethodOptions choice;
+  choice.method = options.method;
+  return method_of(choice);
+}
+
 bool drawn_by_horizon(const SurfaceOptions& options) { return !options.method && needs_mesh(options).empty(); }
 
 MeshFormat mesh_format_of(const OutputOptions& options) {
@@ -193,6 +201,8 @@ void check_engines(const SurfaceOptions& options) {
     throw UsageError(other, "is drawn by the method horizon alone, and does not go with " + reason);
   }
   if (options.as_mesh && (options.curves.contours || options.curves.contour_step)) throw UsageError("--contours", "are lines, which --as-mesh does not write");
+  if (options.as_mesh && options.hatch.asked()) throw UsageError("--hatch", "makes lines, which --as-mesh does not write");
+  if (!options.as_mesh) check(options.hatch, format_of(options.output), mesh_method_of(options));
   if (options.as_mesh && !options.axes.style.empty()) throw UsageError("--axes", "are lines, which --as-mesh does not write");
   if (!options.as_mesh && !options.axes.style.empty() && format_of(options.output) == OutputFormat::json) {
     throw UsageError("--axes", "are not written as json");
@@ -289,6 +299,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->type_name("[Z]")
       ->group(group);
   add_curve_options(*surface, options.curves);
+  add_hatch_options(*surface, options.hatch);
   add_method_choice(*surface, options);
   add_parsed(*surface, "--horizon", "exact|pixels", options.pixels,
              [](const std::string& t) {

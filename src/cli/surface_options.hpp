@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/curve_options.hpp"
+#include "cli/hatch_options.hpp"
 #include "cli/method_options.hpp"
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
@@ -46,6 +47,7 @@ struct SurfaceOptions {
   HiddenLines hidden = HiddenLines::none;
   bool as_mesh = false;
   CurveOptions curves;
+  HatchRequest hatch;
   AxesOptions axes;
   bool pixels = false;
   std::optional<unsigned> resolution;
@@ -66,6 +68,9 @@ void check(const SurfaceOptions& options);
 
 /// Whether the floating horizon draws it: one surface z = f(x, y) without anything that only meshes can do, and no mesh method is asked for.
 bool drawn_by_horizon(const SurfaceOptions& options);
+
+/// The method that draws the mesh; never nullptr.
+const Method& mesh_method_of(const SurfaceOptions& options);
 
 /// The camera's options, the two angles told as a direction.
 ViewOptions view_of(const SurfaceOptions& options);

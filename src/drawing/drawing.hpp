@@ -36,6 +36,7 @@ struct Layer {
   std::string name;
   Polylines lines;
   std::string material{};  ///< name of the material, where the layer holds the lines of one material only
+  unsigned shade = 0;      ///< hatching of one degree of darkness only: 1 the darkest; 0: of all
 };
 
 /// An area of one colour.

@@ -1,5 +1,5 @@
 #pragma once
-/// From spans to pictures: gray pixels, and hatching for pens that have one colour (thesis 2.3.2.1, figures 2.29 and 2.30).
+/// From spans to pictures: gray pixels (thesis 2.3.2.1, figure 2.29). Hatching is in plotting/hatch.hpp.
 
 #include <cstdint>
 #include <vector>
@@ -18,12 +18,5 @@ struct GrayPicture {
 /// Paints spans that are one line for each row of pixels: every pixel gets the brightness (0 to 1, by face) of what is seen on it,
 /// mixed at the ends of spans by the share that each has; white where nothing is seen. `pixels_per_mm` both ways.
 GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
-
-inline constexpr unsigned kMostHatchLevels = 4;
-
-/// Hatches visible surfaces with strokes along the scan lines, in `levels` (1 to 4) degrees of darkness: the darkest faces on every line, each brighter
-/// level on every other line of the one before. With one level all faces are hatched alike. Every other drawn line runs from right to left, so
-/// that a pen goes to and fro. Runs of one level on a line that touch are one stroke. Points in page mm.
-Polylines hatch(const SpanModel& spans, const std::vector<double>& brightness, unsigned levels);
 
 }  // namespace ligne

@@ -33,4 +33,26 @@ std::vector<double> face_brightness(const Scene& scene, const Camera& camera) {
   return result;
 }
 
+FaceLight::FaceLight(const Scene& scene, const Camera& camera, std::span<const Light> lights) : scene_(scene), camera_(camera), lights_(lights) {
+  if (lights.empty()) from_eye_ = face_brightness(scene, camera);
+}
+
+double FaceLight::of(std::uint32_t face, std::uint32_t reached, std::span<const double> shares) const {
+  if (lights_.empty()) return from_eye_[face];
+  const Point3 point = scene_.vertices[scene_.faces.contour(face, 0)[0]];
+  Point3 normal = face_normal(scene_, face);
+  const Point3 sight = camera_.perspective ? point - camera_.eye : camera_.forward;
+  if (glm::dot(normal, sight) > 0) normal = -normal;
+  double sum = 0;
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    constexpr std::size_t kBits = 32;
+    if (i < kBits && !(reached >> i & 1u)) continue;
+    const Light& light = lights_[i];
+    const Point3 way = light.kind == Light::Kind::parallel ? light.vector : point - light.vector;
+    const double share = i < shares.size() ? shares[i] : 1;
+    if (glm::dot(way, way) > 0) sum += share * std::max(0.0, -glm::dot(normal, glm::normalize(way)));
+  }
+  return std::min(1.0, sum / static_cast<double>(lights_.size()));
+}
+
 }  // namespace ligne

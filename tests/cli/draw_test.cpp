@@ -304,7 +304,7 @@ TEST_F(DrawTest, ScanLines) {
     EXPECT_EQ(bytes({"--threads", threads}, "svg"), exact);
     EXPECT_EQ(bytes({"--threads", threads, "--lines", "600"}, "json"), bytes({"--lines", "600"}, "json"));
     EXPECT_EQ(bytes({"--threads", threads, "--shade"}, "png"), bytes({"--shade"}, "png"));
-    EXPECT_EQ(bytes({"--threads", threads, "--hatch", "1mm"}, "svg"), bytes({"--hatch", "1mm"}, "svg"));
+    EXPECT_EQ(bytes({"--threads", threads, "--hatch", "shade"}, "svg"), bytes({"--hatch", "shade"}, "svg"));
   }
 }
 
@@ -328,18 +328,59 @@ TEST_F(DrawTest, SpansInJson) {
   EXPECT_FALSE(drawn({"cube.obj", "--method", "watkins"}).contains("spans"));
 }
 
-TEST_F(DrawTest, FacesInGrayAndHatched) {
+TEST_F(DrawTest, FacesInGray) {
   const auto png = [&](std::vector<std::string> more) {
     std::vector<std::string> arguments{"draw", "cube.obj", "-o", "-", "--format", "png", "--method", "watkins", "--dpi", "30"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments).out;
   };
   EXPECT_TRUE(png({"--shade", "--view", "trimetric"}) != png({"--view", "trimetric"}));  // seen along its diagonal a cube is as bright as paper
-  const std::string hatched = run({"draw", "cube.obj", "-o", "-", "--format", "svg", "--method", "watkins", "--hatch", "2mm", "--view", "trimetric"}).out;
-  EXPECT_NE(hatched.find("id=\"hatch\""), std::string::npos);
-  const std::string one_level =
-      run({"draw", "cube.obj", "-o", "-", "--format", "svg", "--method", "watkins", "--hatch", "2mm", "--hatch-levels", "1", "--view", "trimetric"}).out;
-  EXPECT_NE(one_level, hatched);
+}
+
+/// The same interface whatever is hatched: regions of two methods, spans of a third. What they draw is the same up to the roundings of the methods.
+TEST_F(DrawTest, HatchingIsTheSameByEveryMethod) {
+  const auto length_of = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"draw", "cube.obj", "-o", "hatched.svg", "--report", "--edges", "border", "-q", "--hatch"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(contents(file("hatched.svg")).find("id=\"hatch\""), std::string::npos);
+    double down = 0;
+    EXPECT_EQ(std::sscanf(outcome.err.substr(outcome.err.find("before")).c_str(), "before %*d %lf", &down), 1) << outcome.err;
+    return down;
+  };
+  const std::vector<std::vector<std::string>> ways{{"shade", "--view", "trimetric"},
+                                                   {"plain", "--hatch-spacing", "3mm", "--hatch-cross", "--view", "trimetric"},
+                                                   {"material", "--hatch-angle", "10", "--view", "dimetric"},
+                                                   {"shade", "--hatch-levels", "continuous", "--hatch-angle", "face", "--view", "trimetric"},
+                                                   {"shade", "--hatch-levels", "2", "--eye", "60,-80,50"}};
+  std::vector<double> lengths;
+  for (const std::vector<std::string>& way : ways) {
+    lengths.push_back(length_of(way));
+    for (const char* method : {"atherton-weiler", "warnock", "watkins"}) {
+      std::vector<std::string> arguments = way;
+      arguments.insert(arguments.end(), {"--method", method});
+      EXPECT_NEAR(length_of(arguments), lengths.back(), 0.002 * lengths.back()) << method << " " << way[0];
+    }
+  }
+  EXPECT_NEAR(length_of({"plain", "--hatch-spacing", "3mm", "--view", "trimetric"}), lengths[1] / 2, 0.1 * lengths[1]);
+  EXPECT_GT(length_of({"shade", "--hatch-levels", "1", "--view", "trimetric"}), lengths[0]);
+}
+
+TEST_F(DrawTest, PensByShade) {
+  write("pens.toml", "[[pen]]\nnumber = 1\nrest = true\n[[pen]]\nnumber = 2\nwidth = 0.5\nshades = [1, 2]\n[[pen]]\nnumber = 3\nwidth = 0.2\nshades = [3, 4]\n");
+  const auto plotted = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"draw", "cube.obj", "-o", "-", "--format", "hpgl", "--hatch", "shade", "--view", "trimetric", "-q"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  for (const std::string& hpgl : {plotted({"--pens", "pens.toml"}), plotted({"--pen", "rest=1", "--pen", "shade:1=2,black,0.5", "--pen", "shade:2=2", "--pen", "shade:3=3,black,0.2",
+                                                                             "--pen", "shade:4=3"})}) {
+    for (const char* pen : {"SP1;", "SP2;", "SP3;"}) EXPECT_NE(hpgl.find(pen), std::string::npos) << pen;
+  }
+  EXPECT_EQ(plotted({"--pens", "pens.toml"}), plotted({"--pens", "pens.toml", "--threads", "1"}));
 }
 
 TEST_F(DrawTest, ProgressIsForTerminalsUnlessAskedFor) {

@@ -1,4 +1,4 @@
-// Spans as gray pixels and as hatching.
+// Spans as gray pixels.
 
 #include <gtest/gtest.h>
 
@@ -40,36 +40,8 @@ TEST(Shading, SpansBesideThePictureAreCut) {
   EXPECT_EQ(p.gray, (std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255}));
 }
 
-TEST(Shading, LevelsHatchEveryOtherLine) {
-  for (unsigned levels = 1; levels <= kMostHatchLevels; ++levels) {
-    const Polylines lines = hatch(model(), kBrightness, levels);
-    std::size_t of_face[3] = {0, 0, 0};
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const double from = std::min(lines[i][0].x, lines[i][1].x), to = std::max(lines[i][0].x, lines[i][1].x);
-      EXPECT_EQ(lines[i][0].y, lines[i][1].y);
-      of_face[0] += from <= 2 && to >= 6;
-      of_face[1] += from <= 6 && to >= 9.5;
-      of_face[2] += from <= 12 && to >= 14;
-    }
-    EXPECT_EQ(of_face[0], 16u);                        // the darkest on every line
-    EXPECT_EQ(of_face[2], 16u >> (levels - 1));        // the brightest on the fewest
-    EXPECT_EQ(of_face[1], 16u >> static_cast<unsigned>(0.6 * levels));
-  }
-}
-
-/// Where faces of one level touch the pen stays down, and it goes to and fro.
-TEST(Shading, HatchIsPlottable) {
-  const Polylines lines = hatch(model(), {0, 0, 0}, 1);
-  ASSERT_EQ(lines.size(), 32u);
-  EXPECT_EQ(lines[0][0], Point2(2, 0.5));
-  EXPECT_EQ(lines[0][1], Point2(9.5, 0.5));
-  EXPECT_EQ(lines[2][0], Point2(14, 1.5));
-  EXPECT_EQ(lines[2][1], Point2(12, 1.5));
-}
-
 TEST(Shading, NothingSeenIsWhite) {
   EXPECT_EQ(shade({}, {}, 2, 1, 1).gray, (std::vector<std::uint8_t>{255, 255}));
-  EXPECT_EQ(hatch({}, {}, 4).size(), 0u);
 }
 
 }  // namespace

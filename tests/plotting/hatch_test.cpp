@@ -47,6 +47,9 @@ bool inside(Point2 p, const Contours& contours) {
   return in;
 }
 
+/// A corner that points along the strokes between two lines of the cover is not seen: one of a right angle comes nearer by half the distance of the lines at most.
+constexpr double kUnseenPens = 0.5 / 6;
+
 /// Every point of every stroke is inside and half a pen from the border.
 void expect_inside(const Polylines& lines, const Contours& contours, double pen) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -55,7 +58,7 @@ void expect_inside(const Polylines& lines, const Contours& contours, double pen)
       for (int s = 0; s <= 20; ++s) {
         const Point2 p = line[k - 1] + (line[k] - line[k - 1]) * (s / 20.0);
         EXPECT_TRUE(inside(p, contours)) << p.x << " " << p.y;
-        EXPECT_GE(border_distance(p, contours), pen / 2 - 1e-6) << p.x << " " << p.y;
+        EXPECT_GE(border_distance(p, contours), (0.5 - kUnseenPens) * pen) << p.x << " " << p.y;
       }
     }
   }
@@ -123,6 +126,108 @@ TEST(Hatch, NeighboursShareTheirRows) {
   for (const Polylines* lines : {&a, &b}) {
     for (const Point2 p : lines->points) EXPECT_NEAR(p.y, std::round(p.y), 1e-12);
   }
+}
+
+/// Side by side: the left half with all rows, the right half with some of them.
+struct TwoSurfaces {
+  HatchFrame frame{{0, 0}, 0};
+  double line_mm = cover_line_mm(1, 0.4);
+  std::vector<CoverRun> cover;
+  std::vector<SurfaceHatch> surfaces{{static_cast<std::uint32_t>(std::lround(1 / cover_line_mm(1, 0.4))), kRowCycle, 0, 0},
+                                     {static_cast<std::uint32_t>(std::lround(1 / cover_line_mm(1, 0.4))), kRowCycle, 0, 0}};
+  std::vector<double> pens{0.4};
+  std::vector<Polylines> layers{1};
+
+  TwoSurfaces() {
+    add_cover(Contours{{{0, 0}, {20, 0}, {20, 32.5}, {0, 32.5}}}, 0, frame, line_mm, cover);
+    add_cover(Contours{{{20, 0}, {40, 0}, {40, 32.5}, {20, 32.5}}}, 1, frame, line_mm, cover);
+  }
+  void run() { hatch_cover(frame, line_mm, cover, surfaces, pens, layers); }
+  /// How many strokes run through (x, y), pieces of ties left out.
+  int rows_at(double x, std::size_t layer = 0) const {
+    int count = 0;
+    for (std::size_t i = 0; i < layers[layer].size(); ++i) {
+      const auto line = layers[layer][i];
+      for (std::size_t k = 1; k < line.size(); ++k) {
+        count += std::abs(line[k].y - line[k - 1].y) < 1e-9 && (line[k].x < x) != (line[k - 1].x < x);
+      }
+    }
+    return count;
+  }
+};
+
+TEST(Hatch, SurfacesOfOneGroupAreOneArea) {
+  TwoSurfaces two;
+  two.run();
+  ASSERT_EQ(two.layers[0].size(), 1u) << "no pen is lifted at the border between them";
+  EXPECT_EQ(two.rows_at(20), 32);
+}
+
+TEST(Hatch, FewerRowsAreSomeOfTheMore) {
+  for (std::uint32_t rows = 1; rows <= kRowCycle; ++rows) {
+    TwoSurfaces two;
+    two.surfaces[1].rows = rows;
+    two.run();
+    EXPECT_EQ(two.rows_at(10), 32);
+    EXPECT_EQ(two.rows_at(30), static_cast<int>(2 * rows)) << "two cycles";
+    EXPECT_EQ(two.rows_at(20), static_cast<int>(2 * rows)) << "the strokes run on";
+    expect_inside(two.layers[0], Contours{{{0, 0}, {40, 0}, {40, 32.5}, {0, 32.5}}}, 0.4);
+    for (std::size_t i = 0; i < two.layers[0].size(); ++i) {
+      const auto line = two.layers[0][i];
+      for (std::size_t k = 1; k < line.size(); ++k) {
+        // What is not along a row is a tie, and those lie at the rim.
+        if (std::abs(line[k].y - line[k - 1].y) > 1e-9) {
+          EXPECT_GT(std::abs(line[k].x - 20), 19) << line[k].x;
+        }
+      }
+    }
+  }
+  TwoSurfaces white;
+  white.surfaces[1].rows = 0;
+  white.run();
+  EXPECT_EQ(white.rows_at(10), 32);
+  EXPECT_EQ(white.rows_at(21), 0);
+}
+
+TEST(Hatch, GroupsHaveARimAndLayersHaveTheirPens) {
+  TwoSurfaces groups;
+  groups.surfaces[1].group = 7;
+  groups.run();
+  EXPECT_EQ(groups.rows_at(20), 0) << "half a pen is kept free on both sides";
+  EXPECT_EQ(groups.rows_at(19.7), 32);
+  TwoSurfaces layers;
+  layers.surfaces[1].layer = 1;
+  layers.pens.push_back(0.8);
+  layers.layers.emplace_back();
+  layers.run();
+  EXPECT_EQ(layers.rows_at(39.7, 0), 0);
+  EXPECT_EQ(layers.rows_at(10, 1), 0);
+  EXPECT_EQ(layers.rows_at(19.9, 0), 32) << "no rim between two pens on one surface";
+  EXPECT_EQ(layers.rows_at(20.1, 1), 32);
+  EXPECT_EQ(layers.rows_at(39.7, 1), 0) << "half of the wide pen";
+  EXPECT_EQ(layers.rows_at(39.5, 1), 32);
+}
+
+TEST(Hatch, CornersBetweenNeighboursMakeNoGaps) {
+  // A fan of triangles about a point, in coordinates that have no short binary form.
+  const std::vector<Point2> rim = circle({20.1, 19.7}, 15.3, 37);
+  const HatchFrame frame({0, 0}, 27);
+  const double line_mm = cover_line_mm(0.9, 0.3);
+  std::vector<CoverRun> cover;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    add_cover(Contours{{{20.1, 19.7}, rim[i], rim[(i + 1) % rim.size()]}}, static_cast<std::uint32_t>(i), frame, line_mm, cover);
+  }
+  const std::vector<SurfaceHatch> surfaces(rim.size(), {static_cast<std::uint32_t>(std::lround(0.9 / line_mm)), kRowCycle, 0, 0});
+  std::vector<double> pens{0.3};
+  std::vector<Polylines> layers(1);
+  hatch_cover(frame, line_mm, cover, surfaces, pens, layers);
+  HatchOptions whole;
+  whole.spacing_mm = 0.9;
+  whole.angle_degrees = 27;
+  whole.pen_width_mm = 0.3;
+  const Polylines disc = hatch(Contours{rim}, whole);
+  ASSERT_EQ(layers[0].size(), disc.size());
+  EXPECT_NEAR(measure(layers[0], {0, 0}, false).down_mm, measure(disc, {0, 0}, false).down_mm, 1e-3);
 }
 
 TEST(Hatch, NarrowAndEmptyRegionsGetNothing) {

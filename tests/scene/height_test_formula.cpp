@@ -104,7 +104,9 @@ TEST(FormulaHeights, ErrorsNameTheColumn) {
 TEST(FormulaHeights, HostileLengths) {
   EXPECT_EQ(error(std::string(1'000'000, '(')), "formula:10001: is longer than 10000 characters");
   EXPECT_EQ(error(std::string(10'000, '(')), "formula:10000: '(' without its ')'");
-  EXPECT_EQ(value(std::string(4'000, '(') + "x" + std::string(4'000, ')'), 2, 3), 2);
+  std::string nested(4'000, '(');
+  nested.append("x").append(4'000, ')');
+  EXPECT_EQ(value(nested, 2, 3), 2);
   std::string sum = "x";
   while (sum.size() + 2 <= 10'000) sum += "+1";
   EXPECT_EQ(value(sum, 0, 0), 4999);

@@ -178,5 +178,34 @@ TYPED_TEST(WatkinsSpans, CountsAreTheMethodsOwn) {
   EXPECT_EQ(point.insertions + point.pushes + point.boxes, 0u);
 }
 
+/// Says of any two segments that the one of the higher number is in front.
+class HigherFirst final : public PairOrders {
+ public:
+  PairOrder of(std::uint32_t a, std::uint32_t b) override { return a > b ? PairOrder::first : PairOrder::second; }
+};
+
+/// Where segments touch, their pair says who is in front, whatever the depths, in all methods; where they do not, the depths say it.
+TEST(WatkinsSpans, SegmentsThatTouchAreAsTheirPairSays) {
+  const double touch = 0.01;
+  // Two that cross by half the tolerance all along, one far in front of both, one far behind, in all orders.
+  const Segments<double> all{{0, 10, 1 - 0.003, 1 + 0.003, 0, touch}, {2, 12, 1 + 0.002, 1 - 0.002, 1, touch}, {4, 5, 0.5, 0.5, 2, touch}, {1, 11, 2, 2, 3, touch}};
+  std::array<std::uint32_t, 4> turn{0, 1, 2, 3};
+  do {
+    Segments<double> segments;
+    for (const std::uint32_t i : turn) segments.push_back(all[i]);
+    for (const SpanMethodKind kind : kKinds) {
+      const auto method = make_span_method<double>(kind);
+      HigherFirst higher_first;
+      method->ask(&higher_first);
+      std::vector<VisibleSpan> found;
+      method->study(segments, found);
+      std::vector<std::array<double, 3>> seen;
+      for (const VisibleSpan& s : found) seen.push_back({s.x0, s.x1, double(segments[s.segment].face)});
+      const std::vector<std::array<double, 3>> expected{{0, 2, 0}, {2, 4, 1}, {4, 5, 2}, {5, 12, 1}};
+      EXPECT_EQ(seen, expected) << kSpanMethodNames[static_cast<std::size_t>(kind)];
+    }
+  } while (std::next_permutation(turn.begin(), turn.end()));
+}
+
 }  // namespace
 }  // namespace ligne::watkins

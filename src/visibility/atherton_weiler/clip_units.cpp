@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "geometry/clip_contour_by_contour.hpp"
-#include "visibility/atherton_weiler/facet_clip.hpp"
+#include "visibility/atherton_weiler/clip_part.hpp"
 
 namespace ligne::atherton_weiler {
 namespace {

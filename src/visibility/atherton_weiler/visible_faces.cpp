@@ -8,6 +8,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "geometry/clip_contour_by_contour.hpp"
+#include "visibility/common/facet_order.hpp"
 
 // Per face: (1) each of its facets is the subject once. The lists of the cells that it lies in give what may be in front, nearest first.
 // Where two overlap their order is found from the depths of the overlap; what begins nearer and proves to be behind clips nothing, it
@@ -83,11 +84,14 @@ void split_at_common_ends(std::vector<ContourEdge>& edges) {
   edges = std::move(cut);
 }
 
+/// Adjustable: when so many clip faces of a cell are laid over the subject, and twice as many, and so on, it is seen whether they hide it there.
+constexpr std::size_t kFirstCheck = 4;
+
 /// One task's memory.
 class Worker {
  public:
   Worker(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, std::vector<std::uint8_t>& touches)
-      : scene_(scene), facets_(facets), grid_(grid), touches_(touches), stamp_(facets.size(), 0) {}
+      : scene_(scene), facets_(facets), grid_(grid), touches_(touches), stamp_(facets.size(), 0), number_(facets.size(), 0) {}
 
   /// Appends the regions of the face of these facets.
   void study(std::span<const std::uint32_t> group, VisibleFaces& out) {
@@ -99,7 +103,10 @@ class Worker {
   }
 
  private:
+  static constexpr std::uint32_t kNothing = 0xffffffffu, kCovers = 0xfffffffeu;
+
   void clip(std::uint32_t facet, StudyCounts& counts);
+  std::uint32_t compare(std::uint32_t facet, std::uint32_t other, StudyCounts& counts);
   bool transparent(std::uint32_t face) const { return !scene_.face_is_transparent.empty() && scene_.face_is_transparent[face]; }
   bool clear(std::uint32_t face) const { return !scene_.face_is_transparent.empty() && scene_.face_is_transparent[face] == kClearFace; }
   bool covered_by(std::uint32_t facet, std::uint32_t other) const;
@@ -109,6 +116,8 @@ class Worker {
   const CellGrid& grid_;
   std::vector<std::uint8_t>& touches_;
   std::vector<std::uint32_t> stamp_;  ///< per facet: the facet for which it was looked at last, plus one
+  std::vector<std::uint32_t> number_; ///< per facet: what compare() said then
+  std::vector<FacetClip::Number> here_; ///< clip faces of the cell at hand
   FacetClip clip_;
   std::vector<std::vector<ContourEdge>> levels_;  ///< borders of the face at hand, by the number of transparent faces in front
   /// Facets that touch the one at hand or cross it.
@@ -165,54 +174,77 @@ std::vector<ContourFace> Worker::rings(std::uint32_t a, const Near& g) const {
   return places;
 }
 
+/// Lays what of the other facet is in front over the subject. Gives its number, kCovers when it hides the subject whole, and kNothing when
+/// nothing was laid over it or it waits in near_.
+std::uint32_t Worker::compare(std::uint32_t facet, std::uint32_t other, StudyCounts& counts) {
+  const Facet &f = facets_[facet], &g = facets_[other];
+  if (g.face == f.face || clear(g.face)) return kNothing;
+  const FacetOrder order = order_of(facets_, scene_.vertices, facet, other);
+  if (order.order == Order::apart) return kNothing;
+  ++counts.compared;
+  if (order.tie || (order.touch && common_corners(f, g) < 2)) touches_[facet] = 1;
+  counts.ties += order.tie;
+  const bool near = order.touch && (order.order == Order::cut || order.tie || common_corners(f, g) == 0);
+  if (near) near_.push_back({other, order, {}});
+  if (order.order == Order::first) {
+    counts.wrong_sorts += g.z_near < f.z_near;
+    return kNothing;
+  }
+  ClipPart part = whole_facet(facets_, scene_.vertices, other);
+  if (order.order == Order::cut) {
+    ++counts.cuts;
+    part = left_of(part, {order.cut.b, order.cut.a});
+    if (part.count == 0) return kNothing;
+  } else if (!order.touch && !transparent(g.face) && covered_by(facet, other)) {
+    return kCovers;
+  }
+  if (near) {
+    near_.back().part = part;
+    return kNothing;
+  }
+  return clip_.add(part, transparent(g.face));
+}
+
 void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
   const Facet& f = facets_[facet];
   const LatticePoint a = scene_.vertices[f.v[0]].p, b = scene_.vertices[f.v[1]].p, c = scene_.vertices[f.v[2]].p;
   const double x0 = std::min({a.x, b.x, c.x}), x1 = std::max({a.x, b.x, c.x}), y0 = std::min({a.y, b.y, c.y}), y1 = std::max({a.y, b.y, c.y});
   clip_.begin(whole_facet(facets_, scene_.vertices, facet));
   near_.clear();
-  bool listed = false, hidden = false;
+  bool listed = false, hidden = false, covered = true;
   stamp_[facet] = facet + 1;
+  number_[facet] = kNothing;
   grid_.for_each_leaf_in(x0, y0, x1, y1, [&](const Cell& cell, const CellSquare& square) {
-    if (hidden) return;
+    // A step more on each side: where facets have points in common, one of the cells that are looked at holds some of them.
+    const FacetClip::Window window{2 * square.x - 2, 2 * square.y - 2, 2 * (square.x + square.size) + 2, 2 * (square.y + square.size) + 2};
+    if (hidden || clip_.subject_beside(window)) return;
     const CellBox box = square.box(x0, x1, y0, y1);
+    here_.clear();
+    std::size_t check = kFirstCheck;
+    bool done = false;
     const CellFacet* entry = grid_.list(cell);
     for (const CellFacet* const end = entry + cell.count; entry != end && entry->z_near <= f.z_far; ++entry) {
       const std::uint32_t other = entry->facet;
       listed |= other == facet;
-      if (stamp_[other] == facet + 1 || !entry->box.meets(box)) continue;
-      stamp_[other] = facet + 1;
-      const Facet& g = facets_[other];
-      if (g.face == f.face || clear(g.face)) continue;
-      const FacetOrder order = order_of(facets_, scene_.vertices, facet, other);
-      if (order.order == Order::apart) continue;
-      ++counts.compared;
-      if (order.tie || (order.touch && common_corners(f, g) < 2)) touches_[facet] = 1;
-      counts.ties += order.tie;
-      const bool near = order.touch && (order.order == Order::cut || order.tie || common_corners(f, g) == 0);
-      if (near) near_.push_back({other, order, {}});
-      if (order.order == Order::first) {
-        counts.wrong_sorts += g.z_near < f.z_near;
-        continue;
+      if (!entry->box.meets(box)) continue;
+      if (stamp_[other] != facet + 1) {
+        stamp_[other] = facet + 1;
+        number_[other] = compare(facet, other, counts);
+        if (number_[other] == kCovers) {
+          hidden = true;
+          return;
+        }
       }
-      ClipPart part = whole_facet(facets_, scene_.vertices, other);
-      if (order.order == Order::cut) {
-        ++counts.cuts;
-        part = left_of(part, {order.cut.b, order.cut.a});
-        if (part.count == 0) continue;
-      } else if (!order.touch && !transparent(g.face) && covered_by(facet, other)) {
-        hidden = true;
-        return;
-      }
-      if (near) {
-        near_.back().part = part;
-      } else {
-        clip_.add(part, transparent(g.face));
-      }
+      if (number_[other] >= kCovers) continue;
+      here_.push_back(number_[other]);
+      if (here_.size() != check) continue;
+      check *= 2;
+      if ((done = clip_.covers(here_, window))) break;
     }
+    covered = covered && (done || (!here_.empty() && clip_.covers(here_, window)));
   });
   counts.not_listed += !listed;
-  if (hidden || !listed) return;
+  if (hidden || covered || !listed) return;
   for (const Near& g : near_) {
     if (g.part.count == 0) continue;
     const std::vector<ContourFace> ring = near_.size() > 1 ? rings(facet, g) : std::vector<ContourFace>{};

@@ -24,18 +24,15 @@
 #include <utility>
 #include <vector>
 
-#include "view/clip.hpp"
 #include "visibility/horizon/chains.hpp"
 #include "visibility/horizon/curve_tracker.hpp"
+#include "visibility/horizon/eye.hpp"
 #include "visibility/horizon/grid_axis.hpp"
 #include "visibility/horizon/horizon.hpp"
 #include "visibility/horizon/horizons.hpp"
-#include "visibility/horizon/sight.hpp"
 
 namespace ligne::horizon {
 
-/// In perspective nothing nearer to the vertical through the eye than this part of the target distance is drawn.
-inline constexpr double kNearestPart = 0x1p-30;
 /// Rows that are read at a time, by all threads.
 inline constexpr std::size_t kRowsAtATime = 64;
 
@@ -43,14 +40,6 @@ inline constexpr std::size_t kRowsAtATime = 64;
 struct LineStore {
   HorizonLines lines;
   Chains outline, border, contours, base_contours;
-};
-
-/// A sample, for the horizon and on the page.
-struct Sample {
-  Point3 p;
-  SightPoint seen;
-  HomogeneousPoint page;
-  bool hole = true, inside = false;  ///< inside the window
 };
 
 template <class Horizon>
@@ -66,8 +55,7 @@ class PartSweep {
   PartSweep(const Grid& grid, const View& view, const HorizonOptions& options, std::pair<double, double> u_range, std::size_t cells,
             LineStore& store)
       : heights_(grid.heights), view_(view), options_(options), x_(grid.x), y_(grid.y), columns_(grid.columns), rows_(grid.rows),
-        transposed_(grid.transposed), anti_(grid.columns.sign == grid.rows.sign), sight_(view.camera, grid.columns.sign, grid.rows.sign),
-        volume_{view.window, view.near_distance}, nearest_(kNearestPart * view.camera.target_distance),
+        transposed_(grid.transposed), anti_(grid.columns.sign == grid.rows.sign), eye_(view, Sight(view.camera, grid.columns.sign, grid.rows.sign)),
         horizon_(u_range.first, u_range.second, cells), store_(store), column_curves_(columns_.order.size()) {
     for (const double level : options.contours) levels_.push_back(level * options.z_scale);
   }
@@ -117,12 +105,6 @@ class PartSweep {
   std::int8_t near_column(const Facings& f) const { return anti_ ? f.first : f.second; }
   std::int8_t far_column(const Facings& f) const { return anti_ ? f.second : f.first; }
 
-  Sample sample(const Point3& p) const {
-    Sample s{p, sight_(p), to_homogeneous(view_, p), false, false};
-    s.inside = volume_.contains(s.page);
-    return s;
-  }
-
   Point3 placed(double x, double y, double z) const { return transposed_ ? Point3{y, x, z} : Point3{x, y, z}; }
 
   void read(std::size_t row, std::vector<Sample>& samples) const {
@@ -138,7 +120,7 @@ class PartSweep {
       const std::size_t column = columns_.order[c], i = x_.sample[column];
       const double here = x_.fraction[column] > 0 ? z[i] + (z[i + 1] - z[i]) * x_.fraction[column] : z[i];
       const double height = here * options_.z_scale;
-      samples[c] = std::isfinite(height) ? sample(placed(x_.at[column], y_.at[row], height)) : Sample{};
+      samples[c] = std::isfinite(height) ? eye_.sample(placed(x_.at[column], y_.at[row], height)) : Sample{};
     }
   }
 
@@ -247,7 +229,7 @@ class PartSweep {
       lower = (!is_face(nearer) || nearer <= 0) && farther != -1;
     }
     if (!curve && !outlined && !upper && !lower) return;
-    const auto part = before_the_eye(a, b);
+    const auto part = eye_.part_in_front(a, b);
     if (!part) {
       if (curve) curve->interrupt();
       return;
@@ -261,12 +243,12 @@ class PartSweep {
       if (bank && !by_curves) banks = bank->seen.u() < a.seen.u() ? Banks::left : Banks::right;
       const std::vector<Span>& seen = horizon_.seen(part->a, part->b, against, banks);
       if (outlined) {
-        give(a, b, *part, seen, [&](double t0, double t1) { add_to(rim ? store_.border : store_.outline, a, b, t0, t1); });
+        eye_.give(a, b, *part, seen, [&](double t0, double t1) { add_to(rim ? store_.border : store_.outline, a, b, t0, t1); });
       } else if (facing < 0 && options_.underside == Underside::none && !by_curves) {
         curve->interrupt();
       } else {
         Polylines& lines = facing < 0 && options_.underside == Underside::apart ? store_.lines.underside : store_.lines.curves;
-        give(a, b, *part, seen, [&](double t0, double t1) { curve->add(a.page, b.page, t0, t1, lines); });
+        eye_.give(a, b, *part, seen, [&](double t0, double t1) { curve->add(a.page, b.page, t0, t1, lines); });
         curve->next_segment();
       }
     }
@@ -278,14 +260,7 @@ class PartSweep {
   void cover(const Sample& a, const Sample& b, const Sample& c) {
     if constexpr (Horizon::kCovers) {
       // What is too near to the vertical through the eye is cut away.
-      std::vector<SightPoint> contour;
-      const std::array<const SightPoint*, 3> corners{&a.seen, &b.seen, &c.seen};
-      for (int i = 0; i < 3; ++i) {
-        const SightPoint &s = *corners[i], &e = *corners[(i + 1) % 3];
-        const bool s_near = sight_.perspective() && s.w < nearest_, e_near = sight_.perspective() && e.w < nearest_;
-        if (!s_near) contour.push_back(s);
-        if (s_near != e_near) contour.push_back(between(s, e, (nearest_ - s.w) / (e.w - s.w)));
-      }
+      const std::vector<SightPoint> contour = eye_.contour_in_front({&a.seen, &b.seen, &c.seen});
       for (std::size_t i = 2; i < contour.size(); ++i) horizon_.cover(contour[0], contour[i - 1], contour[i]);
     }
   }
@@ -328,17 +303,17 @@ class PartSweep {
 
   /// `ends`: the nearer one first.
   void contour(const std::array<Point3, 2>& ends, Against against, Banks banks, Chains& chains) {
-    const Sample a = sample(ends[0]), b = sample(ends[1]);
-    const auto part = before_the_eye(a, b);
-    if (part) give(a, b, *part, horizon_.seen(part->a, part->b, against, banks), [&](double t0, double t1) { add_to(chains, a, b, t0, t1); });
+    const Sample a = eye_.sample(ends[0]), b = eye_.sample(ends[1]);
+    const auto part = eye_.part_in_front(a, b);
+    if (part) eye_.give(a, b, *part, horizon_.seen(part->a, part->b, against, banks), [&](double t0, double t1) { add_to(chains, a, b, t0, t1); });
   }
 
   void find_back_lines() {
     for (std::size_t i = 0; i < options_.back_lines.size(); ++i) {
       const auto& line = options_.back_lines[i];
-      const Sample a = sample(line[0]), b = sample(line[1]);
+      const Sample a = eye_.sample(line[0]), b = eye_.sample(line[1]);
       double from = 0, to = 1;  // what is in this part
-      if (sight_.perspective()) {
+      if (eye_.perspective()) {
         const std::array<std::array<double, 2>, 2> ahead{{{columns_.sign * (a.p.x - view_.camera.eye.x), columns_.sign * (b.p.x - view_.camera.eye.x)},
                                                           {rows_.sign * (a.p.y - view_.camera.eye.y), rows_.sign * (b.p.y - view_.camera.eye.y)}}};
         for (const auto& [da, db] : ahead) {
@@ -348,57 +323,15 @@ class PartSweep {
         }
       }
       if (!(from < to)) continue;
-      const auto part = before_the_eye(a, b, from, to);
+      const auto part = eye_.part_in_front(a, b, from, to);
       if (!part) continue;
       auto& seen = store_.lines.back_lines[i];
-      give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, Banks::none), [&](double t0, double t1) { seen.push_back({t0, t1}); });
+      eye_.give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, Banks::none), [&](double t0, double t1) { seen.push_back({t0, t1}); });
     }
   }
 
   static void add_to(Chains& chains, const Sample& a, const Sample& b, double t0, double t1) {
     chains.add(CurveTracker::at(a.page, b.page, t0), CurveTracker::at(a.page, b.page, t1));
-  }
-
-  /// The part of a segment that is in front of the eye.
-  struct FrontPart {
-    SightPoint a, b;
-    double from, to;
-  };
-  std::optional<FrontPart> before_the_eye(const Sample& a, const Sample& b, double from = 0, double to = 1) const {
-    if (!sight_.perspective()) return FrontPart{a.seen, b.seen, 0, 1};
-    FrontPart part{from == 0 ? a.seen : between(a.seen, b.seen, from), to == 1 ? b.seen : between(a.seen, b.seen, to), from, to};
-    const bool a_near = part.a.w < nearest_, b_near = part.b.w < nearest_;
-    if (a_near && b_near) return std::nullopt;
-    if (a_near || b_near) {
-      const double t = (nearest_ - part.a.w) / (part.b.w - part.a.w);
-      const SightPoint cut = between(part.a, part.b, t);
-      (a_near ? part.from : part.to) = from + t * (to - from);
-      (a_near ? part.a : part.b) = cut;
-    }
-    return part;
-  }
-
-  /// Calls sink(t0, t1) for what is seen inside the window.
-  template <class Sink>
-  void give(const Sample& a, const Sample& b, const FrontPart& part, const std::vector<Span>& seen, Sink sink) const {
-    if (seen.empty()) return;
-    std::array<double, 2> inside{0, 1};
-    if (!a.inside || !b.inside) {
-      const auto clipped = clip_segment(a.page, b.page, volume_);
-      if (!clipped) return;
-      inside = *clipped;
-    }
-    const double extent = part.to - part.from;
-    for (const Span& s : seen) {
-      const double t0 = std::max(part.from + s.from * extent, inside[0]);
-      const double t1 = std::min(s.to == 1 ? part.to : part.from + s.to * extent, inside[1]);
-      if (t0 < t1) sink(t0, t1);
-    }
-  }
-
-  /// The point at the fraction t in space.
-  static SightPoint between(const SightPoint& a, const SightPoint& b, double t) {
-    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
   }
 
   const HeightSource& heights_;
@@ -408,9 +341,7 @@ class PartSweep {
   const GridAxis::Part &columns_, &rows_;
   bool transposed_;
   bool anti_;  ///< the diagonal runs from column to column against the rows
-  Sight sight_;
-  ClipVolume volume_;
-  double nearest_;
+  Eye eye_;
   Horizon horizon_;
   LineStore& store_;
   std::vector<CurveTracker> column_curves_;

@@ -38,7 +38,7 @@ class BoxMethod final : public SpanMethod<X> {
   struct Box {
     unsigned count = 0;
     double x0 = 0, x1 = 0;       ///< extent in x
-    double near = 0;             ///< nearest depth
+    double near = 0;             ///< nearest depth that touches one of them
     std::uint32_t segment = 0;   ///< the only one (count 1), or the first of two that cross
     std::uint32_t other = 0;     ///< crossing: the second
     bool crossing = false;       ///< two segments that span the part cross at cut, and nothing else is there
@@ -73,7 +73,7 @@ class BoxMethod final : public SpanMethod<X> {
       const ScanSegment<X>& t = segments_[box.segment];
       if (covers || (l >= box.x0 && r <= box.x1)) {
         const double c0 = std::max(l, box.x0), c1 = std::min(r, box.x1);
-        const DepthComparison seen = compare_depths(t, s, c0, c1, this->counts_);
+        const DepthComparison seen = compare_depths(t, s, c0, c1, this->counts_, this->pairs_);
         if (seen.order == DepthOrder::first && !(covers && (l < box.x0 || r > box.x1))) return;  // hidden by the box
         if (seen.order == DepthOrder::second && covers) {
           lists_.resize(kept_begin);
@@ -93,7 +93,7 @@ class BoxMethod final : public SpanMethod<X> {
       }
     } else {
       ++this->counts_.depth_tests;
-      if (covers && std::max(s.z(box.x0), s.z(box.x1)) <= box.near) {
+      if (covers && std::max(s.z(box.x0), s.z(box.x1)) + s.touch <= box.near) {
         lists_.resize(kept_begin);
         lists_.push_back(index);
         start(box, index, l, r, zl, zr);
@@ -114,7 +114,7 @@ class BoxMethod final : public SpanMethod<X> {
     }
     box.x0 = std::min(box.x0, l);
     box.x1 = std::max(box.x1, r);
-    box.near = std::min(box.near, std::min(zl, zr));
+    box.near = std::min(box.near, std::min(zl, zr) - s.touch);
   }
 
   void start(Box& box, std::uint32_t index, double l, double r, double zl, double zr) {
@@ -123,7 +123,7 @@ class BoxMethod final : public SpanMethod<X> {
     box.segment = index;
     box.x0 = l;
     box.x1 = r;
-    box.near = std::min(zl, zr);
+    box.near = std::min(zl, zr) - segments_[index].touch;
   }
 
   void decide(const Box& box, double a, double b, std::size_t kept_begin, std::vector<VisibleSpan>& out) {

@@ -2,16 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace ligne::watkins {
-
-FacetsOfFaces::FacetsOfFaces(const std::vector<Facet>& facets, std::uint32_t face_count) : first(face_count + 1, 0), list(facets.size()) {
-  for (const Facet& f : facets) ++first[f.face + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::uint32_t i = 0; i < facets.size(); ++i) list[next[facets[i].face]++] = i;
-}
 
 void TrackCounts::operator+=(const TrackCounts& o) {
   positions += o.positions;

@@ -19,13 +19,6 @@
 
 namespace ligne::watkins {
 
-/// The facets of every face, for going from a span's face to what hides.
-struct FacetsOfFaces {
-  FacetsOfFaces(const std::vector<Facet>& facets, std::uint32_t face_count);
-  std::span<const std::uint32_t> of(std::uint32_t face) const { return {list.data() + first[face], list.data() + first[face + 1]}; }
-  std::vector<std::uint32_t> first, list;
-};
-
 struct TrackCounts {
   std::uint64_t positions = 0;      ///< edges looked at on studied lines
   std::uint64_t became_visible = 0, became_hidden = 0;  ///< changes of state

@@ -15,6 +15,9 @@ constexpr double kSamePlace = 0x1p-20;
 void ScanCounts::operator+=(const ScanCounts& o) {
   lines += o.lines;
   studied += o.studied;
+  studied_first += o.studied_first;
+  studied_exchanges += o.studied_exchanges;
+  studied_ends += o.studied_ends;
   segments += o.segments;
   entered += o.entered;
   ended += o.ended;
@@ -24,12 +27,15 @@ void ScanCounts::operator+=(const ScanCounts& o) {
   passed_exchanges += o.passed_exchanges;
 }
 
-LineScan::LineScan(const ScanScene& scene, std::span<const SweepLine> lines, const ScanOptions& options, LineListener& listener)
-    : scene_(scene), lines_(lines), options_(options), listener_(listener), open_(scene.face_count, 0) {
+LineScan::LineScan(const ScanScene& scene, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
+                   const ScanOptions& options, LineListener& listener)
+    : scene_(scene), lines_(lines), options_(options), listener_(listener), face_orders_(vertices, facets, scene.of_faces), open_(scene.face_count, 0) {
   if (scene.grid.whole) {
     whole_ = make_span_method<std::int32_t>(options.kind);
+    whole_->ask(this);
   } else {
     real_ = make_span_method<double>(options.kind);
+    real_->ask(this);
   }
 }
 
@@ -61,7 +67,7 @@ std::uint32_t LineScan::make_slot(std::uint32_t edge, const EdgeTrack& track) {
   }
   const std::uint32_t slot = free_slots_.back();
   free_slots_.pop_back();
-  slots_[slot] = {track, key(track.u), edge, false, true};
+  slots_[slot] = {track, key(track.u), edge, false, true, kNone, kNone, kNone};
   return slot;
 }
 
@@ -69,6 +75,7 @@ std::uint32_t LineScan::make_slot(std::uint32_t edge, const EdgeTrack& track) {
 void LineScan::begin(std::uint32_t line) {
   order_.clear();
   spans_.clear();
+  penetrating_.clear();
   must_study_ = true;
   ended_edges_.clear();
   if (line == 0) return;
@@ -88,14 +95,15 @@ void LineScan::begin(std::uint32_t line) {
 bool LineScan::take_line(std::uint32_t line) {
   ended_.clear();
   entered_.clear();
-  std::erase_if(order_, [&](std::uint32_t slot) {
-    if (slots_[slot].track.last != line) return false;
-    ended_.push_back(slot);
-    ended_edges_.push_back(slots_[slot].edge);
-    return true;
-  });
+  gone_.clear();
   for (const std::uint32_t slot : order_) {
     ActiveEdge& a = slots_[slot];
+    if (a.track.last == line) {
+      ended_.push_back(slot);
+      gone_.push_back(slot);
+      ended_edges_.push_back(a.edge);
+      continue;
+    }
     a.track.advance();
     a.u = key(a.track.u);
     a.entered = false;
@@ -106,26 +114,35 @@ bool LineScan::take_line(std::uint32_t line) {
   }
   counts_.ended += ended_.size();
   counts_.entered += entered_.size();
-  const bool exchanged = sort();
-  const bool study = must_study_ || !options_.coherence || exchanged || changes_matter(line);
-  for (const std::uint32_t slot : ended_) listener_.ended(*this, slot);
+  if (options_.recognise && !must_study_) link_chains();
+  std::erase_if(order_, [&](std::uint32_t& slot) {
+    if (slots_[slot].track.last != line) return false;
+    slot = slots_[slot].goes_on;
+    return slot == kNone;
+  });
+  const bool first = must_study_, exchanged = sort(line);
+  const bool study = first || !options_.coherence || exchanged || changes_matter(line);
+  for (const std::uint32_t slot : gone_) listener_.ended(*this, slot);
   if (study) {
     if (scene_.grid.whole) {
       study_line(*whole_);
     } else {
       study_line(*real_);
     }
-    if (!order_.empty()) ++counts_.studied;
+    if (!order_.empty()) {
+      ++counts_.studied;
+      ++(first ? counts_.studied_first : exchanged ? counts_.studied_exchanges : counts_.studied_ends);
+    }
   } else {
     follow_edges();
   }
-  for (const std::uint32_t slot : ended_) free_slots_.push_back(slot);
+  for (const std::uint32_t slot : gone_) free_slots_.push_back(slot);
   return study;
 }
 
 /// Puts the list in order: what was there before is almost so, and every exchange is a change of the scene; what enters is sorted by itself and
-/// merged in. Says whether two edges changed places of which one bounds a span.
-bool LineScan::sort() {
+/// merged in. Says whether two edges changed places so that it can be seen.
+bool LineScan::sort(std::uint32_t line) {
   const auto before = [this](std::uint32_t a, std::uint32_t b) {
     const ActiveEdge &p = slots_[a], &q = slots_[b];
     if (p.u != q.u) return p.u < q.u;
@@ -138,7 +155,7 @@ bool LineScan::sort() {
     std::size_t k = i;
     for (; k > 0 && slots_[moving].u < slots_[order_[k - 1]].u - kSamePlace; --k) {
       ++counts_.exchanges;
-      if (!options_.recognise || slots_[moving].boundary || slots_[order_[k - 1]].boundary) {
+      if (exchange_matters(line, moving, order_[k - 1])) {
         matters = true;
       } else {
         ++counts_.passed_exchanges;
@@ -151,78 +168,20 @@ bool LineScan::sort() {
   const auto middle = static_cast<std::ptrdiff_t>(order_.size());
   order_.insert(order_.end(), entered_.begin(), entered_.end());
   std::inplace_merge(order_.begin(), order_.begin() + middle, order_.end(), [this](std::uint32_t a, std::uint32_t b) { return slots_[a].u < slots_[b].u; });
+  if (!entered_.empty()) put_apart();
   return matters;
 }
 
-bool LineScan::same_faces(std::uint32_t a, std::uint32_t b) const {
-  const auto p = scene_.faces_of(scene_.edges[a]), q = scene_.faces_of(scene_.edges[b]);
-  return std::equal(p.begin(), p.end(), q.begin(), q.end());
-}
-
-/// Ends and beginnings of edges, vertex by vertex.
-bool LineScan::changes_matter(std::uint32_t line) {
-  if (ended_.empty() && entered_.empty()) return false;
-  if (!options_.recognise) return true;
-  const auto bottom = [this](std::uint32_t slot) { return scene_.edges[slots_[slot].edge].bottom; };
-  const auto top = [this](std::uint32_t slot) { return scene_.edges[slots_[slot].edge].top; };
-  std::sort(ended_.begin(), ended_.end(), [&](std::uint32_t a, std::uint32_t b) { return bottom(a) != bottom(b) ? bottom(a) < bottom(b) : a < b; });
-  std::sort(entered_.begin(), entered_.end(), [&](std::uint32_t a, std::uint32_t b) { return top(a) != top(b) ? top(a) < top(b) : a < b; });
-  std::size_t i = 0, k = 0;
-  while (i < ended_.size() || k < entered_.size()) {
-    const std::uint32_t vertex = std::min(i < ended_.size() ? bottom(ended_[i]) : kNone, k < entered_.size() ? top(entered_[k]) : kNone);
-    std::size_t i_end = i, k_end = k;
-    while (i_end < ended_.size() && bottom(ended_[i_end]) == vertex) ++i_end;
-    while (k_end < entered_.size() && top(entered_[k_end]) == vertex) ++k_end;
-    if (group_matters(line, i, i_end, k, k_end)) return true;
-    i = i_end;
-    k = k_end;
-  }
-  return false;
-}
-
-/// What ends and begins at one vertex: does it change what is seen?
-bool LineScan::group_matters(std::uint32_t line, std::size_t ended_begin, std::size_t ended_end, std::size_t entered_begin, std::size_t entered_end) {
-  if (ended_end - ended_begin == 1 && entered_end - entered_begin == 1) {
-    const std::uint32_t from = ended_[ended_begin], to = entered_[entered_begin];
-    const bool bends = scene_.lines_of(scene_.edges[slots_[to].edge]).empty() || slots_[from].boundary;
-    if (bends && same_faces(slots_[from].edge, slots_[to].edge)) {  // figure 2.59 a: the edge goes on in another direction
-      if (slots_[from].boundary) {
-        slots_[to].boundary = true;
-        for (LineSpan& s : spans_) {
-          if (s.left == from) s.left = to;
-          if (s.right == from) s.right = to;
-        }
-      }
-      ++counts_.passed_chains;
-      return false;
+/// Where an edge enters on another one, on this very line, nothing tells on which side of it it belongs. It is put on the side that it leaves: if the two
+/// part, they change places on the next line, like any others.
+void LineScan::put_apart() {
+  for (std::size_t i = 1; i < order_.size(); ++i) {
+    for (std::size_t k = i; k > 0; --k) {
+      const ActiveEdge &p = slots_[order_[k - 1]], &q = slots_[order_[k]];
+      if (q.u - p.u > kSamePlace || !(p.entered || q.entered) || p.track.du >= q.track.du) break;
+      std::swap(order_[k - 1], order_[k]);
     }
   }
-  for (std::size_t i = ended_begin; i < ended_end; ++i) {
-    if (slots_[ended_[i]].boundary) return true;
-  }
-  if (entered_begin != entered_end && !behind_a_span(line, entered_begin, entered_end)) return true;
-  ++counts_.passed_points;  // figure 2.59 b
-  return false;
-}
-
-/// Whether all edges that enter at a vertex lie inside one span, behind its face.
-bool LineScan::behind_a_span(std::uint32_t line, std::size_t entered_begin, std::size_t entered_end) {
-  const auto u0 = [this](const LineSpan& s) { return slots_[s.left].u; };
-  const auto u1 = [this](const LineSpan& s) { return slots_[s.right].u; };
-  const double u = slots_[entered_[entered_begin]].u;
-  const auto after = std::partition_point(spans_.begin(), spans_.end(), [&](const LineSpan& s) { return u0(s) < u; });
-  if (after == spans_.begin()) return false;
-  const LineSpan& span = *(after - 1);
-  for (std::size_t i = entered_begin; i < entered_end; ++i) {
-    const ActiveEdge& a = slots_[entered_[i]];
-    // A cell of margin: an edge that comes so near to the end of the span within the line is looked at.
-    if (!(a.u - std::abs(a.track.du) > u0(span) && a.u + std::abs(a.track.du) < u1(span))) return false;
-    const GridPlane& plane = scene_.planes[span.face];
-    const double margin = std::abs(plane.zu) + std::abs(plane.zv);
-    if (!(a.track.z > plane.z(a.u, line) + margin)) return false;
-  }
-  for (std::size_t i = entered_begin; i < entered_end; ++i) listener_.hidden_point(*this, entered_[i], span.face);
-  return true;
 }
 
 /// Carried on: every span goes from edge to edge as before.
@@ -249,7 +208,7 @@ void LineScan::collect_segments(std::vector<ScanSegment<X>>& segments) {
     const ActiveEdge& a = slots_[slot];
     for (const std::uint32_t face : scene_.faces_of(scene_.edges[a.edge])) {
       if (open_[face] == 0) {
-        segments.push_back({coordinate(a.u), coordinate(a.u), a.track.z, a.track.z, static_cast<std::uint32_t>(ends_.size())});
+        segments.push_back({coordinate(a.u), coordinate(a.u), a.track.z, a.track.z, static_cast<std::uint32_t>(ends_.size()), scene_.touch[face]});
         ends_.push_back({slot, slot, a.u, a.u, face});
         open_[face] = static_cast<std::uint32_t>(ends_.size());
       } else {
@@ -297,8 +256,15 @@ void LineScan::study_line(SpanMethod<X>& method) {
 
 /// Whose edges bound the spans.
 void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
-  for (const std::uint32_t slot : order_) slots_[slot].boundary = false;
+  std::erase_if(order_, [this](std::uint32_t slot) {
+    slots_[slot].boundary = false;
+    slots_[slot].before = slots_[slot].after = kNone;
+    if (slots_[slot].edge != scene_.unlisted) return false;
+    free_slots_.push_back(slot);
+    return true;
+  });
   spans_.clear();
+  penetrating_.clear();
   must_study_ = false;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const VisibleSpan& s = found[i];
@@ -306,20 +272,15 @@ void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
     LineSpan span{kNone, kNone, s.x0, s.x1, ends.face};
     span.left = i > 0 && found[i - 1].x1 == s.x0 ? spans_.back().right : ends.left;
     span.right = i + 1 < found.size() && found[i + 1].x0 == s.x1 ? boundary_between(s, found[i + 1]) : ends.right;
-    for (const std::uint32_t slot : {span.left, span.right}) {
-      if (slot == kNone) {
-        must_study_ = true;
-      } else {
-        slots_[slot].boundary = true;
-      }
-    }
+    slots_[span.left].boundary = slots_[span.right].boundary = true;
+    slots_[span.left].after = slots_[span.right].before = static_cast<std::uint32_t>(i);
     spans_.push_back(span);
   }
 }
 
 /// The edge between two spans that touch: the right end of the left one, the left end of the right one, or, where neither ends, the line in
 /// which their faces penetrate.
-std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleSpan& right) const {
+std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleSpan& right) {
   const SegmentEnds &l = ends_[left.segment], &r = ends_[right.segment];
   if (l.u1 == left.x1) return l.right;
   if (r.u0 == right.x0) return r.left;
@@ -338,7 +299,25 @@ std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleS
       }
     }
   }
-  return best;
+  return best == kNone ? penetration_edge(left, right) : best;
+}
+
+/// An edge for two spans that penetrate, in the list until the next study. It goes where the planes of the two faces meet.
+std::uint32_t LineScan::penetration_edge(const VisibleSpan& left, const VisibleSpan& right) {
+  const std::uint32_t f = ends_[left.segment].face, g = ends_[right.segment].face;
+  for (const std::uint32_t face : {f, g}) {
+    if (std::find(penetrating_.begin(), penetrating_.end(), face) == penetrating_.end()) penetrating_.push_back(face);
+  }
+  EdgeTrack track;
+  track.u = left.x1;
+  track.last = kNone;
+  const GridPlane &p = scene_.planes[f], &q = scene_.planes[g];
+  const double step = (q.zv - p.zv) / (p.zu - q.zu);
+  if (std::isfinite(step)) track.du = step;  // otherwise upright: parallel planes of faces that are not quite plane
+  const std::uint32_t slot = make_slot(scene_.unlisted, track);
+  slots_[slot].entered = false;
+  order_.insert(std::partition_point(order_.begin(), order_.end(), [&](std::uint32_t s) { return slots_[s].u < slots_[slot].u; }), slot);
+  return slot;
 }
 
 }  // namespace ligne::watkins

@@ -6,9 +6,11 @@
 ///
 /// A line is studied anew only where something changes that can be seen: an edge enters or ends, two edges change places. Changes among
 /// hidden elements are recognised and passed over (figure 2.59): an edge whose end goes on in another one of the same faces, points that
-/// appear behind the span that they lie in, ends of edges that bound nothing, exchanges of two such edges. Where faces penetrate, their common
-/// line is an edge of the scene like any other, so it enters, crosses and ends as one; only a penetration without such an edge forces the next line to
-/// be studied.
+/// appear behind the span that they lie in, ends of edges that bound nothing, exchanges of two such edges, and of one with the end of a span
+/// when the next span hides it too. Faces that touch keep their order on
+/// all lines (FaceOrders). Where faces penetrate, their common line is an edge of the scene like any other, so it enters, crosses and ends as one. A
+/// penetration without such an edge gets one for the time until the next study: it goes straight on, and where one of the two faces gains or loses an
+/// edge a line is studied.
 
 #include <cstdint>
 #include <memory>
@@ -28,13 +30,16 @@ struct ScanOptions {
 
 struct ScanCounts {
   std::uint64_t lines = 0;              ///< lines that meet an edge
-  std::uint64_t studied = 0;            ///< of them: by the span method
+  std::uint64_t studied = 0;            ///< of them: by the span method, and of these:
+  std::uint64_t studied_first = 0;      ///< nothing is known of the line before
+  std::uint64_t studied_exchanges = 0;  ///< two edges changed places
+  std::uint64_t studied_ends = 0;       ///< edges entered or ended, and no others changed places
   std::uint64_t segments = 0;           ///< on studied lines
   std::uint64_t entered = 0, ended = 0; ///< edges
   std::uint64_t exchanges = 0;          ///< neighbours that changed places from one line to the next
   std::uint64_t passed_chains = 0;      ///< changes that altered nothing: an edge goes on in another
   std::uint64_t passed_points = 0;      ///< hidden points
-  std::uint64_t passed_exchanges = 0;   ///< exchanges of hidden edges
+  std::uint64_t passed_exchanges = 0;   ///< exchanges with edges that stay hidden
   void operator+=(const ScanCounts& o);
 };
 
@@ -45,9 +50,11 @@ struct ActiveEdge {
   std::uint32_t edge = 0;   ///< of the scene
   bool boundary = false;    ///< bounds a span
   bool entered = false;     ///< on this line
+  std::uint32_t before = 0, after = 0;  ///< of a boundary: the spans left and right of it, or kNone
+  std::uint32_t goes_on = 0;            ///< slot of the edge in which it goes on, when it has ended; or kNone
 };
 
-/// A run on which one face is seen, between two active edges (kNone: a penetration that no edge stands for).
+/// A run on which one face is seen, between two active edges.
 struct LineSpan {
   std::uint32_t left, right;  ///< slots
   double u0, u1;
@@ -62,12 +69,13 @@ class LineListener {
   virtual ~LineListener() = default;
   virtual void line(const LineScan& scan, std::uint32_t line, bool studied) = 0;
   virtual void ended(const LineScan& scan, std::uint32_t slot) = 0;   ///< the edge of the slot is met by no further line
-  virtual void hidden_point(const LineScan& scan, std::uint32_t slot, std::uint32_t face) = 0;  ///< an edge entered behind that face, unstudied
+  virtual void hidden_point(const LineScan& scan, std::uint32_t slot, std::uint32_t face) = 0;  ///< an edge came behind that face, unstudied
 };
 
-class LineScan {
+class LineScan : private PairOrders {
  public:
-  LineScan(const ScanScene& scene, std::span<const SweepLine> lines, const ScanOptions& options, LineListener& listener);
+  LineScan(const ScanScene& scene, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
+           const ScanOptions& options, LineListener& listener);
 
   /// Lines [first, end).
   void scan(std::uint32_t first, std::uint32_t end);
@@ -83,10 +91,20 @@ class LineScan {
  private:
   void begin(std::uint32_t line);
   bool take_line(std::uint32_t line);
-  bool sort();
+  bool sort(std::uint32_t line);
+  bool exchange_matters(std::uint32_t line, std::uint32_t to_the_left, std::uint32_t to_the_right);
+  void put_apart();
+  void sort_by_vertex();
+  template <class Visit>
+  void for_each_vertex(Visit visit) const;
+  void link_chains();
   bool changes_matter(std::uint32_t line);
-  bool group_matters(std::uint32_t line, std::size_t ended_begin, std::size_t ended_end, std::size_t entered_begin, std::size_t entered_end);
-  bool behind_a_span(std::uint32_t line, std::size_t entered_begin, std::size_t entered_end);
+  bool vertex_matters(std::uint32_t line, std::span<const std::uint32_t> ended, std::span<const std::uint32_t> entered);
+  bool flat_edge_matters(std::uint32_t line) const;
+  bool behind_spans(std::uint32_t line, const ScanEdge& edge) const;
+  bool bounds_a_penetration(std::uint32_t slot) const;
+  bool behind_a_span(std::uint32_t line, std::span<const std::uint32_t> entered);
+  bool behind(std::uint32_t line, const ActiveEdge& a, std::uint32_t face) const;
   bool same_faces(std::uint32_t a, std::uint32_t b) const;
   void follow_edges();
   template <class X>
@@ -94,7 +112,9 @@ class LineScan {
   template <class X>
   void collect_segments(std::vector<ScanSegment<X>>& segments);
   void place_spans(const std::vector<VisibleSpan>& found);
-  std::uint32_t boundary_between(const VisibleSpan& left, const VisibleSpan& right) const;
+  std::uint32_t boundary_between(const VisibleSpan& left, const VisibleSpan& right);
+  std::uint32_t penetration_edge(const VisibleSpan& left, const VisibleSpan& right);
+  PairOrder of(std::uint32_t a, std::uint32_t b) override { return face_orders_.of(ends_[a].face, ends_[b].face); }  ///< of segments
   std::uint32_t make_slot(std::uint32_t edge, const EdgeTrack& track);
   double key(double u) const { return scene_.grid.whole ? std::floor(u + 0.5) : u; }
 
@@ -108,14 +128,17 @@ class LineScan {
   std::span<const SweepLine> lines_;
   ScanOptions options_;
   LineListener& listener_;
+  FaceOrders face_orders_;
   std::unique_ptr<SpanMethod<double>> real_;
   std::unique_ptr<SpanMethod<std::int32_t>> whole_;
 
   std::vector<ActiveEdge> slots_;
   std::vector<std::uint32_t> free_slots_, order_;
-  std::vector<std::uint32_t> ended_, entered_;  ///< slots, on the line at hand
+  std::vector<std::uint32_t> ended_, entered_;  ///< slots, on the line at hand; without edges that go on in others
+  std::vector<std::uint32_t> gone_;             ///< slots of all edges that ended
   std::vector<std::uint32_t> ended_edges_;
-  bool must_study_ = true;                      ///< the spans hold something that can not be carried on
+  bool must_study_ = true;                      ///< there is nothing to be carried on
+  std::vector<std::uint32_t> penetrating_;      ///< faces that meet in a penetration without an edge
   std::vector<LineSpan> spans_;
 
   std::vector<std::uint32_t> open_;             ///< by face: segment that has begun, plus one

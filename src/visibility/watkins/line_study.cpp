@@ -52,8 +52,7 @@ LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count) {
 LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines, const LineGrid& grid,
                                const LineStudyOptions& options) {
   constexpr std::uint32_t kGroups = 32, kFewestLines = 16;
-  const ScanScene scan_scene = make_scan_scene(scene, lines, grid);
-  const FacetsOfFaces of_faces(facets, scan_scene.face_count);
+  const ScanScene scan_scene = make_scan_scene(scene, facets, lines, grid);
   const std::uint32_t size = options.group > 0 ? options.group : std::max(kFewestLines, (grid.count + kGroups - 1) / kGroups);
   const std::uint32_t groups = (grid.count + size - 1) / size;
   struct GroupResult {
@@ -65,9 +64,9 @@ LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Fa
   };
   std::vector<GroupResult> results(groups);
   tbb::parallel_for(std::uint32_t{0}, groups, [&](std::uint32_t g) {
-    EdgeTracker tracker(scene.vertices, facets, of_faces, lines, options.coincidence_steps);
+    EdgeTracker tracker(scene.vertices, facets, scan_scene.of_faces, lines, options.coincidence_steps);
     Collector collector(options.track ? &tracker : nullptr, scene, options.collect_spans);
-    LineScan scan(scan_scene, lines, options.scan, collector);
+    LineScan scan(scan_scene, scene.vertices, facets, lines, options.scan, collector);
     scan.scan(g * size, std::min(grid.count, (g + 1) * size));
     results[g] = {tracker.findings(), std::move(collector.spans), scan.counts(), scan.span_counts(), tracker.counts()};
   }, tbb::simple_partitioner{});

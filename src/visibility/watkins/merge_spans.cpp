@@ -72,7 +72,7 @@ class MergeMethod final : public SpanMethod<X> {
       }
       const Piece old = pieces_[piece];
       const double to = std::min(end, old.x1);
-      const DepthComparison seen = compare_depths(segments_[old.segment], segment, x, to, this->counts_);
+      const DepthComparison seen = compare_depths(segments_[old.segment], segment, x, to, this->counts_, this->pairs_);
       if (seen.order == DepthOrder::first) {  // the new segment is hidden here
         if (old.x1 > end) return;
         before = piece;

@@ -89,14 +89,14 @@ class PointMethod final : public SpanMethod<X> {
           best = i;
           continue;
         }
-        const DepthComparison seen = compare_depths(segments_[best], s, x, b, this->counts_);
+        const DepthComparison seen = compare_depths(segments_[best], s, x, b, this->counts_, this->pairs_);
         if (seen.order == DepthOrder::second || seen.order == DepthOrder::second_then_first) best = i;
       }
       if (best == kNobody) return;
       for (std::uint32_t i = 0; i < segments_.size(); ++i) {
         const ScanSegment<X>& s = segments_[i];
         if (i == best || double(s.x0) > a || double(s.x1) < b) continue;
-        const DepthComparison seen = compare_depths(segments_[best], s, x, b, this->counts_);
+        const DepthComparison seen = compare_depths(segments_[best], s, x, b, this->counts_, this->pairs_);
         if (seen.order == DepthOrder::first_then_second) turn = std::min(turn, seen.x);
       }
       this->give(x, turn, best, out);

@@ -14,6 +14,8 @@ EdgeTrack EdgeTrack::between(GridPoint a, GridPoint b, std::uint32_t line_count)
   if (t.first == t.last) {
     t.u = a.u;
     t.z = a.z;
+    t.du = b.u - a.u;
+    t.dz = b.z - a.z;
     return t;
   }
   t.du = (b.u - a.u) / (b.v - a.v);

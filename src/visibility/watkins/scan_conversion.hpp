@@ -41,7 +41,7 @@ struct EdgeTrack {
   double du = 0, dz = 0;  ///< from line to line
   std::uint32_t first = 0, last = 0;  ///< lines [first, last) meet it
 
-  /// An edge that no line meets has first == last.
+  /// An edge that no line meets has first == last, and du, dz go from its upper end to its lower one.
   static EdgeTrack between(GridPoint a, GridPoint b, std::uint32_t line_count);
 
   void advance() {

@@ -36,11 +36,14 @@ std::vector<GridPlane> planes_of(const ProjectedScene& scene, const LineGrid& gr
 
 }  // namespace
 
-ScanScene make_scan_scene(const ProjectedScene& scene, std::span<const SweepLine> lines, const LineGrid& grid) {
+ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines, const LineGrid& grid) {
   ScanScene result;
   result.grid = grid;
   for (const Triangle& t : scene.triangles) result.face_count = std::max(result.face_count, t.face + 1);
   result.planes = planes_of(scene, grid, result.face_count);
+  result.of_faces = FacetsOfFaces(facets, result.face_count);
+  result.touch.assign(result.face_count, 0);
+  for (const Facet& f : facets) result.touch[f.face] = std::max(result.touch[f.face], double(f.touch));
 
   // Lines that are edges of the scene end at its vertices, the others at vertices of their own.
   std::vector<ProjectedVertex> vertices = scene.vertices;
@@ -111,6 +114,9 @@ ScanScene make_scan_scene(const ProjectedScene& scene, std::span<const SweepLine
   result.edges.resize(edges.size());
   std::vector<std::uint32_t> place(result.first_of_line.begin(), result.first_of_line.end() - 1);
   for (const ScanEdge& e : edges) result.edges[place[e.track.first]++] = e;
+  result.unlisted = static_cast<std::uint32_t>(result.edges.size());
+  result.edges.emplace_back();
+  result.edges.back().track.last = kNone;
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "visibility/watkins/face_orders.hpp"
 #include "visibility/watkins/scan_conversion.hpp"
 #include "visibility/watkins/sweep_scene.hpp"
 
@@ -28,10 +29,13 @@ struct GridPlane {
 /// Faces are polygons with holes: what two triangles of one face have in common is no edge.
 struct ScanScene {
   LineGrid grid;
-  std::vector<ScanEdge> edges;                ///< by first line, those that no line meets among them
+  std::vector<ScanEdge> edges;                ///< by first line, those that no line meets among them; behind them stands `unlisted`
+  std::uint32_t unlisted = 0;                 ///< an edge of no face and no line, met by all lines: stands for penetrations without an edge
   std::vector<std::uint32_t> first_of_line;   ///< by line, and two more: edges that begin at line i; behind the last line lie those that begin below
   std::vector<std::uint32_t> edge_faces, edge_lines;
   std::vector<GridPlane> planes;              ///< by face
+  std::vector<double> touch;                  ///< by face: largest of its facets
+  FacetsOfFaces of_faces;
   std::uint32_t face_count = 0;
 
   std::span<const std::uint32_t> faces_of(const ScanEdge& e) const { return {edge_faces.data() + e.faces_begin, edge_faces.data() + e.faces_end}; }
@@ -39,6 +43,7 @@ struct ScanScene {
 };
 
 /// `lines` are those of the scene's candidate edges, in order, and behind them such as have ends of their own (intersections).
-ScanScene make_scan_scene(const ProjectedScene& scene, std::span<const SweepLine> lines, const LineGrid& grid);
+/// Faces without facets (behind covers, edge on) are bounded by their edges all the same.
+ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines, const LineGrid& grid);
 
 }  // namespace ligne::watkins

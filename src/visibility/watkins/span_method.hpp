@@ -4,6 +4,7 @@
 /// Notation: a scan plane cuts every face in segments. A segment runs from (x0, z0) to (x1, z1), x0 <= x1; depth is linear
 /// over it and smaller is nearer. X is double (real coordinates) or std::int32_t (whole ones, as in the thesis's screen).
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -20,6 +21,7 @@ struct ScanSegment {
   X x0, x1;
   double z0, z1;
   std::uint32_t face;
+  double touch = 0;  ///< what is within this depth of it touches it
 
   /// Depth at x; the ends give their own depth to the last bit.
   double z(double x) const {
@@ -59,6 +61,16 @@ struct SpanCounts {
 enum class SpanMethodKind : std::uint8_t { merge, stack, box, point };
 inline constexpr std::array<std::string_view, 4> kSpanMethodNames{"merge", "stack", "box", "point"};
 
+/// Who is in front of the other where two segments touch, whatever their depths there say.
+enum class PairOrder : std::uint8_t { first, second, by_depth };
+
+/// Knows that for the faces of two segments, the same on every line, so that the roundings of depths change nothing from line to line.
+class PairOrders {
+ public:
+  virtual ~PairOrders() = default;
+  virtual PairOrder of(std::uint32_t a, std::uint32_t b) = 0;
+};
+
 /// The full key of 2.3.3.1: x of the left end, then depth there, then slope; what is nearer comes first. The methods need
 /// it only to be fast (merge, stack with whole ties), never to be right.
 template <class X>
@@ -81,6 +93,9 @@ class SpanMethod {
 
   const SpanCounts& counts() const { return counts_; }
 
+  /// Who is asked where segments touch; without anybody their depths decide.
+  void ask(PairOrders* pairs) { pairs_ = pairs; }
+
  protected:
   /// Appends a span, or lengthens the last one.
   void give(double x0, double x1, std::uint32_t segment, std::vector<VisibleSpan>& out) {
@@ -94,6 +109,7 @@ class SpanMethod {
   }
 
   SpanCounts counts_;
+  PairOrders* pairs_ = nullptr;
 };
 
 template <class X>
@@ -121,15 +137,19 @@ struct DepthComparison {
 };
 
 /// The test PRO of the thesis (figure 2.44): two depth tests, and a division only when the segments cross strictly inside. Equal
-/// depths all along count as `first`.
+/// depths all along count as `first`. Where the two touch, `pairs` is asked, which may be null.
 template <class X>
-DepthComparison compare_depths(const ScanSegment<X>& a, const ScanSegment<X>& b, double x0, double x1, SpanCounts& counts) {
+DepthComparison compare_depths(const ScanSegment<X>& a, const ScanSegment<X>& b, double x0, double x1, SpanCounts& counts, PairOrders* pairs) {
   counts.depth_tests += 2;
   const auto difference = [&](double x) {
     const double za = a.z(x), zb = b.z(x), d = za - zb;
     return std::abs(d) <= kSameDepth * (std::abs(za) + std::abs(zb)) ? 0.0 : d;
   };
   const double d0 = difference(x0), d1 = difference(x1);
+  if (pairs && std::min(std::abs(d0), std::abs(d1)) <= a.touch + b.touch) {
+    const PairOrder order = pairs->of(a.face, b.face);
+    if (order != PairOrder::by_depth) return {order == PairOrder::first ? DepthOrder::first : DepthOrder::second, x0};
+  }
   if (d0 <= 0 && d1 <= 0) return {DepthOrder::first, x0};
   if (d0 >= 0 && d1 >= 0) return {DepthOrder::second, x0};
   ++counts.penetrations;

@@ -91,7 +91,7 @@ class StackMethod final : public SpanMethod<X> {
     }
     const ScanSegment<X>&a = segments_[current_], &b = segments_[segment];
     const double to = std::min(double(a.x1), double(b.x1));
-    const DepthComparison seen = compare_depths(a, b, x, to, this->counts_);
+    const DepthComparison seen = compare_depths(a, b, x, to, this->counts_, this->pairs_);
     ++this->counts_.pushes;
     switch (seen.order) {
       case DepthOrder::first:
@@ -129,7 +129,7 @@ class StackMethod final : public SpanMethod<X> {
         continue;
       }
       if (std::min(b.z0, b.z1) < std::max(a.z0, a.z1)) {
-        const DepthComparison seen = compare_depths(a, b, x, std::min(double(a.x1), double(b.x1)), this->counts_);
+        const DepthComparison seen = compare_depths(a, b, x, std::min(double(a.x1), double(b.x1)), this->counts_, this->pairs_);
         if (seen.order == DepthOrder::first_then_second) note(seen.x, stack_[i]);
       }
       ++i;
@@ -157,7 +157,7 @@ class StackMethod final : public SpanMethod<X> {
   }
 
   bool nearer(const ScanSegment<X>& a, const ScanSegment<X>& b, double x) {
-    const DepthComparison seen = compare_depths(a, b, x, std::min(double(a.x1), double(b.x1)), this->counts_);
+    const DepthComparison seen = compare_depths(a, b, x, std::min(double(a.x1), double(b.x1)), this->counts_, this->pairs_);
     return seen.order == DepthOrder::first || seen.order == DepthOrder::first_then_second;
   }
 

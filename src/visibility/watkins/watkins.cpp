@@ -13,7 +13,8 @@
 
 // Phases: (1) facets, (2) facets and lines that are surely hidden are left out, (3) the scan over the edges, which also finds what penetrates, (4)
 // the scan over the lines of intersection, where there are any, (5) spans for those who want them, (6) strokes. With a number of lines (3) only
-// looks for penetrations, and (4) goes by lines, over edges and intersections at once. See docs/methods/watkins.md.
+// looks for penetrations, and (4) goes by lines, over edges and intersections at once. A scan by lines needs the intersections even when nobody wants
+// them drawn: without them it would not know where faces come out of each other. See docs/methods/watkins.md.
 
 namespace ligne {
 namespace {
@@ -64,6 +65,9 @@ void report(const LineStudyResult& result, Statistics& statistics) {
   statistics.count("groups of lines", result.groups);
   statistics.count("scan lines", result.scan.lines);
   statistics.count("scan lines studied", result.scan.studied);
+  statistics.count("of them at the beginning of a group", result.scan.studied_first);
+  statistics.count("of them where edges change places", result.scan.studied_exchanges);
+  statistics.count("of them where edges enter or end", result.scan.studied_ends);
   statistics.count("segments on them", result.scan.segments);
   statistics.count("edges that entered", result.scan.entered);
   statistics.count("exchanges from line to line", result.scan.exchanges);
@@ -130,13 +134,14 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   const double step = scene.lattice.step_mm, least = kLeastPartMm / step;
   const unsigned line_count = options.settings.find("lines").value_or(kMostLines + 1);
   const bool exact = line_count > kMostLines;
+  const bool find_intersections = scene.with_intersections || !exact || options.span_lines;
   Clock clock;
 
   // 1. Facets.
   ExactOptions exact_options;
   exact_options.kind = options.settings.choice("span-method", SpanMethodKind::stack);
   exact_options.coincidence_steps = coincidence_mm(scene) / step;
-  exact_options.penetrations = scene.with_intersections;
+  exact_options.penetrations = find_intersections;
   exact_options.progress = options.progress;
   Facets facets = make_facets(scene, exact_options.coincidence_steps);
   statistics.count("facets", facets.facets.size());
@@ -160,13 +165,11 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   ExactCounts counts;
   Found found;
   std::vector<Intersection> intersections;
-  if (exact || scene.with_intersections) {
-    ExactResult edges = study_exactly(scene.vertices, facets.facets, exact ? std::span<const SweepLine>(lines) : std::span<const SweepLine>{}, exact_options);
-    counts += edges.counts;
-    found.edges = std::move(edges.found);
-    found.near = std::move(edges.near);
-    if (scene.with_intersections) intersections = take_intersections(edges, scene.vertices, facets.facets, least);
-  }
+  ExactResult first = study_exactly(scene.vertices, facets.facets, exact ? std::span<const SweepLine>(lines) : std::span<const SweepLine>{}, exact_options);
+  counts += first.counts;
+  found.edges = std::move(first.found);
+  found.near = std::move(first.near);
+  if (find_intersections) intersections = take_intersections(first, scene.vertices, facets.facets, least);
   statistics.count("intersection segments", intersections.size());
   statistics.time("edges", clock.lap());
 
@@ -178,7 +181,7 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   LineStudyOptions by_lines;
   by_lines.scan.kind = exact_options.kind;
   by_lines.coincidence_steps = exact_options.coincidence_steps;
-  if (exact && !intersections.empty()) {
+  if (exact && scene.with_intersections && !intersections.empty()) {
     exact_options.penetrations = false;
     exact_options.progress = {};
     ExactResult r = study_exactly(scene.vertices, facets.facets, crossed, exact_options);
@@ -204,6 +207,10 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
     by_lines.collect_spans = true;
     result.spans = SpanModel{*options.span_lines, study_by_lines(scene, facets.facets, all_lines, grid_of(scene, *options.span_lines), by_lines).spans};
     statistics.time("spans", clock.lap());
+  }
+  if (!scene.with_intersections) {  // they have served
+    intersections.clear();
+    crossed.clear();
   }
   if (result.spans) statistics.count("spans", result.spans->spans.size());
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Which of two facets is in front where they overlap on the page: Atherton and Weiler's comparison of depths, for the piece that a clip
-/// has found inside.
+/// Which of two facets is in front where they overlap on the page, decided once for all of the overlap: Atherton and Weiler's comparison of
+/// depths for the piece that a clip has found inside, and the order of faces that touch in a scan by lines.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 #include "geometry/exact_segment.hpp"
 #include "visibility/common/facet.hpp"
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 
 enum class Order : std::uint8_t {
   apart,   ///< no inner point of the page in common
@@ -28,4 +28,4 @@ struct FacetOrder {
 /// same cut in the other direction. So of two facets each point of the page is given to exactly one.
 FacetOrder order_of(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a, std::uint32_t b);
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

@@ -1,11 +1,11 @@
-#include "visibility/atherton_weiler/facet_order.hpp"
+#include "visibility/common/facet_order.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 namespace {
 
 struct Corner {
@@ -149,4 +149,4 @@ FacetOrder order_of(const std::vector<Facet>& facets, const std::vector<Projecte
   return result;
 }
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

@@ -1,0 +1,28 @@
+#pragma once
+/// Convex parts of facets, as the contours with which faces are clipped.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/contour_face.hpp"
+#include "visibility/common/facet.hpp"
+
+namespace ligne::atherton_weiler {
+
+/// Numbers of source segments: side k of facet f is 3 f + k; cuts have one number in common.
+inline constexpr std::uint32_t kCutSource = 0xffffffffu;
+inline std::uint32_t side_source(std::uint32_t facet, unsigned side) { return 3 * facet + side; }
+
+/// A facet, or the part of it on the left of a line, as the edges of its contour. Side k of a facet is the segment from the vertex of the
+/// lower number, so that both facets on it have the same segment.
+struct ClipPart {
+  std::array<ContourEdge, 4> edges;
+  std::uint32_t count = 0;  ///< 0 when nothing is left
+
+  ContourFace face() const { return {{EdgeLoop(edges.begin(), edges.begin() + count)}}; }
+};
+ClipPart whole_facet(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t facet);
+ClipPart left_of(const ClipPart& triangle, const LatticeSegment& line);
+
+}  // namespace ligne::atherton_weiler

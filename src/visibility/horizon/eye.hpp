@@ -1,0 +1,102 @@
+#pragma once
+/// Where points of the surface are for the horizon and on the page, and which part of a segment is in front of the eye and inside the window.
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "view/clip.hpp"
+#include "visibility/horizon/envelope.hpp"
+#include "visibility/horizon/sight.hpp"
+
+namespace ligne::horizon {
+
+/// In perspective nothing nearer to the vertical through the eye than this part of the target distance is drawn.
+inline constexpr double kNearestPart = 0x1p-30;
+
+/// A sample, for the horizon and on the page.
+struct Sample {
+  Point3 p;
+  SightPoint seen;
+  HomogeneousPoint page;
+  bool hole = true, inside = false;  ///< inside the window
+};
+
+/// The part of a segment that is in front of the eye: its ends, and where they are on the segment, as fractions in space.
+struct FrontPart {
+  SightPoint a, b;
+  double from, to;
+};
+
+class Eye {
+ public:
+  Eye(const View& view, const Sight& sight)
+      : view_(view), sight_(sight), volume_{view.window, view.near_distance}, nearest_(kNearestPart * view.camera.target_distance) {}
+
+  Sample sample(const Point3& p) const {
+    Sample s{p, sight_(p), to_homogeneous(view_, p), false, false};
+    s.inside = volume_.contains(s.page);
+    return s;
+  }
+
+  bool perspective() const { return sight_.perspective(); }
+
+  std::optional<FrontPart> part_in_front(const Sample& a, const Sample& b, double from = 0, double to = 1) const {
+    if (!perspective()) return FrontPart{a.seen, b.seen, 0, 1};
+    FrontPart part{from == 0 ? a.seen : between(a.seen, b.seen, from), to == 1 ? b.seen : between(a.seen, b.seen, to), from, to};
+    const bool a_near = too_near(part.a), b_near = too_near(part.b);
+    if (a_near && b_near) return std::nullopt;
+    if (a_near || b_near) {
+      const double t = (nearest_ - part.a.w) / (part.b.w - part.a.w);
+      const SightPoint cut = between(part.a, part.b, t);
+      (a_near ? part.from : part.to) = from + t * (to - from);
+      (a_near ? part.a : part.b) = cut;
+    }
+    return part;
+  }
+
+  /// The corners of the part of a triangle that is in front, in order; none when nothing is.
+  std::vector<SightPoint> contour_in_front(const std::array<const SightPoint*, 3>& corners) const {
+    std::vector<SightPoint> contour;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const SightPoint &s = *corners[i], &e = *corners[(i + 1) % 3];
+      if (!too_near(s)) contour.push_back(s);
+      if (too_near(s) != too_near(e)) contour.push_back(between(s, e, (nearest_ - s.w) / (e.w - s.w)));
+    }
+    return contour;
+  }
+
+  /// Calls sink(t0, t1) for what is seen of the segment inside the window. `seen` are fractions of `part`.
+  template <class Sink>
+  void give(const Sample& a, const Sample& b, const FrontPart& part, const std::vector<Span>& seen, Sink sink) const {
+    if (seen.empty()) return;
+    std::array<double, 2> inside{0, 1};
+    if (!a.inside || !b.inside) {
+      const auto clipped = clip_segment(a.page, b.page, volume_);
+      if (!clipped) return;
+      inside = *clipped;
+    }
+    const double extent = part.to - part.from;
+    for (const Span& s : seen) {
+      const double t0 = std::max(part.from + s.from * extent, inside[0]);
+      const double t1 = std::min(s.to == 1 ? part.to : part.from + s.to * extent, inside[1]);
+      if (t0 < t1) sink(t0, t1);
+    }
+  }
+
+ private:
+  bool too_near(const SightPoint& p) const { return perspective() && p.w < nearest_; }
+
+  /// The point at the fraction t in space.
+  static SightPoint between(const SightPoint& a, const SightPoint& b, double t) {
+    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
+  }
+
+  const View& view_;
+  Sight sight_;
+  ClipVolume volume_;
+  double nearest_;
+};
+
+}  // namespace ligne::horizon

@@ -1,0 +1,168 @@
+#include <algorithm>
+
+#include "visibility/watkins/line_scan.hpp"
+
+// What changes from one line to the next, and whether it can be seen (thesis 2.3.5.5, figure 2.59).
+
+namespace ligne::watkins {
+
+/// Two edges that bound nothing change places unseen (figure 2.59 c). So does one of them with the end of a span if it comes behind the next
+/// span: hidden it was, and hidden it stays.
+bool LineScan::exchange_matters(std::uint32_t line, std::uint32_t to_the_left, std::uint32_t to_the_right) {
+  if (!options_.recognise || must_study_) return true;
+  const ActiveEdge &l = slots_[to_the_left], &r = slots_[to_the_right];
+  if (!l.boundary && !r.boundary) return false;
+  if (l.boundary && r.boundary) return true;
+  const std::uint32_t span = l.boundary ? l.after : r.before, hidden = l.boundary ? to_the_right : to_the_left;
+  if (span == kNone || !behind(line, slots_[hidden], spans_[span].face)) return true;
+  listener_.hidden_point(*this, hidden, spans_[span].face);
+  return false;
+}
+
+/// Whether an edge is behind a face, and farther from it than the face's depth changes within a cell.
+bool LineScan::behind(std::uint32_t line, const ActiveEdge& a, std::uint32_t face) const {
+  const GridPlane& plane = scene_.planes[face];
+  return a.track.z > plane.z(a.u, line) + std::abs(plane.zu) + std::abs(plane.zv);
+}
+
+bool LineScan::same_faces(std::uint32_t a, std::uint32_t b) const {
+  const auto p = scene_.faces_of(scene_.edges[a]), q = scene_.faces_of(scene_.edges[b]);
+  return std::equal(p.begin(), p.end(), q.begin(), q.end());
+}
+
+/// Edges by the vertex at which they end, or begin.
+void LineScan::sort_by_vertex() {
+  const auto bottom = [this](std::uint32_t slot) { return scene_.edges[slots_[slot].edge].bottom; };
+  const auto top = [this](std::uint32_t slot) { return scene_.edges[slots_[slot].edge].top; };
+  std::sort(ended_.begin(), ended_.end(), [&](std::uint32_t a, std::uint32_t b) { return bottom(a) != bottom(b) ? bottom(a) < bottom(b) : a < b; });
+  std::sort(entered_.begin(), entered_.end(), [&](std::uint32_t a, std::uint32_t b) { return top(a) != top(b) ? top(a) < top(b) : a < b; });
+}
+
+/// Calls visit(ended, entered) with what ends and what begins at a vertex, vertex by vertex.
+template <class Visit>
+void LineScan::for_each_vertex(Visit visit) const {
+  const std::span<const std::uint32_t> ended = ended_, entered = entered_;
+  std::size_t i = 0, k = 0;
+  while (i < ended.size() || k < entered.size()) {
+    const auto bottom = [&](std::size_t n) { return n < ended.size() ? scene_.edges[slots_[ended[n]].edge].bottom : kNone; };
+    const auto top = [&](std::size_t n) { return n < entered.size() ? scene_.edges[slots_[entered[n]].edge].top : kNone; };
+    const std::uint32_t vertex = std::min(bottom(i), top(k));
+    std::size_t i_end = i, k_end = k;
+    while (bottom(i_end) == vertex) ++i_end;
+    while (top(k_end) == vertex) ++k_end;
+    visit(ended.subspan(i, i_end - i), entered.subspan(k, k_end - k));
+    i = i_end;
+    k = k_end;
+  }
+}
+
+/// Edges that go on in another direction (figure 2.59 a): the new one gets the place of the old one in the list, before the list is put in order, so
+/// that it changes places with others as the old one would have.
+void LineScan::link_chains() {
+  if (ended_.empty() || entered_.empty()) return;
+  sort_by_vertex();
+  bool any = false;
+  for_each_vertex([&](std::span<const std::uint32_t> ended, std::span<const std::uint32_t> entered) {
+    if (ended.size() != 1 || entered.size() != 1) return;
+    ActiveEdge &from = slots_[ended[0]], &to = slots_[entered[0]];
+    // Of a hidden line's next one nothing is known.
+    const bool known = scene_.lines_of(scene_.edges[to.edge]).empty() || from.boundary;
+    if (!known || !same_faces(from.edge, to.edge)) return;
+    from.goes_on = entered[0];
+    to.entered = false;
+    to.boundary = from.boundary;
+    to.before = from.before;
+    to.after = from.after;
+    if (to.before != kNone) spans_[to.before].right = from.goes_on;
+    if (to.after != kNone) spans_[to.after].left = from.goes_on;
+    ++counts_.passed_chains;
+    any = true;
+  });
+  if (!any) return;
+  std::erase_if(ended_, [this](std::uint32_t slot) { return slots_[slot].goes_on != kNone; });
+  std::erase_if(entered_, [this](std::uint32_t slot) { return !slots_[slot].entered; });
+}
+
+/// Ends and beginnings of edges.
+bool LineScan::changes_matter(std::uint32_t line) {
+  if (!options_.recognise) return !ended_.empty() || scene_.first_of_line[line] != scene_.first_of_line[line + 1];
+  if (flat_edge_matters(line)) return true;
+  if (ended_.empty() && entered_.empty()) return false;
+  sort_by_vertex();
+  bool matters = false;
+  for_each_vertex([&](std::span<const std::uint32_t> ended, std::span<const std::uint32_t> entered) {
+    matters = matters || vertex_matters(line, ended, entered);
+  });
+  return matters;
+}
+
+/// Edges between this line and the one before, horizontal or short, are in no list. With them a face may end or begin whose other edges are
+/// hidden (it is seen through a hole), and with a horizontal line of intersection two faces may change places all along it.
+bool LineScan::flat_edge_matters(std::uint32_t line) const {
+  for (std::uint32_t e = scene_.first_of_line[line]; e < scene_.first_of_line[line + 1]; ++e) {
+    const ScanEdge& edge = scene_.edges[e];
+    if (edge.track.first == edge.track.last && !behind_spans(line, edge)) return true;
+  }
+  return false;
+}
+
+/// Whether an edge that no line meets is behind the spans that it passes, one after the other without a gap.
+bool LineScan::behind_spans(std::uint32_t line, const ScanEdge& edge) const {
+  const EdgeTrack& track = edge.track;
+  const bool rising = track.du >= 0;
+  const double u0 = rising ? track.u : track.u + track.du, u1 = rising ? track.u + track.du : track.u;
+  const double z0 = rising ? track.z : track.z + track.dz, z1 = rising ? track.z + track.dz : track.z;
+  const auto hidden_at = [&](double u, const GridPlane& plane) {
+    const double z = u1 - u0 > 1 ? z0 + (z1 - z0) * ((u - u0) / (u1 - u0)) : std::min(z0, z1);
+    return z > plane.z(u, line) + std::abs(plane.zu) + std::abs(plane.zv);
+  };
+  auto span = std::partition_point(spans_.begin(), spans_.end(), [&](const LineSpan& s) { return s.u1 < u0; });
+  if (span == spans_.end() || !(span->u0 < u0 - 1)) return false;
+  for (double from = u0;; from = span->u1, ++span) {
+    if (span == spans_.end() || span->u0 > from) return false;
+    const double to = std::min(u1, span->u1);
+    const GridPlane& plane = scene_.planes[span->face];
+    if (!hidden_at(from, plane) || !hidden_at(to, plane)) return false;
+    if (u1 < span->u1) return u1 < span->u1 - 1;
+  }
+}
+
+/// What ends and begins at one vertex: does it change what is seen?
+bool LineScan::vertex_matters(std::uint32_t line, std::span<const std::uint32_t> ended, std::span<const std::uint32_t> entered) {
+  for (const std::uint32_t slot : ended) {
+    if (slots_[slot].boundary || bounds_a_penetration(slot)) return true;
+  }
+  for (const std::uint32_t slot : entered) {
+    if (bounds_a_penetration(slot)) return true;
+  }
+  if (!entered.empty() && !behind_a_span(line, entered)) return true;
+  ++counts_.passed_points;  // figure 2.59 b
+  return false;
+}
+
+/// Whether the edge bounds a face that meets another one in a penetration without an edge: nobody but the face's own edges knows where that ends.
+bool LineScan::bounds_a_penetration(std::uint32_t slot) const {
+  if (penetrating_.empty()) return false;
+  const std::span<const std::uint32_t> faces = scene_.faces_of(scene_.edges[slots_[slot].edge]);
+  return std::any_of(faces.begin(), faces.end(), [this](std::uint32_t f) { return std::find(penetrating_.begin(), penetrating_.end(), f) != penetrating_.end(); });
+}
+
+/// Whether all edges that enter at a vertex lie inside one span, behind its face.
+bool LineScan::behind_a_span(std::uint32_t line, std::span<const std::uint32_t> entered) {
+  const auto u0 = [this](const LineSpan& s) { return slots_[s.left].u; };
+  const auto u1 = [this](const LineSpan& s) { return slots_[s.right].u; };
+  const double u = slots_[entered.front()].u;
+  const auto after = std::partition_point(spans_.begin(), spans_.end(), [&](const LineSpan& s) { return u0(s) < u; });
+  if (after == spans_.begin()) return false;
+  const LineSpan& span = *(after - 1);
+  for (const std::uint32_t slot : entered) {
+    const ActiveEdge& a = slots_[slot];
+    // A cell of margin: an edge that comes so near to the end of the span within the line is looked at.
+    if (!(a.u - std::abs(a.track.du) > u0(span) && a.u + std::abs(a.track.du) < u1(span))) return false;
+    if (!behind(line, a, span.face)) return false;
+  }
+  for (const std::uint32_t slot : entered) listener_.hidden_point(*this, slot, span.face);
+  return true;
+}
+
+}  // namespace ligne::watkins

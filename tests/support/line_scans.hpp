@@ -1,0 +1,55 @@
+#pragma once
+/// Scenes as a scan by lines takes them.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/reader.hpp"
+#include "support/scenes.hpp"
+#include "visibility/watkins/line_study.hpp"
+
+namespace ligne::test {
+
+using namespace ligne::watkins;
+
+inline const CameraRequest kOdd = along({-0.31, 0.87, -0.39});
+
+inline Scene corpus_scene(const std::string& name) {
+  Warnings warnings;
+  return read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (name + ".json"), {}, warnings);
+}
+
+/// Everything that a study by lines needs; intersections as the method finds them.
+struct PreparedScan {
+  ProjectedScene projected;
+  Facets facets;
+  std::vector<SweepLine> lines;
+
+  PreparedScan(const Scene& scene, const CameraRequest& camera) {
+    const Topology topology = build_topology(scene);
+    const View view = make_view(scene, make_camera(camera, scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+    projected = project(scene, topology, view, {classes("all"), 30});
+    const double coincidence = coincidence_mm(projected) / projected.lattice.step_mm;
+    facets = make_facets(projected, coincidence);
+    for (const ProjectedEdge& e : projected.edges) lines.push_back({projected.vertices[e.v0], projected.vertices[e.v1], e.face0, e.face1});
+    ExactOptions exact;
+    exact.coincidence_steps = coincidence;
+    exact.penetrations = true;
+    ExactResult found = study_exactly(projected.vertices, facets.facets, {}, exact);
+    for (const Intersection& i : take_intersections(found, projected.vertices, facets.facets, kLeastPartMm / projected.lattice.step_mm)) lines.push_back({i.from, i.to, i.face0, i.face1});
+  }
+
+  LineStudyResult study(std::uint32_t count, const ScanOptions& scan, std::uint32_t group = 0, bool whole = false) const {
+    LineStudyOptions options;
+    options.scan = scan;
+    options.coincidence_steps = coincidence_mm(projected) / projected.lattice.step_mm;
+    options.collect_spans = true;
+    options.group = group == 0 ? count : group;
+    LineGrid grid = grid_of_lines(projected, count);
+    grid.whole = whole;
+    return study_by_lines(projected, facets.facets, lines, grid, options);
+  }
+};
+
+}  // namespace ligne::test
