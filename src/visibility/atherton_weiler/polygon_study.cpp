@@ -128,7 +128,7 @@ void ZoneStudy::study(std::vector<Polygon>& list, std::vector<std::uint32_t> cha
       const bool passed = std::find(chain.begin(), chain.end(), subject.unit) != chain.end();
       const UnitOrder order = passed || subject.slab > clip.slab ? UnitOrder::first : orders_.order(clip.unit, subject.unit);
       if (order == UnitOrder::mixed) {
-        ClipResult cut = clip_contour_by_contour(parts.inside, orders_.front_parts(clip.unit, subject.unit), true);
+        ClipResult cut = clip_contour_by_contour(parts.inside, orders_.front_parts(clip.unit, subject.unit, box_of(parts.inside)), true);
         counts.splits += !cut.inside.empty() && !cut.outside.empty();
         if (!cut.inside.empty()) nearer.push_back(like(subject, std::move(cut.inside)));
         if (transparent && !cut.outside.empty()) behind.push_back(like(subject, std::move(cut.outside)));
