@@ -24,7 +24,8 @@ struct ClipResult {
 /// Identities: inside and outside have no inner point in common and together are the subject; clip(a, b).inside and clip(b, a).inside
 /// cover the same points; clip(a, a) gives a and nothing. Corners that the results have in common have the same coordinates.
 /// Exact for source segments with |coordinates| <= kLatticeLimit. Time: the product of the numbers of edges.
-/// `closed`: see link_edges(). Results that are clipped again are to be closed, and the faces of each list kept together.
+/// `closed`: see link_edges(). Results that are clipped again are to be closed, and the faces of each list kept together. Of edges that lie on each
+/// other those of the subject are then kept.
 ClipResult clip_contour_by_contour(std::span<const ContourFace> subject, std::span<const ContourFace> clip, bool closed = false);
 
 inline ClipResult clip_contour_by_contour(const ContourFace& subject, const ContourFace& clip) {

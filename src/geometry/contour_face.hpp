@@ -49,7 +49,8 @@ ContourFace make_contour_face(std::span<const std::vector<LatticePoint>> contour
 /// but where other contours touch it. Contours without area are left out.
 ///
 /// With `closed` contours stay closed exactly, not only on the fine lattice: runs shorter than that can tell, which are otherwise left out, are kept in a
-/// contour that passes there, begin() and end() the same. For faces that will be clipped again: lines along their edges may pass through the gap.
+/// contour that passes there, begin() and end() the same. For faces that will be clipped again: lines along their edges may pass through the gap. And of edges
+/// that lie on each other the first one is kept, otherwise that of the lowest source.
 std::vector<ContourFace> link_edges(std::vector<ContourEdge> edges, bool closed = false);
 
 /// Twice the signed area in square steps, computed exactly from the corners on the fine lattice and rounded once.

@@ -122,6 +122,7 @@ void Linker::gather_runs() {
   std::sort(runs_.begin(), runs_.end(), [&](const Run& a, const Run& b) {
     if (a.begin != b.begin) return a.begin < b.begin;
     if (a.end != b.end) return a.end < b.end;
+    if (closed_) return a.edge < b.edge;
     return std::pair(edges_[a.edge].source, a.edge) < std::pair(edges_[b.edge].source, b.edge);
   });
   runs_.erase(std::unique(runs_.begin(), runs_.end(), same_place), runs_.end());

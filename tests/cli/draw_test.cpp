@@ -256,14 +256,17 @@ TEST_F(DrawTest, ShadowLines) {
 TEST_F(DrawTest, GlassAndLightGiveTheSameBytesForAnyNumberOfThreads) {
   const std::string scenes = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/", models = LIGNE_SOURCE_DIR "/examples/models/";
   for (const std::string& model : {scenes + "shadow_glass.json", scenes + "transparent_three.json", models + "stair-tower.obj"}) {
-    for (const char* fill : {"none", "shade", "hatch"}) {
-      for (const char* format : {"svg", "json"}) {
+    for (const char* study : {"faces", "polygons", "silhouettes"}) {
+      for (const std::vector<std::string>& more : {std::vector<std::string>{"--format", "json"}, {"--format", "svg", "--fill", "shade"},
+                                                   {"--format", "svg", "--fill", "material", "--hatch", "shade"}}) {
         const auto bytes = [&](const char* threads) {
-          return run({"draw", model, "-q", "-o", "-", "--format", format, "--fill", fill, "--light=1,1,-2", "--light=-1,2,-2", "--threads", threads}).out;
+          std::vector<std::string> arguments{"draw", model, "-q", "-o", "-", "--study", study, "--light=1,1,-2", "--light=-1,2,-2", "--threads", threads};
+          arguments.insert(arguments.end(), more.begin(), more.end());
+          return run(arguments).out;
         };
         const std::string one = bytes("1");
         EXPECT_GT(one.size(), 1000u);
-        EXPECT_EQ(one, bytes("2")) << model << ' ' << fill << ' ' << format;
+        EXPECT_EQ(one, bytes("2")) << model << ' ' << study << ' ' << more.back();
       }
     }
   }

@@ -21,6 +21,10 @@ struct PageBox {
   }
   bool meets(const PageBox& o) const { return x0 < o.x1 && o.x0 < x1 && y0 < o.y1 && o.y0 < y1; }
 };
+/// What both hold.
+inline PageBox common(const PageBox& a, const PageBox& b) {
+  return {a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0, a.x1 < b.x1 ? a.x1 : b.x1, a.y1 < b.y1 ? a.y1 : b.y1};
+}
 PageBox box_of(const std::vector<ContourFace>& faces);
 PageBox box_of(const Facet& facet, const std::vector<ProjectedVertex>& vertices);
 

@@ -29,17 +29,11 @@ struct Polygon {
   PageBox box;
 };
 
-/// A visible piece: the edges that bound it.
+/// What is seen of a face in one place.
 struct Piece {
   std::uint32_t face = 0, level = 0;
-  std::vector<ContourEdge> edges;
+  std::vector<ContourFace> parts;
 };
-
-void append_edges(const std::vector<ContourFace>& faces, std::vector<ContourEdge>& edges) {
-  for (const ContourFace& face : faces) {
-    for (const EdgeLoop& loop : face.contours) edges.insert(edges.end(), loop.begin(), loop.end());
-  }
-}
 
 /// Units that hang together by their boxes, by the lowest one; found by a sweep from left to right.
 std::vector<std::vector<std::uint32_t>> zones_of(const std::vector<ClipUnit>& units) {
@@ -134,7 +128,7 @@ void ZoneStudy::study(std::vector<Polygon>& list, std::vector<std::uint32_t> cha
       const bool passed = std::find(chain.begin(), chain.end(), subject.unit) != chain.end();
       const UnitOrder order = passed || subject.slab > clip.slab ? UnitOrder::first : orders_.order(clip.unit, subject.unit);
       if (order == UnitOrder::mixed) {
-        ClipResult cut = clip_contour_by_contour(parts.inside, orders_.front_parts(clip.unit, subject.unit), true);
+        ClipResult cut = clip_contour_by_contour(parts.inside, orders_.front_parts(clip.unit, subject.unit, box_of(parts.inside)), true);
         counts.splits += !cut.inside.empty() && !cut.outside.empty();
         if (!cut.inside.empty()) nearer.push_back(like(subject, std::move(cut.inside)));
         if (transparent && !cut.outside.empty()) behind.push_back(like(subject, std::move(cut.outside)));
@@ -164,27 +158,28 @@ void ZoneStudy::study(std::vector<Polygon>& list, std::vector<std::uint32_t> cha
 void ZoneStudy::show(const Polygon& polygon) {
   for (const UnitFace& face : units_[polygon.unit].faces) {
     Piece piece{face.face, polygon.level, {}};
-    if (units_[polygon.unit].body) {
-      append_edges(clip_contour_by_contour(face.outline, polygon.pieces).inside, piece.edges);
-    } else {
-      append_edges(polygon.pieces, piece.edges);
-    }
-    if (!piece.edges.empty()) pieces.push_back(std::move(piece));
+    piece.parts = units_[polygon.unit].body ? clip_contour_by_contour(face.outline, polygon.pieces, true).inside : polygon.pieces;
+    if (!piece.parts.empty()) pieces.push_back(std::move(piece));
   }
 }
 
-/// The pieces of a face and level put together.
+/// The pieces of a face and level put together. What two of them have in common may lie on different segments of one line.
 void add_all(const Lattice& lattice, std::vector<Piece>& pieces, VisibleFaces& out) {
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return std::pair(a.face, a.level) < std::pair(b.face, b.level);
   });
   for (std::size_t i = 0; i < pieces.size();) {
-    std::vector<ContourEdge> edges;
     const std::size_t first = i;
+    std::vector<ContourFace> parts = std::move(pieces[i++].parts);
     for (; i < pieces.size() && pieces[i].face == pieces[first].face && pieces[i].level == pieces[first].level; ++i) {
-      edges.insert(edges.end(), pieces[i].edges.begin(), pieces[i].edges.end());
+      std::move(pieces[i].parts.begin(), pieces[i].parts.end(), std::back_inserter(parts));
     }
-    add_regions(lattice, pieces[first].face, pieces[first].level, edges, true, out);
+    if (i - first > 1) parts = clip_contour_by_contour(parts, {}, true).outside;
+    std::vector<ContourEdge> edges;
+    for (const ContourFace& face : parts) {
+      for (const EdgeLoop& loop : face.contours) edges.insert(edges.end(), loop.begin(), loop.end());
+    }
+    add_regions(lattice, pieces[first].face, pieces[first].level, edges, false, out);
   }
 }
 

@@ -22,16 +22,25 @@ UnitOrder turned(UnitOrder order) {
 }  // namespace
 
 template <class Visit>
-void UnitOrders::for_each_pair(std::uint32_t a, std::uint32_t b, Visit visit) const {
-  for (const UnitFace& face_a : units_[a].faces) {
-    for (const std::uint32_t fa : face_a.facets) {
-      const PageBox box = box_of(facets_[fa], scene_.vertices);
-      if (!box.meets(units_[b].box)) continue;
-      for (const UnitFace& face_b : units_[b].faces) {
-        for (const std::uint32_t fb : face_b.facets) {
-          if (box.meets(box_of(facets_[fb], scene_.vertices))) visit(fa, fb, order_of(facets_, scene_.vertices, fa, fb));
-        }
+void UnitOrders::for_each_pair(std::uint32_t a, std::uint32_t b, const PageBox& within, Visit visit) const {
+  struct Boxed {
+    std::uint32_t facet;
+    PageBox box;
+  };
+  const auto facets_within = [&](std::uint32_t unit) {
+    std::vector<Boxed> list;
+    for (const UnitFace& face : units_[unit].faces) {
+      for (const std::uint32_t f : face.facets) {
+        const PageBox box = box_of(facets_[f], scene_.vertices);
+        if (box.meets(within)) list.push_back({f, box});
       }
+    }
+    return list;
+  };
+  const std::vector<Boxed> of_a = facets_within(a), of_b = facets_within(b);
+  for (const Boxed& fa : of_a) {
+    for (const Boxed& fb : of_b) {
+      if (fa.box.meets(fb.box)) visit(fa.facet, fb.facet, order_of(facets_, scene_.vertices, fa.facet, fb.facet));
     }
   }
 }
@@ -41,7 +50,7 @@ UnitOrder UnitOrders::order(std::uint32_t a, std::uint32_t b) {
   const auto [entry, is_new] = known_.try_emplace(std::uint64_t{a} << 32 | b, UnitOrder::first);
   if (!is_new) return entry->second;
   bool first = false, second = false;
-  for_each_pair(a, b, [&](std::uint32_t fa, std::uint32_t fb, const FacetOrder& o) {
+  for_each_pair(a, b, common(units_[a].box, units_[b].box), [&](std::uint32_t fa, std::uint32_t fb, const FacetOrder& o) {
     if (o.order == Order::apart) return;
     first |= o.order != Order::second;
     second |= o.order != Order::first;
@@ -51,9 +60,9 @@ UnitOrder UnitOrders::order(std::uint32_t a, std::uint32_t b) {
   return entry->second;
 }
 
-std::vector<ContourFace> UnitOrders::front_parts(std::uint32_t a, std::uint32_t b) const {
+std::vector<ContourFace> UnitOrders::front_parts(std::uint32_t a, std::uint32_t b, const PageBox& within) const {
   std::vector<ContourFace> parts;
-  for_each_pair(a, b, [&](std::uint32_t fa, std::uint32_t fb, const FacetOrder& o) {
+  for_each_pair(a, b, within, [&](std::uint32_t fa, std::uint32_t fb, const FacetOrder& o) {
     if (o.order == Order::apart || o.order == Order::first) return;
     ClipPart front = whole_facet(facets_, scene_.vertices, fb);
     if (o.order == Order::cut) front = left_of(front, {o.cut.b, o.cut.a});

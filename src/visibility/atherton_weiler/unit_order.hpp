@@ -20,12 +20,13 @@ class UnitOrders {
   /// Of two units that have a place of the page in common.
   UnitOrder order(std::uint32_t a, std::uint32_t b);
 
-  /// Where they have mixed order, because they pass through each other or one is no plane: the parts of b that are in front of a.
-  std::vector<ContourFace> front_parts(std::uint32_t a, std::uint32_t b) const;
+  /// Where they have mixed order, because they pass through each other or one is no plane: the parts of b that are in front of a, those that
+  /// meet the rectangle.
+  std::vector<ContourFace> front_parts(std::uint32_t a, std::uint32_t b, const PageBox& within) const;
 
  private:
   template <class Visit>
-  void for_each_pair(std::uint32_t a, std::uint32_t b, Visit visit) const;
+  void for_each_pair(std::uint32_t a, std::uint32_t b, const PageBox& within, Visit visit) const;
 
   const ProjectedScene& scene_;
   const std::vector<Facet>& facets_;

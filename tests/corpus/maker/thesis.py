@@ -62,10 +62,18 @@ def atherton_weiler():
                 sheet(rectangle(9, 0, 14, 4), 1, name="zone 2"), sheet([(12, 2), (16, 3), (13, 6)], 0, name="zone 2"),
                 sheet(rectangle(10, 3, 13, 5), 4, name="zone 2"),
                 sheet([(8, 9), (15, 8), (14, 13), (9, 12)], 3, name="zone 3"))
+    yield Scene("thesis_2_64", "thesis, figure 2.64: a zone of five faces that falls into three slabs, of two faces, one and two",
+                sheet(rectangle(0, 0, 6, 5), lambda x, z: x / 4, name="slab 1"), sheet(rectangle(4, 3, 9, 8), lambda x, z: z / 4, name="slab 1"),
+                sheet([(2, 2), (12, 1), (8, 7)], 4, name="slab 2"),
+                sheet(rectangle(1, 4, 8, 10), lambda x, z: 5 + z / 4, name="slab 3"),
+                sheet([(6, 0), (14, 3), (10, 9)], lambda x, z: 6 + x / 8, name="slab 3"))
     yield Scene("thesis_2_66", "thesis, figure 2.66: slab 1 of four faces, three of them cut by the fourth, all hidden by the one face of slab 2",
                 sheet(rectangle(0, 0, 14, 12), 0, name="slab 2, screen face"), sheet(rectangle(5, 1, 8, 11), 4, name="slab 1, nearest"),
                 sheet([(2, 8), (7, 9), (3, 11)], 5, name="slab 1"), sheet(rectangle(6, 5, 12, 7), 5, name="slab 1"),
                 sheet([(1, 1), (6, 2), (2, 4)], 5, name="slab 1"))
+    yield Scene("thesis_2_68", "thesis, figure 2.68: keys of the sort: by their nearest points P comes before Q and R, which are before it",
+                sheet(rectangle(0, 0, 14, 6), lambda x, z: x / 2, name="P"), sheet(rectangle(8, 1, 10, 8), 2, name="Q"),
+                sheet([(11, -1), (13, 3), (10, 4)], 3, name="R"))
     yield Scene("thesis_2_67", "thesis, figure 2.67: each face is cut by one other face only, into r + 1 = 3 parts of which r = 2 are seen",
                 *[sheet(rectangle(*r), 2 * k, name=f"face {k + 1}") for k, r in enumerate(
                     ((4, 0, 6, 10), (0, 6, 14, 8), (10, 2, 12, 14), (8, 10, 20, 12), (16, 8, 18, 18)))])

@@ -23,6 +23,8 @@ def in_general():
               sheet(rectangle(1, 1, 16, 10), 6, name="far")),
         pair("thesis_2_65", "2.65", "clipping a face gives two inner faces, C and D, and two outer ones, A and B",
              rectangle(0, 3, 14, 6), [(1, 0), (4, 0), (6, 7), (8, 0), (13, 0), (10, 10), (3, 10)], (), [rectangle(4, 8, 6, 9)]),
+        pair("thesis_3_25", "3.25", "points of the two types alternate: each tooth of the subject enters the clip face and leaves it",
+             rectangle(0, 4, 14, 8), [(1, 0), (13, 0), (12, 6), (10, 6), (9, 2), (7, 2), (6, 6), (4, 6), (3, 2), (2, 2)]),
         pair("thesis_3_24", "3.24", "the greatest number of intersections: every long side of one comb cuts every long side of the other",
              comb, [(z, x) for x, z in reversed(comb)]),
     ]

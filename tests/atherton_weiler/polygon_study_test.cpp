@@ -1,0 +1,107 @@
+// The classical study by its own figures: zones, slabs, wrong sorts and bodies of scenes that were made to show them, and levels behind glass.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "scene/reader.hpp"
+#include "view/projected_scene.hpp"
+#include "visibility/atherton_weiler/atherton_weiler.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr unsigned kFaces = 0, kPolygons = 1, kSilhouettes = 2;
+
+VisibilityResult study(const std::string& file, const char* from, unsigned how) {
+  Warnings warnings;
+  const Scene scene = read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests" / file, {}, warnings);
+  CameraRequest request;
+  request.named_view = from;
+  const View view = make_view(scene, make_camera(request, scene), {{{0, 0}, {200, 200}}}, {{0, 0}, {200, 200}});
+  StudyOptions options;
+  options.settings.set("study", how);
+  return AthertonWeilerMethod().study(project(scene, build_topology(scene), view, {}), options);
+}
+
+std::uint64_t count(const std::string& scene, const char* from, unsigned how, std::string_view name) {
+  const VisibilityResult result = study("corpus/" + scene + ".json", from, how);
+  for (const auto& [known, number] : result.statistics.counts) {
+    if (known == name) return number;
+  }
+  ADD_FAILURE() << "there is no count of " << name;
+  return 0;
+}
+
+TEST(PolygonStudy, Zones) {
+  EXPECT_EQ(count("thesis_2_63", "front", kPolygons, "zones"), 3u);
+  EXPECT_EQ(count("thesis_2_64", "front", kPolygons, "zones"), 1u);
+}
+
+TEST(PolygonStudy, Slabs) {
+  EXPECT_EQ(count("thesis_2_64", "front", kPolygons, "slabs"), 3u);
+  // Its faces are flat and parallel to the page: slab 1 of the figure falls into two.
+  EXPECT_EQ(count("thesis_2_66", "front", kPolygons, "slabs"), 3u);
+}
+
+TEST(PolygonStudy, TheNearestFaceHidesTheRestAtOnce) {
+  // Figure 2.66: the screen face clips the four others, nothing is left to be compared.
+  EXPECT_EQ(count("thesis_2_66", "front", kPolygons, "clips"), 4u);
+  EXPECT_EQ(count("thesis_2_66", "front", kPolygons, "regions"), 1u);
+}
+
+TEST(PolygonStudy, AWrongSortIsFound) {
+  EXPECT_EQ(count("thesis_2_68", "front", kPolygons, "wrong sorts"), 2u);
+  EXPECT_EQ(count("thesis_2_68", "front", kPolygons, "deepest recursion"), 2u);
+  EXPECT_EQ(count("stack_of_plates", "top", kPolygons, "wrong sorts"), 0u);
+}
+
+TEST(PolygonStudy, PenetrationIsCutAlongTheCommonLine) {
+  EXPECT_EQ(count("two_plates_penetrating", "iso", kPolygons, "cuts along common lines"), 1u);
+  EXPECT_EQ(count("stack_of_plates", "iso", kPolygons, "cuts along common lines"), 0u);
+}
+
+TEST(PolygonStudy, CyclicOverlapIsUndone) {
+  for (const char* scene : {"cyclic_3", "cyclic_4", "cyclic_5", "cyclic_6"}) {
+    EXPECT_GT(count(scene, "front", kPolygons, "wrong sorts"), 0u) << scene;
+    EXPECT_EQ(count(scene, "front", kPolygons, "regions"), count(scene, "front", kFaces, "regions")) << scene;
+  }
+}
+
+TEST(PolygonStudy, ConvexBodiesAreTakenTogether) {
+  EXPECT_EQ(count("grid_3", "iso", kSilhouettes, "convex objects"), 27u);
+  EXPECT_EQ(count("grid_3", "iso", kPolygons, "convex objects"), 0u);
+  EXPECT_EQ(count("octahedron", "iso", kSilhouettes, "convex objects"), 1u);
+  EXPECT_EQ(count("inside_out_cube", "iso", kSilhouettes, "convex objects"), 1u) << "winding does not matter";
+  EXPECT_EQ(count("l_block", "iso", kSilhouettes, "convex objects"), 0u) << "not convex";
+  EXPECT_EQ(count("open_box", "iso", kSilhouettes, "convex objects"), 0u) << "not closed";
+  EXPECT_EQ(count("cube", "front", kSilhouettes, "convex objects"), 0u) << "one face alone is no body";
+  EXPECT_LT(count("grid_3", "iso", kSilhouettes, "clips"), count("grid_3", "iso", kPolygons, "clips") / 4);
+}
+
+TEST(PolygonStudy, LevelsBehindGlassAreTheSame) {
+  const auto areas = [](unsigned how) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> sums;
+    const VisibilityResult result = study("atherton_weiler/scenes/transparent_three.json", "front", how);
+    for (const Region& r : *result.regions) {
+      for (const auto& contour : r.contours) {
+        for (std::size_t i = 0; i < contour.size(); ++i) {
+          const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
+          sums[{r.face, r.level}] += (a.x * b.y - a.y * b.x) / 2;
+        }
+      }
+    }
+    return sums;
+  };
+  const auto wanted = areas(kFaces);
+  EXPECT_EQ(wanted.size(), 1u + 2 + 3 + 4);
+  for (const unsigned how : {kPolygons, kSilhouettes}) {
+    const auto found = areas(how);
+    ASSERT_EQ(found.size(), wanted.size());
+    for (const auto& [key, area] : wanted) EXPECT_NEAR(found.at(key), area, 1e-9 * 200 * 200) << key.first << ", level " << key.second;
+  }
+}
+
+}  // namespace
+}  // namespace ligne
