@@ -46,7 +46,7 @@ filter_of() {
   case $1 in
     all_methods_test) echo "${each_view#:}" ;;
     limited_methods_test | regions_test) echo "${each#:}" ;;
-    warnock_corpus_test) echo "$each:*Resolution*" | cut -c2- ;;
+    warnock_corpus_test) echo "$each:*Crowds*:*Resolution*" | cut -c2- ;;
     visibility_test)
       case $2 in
         warnock_*) echo "$common_visibility:*Warnock*" ;;
