@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <map>
 #include <random>
+#include <string>
+#include <utility>
 
 #include "scene/clean.hpp"
 #include "scene/reader.hpp"
@@ -104,13 +106,16 @@ TEST(PolygonStudy, ConvexBodiesAreTakenTogether) {
 }
 
 TEST(PolygonStudy, LevelsBehindGlassAreTheSame) {
-  const std::string file = "atherton_weiler/scenes/transparent_three.json";
-  const auto wanted = areas(study(file, "front", kFaces));
-  EXPECT_EQ(wanted.size(), 1u + 2 + 3 + 4);
-  for (const unsigned how : {kPolygons, kSilhouettes}) {
-    const auto found = areas(study(file, "front", how));
-    ASSERT_EQ(found.size(), wanted.size());
-    for (const auto& [key, area] : wanted) EXPECT_NEAR(found.at(key), area, kArea) << key.first << ", level " << key.second;
+  for (const auto& [name, count] : {std::pair("transparent_three", std::size_t{1 + 2 + 3 + 4}), std::pair("glass_triangle", std::size_t{1 + 1 + 16})}) {
+    SCOPED_TRACE(name);
+    const std::string file = std::string("atherton_weiler/scenes/") + name + ".json";
+    const auto wanted = areas(study(file, "front", kFaces));
+    EXPECT_EQ(wanted.size(), count);
+    for (const unsigned how : {kPolygons, kSilhouettes}) {
+      const auto found = areas(study(file, "front", how));
+      ASSERT_EQ(found.size(), wanted.size());
+      for (const auto& [key, area] : wanted) EXPECT_NEAR(found.at(key), area, kArea) << key.first << ", level " << key.second;
+    }
   }
 }
 
