@@ -215,20 +215,25 @@ void studies_table(const std::filesystem::path& folder, const std::vector<Model>
   Chart chart{"Lines studied", "scan lines", "studied", {}};
   std::printf("\n### Lines studied against lines of the page\n\n| model | facets | intersections |");
   for (std::uint32_t k = 0; k <= kDoublings; ++k) std::printf(" %u |", kFirst << k);
-  std::printf(" exchanges | ends |\n|---|---|---|");
-  for (std::uint32_t k = 0; k <= kDoublings + 2; ++k) std::printf("---|");
+  std::printf(" exchanges | ends | edges met with %u lines | with %u |\n|---|---|---|", kInChart, kFirst << kDoublings);
+  for (std::uint32_t k = 0; k <= kDoublings + 4; ++k) std::printf("---|");
   std::printf("\n");
   for (const Model& model : models) {
     std::printf("| %s | %zu | %zu |", model.name.c_str(), model.facets.size(), model.lines.size() - model.scene.edges.size());
     Curve curve{model.name, {}};
     ScanCounts scan;
+    std::uint64_t met = 0;
     for (std::uint32_t k = 0; k <= kDoublings; ++k) {
       const std::uint32_t n = kFirst << k;
       scan = study(model, n, false, {SpanMethodKind::stack, true, true, true}, 1).scan;
       std::printf(" %llu |", static_cast<unsigned long long>(scan.studied));
-      if (n <= kInChart) curve.points.emplace_back(n, static_cast<double>(scan.studied));
+      if (n <= kInChart) {
+        curve.points.emplace_back(n, static_cast<double>(scan.studied));
+        met = scan.entered;
+      }
     }
-    std::printf(" %llu | %llu |\n", static_cast<unsigned long long>(scan.studied_exchanges), static_cast<unsigned long long>(scan.studied_ends));
+    std::printf(" %llu | %llu | %llu | %llu |\n", static_cast<unsigned long long>(scan.studied_exchanges), static_cast<unsigned long long>(scan.studied_ends),
+                static_cast<unsigned long long>(met), static_cast<unsigned long long>(scan.entered));
     std::fflush(stdout);
     if (model.facets.size() < 10'000) chart.curves.push_back(std::move(curve));
   }

@@ -284,7 +284,8 @@ double cover_line_mm(double spacing_mm, double pen_mm) {
   return spacing_mm / std::max(1.0, std::ceil(spacing_mm / wanted));
 }
 
-void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm, std::vector<CoverRun>& cover) {
+void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm, std::vector<CoverRun>& cover,
+               bool even_odd) {
   double low = 1e300, high = -1e300;
   std::vector<std::vector<Point2>> turned(contours.size());
   for (std::size_t c = 0; c < contours.size(); ++c) {
@@ -298,24 +299,28 @@ void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surf
   if (!(first <= last)) return;
   if (!(std::abs(first) < 2e9 && std::abs(last) < 2e9)) throw std::invalid_argument("a hatch has too many lines");
   // The contours' crossings with the lines, by line.
-  std::vector<std::pair<std::int32_t, double>> crossings;
+  struct Crossing {
+    std::int32_t line;
+    double u;
+    int turn;
+  };
+  std::vector<Crossing> crossings;
   for (const std::vector<Point2>& contour : turned) {
     for (std::size_t i = 0; i < contour.size(); ++i) {
       Point2 a = contour[i], b = contour[i + 1 == contour.size() ? 0 : i + 1];
+      const int turn = even_odd || a.y <= b.y ? 1 : -1;
       if (a.y > b.y || (a.y == b.y && a.x > b.x)) std::swap(a, b);  // an edge between two areas is crossed at the same point for both
       for (double line = std::ceil(a.y / line_mm); line * line_mm < b.y; ++line) {
-        crossings.emplace_back(static_cast<std::int32_t>(line), a.x + (b.x - a.x) * ((line * line_mm - a.y) / (b.y - a.y)));
+        crossings.push_back({static_cast<std::int32_t>(line), a.x + (b.x - a.x) * ((line * line_mm - a.y) / (b.y - a.y)), turn});
       }
     }
   }
-  std::sort(crossings.begin(), crossings.end());
-  for (std::size_t i = 0; i + 1 < crossings.size();) {
-    if (crossings[i].first != crossings[i + 1].first) {
-      ++i;
-      continue;
-    }
-    if (crossings[i].second < crossings[i + 1].second) cover.push_back({crossings[i].first, crossings[i].second, crossings[i + 1].second, surface});
-    i += 2;
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return std::tie(a.line, a.u, a.turn) < std::tie(b.line, b.u, b.turn); });
+  int winding = 0;
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    winding = i > 0 && crossings[i - 1].line != crossings[i].line ? crossings[i].turn : winding + crossings[i].turn;
+    if (crossings[i].line != crossings[i + 1].line || !(crossings[i].u < crossings[i + 1].u)) continue;
+    if (even_odd ? winding % 2 != 0 : winding != 0) cover.push_back({crossings[i].line, crossings[i].u, crossings[i + 1].u, surface});
   }
 }
 
@@ -353,7 +358,7 @@ Polylines hatch(std::span<const std::vector<Point2>> contours, const HatchOption
     }
     if (high - low > kMostHatchRows * options.spacing_mm) throw std::invalid_argument("a hatch has more than a million rows");
     std::vector<CoverRun> cover;
-    add_cover(contours, 0, frame, line_mm, cover);
+    add_cover(contours, 0, frame, line_mm, cover, options.even_odd);
     const SurfaceHatch how{static_cast<std::uint32_t>(std::lround(options.spacing_mm / line_mm)), kRowCycle, 0, 0};
     hatch_cover(frame, line_mm, cover, {&how, 1}, {&options.pen_width_mm, 1}, {&out, 1});
   }

@@ -46,8 +46,9 @@ struct SurfaceHatch {
 /// Distance of the lines of a cover for rows at this spacing: a whole part of it, and at most a sixth of the pen (of a tenth of a millimetre, where the pen is finer).
 double cover_line_mm(double spacing_mm, double pen_mm);
 
-/// Cuts an area, its contours in any order (even-odd), into runs; appends them.
-void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm, std::vector<CoverRun>& cover);
+/// Cuts an area, its contours in any order, into runs; appends them. Inside is what an odd number of contours surrounds, or, if not `even_odd`, what they wind round.
+void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm, std::vector<CoverRun>& cover,
+               bool even_odd = true);
 
 /// Strokes for surfaces. Those of one group and one `every` are joined before they are hatched, so that borders between them lift no pen.
 /// Strokes and their round ends stay inside, half a pen from the rim. They run to and fro; the end of one is tied to the beginning of the next where the way between
@@ -60,6 +61,7 @@ struct HatchOptions {
   double spacing_mm = 1;      ///< between the middles of neighbouring strokes
   double angle_degrees = 45;  ///< of the strokes, counter-clockwise as seen
   double pen_width_mm = 0.35;
+  bool even_odd = true;       ///< see add_cover
   bool cross = false;         ///< a second family at right angles
   Point2 origin{0, 0};        ///< a stroke would run through this point: areas with one origin have hatches that continue each other
 };

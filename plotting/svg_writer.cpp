@@ -107,12 +107,17 @@ struct UnitPoint {
 /// differences of the rounded absolute points, so that no rounding adds up.
 class PathWriter {
  public:
-  void begin(Point2 mm) { points_.assign(1, units(mm)); }
+  void begin(Point2 mm) {
+    points_.assign(1, units(mm));
+    start_ = mm;
+    stays_ = moves_ = false;
+  }
   void line_to(Point2 mm) {
     const UnitPoint p = units(mm);
+    (mm == start_ ? stays_ : moves_) = true;
     if (p != points_.back()) points_.push_back(p);
   }
-  /// A line shorter than a unit is none.
+  /// A line shorter than a unit is none, but one of no length at all is a dot.
   void end(bool closed) {
     if (closed && points_.size() > 1 && points_.front() == points_.back()) points_.pop_back();
     if (points_.size() > 1) {
@@ -121,6 +126,9 @@ class PathWriter {
       out_ += "<path d=\"";
       out_ += absolute_.size() <= relative_.size() ? absolute_ : relative_;
       out_ += closed ? "Z\"/>\n" : "\"/>\n";
+    } else if (stays_ && !moves_) {
+      write(absolute_, 'L', false);
+      out_ += "<path d=\"" + absolute_ + "h0\"/>\n";
     }
     points_.clear();
   }
@@ -148,6 +156,8 @@ class PathWriter {
   }
 
   std::vector<UnitPoint> points_;
+  Point2 start_{0, 0};
+  bool stays_ = false, moves_ = false;  ///< there are lines to the first point, to others
   std::string absolute_, relative_, out_;
 };
 

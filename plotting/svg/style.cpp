@@ -1,6 +1,7 @@
 #include "plotting/svg/style.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <stdexcept>
 
 namespace ligne::svg {
@@ -30,35 +31,33 @@ class StyleReader {
     else if (name == "color") style_.color = paint(value).value_or("#000000");
     else if (name == "stroke-opacity") style_.stroke_seen = !is_zero(value);
     else if (name == "fill-opacity") style_.fill_seen = !is_zero(value);
-    else if (name == "opacity") displayed_ = displayed_ && !is_zero(value);
-    else if (name == "display") displayed_ = displayed_ && value != "none";
+    else if (name == "opacity") show(none_, is_zero(value));
+    else if (name == "display") show(value == "none", clear_);
     else if (name == "visibility") style_.visible = value == "visible";
     else if (name == "stroke-width") style_.stroke_width = length_px(value);
     else if (name == "stroke-dashoffset") style_.dash_offset = length_px(value);
     else if (name == "stroke-dasharray") set_dashes(value);
     else if (name == "font-size") set_font_size(value);
+    else if (name == "font") set_font(value);
+    else if (name == "fill-rule") style_.fill_even_odd = value == "evenodd";
+    else if (name == "stroke-linecap") style_.round_caps = value != "butt";
+    else if (name == "clip-rule") style_.clip_even_odd = value == "evenodd";
+    else if (name == "overflow") style_.overflow = value == "visible" || value == "auto";
     else if (name == "text-anchor") style_.anchor = value;
-    else if (value == "none") return;
-    else if (name == "clip-path" || name == "mask" || name == "filter") refuse_(name, node_);
+    else if (value == "none" || value == "normal" || value == "auto") return;
+    else if (name == "clip-path") set_clip(value);
+    else if (name == "mask" || name == "filter") refuse_(name, node_);
     else if (name.starts_with("marker")) refuse_("marker", node_);
-    else if (name == "writing-mode") refuse_("text", node_);
+    else if (name == "letter-spacing" || name == "word-spacing") refuse_unless_zero(value);
+    else if (name == "dominant-baseline" || name == "alignment-baseline") refuse_unless(value, {"alphabetic", "baseline"});
+    else if (name == "writing-mode") refuse_unless(value, {"lr-tb", "lr", "horizontal-tb"});
   }
 
-  /// "name: value; name: value".
-  void set_list(std::string_view text) {
-    while (!text.empty()) {
-      const std::size_t end = std::min(text.find(';'), text.size());
-      const std::string_view entry = text.substr(0, end);
-      text.remove_prefix(std::min(end + 1, text.size()));
-      const std::size_t colon = entry.find(':');
-      if (colon == std::string_view::npos) continue;
-      const std::string_view name = trimmed(entry.substr(0, colon));
-      std::string_view value = trimmed(entry.substr(colon + 1));
-      if (const std::size_t mark = value.find('!'); mark != std::string_view::npos) value = trimmed(value.substr(0, mark));
-      // As an attribute it has been read where elements are placed; as a property it would come too late.
-      if (name == "transform") refuse_("style", node_);
-      set(name, value);
-    }
+  /// A property of a style sheet or a style attribute.
+  void set_property(const StyleSheet::Declaration& declaration) {
+    // As an attribute it has been read where elements are placed; as a property it would come too late.
+    if (declaration.name == "transform") refuse_("style", node_);
+    set(declaration.name, declaration.value);
   }
 
  private:
@@ -96,6 +95,42 @@ class StyleReader {
     }
   }
 
+  /// "italic 10px serif": the size is the first word that begins with a number, up to a slash.
+  void set_font(std::string_view value) {
+    while (!value.empty()) {
+      value = trimmed(value);
+      const std::string_view word = value.substr(0, std::min(value.find(' '), value.size()));
+      value.remove_prefix(word.size());
+      Scanner scanner(word);
+      const bool weight = word.size() == 3 && word.find_first_not_of("0123456789") == std::string_view::npos;
+      if (scanner.at_number() && !weight) return set_font_size(word.substr(0, word.find('/')));
+    }
+    refuse_("text", node_);
+  }
+  /// "url(#id)", with or without quotes.
+  void set_clip(std::string_view value) {
+    style_.clip.clear();
+    if (!value.starts_with("url(") || !value.ends_with(")")) return refuse_("clip-path", node_);
+    value = trimmed(value.substr(4, value.size() - 5));
+    if (value.size() >= 2 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front()) value = value.substr(1, value.size() - 2);
+    if (!value.starts_with('#')) return refuse_("clip-path", node_);
+    style_.clip = value.substr(1);
+  }
+  void refuse_unless(std::string_view value, std::initializer_list<std::string_view> plain) {
+    if (std::find(plain.begin(), plain.end(), value) == plain.end()) refuse_("text", node_);
+  }
+  void refuse_unless_zero(std::string_view value) {
+    Scanner scanner(value);
+    if (!scanner.at_number() || scanner.number() != 0) refuse_("text", node_);
+  }
+
+  void show(bool none, bool clear) {
+    none_ = none;
+    clear_ = clear;
+    displayed_ = !none && !clear;
+  }
+
+  bool none_ = false, clear_ = false;
   const pugi::xml_node& node_;
   Style& style_;
   bool& displayed_;
@@ -110,13 +145,32 @@ std::string_view local_name(const pugi::xml_node& node) {
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-Style style_of(const pugi::xml_node& node, const Style& inherited, bool& displayed, const Refuse& refuse) {
+Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, bool& displayed, const Refuse& refuse) {
   Style style = inherited;
+  style.clip.clear();
+  style.overflow = false;
   StyleReader reader(node, style, displayed, refuse);
+  const std::vector<const StyleSheet::Declaration*> rules = sheet.empty() ? std::vector<const StyleSheet::Declaration*>() : sheet.of(node);
+  std::vector<StyleSheet::Declaration> own;
+  if (const pugi::xml_attribute attribute = node.attribute("style")) own = declarations(attribute.value());
+  // What currentColor means is settled first: by the strongest that says so.
   if (const pugi::xml_attribute color = node.attribute("color")) reader.set("color", trimmed(color.value()));
-  for (const pugi::xml_attribute& attribute : node.attributes()) {
+  const auto each_property = [&](auto&& what) {
+    for (const bool important : {false, true}) {
+      for (const StyleSheet::Declaration* rule : rules) {
+        if (rule->important == important) what(*rule);
+      }
+      for (const StyleSheet::Declaration& declaration : own) {
+        if (declaration.important == important) what(declaration);
+      }
+    }
+  };
+  each_property([&](const StyleSheet::Declaration& d) {
+    if (d.name == "color") reader.set(d.name, d.value);
+  });
+  for (const pugi::xml_attribute attribute : node.attributes()) {
     const std::string_view name = attribute.name();
-    if (name == "class" || name == "style" || name == "color") continue;
+    if (name == "class" || name == "style" || name == "color" || name == "font") continue;
     try {
       reader.set(name, trimmed(attribute.value()));
     } catch (const std::invalid_argument& e) {
@@ -124,7 +178,7 @@ Style style_of(const pugi::xml_node& node, const Style& inherited, bool& display
     }
   }
   try {
-    reader.set_list(node.attribute("style").value());
+    each_property([&](const StyleSheet::Declaration& d) { reader.set_property(d); });
   } catch (const std::invalid_argument& e) {
     throw std::invalid_argument(std::string("style: ") + e.what());
   }

@@ -177,9 +177,11 @@ std::optional<std::string> paint(std::string_view text) {
   const std::string_view clean = trimmed(text);
   if (clean == "none" || clean == "transparent") return std::nullopt;
   if (clean == "currentColor" || clean == "currentcolor") return "currentColor";
-  if (clean.starts_with("rgb(") && clean.ends_with(")")) {
+  const bool alpha = clean.starts_with("rgba(");
+  if ((clean.starts_with("rgb(") || alpha) && clean.ends_with(")")) {
     std::string code = "#";
-    Scanner scanner(clean.substr(4, clean.size() - 5));
+    const std::size_t head = alpha ? 5 : 4;
+    Scanner scanner(clean.substr(head, clean.size() - head - 1));
     for (int i = 0; i < 3; ++i) {
       scanner.skip_separator();
       double level = scanner.number();
@@ -191,6 +193,8 @@ std::optional<std::string> paint(std::string_view text) {
       const auto whole = static_cast<unsigned>(std::lround(std::clamp(level, 0.0, 255.0)));
       code += {digits[whole / 16], digits[whole % 16]};
     }
+    scanner.skip_separator();
+    if (alpha && scanner.number() == 0) return std::nullopt;
     return code;
   }
   try {

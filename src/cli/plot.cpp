@@ -48,7 +48,7 @@ std::string read_drawing_file(const std::string& file) {
 }
 
 /// JSON begins with a brace, XML with an angle bracket, whatever the name says.
-ReadDrawing read_drawing(const PlotCommandOptions& options) {
+ReadDrawing read_drawing(const PlotCommandOptions& options, const FillReading& fills) {
   const std::string text = read_drawing_file(options.drawing);
   const std::string_view bom = "\xef\xbb\xbf";
   std::string_view content = text;
@@ -56,7 +56,7 @@ ReadDrawing read_drawing(const PlotCommandOptions& options) {
   const std::size_t first = content.find_first_not_of(" \t\r\n");
   const char begins = first == std::string_view::npos ? '\0' : content[first];
   if (begins == '{') return read_json_drawing(content, options.drawing);
-  if (begins == '<') return read_svg_drawing(text, options.drawing, options.skip);
+  if (begins == '<') return read_svg_drawing(text, options.drawing, options.skip, fills);
   throw std::runtime_error(options.drawing + ": is neither a ligne-drawing nor an SVG");
 }
 
@@ -66,8 +66,8 @@ void transform(Drawing& drawing, double scale, Point2 shift) {
   }
 }
 
-/// Puts the drawing on the page that is asked for: its own page in the middle of that, or what it shows made to fill it.
-void place(const PlotCommandOptions& options, ReadDrawing& read) {
+/// Puts the drawing on the page that is asked for: its own page in the middle of that, or what it shows made to fill it. Gives the scale.
+double place(const PlotCommandOptions& options, ReadDrawing& read) {
   const Page own = read.page;
   Page page = own;
   const Rect ink = ink_of(read.drawing);
@@ -97,6 +97,7 @@ void place(const PlotCommandOptions& options, ReadDrawing& read) {
   }
   transform(read.drawing, scale, page.sheet().max * 0.5 - (from.min + from.max) * (0.5 * scale));
   read.page = page;
+  return scale;
 }
 
 void warn_of_left_out(const PlotCommandOptions& options, const ReadDrawing& read, std::size_t unknown) {
@@ -104,6 +105,20 @@ void warn_of_left_out(const PlotCommandOptions& options, const ReadDrawing& read
   for (const auto& [name, count] : read.left_out) warn(options.drawing, std::to_string(count) + " times " + name + " left out, as asked");
   if (unknown > 0) warn(options.drawing, std::to_string(unknown) + " characters are not in the font: drawn as boxes");
   if (read.drawing.layers.empty()) warn(options.drawing, "there is no stroke in the drawing");
+}
+
+/// The drawing in its place. Strokes that fill an area lie as far apart as the pen is wide on the drawing as it comes out, so its scale must be known before.
+ReadDrawing placed_drawing(const PlotCommandOptions& options) {
+  FillReading fills{options.fills, options.pen_width_mm / options.scale};
+  if (options.fit && fills.how == FillReading::How::hatch) {
+    ReadDrawing contours = read_drawing(options, {FillReading::How::outline, options.pen_width_mm});
+    draw_texts_as_strokes(contours.drawing);
+    fills.pen_width_mm = options.pen_width_mm / place(options, contours);
+  }
+  ReadDrawing read = read_drawing(options, fills);
+  warn_of_left_out(options, read, draw_texts_as_strokes(read.drawing));
+  place(options, read);
+  return read;
 }
 
 /// Layers of an SVG without layers are named by their colours.
@@ -124,10 +139,7 @@ void plot(const PlotCommandOptions& options) {
   PlotterSetup setup = plotter_setup(options.plotter, format);
   if (!setup.by_pens() && !setup.options.optimize) setup.options.optimize = Optimize::join;
   RunReport run;
-  ReadDrawing read = timed(run.stages, "read", [&] { return read_drawing(options); });
-  const std::size_t unknown = draw_texts_as_strokes(read.drawing);
-  warn_of_left_out(options, read, unknown);
-  place(options, read);
+  const ReadDrawing read = timed(run.stages, "read", [&] { return placed_drawing(options); });
   PlotOptions style;
   style.page = read.page;
   style.pen_width_mm = options.pen_width_mm;
@@ -190,6 +202,11 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
   CLI::App* plot = app.add_subcommand("plot", "A drawing (JSON or SVG) made ready for pens and plotters");
   plot->add_option("DRAWING", options.drawing, "ligne-drawing JSON, or an SVG of strokes")->required()->type_name("");
   add_parsed(*plot, "--skip", "LIST", options.skip, parse_skip, "what of an SVG may be left out: text, image, fill, clip-path, ...")->group("Input");
+  add_parsed(
+      *plot, "--fill", "HOW", options.fills, [](const std::string& text) { return static_cast<FillReading::How>(parse_choice(text, kFillReadingNames)); },
+      "filled areas of an SVG: refuse; outline, their contours; hatch, strokes inside too")
+      ->default_str("refuse")
+      ->group("Input");
   add_placing_options(*plot, options);
   add_output_options(*plot, options.output, "svg pdf png hpgl gcode (default: by the suffix)");
   add_parsed(

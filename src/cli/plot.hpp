@@ -9,6 +9,7 @@
 #include "cli/page_options.hpp"
 #include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
+#include "plotting/drawing_reader.hpp"
 
 namespace ligne {
 
@@ -21,6 +22,7 @@ struct PlotCommandOptions {
   bool fit = false;                 ///< fill the page
   double scale = 1;
   std::set<std::string> skip;       ///< kinds of SVG content that may be left out
+  FillReading::How fills = FillReading::How::refuse;
   double dpi = 150;
   OutputOptions output;
   PlotterOptions plotter;

@@ -173,7 +173,28 @@ TEST(Devices, AMillimetreIsAMillimetreOnThe7475A) {
   EXPECT_NEAR(glm::distance(got.strokes[0][0], got.strokes[0][1]) * 0.02488, 100, 0.025);
   // An A4 page that stands lies on its left side: across the page is along -y of the device, its middle is the sheet's.
   const DeviceFrame frame = place_on_device(device, {}, {}, false);
-  EXPECT_NEAR(glm::distance(frame.to_device({105, 148.5}), Point2(148.5 - 10, 105 - 4)), 0, 1e-9);
+  EXPECT_NEAR(glm::distance(frame.to_device({105, 148.5}), Point2(148.5 - 9.1, 105 - 2.47)), 0, 1e-9);
+}
+
+/// The manual of the 7475A: its default points P1 and P2 lie about the middle of every paper.
+TEST(Devices, TheMiddleOfP1AndP2IsThatOfThePaperOnThe7475A) {
+  struct Points {
+    const char* paper;
+    Point2 p1, p2;
+  };
+  const Device& device = *find_device("hp7475a");
+  for (const Points& points : {Points{"A4", {603, 521}, {10603, 7721}}, Points{"A3", {170, 602}, {15370, 10602}}, Points{"letter", {250, 596}, {10250, 7796}},
+                               Points{"tabloid", {522, 259}, {15722, 10259}}}) {
+    const auto paper = std::find_if(device.papers.begin(), device.papers.end(), [&](const DevicePaper& p) { return p.name == points.paper; });
+    ASSERT_NE(paper, device.papers.end()) << points.paper;
+    const Point2 middle = *paper->origin_mm + (points.p1 + points.p2) * (0.5 * device.step_mm);
+    EXPECT_NEAR(glm::distance(middle, Point2(paper->width_mm, paper->height_mm) * 0.5), 0, 0.01) << points.paper;
+    for (const Point2 p : {points.p1, points.p2}) {
+      EXPECT_TRUE(p.x <= paper->limits.max.x && p.y <= paper->limits.max.y) << points.paper;
+    }
+    const Point2 far = *paper->origin_mm + paper->limits.max * device.step_mm;
+    EXPECT_TRUE(far.x < paper->width_mm && far.y < paper->height_mm) << points.paper;
+  }
 }
 
 TEST(Devices, ErrorsNameFileAndLine) {

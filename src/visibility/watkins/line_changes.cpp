@@ -32,10 +32,14 @@ bool LineScan::same_faces(std::uint32_t a, std::uint32_t b) const {
 
 /// Edges by the vertex at which they end, or begin.
 void LineScan::sort_by_vertex() {
-  const auto bottom = [this](std::uint32_t slot) { return scene_.edges[slots_[slot].edge].bottom; };
-  const auto top = [this](std::uint32_t slot) { return scene_.edges[slots_[slot].edge].top; };
-  std::sort(ended_.begin(), ended_.end(), [&](std::uint32_t a, std::uint32_t b) { return bottom(a) != bottom(b) ? bottom(a) < bottom(b) : a < b; });
-  std::sort(entered_.begin(), entered_.end(), [&](std::uint32_t a, std::uint32_t b) { return top(a) != top(b) ? top(a) < top(b) : a < b; });
+  const auto sort = [this](std::vector<std::uint32_t>& slots, auto vertex_of) {
+    by_vertex_.clear();
+    for (const std::uint32_t slot : slots) by_vertex_.push_back({vertex_of(scene_.edges[slots_[slot].edge]), slot});
+    std::sort(by_vertex_.begin(), by_vertex_.end());
+    for (std::size_t i = 0; i < slots.size(); ++i) slots[i] = by_vertex_[i].second;
+  };
+  sort(ended_, [](const ScanEdge& e) { return e.bottom; });
+  sort(entered_, [](const ScanEdge& e) { return e.top; });
 }
 
 /// Calls visit(ended, entered) with what ends and what begins at a vertex, vertex by vertex.

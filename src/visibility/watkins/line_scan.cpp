@@ -155,11 +155,8 @@ bool LineScan::sort(std::uint32_t line) {
     std::size_t k = i;
     for (; k > 0 && slots_[moving].u < slots_[order_[k - 1]].u - kSamePlace; --k) {
       ++counts_.exchanges;
-      if (exchange_matters(line, moving, order_[k - 1])) {
-        matters = true;
-      } else {
-        ++counts_.passed_exchanges;
-      }
+      if (!matters) matters = exchange_matters(line, moving, order_[k - 1]);
+      if (!matters) ++counts_.passed_exchanges;
       order_[k] = order_[k - 1];
     }
     order_[k] = moving;

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "visibility/watkins/scan_scene.hpp"
@@ -39,7 +40,7 @@ struct ScanCounts {
   std::uint64_t exchanges = 0;          ///< neighbours that changed places from one line to the next
   std::uint64_t passed_chains = 0;      ///< changes that altered nothing: an edge goes on in another
   std::uint64_t passed_points = 0;      ///< hidden points
-  std::uint64_t passed_exchanges = 0;   ///< exchanges with edges that stay hidden
+  std::uint64_t passed_exchanges = 0;   ///< exchanges with edges that stay hidden; on a line to be studied only those before the first that can be seen
   void operator+=(const ScanCounts& o);
 };
 
@@ -136,6 +137,7 @@ class LineScan : private PairOrders {
   std::vector<std::uint32_t> free_slots_, order_;
   std::vector<std::uint32_t> ended_, entered_;  ///< slots, on the line at hand; without edges that go on in others
   std::vector<std::uint32_t> gone_;             ///< slots of all edges that ended
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_vertex_;  ///< working memory of sort_by_vertex()
   std::vector<std::uint32_t> ended_edges_;
   bool must_study_ = true;                      ///< there is nothing to be carried on
   std::vector<std::uint32_t> penetrating_;      ///< faces that meet in a penetration without an edge

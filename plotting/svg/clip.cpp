@@ -1,0 +1,137 @@
+#include "plotting/svg/clip.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+
+namespace ligne::svg {
+namespace {
+
+/// Adjustable: edges to a row.
+constexpr std::size_t kRowEdges = 4, kMostRows = 4096;
+/// Edges that are looked at, for one area.
+constexpr std::size_t kMostWork = 2'000'000'000;
+/// Parts of a line that are shorter, in parts of it, are the rounding of a crossing.
+constexpr double kLeastPart = 1e-12;
+
+double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
+
+bool near_edge(Point2 p, Point2 a, Point2 b) {
+  constexpr double kNearMm = 1e-6;  // rounding of coordinates
+  if (p.x < std::min(a.x, b.x) - kNearMm || p.x > std::max(a.x, b.x) + kNearMm || p.y < std::min(a.y, b.y) - kNearMm || p.y > std::max(a.y, b.y) + kNearMm) return false;
+  return std::abs(cross(b - a, p - a)) <= kNearMm * glm::length(b - a);
+}
+
+void add(Polylines& out, std::vector<Point2>& line) {
+  if (line.size() > 1) {
+    out.points.insert(out.points.end(), line.begin(), line.end());
+    out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
+  }
+  line.clear();
+}
+
+bool shows(const Clip& clip, Point2 p) {
+  return std::any_of(clip.any_of.begin(), clip.any_of.end(), [&](const Area& area) { return area.contains(p); });
+}
+
+Polylines clipped_by_one(const Polylines& lines, const Clip& clip) {
+  Polylines out;
+  std::vector<double> at;
+  std::vector<Point2> line;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto points = lines[i];
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const Point2 a = points[k - 1], b = points[k];
+      at.assign({0, 1});
+      for (const Area& area : clip.any_of) area.crossings(a, b, at);
+      std::sort(at.begin(), at.end());
+      bool shown = false;  // the part before, of this segment
+      for (std::size_t n = 1; n < at.size(); ++n) {
+        if (at.size() > 2 && at[n] - at[n - 1] <= kLeastPart) continue;
+        const Point2 from = a + (b - a) * at[n - 1], to = at[n] == 1 ? b : a + (b - a) * at[n];
+        if (!shows(clip, a + (b - a) * ((at[n - 1] + at[n]) / 2))) {
+          add(out, line);
+          shown = false;
+          continue;
+        }
+        if (shown) line.pop_back();
+        if (line.empty()) line.push_back(from);
+        line.push_back(to);
+        shown = true;
+      }
+    }
+    add(out, line);
+  }
+  return out;
+}
+
+}  // namespace
+
+Area::Area(const Polylines& contours, FillRule rule) : rule_(rule) {
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    const auto points = contours[i];
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Point2 a = points[k], b = points[k + 1 == points.size() ? 0 : k + 1];
+      box_.extend(a);
+      if (a != b) edges_.push_back({a, b});
+    }
+  }
+  rows_.resize(std::clamp<std::size_t>(edges_.size() / kRowEdges, 1, kMostRows));
+  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+    const std::size_t first = row(std::min(edges_[i].a.y, edges_[i].b.y)), last = row(std::max(edges_[i].a.y, edges_[i].b.y));
+    work_ += last - first;
+    for (std::size_t r = first; r <= last; ++r) rows_[r].push_back(i);
+    constexpr std::size_t kMostEntries = 100'000'000;
+    if (work_ > kMostEntries) throw std::invalid_argument("has a clip path that asks for endless work");
+  }
+}
+
+std::size_t Area::row(double y) const {
+  const double height = box_.height();
+  if (!(height > 0)) return 0;
+  return static_cast<std::size_t>(std::clamp((y - box_.min.y) / height * static_cast<double>(rows_.size()), 0.0, static_cast<double>(rows_.size() - 1)));
+}
+
+bool Area::contains(Point2 p) const {
+  if (edges_.empty() || p.x < box_.min.x || p.x > box_.max.x || p.y < box_.min.y || p.y > box_.max.y) return false;
+  const std::vector<std::uint32_t>& near = rows_[row(p.y)];
+  if ((work_ += near.size()) > kMostWork) throw std::invalid_argument("has a clip path that asks for endless work");
+  int winding = 0;
+  for (const std::uint32_t i : near) {
+    const Edge& e = edges_[i];
+    if (near_edge(p, e.a, e.b)) return true;  // half the width of a line along the rim shows
+    if ((e.a.y <= p.y) == (e.b.y <= p.y)) continue;
+    const bool up = e.b.y > e.a.y;
+    if ((cross(e.b - e.a, p - e.a) > 0) == up) winding += up ? 1 : -1;
+  }
+  return rule_ == FillRule::nonzero ? winding != 0 : winding % 2 != 0;
+}
+
+void Area::crossings(Point2 a, Point2 b, std::vector<double>& out) const {
+  if (edges_.empty() || std::max(a.x, b.x) < box_.min.x || std::min(a.x, b.x) > box_.max.x || std::max(a.y, b.y) < box_.min.y || std::min(a.y, b.y) > box_.max.y) return;
+  const Point2 along = b - a;
+  const std::size_t first = row(std::min(a.y, b.y)), last = row(std::max(a.y, b.y));
+  for (std::size_t r = first; r <= last; ++r) {
+    if ((work_ += rows_[r].size() + 1) > kMostWork) throw std::invalid_argument("has a clip path that asks for endless work");
+    for (const std::uint32_t i : rows_[r]) {
+      const Edge& e = edges_[i];
+      const double da = cross(along, e.a - a), db = cross(along, e.b - a);
+      if ((da > 0 && db > 0) || (da < 0 && db < 0)) continue;
+      const double across = cross(along, e.b - e.a), squared = glm::dot(along, along);
+      // An edge on the line begins and ends there.
+      for (const double t : across != 0 ? std::array{cross(e.a - a, e.b - e.a) / across, -1.0} : std::array{glm::dot(e.a - a, along) / squared, glm::dot(e.b - a, along) / squared}) {
+        if (t > 0 && t < 1) out.push_back(t);
+      }
+    }
+  }
+}
+
+Polylines clipped(const Polylines& lines, const Clip& clip) {
+  const Polylines inside = clipped_by_one(lines, clip);
+  return clip.outer ? clipped(inside, *clip.outer) : inside;
+}
+
+}  // namespace ligne::svg

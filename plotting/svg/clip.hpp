@@ -1,0 +1,46 @@
+#pragma once
+/// Areas of an SVG, and lines cut down to them. Private to plotting.
+
+#include <memory>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+
+namespace ligne::svg {
+
+enum class FillRule { nonzero, even_odd };
+
+/// What lies inside contours, page mm; open ones are closed.
+class Area {
+ public:
+  Area(const Polylines& contours, FillRule rule);
+
+  bool contains(Point2 p) const;
+  /// Parameters of the segment, in (0, 1), at which it crosses the contours; appends them.
+  void crossings(Point2 a, Point2 b, std::vector<double>& out) const;
+  const Rect& box() const { return box_; }
+  bool empty() const { return edges_.empty(); }
+
+ private:
+  struct Edge {
+    Point2 a, b;
+  };
+  std::size_t row(double y) const;
+
+  std::vector<Edge> edges_;
+  Rect box_;
+  FillRule rule_;
+  std::vector<std::vector<std::uint32_t>> rows_;  ///< edges by the part of the height that they meet
+  mutable std::size_t work_ = 0;
+};
+
+/// What shows through one or several clip paths, one inside the other.
+struct Clip {
+  std::vector<Area> any_of;               ///< inside one of these
+  std::shared_ptr<const Clip> outer;      ///< and of this; nullptr: nothing more
+};
+
+/// The parts of the lines that show. Throws std::invalid_argument when that asks for endless work.
+Polylines clipped(const Polylines& lines, const Clip& clip);
+
+}  // namespace ligne::svg

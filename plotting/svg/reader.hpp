@@ -1,0 +1,76 @@
+#pragma once
+/// The walk over the tree of an SVG. Private to plotting: plotting/drawing_reader.hpp is for others.
+
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include <pugixml.hpp>
+
+#include "plotting/drawing_reader.hpp"
+#include "plotting/svg/clip.hpp"
+#include "plotting/svg/shapes.hpp"
+#include "plotting/svg/style.hpp"
+
+namespace ligne::svg {
+
+using ClipPointer = std::shared_ptr<const Clip>;
+
+/// What an element finds where it stands.
+struct Context {
+  Style style;
+  Matrix to_mm;
+  std::string layer;
+  Viewport port;
+  ClipPointer clip;  ///< nullptr: everything shows
+  int depth = 0, links = 0;
+};
+
+class SvgReader {
+ public:
+  SvgReader(std::string_view text, std::string file, const std::set<std::string>& skip, const FillReading& fills)
+      : text_(text), file_(std::move(file)), skip_(skip), fills_(fills) {}
+
+  ReadDrawing read();
+
+ private:
+  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& cause) const;
+  void refuse(std::string_view name, const pugi::xml_node& node);
+  void survey(const pugi::xml_node& root);
+  Context place_page(const pugi::xml_node& root);
+  bool enter(const pugi::xml_node& node, Context& context);
+  void walk(const pugi::xml_node& node, const Context& around);
+  void walk_children(const pugi::xml_node& node, const Context& context);
+  void walk_viewport(const pugi::xml_node& node, Context context, const pugi::xml_node& size);
+  void follow_use(const pugi::xml_node& node, const Context& context);
+  pugi::xml_node target_of(const pugi::xml_node& use) const;
+  ClipPointer clip_of(const std::string& id, const pugi::xml_node& node, const Context& context);
+  void add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, std::vector<Area>& areas, int links);
+  bool draw_shape(std::string_view name, const pugi::xml_node& node, const Context& context);
+  void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);
+  void add_lines(const Polylines& lines, const Context& context, const std::string& color);
+  void draw_text(const pugi::xml_node& node, const Context& context);
+  void draw_text_run(const pugi::xml_node& node, const std::string& text, Point2 at, const Style& style, const Context& context);
+  Polylines& layer_named(const std::string& name);
+  Style styled(const pugi::xml_node& node, const Style& inherited, bool& displayed) {
+    return style_of(node, inherited, sheet_, displayed, [this](std::string_view what, const pugi::xml_node& where) { refuse(what, where); });
+  }
+
+  std::string_view text_;
+  std::string file_;
+  const std::set<std::string>& skip_;
+  FillReading fills_;
+  ReadDrawing result_;
+  std::unordered_map<std::string, pugi::xml_node> ids_;
+  StyleSheet sheet_;
+  std::size_t linked_ = 0, clip_points_ = 0;
+  double fill_work_ = 0;
+  std::string last_clip_;  ///< the clip path that was made last, as its id and where it lies
+  ClipPointer last_made_;
+  bool drawn_ = false, entities_ = false;
+};
+
+}  // namespace ligne::svg
