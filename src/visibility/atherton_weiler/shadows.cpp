@@ -58,7 +58,7 @@ std::vector<CameraRequest> pictures_of(const Light& light, const Scene& scene) {
     if (request.fov_degrees < 150) return {request};
   }
   std::vector<CameraRequest> pictures;  // the six sides of a cube round the light
-  request.fov_degrees = 90;
+  request.fov_degrees = 91;  // they overlap, so that nothing is left between them
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       Point3 forward(0);
