@@ -4,7 +4,7 @@
 /// 2. The area is made narrower by half a pen: a point stays when a shape about it that surrounds the pen's tip stays inside on all lines that it meets. A corner that points along the
 ///    lines, between two of them, can come nearer by half their distance; a slit that is narrower than that is not seen.
 /// 3. Every so many lines the line is a row, and what stayed of it are strokes.
-/// 4. Strokes of neighbouring rows are tied, where both end at the rim. The tie goes straight, or, where that would come too near to the rim, along what stayed of the lines between.
+/// 4. Strokes of neighbouring rows are tied, where both end at the rim, along the ends of what stayed of the lines between.
 ///
 /// A surface of n rows has the row k when the bits of k mod 16, read backwards, are less than n: every number of rows is spread, and contains the smaller ones.
 
@@ -29,14 +29,11 @@ namespace {
 
 /// Runs nearer than this are one: the micrometre to which drawings are right.
 constexpr double kTouchMm = 1e-3;
-/// A tie that leaves the lines between by less goes straight: the rounding of coordinates.
-constexpr double kRoundingMm = 1e-6;
 
 // Adjustable: how fine the lines lie, how long a tie may be.
 constexpr double kLinesPerPen = 6, kFinestPenMm = 0.1;
 constexpr double kShortestPens = 1; ///< shorter strokes are blots
-constexpr double kLongestTie = 4;   ///< by the distance of the rows
-constexpr double kWidestDetour = 1; ///< of a tie from the straight way, and from the rim, by the same
+constexpr double kLongestTie = 4;   ///< how much longer than the distance of its rows
 
 struct Interval {
   double from, to;
@@ -99,9 +96,8 @@ class Hatcher {
   Line covered(std::int64_t rank, std::int32_t line, std::optional<std::uint32_t> layer = {}) const;
   Line inside(std::int64_t rank, std::int32_t line) const;
   /// Whether a stroke that ends there ends at the rim.
-  bool at_rim(std::int32_t line, double u) const { return rim_distance(line, u) <= kTouchMm; }
-  double rim_distance(std::int32_t line, double u) const;
-  bool route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, std::vector<Point2>& way) const;
+  bool at_rim(std::int32_t line, double u) const;
+  bool route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, bool at_left, std::vector<Point2>& way) const;
   bool tie(Open& stroke, const Interval& span, std::int32_t line, std::vector<Open>& open) const;
   void finish(const Open& stroke, Polylines& out) const;
 
@@ -162,26 +158,27 @@ Line Hatcher::inside(std::int64_t rank, std::int32_t line) const {
   return kept;
 }
 
-double Hatcher::rim_distance(std::int32_t line, double u) const {
-  double least = 1e300;
-  for (const Interval& run : free_[index(line)]) least = std::min({least, std::abs(run.from - u), std::abs(run.to - u)});
-  return least;
+bool Hatcher::at_rim(std::int32_t line, double u) const {
+  const Line& free = free_[index(line)];
+  return std::any_of(free.begin(), free.end(), [u](const Interval& run) { return std::abs(run.from - u) <= kTouchMm || std::abs(run.to - u) <= kTouchMm; });
 }
 
-/// The way of a tie between two rows: straight, or beside what is not free. False when there is none.
-bool Hatcher::route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, std::vector<Point2>& way) const {
+/// The way of a tie between the ends of two rows, along the rim. False when the rim leads elsewhere, or runs too flat.
+bool Hatcher::route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, bool at_left, std::vector<Point2>& way) const {
   way.clear();
-  const double rows_mm = (to_line - from_line) * line_mm_;
-  for (std::int32_t line = from_line + 1; line < to_line; ++line) {
-    const double straight = from.x + (to - from.x) * (line - from_line) / (to_line - from_line);
-    double best = 1e300, u = straight;
+  double before = from.x;
+  const double step = kLongestTie * line_mm_;
+  for (std::int32_t line = from_line + 1; line <= to_line; ++line) {
+    double u = 1e300;
     for (const Interval& run : free_[index(line)]) {
-      const double clamped = std::clamp(straight, run.from, run.to);
-      if (std::abs(clamped - straight) < best) best = std::abs(clamped - straight), u = clamped;
+      const double end = at_left ? run.from : run.to;
+      if (std::abs(end - before) < std::abs(u - before)) u = end;
     }
-    if (best > kWidestDetour * rows_mm || rim_distance(line, u) > kWidestDetour * rows_mm) return false;
-    if (best > kRoundingMm) way.push_back({u, line * line_mm_});
+    if (!(std::abs(u - before) <= step)) return false;
+    before = u;
+    if (line < to_line) way.push_back({u, line * line_mm_});
   }
+  if (std::abs(before - to) > kTouchMm) return false;
   if (way.empty()) return true;
   way.insert(way.begin(), from);
   way.push_back({to, to_line * line_mm_});
@@ -213,7 +210,7 @@ bool Hatcher::tie(Open& stroke, const Interval& span, std::int32_t line, std::ve
   std::vector<Point2> way;
   for (const Candidate& c : candidates) {
     const double u = c.from_left ? span.from : span.to;
-    if (!route(c.before->points.back(), c.before->line, u, line, way)) continue;
+    if (!route(c.before->points.back(), c.before->line, u, line, c.from_left, way)) continue;
     c.before->used = true;
     stroke.points = std::move(c.before->points);
     c.before->points = {{u, 0}};  // keeps its place in the order

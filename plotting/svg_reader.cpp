@@ -183,7 +183,7 @@ void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const
     for (const Point2 p : {Point2{width, 0}, {width, height}, {0, height}}) outline.line_to(p);
     outline.close();
     auto clip = std::make_shared<Clip>();
-    clip->any_of.emplace_back(frame, FillRule::nonzero);
+    clip->any_of.emplace_back(frame, FillRule::nonzero, clip_work_);
     clip->outer = context.clip;
     context.clip = clip;
   }
@@ -262,7 +262,7 @@ void SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
   if (!outline_shape(name, node, context.port, outline)) return refuse("clip-path", node);
   clip_points_ += lines.points.size();
   if (clip_points_ > kMostPoints) throw std::invalid_argument("has clip paths of more than fifty million points");
-  areas.emplace_back(lines, style.clip_even_odd ? FillRule::even_odd : FillRule::nonzero);
+  areas.emplace_back(lines, style.clip_even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
 }
 
 }  // namespace svg

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -12,8 +13,9 @@ namespace {
 
 /// Adjustable: edges to a row.
 constexpr std::size_t kRowEdges = 4, kMostRows = 4096;
-/// Edges that are looked at, for one area.
-constexpr std::size_t kMostWork = 2'000'000'000;
+constexpr std::size_t kMostWork = 1'000'000'000;
+/// Edges that stand in rows count for more: they take memory.
+constexpr std::size_t kEntryWork = 40;
 /// Parts of a line that are shorter, in parts of it, are the rounding of a crossing.
 constexpr double kLeastPart = 1e-12;
 
@@ -70,7 +72,11 @@ Polylines clipped_by_one(const Polylines& lines, const Clip& clip) {
 
 }  // namespace
 
-Area::Area(const Polylines& contours, FillRule rule) : rule_(rule) {
+void Area::count(std::size_t edges) const {
+  if ((*work_ += edges) > kMostWork) throw std::invalid_argument("has a clip path that asks for endless work");
+}
+
+Area::Area(const Polylines& contours, FillRule rule, ClipWork work) : rule_(rule), work_(std::move(work)) {
   for (std::size_t i = 0; i < contours.size(); ++i) {
     const auto points = contours[i];
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -82,10 +88,8 @@ Area::Area(const Polylines& contours, FillRule rule) : rule_(rule) {
   rows_.resize(std::clamp<std::size_t>(edges_.size() / kRowEdges, 1, kMostRows));
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     const std::size_t first = row(std::min(edges_[i].a.y, edges_[i].b.y)), last = row(std::max(edges_[i].a.y, edges_[i].b.y));
-    work_ += last - first;
+    count(kEntryWork * (last - first + 1));
     for (std::size_t r = first; r <= last; ++r) rows_[r].push_back(i);
-    constexpr std::size_t kMostEntries = 100'000'000;
-    if (work_ > kMostEntries) throw std::invalid_argument("has a clip path that asks for endless work");
   }
 }
 
@@ -98,7 +102,7 @@ std::size_t Area::row(double y) const {
 bool Area::contains(Point2 p) const {
   if (edges_.empty() || p.x < box_.min.x || p.x > box_.max.x || p.y < box_.min.y || p.y > box_.max.y) return false;
   const std::vector<std::uint32_t>& near = rows_[row(p.y)];
-  if ((work_ += near.size()) > kMostWork) throw std::invalid_argument("has a clip path that asks for endless work");
+  count(near.size());
   int winding = 0;
   for (const std::uint32_t i : near) {
     const Edge& e = edges_[i];
@@ -115,7 +119,7 @@ void Area::crossings(Point2 a, Point2 b, std::vector<double>& out) const {
   const Point2 along = b - a;
   const std::size_t first = row(std::min(a.y, b.y)), last = row(std::max(a.y, b.y));
   for (std::size_t r = first; r <= last; ++r) {
-    if ((work_ += rows_[r].size() + 1) > kMostWork) throw std::invalid_argument("has a clip path that asks for endless work");
+    count(rows_[r].size() + 1);
     for (const std::uint32_t i : rows_[r]) {
       const Edge& e = edges_[i];
       const double da = cross(along, e.a - a), db = cross(along, e.b - a);

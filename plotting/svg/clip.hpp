@@ -1,6 +1,8 @@
 #pragma once
 /// Areas of an SVG, and lines cut down to them. Private to plotting.
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -10,10 +12,13 @@ namespace ligne::svg {
 
 enum class FillRule { nonzero, even_odd };
 
-/// What lies inside contours, page mm; open ones are closed.
+/// Edges that were looked at, by all areas of a drawing together: a small file must not ask for endless work.
+using ClipWork = std::shared_ptr<std::size_t>;
+
+/// What lies inside contours, page mm; open ones are closed. Every function throws std::invalid_argument when the work becomes endless.
 class Area {
  public:
-  Area(const Polylines& contours, FillRule rule);
+  Area(const Polylines& contours, FillRule rule, ClipWork work);
 
   bool contains(Point2 p) const;
   /// Parameters of the segment, in (0, 1), at which it crosses the contours; appends them.
@@ -31,7 +36,9 @@ class Area {
   Rect box_;
   FillRule rule_;
   std::vector<std::vector<std::uint32_t>> rows_;  ///< edges by the part of the height that they meet
-  mutable std::size_t work_ = 0;
+  void count(std::size_t edges) const;
+
+  ClipWork work_;
 };
 
 /// What shows through one or several clip paths, one inside the other.
@@ -40,7 +47,7 @@ struct Clip {
   std::shared_ptr<const Clip> outer;      ///< and of this; nullptr: nothing more
 };
 
-/// The parts of the lines that show. Throws std::invalid_argument when that asks for endless work.
+/// The parts of the lines that show.
 Polylines clipped(const Polylines& lines, const Clip& clip);
 
 }  // namespace ligne::svg

@@ -67,6 +67,7 @@ class SvgReader {
   std::unordered_map<std::string, pugi::xml_node> ids_;
   StyleSheet sheet_;
   std::size_t linked_ = 0, clip_points_ = 0;
+  ClipWork clip_work_ = std::make_shared<std::size_t>(0);
   double fill_work_ = 0;
   std::string last_clip_;  ///< the clip path that was made last, as its id and where it lies
   ClipPointer last_made_;

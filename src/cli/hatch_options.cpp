@@ -72,7 +72,11 @@ void check(const HatchRequest& options, OutputFormat format, const Method& metho
   if (!options.asked()) return;
   if (format == OutputFormat::json) throw UsageError("--hatch", "a JSON drawing has no hatching");
   if (method.traits().products & (kRegions | kSpans)) return;
-  throw UsageError("--hatch", "method " + std::string(method.traits().name) + " gives neither regions nor spans; regions: " + methods_with(kRegions) +
+  refuse_hatching(method.traits().name);
+}
+
+void refuse_hatching(std::string_view method) {
+  throw UsageError("--hatch", "method " + std::string(method) + " gives neither regions nor spans; regions: " + methods_with(kRegions) +
                                   "; spans: " + methods_with(kSpans));
 }
 

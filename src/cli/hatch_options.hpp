@@ -41,6 +41,9 @@ void add_hatch_options(CLI::App& app, HatchRequest& options);
 /// Throws UsageError when the format has no hatching or the method gives nothing that can be hatched; the message names the methods that do.
 void check(const HatchRequest& options, OutputFormat format, const Method& method);
 
+/// Throws the UsageError of a method that gives nothing to hatch.
+[[noreturn]] void refuse_hatching(std::string_view method);
+
 /// The first method of the registry that gives regions: what draws fills and hatching when no method is named.
 const Method& region_method();
 

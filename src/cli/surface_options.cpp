@@ -194,6 +194,7 @@ namespace {
 /// What only the horizon draws does not go together with what only meshes can.
 void check_engines(const SurfaceOptions& options) {
   std::string reason = needs_mesh(options);
+  if (options.horizon_given && options.hatch.asked()) refuse_hatching("horizon");
   if (options.horizon_given && !reason.empty()) throw UsageError("--method", "horizon draws no " + reason + "; a mesh method does: ligne methods");
   const std::string other = options.pixels ? "--horizon pixels" : needs_horizon(options.curves);
   if (!other.empty() && !drawn_by_horizon(options)) {

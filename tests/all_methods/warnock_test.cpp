@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <initializer_list>
 #include <iostream>
 #include <random>
 
@@ -123,38 +124,43 @@ TEST(WarnockCrowds, AsManyStrokesAsTheDefaultMethod) {
 
 /// Lines drawn although hidden and lines that are missing, by more than a micrometre, over all scenes and two views.
 struct Errors {
+  unsigned resolution;
   double sum_mm = 0;
   double worst_of_tolerance = 0;  ///< the longest place over warnock_tolerance_mm()
 };
 
-Errors errors(unsigned resolution) {
-  Errors result;
+std::vector<Errors> errors(std::initializer_list<unsigned> resolutions) {
+  std::vector<Errors> result;
+  for (const unsigned resolution : resolutions) result.push_back({resolution});
   for (const std::filesystem::path& file : corpus()) {
     if (std::filesystem::file_size(file) > kLargeBytes) continue;  // the oracle compares all pairs
     const Scene scene = scene_of(file);
     for (const StandardView& view : standard_views(scene)) {
       if (view.name != "odd" && view.name != "near") continue;
       const JudgedView judged(scene, file.stem().string(), view);
-      const Verdict verdict = judged.judge(WarnockWith(with("resolution", resolution), 0.001), "all");
       ProjectedScene page;
       page.view = judged.view();
-      const double worst = std::max(verdict.drawn_hidden.worst_mm, verdict.missing.worst_mm);
-      result.sum_mm += verdict.drawn_hidden.length_mm + verdict.missing.length_mm;
-      result.worst_of_tolerance = std::max(result.worst_of_tolerance, worst / warnock_tolerance_mm(page, resolution));
+      for (Errors& e : result) {
+        const Verdict verdict = judged.judge(WarnockWith(with("resolution", e.resolution), 0.001), "all");
+        const double worst = std::max(verdict.drawn_hidden.worst_mm, verdict.missing.worst_mm);
+        e.sum_mm += verdict.drawn_hidden.length_mm + verdict.missing.length_mm;
+        e.worst_of_tolerance = std::max(e.worst_of_tolerance, worst / warnock_tolerance_mm(page, e.resolution));
+      }
     }
   }
   return result;
 }
 
 TEST(WarnockResolution, ErrorShrinksInProportion) {
-  const Errors coarse = errors(512), middle = errors(2048), fine = errors(8192);
-  std::cout << "error in mm at 512, 2048, 8192: " << coarse.sum_mm << ", " << middle.sum_mm << ", " << fine.sum_mm << "; worst, of the tolerance: "
-            << coarse.worst_of_tolerance << ", " << middle.worst_of_tolerance << ", " << fine.worst_of_tolerance << '\n';
-  EXPECT_GT(coarse.sum_mm, 0) << "a limit is a limit";
+  const std::vector<Errors> found = errors({512, 2048, 8192});
+  for (const Errors& e : found) {
+    std::cout << "error at " << e.resolution << ": " << e.sum_mm << " mm; worst, of the tolerance: " << e.worst_of_tolerance << '\n';
+    EXPECT_LE(e.worst_of_tolerance, 1) << e.resolution;
+  }
+  EXPECT_GT(found[0].sum_mm, 0) << "a limit is a limit";
   // Four times the resolution: a quarter, give or take what windows happen to hold.
-  EXPECT_LT(middle.sum_mm, coarse.sum_mm / 3);
-  EXPECT_LT(fine.sum_mm, middle.sum_mm / 3);
-  for (const Errors& e : {coarse, middle, fine}) EXPECT_LE(e.worst_of_tolerance, 1);
+  EXPECT_LT(found[1].sum_mm, found[0].sum_mm / 3);
+  EXPECT_LT(found[2].sum_mm, found[1].sum_mm / 3);
 }
 
 }  // namespace

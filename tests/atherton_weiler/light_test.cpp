@@ -117,6 +117,31 @@ TEST(Shadows, NoLinesWhereOneFaceIsCutIntoSeveral) {
   EXPECT_NEAR(seen.shadow_lines(seen.scene.lights).at(0), 4 * 3, kLength);
 }
 
+double perimeter(const Region& region) {
+  double sum = 0;
+  for (const auto& contour : region.contours) {
+    for (std::size_t i = 0; i < contour.size(); ++i) sum += glm::distance(contour[i], contour[(i + 1) % contour.size()]);
+  }
+  return sum;
+}
+
+TEST(Shadows, NoSliversAlongTheBordersOfFaces) {
+  // What is lit of a triangle ends at its border, on the light's page as on the viewer's, but rounded otherwise. The two dark parts have the
+  // square's sides and, twice, the piece in it of the line from (0, 0) to (9.3, 10.7): nothing that runs on along the line.
+  const Seen seen("shadow_triangles_askew.json", "top");
+  constexpr double kSlope = 10.7 / 9.3;
+  for (const double x : {1.0, 1.01, 1.07, 1.13, 1.21}) {
+    const std::vector<Light> lights{{Light::Kind::parallel, {x, 1.02, -1.1}}};
+    const double dx = 3 * x / 1.1, dy = 3 * 1.02 / 1.1;  // the shadow is (2, 3) to (5, 6), moved by this
+    const double from = std::max(2 + dx, (3 + dy) / kSlope), to = std::min(5 + dx, (6 + dy) / kSlope);
+    double sum = 0;
+    for (const Region& r : atherton_weiler::cast_shadows(seen.scene, seen.topology, seen.view, lights, seen.regions).regions) {
+      if (r.lights == 0 && r.face < 2) sum += perimeter(r);
+    }
+    EXPECT_NEAR(sum, 4 * 3 + 2 * std::hypot(1, kSlope) * (to - from), kLength) << x;
+  }
+}
+
 TEST(Shadows, TransparentFacesWeakenTheLight) {
   // Light falls by 1 where it goes 1 to the right. On the floor: red (6, 2) to (10, 6), blue (6, 4) to (10, 8), the opaque square (18, 12) to (20, 16).
   const Seen seen("shadow_glass.json", "top");

@@ -177,5 +177,20 @@ TEST_F(SurfaceMeshTest, Mistakes) {
   fails({"x", "y", "--output", "a.gif"}, 2, "--output: ");
 }
 
+TEST_F(SurfaceMeshTest, HatchedSurfaces) {
+  const auto hatched = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"surface", "x*y/5", "-o", "-", "--format", "svg", "--hatch", "shade"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  };
+  const Outcome plain = hatched({});
+  EXPECT_EQ(plain.status, 0) << plain.err;
+  EXPECT_NE(plain.out.find("id=\"hatch\""), std::string::npos);
+  EXPECT_NE(plain.out.find("id=\"horizon\""), std::string::npos);
+  EXPECT_EQ(hatched({"--lines", "none"}).out.find("id=\"horizon\""), std::string::npos);
+  EXPECT_EQ(hatched({"--method", "horizon"}).err.rfind("ligne: --hatch: method horizon gives neither regions nor spans; regions: atherton-weiler, warnock; spans: watkins", 0), 0u);
+  EXPECT_EQ(run({"surface", "x", "--hatch", "shade", "--as-mesh", "-o", "x.obj"}).status, 2);
+}
+
 }  // namespace
 }  // namespace ligne::test

@@ -208,6 +208,29 @@ TEST(Hatch, GroupsHaveARimAndLayersHaveTheirPens) {
   EXPECT_EQ(layers.rows_at(39.5, 1), 32);
 }
 
+/// Rows far apart beside a corner: what ties them follows the rim round it, and leaves no chord across.
+TEST(Hatch, TiesFollowTheRim) {
+  const Contours tower{{{0, 0}, {10, 0}, {14, 12.5}, {10, 16}, {0, 16}}, circle({2, 8}, 1.5)};
+  HatchOptions options;
+  options.spacing_mm = 5;
+  options.angle_degrees = 0;
+  const Polylines lines = hatch(tower, options);
+  expect_inside(lines, tower, options.pen_width_mm);
+  double corner = 0;
+  std::size_t ties = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto line = lines[i];
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      if (std::abs(line[k].y - line[k - 1].y) < 1e-9) continue;
+      ++ties;
+      for (const double t : {0.0, 0.5, 1.0}) EXPECT_LT(border_distance(line[k - 1] + (line[k] - line[k - 1]) * t, tower), 0.8 * options.pen_width_mm);
+      corner = std::max({corner, line[k - 1].x, line[k].x});
+    }
+  }
+  EXPECT_GT(ties, 1u);
+  EXPECT_GT(corner, 13) << "out to the corner";
+}
+
 TEST(Hatch, CornersBetweenNeighboursMakeNoGaps) {
   // A fan of triangles about a point, in coordinates that have no short binary form.
   const std::vector<Point2> rim = circle({20.1, 19.7}, 15.3, 37);

@@ -337,6 +337,15 @@ TEST(SvgReader, BombsDoNoHarm) {
   }
   EXPECT_NE(error_of(page(links)), "");
 
+  // Clip paths and fills of many edges from top to bottom, and many lines through them.
+  std::string comb = "M0 0", across;
+  for (int i = 0; i < 50'000; ++i) comb += "L" + std::to_string(i * 0.002) + (i % 2 ? " 0" : " 100");
+  for (int i = 0; i < 50'000; ++i) across += "M0 " + std::to_string(i * 0.002) + "H100";
+  EXPECT_NE(error_of(page("<clipPath id='c'><path d='" + comb + "z'/></clipPath><path clip-path='url(#c)' d='" + across + "'/>")).find("endless work"), std::string::npos);
+  std::string areas;
+  for (int i = 0; i < 5'000; ++i) areas += "<path d='M0 0H1000000V1000000H0z' fill='red' stroke='none'/>";
+  EXPECT_THROW(read_svg_drawing(page(areas), "a.svg", {}, {FillReading::How::hatch, 0.01}), std::runtime_error);
+
   std::string deep, ends;
   for (int i = 0; i < 100'000; ++i) deep += "<g>", ends += "</g>";
   EXPECT_NE(error_of(page(deep + ends)).find("nested deeper"), std::string::npos);

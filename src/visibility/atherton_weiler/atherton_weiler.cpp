@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include "visibility/appel/intersections.hpp"
 #include "visibility/appel/visible_parts.hpp"
 #include "visibility/atherton_weiler/border_lines.hpp"
@@ -11,6 +9,7 @@
 #include "visibility/atherton_weiler/polygon_study.hpp"
 #include "visibility/atherton_weiler/visible_faces.hpp"
 #include "visibility/common/clock.hpp"
+#include "visibility/common/make_strokes.hpp"
 #include "visibility/common/stroke_maker.hpp"
 #include "visibility/tolerances.hpp"
 
@@ -21,19 +20,6 @@ namespace ligne {
 namespace {
 
 using namespace atherton_weiler;
-
-/// Appends work(i, strokes) for i in [0, n), in order; `work` is made anew for each block.
-template <class MakeWork>
-void make_strokes(std::size_t n, std::vector<Stroke>& strokes, MakeWork make_work) {
-  constexpr std::size_t kBlock = 4096;
-  const std::size_t blocks = (n + kBlock - 1) / kBlock;
-  std::vector<std::vector<Stroke>> found(blocks);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
-    auto work = make_work();
-    for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) work(i, found[block]);
-  });
-  for (const std::vector<Stroke>& part : found) strokes.insert(strokes.end(), part.begin(), part.end());
-}
 
 /// Finds the visible parts of lines; one for each task.
 class LineSearch {

@@ -1,6 +1,8 @@
 #pragma once
 /// Points of a face, carried from the page of one view to that of another.
 
+#include <vector>
+
 #include <glm/geometric.hpp>
 
 #include "geometry/lattice.hpp"
@@ -42,5 +44,26 @@ inline bool carry(const View& from, Point2 page_mm, const FacePlane& plane, cons
   out = lattice.snap({h.x / h.w, h.y / h.w});
   return true;
 }
+
+/// The border of a face on a page. What another view sees of the face ends there too, but carried over it is rounded otherwise, and slivers
+/// would be left between the two. So what runs along the border is moved beyond it, where the face has nothing that could be cut.
+class FaceBorder {
+ public:
+  /// What is nearer than `near_mm` lies on the border, and is moved as far beyond it.
+  FaceBorder(const Scene& scene, std::uint32_t face, const View& view, const Lattice& lattice, double near_mm);
+
+  void move_beyond(std::vector<LatticePoint>& contour) const;
+
+ private:
+  struct Edge {
+    Point2 from, along;  ///< in steps
+    Point2 out;          ///< unit vector that leads out of the face
+  };
+
+  bool lies_on(const Edge& edge, LatticePoint p) const;
+
+  double near_;  ///< in steps
+  std::vector<Edge> edges_;
+};
 
 }  // namespace ligne::atherton_weiler

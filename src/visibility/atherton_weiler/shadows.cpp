@@ -58,7 +58,7 @@ std::vector<CameraRequest> pictures_of(const Light& light, const Scene& scene) {
     if (request.fov_degrees < 150) return {request};
   }
   std::vector<CameraRequest> pictures;  // the six sides of a cube round the light
-  request.fov_degrees = 90;
+  request.fov_degrees = 91;  // they overlap, so that nothing is left between them
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       Point3 forward(0);
@@ -108,11 +108,13 @@ void add_lit(const Scene& scene, const Topology& topology, const View& view, con
   for (const Region& region : visible.regions) {
     const FacePlane plane = plane_of(scene, region.face);
     if (side_of_eye(camera, plane) * side_of_eye(view.camera, plane) <= 0) continue;
+    const FaceBorder border(scene, region.face, view, lattice, kNarrowestMm);
     std::vector<std::vector<LatticePoint>> contours;
     bool drawn = true;
     for (const std::vector<Point2>& contour : region.contours) {
       auto& points = contours.emplace_back(contour.size());
       for (std::size_t i = 0; i < contour.size(); ++i) drawn = drawn && carry(light_view, contour[i], plane, view, lattice, points[i]);
+      if (drawn) border.move_beyond(points);
     }
     if (!drawn) continue;
     if (lit[region.face].size() <= region.level) lit[region.face].resize(region.level + 1);

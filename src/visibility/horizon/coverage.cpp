@@ -24,18 +24,10 @@ double levelled(double d, double tolerance) {
 }  // namespace
 
 Coverage::Coverage(double u_min, double u_max, std::size_t cells)
-    : u_min_(u_min), extent_(u_max - u_min), least_(kLeastPart * extent_), cells_(std::max<std::size_t>(cells, 1)) {
-  const double width = extent_ / static_cast<double>(cells_.size());
-  width_ = width > 0 ? width : 1;
-}
-
-std::size_t Coverage::cell_of(double u) const {
-  const double c = std::floor((u - u_min_) / width_);
-  return c <= 0 ? 0 : std::min(static_cast<std::size_t>(c), cells_.size() - 1);
-}
+    : columns_(u_min, u_max, cells), least_(kLeastPart * columns_.extent()), cells_(columns_.count()) {}
 
 double Coverage::tolerance(const Rim& rim) const {
-  return kLevelPart * (std::max(extent_, std::abs(rim.v)) + std::abs(rim.slope) * extent_);
+  return kLevelPart * (std::max(columns_.extent(), std::abs(rim.v)) + std::abs(rim.slope) * columns_.extent());
 }
 
 void Coverage::cover(std::array<Corner, 3> c) {
@@ -52,10 +44,10 @@ void Coverage::cover(std::array<Corner, 3> c) {
 }
 
 void Coverage::cover_between(double u0, double u1, const Rim& lower, const Rim& upper) {
-  const std::size_t first = cell_of(u0), last = cell_of(u1);
+  const std::size_t first = columns_.at(u0), last = columns_.at(u1);
   for (std::size_t c = first; c <= last; ++c) {
-    const double from = c == first ? u0 : u_min_ + static_cast<double>(c) * width_;
-    const double to = c == last ? u1 : u_min_ + static_cast<double>(c + 1) * width_;
+    const double from = c == first ? u0 : columns_.begin(c);
+    const double to = c == last ? u1 : columns_.begin(c + 1);
     if (to - from > least_) add(cells_[c], {from, to, lower, upper});
   }
 }
@@ -151,11 +143,11 @@ void Coverage::find_uncovered(const Line& line, std::vector<Span>& uncovered) {
   const std::size_t first_span = uncovered.size();
   const Rim rim{line.u0, line.v0, (line.v1 - line.v0) / (line.u1 - line.u0)};
   const double line_tolerance = tolerance(rim);
-  const std::size_t first = cell_of(line.u0), last = cell_of(line.u1);
+  const std::size_t first = columns_.at(line.u0), last = columns_.at(line.u1);
   std::vector<Span> found;
   for (std::size_t c = first; c <= last; ++c) {
-    const double from = c == first ? line.u0 : u_min_ + static_cast<double>(c) * width_;
-    const double to = c == last ? line.u1 : u_min_ + static_cast<double>(c + 1) * width_;
+    const double from = c == first ? line.u0 : columns_.begin(c);
+    const double to = c == last ? line.u1 : columns_.begin(c + 1);
     if (!(from < to)) continue;
     hidden_.clear();
     for (const Band& b : cells_[c]) {
@@ -180,7 +172,7 @@ void Coverage::find_uncovered(const Line& line, std::vector<Span>& uncovered) {
 
 void Coverage::find_covered_beside(double u, double v0, double v1, int side, std::vector<Span>& covered) const {
   const double at = u + 2 * (side < 0 ? -least_ : least_);
-  for (const Band& b : cells_[cell_of(at)]) {
+  for (const Band& b : cells_[columns_.at(at)]) {
     if (!(b.u0 <= at && at <= b.u1)) continue;
     const double slack = std::max(tolerance(b.lower), tolerance(b.upper));
     const Span span{std::max(b.lower.height(at) - slack, v0), std::min(b.upper.height(at) + slack, v1)};

@@ -50,14 +50,14 @@ class Coverage {
     Rim lower, upper;
   };
 
-  std::size_t cell_of(double u) const;
   double tolerance(const Rim& rim) const;
   void cover_between(double u0, double u1, const Rim& lower, const Rim& upper);
   void add(std::vector<Band>& cell, const Band& band);
   void add_over(double from, double to, Band band, const std::vector<Band>& touched);
   void put(const Band& band);
 
-  double u_min_, extent_, width_, least_;
+  Columns columns_;
+  double least_;
   std::vector<std::vector<Band>> cells_;
   std::vector<Band> touched_, added_;  ///< scratch
   std::vector<double> cuts_;           ///< scratch

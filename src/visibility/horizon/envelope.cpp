@@ -20,15 +20,7 @@ void append(std::vector<Span>& spans, Span span, double least) {
 }  // namespace
 
 ExactEnvelope::ExactEnvelope(double u_min, double u_max, std::size_t cells)
-    : u_min_(u_min), extent_(u_max - u_min), least_(kLeastPart * extent_), cells_(std::max<std::size_t>(cells, 1)) {
-  const double width = extent_ / static_cast<double>(cells_.size());
-  width_ = width > 0 ? width : 1;
-}
-
-std::size_t ExactEnvelope::cell_of(double u) const {
-  const double c = std::floor((u - u_min_) / width_);
-  return c <= 0 ? 0 : std::min(static_cast<std::size_t>(c), cells_.size() - 1);
-}
+    : columns_(u_min, u_max, cells), least_(kLeastPart * columns_.extent()), cells_(columns_.count()) {}
 
 /// Puts into found_ where the line is above the pieces of the cell, or where there are none.
 void ExactEnvelope::find_in_cell(const std::vector<Piece>& cell, const Piece& line, double tolerance) {
@@ -79,12 +71,13 @@ void ExactEnvelope::rebuild(std::vector<Piece>& cell, const Piece& line) {
 template <bool kRaise>
 void ExactEnvelope::search(const Line& line, std::vector<Span>& above) {
   const std::size_t first_span = above.size();
-  const std::size_t first = cell_of(line.u0), last = cell_of(line.u1);
+  const std::size_t first = columns_.at(line.u0), last = columns_.at(line.u1);
   Piece piece{line.u0, line.u1, line.u0, line.v0, (line.v1 - line.v0) / (line.u1 - line.u0)};
-  const double tolerance = kLevelPart * (std::max({extent_, std::abs(line.v0), std::abs(line.v1)}) + std::abs(piece.slope) * extent_);
+  const double tolerance =
+      kLevelPart * (std::max({columns_.extent(), std::abs(line.v0), std::abs(line.v1)}) + std::abs(piece.slope) * columns_.extent());
   for (std::size_t c = first; c <= last; ++c) {
-    piece.u0 = c == first ? line.u0 : u_min_ + static_cast<double>(c) * width_;
-    piece.u1 = c == last ? line.u1 : u_min_ + static_cast<double>(c + 1) * width_;
+    piece.u0 = c == first ? line.u0 : columns_.begin(c);
+    piece.u1 = c == last ? line.u1 : columns_.begin(c + 1);
     if (!(piece.u0 < piece.u1)) continue;
     find_in_cell(cells_[c], piece, tolerance);
     if (found_.empty()) continue;
@@ -114,7 +107,7 @@ void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) {
 double ExactEnvelope::height(double u) const {
   double highest = kNothing;
   // Where pieces end the neighbours count too, also those of the next cell.
-  const std::size_t first = cell_of(u - least_), last = cell_of(u + least_);
+  const std::size_t first = columns_.at(u - least_), last = columns_.at(u + least_);
   for (std::size_t c = first; c <= last; ++c) {
     for (const Piece& p : cells_[c]) {
       if (p.u0 <= u + least_ && u <= p.u1 + least_) highest = std::max(highest, p.height(std::clamp(u, p.u0, p.u1)));
@@ -125,7 +118,7 @@ double ExactEnvelope::height(double u) const {
 
 double ExactEnvelope::height_beside(double u, int side) const {
   const double at = u + 2 * (side < 0 ? -least_ : least_);
-  for (const Piece& p : cells_[cell_of(at)]) {
+  for (const Piece& p : cells_[columns_.at(at)]) {
     if (p.u0 <= at && at <= p.u1) return p.height(std::clamp(u, p.u0, p.u1));
   }
   return kNothing;
@@ -138,23 +131,15 @@ std::size_t ExactEnvelope::piece_count() const {
 }
 
 PixelEnvelope::PixelEnvelope(double u_min, double u_max, std::size_t columns)
-    : u_min_(u_min), heights_(std::max<std::size_t>(columns, 1), kNothing) {
-  const double width = (u_max - u_min) / static_cast<double>(heights_.size());
-  width_ = width > 0 ? width : 1;
-}
-
-std::size_t PixelEnvelope::column_of(double u) const {
-  const double c = std::floor((u - u_min_) / width_);
-  return c <= 0 ? 0 : std::min(static_cast<std::size_t>(c), heights_.size() - 1);
-}
+    : columns_(u_min, u_max, columns), heights_(columns_.count(), kNothing) {}
 
 template <bool kRaise>
 void PixelEnvelope::search(const Line& line, std::vector<Span>& above) {
-  const std::size_t first_span = above.size(), first = column_of(line.u0), last = column_of(line.u1);
+  const std::size_t first_span = above.size(), first = columns_.at(line.u0), last = columns_.at(line.u1);
   const double slope = (line.v1 - line.v0) / (line.u1 - line.u0);
   for (std::size_t c = first; c <= last; ++c) {
-    const double left = std::max(line.u0, u_min_ + static_cast<double>(c) * width_);
-    const double right = std::min(line.u1, u_min_ + static_cast<double>(c + 1) * width_);
+    const double left = std::max(line.u0, columns_.begin(c));
+    const double right = std::min(line.u1, columns_.begin(c + 1));
     const double height = line.v0 + slope * ((left + right) / 2 - line.u0);
     if (!(height > heights_[c])) continue;
     if constexpr (kRaise) heights_[c] = height;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "visibility/horizon/columns.hpp"
+
 namespace ligne::horizon {
 
 /// A line over u, from its left to its right end: u0 < u1.
@@ -49,13 +51,13 @@ class ExactEnvelope {
     double height(double u) const { return v + slope * (u - u_line); }
   };
 
-  std::size_t cell_of(double u) const;
   template <bool kRaise>
   void search(const Line& line, std::vector<Span>& above);
   void find_in_cell(const std::vector<Piece>& cell, const Piece& line, double tolerance);
   void rebuild(std::vector<Piece>& cell, const Piece& line);
 
-  double u_min_, extent_, width_, least_;
+  Columns columns_;
+  double least_;
   std::vector<std::vector<Piece>> cells_;
   std::vector<Span> found_;      ///< scratch: where the line is above, in one cell
   std::vector<Piece> rebuilt_;   ///< scratch
@@ -67,15 +69,14 @@ class PixelEnvelope {
   PixelEnvelope(double u_min, double u_max, std::size_t columns);
   void find_above(const Line& line, std::vector<Span>& above);
   void raise(const Line& line, std::vector<Span>& above);
-  double height(double u) const { return heights_[column_of(u)]; }
+  double height(double u) const { return heights_[columns_.at(u)]; }
   double height_beside(double u, int) const { return height(u); }
 
  private:
   template <bool kRaise>
   void search(const Line& line, std::vector<Span>& above);
-  std::size_t column_of(double u) const;
 
-  double u_min_, width_;
+  Columns columns_;
   std::vector<double> heights_;
 };
 

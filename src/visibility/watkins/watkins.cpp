@@ -6,6 +6,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "visibility/common/clock.hpp"
+#include "visibility/common/make_strokes.hpp"
 #include "visibility/common/stroke_maker.hpp"
 #include "visibility/tolerances.hpp"
 #include "visibility/watkins/exact_study.hpp"
@@ -28,19 +29,6 @@ constexpr MethodParameter kParameters[] = {
     {"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point", "stack", kSpanMethodNames, 0, 0},
     {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event", "exact", kExactWord, 1, kMostLines},
 };
-
-/// Runs work(i, open, strokes) for i in [0, n) in blocks; strokes come out in that order.
-template <class Work>
-void make_strokes(std::size_t n, std::vector<Stroke>& strokes, Work work) {
-  constexpr std::size_t kBlock = 4096;
-  const std::size_t blocks = (n + kBlock - 1) / kBlock;
-  std::vector<std::vector<Stroke>> made(blocks);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
-    OpenParts open;
-    for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) work(i, open, made[block]);
-  });
-  for (const std::vector<Stroke>& m : made) strokes.insert(strokes.end(), m.begin(), m.end());
-}
 
 void report(const SpanCounts& counts, Statistics& statistics) {
   for (const auto& [name, value] : counts.named()) statistics.count("span method: " + std::string(name), value);
@@ -226,18 +214,21 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
     drop_short_parts(parts, page_length(line), shortest);
     maker.add(line, parts, range, source, line_class, may_coincide, out);
   };
-  make_strokes(lines.size(), model.strokes, [&](std::size_t i, OpenParts& open, std::vector<Stroke>& out) {
+  const auto add_edge = [&](std::size_t i, OpenParts& open, std::vector<Stroke>& out) {
     if (lines[i].from.p == lines[i].to.p) return;  // seen end on
     const ProjectedEdge& edge = scene.edges[i];
     const auto thin = [&](std::uint32_t f) { return f < facets.face_is_thin.size() && facets.face_is_thin[f]; };
     const auto range = scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i];
     const bool may_coincide = found.near.empty() || found.near[i] || thin(edge.face0) || thin(edge.face1);
     add(lines[i], found.edges.visible_parts(i, open), range, edge.source, edge.line_class, may_coincide, out);
-  });
-  make_strokes(crossed.size(), model.strokes, [&](std::size_t i, OpenParts& open, std::vector<Stroke>& out) {
+  };
+  const auto add_intersection = [&](std::size_t i, OpenParts& open, std::vector<Stroke>& out) {
     const std::vector<LinePart>& parts = exact ? found.intersections.visible_parts(i, open) : found.edges.visible_parts(lines.size() + i, open);
     add(crossed[i], parts, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, true, out);
-  });
+  };
+  make_strokes(lines.size(), model.strokes, [&] { return [&, open = OpenParts()](std::size_t i, std::vector<Stroke>& out) mutable { add_edge(i, open, out); }; });
+  make_strokes(crossed.size(), model.strokes,
+               [&] { return [&, open = OpenParts()](std::size_t i, std::vector<Stroke>& out) mutable { add_intersection(i, open, out); }; });
   number_intersections(scene, intersections, model);
   statistics.time("strokes", clock.lap());
   statistics.count("strokes", model.strokes.size());
