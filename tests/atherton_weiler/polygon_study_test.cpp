@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "scene/clean.hpp"
 #include "scene/reader.hpp"
@@ -34,17 +36,22 @@ VisibilityResult study(const std::string& file, const char* from, unsigned how) 
   return study(read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests" / file, {}, warnings), from, how);
 }
 
+/// In mm^2.
+double area(const Region& region) {
+  double sum = 0;
+  for (const auto& contour : region.contours) {
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
+      sum += (a.x * b.y - a.y * b.x) / 2;
+    }
+  }
+  return sum;
+}
+
 /// Areas in mm^2 by face and level.
 std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas(const VisibilityResult& result) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> sums;
-  for (const Region& r : *result.regions) {
-    for (const auto& contour : r.contours) {
-      for (std::size_t i = 0; i < contour.size(); ++i) {
-        const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
-        sums[{r.face, r.level}] += (a.x * b.y - a.y * b.x) / 2;
-      }
-    }
-  }
+  for (const Region& r : *result.regions) sums[{r.face, r.level}] += area(r);
   return sums;
 }
 
@@ -116,6 +123,32 @@ TEST(PolygonStudy, LevelsBehindGlassAreTheSame) {
       ASSERT_EQ(found.size(), wanted.size());
       for (const auto& [key, area] : wanted) EXPECT_NEAR(found.at(key), area, kArea) << key.first << ", level " << key.second;
     }
+  }
+}
+
+TEST(PolygonStudy, AHoleIsInTheRegionRightRoundIt) {
+  // A wall of 20 x 20, before it a frame of 12 x 12 round 8 x 8, and in the middle of that a plate of 2 x 2.
+  const auto square = [](double low, double high, double y) {
+    return std::vector<Point3>{{low, y, low}, {high, y, low}, {high, y, high}, {low, y, high}};
+  };
+  Scene scene;
+  test::add_face(scene, {square(0, 20, 6)});
+  test::add_face(scene, {square(4, 16, 3), square(6, 14, 3)});
+  test::add_face(scene, {square(9, 11, 3)});
+  Warnings warnings;
+  finish_scene(scene, warnings);
+  for (const unsigned how : {kFaces, kPolygons, kSilhouettes}) {
+    std::vector<double> of_wall;
+    double all = 0;
+    const VisibilityResult result = study(scene, "front", how);
+    for (const Region& r : *result.regions) {
+      all += area(r);
+      if (r.face == 0) of_wall.push_back(area(r));
+    }
+    std::sort(of_wall.begin(), of_wall.end());
+    ASSERT_EQ(of_wall.size(), 2u);
+    EXPECT_NEAR(of_wall[0] / all, (64 - 4) / 400.0, 1e-9);
+    EXPECT_NEAR(of_wall[1] / all, (400 - 144) / 400.0, 1e-9);
   }
 }
 

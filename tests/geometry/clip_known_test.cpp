@@ -99,6 +99,17 @@ TEST(ClipKnown, NeighboursHaveTheSameCorners) {
   expect_well_formed(ac.outside);
 }
 
+TEST(ClipKnown, AHoleIsGivenToTheFaceRightRoundIt) {
+  // A frame leaves its inside of 8 x 8 as a face of its own; the hole of 2 x 2 in that lies in the square of 20 x 20 too.
+  const Faces square{face({rectangle(0, 0, 20, 20)})};
+  const Faces clips{face({rectangle(4, 4, 16, 16), rectangle(6, 6, 14, 14)}), face({rectangle(9, 9, 11, 11)})};
+  const ClipResult result = clip_contour_by_contour(square, clips);
+  std::vector<double> areas;
+  for (const ContourFace& f : result.outside) areas.push_back(twice_area(f) / 2);
+  std::sort(areas.begin(), areas.end());
+  EXPECT_EQ(areas, (std::vector<double>{64 - 4, 400 - 144}));
+}
+
 TEST(ClipKnown, FacesWithoutAreaClipNothing) {
   const ContourFace square = face({rectangle(0, 0, 8, 8)});
   for (const Points& flat : {Points{{1, 1}, {5, 1}}, Points{{0, 0}, {8, 8}, {4, 4}}, Points{{3, 3}}, Points{}}) {
