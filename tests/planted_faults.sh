@@ -1,36 +1,73 @@
 #!/usr/bin/env bash
 # planted_faults.sh [FAULT...]: which tests notice a fault of the program? In a copy of the tree every patch of tests/planted_faults/ is
-# planted by itself, the tests of drawings are built and run, and a line of a table is printed: fault, and the programs that
+# planted by itself, the tests that concern it are built and run, and a line of a table is printed: fault, and the programs that
 # fail with the number of their failing tests. Fails when a fault is noticed by fewer than two programs. Not a part of
-# ctest, since it compiles for many minutes.
+# ctest, since it compiles for many minutes. ccache is used where it is installed.
 #
 #   LIGNE_BUILD_WITH   put before every build, for example "nice" or "flock FILE nice"
 #   LIGNE_BUILD_JOBS   compilers at a time; all processors
+#   LIGNE_CONFIGURE    more options for cmake
 #   LIGNE_WORK         folder for the copy and its build, kept; otherwise a temporary one
 #   LIGNE_LEVEL        level of optimization, -O1
 set -euo pipefail
 
 root=$(cd -P "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 if [[ -n ${LIGNE_WORK:-} ]]; then
-  work=$LIGNE_WORK
-  mkdir -p "$work"
+  work=$(mkdir -p "$LIGNE_WORK" && cd "$LIGNE_WORK" && pwd)
 else
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
 fi
-tree=$work/tree build=$work/build logs=$work/logs
+tree=$work/tree build=$work/tree/build/faults logs=$work/logs
+
+# programs_of FAULT: the programs that are run, by what the name of the fault begins with.
+programs_of() {
+  case $1 in
+    warnock_*) echo visibility_test known_answers_test all_methods_test random_scenes_test warnock_corpus_test ;;
+    watkins_*) echo visibility_test known_answers_test all_methods_test random_scenes_test limited_methods_test ;;
+    weiler_*) echo known_answers_test all_methods_test random_scenes_test regions_test polygon_study_test light_test ;;
+    clip_*) echo clip_test clip_clipper_test known_answers_test all_methods_test random_scenes_test regions_test polygon_study_test light_test ;;
+    horizon_*) echo visibility_test cli_program_test ;;
+    plot_*) echo plotting_test cli_program_test ;;
+    *) echo visibility_test known_answers_test all_methods_test geometry_replay_test random_scenes_test relations_test picture_test \
+         embree_models_test ;;
+  esac
+}
 
 # Small scenes of the corpus that between them have everything.
 scenes=(cube cube_on_table plate_one_hole holes_behind_holes cyclic_3_solid cross_of_plates crossing_sheets_joined line_behind_common_side
         same_outline_two_depths peg_in_hole pyramid_in_cube penetrating_plates_with_holes edge_on_face ramp_against_block stair
         thesis_2_73 thesis_2_81c mutual_combs nested_cubes bricks)
-scene_filter=$(printf ':*/%s_*' "${scenes[@]}")
-# Programs, those first that are there in every build, with the tests that are run of them.
-declare -A filters=(
-  [visibility_test]='*' [known_answers_test]='*' [all_methods_test]="${scene_filter#:}" [geometry_replay_test]='*'
-  [random_scenes_test]='*' [relations_test]='*' [picture_test]='*' [embree_models_test]='*teapot*:*featuretype*:*CITY*')
-programs=(visibility_test known_answers_test all_methods_test geometry_replay_test random_scenes_test relations_test picture_test
-          embree_models_test)
+each=$(printf ':*/%s' "${scenes[@]}") each_view=$(printf ':*/%s_*' "${scenes[@]}")
+# Tests of whole drawings that are run of visibility_test when the fault is in no method of its own.
+common_visibility='BruteForce*:*Touching*:PenetratingPlanes*:LinesOfNoFace*:*Determinism*'
+# filter_of PROGRAM FAULT: the tests that are run, all where nothing else is said.
+filter_of() {
+  case $1 in
+    all_methods_test) echo "${each_view#:}" ;;
+    limited_methods_test | regions_test) echo "${each#:}" ;;
+    warnock_corpus_test) echo "$each:*Crowds*:*Resolution*" | cut -c2- ;;
+    visibility_test)
+      case $2 in
+        warnock_*) echo "$common_visibility:*Warnock*" ;;
+        watkins_*) echo "$common_visibility:*Watkins*" ;;
+        horizon_*) echo '*Horizon*:*Envelope*' ;;
+        none) echo '*' ;;
+        *) echo "$common_visibility" ;;
+      esac ;;
+    cli_program_test)
+      case $2 in
+        horizon_*) echo '*Surface*' ;;
+        plot_*) echo '*Plot*' ;;
+        *) echo '*Surface*:*Plot*' ;;
+      esac ;;
+    embree_models_test) echo '*teapot*:*featuretype*:*CITY*' ;;
+    picture_test) echo 'Files*' ;;
+    *) echo '*' ;;
+  esac
+}
+# Two random scenes of each kind and share: 192, of 2000.
+export LIGNE_RANDOM_SCENES=96
 
 # The copy is brought up to date without touching what has not changed, so that it is not compiled again.
 mkdir -p "$tree" "$logs"
@@ -48,52 +85,73 @@ if [[ -d $root/../shared/models ]]; then
   ln -sfn "$(cd "$root/../shared/models" && pwd)" "$work/shared/models"
 fi
 
-cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="${LIGNE_LEVEL:--O1}" >"$logs/configure" 2>&1 ||
-  { cat "$logs/configure" >&2; exit 1; }
-present=()
-for program in "${programs[@]}"; do
-  if ninja -C "$build" -t query "$program" >/dev/null 2>&1; then present+=("$program"); fi
-done
+options=(-DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=${LIGNE_LEVEL:--O1}")
+if command -v ccache >/dev/null; then
+  # Headers compiled in advance would keep most from the cache, and so would paths that start at the root.
+  options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+  export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
+fi
+# shellcheck disable=SC2086  # several options
+cmake -S "$tree" -B "$build" -G Ninja "${options[@]}" ${LIGNE_CONFIGURE:-} >"$logs/configure" 2>&1 || { cat "$logs/configure" >&2; exit 1; }
 
-# build_all NAME
-build_all() {
-  # shellcheck disable=SC2086  # the prefix is several words
-  ${LIGNE_BUILD_WITH:-} ninja -C "$build" -j "${LIGNE_BUILD_JOBS:-$(nproc)}" "${present[@]}" >"$logs/$1.build" 2>&1 ||
-    { tail -n 30 "$logs/$1.build" >&2; echo "$1 does not compile" >&2; exit 1; }
-}
-
-# caught_by NAME: the programs that fail, with the number of their failing tests. A program that hangs or crashes fails too.
-caught_by() {
-  local program log file
-  for program in "${present[@]}"; do
-    log=$logs/$1.$program
-    file=$(find "$build/tests" -type f -name "$program" -perm -u+x)
-    if timeout 900 "$file" --gtest_filter="${filters[$program]}" --gtest_brief=1 >"$log" 2>&1; then continue; fi
-    printf '%s %s\n' "$program" "$(grep -c '^\[  FAILED  \] .*(' "$log" || true)"
+# present PROGRAM...: those that are there in this build; some need libraries that are not everywhere.
+present() {
+  local program
+  for program in "$@"; do
+    if ninja -C "$build" -t query "$program" >/dev/null 2>&1; then echo "$program"; fi
   done
 }
 
-build_all none
-spoilt=$(caught_by none)
-if [[ -n $spoilt ]]; then
-  printf 'without any fault these fail, see %s:\n%s\n' "$logs" "$spoilt" >&2
-  exit 1
-fi
+# build NAME PROGRAM...
+build() {
+  local name=$1
+  shift
+  # shellcheck disable=SC2086  # the prefix is several words
+  ${LIGNE_BUILD_WITH:-} ninja -C "$build" -j "${LIGNE_BUILD_JOBS:-$(nproc)}" "$@" >"$logs/$name.build" 2>&1 ||
+    { tail -n 30 "$logs/$name.build" >&2; echo "$name does not compile" >&2; exit 1; }
+}
+
+# caught_by NAME PROGRAM...: the programs that fail, with the number of their failing tests. A program that hangs or crashes fails too.
+caught_by() {
+  local name=$1 program log file failed
+  shift
+  for program in "$@"; do
+    log=$logs/$name.$program
+    file=$(find "$build/tests" -type f -name "$program" -perm -u+x)
+    if timeout 180 "$file" --gtest_filter="$(filter_of "$program" "$name")" --gtest_brief=1 >"$log" 2>&1; then continue; fi
+    failed=$(grep -cE '^\[  FAILED  \] .*\([0-9]+ ms\)$' "$log" || true)
+    if ! grep -q '^\[==========\] .* ran\.' "$log"; then failed+=', then stops'; fi
+    echo "$program ($failed)"
+  done
+}
 
 faults=("$@")
 if ((${#faults[@]} == 0)); then
   for patch in "$root"/tests/planted_faults/*.patch; do faults+=("$(basename "$patch" .patch)"); done
 fi
+
+mapfile -t all < <(for fault in "${faults[@]}"; do programs_of "$fault"; done | tr ' ' '\n' | sort -u)
+mapfile -t all < <(present "${all[@]}")
+build none "${all[@]}"
+spoilt=$(caught_by none "${all[@]}")
+if [[ -n $spoilt ]]; then
+  printf 'without any fault these fail, see %s:\n%s\n' "$logs" "$spoilt" >&2
+  exit 1
+fi
+
 weak=0
 printf '| fault | caught by (failing tests) |\n|---|---|\n'
 for fault in "${faults[@]}"; do
   patch=$root/tests/planted_faults/$fault.patch
-  patch -s -d "$tree" -p1 <"$patch"
-  build_all "$fault"
-  caught=$(caught_by "$fault")
-  patch -s -R -d "$tree" -p1 <"$patch"
+  read -ra programs <<<"$(programs_of "$fault")"
+  mapfile -t programs < <(present "${programs[@]}")
+  patch -s --no-backup-if-mismatch -d "$tree" -p1 <"$patch"
+  build "$fault" "${programs[@]}"
+  caught=$(caught_by "$fault" "${programs[@]}")
+  patch -s --no-backup-if-mismatch -R -d "$tree" -p1 <"$patch"
   # Patch sets no older time, so that the next build sees that the file is as it was.
-  printf '| %s | %s |\n' "$fault" "$(sed -E 's/^([^ ]+) (.*)$/\1 (\2)/' <<<"$caught" | paste -sd, | sed 's/,/, /g')"
+  # shellcheck disable=SC2016  # the quotes are those of the table
+  printf '| `%s` | %s |\n' "$fault" "$(paste -sd, <<<"$caught" | sed 's/),/), /g')"
   if (($(grep -c . <<<"$caught" || true) < 2)); then
     weak=$((weak + 1))
     echo "$fault is noticed by fewer than two programs" >&2

@@ -199,6 +199,18 @@ TEST(Transparency, LevelsAreListedToAnyDepth) {
   EXPECT_EQ(areas.size(), 6u);
 }
 
+TEST(Transparency, OneTriangleOfGlassHidesNothing) {
+  // The glass has legs of 24. It covers the wall, 8 x 8, of which sixteen triangles with legs of 1 hide half a unit each.
+  const Seen seen("glass_triangle.json", "front");
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
+  for (const Region& r : seen.regions) areas[{r.face, r.level}] += area(r);
+  const auto at = [&](std::uint32_t face, std::uint32_t level) { return areas[{face, level}]; };
+  EXPECT_NEAR(at(17, 0), 288, kArea);
+  EXPECT_NEAR(at(0, 1), 64 - 16 * 0.5, kArea);
+  for (std::uint32_t face = 1; face <= 16; ++face) EXPECT_NEAR(at(face, 1), 0.5, kArea) << face;
+  EXPECT_EQ(areas.size(), 18u);
+}
+
 TEST(Transparency, LinesAreSeenThroughToAnyDepth) {
   // Green (3, 3) to (9, 9) before blue (4, 4) to (11, 11) before red (1, 1) to (8, 8), 28 round each of the latter. Through green: of blue two sides of 5;
   // of red two sides from 3 to 8, of which 4 to 8 lies behind blue too. The window (5, 5) to (7, 7) is behind all. The plate that is seen edge on, x = 10 from

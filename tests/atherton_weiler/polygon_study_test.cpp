@@ -1,11 +1,17 @@
-// The classical study by its own figures: zones, slabs, wrong sorts and bodies of scenes that were made to show them, and levels behind glass.
+// The classical study by its own figures: zones, slabs, wrong sorts and bodies of scenes that were made to show them, levels behind glass; and
+// crowds of boxes by both studies.
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <map>
+#include <random>
+#include <string>
+#include <utility>
 
+#include "scene/clean.hpp"
 #include "scene/reader.hpp"
+#include "support/scene_parts.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 
@@ -14,9 +20,7 @@ namespace {
 
 constexpr unsigned kFaces = 0, kPolygons = 1, kSilhouettes = 2;
 
-VisibilityResult study(const std::string& file, const char* from, unsigned how) {
-  Warnings warnings;
-  const Scene scene = read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests" / file, {}, warnings);
+VisibilityResult study(const Scene& scene, const char* from, unsigned how) {
   CameraRequest request;
   request.named_view = from;
   const View view = make_view(scene, make_camera(request, scene), {{{0, 0}, {200, 200}}}, {{0, 0}, {200, 200}});
@@ -24,6 +28,27 @@ VisibilityResult study(const std::string& file, const char* from, unsigned how) 
   options.settings.set("study", how);
   return AthertonWeilerMethod().study(project(scene, build_topology(scene), view, {}), options);
 }
+
+VisibilityResult study(const std::string& file, const char* from, unsigned how) {
+  Warnings warnings;
+  return study(read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests" / file, {}, warnings), from, how);
+}
+
+/// Areas in mm^2 by face and level.
+std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas(const VisibilityResult& result) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> sums;
+  for (const Region& r : *result.regions) {
+    for (const auto& contour : r.contours) {
+      for (std::size_t i = 0; i < contour.size(); ++i) {
+        const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
+        sums[{r.face, r.level}] += (a.x * b.y - a.y * b.x) / 2;
+      }
+    }
+  }
+  return sums;
+}
+
+constexpr double kArea = 1e-9 * 200 * 200;  ///< of the page, for sums of areas in mm^2
 
 std::uint64_t count(const std::string& scene, const char* from, unsigned how, std::string_view name) {
   const VisibilityResult result = study("corpus/" + scene + ".json", from, how);
@@ -81,25 +106,42 @@ TEST(PolygonStudy, ConvexBodiesAreTakenTogether) {
 }
 
 TEST(PolygonStudy, LevelsBehindGlassAreTheSame) {
-  const auto areas = [](unsigned how) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, double> sums;
-    const VisibilityResult result = study("atherton_weiler/scenes/transparent_three.json", "front", how);
-    for (const Region& r : *result.regions) {
-      for (const auto& contour : r.contours) {
-        for (std::size_t i = 0; i < contour.size(); ++i) {
-          const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
-          sums[{r.face, r.level}] += (a.x * b.y - a.y * b.x) / 2;
-        }
-      }
+  for (const auto& [name, count] : {std::pair("transparent_three", std::size_t{1 + 2 + 3 + 4}), std::pair("glass_triangle", std::size_t{1 + 1 + 16})}) {
+    SCOPED_TRACE(name);
+    const std::string file = std::string("atherton_weiler/scenes/") + name + ".json";
+    const auto wanted = areas(study(file, "front", kFaces));
+    EXPECT_EQ(wanted.size(), count);
+    for (const unsigned how : {kPolygons, kSilhouettes}) {
+      const auto found = areas(study(file, "front", how));
+      ASSERT_EQ(found.size(), wanted.size());
+      for (const auto& [key, area] : wanted) EXPECT_NEAR(found.at(key), area, kArea) << key.first << ", level " << key.second;
     }
-    return sums;
-  };
-  const auto wanted = areas(kFaces);
-  EXPECT_EQ(wanted.size(), 1u + 2 + 3 + 4);
-  for (const unsigned how : {kPolygons, kSilhouettes}) {
-    const auto found = areas(how);
-    ASSERT_EQ(found.size(), wanted.size());
-    for (const auto& [key, area] : wanted) EXPECT_NEAR(found.at(key), area, 1e-9 * 200 * 200) << key.first << ", level " << key.second;
+  }
+}
+
+/// Turned boxes, each in a cell of its own, every fourth of glass: over a face lie more sides than are laid over it at a time.
+TEST(PolygonStudy, CrowdsAreTheSame) {
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> side(2, 5), angle(-3, 3);
+    Scene scene;
+    scene.materials.resize(2);
+    scene.materials[1].opacity = 0.5;
+    for (int i = 0; i < 64; ++i) {
+      // No side is longer than 5, so that a box turned about its centre stays in a cell of 9.
+      const test::Basis basis = test::rotation(angle(random), angle(random), angle(random));
+      const Point3 centre{9.0 * (i % 4), 9.0 * (i / 4 % 4), 9.0 * (i / 16)}, size{side(random), side(random), side(random)};
+      const auto along = [&](const Point3& axis) { return axis.x * centre.x + axis.y * centre.y + axis.z * centre.z; };
+      test::add_box(scene, Point3{along(basis[0]), along(basis[1]), along(basis[2])} - size * 0.5, size, basis);
+      scene.face_material.resize(scene.faces.size(), i % 4 == 3 ? 1 : 0);
+    }
+    Warnings warnings;
+    finish_scene(scene, warnings);
+    const auto wanted = areas(study(scene, "iso", kFaces));
+    auto found = areas(study(scene, "iso", kPolygons));
+    EXPECT_GT(wanted.size(), 150u);
+    for (const auto& [key, area] : wanted) found[key] -= area;
+    for (const auto& [key, area] : found) EXPECT_NEAR(area, 0, kArea) << "seed " << seed << ", face " << key.first << ", level " << key.second;
   }
 }
 

@@ -37,6 +37,18 @@ TEST_F(PlotTest, AnSvgBecomesHpglOfTrueSize) {
   EXPECT_EQ(hpgl, "IN;\nSP1;\nPU800,1600;\nPD2800,1600,2800,800;\nPU0,0;\nSP0;\n");
 }
 
+TEST_F(PlotTest, LinesAreEnteredAtTheirNearerEnds) {
+  write("a.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
+                 "<path d='M20 20H45'/><path d='M90 20H60'/>\n</svg>\n");
+  EXPECT_EQ(written("a.plt", {"plot", "a.svg"}), "IN;\nSP1;\nPU800,1600;\nPD1800,1600;\nPU2400,1600;\nPD3600,1600;\nPU0,0;\nSP0;\n");
+}
+
+TEST_F(PlotTest, LoopsBeginAtTheNearestCornerAndEndThere) {
+  write("a.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
+                 "<path d='M20 20h20v20h-20z'/>\n</svg>\n");
+  EXPECT_EQ(written("a.plt", {"plot", "a.svg"}), "IN;\nSP1;\nPU800,800;\nPD800,1600,1600,1600,1600,800,800,800;\nPU0,0;\nSP0;\n");
+}
+
 TEST_F(PlotTest, PensByColourAndLayersForOtherPrograms) {
   write("a.svg", kSvg);
   const std::string svg = written("b.svg", {"plot", "a.svg", "--pen", "#ff0000=2,red,0.7", "--pen", "rest=1,black"});
