@@ -1,6 +1,7 @@
 #include "plotting/stroke_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "plotting/fonts/simplex_glyphs.hpp"
@@ -55,7 +56,8 @@ TextExtent text_extent(std::string_view utf8, double height_mm, TextStyle style)
 std::size_t append_stroke_text(const TextItem& item, Polylines& lines) {
   const double scale = item.height_mm / kSimplexCapital;
   const TextExtent extent = text_extent(item.text, item.height_mm, TextStyle::stroke);
-  const auto [right, up] = TextBox{.rotation_degrees = item.rotation_degrees}.axes();
+  const std::array<Point2, 2> axes = TextBox{.rotation_degrees = item.rotation_degrees}.axes();
+  const Point2 right = axes[0], up = axes[1];
   const double before = item.across == TextAcross::left ? 0 : item.across == TextAcross::center ? 0.5 : 1;
   Point2 pen = base_point(item) - right * (before * extent.width);
   std::size_t boxes = 0;

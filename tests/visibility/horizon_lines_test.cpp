@@ -72,7 +72,7 @@ bool hidden(const std::vector<Triangle3>& triangles, const Point3& point, const 
 
 class Scenery {
  public:
-  Scenery(const Heights& heights, const CameraRequest& request) : heights_(heights), triangles_(triangles_of(heights)) {
+  Scenery(const Heights& heights, const CameraRequest& request) : triangles_(triangles_of(heights)) {
     const Camera camera = make_camera(request, box_of(heights, survey(heights), 1));
     view_ = make_view(stand_in(heights, 1, camera), camera, {{{10, 10}, {287, 200}}}, {{-500, -500}, {800, 800}});
   }
@@ -110,7 +110,6 @@ class Scenery {
   }
 
  private:
-  const Heights& heights_;
   std::vector<Triangle3> triangles_;
   View view_;
 };
