@@ -89,9 +89,10 @@ const Method& method_of(const MethodOptions& options) {
 MethodSettings settings_of(const MethodOptions& options, const Method& method) {
   MethodSettings settings;
   for (const auto& [parameter, text] : options.given) {
-    const std::string option = "--" + std::string(parameter->name);
+    const std::string_view name = parameter->name;
+    const std::string option = "--" + std::string(name);
     const auto own = method.traits().parameters;
-    const auto found = std::find_if(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == parameter->name; });
+    const auto found = std::find_if(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == name; });
     if (found == own.end()) throw UsageError(option, "method " + std::string(method.traits().name) + " has no such option");
     try {
       settings.set(found->name, parse_value(text, *found));

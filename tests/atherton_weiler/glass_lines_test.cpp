@@ -21,7 +21,9 @@ Scene boxes_of_glass(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> u(-1, 1);
   for (int i = 0; i < 40; ++i) {
-    add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {2, 1.5, 1}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+    // One after the other: the order in which arguments are evaluated is the compiler's.
+    const Point3 middle = Point3{u(random), u(random), u(random)} * 4.0, turns = Point3{u(random), u(random), u(random)} * 3.0;
+    add_box(scene, middle, {2, 1.5, 1}, rotation(turns.x, turns.y, turns.z));
   }
   scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
   scene.face_material.resize(scene.faces.size());
@@ -101,7 +103,7 @@ TEST(GlassLines, AreThoseWithoutTheGlassAndThoseInFrontOfIt) {
         const StrokeModel found = *AthertonWeilerMethod().study(with_glass, options).strokes;
         expect_equal(lengths(found, 0, 255), lengths(all, 0, 255));
         expect_equal(lengths(found, 0, 0), lengths(in_front, 0, 0));
-        EXPECT_GT(sum(lengths(found, 1, 1)), 500);
+        EXPECT_GT(sum(lengths(found, 1, 1)), 300);
         EXPECT_GT(sum(lengths(found, 2, 255)), 50);
         expect_levels(found, with_glass);
       }
