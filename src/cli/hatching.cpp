@@ -12,6 +12,7 @@
 #include "cli/culling.hpp"
 #include "cli/errors.hpp"
 #include "cli/fills.hpp"
+#include "geometry/disjoint_sets.hpp"
 #include "plotting/hatch.hpp"
 #include "view/brightness.hpp"
 #include "view/projected_scene.hpp"
@@ -254,14 +255,10 @@ void cut_to(const Rect& window, const HatchFrame& frame, double line_mm, std::ve
 }  // namespace
 
 HatchPatches hatch_patches(const Scene& scene, const Topology& topology, double crease_degrees) {
-  std::vector<std::uint32_t> parent(scene.faces.size());
-  for (std::uint32_t face = 0; face < parent.size(); ++face) parent[face] = face;
-  const auto root = [&](std::uint32_t face) {
-    while (parent[face] != face) face = parent[face] = parent[parent[face]];
-    return face;
-  };
-  std::vector<Point3> normals(parent.size());
-  for (std::uint32_t face = 0; face < parent.size(); ++face) normals[face] = face_normal(scene, face);
+  const std::size_t face_count = scene.faces.size();
+  DisjointSets smooth(face_count);
+  std::vector<Point3> normals(face_count);
+  for (std::uint32_t face = 0; face < face_count; ++face) normals[face] = face_normal(scene, face);
   const double cosine = std::cos(crease_degrees * std::numbers::pi / 180);
   for (std::size_t i = 0; i < topology.edges.size(); ++i) {
     const Edge& edge = topology.edges[i];
@@ -269,12 +266,12 @@ HatchPatches hatch_patches(const Scene& scene, const Topology& topology, double 
     if (edge.face0 == kNone || edge.face1 == kNone || (flags & kEdgeManyFaces)) continue;
     const double turn = glm::dot(normals[edge.face0], normals[edge.face1]);
     if ((flags & kEdgeUnlikeWound ? -turn : turn) < cosine) continue;
-    const std::uint32_t a = root(edge.face0), b = root(edge.face1);
-    parent[std::max(a, b)] = std::min(a, b);
+    smooth.join(edge.face0, edge.face1);
   }
-  HatchPatches patches{std::vector<std::uint32_t>(parent.size()), 0};
-  for (std::uint32_t face = 0; face < parent.size(); ++face) {
-    patches.of_face[face] = parent[face] == face ? patches.count++ : patches.of_face[root(face)];
+  HatchPatches patches{std::vector<std::uint32_t>(face_count), 0};
+  for (std::uint32_t face = 0; face < face_count; ++face) {
+    const std::uint32_t first = smooth.find(face);
+    patches.of_face[face] = first == face ? patches.count++ : patches.of_face[first];
   }
   return patches;
 }

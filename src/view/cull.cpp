@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numeric>
 
+#include "geometry/disjoint_sets.hpp"
 #include "view/edge_classes.hpp"
 
 namespace ligne {
@@ -30,29 +30,6 @@ struct Volume {
     if (std::abs(six_times) <= rounding + moved) return 0;
     return six_times > 0 ? 1 : -1;
   }
-};
-
-/// Sets of faces that hang together: union-find with path halving (Tarjan and van Leeuwen 1984).
-class Shells {
- public:
-  explicit Shells(std::size_t faces) : parent_(faces) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t find(std::uint32_t face) {
-    while (parent_[face] != face) {
-      parent_[face] = parent_[parent_[face]];
-      face = parent_[face];
-    }
-    return face;
-  }
-  /// The lower face stands for the set.
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
 };
 
 /// Half the diagonal of the near plane's window, and its distance: nothing farther from the eye is cut open in view.
@@ -142,7 +119,7 @@ class Finder {
   const Topology& topology_;
   const View& view_;
   std::vector<std::int8_t> facings_;
-  Shells shells_;
+  DisjointSets shells_;
   std::vector<Volume> volumes_;  ///< of the object at hand, at the place of the shell's lowest face
 };
 

@@ -2,33 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 
 #include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/disjoint_sets.hpp"
 #include "visibility/atherton_weiler/clip_part.hpp"
 
 namespace ligne::atherton_weiler {
 namespace {
-
-/// Sets of things that hang together.
-class Groups {
- public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// The lowest number stands for the set.
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// All that the faces cover, each place once.
 std::vector<ContourFace> united(const std::vector<ContourFace>& faces) {
@@ -92,7 +73,7 @@ struct Body {
 
 std::vector<Body> closed_bodies(const ProjectedScene& scene, const std::vector<Facet>& facets) {
   constexpr std::uint32_t kOpen = 0xffffffffu;
-  Groups groups(scene.vertices.size());
+  DisjointSets groups(scene.vertices.size());
   std::vector<std::array<std::uint32_t, 2>> sides;
   for (const Triangle& t : scene.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {

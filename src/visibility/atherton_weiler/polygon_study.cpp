@@ -8,6 +8,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/disjoint_sets.hpp"
 #include "visibility/atherton_weiler/unit_order.hpp"
 
 // Per zone, with its polygons nearest first: (1) the first polygon is the clip face. Every other one is clipped by it. (2) What is inside and
@@ -37,13 +38,9 @@ struct Piece {
 
 /// Units that hang together by their boxes, by the lowest one; found by a sweep from left to right.
 std::vector<std::vector<std::uint32_t>> zones_of(const std::vector<ClipUnit>& units) {
-  std::vector<std::uint32_t> parent(units.size()), by_left(units.size());
-  std::iota(parent.begin(), parent.end(), 0u);
+  DisjointSets sets(units.size());
+  std::vector<std::uint32_t> by_left(units.size());
   std::iota(by_left.begin(), by_left.end(), 0u);
-  const auto find = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
   std::sort(by_left.begin(), by_left.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(units[a].box.x0, a) < std::pair(units[b].box.x0, b);
   });
@@ -51,16 +48,14 @@ std::vector<std::vector<std::uint32_t>> zones_of(const std::vector<ClipUnit>& un
   for (const std::uint32_t u : by_left) {
     std::erase_if(open, [&](std::uint32_t o) { return units[o].box.x1 <= units[u].box.x0; });
     for (const std::uint32_t o : open) {
-      if (!units[o].box.meets(units[u].box)) continue;
-      const std::uint32_t a = find(o), b = find(u);
-      parent[std::max(a, b)] = std::min(a, b);
+      if (units[o].box.meets(units[u].box)) sets.join(o, u);
     }
     open.push_back(u);
   }
   std::vector<std::vector<std::uint32_t>> zones;
   std::vector<std::uint32_t> number(units.size());
   for (std::uint32_t u = 0; u < units.size(); ++u) {
-    const std::uint32_t root = find(u);
+    const std::uint32_t root = sets.find(u);
     if (root == u) {
       number[u] = static_cast<std::uint32_t>(zones.size());
       zones.emplace_back();

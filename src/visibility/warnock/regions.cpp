@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
+
+#include "geometry/disjoint_sets.hpp"
 
 namespace ligne::warnock {
 namespace {
@@ -16,25 +17,6 @@ struct DirectedEdge {
 
 bool same(FramePoint a, FramePoint b) { return a.u == b.u && a.v == b.v; }
 
-/// Trapezoids that belong together.
-class Groups {
- public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// The root of the two is the lower one's.
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// An interval on a line of constant u (or v), of a trapezoid on its low or its high side.
 struct Interval {
   double line, from, to;
@@ -43,7 +25,7 @@ struct Interval {
 };
 
 /// What is left of intervals when those of one face on both sides of a line have cancelled each other.
-std::vector<Interval> cancel(std::vector<Interval> all, const std::vector<AreaPiece>& pieces, Groups& groups) {
+std::vector<Interval> cancel(std::vector<Interval> all, const std::vector<AreaPiece>& pieces, DisjointSets& groups) {
   std::erase_if(all, [](const Interval& i) { return !(i.from < i.to); });
   const auto face = [&](const Interval& i) { return pieces[i.piece].face; };
   std::sort(all.begin(), all.end(), [&](const Interval& a, const Interval& b) {
@@ -85,7 +67,7 @@ std::vector<Interval> cancel(std::vector<Interval> all, const std::vector<AreaPi
 
 bool level(const Boundary& b) { return b.p.v == b.q.v; }
 
-std::vector<DirectedEdge> contour_edges(const std::vector<AreaPiece>& pieces, Groups& groups) {
+std::vector<DirectedEdge> contour_edges(const std::vector<AreaPiece>& pieces, DisjointSets& groups) {
   std::vector<DirectedEdge> edges;
   std::vector<Interval> upright, flat;
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
@@ -202,9 +184,9 @@ std::vector<Contour> trace(const std::vector<DirectedEdge>& edges, std::size_t b
 }  // namespace
 
 std::vector<Region> make_regions(const std::vector<AreaPiece>& pieces, const WindowFrame& frame, const Lattice& lattice, double least_steps) {
-  Groups groups(pieces.size());
+  DisjointSets groups(pieces.size());
   std::vector<DirectedEdge> edges = contour_edges(pieces, groups);
-  for (DirectedEdge& e : edges) e.piece = groups.root(e.piece);
+  for (DirectedEdge& e : edges) e.piece = groups.find(e.piece);
   std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
     return std::tie(a.piece, a.from.u, a.from.v, a.to.u, a.to.v) < std::tie(b.piece, b.from.u, b.from.v, b.to.u, b.to.v);
   });
