@@ -53,8 +53,9 @@ void write_chart(const std::filesystem::path& file, const Chart& chart) {
   const double x_end = std::ceil(x_max / x_tick) * x_tick, y_end = std::ceil(y_max / y_tick) * y_tick;
   const auto px = [&](double x) { return kLeft + (kWidth - kLeft - kRight) * x / x_end; };
   const auto py = [&](double y) { return kHeight - kBottom - (kHeight - kTop - kBottom) * y / y_end; };
-  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"400\" viewBox=\"0 0 640 400\" font-family=\"sans-serif\" "
-                    "font-size=\"12\">\n<rect width=\"640\" height=\"400\" fill=\"white\"/>\n";
+  std::string out =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"400\" viewBox=\"0 0 640 400\" font-family=\"sans-serif\" "
+      "font-size=\"12\">\n<rect width=\"640\" height=\"400\" fill=\"white\"/>\n";
   constexpr const char* kGrid = "stroke=\"#ccc\" fill=\"none\"";
   constexpr const char* kAxis = "stroke=\"black\" fill=\"none\"";
   for (double x = 0; x <= x_end * 1.0001; x += x_tick) {
@@ -64,7 +65,8 @@ void write_chart(const std::filesystem::path& file, const Chart& chart) {
     out += line(px(0), py(y), px(x_end), py(y), kGrid) + text(px(0) - 6, py(y) + 4, "end", number(y));
   }
   out += line(px(0), py(0), px(x_end), py(0), kAxis) + line(px(0), py(0), px(0), py(y_end), kAxis);
-  out += text(kWidth / 2 - 40, 22, "middle", chart.title) + text((px(0) + px(x_end)) / 2, kHeight - 12, "middle", chart.x_label);
+  out += text(kWidth / 2 - 40, 22, "middle", chart.title) +
+         text((px(0) + px(x_end)) / 2, kHeight - 12, "middle", chart.x_label);
   out += text(6, kTop - 14, "start", chart.y_label);
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const Curve& c = chart.curves[i];
@@ -77,7 +79,8 @@ void write_chart(const std::filesystem::path& file, const Chart& chart) {
     }
     out += std::string("\" stroke=\"black\" stroke-width=\"1.5\" fill=\"none\" stroke-dasharray=\"") + dash + "\"/>\n";
     const double y = kTop + 20 * static_cast<double>(i);
-    out += line(kWidth - kRight + 15, y, kWidth - kRight + 45, y, (std::string("stroke=\"black\" stroke-width=\"1.5\" stroke-dasharray=\"") + dash + "\"").c_str());
+    out += line(kWidth - kRight + 15, y, kWidth - kRight + 45, y,
+                (std::string("stroke=\"black\" stroke-width=\"1.5\" stroke-dasharray=\"") + dash + "\"").c_str());
     out += text(kWidth - kRight + 50, y + 4, "start", c.name);
   }
   out += "</svg>\n";

@@ -1,6 +1,8 @@
-/// Cost of two methods against the number of faces, as an SVG plot: ligne_cost_plot OUT.svg [METHOD METHOD]. Default: warnock appel.
+/// Cost of two methods against the number of faces, as an SVG plot: ligne_cost_plot OUT.svg [METHOD METHOD]. Default:
+/// warnock appel.
 ///
-/// Torus knots of 1 k to 262 k triangles in the isometric view on A4. Processor time of one study in one thread, the least of a few.
+/// Torus knots of 1 k to 262 k triangles in the isometric view on A4. Processor time of one study in one thread, the least
+/// of a few.
 
 #include <array>
 #include <cmath>
@@ -61,8 +63,9 @@ double seconds_of_study(const Method& method, const ProjectedScene& scene) {
 class Plot {
  public:
   std::string svg(const std::vector<Curve>& curves) {
-    text_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"520\" viewBox=\"0 0 640 520\" font-family=\"sans-serif\" font-size=\"13\">\n"
-            "<rect width=\"640\" height=\"520\" fill=\"#fff\"/>\n";
+    text_ =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"520\" viewBox=\"0 0 640 520\" font-family=\"sans-serif\" font-size=\"13\">\n"
+        "<rect width=\"640\" height=\"520\" fill=\"#fff\"/>\n";
     for (int decade = 3; decade <= 5; ++decade) {
       const double v = std::pow(10.0, decade);
       line(v, kLowS, v, kHighS, "stroke=\"#ccc\"");
@@ -83,7 +86,8 @@ class Plot {
     text_ += "\"/>\n";
     double row = kTop + 8;
     const auto legend = [&](const std::string& style, const std::string& name) {
-      text_ += "<path fill=\"none\" " + style + " d=\"M" + std::to_string(kLeft + 16) + " " + std::to_string(row) + "h36\"/>\n";
+      text_ +=
+          "<path fill=\"none\" " + style + " d=\"M" + std::to_string(kLeft + 16) + " " + std::to_string(row) + "h36\"/>\n";
       label(kLeft + 60, row + 4, "start", name);
       row += 20;
     };
@@ -132,7 +136,8 @@ int run(const std::string& file, const std::array<const Method*, 2>& methods) {
   std::vector<Curve> curves;
   const char* const colours[] = {"#c22", "#228"};
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    const std::string name(methods[m]->traits().name), stroke = std::string("stroke-width=\"2\" stroke=\"") + colours[m] + "\"";
+    const std::string name(methods[m]->traits().name),
+        stroke = std::string("stroke-width=\"2\" stroke=\"") + colours[m] + "\"";
     curves.push_back({name + ", all edges", stroke, {}, {}});
     curves.push_back({name + ", feature edges", stroke + " stroke-dasharray=\"7 3\"", {}, {}});
   }
@@ -160,7 +165,8 @@ int run(const std::string& file, const std::array<const Method*, 2>& methods) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::array<const Method*, 2> methods{find_method(argc > 3 ? argv[2] : "warnock"), find_method(argc > 3 ? argv[3] : "appel")};
+  const std::array<const Method*, 2> methods{find_method(argc > 3 ? argv[2] : "warnock"),
+                                             find_method(argc > 3 ? argv[3] : "appel")};
   if (argc < 2 || !methods[0] || !methods[1]) {
     std::fputs("ligne_cost_plot OUT.svg [METHOD METHOD]\n", stderr);
     return 2;

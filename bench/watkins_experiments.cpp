@@ -1,4 +1,5 @@
-// The experiments of the thesis on scan lines (2.3.3 to 2.3.5), made again: tables as Markdown on standard output, charts into a folder.
+// The experiments of the thesis on scan lines (2.3.3 to 2.3.5), made again: tables as Markdown on standard output, charts
+// into a folder.
 //
 //   ligne_watkins_experiments FOLDER [MODEL...]
 
@@ -22,7 +23,8 @@ namespace {
 
 using namespace watkins;
 
-constexpr SpanMethodKind kKinds[] = {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box, SpanMethodKind::point};
+constexpr SpanMethodKind kKinds[] = {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box,
+                                     SpanMethodKind::point};
 constexpr double kPi = 3.14159265358979323846;
 
 const char* name_of(SpanMethodKind kind) { return kSpanMethodNames[static_cast<std::size_t>(kind)].data(); }
@@ -33,13 +35,15 @@ std::vector<ScanSegment<X>> squares(int n, double degrees, double steps_per_unit
   const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
   std::vector<ScanSegment<X>> segments;
   for (int i = 0; i < n; ++i) {
-    const double corner[4][2] = {{3.0 * i, 3.0 * i}, {3.0 * i + 2, 3.0 * i}, {3.0 * i + 2, 3.0 * i + 2}, {3.0 * i, 3.0 * i + 2}};
+    const double corner[4][2] = {
+        {3.0 * i, 3.0 * i}, {3.0 * i + 2, 3.0 * i}, {3.0 * i + 2, 3.0 * i + 2}, {3.0 * i, 3.0 * i + 2}};
     for (int k = 0; k < 4; ++k) {
       const auto x = [&](int v) { return std::round((corner[v % 4][0] * c - corner[v % 4][1] * s) * steps_per_unit); };
       const auto z = [&](int v) { return (corner[v % 4][0] * s + corner[v % 4][1] * c) * steps_per_unit; };
       if (x(k) == x(k + 1)) continue;
       const int l = x(k) < x(k + 1) ? k : k + 1, r = l == k ? k + 1 : k;
-      segments.push_back({static_cast<X>(x(l)), static_cast<X>(x(r)), z(l), z(r), static_cast<std::uint32_t>(segments.size())});
+      segments.push_back(
+          {static_cast<X>(x(l)), static_cast<X>(x(r)), z(l), z(r), static_cast<std::uint32_t>(segments.size())});
     }
   }
   return segments;
@@ -67,7 +71,8 @@ double seconds(int times, const std::function<void()>& work) {
 
 void square_tables(const std::filesystem::path& folder) {
   constexpr double kScreen = 512.0 / 400;  // the steps of a side: 100 squares at 512 columns
-  std::printf("### n squares, operations by study\n\n| angle | n | merge | stack | box | point | box / stack |\n|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "### n squares, operations by study\n\n| angle | n | merge | stack | box | point | box / stack |\n|---|---|---|---|---|---|---|\n");
   for (const double angle : {0.0, 15.0, 30.0, 45.0, 60.0}) {
     Chart chart{"n squares, turned by " + std::to_string(static_cast<int>(angle)) + " degrees", "squares", "operations", {}};
     for (const SpanMethodKind kind : kKinds) {
@@ -81,13 +86,15 @@ void square_tables(const std::filesystem::path& folder) {
         if (k < 3) chart.curves[k].points.emplace_back(n, static_cast<double>(total[k]));
       }
       if (n <= 5 || n % 50 == 0) {
-        std::printf("| %g | %d | %llu | %llu | %llu | %llu | %.2f |\n", angle, n, static_cast<unsigned long long>(total[0]), static_cast<unsigned long long>(total[1]),
-                    static_cast<unsigned long long>(total[2]), static_cast<unsigned long long>(total[3]), double(total[2]) / double(total[1]));
+        std::printf("| %g | %d | %llu | %llu | %llu | %llu | %.2f |\n", angle, n, static_cast<unsigned long long>(total[0]),
+                    static_cast<unsigned long long>(total[1]), static_cast<unsigned long long>(total[2]),
+                    static_cast<unsigned long long>(total[3]), double(total[2]) / double(total[1]));
       }
     }
     write_chart(folder / ("watkins-squares-" + std::to_string(static_cast<int>(angle)) + ".svg"), chart);
   }
-  std::printf("\n### The sort, on the squares: operations without it over operations with it\n\n| angle | n | merge | stack | box |\n|---|---|---|---|---|\n");
+  std::printf(
+      "\n### The sort, on the squares: operations without it over operations with it\n\n| angle | n | merge | stack | box |\n|---|---|---|---|---|\n");
   for (const double angle : {0.0, 30.0, 45.0, 60.0}) {
     for (const int n : {5, 100}) {
       const auto segments = squares<double>(n, angle, kScreen * 1024);
@@ -95,7 +102,8 @@ void square_tables(const std::filesystem::path& folder) {
       for (std::size_t k = 0; k < 3; ++k) {
         auto backwards = segments;
         std::reverse(backwards.begin(), backwards.end());
-        std::printf(" %.2f |", double(operations(kKinds[k], backwards, false).total()) / double(operations(kKinds[k], segments, true).total()));
+        std::printf(" %.2f |", double(operations(kKinds[k], backwards, false).total()) /
+                                   double(operations(kKinds[k], segments, true).total()));
       }
       std::printf("\n");
     }
@@ -121,11 +129,13 @@ Model load(const std::filesystem::path& file) {
   for (const LineClass c : {LineClass::outline, LineClass::border, LineClass::crease}) selection.classes.add(c);
   Model model{file.stem().string(), project(scene, topology, view, selection), {}, {}};
   model.facets = make_facets(model.scene, coincidence_mm(model.scene) / model.scene.lattice.step_mm).facets;
-  for (const ProjectedEdge& e : model.scene.edges) model.lines.push_back({model.scene.vertices[e.v0], model.scene.vertices[e.v1], e.face0, e.face1});
+  for (const ProjectedEdge& e : model.scene.edges)
+    model.lines.push_back({model.scene.vertices[e.v0], model.scene.vertices[e.v1], e.face0, e.face1});
   ExactOptions exact;
   exact.penetrations = true;
   ExactResult found = study_exactly(model.scene.vertices, model.facets, {}, exact);
-  for (const Intersection& i : take_intersections(found, model.scene.vertices, model.facets, kLeastPartMm / model.scene.lattice.step_mm)) {
+  for (const Intersection& i :
+       take_intersections(found, model.scene.vertices, model.facets, kLeastPartMm / model.scene.lattice.step_mm)) {
     model.lines.push_back({i.from, i.to, i.face0, i.face1});
   }
   return model;
@@ -162,7 +172,9 @@ Cost study(const Model& model, std::uint32_t lines, bool whole, const ScanOption
 
 void model_tables(const std::vector<Model>& models) {
   constexpr std::uint32_t kLines = 512;
-  std::printf("\n### Methods on models, %u lines, every line studied: ms, and operations in thousands\n\n| model | segments by line | merge | stack | box | point |\n|---|---|---|---|---|---|\n", kLines);
+  std::printf(
+      "\n### Methods on models, %u lines, every line studied: ms, and operations in thousands\n\n| model | segments by line | merge | stack | box | point |\n|---|---|---|---|---|---|\n",
+      kLines);
   for (const Model& model : models) {
     std::printf("| %s |", model.name.c_str());
     for (std::size_t k = 0; k < 4; ++k) {
@@ -173,22 +185,27 @@ void model_tables(const std::vector<Model>& models) {
     }
     std::printf("\n");
   }
-  std::printf("\n### The sort by the full key on models: without it over with it, time (operations)\n\n| model | merge | stack | box |\n|---|---|---|---|\n");
+  std::printf(
+      "\n### The sort by the full key on models: without it over with it, time (operations)\n\n| model | merge | stack | box |\n|---|---|---|---|\n");
   for (const Model& model : models) {
     std::printf("| %s |", model.name.c_str());
     for (std::size_t k = 0; k < 3; ++k) {
       const Cost with = study(model, kLines, false, {kKinds[k], false, false, true});
       const Cost without = study(model, kLines, false, {kKinds[k], false, false, false});
-      std::printf(" %.2f (%.2f) |", without.seconds / with.seconds, double(without.spans.total()) / double(with.spans.total()));
+      std::printf(" %.2f (%.2f) |", without.seconds / with.seconds,
+                  double(without.spans.total()) / double(with.spans.total()));
     }
     std::printf("\n");
   }
-  std::printf("\n### Whole numbers against reals, %u lines: reals over whole, time (operations)\n\n| model | merge | stack | box | boxes, real | boxes, whole |\n|---|---|---|---|---|---|\n", kLines);
+  std::printf(
+      "\n### Whole numbers against reals, %u lines: reals over whole, time (operations)\n\n| model | merge | stack | box | boxes, real | boxes, whole |\n|---|---|---|---|---|---|\n",
+      kLines);
   for (const Model& model : models) {
     std::printf("| %s |", model.name.c_str());
     std::uint64_t boxes[2] = {0, 0};
     for (std::size_t k = 0; k < 3; ++k) {
-      const Cost real = study(model, kLines, false, {kKinds[k], false, false, true}), whole = study(model, kLines, true, {kKinds[k], false, false, true});
+      const Cost real = study(model, kLines, false, {kKinds[k], false, false, true}),
+                 whole = study(model, kLines, true, {kKinds[k], false, false, true});
       std::printf(" %.2f (%.2f) |", real.seconds / whole.seconds, double(real.spans.total()) / double(whole.spans.total()));
       boxes[0] = real.spans.boxes;
       boxes[1] = whole.spans.boxes;
@@ -198,13 +215,16 @@ void model_tables(const std::vector<Model>& models) {
 }
 
 void coherence_tables(const std::vector<Model>& models) {
-  std::printf("\n### Coherence, stack: lines studied, time in ms\n\n| model | lines | every line | where edges enter, end, cross | and it can be seen | gain |\n|---|---|---|---|---|---|\n");
+  std::printf(
+      "\n### Coherence, stack: lines studied, time in ms\n\n| model | lines | every line | where edges enter, end, cross | and it can be seen | gain |\n|---|---|---|---|---|---|\n");
   for (const Model& model : models) {
     for (const std::uint32_t lines : {512u, 2048u, 8192u, 32768u}) {
       Cost r[3];
       for (int k = 0; k < 3; ++k) r[k] = study(model, lines, false, {SpanMethodKind::stack, k > 0, k > 1, true});
-      std::printf("| %s | %u | %llu; %.1f | %llu; %.1f | %llu; %.1f | %.2f |\n", model.name.c_str(), lines, static_cast<unsigned long long>(r[0].scan.studied), 1e3 * r[0].seconds,
-                  static_cast<unsigned long long>(r[1].scan.studied), 1e3 * r[1].seconds, static_cast<unsigned long long>(r[2].scan.studied), 1e3 * r[2].seconds, r[0].seconds / r[2].seconds);
+      std::printf("| %s | %u | %llu; %.1f | %llu; %.1f | %llu; %.1f | %.2f |\n", model.name.c_str(), lines,
+                  static_cast<unsigned long long>(r[0].scan.studied), 1e3 * r[0].seconds,
+                  static_cast<unsigned long long>(r[1].scan.studied), 1e3 * r[1].seconds,
+                  static_cast<unsigned long long>(r[2].scan.studied), 1e3 * r[2].seconds, r[0].seconds / r[2].seconds);
     }
   }
 }
@@ -219,7 +239,8 @@ void studies_table(const std::filesystem::path& folder, const std::vector<Model>
   for (std::uint32_t k = 0; k <= kDoublings + 4; ++k) std::printf("---|");
   std::printf("\n");
   for (const Model& model : models) {
-    std::printf("| %s | %zu | %zu |", model.name.c_str(), model.facets.size(), model.lines.size() - model.scene.edges.size());
+    std::printf("| %s | %zu | %zu |", model.name.c_str(), model.facets.size(),
+                model.lines.size() - model.scene.edges.size());
     Curve curve{model.name, {}};
     ScanCounts scan;
     std::uint64_t met = 0;
@@ -232,8 +253,9 @@ void studies_table(const std::filesystem::path& folder, const std::vector<Model>
         met = scan.entered;
       }
     }
-    std::printf(" %llu | %llu | %llu | %llu |\n", static_cast<unsigned long long>(scan.studied_exchanges), static_cast<unsigned long long>(scan.studied_ends),
-                static_cast<unsigned long long>(met), static_cast<unsigned long long>(scan.entered));
+    std::printf(" %llu | %llu | %llu | %llu |\n", static_cast<unsigned long long>(scan.studied_exchanges),
+                static_cast<unsigned long long>(scan.studied_ends), static_cast<unsigned long long>(met),
+                static_cast<unsigned long long>(scan.entered));
     std::fflush(stdout);
     if (model.facets.size() < 10'000) chart.curves.push_back(std::move(curve));
   }

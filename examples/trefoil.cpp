@@ -17,7 +17,8 @@ void add_section(Solid& solid, double u) {
   const Point3 out(std::cos(around_axis), std::sin(around_axis), 0), along(-out.y, out.x, 0), up(0, 0, 1);
   const double radius = kRing + kPipe * std::cos(around_pipe);
   const Point3 normal = std::cos(around_pipe) * out + std::sin(around_pipe) * up;  // of the torus
-  const Point3 tangent = kTurns * radius * along + kWindings * kPipe * (std::cos(around_pipe) * up - std::sin(around_pipe) * out);
+  const Point3 tangent =
+      kTurns * radius * along + kWindings * kPipe * (std::cos(around_pipe) * up - std::sin(around_pipe) * out);
   const Frame frame{radius * out + kPipe * std::sin(around_pipe) * up, normal, glm::normalize(glm::cross(tangent, normal)),
                     glm::normalize(tangent)};
   solid.add_ring(frame, circle({0, 0}, kTube, kAround), 0);

@@ -29,7 +29,8 @@ inline constexpr double kCairoLimit = 1 << 23;
 /// Largest distance from zero of any coordinate of the drawing or of the page, in mm.
 double largest_coordinate(const Drawing& drawing, const Page& page);
 
-/// Adds polylines [first, last) to the current path of the context, in its user space. A closed polyline becomes a closed path.
+/// Adds polylines [first, last) to the current path of the context, in its user space. A closed polyline becomes a closed
+/// path.
 void add_polylines(cairo_t* cairo, const Polylines& lines, std::size_t first, std::size_t last);
 
 /// Pen of a layer: width, colour, dashes, caps and joins, `units_per_mm` to a millimetre in the context's user space.
@@ -40,9 +41,10 @@ void set_line_style(cairo_t* cairo, const LineStyle& style, double units_per_mm)
 /// strokes. `lines` in mm, `units_per_mm` device units to a millimetre.
 void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& style, double units_per_mm);
 
-/// Fills the areas in their order; those of one colour that follow each other as one path, since Cairo's vector surfaces take time with the
-/// square of the number of calls. Neighbours of different colours would let the page shine through between them, so opaque ones get a rim of
-/// kFillRimMm of their own colour: wide enough to close the seams at 150 dpi, narrower than the lines above.
+/// Fills the areas in their order; those of one colour that follow each other as one path, since Cairo's vector surfaces
+/// take time with the square of the number of calls. Neighbours of different colours would let the page shine through
+/// between them, so opaque ones get a rim of kFillRimMm of their own colour: wide enough to close the seams at 150 dpi,
+/// narrower than the lines above.
 void paint_fills(cairo_t* cairo, const std::vector<Fill>& fills, double units_per_mm);
 inline constexpr double kFillRimMm = 0.15;
 

@@ -11,7 +11,8 @@ namespace ligne {
 void write_texts(cairo_t* cairo, std::span<const TextItem> texts) {
   if (texts.empty()) return;
   // Letters stand where they belong, not on whole pixels.
-  const std::unique_ptr<cairo_font_options_t, void (*)(cairo_font_options_t*)> exact(cairo_font_options_create(), cairo_font_options_destroy);
+  const std::unique_ptr<cairo_font_options_t, void (*)(cairo_font_options_t*)> exact(cairo_font_options_create(),
+                                                                                     cairo_font_options_destroy);
   cairo_font_options_set_hint_style(exact.get(), CAIRO_HINT_STYLE_NONE);
   cairo_font_options_set_hint_metrics(exact.get(), CAIRO_HINT_METRICS_OFF);
   cairo_font_options_set_antialias(exact.get(), CAIRO_ANTIALIAS_GRAY);

@@ -7,9 +7,10 @@
 
 namespace ligne {
 
-/// Cuts lines into dashes of the ISO 128-2 kind: each line begins and ends with a dash, for which the pattern is stretched or pressed a little as a whole; a line
-/// shorter than a dash, a gap and a dash stays one dash. `dashes_mm` are the lengths of dash, gap, dash, gap ... as they are to be seen on paper; the round tip of a
-/// pen of `pen_width_mm` lengthens what it draws by its width, so the strokes are shorter by that, and never shorter than a dot. Without dashes the lines stay.
+/// Cuts lines into dashes of the ISO 128-2 kind: each line begins and ends with a dash, for which the pattern is stretched
+/// or pressed a little as a whole; a line shorter than a dash, a gap and a dash stays one dash. `dashes_mm` are the lengths
+/// of dash, gap, dash, gap ... as they are to be seen on paper; the round tip of a pen of `pen_width_mm` lengthens what it
+/// draws by its width, so the strokes are shorter by that, and never shorter than a dot. Without dashes the lines stay.
 Polylines cut_dashes(const Polylines& lines, std::span<const double> dashes_mm, double pen_width_mm);
 
 /// Cuts lines by exactly this pattern, which begins `offset_mm` into it; an odd number of lengths is repeated, as SVG does.

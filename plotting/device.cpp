@@ -30,7 +30,8 @@ const DevicePaper* paper_for(const Device& device, const Page& page, bool fit) {
   const DevicePaper *exact = nullptr, *holds = nullptr, *largest = nullptr;
   const auto area = [](const DevicePaper* p) { return p->width_mm * p->height_mm; };
   for (const DevicePaper& paper : device.papers) {
-    const double paper_low = std::min(paper.width_mm, paper.height_mm), paper_high = std::max(paper.width_mm, paper.height_mm);
+    const double paper_low = std::min(paper.width_mm, paper.height_mm),
+                 paper_high = std::max(paper.width_mm, paper.height_mm);
     if (!exact && same(paper_low, low) && same(paper_high, high)) exact = &paper;
     if (paper_low >= low && paper_high >= high && (!holds || area(&paper) < area(holds))) holds = &paper;
     if (!largest || area(&paper) > area(largest)) largest = &paper;
@@ -40,8 +41,8 @@ const DevicePaper* paper_for(const Device& device, const Page& page, bool fit) {
   if (fit) return largest;
   std::string names;
   for (const DevicePaper& paper : device.papers) names += (names.empty() ? "" : ", ") + paper.name;
-  throw std::runtime_error("device " + device.name + ": no paper holds a page of " + mm(page.width_mm) + " x " + mm(page.height_mm) + "; there are " + names +
-                           "; --fit-device makes the drawing smaller");
+  throw std::runtime_error("device " + device.name + ": no paper holds a page of " + mm(page.width_mm) + " x " +
+                           mm(page.height_mm) + "; there are " + names + "; --fit-device makes the drawing smaller");
 }
 
 /// The frame turned by so many right angles counter-clockwise, about the device's origin.
@@ -64,21 +65,22 @@ Rect bounds_on_device(const DeviceFrame& frame, const Rect& ink) {
 
 /// In whole units, as a writer rounds.
 Rect in_units(const Rect& mm, double step) {
-  return {{std::round(mm.min.x / step), std::round(mm.min.y / step)}, {std::round(mm.max.x / step), std::round(mm.max.y / step)}};
+  return {{std::round(mm.min.x / step), std::round(mm.min.y / step)},
+          {std::round(mm.max.x / step), std::round(mm.max.y / step)}};
 }
 
 void refuse_excess(const Device& device, const Rect& units, const DeviceFrame& frame) {
   const std::array<std::pair<double, const char*>, 4> sides{{{frame.limits.min.x - units.min.x, "x below its least"},
-                                                              {units.max.x - frame.limits.max.x, "x above its largest"},
-                                                              {frame.limits.min.y - units.min.y, "y below its least"},
-                                                              {units.max.y - frame.limits.max.y, "y above its largest"}}};
+                                                             {units.max.x - frame.limits.max.x, "x above its largest"},
+                                                             {frame.limits.min.y - units.min.y, "y below its least"},
+                                                             {units.max.y - frame.limits.max.y, "y above its largest"}}};
   std::string text;
   for (const auto& [excess, side] : sides) {
     if (excess > 0) text += (text.empty() ? "" : ", ") + mm(excess * device.step_mm) + " " + side;
   }
   if (text.empty()) return;
-  throw std::runtime_error("device " + device.name + (frame.paper ? ", paper " + frame.paper->name : "") + ": the drawing leaves the limits: " + text +
-                           "; a wider --margin or --fit-device helps");
+  throw std::runtime_error("device " + device.name + (frame.paper ? ", paper " + frame.paper->name : "") +
+                           ": the drawing leaves the limits: " + text + "; a wider --margin or --fit-device helps");
 }
 
 /// Smaller if need be, then shifted as little as possible.

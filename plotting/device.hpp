@@ -20,7 +20,8 @@ struct DevicePaper {
   std::string name;
   double width_mm = 0, height_mm = 0;
   Rect limits;                      ///< what the pen can reach, in units of the device
-  std::optional<Point2> origin_mm;  ///< where (0, 0) lies, from the corner of the sheet with the least coordinates; nothing: the limits lie in the middle
+  std::optional<Point2> origin_mm;  ///< where (0, 0) lies, from the corner of the sheet with the least coordinates; nothing:
+                                    ///< the limits lie in the middle
   std::string select;               ///< command, or empty
   std::string note;
 };
@@ -39,7 +40,7 @@ struct Device {
   std::vector<std::string> begin, end, up, down, pen_change;
   std::string pen_select, travel, draw, dot, velocity;
   std::size_t points_per_command = 0;  ///< 0: any number
-  bool returns = false;             ///< the pen goes back to (0, 0) at the end
+  bool returns = false;                ///< the pen goes back to (0, 0) at the end
   double down_mm_s = 0, up_mm_s = 0, lift_s = 0, pen_change_s = 0;
 };
 
@@ -58,7 +59,7 @@ struct DeviceFrame {
   const DevicePaper* paper = nullptr;
   double scale = 1;       ///< of a drawing that was made to fit
   Point2 shift_mm{0, 0};  ///< of the same, on the page: p becomes scale * p + shift
-  Rect limits;  ///< whole units
+  Rect limits;            ///< whole units
   Point2 sheet_mm{0, 0};  ///< along the device's axes
 
   Point2 to_device(Point2 page) const { return origin + x_axis * page.x + y_axis * page.y; }
@@ -67,9 +68,10 @@ struct DeviceFrame {
   Point2 fitted(Point2 page) const { return page * scale + shift_mm; }
 };
 
-/// Lays the page on the device: on the paper of its size, else in the middle of the smallest paper that holds it; turned where page and paper do not lie alike.
-/// `ink` is what is drawn, page mm. Throws std::runtime_error when there is no such paper, or, with the excess, when the ink would leave the limits. With `fit`
-/// the drawing is shifted, and made smaller if need be, until it lies within the limits.
+/// Lays the page on the device: on the paper of its size, else in the middle of the smallest paper that holds it; turned
+/// where page and paper do not lie alike. `ink` is what is drawn, page mm. Throws std::runtime_error when there is no such
+/// paper, or, with the excess, when the ink would leave the limits. With `fit` the drawing is shifted, and made smaller if
+/// need be, until it lies within the limits.
 DeviceFrame place_on_device(const Device& device, const Page& page, const Rect& ink, bool fit);
 
 }  // namespace ligne

@@ -38,7 +38,8 @@ DevicePaper read_paper(const TomlTable& table) {
   paper.height_mm = table.number("height").value_or(0);
   if (!positive(paper.width_mm) || !positive(paper.height_mm)) table.fail("width and height of a paper are above 0");
   paper.limits = read_limits(table);
-  if (!std::isfinite(paper.limits.width()) || !std::isfinite(paper.limits.height())) table.fail("the limits of a paper are finite", table.find("limits"));
+  if (!std::isfinite(paper.limits.width()) || !std::isfinite(paper.limits.height()))
+    table.fail("the limits of a paper are finite", table.find("limits"));
   if (const auto origin = table.numbers("origin", 2)) paper.origin_mm = Point2{(*origin)[0], (*origin)[1]};
   paper.select = table.text("select").value_or("");
   paper.note = table.text("note").value_or("");
@@ -57,7 +58,8 @@ void read_speeds(const TomlTable& table, Device& device) {
   const auto read = [&](std::string_view key, double& target, bool may_be_zero) {
     const auto value = table.number(key);
     if (!value) table.fail("there is no " + std::string(key));
-    if (!std::isfinite(*value) || *value < 0 || (*value == 0 && !may_be_zero)) table.fail(std::string(key) + " is not above 0", table.find(key));
+    if (!std::isfinite(*value) || *value < 0 || (*value == 0 && !may_be_zero))
+      table.fail(std::string(key) + " is not above 0", table.find(key));
     target = *value;
   };
   read("speed_down", device.down_mm_s, false);
@@ -96,8 +98,32 @@ void read_commands(const TomlTable& table, Device& device) {
 Device read_device(std::string_view toml, const std::string& file) {
   const toml::table parsed = parse_toml(toml, file);
   const TomlTable table(parsed, file);
-  table.only({"name", "title", "note", "language", "step", "pens", "rotation", "turn", "y_down", "limits", "paper", "begin", "end", "up", "down",
-              "pen_change", "pen_select", "travel", "draw", "dot", "velocity", "points_per_command", "returns", "speed_down", "speed_up", "lift_seconds",
+  table.only({"name",
+              "title",
+              "note",
+              "language",
+              "step",
+              "pens",
+              "rotation",
+              "turn",
+              "y_down",
+              "limits",
+              "paper",
+              "begin",
+              "end",
+              "up",
+              "down",
+              "pen_change",
+              "pen_select",
+              "travel",
+              "draw",
+              "dot",
+              "velocity",
+              "points_per_command",
+              "returns",
+              "speed_down",
+              "speed_up",
+              "lift_seconds",
               "pen_change_seconds"});
   Device device;
   device.name = required_text(table, "name");
@@ -105,7 +131,8 @@ Device read_device(std::string_view toml, const std::string& file) {
   device.note = table.text("note").value_or("");
   device.language = read_language(table);
   device.step_mm = table.number("step").value_or(0);
-  if (!(device.step_mm >= kFinestStepMm && device.step_mm <= kCoarsestStepMm)) table.fail("step is not from 0.0001 to 10 mm", table.find("step"));
+  if (!(device.step_mm >= kFinestStepMm && device.step_mm <= kCoarsestStepMm))
+    table.fail("step is not from 0.0001 to 10 mm", table.find("step"));
   device.pens = table.count("pens", 0, kMostPens).value_or(1);
   device.rotation = static_cast<int>(table.count("rotation", 0, 270).value_or(0));
   if (device.rotation % 90 != 0) table.fail("rotation is not 0, 90, 180 or 270", table.find("rotation"));

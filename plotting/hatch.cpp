@@ -1,12 +1,15 @@
 /// Hatching, in the frame of the strokes:
 ///
-/// 1. Runs of the cover that touch are joined, line by line. What is left is the area, seen on lines that are at most a sixth of the pen apart.
-/// 2. The area is made narrower by half a pen: a point stays when a shape about it that surrounds the pen's tip stays inside on all lines that it meets. A corner that points along the
+/// 1. Runs of the cover that touch are joined, line by line. What is left is the area, seen on lines that are at most a
+/// sixth of the pen apart.
+/// 2. The area is made narrower by half a pen: a point stays when a shape about it that surrounds the pen's tip stays inside
+/// on all lines that it meets. A corner that points along the
 ///    lines, between two of them, can come nearer by half their distance; a slit that is narrower than that is not seen.
 /// 3. Every so many lines the line is a row, and what stayed of it are strokes.
 /// 4. Strokes of neighbouring rows are tied, where both end at the rim, along the ends of what stayed of the lines between.
 ///
-/// A surface of n rows has the row k when the bits of k mod 16, read backwards, are less than n: every number of rows is spread, and contains the smaller ones.
+/// A surface of n rows has the row k when the bits of k mod 16, read backwards, are less than n: every number of rows is
+/// spread, and contains the smaller ones.
 
 #include "plotting/hatch.hpp"
 
@@ -19,8 +22,8 @@
 #include <tuple>
 #include <utility>
 
-#include <glm/geometric.hpp>
 #include <oneapi/tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
 #include "plotting/paths/simplify.hpp"
 
@@ -32,15 +35,16 @@ constexpr double kTouchMm = 1e-3;
 
 // Adjustable: how fine the lines lie, how long a tie may be.
 constexpr double kLinesPerPen = 6, kFinestPenMm = 0.1;
-constexpr double kShortestPens = 1; ///< shorter strokes are blots
-constexpr double kLongestTie = 4;   ///< how much longer than the distance of its rows
+constexpr double kShortestPens = 1;  ///< shorter strokes are blots
+constexpr double kLongestTie = 4;    ///< how much longer than the distance of its rows
 
 struct Interval {
   double from, to;
 };
 using Line = std::vector<Interval>;
 
-/// Half the width that must be free on the lines about the middle of the pen: that of its tip on the line before, so that a corner which ends between two lines is not missed.
+/// Half the width that must be free on the lines about the middle of the pen: that of its tip on the line before, so that a
+/// corner which ends between two lines is not missed.
 std::vector<double> pen_profile(double radius, double line_mm) {
   std::vector<double> half{radius};
   for (double y = 0; y < radius; y += line_mm) half.push_back(std::sqrt(radius * radius - y * y));
@@ -85,7 +89,7 @@ class Hatcher {
   struct Open {
     std::vector<Point2> points;  ///< frame
     std::int32_t line;
-    bool at_left = false;        ///< it ended at the left end of its row
+    bool at_left = false;  ///< it ended at the left end of its row
     bool used = false;
     double u() const { return points.back().x; }
   };
@@ -97,7 +101,8 @@ class Hatcher {
   Line inside(std::int64_t rank, std::int32_t line) const;
   /// Whether a stroke that ends there ends at the rim.
   bool at_rim(std::int32_t line, double u) const;
-  bool route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, bool at_left, std::vector<Point2>& way) const;
+  bool route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, bool at_left,
+             std::vector<Point2>& way) const;
   bool tie(Open& stroke, const Interval& span, std::int32_t line, std::vector<Open>& open) const;
   void finish(const Open& stroke, Polylines& out) const;
 
@@ -109,12 +114,17 @@ class Hatcher {
   std::vector<std::size_t> begin_;  ///< of each line, in the runs
   std::vector<Line> free_;          ///< what stays of each line of the whole area
   std::vector<double> profile_;
-  std::int64_t longest_ = 0;        ///< lines between two rows of the surface with the fewest
-  bool layers_ = false;             ///< there are several
+  std::int64_t longest_ = 0;  ///< lines between two rows of the surface with the fewest
+  bool layers_ = false;       ///< there are several
 };
 
 Hatcher::Hatcher(const HatchFrame& frame, double line_mm, std::uint32_t every, double pen_mm, std::span<const GroupRun> runs)
-    : frame_(frame), line_mm_(line_mm), shortest_mm_(kShortestPens * pen_mm), every_(every), runs_(runs), profile_(pen_profile(pen_mm / 2, line_mm)) {
+    : frame_(frame),
+      line_mm_(line_mm),
+      shortest_mm_(kShortestPens * pen_mm),
+      every_(every),
+      runs_(runs),
+      profile_(pen_profile(pen_mm / 2, line_mm)) {
   if (runs.empty()) return;
   first_ = runs.front().line;
   const std::size_t lines = index(runs.back().line) + 1;
@@ -128,7 +138,8 @@ Hatcher::Hatcher(const HatchFrame& frame, double line_mm, std::uint32_t every, d
   longest_ = every_ * ((kRowCycle + fewest - 1) / fewest);
   for (std::size_t i = 0; i < lines; ++i) begin_[i + 1] += begin_[i];
   free_.resize(lines);
-  oneapi::tbb::parallel_for(std::size_t{0}, lines, [&](std::size_t i) { free_[i] = inside(kAll, first_ + static_cast<std::int32_t>(i)); });
+  oneapi::tbb::parallel_for(std::size_t{0}, lines,
+                            [&](std::size_t i) { free_[i] = inside(kAll, first_ + static_cast<std::int32_t>(i)); });
 }
 
 Line Hatcher::covered(std::int64_t rank, std::int32_t line, std::optional<std::uint32_t> layer) const {
@@ -153,18 +164,22 @@ Line Hatcher::inside(std::int64_t rank, std::int32_t line) const {
     if (run.from + profile_[0] < run.to - profile_[0]) kept.push_back({run.from + profile_[0], run.to - profile_[0]});
   }
   for (std::size_t i = 1; i < profile_.size() && !kept.empty(); ++i) {
-    for (const std::int32_t side : {-1, 1}) keep_within(kept, covered(rank, line + side * static_cast<std::int32_t>(i)), profile_[i], scratch);
+    for (const std::int32_t side : {-1, 1})
+      keep_within(kept, covered(rank, line + side * static_cast<std::int32_t>(i)), profile_[i], scratch);
   }
   return kept;
 }
 
 bool Hatcher::at_rim(std::int32_t line, double u) const {
   const Line& free = free_[index(line)];
-  return std::any_of(free.begin(), free.end(), [u](const Interval& run) { return std::abs(run.from - u) <= kTouchMm || std::abs(run.to - u) <= kTouchMm; });
+  return std::any_of(free.begin(), free.end(), [u](const Interval& run) {
+    return std::abs(run.from - u) <= kTouchMm || std::abs(run.to - u) <= kTouchMm;
+  });
 }
 
 /// The way of a tie between the ends of two rows, along the rim. False when the rim leads elsewhere, or runs too flat.
-bool Hatcher::route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, bool at_left, std::vector<Point2>& way) const {
+bool Hatcher::route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, bool at_left,
+                    std::vector<Point2>& way) const {
   way.clear();
   double before = from.x;
   const double step = kLongestTie * line_mm_;
@@ -203,10 +218,13 @@ bool Hatcher::tie(Open& stroke, const Interval& span, std::int32_t line, std::ve
     auto before = std::lower_bound(open.begin(), open.end(), u - reach, [](const Open& o, double v) { return o.u() < v; });
     for (; before != open.end() && before->u() <= u + reach; ++before) {
       const double rows_mm = (line - before->line) * line_mm_, length = std::hypot(before->u() - u, rows_mm);
-      if (!before->used && before->at_left == from_left && length <= kLongestTie * rows_mm && at_rim(before->line, before->u())) candidates.push_back({length, &*before, from_left});
+      if (!before->used && before->at_left == from_left && length <= kLongestTie * rows_mm &&
+          at_rim(before->line, before->u()))
+        candidates.push_back({length, &*before, from_left});
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
   std::vector<Point2> way;
   for (const Candidate& c : candidates) {
     const double u = c.from_left ? span.from : span.to;
@@ -272,7 +290,9 @@ HatchFrame::HatchFrame(Point2 origin, double angle_degrees) : origin_(origin) {
   across_ = {-along_.y, along_.x};
 }
 
-Point2 HatchFrame::to_frame(Point2 page) const { return {glm::dot(page - origin_, along_), glm::dot(page - origin_, across_)}; }
+Point2 HatchFrame::to_frame(Point2 page) const {
+  return {glm::dot(page - origin_, along_), glm::dot(page - origin_, across_)};
+}
 Point2 HatchFrame::to_page(Point2 frame) const { return origin_ + along_ * frame.x + across_ * frame.y; }
 
 double cover_line_mm(double spacing_mm, double pen_mm) {
@@ -281,8 +301,8 @@ double cover_line_mm(double spacing_mm, double pen_mm) {
   return spacing_mm / std::max(1.0, std::ceil(spacing_mm / wanted));
 }
 
-void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm, std::vector<CoverRun>& cover,
-               bool even_odd) {
+void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm,
+               std::vector<CoverRun>& cover, bool even_odd) {
   double low = 1e300, high = -1e300;
   std::vector<std::vector<Point2>> turned(contours.size());
   for (std::size_t c = 0; c < contours.size(); ++c) {
@@ -306,23 +326,28 @@ void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surf
     for (std::size_t i = 0; i < contour.size(); ++i) {
       Point2 a = contour[i], b = contour[i + 1 == contour.size() ? 0 : i + 1];
       const int turn = even_odd || a.y <= b.y ? 1 : -1;
-      if (a.y > b.y || (a.y == b.y && a.x > b.x)) std::swap(a, b);  // an edge between two areas is crossed at the same point for both
+      if (a.y > b.y || (a.y == b.y && a.x > b.x))
+        std::swap(a, b);  // an edge between two areas is crossed at the same point for both
       for (double line = std::ceil(a.y / line_mm); line * line_mm < b.y; ++line) {
-        crossings.push_back({static_cast<std::int32_t>(line), a.x + (b.x - a.x) * ((line * line_mm - a.y) / (b.y - a.y)), turn});
+        crossings.push_back(
+            {static_cast<std::int32_t>(line), a.x + (b.x - a.x) * ((line * line_mm - a.y) / (b.y - a.y)), turn});
       }
     }
   }
-  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return std::tie(a.line, a.u, a.turn) < std::tie(b.line, b.u, b.turn); });
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+    return std::tie(a.line, a.u, a.turn) < std::tie(b.line, b.u, b.turn);
+  });
   int winding = 0;
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
     winding = i > 0 && crossings[i - 1].line != crossings[i].line ? crossings[i].turn : winding + crossings[i].turn;
     if (crossings[i].line != crossings[i + 1].line || !(crossings[i].u < crossings[i + 1].u)) continue;
-    if (even_odd ? winding % 2 != 0 : winding != 0) cover.push_back({crossings[i].line, crossings[i].u, crossings[i + 1].u, surface});
+    if (even_odd ? winding % 2 != 0 : winding != 0)
+      cover.push_back({crossings[i].line, crossings[i].u, crossings[i + 1].u, surface});
   }
 }
 
-void hatch_cover(const HatchFrame& frame, double line_mm, std::span<const CoverRun> cover, std::span<const SurfaceHatch> surfaces,
-                 std::span<const double> pen_mm, std::span<Polylines> layers) {
+void hatch_cover(const HatchFrame& frame, double line_mm, std::span<const CoverRun> cover,
+                 std::span<const SurfaceHatch> surfaces, std::span<const double> pen_mm, std::span<Polylines> layers) {
   if (!(line_mm > 0) || std::any_of(pen_mm.begin(), pen_mm.end(), [](double pen) { return !(pen > 0); })) {
     throw std::invalid_argument("spacing and pen width of a hatch are above zero");
   }
@@ -332,7 +357,9 @@ void hatch_cover(const HatchFrame& frame, double line_mm, std::span<const CoverR
     if (how.every > 0) groups[{how.group, how.every}].push_back({run.line, run.from, run.to, how.rows, how.layer});
   }
   for (auto& [group, runs] : groups) {
-    std::sort(runs.begin(), runs.end(), [](const GroupRun& a, const GroupRun& b) { return std::tie(a.line, a.from, a.to) < std::tie(b.line, b.from, b.to); });
+    std::sort(runs.begin(), runs.end(), [](const GroupRun& a, const GroupRun& b) {
+      return std::tie(a.line, a.from, a.to) < std::tie(b.line, b.from, b.to);
+    });
     for (std::uint32_t layer = 0; layer < layers.size(); ++layer) {
       if (std::none_of(runs.begin(), runs.end(), [&](const GroupRun& run) { return run.layer == layer; })) continue;
       Hatcher(frame, line_mm, group.second, pen_mm[layer], runs).run(layer, layers[layer]);
@@ -353,7 +380,8 @@ Polylines hatch(std::span<const std::vector<Point2>> contours, const HatchOption
         high = std::max(high, frame.to_frame(p).y);
       }
     }
-    if (high - low > kMostHatchRows * options.spacing_mm) throw std::invalid_argument("a hatch has more than a million rows");
+    if (high - low > kMostHatchRows * options.spacing_mm)
+      throw std::invalid_argument("a hatch has more than a million rows");
     std::vector<CoverRun> cover;
     add_cover(contours, 0, frame, line_mm, cover, options.even_odd);
     const SurfaceHatch how{static_cast<std::uint32_t>(std::lround(options.spacing_mm / line_mm)), kRowCycle, 0, 0};

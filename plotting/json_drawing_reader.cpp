@@ -13,7 +13,8 @@ using nlohmann::json;
 
 constexpr double kLargestPageMm = 100000;
 
-/// Strokes by layer; they are taken out of the JSON tree as they come, so that a large drawing does not stand in memory twice.
+/// Strokes by layer; they are taken out of the JSON tree as they come, so that a large drawing does not stand in memory
+/// twice.
 class DrawingReader {
  public:
   explicit DrawingReader(std::string file) : file_(std::move(file)) {}
@@ -21,7 +22,8 @@ class DrawingReader {
   ReadDrawing read(std::string_view text) {
     json root;
     try {
-      root = json::parse(text, [this](int depth, json::parse_event_t event, json& value) { return take(depth, event, value); });
+      root =
+          json::parse(text, [this](int depth, json::parse_event_t event, json& value) { return take(depth, event, value); });
     } catch (const json::parse_error& e) {
       throw std::runtime_error(file_ + ": is not JSON: at byte " + std::to_string(e.byte));
     } catch (const json::exception& e) {
@@ -68,9 +70,11 @@ class DrawingReader {
     const bool through_glass = level != stroke.end() && level->get<std::uint64_t>() > 0;
     Polylines& lines = layer_of(line_class->get_ref<const std::string&>(), visible->get<bool>(), through_glass);
     for (const json& p : *points) {
-      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) fail_stroke("a point is not two numbers");
+      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
+        fail_stroke("a point is not two numbers");
       const Point2 point{p[0].get<double>(), p[1].get<double>()};
-      if (!(std::abs(point.x) <= kFarthestMm && std::abs(point.y) <= kFarthestMm)) fail_stroke("a point is farther than a kilometre away");
+      if (!(std::abs(point.x) <= kFarthestMm && std::abs(point.y) <= kFarthestMm))
+        fail_stroke("a point is farther than a kilometre away");
       lines.points.push_back(point);
     }
     lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
@@ -79,7 +83,8 @@ class DrawingReader {
 
   Polylines& layer_of(const std::string& line_class, bool visible, bool through_glass) {
     for (std::size_t c = 0; c < kLineClassCount; ++c) {
-      if (kLineClassNames[c] == line_class) return layers_[stroke_layer(static_cast<LineClass>(c), visible, through_glass)].lines;
+      if (kLineClassNames[c] == line_class)
+        return layers_[stroke_layer(static_cast<LineClass>(c), visible, through_glass)].lines;
     }
     fail_stroke("there is no class of that name");
   }
@@ -91,7 +96,8 @@ class DrawingReader {
       const json value = sheet.is_object() ? sheet.value(key, json()) : json();
       if (!value.is_number()) fail(std::string("the page has no ") + key);
       mm = value.get<double>();
-      if (!(mm >= 0 && mm <= kLargestPageMm) || (mm == 0 && !may_be_zero)) fail(std::string(key) + " of the page is out of range");
+      if (!(mm >= 0 && mm <= kLargestPageMm) || (mm == 0 && !may_be_zero))
+        fail(std::string(key) + " of the page is out of range");
     };
     side("width_mm", page.width_mm, false);
     side("height_mm", page.height_mm, false);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include <nlohmann/json.hpp>
 #include <oneapi/tbb/parallel_for.h>
+#include <nlohmann/json.hpp>
 
 #include "plotting/number_text.hpp"
 #include "plotting/writers.hpp"
@@ -188,7 +188,8 @@ void append_spans(std::string& out, const SpanModel& model) {
   }
   const std::size_t lines = first.size();
   first.push_back(model.spans.size());
-  append_array(out, lines, [&](std::string& text, std::size_t i) { append_line_of_spans(text, model, first[i], first[i + 1]); });
+  append_array(out, lines,
+               [&](std::string& text, std::size_t i) { append_line_of_spans(text, model, first[i], first[i + 1]); });
 }
 
 void append_head(std::string& out, const DrawingDocument& document, const Page& page) {
@@ -270,7 +271,8 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
   }
   if (document.debug) {
     out += ",\n\"debug\":";
-    append_array(out, document.debug->size(), [&](std::string& text, std::size_t i) { append_contour(text, (*document.debug)[i]); });
+    append_array(out, document.debug->size(),
+                 [&](std::string& text, std::size_t i) { append_contour(text, (*document.debug)[i]); });
   }
   append_stats(out, document.statistics);
   return out;

@@ -24,9 +24,8 @@ struct NamedPage {
 };
 // ISO 216; ANSI Y14.1 and North American office sizes.
 constexpr NamedPage kPages[] = {
-    {"a0", 841, 1189},     {"a1", 594, 841},        {"a2", 420, 594},      {"a3", 297, 420},      {"a4", 210, 297},
-    {"a5", 148, 210},      {"a6", 105, 148},        {"letter", 215.9, 279.4}, {"legal", 215.9, 355.6},
-    {"tabloid", 279.4, 431.8}};
+    {"a0", 841, 1189}, {"a1", 594, 841}, {"a2", 420, 594},         {"a3", 297, 420},        {"a4", 210, 297},
+    {"a5", 148, 210},  {"a6", 105, 148}, {"letter", 215.9, 279.4}, {"legal", 215.9, 355.6}, {"tabloid", 279.4, 431.8}};
 
 // ISO 128-2, line 02 (dashed): lengths in line widths.
 constexpr double kDash = 12;

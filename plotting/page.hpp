@@ -21,12 +21,12 @@ struct Page {
   Rect drawable() const { return {{margin_mm, margin_mm}, {width_mm - margin_mm, height_mm - margin_mm}}; }
 };
 
-/// "12", "12mm", "1.5cm", "0.5in", "72pt" in millimetres; a bare number is millimetres. Throws std::invalid_argument with one
-/// line for anything else, for what is not finite and for what is negative.
+/// "12", "12mm", "1.5cm", "0.5in", "72pt" in millimetres; a bare number is millimetres. Throws std::invalid_argument with
+/// one line for anything else, for what is not finite and for what is negative.
 double parse_length_mm(std::string_view text);
 
-/// "A0" to "A6", "letter", "legal", "tabloid" (any case, portrait), or "WxH" with units ("100x150", "10cmx15cm", "8inx10in").
-/// The margin is left as it is. Throws std::invalid_argument.
+/// "A0" to "A6", "letter", "legal", "tabloid" (any case, portrait), or "WxH" with units ("100x150", "10cmx15cm",
+/// "8inx10in"). The margin is left as it is. Throws std::invalid_argument.
 Page parse_page(std::string_view text);
 
 /// How the lines of one layer are drawn.
@@ -37,7 +37,8 @@ struct LineStyle {
 };
 
 /// Style of the layer of that name at the given pen width: outlines and borders full width, intersections and creases 0.7,
-/// mesh and shadow 0.5, behind-glass 0.5 and grey, hidden 0.5 and dashed (ISO 128-2: dash 12 d, gap 3 d) unless `hidden_solid`.
+/// mesh and shadow 0.5, behind-glass 0.5 and grey, hidden 0.5 and dashed (ISO 128-2: dash 12 d, gap 3 d) unless
+/// `hidden_solid`.
 LineStyle layer_style(std::string_view layer, double pen_width_mm, bool hidden_solid);
 
 }  // namespace ligne

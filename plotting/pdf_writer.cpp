@@ -1,8 +1,8 @@
 /// PDF, through Cairo's PDF surface.
 ///
-/// That surface keeps coordinates as 24.8 fixed point of its unit, which is the point: 1.4 micrometres. So the drawing is made
-/// on a recording surface of a finer unit and painted with a scale; Cairo then writes it as a form with a content stream in
-/// that unit, placed by one matrix.
+/// That surface keeps coordinates as 24.8 fixed point of its unit, which is the point: 1.4 micrometres. So the drawing is
+/// made on a recording surface of a finer unit and painted with a scale; Cairo then writes it as a form with a content
+/// stream in that unit, placed by one matrix.
 
 #include <cmath>
 
@@ -50,8 +50,8 @@ std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
   const CairoContext pen(cairo_create(recording.get()));
   paint_fills(pen.get(), drawing.fills, units * kPointsPerMm);
   for (const Layer& layer : drawing.layers) {
-    stroke_polylines(pen.get(), rounded(layer.lines, kPartsOfUnit * units * kPointsPerMm),
-                     options.style_of(layer.name), units * kPointsPerMm);
+    stroke_polylines(pen.get(), rounded(layer.lines, kPartsOfUnit * units * kPointsPerMm), options.style_of(layer.name),
+                     units * kPointsPerMm);
   }
 
   std::string pdf;

@@ -11,10 +11,11 @@ namespace {
 
 // CSS 1.
 constexpr std::pair<std::string_view, std::uint32_t> kColors[] = {
-    {"black", 0x000000}, {"silver", 0xc0c0c0}, {"gray", 0x808080},  {"grey", 0x808080}, {"white", 0xffffff}, {"maroon", 0x800000},
-    {"red", 0xff0000},   {"purple", 0x800080}, {"fuchsia", 0xff00ff}, {"magenta", 0xff00ff}, {"green", 0x008000}, {"lime", 0x00ff00},
-    {"olive", 0x808000}, {"yellow", 0xffff00}, {"navy", 0x000080},  {"blue", 0x0000ff}, {"teal", 0x008080},  {"aqua", 0x00ffff},
-    {"cyan", 0x00ffff},  {"orange", 0xffa500}, {"brown", 0xa52a2a}};
+    {"black", 0x000000},  {"silver", 0xc0c0c0}, {"gray", 0x808080},   {"grey", 0x808080},    {"white", 0xffffff},
+    {"maroon", 0x800000}, {"red", 0xff0000},    {"purple", 0x800080}, {"fuchsia", 0xff00ff}, {"magenta", 0xff00ff},
+    {"green", 0x008000},  {"lime", 0x00ff00},   {"olive", 0x808000},  {"yellow", 0xffff00},  {"navy", 0x000080},
+    {"blue", 0x0000ff},   {"teal", 0x008080},   {"aqua", 0x00ffff},   {"cyan", 0x00ffff},    {"orange", 0xffa500},
+    {"brown", 0xa52a2a}};
 
 std::array<double, 3> of_code(std::uint32_t code) {
   return {(code >> 16 & 255u) / 255.0, (code >> 8 & 255u) / 255.0, (code & 255u) / 255.0};
@@ -24,14 +25,16 @@ unsigned parse_pen_number(std::string_view text) {
   unsigned number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > kMostPens) {
-    throw std::invalid_argument("\"" + std::string(text) + "\" is not the number of a pen, 1 to " + std::to_string(kMostPens));
+    throw std::invalid_argument("\"" + std::string(text) + "\" is not the number of a pen, 1 to " +
+                                std::to_string(kMostPens));
   }
   return number;
 }
 
 unsigned parse_shade(std::string_view text) {
   if (text.size() != 1 || text[0] < '1' || text[0] > static_cast<char>('0' + kMostPenShades)) {
-    throw std::invalid_argument("\"" + std::string(text) + "\" is not a shade, 1 (the darkest) to " + std::to_string(kMostPenShades));
+    throw std::invalid_argument("\"" + std::string(text) + "\" is not a shade, 1 (the darkest) to " +
+                                std::to_string(kMostPenShades));
   }
   return static_cast<unsigned>(text[0] - '0');
 }
@@ -67,7 +70,8 @@ std::string layer_label(const Pen& pen) {
 
 unsigned PenTable::pen_of(std::string_view layer, std::string_view material, unsigned shade) const {
   if (const auto found = pen_of_shade.find(shade); shade > 0 && found != pen_of_shade.end()) return found->second;
-  if (const auto found = pen_of_material.find(material); !material.empty() && found != pen_of_material.end()) return found->second;
+  if (const auto found = pen_of_material.find(material); !material.empty() && found != pen_of_material.end())
+    return found->second;
   if (const auto found = pen_of_layer.find(layer); found != pen_of_layer.end()) return found->second;
   // As in labels of ours and of others: signs before the number.
   const std::size_t digit = layer.find_first_not_of("%! ");

@@ -12,19 +12,20 @@ namespace ligne {
 
 struct Pen {
   unsigned number = 1;
-  std::string name;                     ///< shown to whoever puts the pen in; may be empty
+  std::string name;  ///< shown to whoever puts the pen in; may be empty
   std::array<double, 3> color{0, 0, 0};
-  std::optional<double> width_mm;       ///< nothing: that of the lines
-  bool skip = false;                    ///< "%": the software of the machine leaves the layer out
-  bool pause = false;                   ///< "!": it waits before the layer
-  std::optional<unsigned> speed;        ///< "+S": percent
-  std::optional<unsigned> height;       ///< "+H": percent
-  std::optional<unsigned> delay_ms;     ///< "+D"
+  std::optional<double> width_mm;    ///< nothing: that of the lines
+  bool skip = false;                 ///< "%": the software of the machine leaves the layer out
+  bool pause = false;                ///< "!": it waits before the layer
+  std::optional<unsigned> speed;     ///< "+S": percent
+  std::optional<unsigned> height;    ///< "+H": percent
+  std::optional<unsigned> delay_ms;  ///< "+D"
 };
 
 inline constexpr unsigned kMostPens = 1000, kMostPenShades = 4;
 
-/// Name of a pen's layer in an SVG as Inkscape, vpype and the AxiDraw software read it: "2 name", with the signs before the number and the settings behind it.
+/// Name of a pen's layer in an SVG as Inkscape, vpype and the AxiDraw software read it: "2 name", with the signs before the
+/// number and the settings behind it.
 std::string layer_label(const Pen& pen);
 
 /// The pens, and for layers their number. What is not named goes to pen `rest`.
@@ -36,7 +37,8 @@ struct PenTable {
   unsigned rest = 1;
 
   bool empty() const { return pens.empty(); }
-  /// Number of the pen of a layer: by its shade, its material, its name, whatever is named, in this order. A layer that nothing is said of and whose name begins with a number has the pen of that number.
+  /// Number of the pen of a layer: by its shade, its material, its name, whatever is named, in this order. A layer that
+  /// nothing is said of and whose name begins with a number has the pen of that number.
   unsigned pen_of(std::string_view layer, std::string_view material, unsigned shade = 0) const;
   /// The pen of that number, also when the table does not describe it.
   Pen pen(unsigned number) const;
@@ -45,7 +47,8 @@ struct PenTable {
 /// "#rgb", "#rrggbb" or one of the sixteen names of CSS 1. Throws std::invalid_argument.
 std::array<double, 3> parse_color(std::string_view text);
 
-/// "CLASS=N", "CLASS=N,COLOUR" or "CLASS=N,COLOUR,WIDTH"; CLASS is a layer, "material:NAME", "shade:N" or "rest" for all others. Throws std::invalid_argument.
+/// "CLASS=N", "CLASS=N,COLOUR" or "CLASS=N,COLOUR,WIDTH"; CLASS is a layer, "material:NAME", "shade:N" or "rest" for all
+/// others. Throws std::invalid_argument.
 void add_pen(PenTable& table, std::string_view text);
 
 /// A table of pens as TOML, docs/plotting.md. Throws std::runtime_error, "FILE:LINE: what is wrong".

@@ -47,7 +47,8 @@ PenTable read_pens(std::string_view toml, const std::string& name) {
   root.only({"pen"});
   PenTable result;
   for (const TomlTable& table : root.tables("pen")) {
-    table.only({"number", "name", "color", "width", "skip", "pause", "speed", "height", "delay", "classes", "materials", "shades", "rest"});
+    table.only({"number", "name", "color", "width", "skip", "pause", "speed", "height", "delay", "classes", "materials",
+                "shades", "rest"});
     const Pen pen = read_pen(table);
     if (!result.pens.emplace(pen.number, pen).second) table.fail("pen " + std::to_string(pen.number) + " is there twice");
     const auto assign = [&](std::string_view key, auto& target) {
@@ -58,7 +59,8 @@ PenTable read_pens(std::string_view toml, const std::string& name) {
     assign("classes", result.pen_of_layer);
     assign("materials", result.pen_of_material);
     for (const unsigned shade : table.counts("shades", 1, kMostPenShades)) {
-      if (!result.pen_of_shade.emplace(shade, pen.number).second) table.fail("shade " + std::to_string(shade) + " has two pens", table.find("shades"));
+      if (!result.pen_of_shade.emplace(shade, pen.number).second)
+        table.fail("shade " + std::to_string(shade) + " has two pens", table.find("shades"));
     }
     if (table.flag("rest").value_or(false)) result.rest = pen.number;
   }

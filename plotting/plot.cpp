@@ -61,7 +61,8 @@ std::vector<PenWork> work_of(const Drawing& given, const PlotRequest& request) {
     // Dashes are told in widths of the pen that draws them.
     std::vector<double> dashes = style.dashes_mm;
     for (double& dash : dashes) dash *= width / style.width_mm;
-    const auto same = std::find_if(entry.styles.begin(), entry.styles.end(), [&](const StyledLines& s) { return s.dashes_mm == dashes; });
+    const auto same =
+        std::find_if(entry.styles.begin(), entry.styles.end(), [&](const StyledLines& s) { return s.dashes_mm == dashes; });
     if (same == entry.styles.end()) {
       entry.styles.push_back({std::move(dashes), std::move(layer.lines)});
     } else {
@@ -104,14 +105,17 @@ Plot deal_to_pens(const Drawing& drawing, const PlotRequest& request) {
 Plot make_plot(const Drawing& drawing, const PlotRequest& request) {
   std::vector<PenWork> work = work_of(drawing, request);
   Plot plot{request.style.page, std::vector<PenLines>(work.size())};
-  oneapi::tbb::parallel_for(std::size_t{0}, work.size(), [&](std::size_t i) { plot.pens[i] = {work[i].pen, optimized(work[i], request.paths)}; });
+  oneapi::tbb::parallel_for(std::size_t{0}, work.size(), [&](std::size_t i) {
+    plot.pens[i] = {work[i].pen, optimized(work[i], request.paths)};
+  });
   return plot;
 }
 
 Drawing optimize_layers(const Drawing& drawing, const PathOptions& options) {
   Drawing result = drawing;
-  oneapi::tbb::parallel_for(std::size_t{0}, result.layers.size(),
-                            [&](std::size_t i) { result.layers[i].lines = optimize_paths(result.layers[i].lines, options); });
+  oneapi::tbb::parallel_for(std::size_t{0}, result.layers.size(), [&](std::size_t i) {
+    result.layers[i].lines = optimize_paths(result.layers[i].lines, options);
+  });
   return result;
 }
 
@@ -144,7 +148,8 @@ PathLengths measure(const Drawing& drawing, Point2 home, bool returns) {
 }
 
 double plot_seconds(const Device& device, const PathLengths& lengths, std::size_t pens) {
-  return lengths.down_mm / device.down_mm_s + lengths.up_mm / device.up_mm_s + static_cast<double>(lengths.strokes) * device.lift_s +
+  return lengths.down_mm / device.down_mm_s + lengths.up_mm / device.up_mm_s +
+         static_cast<double>(lengths.strokes) * device.lift_s +
          (pens > 1 ? static_cast<double>(pens - 1) * device.pen_change_s : 0);
 }
 

@@ -26,8 +26,8 @@ struct Plot {
 };
 
 struct PlotRequest {
-  PlotOptions style;   ///< page and line styles of the layers
-  PenTable pens;       ///< empty: everything to pen 1
+  PlotOptions style;           ///< page and line styles of the layers
+  PenTable pens;               ///< empty: everything to pen 1
   bool pen_per_layer = false;  ///< with an empty table: a pen for every layer, numbered from 1
   PathOptions paths;
 };
@@ -35,7 +35,8 @@ struct PlotRequest {
 /// Deals the layers out to their pens and turns texts and dashes into strokes, nothing else: lines stay in their order.
 Plot deal_to_pens(const Drawing& drawing, const PlotRequest& request);
 
-/// The same with the lines of every pen joined and ordered. Solid lines are made once and joined before anything is cut; so are dashed ones before they become dashes.
+/// The same with the lines of every pen joined and ordered. Solid lines are made once and joined before anything is cut; so
+/// are dashed ones before they become dashes.
 Plot make_plot(const Drawing& drawing, const PlotRequest& request);
 
 /// Lines of every layer joined and, with Optimize::full, ordered; layers, texts and dashes stay what they are.

@@ -16,11 +16,13 @@ constexpr double kTravelWidthMm = 0.12;
 
 /// From blue over green and yellow to red: t from 0 to 1.
 std::array<double, 3> order_color(double t) {
-  constexpr std::array<std::array<double, 3>, 5> stops{{{0.1, 0.2, 0.8}, {0.0, 0.6, 0.7}, {0.1, 0.65, 0.2}, {0.85, 0.65, 0.0}, {0.85, 0.1, 0.1}}};
+  constexpr std::array<std::array<double, 3>, 5> stops{
+      {{0.1, 0.2, 0.8}, {0.0, 0.6, 0.7}, {0.1, 0.65, 0.2}, {0.85, 0.65, 0.0}, {0.85, 0.1, 0.1}}};
   const double at = t * (stops.size() - 1);
   const auto i = std::min<std::size_t>(static_cast<std::size_t>(at), stops.size() - 2);
   std::array<double, 3> color{};
-  for (std::size_t c = 0; c < 3; ++c) color[c] = stops[i][c] + (at - static_cast<double>(i)) * (stops[i + 1][c] - stops[i][c]);
+  for (std::size_t c = 0; c < 3; ++c)
+    color[c] = stops[i][c] + (at - static_cast<double>(i)) * (stops[i + 1][c] - stops[i][c]);
   return color;
 }
 
@@ -39,7 +41,8 @@ Drawing drawing_of(const Plot& plot) {
 
 std::function<LineStyle(const std::string&)> styles_of(const Plot& plot) {
   std::map<std::string, LineStyle> styles;
-  for (const PenLines& pen : plot.pens) styles[layer_label(pen.pen)] = {pen.pen.width_mm.value_or(LineStyle{}.width_mm), pen.pen.color, {}};
+  for (const PenLines& pen : plot.pens)
+    styles[layer_label(pen.pen)] = {pen.pen.width_mm.value_or(LineStyle{}.width_mm), pen.pen.color, {}};
   return [styles](const std::string& layer) { return styles.at(layer); };
 }
 

@@ -1,5 +1,5 @@
-/// HPGL and G-code: the same walk over the pens and their strokes, with the commands of the device. Coordinates are rounded to the device's units once, and
-/// points that fall into one unit are one point.
+/// HPGL and G-code: the same walk over the pens and their strokes, with the commands of the device. Coordinates are rounded
+/// to the device's units once, and points that fall into one unit are one point.
 
 #include <cmath>
 #include <initializer_list>
@@ -25,7 +25,9 @@ std::string filled(std::string_view text, std::initializer_list<Replacement> rep
   while (!text.empty()) {
     bool found = false;
     for (const auto& [name, value] : replacements) {
-      if (text.size() < name.size() + 2 || text[0] != '{' || text.substr(1, name.size()) != name || text[name.size() + 1] != '}') continue;
+      if (text.size() < name.size() + 2 || text[0] != '{' || text.substr(1, name.size()) != name ||
+          text[name.size() + 1] != '}')
+        continue;
       out += value;
       text.remove_prefix(name.size() + 2);
       found = true;
@@ -48,7 +50,8 @@ std::string number(double value, int decimals) {
 std::string comment(const std::string& name) {
   std::string text;
   for (const char c : name) {
-    if (c != '(' && c != ')' && c != ';' && static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x7f) text += c;
+    if (c != '(' && c != ')' && c != ';' && static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x7f)
+      text += c;
   }
   return text.empty() ? "" : ": " + text;
 }
@@ -102,13 +105,14 @@ class PlotWriter {
 
 void PlotWriter::begin_pen(const Pen& pen, bool first) {
   if (device_.pens > 0 && pen.number > device_.pens) {
-    throw std::runtime_error("device " + device_.name + " holds " + std::to_string(device_.pens) + " pens, and the drawing wants pen " +
-                             std::to_string(pen.number));
+    throw std::runtime_error("device " + device_.name + " holds " + std::to_string(device_.pens) +
+                             " pens, and the drawing wants pen " + std::to_string(pen.number));
   }
   constexpr double kSecondsPerMinute = 60, kMmPerCm = 10, kPercent = 100;
   const double speed = device_.down_mm_s * pen.speed.value_or(100) / kPercent;
   feed_ = number(speed * kSecondsPerMinute, 0);
-  const std::string pen_number = std::to_string(pen.number), name = comment(pen.name), width = number(pen.width_mm.value_or(0), 2);
+  const std::string pen_number = std::to_string(pen.number), name = comment(pen.name),
+                    width = number(pen.width_mm.value_or(0), 2);
   if (!first || pen.pause) lines(device_.pen_change, {{"pen", pen_number}, {"name", name}});
   line(device_.pen_select, {{"pen", pen_number}, {"width", width}});
   if (pen.speed) line(device_.velocity, {{"cm_per_s", std::to_string(std::max(1ll, std::llround(speed / kMmPerCm)))}});
@@ -151,6 +155,8 @@ void PlotWriter::draw_points() {
 
 }  // namespace
 
-std::string write_plot(const Plot& plot, const Device& device, const DeviceFrame& frame) { return PlotWriter(device, frame).write(plot); }
+std::string write_plot(const Plot& plot, const Device& device, const DeviceFrame& frame) {
+  return PlotWriter(device, frame).write(plot);
+}
 
 }  // namespace ligne

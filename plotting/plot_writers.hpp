@@ -7,15 +7,17 @@
 
 namespace ligne {
 
-/// HPGL or G-code, by the device's language, with the commands that the device's description tells. Throws std::runtime_error when a pen has a number that the
-/// device does not hold. Pens that are to be skipped are left out.
+/// HPGL or G-code, by the device's language, with the commands that the device's description tells. Throws
+/// std::runtime_error when a pen has a number that the device does not hold. Pens that are to be skipped are left out.
 std::string write_plot(const Plot& plot, const Device& device, const DeviceFrame& frame);
 
-/// The plot as a drawing with a layer for every pen, named as layer_label names it, and the style of these layers for PlotOptions::style.
+/// The plot as a drawing with a layer for every pen, named as layer_label names it, and the style of these layers for
+/// PlotOptions::style.
 Drawing drawing_of(const Plot& plot);
 std::function<LineStyle(const std::string&)> styles_of(const Plot& plot);
 
-/// An SVG that shows the way of the pens: strokes in colours from blue (first) over green and yellow to red (last), the raised pen thin and grey.
+/// An SVG that shows the way of the pens: strokes in colours from blue (first) over green and yellow to red (last), the
+/// raised pen thin and grey.
 std::string write_preview(const Plot& plot, Point2 home, bool returns);
 
 }  // namespace ligne

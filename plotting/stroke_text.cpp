@@ -15,7 +15,8 @@ constexpr SimplexGlyph kBox{0, 180, 1372, "30 0 30 210 150 210 150 0 30 0"};
 
 const SimplexGlyph& glyph_of(char32_t code) {
   const auto glyphs = simplex_glyphs();
-  const auto found = std::lower_bound(glyphs.begin(), glyphs.end(), code, [](const SimplexGlyph& g, char32_t c) { return g.code < c; });
+  const auto found =
+      std::lower_bound(glyphs.begin(), glyphs.end(), code, [](const SimplexGlyph& g, char32_t c) { return g.code < c; });
   return found != glyphs.end() && found->code == code ? *found : kBox;
 }
 
@@ -65,7 +66,8 @@ std::size_t append_stroke_text(const TextItem& item, Polylines& lines) {
     const SimplexGlyph& glyph = glyph_of(c);
     if (&glyph == &kBox) ++boxes;
     for_each_point(glyph, [&](int x, int y, bool starts) {
-      if (starts && lines.begin.back() != lines.points.size()) lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
+      if (starts && lines.begin.back() != lines.points.size())
+        lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
       lines.points.push_back(pen + right * (x * scale) + up * (y * scale));
     });
     if (lines.begin.back() != lines.points.size()) lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));

@@ -1,5 +1,6 @@
-/// SVG as strokes. The tree is walked once; an element is drawn, walked into, left out because it never shows, or refused by name. Links (use) are followed inside
-/// the file only, to a fixed depth, and with a fixed number of elements in all, so that a small file can not ask for endless work. The same holds for clip paths and style sheets.
+/// SVG as strokes. The tree is walked once; an element is drawn, walked into, left out because it never shows, or refused by
+/// name. Links (use) are followed inside the file only, to a fixed depth, and with a fixed number of elements in all, so
+/// that a small file can not ask for endless work. The same holds for clip paths and style sheets.
 
 #include <algorithm>
 #include <stdexcept>
@@ -31,8 +32,8 @@ void SvgReader::refuse(std::string_view name, const pugi::xml_node& node) {
     ++result_.left_out[std::string(name)];
     return;
   }
-  fail(node, "<" + std::string(local_name(node)) + "> has " + std::string(name) + ", which can not be drawn as strokes; --skip " + std::string(name) +
-                 " leaves it out");
+  fail(node, "<" + std::string(local_name(node)) + "> has " + std::string(name) +
+                 ", which can not be drawn as strokes; --skip " + std::string(name) + " leaves it out");
 }
 
 /// Finds ids and style sheets.
@@ -67,7 +68,8 @@ Context SvgReader::place_page(const pugi::xml_node& root) {
   const auto side = [&](const char* name, std::size_t of_box) {
     const std::string_view value = root.attribute(name).value();
     if (!value.empty() && !value.ends_with('%')) return length(root, name);
-    if (!root.attribute("viewBox")) throw std::invalid_argument(std::string("there is neither a ") + name + " nor a viewBox");
+    if (!root.attribute("viewBox"))
+      throw std::invalid_argument(std::string("there is neither a ") + name + " nor a viewBox");
     return box.size() == 4 ? box[of_box] : 0;
   };
   Context context;
@@ -84,15 +86,17 @@ Context SvgReader::place_page(const pugi::xml_node& root) {
 
 ReadDrawing SvgReader::read() {
   pugi::xml_document document;
-  const pugi::xml_parse_result parsed =
-      document.load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata_single);
+  const pugi::xml_parse_result parsed = document.load_buffer(
+      text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata_single);
   if (!parsed) {
     const auto end = text_.begin() + std::clamp<std::ptrdiff_t>(parsed.offset, 0, static_cast<std::ptrdiff_t>(text_.size()));
-    throw std::runtime_error(file_ + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n')) + ": is not XML: " + parsed.description());
+    throw std::runtime_error(file_ + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n')) +
+                             ": is not XML: " + parsed.description());
   }
   pugi::xml_node root;
   for (const pugi::xml_node& node : document) {
-    if (node.type() == pugi::node_doctype) entities_ = std::string_view(node.value()).find("<!ENTITY") != std::string_view::npos;
+    if (node.type() == pugi::node_doctype)
+      entities_ = std::string_view(node.value()).find("<!ENTITY") != std::string_view::npos;
     if (node.type() == pugi::node_element) root = node;
   }
   if (local_name(root) != "svg") throw std::runtime_error(file_ + ": is not an SVG");
@@ -120,7 +124,8 @@ bool SvgReader::enter(const pugi::xml_node& node, Context& context) {
   bool displayed = true;
   context.style = styled(node, context.style, displayed);
   if (!displayed) return false;
-  if (const pugi::xml_attribute placing = node.attribute("transform")) context.to_mm = context.to_mm * transform(placing.value());
+  if (const pugi::xml_attribute placing = node.attribute("transform"))
+    context.to_mm = context.to_mm * transform(placing.value());
   if (!context.style.clip.empty()) context.clip = clip_of(context.style.clip, node, context);
   return true;
 }
@@ -139,14 +144,15 @@ void SvgReader::walk(const pugi::xml_node& node, const Context& around) {
   const std::string_view full = node.name(), name = local_name(node);
   // Elements of editors and metadata have prefixes of their own.
   if (full != name && !full.starts_with("svg:")) return;
-  for (const std::string_view unseen :
-       {"defs", "title", "desc", "metadata", "script", "style", "linearGradient", "radialGradient", "pattern", "clipPath", "mask", "filter", "marker", "symbol"}) {
+  for (const std::string_view unseen : {"defs", "title", "desc", "metadata", "script", "style", "linearGradient",
+                                        "radialGradient", "pattern", "clipPath", "mask", "filter", "marker", "symbol"}) {
     if (name == unseen) return;
   }
   for (const std::string_view known : {"image", "foreignObject", "switch"}) {
     if (name == known) return refuse(known, node);
   }
-  if (name == "animate" || name == "animateTransform" || name == "animateMotion" || name == "set") return refuse("animation", node);
+  if (name == "animate" || name == "animateTransform" || name == "animateMotion" || name == "set")
+    return refuse("animation", node);
   try {
     Context context = around;
     if (!enter(node, context)) return;
@@ -159,7 +165,8 @@ void SvgReader::walk(const pugi::xml_node& node, const Context& around) {
     if (name == "svg") return walk_viewport(node, context, node);
     if (name == "use") return follow_use(node, context);
     if (name == "text") return context.style.visible ? draw_text(node, context) : void();
-    if (!draw_shape(name, node, context)) fail(node, "<" + std::string(name.substr(0, 40)) + "> is not known, and could be something that shows");
+    if (!draw_shape(name, node, context))
+      fail(node, "<" + std::string(name.substr(0, 40)) + "> is not known, and could be something that shows");
   } catch (const std::invalid_argument& e) {
     fail(node, "<" + std::string(name.substr(0, 40)) + "> " + e.what());
   }
@@ -168,7 +175,8 @@ void SvgReader::walk(const pugi::xml_node& node, const Context& around) {
 /// A nested svg, or a symbol whose size its <use> tells.
 void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const pugi::xml_node& size) {
   if (local_name(node) == "svg") {
-    context.to_mm = context.to_mm * Matrix{1, 0, 0, 1, length(node, "x", 0, context.port.width), length(node, "y", 0, context.port.height)};
+    context.to_mm = context.to_mm *
+                    Matrix{1, 0, 0, 1, length(node, "x", 0, context.port.width), length(node, "y", 0, context.port.height)};
   }
   const auto side = [&](const char* name, double whole) {
     const double own = local_name(node) == "svg" ? length(node, name, whole, whole) : whole;
@@ -206,7 +214,8 @@ void SvgReader::follow_use(const pugi::xml_node& node, const Context& context) {
   if (!target) return;
   if (context.depth > kDeepest) fail(node, "is nested deeper than " + std::to_string(kDeepest) + " elements");
   Context inside = context;
-  inside.to_mm = context.to_mm * Matrix{1, 0, 0, 1, length(node, "x", 0, context.port.width), length(node, "y", 0, context.port.height)};
+  inside.to_mm = context.to_mm *
+                 Matrix{1, 0, 0, 1, length(node, "x", 0, context.port.width), length(node, "y", 0, context.port.height)};
   ++inside.depth;
   ++inside.links;
   const std::string_view name = local_name(target);
@@ -235,7 +244,8 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   inside.style = styled(path, {}, displayed);
   const pugi::xml_attribute placing = path.attribute("transform");
   for (const pugi::xml_node& child : path) {
-    if (child.type() == pugi::node_element) add_clip_shape(child, placing ? m * transform(placing.value()) : m, inside, clip->any_of, 0);
+    if (child.type() == pugi::node_element)
+      add_clip_shape(child, placing ? m * transform(placing.value()) : m, inside, clip->any_of, 0);
   }
   last_clip_ = std::move(key);
   last_made_ = clip;
@@ -243,7 +253,8 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
 }
 
 /// One of the shapes that make a clip path.
-void SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, std::vector<Area>& areas, int links) {
+void SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, std::vector<Area>& areas,
+                               int links) {
   const std::string_view name = local_name(node);
   if (name == "title" || name == "desc" || name == "metadata") return;
   bool displayed = true;
@@ -267,7 +278,8 @@ void SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
 
 }  // namespace svg
 
-ReadDrawing read_svg_drawing(std::string_view text, const std::string& file, const std::set<std::string>& skip, const FillReading& fills) {
+ReadDrawing read_svg_drawing(std::string_view text, const std::string& file, const std::set<std::string>& skip,
+                             const FillReading& fills) {
   return svg::SvgReader(text, file, skip, fills).read();
 }
 

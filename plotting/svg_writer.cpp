@@ -1,5 +1,5 @@
-/// SVG. Cairo's own SVG surface knows no layers, repeats the style on every path and writes clip paths, so it is not used: the
-/// polylines go into Cairo paths, as for every other format, and these are read back and written down here. Chunks of
+/// SVG. Cairo's own SVG surface knows no layers, repeats the style on every path and writes clip paths, so it is not used:
+/// the polylines go into Cairo paths, as for every other format, and these are read back and written down here. Chunks of
 /// polylines are worked on in parallel and put together in their order.
 
 #include <algorithm>
@@ -65,12 +65,23 @@ std::string xml_text(std::string_view text) {
   while (!text.empty()) {
     const std::size_t count = xml_character(text);
     switch (count == 0 ? '\0' : text[0]) {
-      case '\0': out += "\xef\xbf\xbd"; break;
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += text.substr(0, count);
+      case '\0':
+        out += "\xef\xbf\xbd";
+        break;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += text.substr(0, count);
     }
     text.remove_prefix(std::max<std::size_t>(count, 1));
   }
@@ -194,12 +205,15 @@ std::string chunk_text(const Polylines& lines, Chunk chunk, double device) {
         writer.begin({data[1].point.x, data[1].point.y});
         open = true;
         break;
-      case CAIRO_PATH_LINE_TO: writer.line_to({data[1].point.x, data[1].point.y}); break;
+      case CAIRO_PATH_LINE_TO:
+        writer.line_to({data[1].point.x, data[1].point.y});
+        break;
       case CAIRO_PATH_CLOSE_PATH:
         writer.end(true);
         open = false;
         break;
-      case CAIRO_PATH_CURVE_TO: break;  // there is none
+      case CAIRO_PATH_CURVE_TO:
+        break;  // there is none
     }
   }
   if (open) writer.end(false);
@@ -209,8 +223,11 @@ std::string chunk_text(const Polylines& lines, Chunk chunk, double device) {
 /// An id has no blanks and does not begin with a digit or a sign.
 std::string id_of(std::string_view layer) {
   std::string id(layer);
-  std::replace_if(id.begin(), id.end(), [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }, '-');
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80; };
+  std::replace_if(
+      id.begin(), id.end(), [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }, '-');
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+  };
   return id.empty() || letter(id[0]) ? id : "pen-" + id;
 }
 
@@ -237,7 +254,8 @@ void add_fill(const Fill& fill, std::string& text) {
   }
 }
 
-/// One layer. Opaque areas of one colour that follow each other are one path: between two paths the paper would shine through.
+/// One layer. Opaque areas of one colour that follow each other are one path: between two paths the paper would shine
+/// through.
 std::string fills_text(const std::vector<Fill>& fills) {
   if (fills.empty()) return {};
   std::string text = group_start("fill") + " fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
@@ -257,9 +275,9 @@ std::string fills_text(const std::vector<Fill>& fills) {
 
 std::string layer_start(const Layer& layer, const LineStyle& style) {
   const bool dashed = !style.dashes_mm.empty();
-  std::string text = group_start(layer.name) +
-                     " fill=\"none\" stroke=\"" + color_text(style.color) + "\" stroke-width=\"" + number(style.width_mm) +
-                     "\" stroke-linecap=\"" + (dashed ? "butt" : "round") + "\" stroke-linejoin=\"round\"";
+  std::string text = group_start(layer.name) + " fill=\"none\" stroke=\"" + color_text(style.color) + "\" stroke-width=\"" +
+                     number(style.width_mm) + "\" stroke-linecap=\"" + (dashed ? "butt" : "round") +
+                     "\" stroke-linejoin=\"round\"";
   for (std::size_t i = 0; i < style.dashes_mm.size(); ++i) {
     text += i == 0 ? " stroke-dasharray=\"" : " ";
     text += number(style.dashes_mm[i]);
@@ -277,7 +295,8 @@ std::string text_layer(std::span<const TextItem> items) {
     text += "<text x=\"" + x + "\" y=\"" + y + "\" font-size=\"" + number(item.height_mm / kCapitalsOfSize) + "\"";
     if (item.across == TextAcross::center) text += " text-anchor=\"middle\"";
     if (item.across == TextAcross::right) text += " text-anchor=\"end\"";
-    if (item.rotation_degrees != 0) text += " transform=\"rotate(" + number(-item.rotation_degrees) + " " + x + " " + y + ")\"";
+    if (item.rotation_degrees != 0)
+      text += " transform=\"rotate(" + number(-item.rotation_degrees) + " " + x + " " + y + ")\"";
     text += ">" + xml_text(clean_utf8(item.text)) + "</text>\n";
   }
   return text + "</g>\n";
@@ -287,10 +306,11 @@ std::string text_layer(std::span<const TextItem> items) {
 
 std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
   const std::string width = number(options.page.width_mm), height = number(options.page.height_mm);
-  std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                    "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
-                    "version=\"1.1\" width=\"" + width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " +
-                    height + "\">\n";
+  std::string svg =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+      "version=\"1.1\" width=\"" +
+      width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
   if (!options.title.empty()) svg += "<title>" + xml_text(options.title) + "</title>\n";
 
   const double device = device_units(largest_coordinate(drawing, options.page));

@@ -75,7 +75,8 @@ class TomlTable {
   std::vector<unsigned> counts(std::string_view key, unsigned low, unsigned high) const {
     const toml::node* node = find(key);
     if (!node) return {};
-    const std::string cause = std::string(key) + " is not a list of whole numbers from " + std::to_string(low) + " to " + std::to_string(high);
+    const std::string cause =
+        std::string(key) + " is not a list of whole numbers from " + std::to_string(low) + " to " + std::to_string(high);
     std::vector<unsigned> values;
     const toml::array* array = node->as_array();
     if (!array) fail(cause, node);

@@ -8,8 +8,8 @@
 #include <glm/mat4x4.hpp>
 
 #include "drawing/drawing.hpp"
-#include "drawing/shading.hpp"
 #include "drawing/result_models.hpp"
+#include "drawing/shading.hpp"
 #include "drawing/statistics.hpp"
 #include "plotting/page.hpp"
 
@@ -19,11 +19,13 @@ struct PlotOptions {
   Page page;
   double pen_width_mm = 0.35;
   bool hidden_solid = false;
-  std::string title;    ///< document title, may be empty
-  double dpi = 150;     ///< PNG
+  std::string title;                                     ///< document title, may be empty
+  double dpi = 150;                                      ///< PNG
   std::function<LineStyle(const std::string&)> style{};  ///< of a layer; empty: layer_style
 
-  LineStyle style_of(const std::string& layer) const { return style ? style(layer) : layer_style(layer, pen_width_mm, hidden_solid); }
+  LineStyle style_of(const std::string& layer) const {
+    return style ? style(layer) : layer_style(layer, pen_width_mm, hidden_solid);
+  }
 };
 
 /// SVG: width, height and viewBox in mm, one Inkscape layer group per layer with the style on it, one path per polyline.

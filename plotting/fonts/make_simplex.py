@@ -182,10 +182,12 @@ HEAD = """\
 namespace ligne {
 namespace {
 
+// clang-format off
 constexpr SimplexGlyph kGlyphs[] = {"""
 
 TAIL = """\
 };
+// clang-format on
 
 }  // namespace
 

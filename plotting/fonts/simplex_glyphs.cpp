@@ -6,6 +6,7 @@
 namespace ligne {
 namespace {
 
+// clang-format off
 constexpr SimplexGlyph kGlyphs[] = {
     {0x20, 160, 436, ""},
     {0x21, 100, 550, "50 210 50 70;50 20 40 10 50 0 60 10 50 20"},
@@ -390,6 +391,7 @@ constexpr SimplexGlyph kGlyphs[] = {
     {0x2265, 240, 1149, "40 200 200 110 40 20;40 -10 200 -10"},
     {0x22c5, 80, 436, "40 100 30 90 40 80 50 90 40 100"},
 };
+// clang-format on
 
 }  // namespace
 

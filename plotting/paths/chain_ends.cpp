@@ -4,9 +4,9 @@
 #include <cmath>
 #include <tuple>
 
-#include <glm/geometric.hpp>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
 #include "plotting/paths/end_tree.hpp"
 
@@ -50,7 +50,8 @@ std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
       tree.nearest(points[e], kCandidates + 1, neighbours);
       for (const EndTree::Neighbour& n : neighbours) {
         if (n.squared > tolerance_mm * tolerance_mm) break;
-        if (n.point != e) found[e].push_back({n.squared, std::min(ends[e], ends[n.point]), std::max(ends[e], ends[n.point])});
+        if (n.point != e)
+          found[e].push_back({n.squared, std::min(ends[e], ends[n.point]), std::max(ends[e], ends[n.point])});
       }
     }
   });

@@ -44,9 +44,9 @@ std::uint32_t EndTree::build(std::uint32_t first, std::uint32_t last, std::uint3
   }
   const int axis = node.box.width() >= node.box.height() ? 0 : 1;
   const std::uint32_t middle = first + (last - first) / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last, [&](std::uint32_t l, std::uint32_t r) {
-    return std::tie(points_[l][axis], l) < std::tie(points_[r][axis], r);
-  });
+  std::nth_element(
+      order_.begin() + first, order_.begin() + middle, order_.begin() + last,
+      [&](std::uint32_t l, std::uint32_t r) { return std::tie(points_[l][axis], l) < std::tie(points_[r][axis], r); });
   const std::uint32_t left = build(first, middle, index), right = build(middle, last, index);
   nodes_[index].left = left;
   nodes_[index].right = right;
@@ -99,7 +99,9 @@ void EndTree::nearest(Point2 p, std::size_t count, std::vector<Neighbour>& found
   found.clear();
   if (count == 0) return;
   double limit = std::numeric_limits<double>::infinity();
-  const auto nearer = [](const Neighbour& l, const Neighbour& r) { return std::tie(l.squared, l.point) < std::tie(r.squared, r.point); };
+  const auto nearer = [](const Neighbour& l, const Neighbour& r) {
+    return std::tie(l.squared, l.point) < std::tie(r.squared, r.point);
+  };
   search(0, p, limit, [&](double squared, std::uint32_t point) {
     if (!(squared < limit)) return;
     const Neighbour neighbour{squared, point};

@@ -9,8 +9,9 @@
 
 namespace ligne {
 
-/// A k-d tree over points, which are numbered as they come. Points can be removed; a subtree without points is never entered, so that a query
-/// takes logarithmic time also when few are left. Where several points are equally near, which one is found depends on the points alone.
+/// A k-d tree over points, which are numbered as they come. Points can be removed; a subtree without points is never
+/// entered, so that a query takes logarithmic time also when few are left. Where several points are equally near, which one
+/// is found depends on the points alone.
 class EndTree {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -34,10 +35,10 @@ class EndTree {
  private:
   struct Node {
     Rect box;
-    std::uint32_t first, last;         ///< its points in order_
-    std::uint32_t left = 0, right = 0; ///< children; 0: a leaf
+    std::uint32_t first, last;          ///< its points in order_
+    std::uint32_t left = 0, right = 0;  ///< children; 0: a leaf
     std::uint32_t parent = 0;
-    std::uint32_t left_over = 0;       ///< points that are left
+    std::uint32_t left_over = 0;  ///< points that are left
   };
 
   std::uint32_t build(std::uint32_t first, std::uint32_t last, std::uint32_t parent);

@@ -1,12 +1,16 @@
 /// Strokes joined, in five steps:
 ///
 /// 1. All points go onto a lattice far finer than any plotter, so that "the same point" is a question with an answer.
-/// 2. Points that a quarter of the tolerance does not need are dropped, except where lines share a point: the segments of a curve become long enough that
+/// 2. Points that a quarter of the tolerance does not need are dropped, except where lines share a point: the segments of a
+/// curve become long enough that
 ///    two of them can be seen to lie on each other.
 /// 3. Segments that lie on each other are drawn once (remove_coincident_strokes of the drawing).
-/// 4. Ends in one lattice point are paired, the straightest first, the rest in their order. This makes chains and rings. A ring R that touches another chain C in a
-///    node is taken into it: pairs (r1, r2) and (c1, c2) become (c1, r1) and (r2, c2), which cuts both there and ties them together, whichever way they run.
-/// 5. Loose ends of chains are joined within the tolerance, nearest first, and the rest of the tolerance simplifies what came out.
+/// 4. Ends in one lattice point are paired, the straightest first, the rest in their order. This makes chains and rings. A
+/// ring R that touches another chain C in a
+///    node is taken into it: pairs (r1, r2) and (c1, c2) become (c1, r1) and (r2, c2), which cuts both there and ties them
+///    together, whichever way they run.
+/// 5. Loose ends of chains are joined within the tolerance, nearest first, and the rest of the tolerance simplifies what
+/// came out.
 
 #include "plotting/paths/join.hpp"
 
@@ -67,7 +71,8 @@ LatticeLines on_lattice(const Polylines& lines) {
 std::vector<char> shared_points(const LatticeLines& lines) {
   std::vector<std::uint32_t> order(lines.points.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) { return less(lines.points[l], lines.points[r]); });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t l, std::uint32_t r) { return less(lines.points[l], lines.points[r]); });
   std::vector<char> shared(order.size(), 0);
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (lines.points[order[i]] == lines.points[order[i - 1]]) shared[order[i]] = shared[order[i - 1]] = 1;
@@ -111,21 +116,26 @@ StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm) {
   return model;
 }
 
-/// Segments between the same two points are one, however short: what lies on each other is found only where it is longer than the tolerance.
+/// Segments between the same two points are one, however short: what lies on each other is found only where it is longer
+/// than the tolerance.
 void remove_equal(std::vector<Stroke>& strokes) {
   const auto key = [](const Stroke& s) {
     const auto [low, high] = less(s.to, s.from) ? std::pair(s.to, s.from) : std::pair(s.from, s.to);
     return std::tuple(low.x, low.y, high.x, high.y);
   };
-  std::sort(strokes.begin(), strokes.end(), [&](const Stroke& l, const Stroke& r) { return std::tuple(key(l), l.source) < std::tuple(key(r), r.source); });
-  strokes.erase(std::unique(strokes.begin(), strokes.end(), [&](const Stroke& l, const Stroke& r) { return key(l) == key(r); }), strokes.end());
+  std::sort(strokes.begin(), strokes.end(),
+            [&](const Stroke& l, const Stroke& r) { return std::tuple(key(l), l.source) < std::tuple(key(r), r.source); });
+  strokes.erase(
+      std::unique(strokes.begin(), strokes.end(), [&](const Stroke& l, const Stroke& r) { return key(l) == key(r); }),
+      strokes.end());
   std::sort(strokes.begin(), strokes.end(), [](const Stroke& l, const Stroke& r) { return l.source < r.source; });
 }
 
 /// Chains of strokes: end 2 i is the `from` of stroke i, end 2 i + 1 its `to`, partner[e] the end that continues e.
 class Chains {
  public:
-  explicit Chains(const StrokeModel& model) : model_(model), strokes_(model.strokes), partner_(2 * strokes_.size(), kNoPartner) {
+  explicit Chains(const StrokeModel& model)
+      : model_(model), strokes_(model.strokes), partner_(2 * strokes_.size(), kNoPartner) {
     find_nodes();
     pair_ends();
     number_chains();
@@ -136,7 +146,9 @@ class Chains {
 
  private:
   LatticePoint point(std::uint32_t end) const { return end % 2 == 0 ? strokes_[end / 2].from : strokes_[end / 2].to; }
-  std::span<const std::uint32_t> node(std::size_t n) const { return {ends_.data() + node_begin_[n], ends_.data() + node_begin_[n + 1]}; }
+  std::span<const std::uint32_t> node(std::size_t n) const {
+    return {ends_.data() + node_begin_[n], ends_.data() + node_begin_[n + 1]};
+  }
   std::size_t node_count() const { return node_begin_.size() - 1; }
 
   void find_nodes();
@@ -297,7 +309,8 @@ Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances)
   const Polylines joined = join_near_ends(Chains(model).polylines(), tolerances.ends_mm);
 
   Polylines out;
-  for (std::size_t i = 0; i < joined.size(); ++i) append(out, joined[i], simplified(joined[i], tolerances.simplify_mm - early));
+  for (std::size_t i = 0; i < joined.size(); ++i)
+    append(out, joined[i], simplified(joined[i], tolerances.simplify_mm - early));
   for (const LatticePoint dot : snapped.dots) {
     out.points.insert(out.points.end(), 2, snapped.lattice.to_mm(dot));
     out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));

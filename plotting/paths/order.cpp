@@ -84,8 +84,8 @@ void Strokes::choose_starts(const Tour& tour) {
     const Point2 from = end_point(tour.entries[i - 1] ^ 1);
     double best = std::numeric_limits<double>::infinity();
     for (std::uint32_t p = 0; p + 1 < line.size(); ++p) {
-      const double way =
-          glm::distance(from, line[p]) + (i + 1 < tour.entries.size() ? glm::distance(line[p], end_point(tour.entries[i + 1])) : 0);
+      const double way = glm::distance(from, line[p]) +
+                         (i + 1 < tour.entries.size() ? glm::distance(line[p], end_point(tour.entries[i + 1])) : 0);
       if (way < best) {
         best = way;
         start_[stroke] = p;

@@ -8,14 +8,14 @@
 namespace ligne {
 
 struct OrderOptions {
-  Point2 home{0, 0};       ///< where the pen comes from, page mm
-  bool returns = false;    ///< it goes back there at the end
+  Point2 home{0, 0};     ///< where the pen comes from, page mm
+  bool returns = false;  ///< it goes back there at the end
   /// The work that improving may do, in strokes moved: the same for the same input, whatever the machine.
   std::uint64_t most_work = 150'000'000;
 };
 
-/// The same strokes in an order, and each in a direction, that makes the way with the pen up short: nearest neighbour first, then 2-opt and or-opt until
-/// nothing is gained or the work is done. Closed lines start where that is best.
+/// The same strokes in an order, and each in a direction, that makes the way with the pen up short: nearest neighbour first,
+/// then 2-opt and or-opt until nothing is gained or the work is done. Closed lines start where that is best.
 Polylines order_strokes(const Polylines& lines, const OrderOptions& options);
 
 }  // namespace ligne

@@ -8,7 +8,8 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: a longer line is worked on in pieces of so many points, since the time for a piece can grow with the square of its points.
+/// Adjustable: a longer line is worked on in pieces of so many points, since the time for a piece can grow with the square
+/// of its points.
 constexpr std::uint32_t kPiecePoints = 2048;
 
 double squared_distance(Point2 p, Point2 a, Point2 b) {

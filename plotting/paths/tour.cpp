@@ -1,12 +1,13 @@
 /// 2-opt and or-opt over lists of near ends.
 ///
-/// A gap joins the exit of one stroke to the entry of the next. For an end p with its gap partner p' and a near end c of the same kind (both exits or both
-/// entries) with its partner c', 2-opt turns round what lies between: the gaps p p' and c c' become p c and p' c'. Or-opt takes one to three strokes that begin or
-/// end with p out of the tour and puts them, one way or the other, into the gap at c that brings p beside c. Either can only pay when p c is shorter than
-/// p p' or than the gap on the other side, so that the list of near ends is left early.
+/// A gap joins the exit of one stroke to the entry of the next. For an end p with its gap partner p' and a near end c of the
+/// same kind (both exits or both entries) with its partner c', 2-opt turns round what lies between: the gaps p p' and c c'
+/// become p c and p' c'. Or-opt takes one to three strokes that begin or end with p out of the tour and puts them, one way
+/// or the other, into the gap at c that brings p beside c. Either can only pay when p c is shorter than p p' or than the gap
+/// on the other side, so that the list of near ends is left early.
 ///
-/// Strokes whose surroundings changed wait in a queue; a stroke is taken from it, all its moves are tried, and the first that gains is made. All of it is one
-/// thread's work in a fixed order, and stops after a fixed amount of work, not of time.
+/// Strokes whose surroundings changed wait in a queue; a stroke is taken from it, all its moves are tried, and the first
+/// that gains is made. All of it is one thread's work in a fixed order, and stops after a fixed amount of work, not of time.
 
 #include "plotting/paths/tour.hpp"
 
@@ -14,9 +15,9 @@
 #include <cmath>
 #include <deque>
 
-#include <glm/geometric.hpp>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
 #include "plotting/paths/end_tree.hpp"
 
@@ -34,8 +35,13 @@ constexpr double kLeastGainMm = 1e-9;
 class Improver {
  public:
   Improver(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work)
-      : at_(tour.entries), ends_(ends), count_(static_cast<std::uint32_t>(tour.entries.size())), last_(returns ? count_ - 1 : count_), work_(work),
-        place_(ends.size() / 2), waits_(ends.size() / 2, 0) {
+      : at_(tour.entries),
+        ends_(ends),
+        count_(static_cast<std::uint32_t>(tour.entries.size())),
+        last_(returns ? count_ - 1 : count_),
+        work_(work),
+        place_(ends.size() / 2),
+        waits_(ends.size() / 2, 0) {
     for (std::uint32_t p = 0; p < count_; ++p) place_[at_[p] / 2] = p;
     find_near();
   }
@@ -116,7 +122,7 @@ bool Improver::try_two_opt(std::uint32_t end) {
   const std::uint32_t here = place_[end / 2];
   const bool entered = is_entry(end);
   const std::uint32_t gap_here = entered ? here : here + 1;  // the gap before this place
-  if (gap_here == 0) return false;  // nothing is before the home position
+  if (gap_here == 0) return false;                           // nothing is before the home position
   const double own = gap(gap_here);
   for (std::size_t k = 0; k < kNear; ++k) {
     const std::uint32_t near = near_[end * kNear + k];

@@ -23,7 +23,9 @@ double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
 
 bool near_edge(Point2 p, Point2 a, Point2 b) {
   constexpr double kNearMm = 1e-6;  // rounding of coordinates
-  if (p.x < std::min(a.x, b.x) - kNearMm || p.x > std::max(a.x, b.x) + kNearMm || p.y < std::min(a.y, b.y) - kNearMm || p.y > std::max(a.y, b.y) + kNearMm) return false;
+  if (p.x < std::min(a.x, b.x) - kNearMm || p.x > std::max(a.x, b.x) + kNearMm || p.y < std::min(a.y, b.y) - kNearMm ||
+      p.y > std::max(a.y, b.y) + kNearMm)
+    return false;
   return std::abs(cross(b - a, p - a)) <= kNearMm * glm::length(b - a);
 }
 
@@ -87,7 +89,8 @@ Area::Area(const Polylines& contours, FillRule rule, ClipWork work) : rule_(rule
   }
   rows_.resize(std::clamp<std::size_t>(edges_.size() / kRowEdges, 1, kMostRows));
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-    const std::size_t first = row(std::min(edges_[i].a.y, edges_[i].b.y)), last = row(std::max(edges_[i].a.y, edges_[i].b.y));
+    const std::size_t first = row(std::min(edges_[i].a.y, edges_[i].b.y)),
+                      last = row(std::max(edges_[i].a.y, edges_[i].b.y));
     count(kEntryWork * (last - first + 1));
     for (std::size_t r = first; r <= last; ++r) rows_[r].push_back(i);
   }
@@ -96,7 +99,8 @@ Area::Area(const Polylines& contours, FillRule rule, ClipWork work) : rule_(rule
 std::size_t Area::row(double y) const {
   const double height = box_.height();
   if (!(height > 0)) return 0;
-  return static_cast<std::size_t>(std::clamp((y - box_.min.y) / height * static_cast<double>(rows_.size()), 0.0, static_cast<double>(rows_.size() - 1)));
+  return static_cast<std::size_t>(
+      std::clamp((y - box_.min.y) / height * static_cast<double>(rows_.size()), 0.0, static_cast<double>(rows_.size() - 1)));
 }
 
 bool Area::contains(Point2 p) const {
@@ -115,7 +119,9 @@ bool Area::contains(Point2 p) const {
 }
 
 void Area::crossings(Point2 a, Point2 b, std::vector<double>& out) const {
-  if (edges_.empty() || std::max(a.x, b.x) < box_.min.x || std::min(a.x, b.x) > box_.max.x || std::max(a.y, b.y) < box_.min.y || std::min(a.y, b.y) > box_.max.y) return;
+  if (edges_.empty() || std::max(a.x, b.x) < box_.min.x || std::min(a.x, b.x) > box_.max.x ||
+      std::max(a.y, b.y) < box_.min.y || std::min(a.y, b.y) > box_.max.y)
+    return;
   const Point2 along = b - a;
   const std::size_t first = row(std::min(a.y, b.y)), last = row(std::max(a.y, b.y));
   for (std::size_t r = first; r <= last; ++r) {
@@ -126,7 +132,9 @@ void Area::crossings(Point2 a, Point2 b, std::vector<double>& out) const {
       if ((da > 0 && db > 0) || (da < 0 && db < 0)) continue;
       const double across = cross(along, e.b - e.a), squared = glm::dot(along, along);
       // An edge on the line begins and ends there.
-      for (const double t : across != 0 ? std::array{cross(e.a - a, e.b - e.a) / across, -1.0} : std::array{glm::dot(e.a - a, along) / squared, glm::dot(e.b - a, along) / squared}) {
+      for (const double t : across != 0
+                                ? std::array{cross(e.a - a, e.b - e.a) / across, -1.0}
+                                : std::array{glm::dot(e.a - a, along) / squared, glm::dot(e.b - a, along) / squared}) {
         if (t > 0 && t < 1) out.push_back(t);
       }
     }

@@ -15,7 +15,8 @@ enum class FillRule { nonzero, even_odd };
 /// Edges that were looked at, by all areas of a drawing together: a small file must not ask for endless work.
 using ClipWork = std::shared_ptr<std::size_t>;
 
-/// What lies inside contours, page mm; open ones are closed. Every function throws std::invalid_argument when the work becomes endless.
+/// What lies inside contours, page mm; open ones are closed. Every function throws std::invalid_argument when the work
+/// becomes endless.
 class Area {
  public:
   Area(const Polylines& contours, FillRule rule, ClipWork work);
@@ -43,8 +44,8 @@ class Area {
 
 /// What shows through one or several clip paths, one inside the other.
 struct Clip {
-  std::vector<Area> any_of;               ///< inside one of these
-  std::shared_ptr<const Clip> outer;      ///< and of this; nullptr: nothing more
+  std::vector<Area> any_of;           ///< inside one of these
+  std::shared_ptr<const Clip> outer;  ///< and of this; nullptr: nothing more
 };
 
 /// The parts of the lines that show.

@@ -57,7 +57,8 @@ void SvgReader::add_lines(const Polylines& given, const Context& context, const 
   drawn_ = true;
   Polylines& target = layer_named(context.layer.empty() ? color : context.layer);
   const auto shift = static_cast<std::uint32_t>(target.points.size());
-  if (target.points.size() + lines.points.size() > kMostPoints) throw std::invalid_argument("the drawing has more than fifty million points");
+  if (target.points.size() + lines.points.size() > kMostPoints)
+    throw std::invalid_argument("the drawing has more than fifty million points");
   target.points.insert(target.points.end(), lines.points.begin(), lines.points.end());
   for (std::size_t i = 1; i < lines.begin.size(); ++i) target.begin.push_back(lines.begin[i] + shift);
 }
@@ -87,7 +88,8 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   // What the engine has to do grows with how often the contours cross its lines.
   const double line_mm = cover_line_mm(options.spacing_mm, options.pen_width_mm);
   for (std::size_t i = 0; i < contours.size(); ++i) {
-    for (std::size_t k = 1; k < contours[i].size(); ++k) fill_work_ += 1 + glm::distance(contours[i][k - 1], contours[i][k]) / line_mm;
+    for (std::size_t k = 1; k < contours[i].size(); ++k)
+      fill_work_ += 1 + glm::distance(contours[i][k - 1], contours[i][k]) / line_mm;
   }
   if (fill_work_ > kMostFillWork) throw std::invalid_argument("has fills that ask for endless work");
   add_lines(hatch(area, options), context, *style.fill);
@@ -155,7 +157,8 @@ void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
   flush();
 }
 
-void SvgReader::draw_text_run(const pugi::xml_node& node, const std::string& text, Point2 at, const Style& style, const Context& context) {
+void SvgReader::draw_text_run(const pugi::xml_node& node, const std::string& text, Point2 at, const Style& style,
+                              const Context& context) {
   const Matrix& to_mm = context.to_mm;
   // Runs of blanks are one, and none at the ends.
   std::string clean;
@@ -165,7 +168,8 @@ void SvgReader::draw_text_run(const pugi::xml_node& node, const std::string& tex
   }
   while (!clean.empty() && clean.back() == ' ') clean.pop_back();
   if (clean.empty() || !(style.font_size > 0)) return;
-  if (entities_ && clean.find('&') != std::string::npos) fail(node, "<text> uses an entity of the document, which is not read");
+  if (entities_ && clean.find('&') != std::string::npos)
+    fail(node, "<text> uses an entity of the document, which is not read");
   if (!to_mm.is_similarity()) return refuse("text", node);
   TextItem item;
   item.text = clean;
@@ -173,7 +177,8 @@ void SvgReader::draw_text_run(const pugi::xml_node& node, const std::string& tex
   item.height_mm = style.font_size * kCapitals * to_mm.stretch();
   item.across = style.anchor == "middle" ? TextAcross::center : style.anchor == "end" ? TextAcross::right : TextAcross::left;
   item.rotation_degrees = -std::atan2(to_mm.b, to_mm.a) * 180 / std::numbers::pi;
-  const bool inside = std::abs(item.at.x) <= kFarthestMm && std::abs(item.at.y) <= kFarthestMm && item.height_mm <= kFarthestMm;
+  const bool inside =
+      std::abs(item.at.x) <= kFarthestMm && std::abs(item.at.y) <= kFarthestMm && item.height_mm <= kFarthestMm;
   if (!inside) throw std::invalid_argument("is farther than a kilometre away");
   drawn_ = true;
   if (context.clip) {

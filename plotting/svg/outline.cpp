@@ -13,9 +13,11 @@ namespace {
 
 constexpr double kMostPieces = 100'000;
 
-/// Pieces of a curve of the degree whose second differences are at most `bend` mm: n^2 = degree (degree - 1) / 8 bend / flatness.
+/// Pieces of a curve of the degree whose second differences are at most `bend` mm: n^2 = degree (degree - 1) / 8 bend /
+/// flatness.
 int pieces(double degree, double bend) {
-  return static_cast<int>(std::clamp(std::ceil(std::sqrt(degree * (degree - 1) / 8 * bend / kFlatnessMm)), 1.0, kMostPieces));
+  return static_cast<int>(
+      std::clamp(std::ceil(std::sqrt(degree * (degree - 1) / 8 * bend / kFlatnessMm)), 1.0, kMostPieces));
 }
 
 double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
@@ -23,7 +25,8 @@ double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
 }  // namespace
 
 void Outline::add(Point2 mm) {
-  if (!(std::abs(mm.x) <= kFarthestMm && std::abs(mm.y) <= kFarthestMm)) throw std::invalid_argument("a point is farther than a kilometre away");
+  if (!(std::abs(mm.x) <= kFarthestMm && std::abs(mm.y) <= kFarthestMm))
+    throw std::invalid_argument("a point is farther than a kilometre away");
   if (lines_.points.size() >= kMostPoints) throw std::invalid_argument("the drawing has more than fifty million points");
   lines_.points.push_back(mm);
 }
@@ -99,7 +102,8 @@ void Outline::arc_to(double rx, double ry, double rotation_degrees, bool large, 
   double turn = std::atan2(cross(from, to), glm::dot(from, to));
   if (sweep && turn < 0) turn += 2 * std::numbers::pi;
   if (!sweep && turn > 0) turn -= 2 * std::numbers::pi;
-  const Point2 center{middle.x + c * rx * center_unit.x - s * ry * center_unit.y, middle.y + s * rx * center_unit.x + c * ry * center_unit.y};
+  const Point2 center{middle.x + c * rx * center_unit.x - s * ry * center_unit.y,
+                      middle.y + s * rx * center_unit.x + c * ry * center_unit.y};
   // Radii beyond all numbers: the arc is straight.
   if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(turn)) return line_to(p);
   arc(center, rx, ry, rotation, std::atan2(from.y, from.x), turn);
@@ -154,10 +158,18 @@ void add_path(Outline& outline, std::string_view data) {
     const char last = static_cast<char>(before >= 'a' ? before - 'a' + 'A' : before);
     const Point2 mirrored = outline.at() * 2.0 - control;
     switch (kind) {
-      case 'M': outline.move_to(point()); break;
-      case 'L': outline.line_to(point()); break;
-      case 'H': outline.line_to({origin.x + number(), outline.at().y}); break;
-      case 'V': outline.line_to({outline.at().x, origin.y + number()}); break;
+      case 'M':
+        outline.move_to(point());
+        break;
+      case 'L':
+        outline.line_to(point());
+        break;
+      case 'H':
+        outline.line_to({origin.x + number(), outline.at().y});
+        break;
+      case 'V':
+        outline.line_to({outline.at().x, origin.y + number()});
+        break;
       case 'C': {
         const Point2 c1 = point(), c2 = point(), p = point();
         outline.cubic_to(c1, c2, p);
@@ -188,8 +200,11 @@ void add_path(Outline& outline, std::string_view data) {
         outline.arc_to(rx, ry, rotation, large, sweep, point());
         break;
       }
-      case 'Z': outline.close(); break;
-      default: throw std::invalid_argument("path data have an unknown command");
+      case 'Z':
+        outline.close();
+        break;
+      default:
+        throw std::invalid_argument("path data have an unknown command");
     }
     before = command;
   }

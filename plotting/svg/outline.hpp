@@ -41,7 +41,7 @@ class Outline {
   Polylines& lines_;
   Matrix to_mm_;
   Point2 at_{0, 0}, start_{0, 0};
-  std::size_t first_;   ///< of the line that is open
+  std::size_t first_;  ///< of the line that is open
   bool open_ = false;
 };
 

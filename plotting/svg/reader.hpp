@@ -53,10 +53,12 @@ class SvgReader {
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);
   void add_lines(const Polylines& lines, const Context& context, const std::string& color);
   void draw_text(const pugi::xml_node& node, const Context& context);
-  void draw_text_run(const pugi::xml_node& node, const std::string& text, Point2 at, const Style& style, const Context& context);
+  void draw_text_run(const pugi::xml_node& node, const std::string& text, Point2 at, const Style& style,
+                     const Context& context);
   Polylines& layer_named(const std::string& name);
   Style styled(const pugi::xml_node& node, const Style& inherited, bool& displayed) {
-    return style_of(node, inherited, sheet_, displayed, [this](std::string_view what, const pugi::xml_node& where) { refuse(what, where); });
+    return style_of(node, inherited, sheet_, displayed,
+                    [this](std::string_view what, const pugi::xml_node& where) { refuse(what, where); });
   }
 
   std::string_view text_;

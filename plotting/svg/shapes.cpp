@@ -61,7 +61,9 @@ Matrix view_box_to(const pugi::xml_node& node, double width, double height, View
   const std::string aspect = node.attribute("preserveAspectRatio").value();
   if (!aspect.starts_with("none")) {
     sx = sy = aspect.find("slice") != std::string::npos ? std::max(sx, sy) : std::min(sx, sy);
-    const auto share = [&](const char* low, const char* high) { return aspect.find(low) != std::string::npos ? 0.0 : aspect.find(high) != std::string::npos ? 1.0 : 0.5; };
+    const auto share = [&](const char* low, const char* high) {
+      return aspect.find(low) != std::string::npos ? 0.0 : aspect.find(high) != std::string::npos ? 1.0 : 0.5;
+    };
     dx = (width - sx * box[2]) * share("xMin", "xMax");
     dy = (height - sy * box[3]) * share("YMin", "YMax");
   }
@@ -77,7 +79,8 @@ bool outline_shape(std::string_view name, const pugi::xml_node& node, const View
   } else if (name == "polyline" || name == "polygon") {
     const std::vector<double> v = numbers(node.attribute("points").value());
     if (v.size() % 2 == 1) throw std::invalid_argument("points: an odd number of numbers");
-    for (std::size_t i = 0; i + 1 < v.size(); i += 2) i == 0 ? outline.move_to({v[0], v[1]}) : outline.line_to({v[i], v[i + 1]});
+    for (std::size_t i = 0; i + 1 < v.size(); i += 2)
+      i == 0 ? outline.move_to({v[0], v[1]}) : outline.line_to({v[i], v[i + 1]});
     if (name == "polygon") outline.close();
   } else if (name == "rect") {
     outline_rect(node, port, outline);

@@ -17,7 +17,8 @@ struct Viewport {
 /// An attribute as a length in user units. Throws std::invalid_argument.
 double length(const pugi::xml_node& node, const char* attribute, double otherwise = 0, double whole = 0);
 
-/// From the units inside an element with `viewBox` and `preserveAspectRatio` to those of a frame of this size at (0, 0). Without a viewBox they are the same.
+/// From the units inside an element with `viewBox` and `preserveAspectRatio` to those of a frame of this size at (0, 0).
+/// Without a viewBox they are the same.
 Matrix view_box_to(const pugi::xml_node& node, double width, double height, Viewport& inside);
 
 /// Adds a shape to the outline. False when the element is none.

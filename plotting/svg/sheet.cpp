@@ -31,7 +31,8 @@ std::string without_comments(std::string_view css) {
 }
 
 bool name_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
 }
 
 /// Takes a name from the beginning.
@@ -97,7 +98,8 @@ void StyleSheet::add(std::string_view given) {
       continue;
     }
     const std::size_t close = text.find('}');
-    if (open == std::string_view::npos || close == std::string_view::npos || close < open) throw UnknownStyle("a rule without braces");
+    if (open == std::string_view::npos || close == std::string_view::npos || close < open)
+      throw UnknownStyle("a rule without braces");
     const std::string_view body = text.substr(open + 1, close - open - 1);
     if (body.find('{') != std::string_view::npos) throw UnknownStyle("rules in rules");
     add_rule(text.substr(0, open), body);
@@ -157,7 +159,10 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view body) {
     if (rule.path.empty() || never) continue;
     if (rules_.size() == kMostRules) throw std::invalid_argument("there are more than 10,000 rules of style");
     const Compound& own = rule.path.back();
-    const std::string key = !own.id.empty() ? "#" + own.id : !own.classes.empty() ? "." + own.classes[0] : own.element.empty() ? "*" : own.element;
+    const std::string key = !own.id.empty()        ? "#" + own.id
+                            : !own.classes.empty() ? "." + own.classes[0]
+                            : own.element.empty()  ? "*"
+                                                   : own.element;
     by_key_[key].push_back(static_cast<std::uint32_t>(rules_.size()));
     rules_.push_back(std::move(rule));
   }
@@ -167,7 +172,8 @@ bool StyleSheet::holds(const Compound& compound, const pugi::xml_node& node) con
   if (++work_ > kMostWork) throw std::invalid_argument("the style sheets ask for endless work");
   if (!compound.element.empty() && local_name(node) != compound.element) return false;
   if (!compound.id.empty() && compound.id != node.attribute("id").value()) return false;
-  return std::all_of(compound.classes.begin(), compound.classes.end(), [&](const std::string& name) { return has_class(node.attribute("class").value(), name); });
+  return std::all_of(compound.classes.begin(), compound.classes.end(),
+                     [&](const std::string& name) { return has_class(node.attribute("class").value(), name); });
 }
 
 /// Whether path[0..last] holds, its last part for this node.
@@ -201,7 +207,9 @@ std::vector<const StyleSheet::Declaration*> StyleSheet::of(const pugi::xml_node&
       rest.remove_prefix(end);
     }
   }
-  std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) { return rules_[a].weight != rules_[b].weight ? rules_[a].weight < rules_[b].weight : a < b; });
+  std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return rules_[a].weight != rules_[b].weight ? rules_[a].weight < rules_[b].weight : a < b;
+  });
   found.erase(std::unique(found.begin(), found.end()), found.end());
   std::vector<const Declaration*> said;
   for (const std::uint32_t rule : found) {

@@ -19,8 +19,9 @@ struct UnknownStyle : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Rules with selectors made of elements, classes, ids and `*`, alone or together, one inside the other ("a b", "a > b"), and lists of these. Selectors of what a pointer does (:hover ...)
-/// never hold on paper; @font-face, @charset and @namespace say nothing of lines.
+/// Rules with selectors made of elements, classes, ids and `*`, alone or together, one inside the other ("a b", "a > b"),
+/// and lists of these. Selectors of what a pointer does (:hover ...) never hold on paper; @font-face, @charset and
+/// @namespace say nothing of lines.
 class StyleSheet {
  public:
   struct Declaration {
@@ -31,7 +32,8 @@ class StyleSheet {
   /// Throws UnknownStyle for other selectors and other @-rules, std::invalid_argument for more than 10,000 rules.
   void add(std::string_view css);
 
-  /// What holds for an element, from the weakest to the strongest. Throws std::invalid_argument when all elements together asked for endless work.
+  /// What holds for an element, from the weakest to the strongest. Throws std::invalid_argument when all elements together
+  /// asked for endless work.
   std::vector<const Declaration*> of(const pugi::xml_node& node) const;
 
   bool empty() const { return rules_.empty(); }
@@ -54,7 +56,8 @@ class StyleSheet {
   bool holds(const Rule& rule, std::size_t last, const pugi::xml_node& node) const;
 
   std::vector<Rule> rules_;
-  std::unordered_map<std::string, std::vector<std::uint32_t>> by_key_;  ///< rules by "#id", ".class", "element" or "*" of the element itself
+  std::unordered_map<std::string, std::vector<std::uint32_t>>
+      by_key_;  ///< rules by "#id", ".class", "element" or "*" of the element itself
   mutable std::size_t work_ = 0;
 };
 

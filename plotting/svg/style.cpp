@@ -26,31 +26,56 @@ class StyleReader {
 
   void set(std::string_view name, std::string_view value) {
     if (value == "inherit") return;
-    if (name == "stroke") set_paint(style_.stroke, value);
-    else if (name == "fill") set_paint(style_.fill, value);
-    else if (name == "color") style_.color = paint(value).value_or("#000000");
-    else if (name == "stroke-opacity") style_.stroke_seen = !is_zero(value);
-    else if (name == "fill-opacity") style_.fill_seen = !is_zero(value);
-    else if (name == "opacity") show(none_, is_zero(value));
-    else if (name == "display") show(value == "none", clear_);
-    else if (name == "visibility") style_.visible = value == "visible";
-    else if (name == "stroke-width") style_.stroke_width = length_px(value);
-    else if (name == "stroke-dashoffset") style_.dash_offset = length_px(value);
-    else if (name == "stroke-dasharray") set_dashes(value);
-    else if (name == "font-size") set_font_size(value);
-    else if (name == "font") set_font(value);
-    else if (name == "fill-rule") style_.fill_even_odd = value == "evenodd";
-    else if (name == "stroke-linecap") style_.round_caps = value != "butt";
-    else if (name == "clip-rule") style_.clip_even_odd = value == "evenodd";
-    else if (name == "overflow") style_.overflow = value == "visible" || value == "auto";
-    else if (name == "text-anchor") style_.anchor = value;
-    else if (value == "none" || value == "normal" || value == "auto") return;
-    else if (name == "clip-path") set_clip(value);
-    else if (name == "mask" || name == "filter") refuse_(name, node_);
-    else if (name.starts_with("marker")) refuse_("marker", node_);
-    else if (name == "letter-spacing" || name == "word-spacing") refuse_unless_zero(value);
-    else if (name == "dominant-baseline" || name == "alignment-baseline") refuse_unless(value, {"alphabetic", "baseline"});
-    else if (name == "writing-mode") refuse_unless(value, {"lr-tb", "lr", "horizontal-tb"});
+    if (name == "stroke")
+      set_paint(style_.stroke, value);
+    else if (name == "fill")
+      set_paint(style_.fill, value);
+    else if (name == "color")
+      style_.color = paint(value).value_or("#000000");
+    else if (name == "stroke-opacity")
+      style_.stroke_seen = !is_zero(value);
+    else if (name == "fill-opacity")
+      style_.fill_seen = !is_zero(value);
+    else if (name == "opacity")
+      show(none_, is_zero(value));
+    else if (name == "display")
+      show(value == "none", clear_);
+    else if (name == "visibility")
+      style_.visible = value == "visible";
+    else if (name == "stroke-width")
+      style_.stroke_width = length_px(value);
+    else if (name == "stroke-dashoffset")
+      style_.dash_offset = length_px(value);
+    else if (name == "stroke-dasharray")
+      set_dashes(value);
+    else if (name == "font-size")
+      set_font_size(value);
+    else if (name == "font")
+      set_font(value);
+    else if (name == "fill-rule")
+      style_.fill_even_odd = value == "evenodd";
+    else if (name == "stroke-linecap")
+      style_.round_caps = value != "butt";
+    else if (name == "clip-rule")
+      style_.clip_even_odd = value == "evenodd";
+    else if (name == "overflow")
+      style_.overflow = value == "visible" || value == "auto";
+    else if (name == "text-anchor")
+      style_.anchor = value;
+    else if (value == "none" || value == "normal" || value == "auto")
+      return;
+    else if (name == "clip-path")
+      set_clip(value);
+    else if (name == "mask" || name == "filter")
+      refuse_(name, node_);
+    else if (name.starts_with("marker"))
+      refuse_("marker", node_);
+    else if (name == "letter-spacing" || name == "word-spacing")
+      refuse_unless_zero(value);
+    else if (name == "dominant-baseline" || name == "alignment-baseline")
+      refuse_unless(value, {"alphabetic", "baseline"});
+    else if (name == "writing-mode")
+      refuse_unless(value, {"lr-tb", "lr", "horizontal-tb"});
   }
 
   /// A property of a style sheet or a style attribute.
@@ -112,7 +137,8 @@ class StyleReader {
     style_.clip.clear();
     if (!value.starts_with("url(") || !value.ends_with(")")) return refuse_("clip-path", node_);
     value = trimmed(value.substr(4, value.size() - 5));
-    if (value.size() >= 2 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front()) value = value.substr(1, value.size() - 2);
+    if (value.size() >= 2 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front())
+      value = value.substr(1, value.size() - 2);
     if (!value.starts_with('#')) return refuse_("clip-path", node_);
     style_.clip = value.substr(1);
   }
@@ -145,12 +171,14 @@ std::string_view local_name(const pugi::xml_node& node) {
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, bool& displayed, const Refuse& refuse) {
+Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, bool& displayed,
+               const Refuse& refuse) {
   Style style = inherited;
   style.clip.clear();
   style.overflow = false;
   StyleReader reader(node, style, displayed, refuse);
-  const std::vector<const StyleSheet::Declaration*> rules = sheet.empty() ? std::vector<const StyleSheet::Declaration*>() : sheet.of(node);
+  const std::vector<const StyleSheet::Declaration*> rules =
+      sheet.empty() ? std::vector<const StyleSheet::Declaration*>() : sheet.of(node);
   std::vector<StyleSheet::Declaration> own;
   if (const pugi::xml_attribute attribute = node.attribute("style")) own = declarations(attribute.value());
   // What currentColor means is settled first: by the strongest that says so.

@@ -15,29 +15,31 @@
 namespace ligne::svg {
 
 struct Style {
-  std::optional<std::string> stroke;             ///< nothing: none
+  std::optional<std::string> stroke;  ///< nothing: none
   std::optional<std::string> fill = "#000000";
-  std::string color = "#000000";                 ///< what currentColor means
-  bool stroke_seen = true, fill_seen = true;     ///< opacity above zero
+  std::string color = "#000000";              ///< what currentColor means
+  bool stroke_seen = true, fill_seen = true;  ///< opacity above zero
   bool visible = true;
   double stroke_width = 1;
-  std::vector<double> dashes;                    ///< of the element's units
+  std::vector<double> dashes;  ///< of the element's units
   double dash_offset = 0;
   double font_size = 16;
   std::string anchor = "start";
-  bool round_caps = false;   ///< or square ones: dots show
+  bool round_caps = false;  ///< or square ones: dots show
   bool fill_even_odd = false, clip_even_odd = false;
   // Not inherited.
-  std::string clip;          ///< id of a clip path
-  bool overflow = false;     ///< what lies outside a viewport is seen
+  std::string clip;       ///< id of a clip path
+  bool overflow = false;  ///< what lies outside a viewport is seen
 };
 
 /// Something of SVG that can not be drawn as strokes, by its name in drawing_reader.hpp.
 using Refuse = std::function<void(std::string_view name, const pugi::xml_node& node)>;
 
-/// The style of an element: what it inherits, changed by its attributes, the style sheets, and its style attribute. `displayed` becomes false for display: none. Throws
-/// std::invalid_argument for values without a meaning; calls `refuse` for properties that change what is seen in other ways.
-Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, bool& displayed, const Refuse& refuse);
+/// The style of an element: what it inherits, changed by its attributes, the style sheets, and its style attribute.
+/// `displayed` becomes false for display: none. Throws std::invalid_argument for values without a meaning; calls `refuse`
+/// for properties that change what is seen in other ways.
+Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, bool& displayed,
+               const Refuse& refuse);
 
 /// The name behind the prefix: "path" of "svg:path".
 std::string_view local_name(const pugi::xml_node& node);

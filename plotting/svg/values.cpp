@@ -32,7 +32,8 @@ std::string_view trimmed(std::string_view text) {
 }  // namespace
 
 Matrix Matrix::operator*(const Matrix& o) const {
-  return {a * o.a + c * o.b, b * o.a + d * o.b, a * o.c + c * o.d, b * o.c + d * o.d, a * o.e + c * o.f + e, b * o.e + d * o.f + f};
+  return {a * o.a + c * o.b, b * o.a + d * o.b,     a * o.c + c * o.d,
+          b * o.c + d * o.d, a * o.e + c * o.f + e, b * o.e + d * o.f + f};
 }
 
 double Matrix::stretch() const {
@@ -85,7 +86,8 @@ double Scanner::number() {
   if (peek() == '+') rest.remove_prefix(1);
   double value = 0;
   // from_chars knows "inf" and "nan", SVG does not.
-  const bool starts = !rest.empty() && ((rest[0] >= '0' && rest[0] <= '9') || rest[0] == '.' || (rest[0] == '-' && rest.data() == text_.data()));
+  const bool starts = !rest.empty() && ((rest[0] >= '0' && rest[0] <= '9') || rest[0] == '.' ||
+                                        (rest[0] == '-' && rest.data() == text_.data()));
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
   if (!starts || error != std::errc() || !std::isfinite(value)) fail(text_, "does not begin with a number");
   text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
@@ -117,8 +119,9 @@ std::vector<double> numbers(std::string_view text) {
 }
 
 double length_px(std::string_view text, std::optional<double> whole) {
-  constexpr std::pair<std::string_view, double> units[] = {{"", 1},           {"px", 1},          {"mm", 96 / 25.4}, {"cm", 96 / 2.54},
-                                                           {"in", 96},        {"pt", 96.0 / 72},  {"pc", 16},        {"Q", 96 / 101.6}};
+  constexpr std::pair<std::string_view, double> units[] = {{"", 1},           {"px", 1},        {"mm", 96 / 25.4},
+                                                           {"cm", 96 / 2.54}, {"in", 96},       {"pt", 96.0 / 72},
+                                                           {"pc", 16},        {"Q", 96 / 101.6}};
   const std::string_view clean = trimmed(text);
   Scanner scanner(clean);
   const double value = scanner.number();
@@ -207,7 +210,9 @@ std::optional<std::string> paint(std::string_view text) {
     return code;
   } catch (const std::invalid_argument&) {
     // Other names of colours are names of layers as they stand.
-    if (!clean.empty() && std::all_of(clean.begin(), clean.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); })) return std::string(clean);
+    if (!clean.empty() &&
+        std::all_of(clean.begin(), clean.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }))
+      return std::string(clean);
     fail(clean, "is not a colour that is known");
   }
 }

@@ -17,7 +17,8 @@ const char* const kGroup = "Curves";
 
 /// An option that may stand alone or with a number.
 template <class Number>
-void add_flag_with_number(CLI::App& app, const std::string& name, const std::string& kind, bool& given, Number& number, const std::string& help) {
+void add_flag_with_number(CLI::App& app, const std::string& name, const std::string& kind, bool& given, Number& number,
+                          const std::string& help) {
   app.add_option_function<std::vector<std::string>>(
          name,
          [&given, &number, name](const std::vector<std::string>& values) {
@@ -37,46 +38,56 @@ void add_flag_with_number(CLI::App& app, const std::string& name, const std::str
 }  // namespace
 
 void add_curve_options(CLI::App& app, CurveOptions& options) {
-  add_parsed(app, "--contours", "N", options.contours, [](const std::string& t) { return parse_count(t, 1, kMostContours); },
-             "N contour lines on the surface, at equal distances in height")
+  add_parsed(
+      app, "--contours", "N", options.contours, [](const std::string& t) { return parse_count(t, 1, kMostContours); },
+      "N contour lines on the surface, at equal distances in height")
       ->group(kGroup);
-  add_parsed(app, "--contour-step", "DZ", options.contour_step, parse_positive, "or contour lines at all multiples of DZ")->group(kGroup);
-  add_flag_with_number(app, "--contours-base", "[Z]", options.contours_base, options.contour_base,
-                       "contour lines on a plane at the height Z (default: 30 % of the range of heights below the lowest); alone: only there, 10 of them");
-  add_parsed(app, "--outline", "on|off", options.outline,
-             [](const std::string& t) {
-               constexpr std::string_view kNames[] = {"off", "on"};
-               return parse_choice(t, kNames) == 1;
-             },
-             "silhouette and rims of the surface between the curves, in layers of their own (default: on)")
+  add_parsed(app, "--contour-step", "DZ", options.contour_step, parse_positive, "or contour lines at all multiples of DZ")
       ->group(kGroup);
-  add_parsed(app, "--underside", "same|apart|none", options.underside,
-             [](const std::string& t) {
-               constexpr std::string_view kNames[] = {"same", "apart", "none"};
-               return static_cast<Underside>(parse_choice(t, kNames));
-             },
-             "curves on the side that looks down: with the others, in the layer underside, or not drawn")
+  add_flag_with_number(
+      app, "--contours-base", "[Z]", options.contours_base, options.contour_base,
+      "contour lines on a plane at the height Z (default: 30 % of the range of heights below the lowest); alone: only there, 10 of them");
+  add_parsed(
+      app, "--outline", "on|off", options.outline,
+      [](const std::string& t) {
+        constexpr std::string_view kNames[] = {"off", "on"};
+        return parse_choice(t, kNames) == 1;
+      },
+      "silhouette and rims of the surface between the curves, in layers of their own (default: on)")
+      ->group(kGroup);
+  add_parsed(
+      app, "--underside", "same|apart|none", options.underside,
+      [](const std::string& t) {
+        constexpr std::string_view kNames[] = {"same", "apart", "none"};
+        return static_cast<Underside>(parse_choice(t, kNames));
+      },
+      "curves on the side that looks down: with the others, in the layer underside, or not drawn")
       ->default_str("same")
       ->group(kGroup);
-  add_parsed(app, "--hidden-by", "surface|curves", options.hidden_by,
-             [](const std::string& t) {
-               constexpr std::string_view kNames[] = {"surface", "curves"};
-               return static_cast<HiddenBy>(parse_choice(t, kNames));
-             },
-             "what hides: the surface with all its samples, or, as in the classical method, the curves that are drawn")
+  add_parsed(
+      app, "--hidden-by", "surface|curves", options.hidden_by,
+      [](const std::string& t) {
+        constexpr std::string_view kNames[] = {"surface", "curves"};
+        return static_cast<HiddenBy>(parse_choice(t, kNames));
+      },
+      "what hides: the surface with all its samples, or, as in the classical method, the curves that are drawn")
       ->default_str("surface")
       ->group(kGroup);
   options.ridgeline_overlap = kOverlap;
-  add_flag_with_number(app, "--ridgeline", "[K]", options.ridgeline, options.ridgeline_overlap,
-                       "rows lifted one above the other, as on the cover of Unknown Pleasures; heights reach over K rows (default: 6)");
+  add_flag_with_number(
+      app, "--ridgeline", "[K]", options.ridgeline, options.ridgeline_overlap,
+      "rows lifted one above the other, as on the cover of Unknown Pleasures; heights reach over K rows (default: 6)");
 }
 
 void check(const CurveOptions& options) {
   if (options.contours && options.contour_step) throw UsageError("--contours, --contour-step", "do not go together");
   const bool contours = options.contours || options.contour_step || options.contours_base;
-  if (options.hidden_by == HiddenBy::curves && contours) throw UsageError("--hidden-by", "curves knows no surface for contours to lie on");
-  if (options.hidden_by == HiddenBy::curves && options.outline.value_or(false)) throw UsageError("--hidden-by", "curves knows no surface that has an outline");
-  if (options.ridgeline && (contours || options.outline.value_or(false))) throw UsageError("--ridgeline", "is made of rows alone");
+  if (options.hidden_by == HiddenBy::curves && contours)
+    throw UsageError("--hidden-by", "curves knows no surface for contours to lie on");
+  if (options.hidden_by == HiddenBy::curves && options.outline.value_or(false))
+    throw UsageError("--hidden-by", "curves knows no surface that has an outline");
+  if (options.ridgeline && (contours || options.outline.value_or(false)))
+    throw UsageError("--ridgeline", "is made of rows alone");
   if (options.ridgeline && !(options.ridgeline_overlap > 0)) throw UsageError("--ridgeline", "the overlap is not above 0");
 }
 

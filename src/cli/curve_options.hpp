@@ -14,15 +14,15 @@ class App;
 namespace ligne {
 
 struct CurveOptions {
-  std::optional<unsigned> contours;     ///< number of contour lines
-  std::optional<double> contour_step;   ///< or their distance in height
+  std::optional<unsigned> contours;    ///< number of contour lines
+  std::optional<double> contour_step;  ///< or their distance in height
   bool contours_base = false;
-  std::optional<double> contour_base;   ///< height of the plane; nothing: a good deal below the lowest height
-  std::optional<bool> outline;          ///< nothing: yes, unless curves hide
+  std::optional<double> contour_base;  ///< height of the plane; nothing: a good deal below the lowest height
+  std::optional<bool> outline;         ///< nothing: yes, unless curves hide
   Underside underside = Underside::same;
   HiddenBy hidden_by = HiddenBy::surface;
   bool ridgeline = false;
-  double ridgeline_overlap = 0;         ///< range of heights in distances of rows
+  double ridgeline_overlap = 0;  ///< range of heights in distances of rows
 };
 
 void add_curve_options(CLI::App& app, CurveOptions& options);

@@ -13,7 +13,9 @@
 namespace ligne {
 namespace {
 
-std::string language_name(const Device& device) { return std::string(kDeviceLanguageNames[static_cast<std::size_t>(device.language)]); }
+std::string language_name(const Device& device) {
+  return std::string(kDeviceLanguageNames[static_cast<std::size_t>(device.language)]);
+}
 
 std::string size_text(Point2 mm) {
   const auto side = [](double v) { return std::isfinite(v) ? rounded(v, 5) : std::string("any"); };
@@ -23,7 +25,8 @@ std::string size_text(Point2 mm) {
 std::string text_of(const Device& device) {
   std::string text = device.name + ": " + device.title + "\n";
   text += "  language     " + language_name(device) + ", step " + shortest(device.step_mm) + " mm, " +
-          (device.pens == 0 ? "pens changed by hand" : std::to_string(device.pens) + (device.pens == 1 ? " pen" : " pens")) + "\n";
+          (device.pens == 0 ? "pens changed by hand" : std::to_string(device.pens) + (device.pens == 1 ? " pen" : " pens")) +
+          "\n";
   if (device.papers.empty()) {
     text += "  reach        " + size_text({device.limits_mm.width(), device.limits_mm.height()}) + "\n";
   }
@@ -40,7 +43,8 @@ std::string text_of(const Device& device) {
 
 nlohmann::ordered_json json_of(const Rect& r) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const double v : {r.min.x, r.min.y, r.max.x, r.max.y}) list.push_back(std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr));
+  for (const double v : {r.min.x, r.min.y, r.max.x, r.max.y})
+    list.push_back(std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr));
   return list;
 }
 
@@ -56,7 +60,10 @@ nlohmann::ordered_json json_of(const Device& device) {
   } else {
     json["papers"] = nlohmann::ordered_json::array();
     for (const DevicePaper& paper : device.papers) {
-      json["papers"].push_back({{"name", paper.name}, {"width_mm", paper.width_mm}, {"height_mm", paper.height_mm}, {"limits", json_of(paper.limits)}});
+      json["papers"].push_back({{"name", paper.name},
+                                {"width_mm", paper.width_mm},
+                                {"height_mm", paper.height_mm},
+                                {"limits", json_of(paper.limits)}});
     }
   }
   json["speed_down_mm_s"] = device.down_mm_s;

@@ -43,8 +43,9 @@ void draw(const DrawOptions& options) {
   RunReport run;
   const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
   draw_scene(models.scene,
-             {method, settings, classes, options.method.crease_degrees, options.method.hidden, options.method.cull, options.view,
-              options.page, options.output, options.run, options.dpi, options.title, options.model.files.front(), nullptr, options.faces, plotter, options.fill, options.hatch},
+             {method, settings, classes, options.method.crease_degrees, options.method.hidden, options.method.cull,
+              options.view, options.page, options.output, options.run, options.dpi, options.title,
+              options.model.files.front(), nullptr, options.faces, plotter, options.fill, options.hatch},
              run);
 }
 

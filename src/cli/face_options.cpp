@@ -19,7 +19,8 @@ void add_face_options(CLI::App& app, FaceOptions& options) {
 void check(const FaceOptions& options, OutputFormat format, const Method& method) {
   if (!options.shade) return;
   if (format != OutputFormat::png) throw UsageError("--shade", "gray faces are for PNG; see --hatch");
-  if (!(method.traits().products & kSpans)) throw UsageError("--shade", "needs a method that gives spans, such as --method watkins");
+  if (!(method.traits().products & kSpans))
+    throw UsageError("--shade", "needs a method that gives spans, such as --method watkins");
 }
 
 std::optional<SpanLines> span_lines(const FaceOptions& options, const PlotOptions& plot) {

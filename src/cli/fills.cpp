@@ -15,13 +15,16 @@ namespace {
 constexpr double kAmbient = 0.35;
 
 /// Behind the viewer, to the upper left: for scenes without a light.
-Light light_over_the_shoulder(const Camera& camera) { return {Light::Kind::parallel, camera.forward + 0.5 * camera.right + 0.7 * camera.down}; }
+Light light_over_the_shoulder(const Camera& camera) {
+  return {Light::Kind::parallel, camera.forward + 0.5 * camera.right + 0.7 * camera.down};
+}
 
 }  // namespace
 
 void add_fill_options(CLI::App& app, FillOptions& options) {
   add_parsed(
-      app, "--fill", "HOW", options.kind, [](const std::string& text) { return static_cast<FillKind>(parse_choice(text, kFillNames)); },
+      app, "--fill", "HOW", options.kind,
+      [](const std::string& text) { return static_cast<FillKind>(parse_choice(text, kFillNames)); },
       "fill visible faces with colour: none material shade; by a method that gives regions")
       ->default_str("none")
       ->group("Fills");
@@ -59,8 +62,8 @@ std::vector<Light> lights_of(const FillOptions& options, const Scene& scene, boo
   return lights;
 }
 
-std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::vector<Region>& regions, std::span<const Light> lights,
-                               FillKind kind) {
+std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::vector<Region>& regions,
+                               std::span<const Light> lights, FillKind kind) {
   const Light shoulder = light_over_the_shoulder(view.camera);
   const FaceLight light(scene, view.camera, lights.empty() ? std::span(&shoulder, 1) : lights);
   struct Item {
@@ -70,10 +73,13 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
   std::vector<Item> items;
   for (const Region& region : regions) {
     const Material material = material_of(scene, region);
-    const double brightness = kind == FillKind::material ? 1 : kAmbient + (1 - kAmbient) * light.of(region.face, region.lights, region.light_shares);
+    const double brightness = kind == FillKind::material
+                                  ? 1
+                                  : kAmbient + (1 - kAmbient) * light.of(region.face, region.lights, region.light_shares);
     Item item{region.level, {region.contours, {}, material.opacity}};
     for (int c = 0; c < 3; ++c) {
-      item.fill.color[static_cast<std::size_t>(c)] = std::round(std::clamp(material.color[c] * brightness, 0.0, 1.0) * 255) / 255;
+      item.fill.color[static_cast<std::size_t>(c)] =
+          std::round(std::clamp(material.color[c] * brightness, 0.0, 1.0) * 255) / 255;
     }
     items.push_back(std::move(item));
   }

@@ -32,10 +32,11 @@ void add_fill_options(CLI::App& app, FillOptions& options);
 /// Lights that cast shadows: those of the options; without any, and when shadows are `cast`, those of the scene.
 std::vector<Light> lights_of(const FillOptions& options, const Scene& scene, bool cast);
 
-/// Colours of the regions, in painting order: those seen through most transparent faces first. `material`: the face's colour; `shade`: darker
-/// as the light comes in flatter, darkest where no light comes. Without lights a light stands behind the viewer, to the upper left.
-std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::vector<Region>& regions, std::span<const Light> lights,
-                               FillKind kind);
+/// Colours of the regions, in painting order: those seen through most transparent faces first. `material`: the face's
+/// colour; `shade`: darker as the light comes in flatter, darkest where no light comes. Without lights a light stands behind
+/// the viewer, to the upper left.
+std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::vector<Region>& regions,
+                               std::span<const Light> lights, FillKind kind);
 
 /// The material of a face.
 Material material_of(const Scene& scene, std::uint32_t face);

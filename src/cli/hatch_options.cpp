@@ -18,7 +18,9 @@ HatchKind parse_hatch(const std::string& text) {
   } catch (const std::invalid_argument&) {
     length = false;
   }
-  if (length) throw std::invalid_argument("\"" + text + "\" is not one of " + list_of(kHatchNames) + "; the distance of the strokes is --hatch-spacing");
+  if (length)
+    throw std::invalid_argument("\"" + text + "\" is not one of " + list_of(kHatchNames) +
+                                "; the distance of the strokes is --hatch-spacing");
   return static_cast<HatchKind>(parse_choice(text, kHatchNames));
 }
 
@@ -55,14 +57,16 @@ void add_hatch_options(CLI::App& app, HatchRequest& options) {
   CLI::Option* hatch = add_parsed(app, "--hatch", "HOW", options.kind, parse_hatch,
                                   "hatch visible faces: none shade material plain; by a method that gives regions or spans")
                            ->default_str("none");
-  CLI::Option* spacing = add_parsed(app, "--hatch-spacing", "LEN", options.spacing_mm, parse_spacing, "distance of the closest strokes")
-                             ->default_str("4 widths of the pen that hatches");
+  CLI::Option* spacing =
+      add_parsed(app, "--hatch-spacing", "LEN", options.spacing_mm, parse_spacing, "distance of the closest strokes")
+          ->default_str("4 widths of the pen that hatches");
   CLI::Option* angle = add_parsed(app, "--hatch-angle", "DEG|face", options.direction, parse_direction,
                                   "direction of the strokes, counter-clockwise; face: on each face its own")
                            ->default_str("45");
-  CLI::Option* levels = add_parsed(app, "--hatch-levels", "N", options.levels, parse_levels,
-                                   "degrees of darkness, 1 to 4, each with twice the distance of the one before; or continuous")
-                            ->default_str("4");
+  CLI::Option* levels =
+      add_parsed(app, "--hatch-levels", "N", options.levels, parse_levels,
+                 "degrees of darkness, 1 to 4, each with twice the distance of the one before; or continuous")
+          ->default_str("4");
   CLI::Option* cross = app.add_flag("--hatch-cross", options.cross, "a second family of strokes across the first");
   for (CLI::Option* option : {hatch, spacing, angle, levels, cross}) option->group("Faces");
   for (CLI::Option* option : {spacing, angle, levels, cross}) option->needs(hatch);
@@ -76,8 +80,8 @@ void check(const HatchRequest& options, OutputFormat format, const Method& metho
 }
 
 void refuse_hatching(std::string_view method) {
-  throw UsageError("--hatch", "method " + std::string(method) + " gives neither regions nor spans; regions: " + methods_with(kRegions) +
-                                  "; spans: " + methods_with(kSpans));
+  throw UsageError("--hatch", "method " + std::string(method) + " gives neither regions nor spans; regions: " +
+                                  methods_with(kRegions) + "; spans: " + methods_with(kSpans));
 }
 
 const Method& region_method() {

@@ -31,14 +31,15 @@ struct HatchRequest {
   std::optional<double> spacing_mm;  ///< of the closest strokes; nothing: by the width of the pen
   HatchDirection direction;
   bool cross = false;
-  unsigned levels = kMostShades;     ///< 0: continuous
+  unsigned levels = kMostShades;  ///< 0: continuous
 
   bool asked() const { return kind != HatchKind::none; }
 };
 
 void add_hatch_options(CLI::App& app, HatchRequest& options);
 
-/// Throws UsageError when the format has no hatching or the method gives nothing that can be hatched; the message names the methods that do.
+/// Throws UsageError when the format has no hatching or the method gives nothing that can be hatched; the message names the
+/// methods that do.
 void check(const HatchRequest& options, OutputFormat format, const Method& method);
 
 /// Throws the UsageError of a method that gives nothing to hatch.

@@ -21,12 +21,12 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-constexpr double kSpacingPens = 4;        ///< distance of the closest strokes in pen widths
-constexpr double kBrightest = 0.92;       ///< continuous: what gets more light is left white
-constexpr double kFaceStep = 7.5;         ///< directions of faces, degrees
+constexpr double kSpacingPens = 4;   ///< distance of the closest strokes in pen widths
+constexpr double kBrightest = 0.92;  ///< continuous: what gets more light is left white
+constexpr double kFaceStep = 7.5;    ///< directions of faces, degrees
 /// Materials in their order: degrees added to the direction of the strokes.
 constexpr double kMaterialTurns[] = {0, 90, 135, 45, 22.5, 112.5, 67.5, 157.5};
-constexpr double kMostLines = 5e6;        ///< of a cover
+constexpr double kMostLines = 5e6;  ///< of a cover
 
 /// How a face is hatched: its strokes in words of plotting/hatch.hpp, and their direction.
 struct FaceHatch {
@@ -85,7 +85,8 @@ class Hatching {
   /// Width of the pen that draws such a layer.
   double layer_pen(unsigned shade, const std::string& material) const {
     const double usual = hatch_.plot.style_of("hatch").width_mm;
-    const double width = hatch_.pens.empty() ? usual : hatch_.pens.pen(hatch_.pens.pen_of("hatch", material, shade)).width_mm.value_or(usual);
+    const double width =
+        hatch_.pens.empty() ? usual : hatch_.pens.pen(hatch_.pens.pen_of("hatch", material, shade)).width_mm.value_or(usual);
     if (!(width > 0)) throw UsageError("--hatch", "the pen has no width");
     return width;
   }
@@ -112,8 +113,8 @@ std::uint32_t Hatching::layer_of(unsigned shade, const std::string& material) {
   return static_cast<std::uint32_t>(layers_.size() - 1);
 }
 
-/// The direction on the page of the level lines of each patch, in steps; that of the request where the patch is level, or seen along them. A patch that is curved has that of the
-/// mean of what looks at the viewer.
+/// The direction on the page of the level lines of each patch, in steps; that of the request where the patch is level, or
+/// seen along them. A patch that is curved has that of the mean of what looks at the viewer.
 void Hatching::find_directions() {
   const Scene& scene = hatch_.scene;
   const Camera& camera = hatch_.view.camera;
@@ -126,7 +127,8 @@ void Hatching::find_directions() {
     const auto contour = scene.faces.contour(face, 0);
     Point3 area{0, 0, 0};
     for (std::size_t i = 1; i + 1 < contour.size(); ++i) {
-      area += glm::cross(scene.vertices[contour[i]] - scene.vertices[contour[0]], scene.vertices[contour[i + 1]] - scene.vertices[contour[0]]);
+      area += glm::cross(scene.vertices[contour[i]] - scene.vertices[contour[0]],
+                         scene.vertices[contour[i + 1]] - scene.vertices[contour[0]]);
     }
     const Point3 point = scene.vertices[contour[0]];
     const Point3 sight = camera.perspective ? glm::normalize(point - camera.eye) : camera.forward;
@@ -158,15 +160,21 @@ FaceHatch Hatching::of(std::uint32_t face, const Region* region) {
   const HatchRequest& request = hatch_.request;
   const Scene& scene = hatch_.scene;
   const std::uint32_t patch = hatch_.patches.of_face[face];
-  FaceHatch how{request.direction.by_face ? patch_degrees_[patch] : request.direction.degrees, {closest_, kRowCycle, patch, 0}, request.cross};
+  FaceHatch how{request.direction.by_face ? patch_degrees_[patch] : request.direction.degrees,
+                {closest_, kRowCycle, patch, 0},
+                request.cross};
   const Material material = region ? material_of(scene, *region) : material_of(scene, face);
   unsigned shade = 1;
   if (request.kind == HatchKind::shade) {
     const std::uint32_t reached = region ? region->lights : 0xffffffffu;
-    const double light = std::clamp(light_.of(face, reached, region ? std::span<const double>(region->light_shares) : std::span<const double>()), 0.0, 1.0);
+    const double light = std::clamp(
+        light_.of(face, reached, region ? std::span<const double>(region->light_shares) : std::span<const double>()), 0.0,
+        1.0);
     const unsigned shades = request.levels == 0 ? kMostShades : request.levels;
     shade = 1 + std::min(shades - 1, static_cast<unsigned>(light * shades));
-    how.strokes.rows = request.levels > 0 ? kRowCycle >> (shade - 1) : light > kBrightest ? 0 : static_cast<std::uint32_t>(std::ceil((1 - light) * kRowCycle));
+    how.strokes.rows = request.levels > 0   ? kRowCycle >> (shade - 1)
+                       : light > kBrightest ? 0
+                                            : static_cast<std::uint32_t>(std::ceil((1 - light) * kRowCycle));
     how.cross = how.cross || (!hatch_.lights.empty() && reached == 0);
   } else if (request.kind == HatchKind::material) {
     const std::uint32_t own = scene.face_material.empty() ? 0 : scene.face_material[face];
@@ -217,11 +225,13 @@ std::map<double, std::vector<SurfaceHatch>> by_direction(std::span<const FaceHat
 /// The page as the strokes see it.
 Rect turned(const Rect& window, const HatchFrame& frame) {
   Rect box;
-  for (const Point2 p : {window.min, window.max, Point2{window.min.x, window.max.y}, Point2{window.max.x, window.min.y}}) box.extend(frame.to_frame(p));
+  for (const Point2 p : {window.min, window.max, Point2{window.min.x, window.max.y}, Point2{window.max.x, window.min.y}})
+    box.extend(frame.to_frame(p));
   return box;
 }
 
-/// The view with the page turned so that the strokes run from left to right; `box` is what of it is seen, in the strokes' frame, and comes to lie at (0, 0).
+/// The view with the page turned so that the strokes run from left to right; `box` is what of it is seen, in the strokes'
+/// frame, and comes to lie at (0, 0).
 View turned_view(const Scene& scene, const View& view, const HatchFrame& frame, const Rect& box) {
   Camera camera = view.camera;
   camera.right = view.camera.right * frame.along().x + view.camera.down * frame.along().y;
@@ -238,7 +248,8 @@ View turned_view(const Scene& scene, const View& view, const HatchFrame& frame, 
 
 /// Cuts runs down to the window.
 void cut_to(const Rect& window, const HatchFrame& frame, double line_mm, std::vector<CoverRun>& cover) {
-  const std::vector<std::vector<Point2>> sheet{{window.min, {window.max.x, window.min.y}, window.max, {window.min.x, window.max.y}}};
+  const std::vector<std::vector<Point2>> sheet{
+      {window.min, {window.max.x, window.min.y}, window.max, {window.min.x, window.max.y}}};
   std::vector<CoverRun> lines;
   add_cover(sheet, 0, frame, line_mm, lines);
   std::map<std::int32_t, const CoverRun*> line_of;
@@ -292,7 +303,8 @@ std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Regi
   return hatching.take();
 }
 
-std::vector<Layer> hatch_spans(const HatchScene& hatch, const Topology& topology, const Method& method, const MethodSettings& settings, bool cull) {
+std::vector<Layer> hatch_spans(const HatchScene& hatch, const Topology& topology, const Method& method,
+                               const MethodSettings& settings, bool cull) {
   Hatching hatching(hatch);
   std::vector<FaceHatch> faces;
   for (std::uint32_t face = 0; face < hatch.scene.faces.size(); ++face) faces.push_back(hatching.of(face, nullptr));
@@ -305,7 +317,8 @@ std::vector<Layer> hatch_spans(const HatchScene& hatch, const Topology& topology
     ProjectedScene projected = project(hatch.scene, topology, view, {});
     if (cull) cull_back_faces(hatch.scene, topology, projected, {}, true);
     const double line_mm = hatching.line_mm();
-    const auto first = static_cast<std::int32_t>(std::ceil(box.min.y / line_mm)), last = static_cast<std::int32_t>(std::floor(box.max.y / line_mm));
+    const auto first = static_cast<std::int32_t>(std::ceil(box.min.y / line_mm)),
+               last = static_cast<std::int32_t>(std::floor(box.max.y / line_mm));
     if (last < first) continue;
     StudyOptions options;
     options.settings = settings;
@@ -315,7 +328,8 @@ std::vector<Layer> hatch_spans(const HatchScene& hatch, const Topology& topology
     std::vector<CoverRun> cover;
     if (result.spans) {
       for (const Span& span : result.spans->spans) {
-        cover.push_back({first + static_cast<std::int32_t>(span.line), span.x_from - view.offset.x, span.x_to - view.offset.x, span.face});
+        cover.push_back({first + static_cast<std::int32_t>(span.line), span.x_from - view.offset.x,
+                         span.x_to - view.offset.x, span.face});
       }
     }
     cut_to(hatch.view.window, frame, line_mm, cover);

@@ -33,10 +33,13 @@ struct HatchScene {
   const PlotOptions& plot;
 };
 
-/// Hatches regions that are seen directly. What no light reaches is hatched across too. Layers "hatch": one, or one for each shade or material that pens are told apart by.
+/// Hatches regions that are seen directly. What no light reaches is hatched across too. Layers "hatch": one, or one for each
+/// shade or material that pens are told apart by.
 std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Region>& regions);
 
-/// Hatches the spans that a method gives, on scan lines that run along the strokes: the scene is studied once for every direction, turned on the page. Lights cast no shadows.
-std::vector<Layer> hatch_spans(const HatchScene& hatch, const Topology& topology, const Method& method, const MethodSettings& settings, bool cull);
+/// Hatches the spans that a method gives, on scan lines that run along the strokes: the scene is studied once for every
+/// direction, turned on the page. Lights cast no shadows.
+std::vector<Layer> hatch_spans(const HatchScene& hatch, const Topology& topology, const Method& method,
+                               const MethodSettings& settings, bool cull);
 
 }  // namespace ligne

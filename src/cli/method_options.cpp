@@ -61,9 +61,10 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
     options.edges_given = true;
     return parse_edges(text);
   };
-  CLI::Option* edges = add_parsed(app, "--edges", "LIST", options.edges, parse_given_edges,
-                                  "of outline,crease,border,intersection,mesh,shadow; feature: the first four; all: all of the model")
-                           ->default_str("feature");
+  CLI::Option* edges =
+      add_parsed(app, "--edges", "LIST", options.edges, parse_given_edges,
+                 "of outline,crease,border,intersection,mesh,shadow; feature: the first four; all: all of the model")
+          ->default_str("feature");
   CLI::Option* crease = add_parsed(
                             app, "--crease", "DEG", options.crease_degrees,
                             [](const std::string& text) { return parse_within(text, 0, 180, "degrees"); },

@@ -51,7 +51,8 @@ std::string json_list(const Method* default_method) {
     entry["default"] = method == default_method;
     entry["options"] = nlohmann::ordered_json::array();
     for (const MethodParameter& p : traits.parameters) {
-      entry["options"].push_back({{"name", "--" + std::string(p.name)}, {"value", p.kind}, {"default", p.standard}, {"meaning", p.meaning}});
+      entry["options"].push_back(
+          {{"name", "--" + std::string(p.name)}, {"value", p.kind}, {"default", p.standard}, {"meaning", p.meaning}});
     }
     list.push_back(std::move(entry));
   }

@@ -171,8 +171,10 @@ OutputFormat format_of_suffix(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < std::size(kOutputFormatNames); ++i) {
     if (suffix == "." + std::string(kOutputFormatNames[i])) return static_cast<OutputFormat>(i);
   }
-  constexpr std::pair<std::string_view, OutputFormat> others[] = {
-      {".plt", OutputFormat::hpgl}, {".hpg", OutputFormat::hpgl}, {".nc", OutputFormat::gcode}, {".ngc", OutputFormat::gcode}};
+  constexpr std::pair<std::string_view, OutputFormat> others[] = {{".plt", OutputFormat::hpgl},
+                                                                  {".hpg", OutputFormat::hpgl},
+                                                                  {".nc", OutputFormat::gcode},
+                                                                  {".ngc", OutputFormat::gcode}};
   for (const auto& [other, format] : others) {
     if (suffix == other) return format;
   }

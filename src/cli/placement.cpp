@@ -23,8 +23,9 @@ Placement place(const Scene& scene, const Camera& camera, const PageOptions& opt
   area.min += Point2(room.left, room.top);
   area.max -= Point2(room.right, room.bottom);
   if (!(area.width() > 0 && area.height() > 0)) {
-    throw UsageError("--page", "numbers and names of the axes leave nothing of a page of " + shortest(placement.page.width_mm) + " x " +
-                                   shortest(placement.page.height_mm) + " mm; --text-height makes them smaller");
+    throw UsageError("--page", "numbers and names of the axes leave nothing of a page of " +
+                                   shortest(placement.page.width_mm) + " x " + shortest(placement.page.height_mm) +
+                                   " mm; --text-height makes them smaller");
   }
   placement.view = make_view(scene, camera, {area}, placement.page.sheet(), options.page_mm_per_unit());
   if (!extent.empty()) {

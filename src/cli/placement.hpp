@@ -20,8 +20,8 @@ struct Placement {
   bool larger_than_page() const;
 };
 
-/// Chooses the page's orientation and puts the camera's picture on it, in the middle of what the margins and the room leave. Throws UsageError
-/// when they leave nothing.
+/// Chooses the page's orientation and puts the camera's picture on it, in the middle of what the margins and the room leave.
+/// Throws UsageError when they leave nothing.
 Placement place(const Scene& scene, const Camera& camera, const PageOptions& options, const Room& room = {});
 
 }  // namespace ligne

@@ -37,7 +37,8 @@ std::string read_drawing_file(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw std::runtime_error(file + ": can not be read");
   const std::string too_large = file + ": is larger than 256 MiB, too large for a drawing";
-  if (const std::uintmax_t size = std::filesystem::file_size(file, error); !error && size > kMostBytes) throw std::runtime_error(too_large);
+  if (const std::uintmax_t size = std::filesystem::file_size(file, error); !error && size > kMostBytes)
+    throw std::runtime_error(too_large);
   std::string text;
   std::string block(1 << 16, '\0');
   while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
@@ -66,7 +67,8 @@ void transform(Drawing& drawing, double scale, Point2 shift) {
   }
 }
 
-/// Puts the drawing on the page that is asked for: its own page in the middle of that, or what it shows made to fill it. Gives the scale.
+/// Puts the drawing on the page that is asked for: its own page in the middle of that, or what it shows made to fill it.
+/// Gives the scale.
 double place(const PlotCommandOptions& options, ReadDrawing& read) {
   const Page own = read.page;
   Page page = own;
@@ -89,7 +91,8 @@ double place(const PlotCommandOptions& options, ReadDrawing& read) {
   Rect from = own.sheet();
   if (options.fit && !ink.empty() && (ink.width() > 0 || ink.height() > 0)) {
     const Rect area = page.drawable();
-    if (!(area.width() > 0 && area.height() > 0)) throw UsageError("--margin", shortest(options.margin_mm) + " mm leaves nothing of the page");
+    if (!(area.width() > 0 && area.height() > 0))
+      throw UsageError("--margin", shortest(options.margin_mm) + " mm leaves nothing of the page");
     from = ink;
     const double across = ink.width() > 0 ? area.width() / ink.width() : area.height() / ink.height();
     const double down = ink.height() > 0 ? area.height() / ink.height() : across;
@@ -102,12 +105,14 @@ double place(const PlotCommandOptions& options, ReadDrawing& read) {
 
 void warn_of_left_out(const PlotCommandOptions& options, const ReadDrawing& read, std::size_t unknown) {
   if (options.run.quiet) return;
-  for (const auto& [name, count] : read.left_out) warn(options.drawing, std::to_string(count) + " times " + name + " left out, as asked");
+  for (const auto& [name, count] : read.left_out)
+    warn(options.drawing, std::to_string(count) + " times " + name + " left out, as asked");
   if (unknown > 0) warn(options.drawing, std::to_string(unknown) + " characters are not in the font: drawn as boxes");
   if (read.drawing.layers.empty()) warn(options.drawing, "there is no stroke in the drawing");
 }
 
-/// The drawing in its place. Strokes that fill an area lie as far apart as the pen is wide on the drawing as it comes out, so its scale must be known before.
+/// The drawing in its place. Strokes that fill an area lie as far apart as the pen is wide on the drawing as it comes out,
+/// so its scale must be known before.
 ReadDrawing placed_drawing(const PlotCommandOptions& options) {
   FillReading fills{options.fills, options.pen_width_mm / options.scale};
   if (options.fit && fills.how == FillReading::How::hatch) {
@@ -152,21 +157,24 @@ void plot(const PlotCommandOptions& options) {
 }
 
 void add_placing_options(CLI::App& app, PlotCommandOptions& options) {
-  CLI::Option* page = add_parsed(
-                          app, "--page", "SIZE", options.page, [](const std::string& t) { return std::optional(parse_page_size(t)); },
-                          "A0 to A6, letter, legal, tabloid, or WxH; the drawing's own page comes into its middle")
-                          ->default_str("the drawing's");
+  CLI::Option* page =
+      add_parsed(
+          app, "--page", "SIZE", options.page, [](const std::string& t) { return std::optional(parse_page_size(t)); },
+          "A0 to A6, letter, legal, tabloid, or WxH; the drawing's own page comes into its middle")
+          ->default_str("the drawing's");
   CLI::Option* landscape = app.add_flag("--landscape", options.landscape, "page lies on its long side");
   CLI::Option* portrait = app.add_flag("--portrait", options.portrait, "page stands on its short side");
-  CLI::Option* margin = add_parsed(
-                            app, "--margin", "LEN", options.margin_mm, [](const std::string& t) { return parse_length_mm(t); },
-                            "empty rim of the page when the drawing is to fit")
-                            ->default_str("10mm");
+  CLI::Option* margin =
+      add_parsed(
+          app, "--margin", "LEN", options.margin_mm, [](const std::string& t) { return parse_length_mm(t); },
+          "empty rim of the page when the drawing is to fit")
+          ->default_str("10mm");
   CLI::Option* pen = add_parsed(
                          app, "--pen-width", "LEN", options.pen_width_mm,
                          [](const std::string& t) {
                            const double width = parse_length_mm(t);
-                           if (!(width > 0 && width <= kWidestPenMm)) throw std::invalid_argument(t + " is not above 0 and at most 50 mm");
+                           if (!(width > 0 && width <= kWidestPenMm))
+                             throw std::invalid_argument(t + " is not above 0 and at most 50 mm");
                            return width;
                          },
                          "width of the lines, where no pen has its own")
@@ -201,16 +209,20 @@ std::set<std::string> parse_skip(const std::string& text) {
 void setup_plot(CLI::App& app, PlotCommandOptions& options) {
   CLI::App* plot = app.add_subcommand("plot", "A drawing (JSON or SVG) made ready for pens and plotters");
   plot->add_option("DRAWING", options.drawing, "ligne-drawing JSON, or an SVG of strokes")->required()->type_name("");
-  add_parsed(*plot, "--skip", "LIST", options.skip, parse_skip, "what of an SVG may be left out: text, image, fill, clip-path, ...")->group("Input");
+  add_parsed(*plot, "--skip", "LIST", options.skip, parse_skip,
+             "what of an SVG may be left out: text, image, fill, clip-path, ...")
+      ->group("Input");
   add_parsed(
-      *plot, "--fill", "HOW", options.fills, [](const std::string& text) { return static_cast<FillReading::How>(parse_choice(text, kFillReadingNames)); },
+      *plot, "--fill", "HOW", options.fills,
+      [](const std::string& text) { return static_cast<FillReading::How>(parse_choice(text, kFillReadingNames)); },
       "filled areas of an SVG: refuse; outline, their contours; hatch, strokes inside too")
       ->default_str("refuse")
       ->group("Input");
   add_placing_options(*plot, options);
   add_output_options(*plot, options.output, "svg pdf png hpgl gcode (default: by the suffix)");
   add_parsed(
-      *plot, "--dpi", "N", options.dpi, [](const std::string& text) { return parse_within(text, kLowestDpi, kHighestDpi, "dots per inch"); },
+      *plot, "--dpi", "N", options.dpi,
+      [](const std::string& text) { return parse_within(text, kLowestDpi, kHighestDpi, "dots per inch"); },
       "resolution of a PNG")
       ->default_str("150")
       ->group("Output");

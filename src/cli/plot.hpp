@@ -14,14 +14,14 @@
 namespace ligne {
 
 struct PlotCommandOptions {
-  std::string drawing;              ///< file
-  std::optional<PageSize> page;     ///< nothing: that of the drawing
+  std::string drawing;           ///< file
+  std::optional<PageSize> page;  ///< nothing: that of the drawing
   bool landscape = false, portrait = false;
   double margin_mm = 10;
   double pen_width_mm = 0.35;
-  bool fit = false;                 ///< fill the page
+  bool fit = false;  ///< fill the page
   double scale = 1;
-  std::set<std::string> skip;       ///< kinds of SVG content that may be left out
+  std::set<std::string> skip;  ///< kinds of SVG content that may be left out
   FillReading::How fills = FillReading::How::refuse;
   double dpi = 150;
   OutputOptions output;

@@ -41,7 +41,9 @@ std::string known_devices(DeviceLanguage language) {
 }
 
 DeviceLanguage language_of(OutputFormat format) {
-  return format == OutputFormat::hpgl ? DeviceLanguage::hpgl : format == OutputFormat::gcode ? DeviceLanguage::gcode : DeviceLanguage::svg;
+  return format == OutputFormat::hpgl    ? DeviceLanguage::hpgl
+         : format == OutputFormat::gcode ? DeviceLanguage::gcode
+                                         : DeviceLanguage::svg;
 }
 
 /// The device that stands for a plotter language when none is named.
@@ -53,7 +55,9 @@ std::shared_ptr<const Device> device_of(const PlotterOptions& options, OutputFor
   if (!options.device_file.empty()) {
     device = std::make_shared<Device>(read_device(read_toml_file(options.device_file), options.device_file));
   } else {
-    const std::string_view standard = language == DeviceLanguage::hpgl ? kDefaultHpgl : language == DeviceLanguage::gcode ? kDefaultGcode : std::string_view{};
+    const std::string_view standard = language == DeviceLanguage::hpgl    ? kDefaultHpgl
+                                      : language == DeviceLanguage::gcode ? kDefaultGcode
+                                                                          : std::string_view{};
     const std::string_view name = options.device.empty() ? standard : std::string_view(options.device);
     if (name.empty()) return nullptr;
     const Device* known = find_device(name);
@@ -74,36 +78,44 @@ std::shared_ptr<const Device> device_of(const PlotterOptions& options, OutputFor
 void add_plotter_options(CLI::App& app, PlotterOptions& options) {
   CLI::Option* device = add_parsed(app, "--device", "NAME", options.device, file_name, "the plotter, one of ligne devices")
                             ->default_str("cutter for HPGL, grbl-servo for G-code");
-  CLI::Option* device_file = add_parsed(app, "--device-file", "FILE", options.device_file, file_name, "a plotter of your own, as TOML");
-  CLI::Option* fit = app.add_flag("--fit-device", options.fit_device, "shift and shrink the drawing until it lies within the device's limits");
+  CLI::Option* device_file =
+      add_parsed(app, "--device-file", "FILE", options.device_file, file_name, "a plotter of your own, as TOML");
+  CLI::Option* fit = app.add_flag("--fit-device", options.fit_device,
+                                  "shift and shrink the drawing until it lies within the device's limits");
   CLI::Option* pens = add_parsed(app, "--pens", "FILE", options.pens_file, file_name, "pens, and what each draws, as TOML");
-  CLI::Option* pen = app.add_option_function<std::vector<std::string>>(
-                            "--pen",
-                            [&options](const std::vector<std::string>& texts) {
-                              try {
-                                for (const std::string& text : texts) add_pen(options.pens, text);
-                              } catch (const std::invalid_argument& e) {
-                                throw UsageError("--pen", e.what());
-                              }
-                            },
-                            "CLASS=N[,COLOUR[,WIDTH]]: a class of lines, material:NAME, shade:N or rest to pen N; repeatable")
-                         ->type_name("TEXT")
-                         ->expected(1)
-                         ->allow_extra_args(false)
-                         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* pen =
+      app.add_option_function<std::vector<std::string>>(
+             "--pen",
+             [&options](const std::vector<std::string>& texts) {
+               try {
+                 for (const std::string& text : texts) add_pen(options.pens, text);
+               } catch (const std::invalid_argument& e) {
+                 throw UsageError("--pen", e.what());
+               }
+             },
+             "CLASS=N[,COLOUR[,WIDTH]]: a class of lines, material:NAME, shade:N or rest to pen N; repeatable")
+          ->type_name("TEXT")
+          ->expected(1)
+          ->allow_extra_args(false)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   CLI::Option* optimize = add_parsed(
                               app, "--optimize", "HOW", options.optimize,
                               [](const std::string& t) { return static_cast<Optimize>(parse_choice(t, kOptimizeNames)); },
                               "off; join: lines once, ends joined; full: ordered too")
                               ->default_str("full for pens");
   const auto length = [](const std::string& t) { return parse_length_mm(t); };
-  CLI::Option* join = add_parsed(app, "--join", "LEN", options.tolerances.ends_mm, length, "ends so near are joined")->default_str("0.05mm");
-  CLI::Option* simplify = add_parsed(app, "--simplify", "LEN", options.tolerances.simplify_mm, length, "how far a line may leave its points")
-                              ->default_str("0.02mm");
-  CLI::Option* report = app.add_flag("--report", options.report, "strokes, lengths, lifts and time before and after, to standard error");
-  CLI::Option* preview = add_parsed(app, "--preview", "FILE", options.preview, file_name, "an SVG of the pen's way: order by colour, raised pen grey");
+  CLI::Option* join =
+      add_parsed(app, "--join", "LEN", options.tolerances.ends_mm, length, "ends so near are joined")->default_str("0.05mm");
+  CLI::Option* simplify =
+      add_parsed(app, "--simplify", "LEN", options.tolerances.simplify_mm, length, "how far a line may leave its points")
+          ->default_str("0.02mm");
+  CLI::Option* report =
+      app.add_flag("--report", options.report, "strokes, lengths, lifts and time before and after, to standard error");
+  CLI::Option* preview = add_parsed(app, "--preview", "FILE", options.preview, file_name,
+                                    "an SVG of the pen's way: order by colour, raised pen grey");
   device->excludes(device_file);
-  for (CLI::Option* option : {device, device_file, fit, pens, pen, optimize, join, simplify, report, preview}) option->group("Plotter");
+  for (CLI::Option* option : {device, device_file, fit, pens, pen, optimize, join, simplify, report, preview})
+    option->group("Plotter");
 }
 
 void check(const PlotterOptions& options, const std::string& output, std::span<const std::string> inputs) {
@@ -115,8 +127,9 @@ void check(const PlotterOptions& options, const std::string& output, std::span<c
 PlotterSetup plotter_setup(const PlotterOptions& options, OutputFormat format) {
   PlotterSetup setup{options, nullptr, {}};
   if (format == OutputFormat::json) {
-    const bool given = !options.device.empty() || !options.device_file.empty() || !options.pens_file.empty() || !options.pens.empty() ||
-                       options.optimize || options.report || !options.preview.empty() || options.fit_device;
+    const bool given = !options.device.empty() || !options.device_file.empty() || !options.pens_file.empty() ||
+                       !options.pens.empty() || options.optimize || options.report || !options.preview.empty() ||
+                       options.fit_device;
     if (given) throw UsageError("--format", "a JSON drawing has no pens; ligne plot makes a plot of it");
     return setup;
   }

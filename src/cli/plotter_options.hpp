@@ -18,7 +18,8 @@ class App;
 namespace ligne {
 
 struct PlotterOptions {
-  std::optional<Optimize> optimize;  ///< nothing: full for pens; other drawings stay as they were made, lines once and joined
+  std::optional<Optimize>
+      optimize;  ///< nothing: full for pens; other drawings stay as they were made, lines once and joined
   JoinTolerances tolerances;
   bool report = false;
   std::string device, device_file;  ///< empty: not given
@@ -44,7 +45,8 @@ struct PlotterSetup {
   Optimize optimize() const { return options.optimize.value_or(by_pens() ? Optimize::full : Optimize::off); }
 };
 
-/// Finds the device, reads the files. Throws UsageError for options that do not go with the format or with each other, std::runtime_error for a bad file.
+/// Finds the device, reads the files. Throws UsageError for options that do not go with the format or with each other,
+/// std::runtime_error for a bad file.
 PlotterSetup plotter_setup(const PlotterOptions& options, OutputFormat format);
 
 }  // namespace ligne

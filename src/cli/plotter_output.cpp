@@ -11,10 +11,14 @@ namespace ligne {
 namespace {
 
 std::string written_as(OutputFormat format, const Drawing& drawing, const PlotOptions& style, const GrayPicture* under) {
-  return format == OutputFormat::pdf ? write_pdf(drawing, style) : format == OutputFormat::png ? write_png(drawing, style, under) : write_svg(drawing, style);
+  return format == OutputFormat::pdf   ? write_pdf(drawing, style)
+         : format == OutputFormat::png ? write_png(drawing, style, under)
+                                       : write_svg(drawing, style);
 }
 
-std::string padded(std::string text, std::size_t width) { return text.size() < width ? std::string(width - text.size(), ' ') + text : text; }
+std::string padded(std::string text, std::size_t width) {
+  return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
 
 std::string metres(double mm) {
   constexpr double kMmPerMetre = 1000;
@@ -53,13 +57,15 @@ void print_report(const ReportRow& before, const ReportRow& after, const Device*
   std::fputs(text.c_str(), stderr);
 }
 
-std::string written_by_layers(const Drawing& drawing, const PlotOptions& style, const PlotterSetup& setup, OutputFormat format, RunReport& run,
-                              const GrayPicture* under) {
+std::string written_by_layers(const Drawing& drawing, const PlotOptions& style, const PlotterSetup& setup,
+                              OutputFormat format, RunReport& run, const GrayPicture* under) {
   const PlotterOptions& options = setup.options;
   const PathOptions paths{setup.optimize(), options.tolerances, {}};
-  if (paths.optimize == Optimize::off && !options.report && options.preview.empty()) return written_as(format, drawing, style, under);
+  if (paths.optimize == Optimize::off && !options.report && options.preview.empty())
+    return written_as(format, drawing, style, under);
   const Drawing better = timed(run.stages, "paths", [&] { return optimize_layers(drawing, paths); });
-  if (options.report) print_report({"before", measure(drawing, {}, false), 0}, {"after", measure(better, {}, false), 0}, nullptr);
+  if (options.report)
+    print_report({"before", measure(drawing, {}, false), 0}, {"after", measure(better, {}, false), 0}, nullptr);
   if (!options.preview.empty()) {
     PlotRequest request{style, {}, true, {Optimize::off, {}, {}}};
     write_output(options.preview, write_preview(deal_to_pens(better, request), {}, false));
@@ -69,12 +75,13 @@ std::string written_by_layers(const Drawing& drawing, const PlotOptions& style, 
 
 }  // namespace
 
-std::string written(const Drawing& drawing, const PlotOptions& style, const PlotterSetup& setup, OutputFormat format, RunReport& run,
-                    const GrayPicture* under) {
+std::string written(const Drawing& drawing, const PlotOptions& style, const PlotterSetup& setup, OutputFormat format,
+                    RunReport& run, const GrayPicture* under) {
   if (!setup.by_pens()) return written_by_layers(drawing, style, setup, format, run, under);
   const PlotterOptions& options = setup.options;
   const Device* device = setup.device.get();
-  PlotRequest request{style, setup.pens, device && device->language == DeviceLanguage::svg, {setup.optimize(), options.tolerances, {}}};
+  PlotRequest request{
+      style, setup.pens, device && device->language == DeviceLanguage::svg, {setup.optimize(), options.tolerances, {}}};
 
   const Plot before = deal_to_pens(drawing, request);
   std::optional<DeviceFrame> frame;

@@ -33,7 +33,8 @@ SourceEdge source_edge(const Scene& scene, const Edge& edge) {
 }
 
 /// Layers by class and material: the material of a line is that of the first face of its source edge.
-Drawing drawing_by_material(const StrokeModel& strokes, const std::function<SourceEdge(std::uint32_t)>& source, const Scene& scene) {
+Drawing drawing_by_material(const StrokeModel& strokes, const std::function<SourceEdge(std::uint32_t)>& source,
+                            const Scene& scene) {
   std::map<std::string, StrokeModel> by_material;
   for (const Stroke& stroke : strokes.strokes) {
     std::string name;
@@ -57,7 +58,9 @@ Drawing drawing_by_material(const StrokeModel& strokes, const std::function<Sour
 }
 
 /// Where a method gives regions these are hatched, else its spans.
-bool hatches_regions(const SceneDrawing& request) { return request.hatch.asked() && (request.method.traits().products & kRegions); }
+bool hatches_regions(const SceneDrawing& request) {
+  return request.hatch.asked() && (request.method.traits().products & kRegions);
+}
 
 bool wants_regions(const SceneDrawing& request) {
   return request.fill.asked() || hatches_regions(request) || request.classes.has(LineClass::shadow);
@@ -95,9 +98,11 @@ void remove_hidden_axes(StrokeModel& model) {
 }
 
 /// The document as lines, with what stands round it.
-Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, const SceneDrawing& request, const Scene& scene) {
-  Drawing drawing = request.plotter.pens.pen_of_material.empty() ? make_drawing(*document.strokes)
-                                                                 : drawing_by_material(*document.strokes, document.source, scene);
+Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, const SceneDrawing& request,
+                   const Scene& scene) {
+  Drawing drawing = request.plotter.pens.pen_of_material.empty()
+                        ? make_drawing(*document.strokes)
+                        : drawing_by_material(*document.strokes, document.source, scene);
   if (document.debug) add_debug_layer(drawing, *document.debug);
   if (!request.frame) return drawing;
   const std::size_t unknown = add_surroundings(drawing, around, request.frame->axes);
@@ -109,11 +114,13 @@ Drawing drawing_of(const DrawingDocument& document, const Surroundings& around, 
 
 /// Below all lines.
 void add_hatching(Drawing& drawing, std::vector<Layer> hatching) {
-  drawing.layers.insert(drawing.layers.begin(), std::make_move_iterator(hatching.begin()), std::make_move_iterator(hatching.end()));
+  drawing.layers.insert(drawing.layers.begin(), std::make_move_iterator(hatching.begin()),
+                        std::make_move_iterator(hatching.end()));
 }
 
 /// Details and light on the regions of a study, and the lines of shadows.
-void finish_regions(const Scene& scene, const SceneDrawing& request, const View& view, std::span<const Light> lights, VisibilityResult& result) {
+void finish_regions(const Scene& scene, const SceneDrawing& request, const View& view, std::span<const Light> lights,
+                    VisibilityResult& result) {
   if (wants_regions(request) && !result.regions) {
     const char* const option = request.fill.kind != FillKind::none ? "--fill" : request.fill.asked() ? "--light" : "--edges";
     throw UsageError(option, std::string(request.method.traits().name) + " does not produce regions; atherton-weiler does");
@@ -121,9 +128,11 @@ void finish_regions(const Scene& scene, const SceneDrawing& request, const View&
   if (!result.regions) return;
   if (!scene.details.empty()) *result.regions = atherton_weiler::cut_details(scene, view, std::move(*result.regions));
   if (lights.empty()) return;
-  atherton_weiler::CastShadows shadows = atherton_weiler::cast_shadows(scene, build_topology(scene), view, lights, *result.regions);
+  atherton_weiler::CastShadows shadows =
+      atherton_weiler::cast_shadows(scene, build_topology(scene), view, lights, *result.regions);
   *result.regions = std::move(shadows.regions);
-  if (request.classes.has(LineClass::shadow)) atherton_weiler::add_shadow_strokes(scene, view, shadows.borders, *result.strokes);
+  if (request.classes.has(LineClass::shadow))
+    atherton_weiler::add_shadow_strokes(scene, view, shadows.borders, *result.strokes);
 }
 
 }  // namespace
@@ -153,13 +162,16 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   plot.hidden_solid = request.hidden == HiddenLines::solid;
   plot.title = request.title;
   plot.dpi = request.dpi;
-  const bool cast = request.fill.kind == FillKind::shade || request.hatch.kind == HatchKind::shade || request.classes.has(LineClass::shadow);
+  const bool cast = request.fill.kind == FillKind::shade || request.hatch.kind == HatchKind::shade ||
+                    request.classes.has(LineClass::shadow);
   const std::vector<Light> lights = lights_of(request.fill, scene, cast);
-  const HatchPatches patches = request.hatch.asked() ? hatch_patches(scene, topology, request.crease_degrees) : HatchPatches{};
+  const HatchPatches patches =
+      request.hatch.asked() ? hatch_patches(scene, topology, request.crease_degrees) : HatchPatches{};
   const HatchScene hatch{request.hatch, scene, placement.view, lights, patches, request.plotter.pens, plot};
   std::vector<Layer> hatching;
   if (request.hatch.asked() && !hatches_regions(request)) {
-    timed(run.stages, "hatch", [&] { hatching = hatch_spans(hatch, topology, request.method, request.settings, request.cull); });
+    timed(run.stages, "hatch",
+          [&] { hatching = hatch_spans(hatch, topology, request.method, request.settings, request.cull); });
   }
   // Only the JSON drawing, and pens by material, ask for the source edges; the study needs the memory of the rest.
   const bool asked = format == OutputFormat::json || !request.plotter.pens.pen_of_material.empty();
@@ -180,7 +192,8 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   }
 
   if (!request.run.quiet) {
-    if (std::none_of(strokes.strokes.begin(), strokes.strokes.end(), [](const Stroke& s) { return s.line_class != LineClass::axes; })) {
+    if (std::none_of(strokes.strokes.begin(), strokes.strokes.end(),
+                     [](const Stroke& s) { return s.line_class != LineClass::axes; })) {
       warn(request.place_of_warnings, "nothing to draw is in view: the drawing is empty");
     } else if (placement.larger_than_page()) {
       warn(request.place_of_warnings, "the picture is larger than the page: what lies outside is left out");

@@ -45,8 +45,8 @@ void add_rectangle(Scene& scene, const HeightSource& heights, double z) {
 struct HorizonRequest {
   HorizonOptions options;
   Camera camera;
-  Scene extent;         ///< what the page must hold
-  HeightSurvey heights; ///< what a box round it spans, before scaling
+  Scene extent;          ///< what the page must hold
+  HeightSurvey heights;  ///< what a box round it spans, before scaling
 };
 
 /// A ridgeline plot is as high as this part of its width, and seen as high as its rows are lifted.
@@ -97,7 +97,9 @@ HorizonRequest request_of(const SurfaceOptions& options, Surface& surface) {
 
 std::optional<PlotBox> plot_box(const HeightSource& heights, const HeightSurvey& found, double z_scale) {
   if (found.empty()) return std::nullopt;
-  return PlotBox{{{heights.x().front(), heights.y().front(), found.low}, {heights.x().back(), heights.y().back(), found.high}}, z_scale};
+  return PlotBox{
+      {{heights.x().front(), heights.y().front(), found.low}, {heights.x().back(), heights.y().back(), found.high}},
+      z_scale};
 }
 
 /// What the study saw of the axes' lines.
@@ -133,8 +135,8 @@ void draw(const SurfaceOptions& options) {
   Surroundings around;
   timed(run.stages, "place", [&] {
     request = request_of(options, surface);
-    around = place_with_axes(plot_box(*surface.heights, request.heights, request.options.z_scale), request.extent, request.camera, options.page,
-                             options.axes, options.title);
+    around = place_with_axes(plot_box(*surface.heights, request.heights, request.options.z_scale), request.extent,
+                             request.camera, options.page, options.axes, options.title);
     request.options.back_lines = back_lines(around);
   });
   HorizonLines lines;
@@ -154,7 +156,8 @@ void draw(const SurfaceOptions& options) {
 
   if (Polylines axes = axes_of(lines, around); axes.size() > 0) drawing.layers.push_back({"axes", std::move(axes)});
   const std::size_t unknown = add_surroundings(drawing, around, options.axes);
-  if (unknown > 0 && !options.run.quiet) warn(place_of_warnings(options), std::to_string(unknown) + " characters are not in the font: drawn as boxes");
+  if (unknown > 0 && !options.run.quiet)
+    warn(place_of_warnings(options), std::to_string(unknown) + " characters are not in the font: drawn as boxes");
 
   PlotOptions plot;
   plot.page = around.placement.page;

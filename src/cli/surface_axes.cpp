@@ -17,8 +17,9 @@ constexpr std::string_view kAxesStyleNames[] = {"back", "grid", "box", "base"};
 constexpr std::string_view kTextStyleNames[] = {"font", "stroke"};
 constexpr const char* kDefaultNames[] = {"x", "y", "z"};
 
-/// Capitals of numbers and names on a sheet whose shorter side is that of A4 (ISO 3098: 2.5 mm). Larger sheets are looked at from farther away, but
-/// not in proportion: with the root of the side it is 1.8 mm on A6 and 5 mm on A0, which ISO 3098 has too.
+/// Capitals of numbers and names on a sheet whose shorter side is that of A4 (ISO 3098: 2.5 mm). Larger sheets are looked at
+/// from farther away, but not in proportion: with the root of the side it is 1.8 mm on A6 and 5 mm on A0, which ISO 3098 has
+/// too.
 constexpr double kTextHeightMm = 2.5, kSideOfA4Mm = 210;
 /// Of the shorter side of what the margins leave: as high as texts may be, and as they are at the most when nothing is said.
 constexpr double kHighestPart = 0.1, kHighestDefaultPart = 0.05;
@@ -37,11 +38,12 @@ AxesStyle style_of(const AxesOptions& options) {
 double text_height_mm(const AxesOptions& options, const Page& page) {
   const double side = std::min(page.drawable().width(), page.drawable().height());
   if (!options.text_height_mm) {
-    return std::min(kTextHeightMm * std::sqrt(std::min(page.width_mm, page.height_mm) / kSideOfA4Mm), kHighestDefaultPart * side);
+    return std::min(kTextHeightMm * std::sqrt(std::min(page.width_mm, page.height_mm) / kSideOfA4Mm),
+                    kHighestDefaultPart * side);
   }
   if (*options.text_height_mm > kHighestPart * side) {
-    throw UsageError("--text-height", shortest(*options.text_height_mm) + " mm is more than a tenth of the " + shortest(side) +
-                                          " mm that the margins leave of the page");
+    throw UsageError("--text-height", shortest(*options.text_height_mm) + " mm is more than a tenth of the " +
+                                          shortest(side) + " mm that the margins leave of the page");
   }
   return *options.text_height_mm;
 }
@@ -92,13 +94,15 @@ void add_axes_options(CLI::App& app, AxesOptions& options) {
   const auto as_written = [](const std::string& text) { return text; };
   for (int k = 0; k < 3; ++k) {
     const std::string axis = kDefaultNames[k];
-    add_parsed(app, "--" + axis + "-label", "TEXT", options.names[k], as_written, "name of the " + axis + " axis; empty for none")
+    add_parsed(app, "--" + axis + "-label", "TEXT", options.names[k], as_written,
+               "name of the " + axis + " axis; empty for none")
         ->default_str(axis)
         ->group(group);
   }
-  add_parsed(app, "--text", "font|stroke", options.text,
-             [](const std::string& t) { return static_cast<TextStyle>(parse_choice(t, kTextStyleNames)); },
-             "text in a typeface, or as single strokes for a pen")
+  add_parsed(
+      app, "--text", "font|stroke", options.text,
+      [](const std::string& t) { return static_cast<TextStyle>(parse_choice(t, kTextStyleNames)); },
+      "text in a typeface, or as single strokes for a pen")
       ->default_str("font")
       ->group(group);
   add_parsed(app, "--text-height", "LEN", options.text_height_mm, parse_text_height, "height of capitals")
@@ -120,8 +124,8 @@ void check(const AxesOptions& options) {
   }
 }
 
-Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera, const PageOptions& page,
-                             const AxesOptions& options, const std::string& title) {
+Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
+                             const PageOptions& page, const AxesOptions& options, const std::string& title) {
   std::optional<AxesRequest> request = request_of(options, box);
   const Scene extent = request ? box_scene(request->box()) : scene;
   const MeasureText measure = [&](std::string_view text, double height) { return text_extent(text, height, options.text); };
@@ -183,7 +187,8 @@ Polylines lines_of_axes(const Surroundings& surroundings, std::span<const std::v
 std::size_t add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesOptions& options) {
   const std::string name(kLineClassNames[static_cast<std::size_t>(LineClass::axes)]);
   Layer layer{name, {}};
-  const auto found = std::find_if(drawing.layers.begin(), drawing.layers.end(), [&](const Layer& l) { return l.name == name; });
+  const auto found =
+      std::find_if(drawing.layers.begin(), drawing.layers.end(), [&](const Layer& l) { return l.name == name; });
   if (found != drawing.layers.end()) {
     layer = std::move(*found);
     drawing.layers.erase(found);

@@ -44,10 +44,10 @@ struct PlotBox {
   double z_scale = 1;
 };
 
-/// Places the camera's picture and what is asked for round it on the page. `box` is nothing where there are no heights; `scene`: what the page must
-/// hold where there are no axes.
-Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera, const PageOptions& page,
-                             const AxesOptions& options, const std::string& title);
+/// Places the camera's picture and what is asked for round it on the page. `box` is nothing where there are no heights;
+/// `scene`: what the page must hold where there are no axes.
+Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
+                             const PageOptions& page, const AxesOptions& options, const std::string& title);
 
 /// The lines of the axes that what is plotted may hide.
 std::vector<std::array<Point3, 2>> back_lines(const Surroundings& surroundings);
@@ -58,8 +58,8 @@ std::vector<std::array<Point3, 2>> all_lines(const Surroundings& surroundings);
 /// The lines of the axes on the page: of back_lines() the parts `seen`, and all that is before them.
 Polylines lines_of_axes(const Surroundings& surroundings, std::span<const std::vector<VisibleInterval>> seen);
 
-/// Adds ticks to the layer of the axes, which becomes the last one, and texts to the drawing. Returns the number of characters that the
-/// single-stroke font lacks.
+/// Adds ticks to the layer of the axes, which becomes the last one, and texts to the drawing. Returns the number of
+/// characters that the single-stroke font lacks.
 std::size_t add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesOptions& options);
 
 }  // namespace ligne

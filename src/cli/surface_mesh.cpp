@@ -24,11 +24,13 @@ namespace {
 /// How far below the lowest height the base lies when nothing is said, as a part of the range of heights.
 constexpr double kBaseDepth = 0.05;
 
-/// Degrees: surfaces turn over their cells by less, and by more into their skirts. Creases are not drawn; hatching ends there.
+/// Degrees: surfaces turn over their cells by less, and by more into their skirts. Creases are not drawn; hatching ends
+/// there.
 constexpr double kCrease = 75;
 
 /// The factor by which heights take half of the larger side of the ground; 1 where a surface is parametric.
-double z_scale_of(const SurfaceOptions& options, const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes) {
+double z_scale_of(const SurfaceOptions& options, const std::vector<SurfacePoints>& surfaces,
+                  const std::vector<SurfaceMesh>& meshes) {
   if (options.z_scale) return *options.z_scale;
   const auto range = height_range(meshes);
   if (!range || !options.parametric.empty()) return 1;
@@ -60,9 +62,10 @@ bool may_cross(const SurfaceOptions& options) {
   return options.formulas.size() + options.grids.size() > 1 || !options.parametric.empty();
 }
 
-/// What all surfaces take together, with the base; nothing where there are none. Of z = f(x, y) it is the ground of all samples, whether
-/// there is a height or not.
-std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes, std::optional<double> base) {
+/// What all surfaces take together, with the base; nothing where there are none. Of z = f(x, y) it is the ground of all
+/// samples, whether there is a height or not.
+std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes,
+                              std::optional<double> base) {
   const auto range = height_range(meshes);
   if (!range) return std::nullopt;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -118,7 +121,8 @@ Plot plot_of(const SurfaceOptions& options) {
 }
 
 void write_mesh(const SurfaceOptions& options, const Scene& scene, RunReport& run) {
-  if (scene.faces.empty()) throw InputError(place_of_warnings(options), "has no cell without a hole: there is no mesh to write");
+  if (scene.faces.empty())
+    throw InputError(place_of_warnings(options), "has no cell without a hole: there is no mesh to write");
   const std::string text = timed(run.stages, "write", [&] {
     return mesh_format_of(options.output) == MeshFormat::obj ? write_obj(scene) : write_ligne_scene(scene);
   });
@@ -143,9 +147,24 @@ void run_surface_mesh(const SurfaceOptions& options) {
   if (may_cross(options)) classes.add(LineClass::intersection);
   const ViewOptions view = view_of(options);
   const PlotFrame frame{options.axes, plot.box};
-  SceneDrawing drawing{mesh_method_of(options), {}, classes, kCrease, options.hidden, false, view, options.page, options.output, options.run,
-                       options.dpi, options.title, place_of_warnings(options),
-                       format_of(options.output) == OutputFormat::json ? nullptr : &frame, {}, plotter, {}, options.hatch};
+  SceneDrawing drawing{mesh_method_of(options),
+                       {},
+                       classes,
+                       kCrease,
+                       options.hidden,
+                       false,
+                       view,
+                       options.page,
+                       options.output,
+                       options.run,
+                       options.dpi,
+                       options.title,
+                       place_of_warnings(options),
+                       format_of(options.output) == OutputFormat::json ? nullptr : &frame,
+                       {},
+                       plotter,
+                       {},
+                       options.hatch};
   draw_scene(plot.scene, drawing, run);
 }
 

@@ -88,7 +88,8 @@ void check_sources(const SurfaceOptions& options) {
     if (options.x || options.y) throw UsageError("-x, -y", "go with z = f(x, y); a parametric surface has -u and -v");
     if (options.log_z) throw UsageError("--log-z", "goes with z = f(x, y)");
   }
-  if (parametric && options.skirt) throw UsageError("--skirt", "goes with z = f(x, y), which has a rim, not with --parametric");
+  if (parametric && options.skirt)
+    throw UsageError("--skirt", "goes with z = f(x, y), which has a rim, not with --parametric");
   if (std::max(options.u.size(), options.v.size()) > options.parametric.size()) {
     throw UsageError("-u, -v", parametric ? "there are more of them than parametric surfaces" : "go with --parametric");
   }
@@ -96,7 +97,8 @@ void check_sources(const SurfaceOptions& options) {
   if (!formulas && ((options.x && options.x->curves) || (options.y && options.y->curves))) {
     throw UsageError("-x, -y", "a grid takes A:B, a window; --every N says which curves are drawn");
   }
-  if (!grids && options.every) throw UsageError("--every", "goes with --grid; a formula has its number of curves in -x A:B:N");
+  if (!grids && options.every)
+    throw UsageError("--every", "goes with --grid; a formula has its number of curves in -x A:B:N");
   if (!grids) return;
   refuse_input_as_output("--output", *options.output.file, options.grids);
   if (!options.run.stats_json.empty()) refuse_input_as_output("--stats-json", options.run.stats_json, options.grids);
@@ -172,7 +174,8 @@ MeshFormat mesh_format_of(const OutputOptions& options) {
 }
 
 std::string place_of_warnings(const SurfaceOptions& options) {
-  return options.grids.size() == 1 && options.formulas.empty() && options.parametric.empty() ? options.grids.front() : "surface";
+  return options.grids.size() == 1 && options.formulas.empty() && options.parametric.empty() ? options.grids.front()
+                                                                                             : "surface";
 }
 
 ViewOptions view_of(const SurfaceOptions& options) {
@@ -182,7 +185,8 @@ ViewOptions view_of(const SurfaceOptions& options) {
   const double degree = std::acos(-1.0) / 180;
   const double azimuth = options.azimuth_degrees.value_or(kAzimuth) * degree;
   const double elevation = options.elevation_degrees.value_or(kElevation) * degree;
-  view.direction = Point3{-std::cos(azimuth) * std::cos(elevation), -std::sin(azimuth) * std::cos(elevation), -std::sin(elevation)};
+  view.direction =
+      Point3{-std::cos(azimuth) * std::cos(elevation), -std::sin(azimuth) * std::cos(elevation), -std::sin(elevation)};
   // Straight from above and below the azimuth says which way is up on the page.
   const double side = std::sin(elevation);
   if (!view.up && std::abs(side) == 1) view.up = Point3{-std::cos(azimuth) * side, -std::sin(azimuth) * side, 0};
@@ -195,16 +199,19 @@ namespace {
 void check_engines(const SurfaceOptions& options) {
   std::string reason = needs_mesh(options);
   if (options.horizon_given && options.hatch.asked()) refuse_hatching("horizon");
-  if (options.horizon_given && !reason.empty()) throw UsageError("--method", "horizon draws no " + reason + "; a mesh method does: ligne methods");
+  if (options.horizon_given && !reason.empty())
+    throw UsageError("--method", "horizon draws no " + reason + "; a mesh method does: ligne methods");
   const std::string other = options.pixels ? "--horizon pixels" : needs_horizon(options.curves);
   if (!other.empty() && !drawn_by_horizon(options)) {
     if (reason.empty()) reason = "--method " + std::string(options.method->traits().name);
     throw UsageError(other, "is drawn by the method horizon alone, and does not go with " + reason);
   }
-  if (options.as_mesh && (options.curves.contours || options.curves.contour_step)) throw UsageError("--contours", "are lines, which --as-mesh does not write");
+  if (options.as_mesh && (options.curves.contours || options.curves.contour_step))
+    throw UsageError("--contours", "are lines, which --as-mesh does not write");
   if (options.as_mesh && options.hatch.asked()) throw UsageError("--hatch", "makes lines, which --as-mesh does not write");
   if (!options.as_mesh) check(options.hatch, format_of(options.output), mesh_method_of(options));
-  if (options.as_mesh && !options.axes.style.empty()) throw UsageError("--axes", "are lines, which --as-mesh does not write");
+  if (options.as_mesh && !options.axes.style.empty())
+    throw UsageError("--axes", "are lines, which --as-mesh does not write");
   if (!options.as_mesh && !options.axes.style.empty() && format_of(options.output) == OutputFormat::json) {
     throw UsageError("--axes", "are not written as json");
   }
@@ -227,7 +234,8 @@ void check(const SurfaceOptions& options) {
   }
   if (options.resolution && !options.pixels) throw UsageError("--resolution", "goes with --horizon pixels");
   check(options.curves);
-  if (options.lines == CurveFamilies::none && options.curves.hidden_by == HiddenBy::curves) throw UsageError("--hidden-by", "curves needs --lines that hide");
+  if (options.lines == CurveFamilies::none && options.curves.hidden_by == HiddenBy::curves)
+    throw UsageError("--hidden-by", "curves needs --lines that hide");
   check(options.axes);
   if (options.curves.ridgeline && (options.view_given || options.azimuth_degrees || options.elevation_degrees)) {
     throw UsageError("--ridgeline", "has its own view");
@@ -239,7 +247,9 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   CLI::App* surface = app.add_subcommand("surface", "z = f(x,y): iso-curves, hidden parts removed");
   surface->add_option("EXPR", options.formulas, "formulas in x and y; also r and theta (polar), pi, e")->type_name("");
   const std::string group = "Surface";
-  surface->add_option("--grid", options.grids, "heights from a file: CSV or TSV matrix, gnuplot blocks, ESRI ASCII grid, PGM, PNG (repeatable)")
+  surface
+      ->add_option("--grid", options.grids,
+                   "heights from a file: CSV or TSV matrix, gnuplot blocks, ESRI ASCII grid, PGM, PNG (repeatable)")
       ->type_name("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -249,7 +259,8 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->add_option_function<std::vector<std::string>>(
           "--parametric",
           [&options](const std::vector<std::string>& values) {
-            for (std::size_t i = 0; i + 2 < values.size(); i += 3) options.parametric.push_back({values[i], values[i + 1], values[i + 2]});
+            for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+              options.parametric.push_back({values[i], values[i + 1], values[i + 2]});
           },
           "a surface as three formulas in u and v (repeatable)")
       ->type_size(3)
@@ -258,32 +269,35 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
       ->allow_extra_args(false)
       ->type_name("X Y Z")
       ->group(group);
-  add_parsed(*surface, "-x", "A:B[:N]", options.x, parse_range, "range of x and number of curves of constant x; with --grid a window")
+  add_parsed(*surface, "-x", "A:B[:N]", options.x, parse_range,
+             "range of x and number of curves of constant x; with --grid a window")
       ->default_str("-5:5:40")
       ->group(group);
-  add_parsed(*surface, "-y", "A:B[:N]", options.y, parse_range, "the same of y")
-      ->default_str("-5:5:40")
-      ->group(group);
+  add_parsed(*surface, "-y", "A:B[:N]", options.y, parse_range, "the same of y")->default_str("-5:5:40")->group(group);
   add_parameter_range(*surface, "-u", options.u, "the same of u, of a parametric surface (repeatable: of the next one)");
   add_parameter_range(*surface, "-v", options.v, "the same of v");
-  add_parsed(*surface, "--samples", "N", options.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamples); },
-             "points along a curve, or the next more that the crossings with the other family allow")
+  add_parsed(
+      *surface, "--samples", "N", options.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamples); },
+      "points along a curve, or the next more that the crossings with the other family allow")
       ->default_str("5 between curves, up to 1000")
       ->group(group);
-  add_parsed(*surface, "--every", "N", options.every, [](const std::string& t) { return parse_count(t, 1, kMostSamples); },
-             "grid: a curve at every Nth row and column")
+  add_parsed(
+      *surface, "--every", "N", options.every, [](const std::string& t) { return parse_count(t, 1, kMostSamples); },
+      "grid: a curve at every Nth row and column")
       ->default_str("1")
       ->group(group);
-  add_parsed(*surface, "--lines", "x|y|xy|none", options.lines,
-             [](const std::string& t) { return static_cast<CurveFamilies>(parse_choice(t, kCurveFamilyNames)); },
-             "curves of constant x, of constant y, both, or none: contours and outlines alone")
+  add_parsed(
+      *surface, "--lines", "x|y|xy|none", options.lines,
+      [](const std::string& t) { return static_cast<CurveFamilies>(parse_choice(t, kCurveFamilyNames)); },
+      "curves of constant x, of constant y, both, or none: contours and outlines alone")
       ->default_str("xy")
       ->group(group);
   add_parsed(*surface, "--z-scale", "K", options.z_scale, parse_positive,
              "heights are multiplied by K (default: they take half of the larger side of the ground; parametric: 1)")
       ->group(group);
   surface->add_flag("--log-z", options.log_z, "heights are log10 of the formula or of the grid")->group(group);
-  add_parsed(*surface, "--z-range", "A:B", options.z_range, parse_heights, "cut the surface off below A and above B")->group(group);
+  add_parsed(*surface, "--z-range", "A:B", options.z_range, parse_heights, "cut the surface off below A and above B")
+      ->group(group);
   surface
       ->add_option_function<std::vector<std::string>>(
           "--skirt",
@@ -302,24 +316,27 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   add_curve_options(*surface, options.curves);
   add_hatch_options(*surface, options.hatch);
   add_method_choice(*surface, options);
-  add_parsed(*surface, "--horizon", "exact|pixels", options.pixels,
-             [](const std::string& t) {
-               constexpr std::string_view kNames[] = {"exact", "pixels"};
-               return parse_choice(t, kNames) == 1;
-             },
-             "horizon as polylines in full precision, or as an array of pixels")
+  add_parsed(
+      *surface, "--horizon", "exact|pixels", options.pixels,
+      [](const std::string& t) {
+        constexpr std::string_view kNames[] = {"exact", "pixels"};
+        return parse_choice(t, kNames) == 1;
+      },
+      "horizon as polylines in full precision, or as an array of pixels")
       ->default_str("exact")
       ->group(group);
-  add_parsed(*surface, "--resolution", "N", options.resolution,
-             [](const std::string& t) { return parse_count(t, 1, kHighestResolution); }, "pixels: columns across the picture")
+  add_parsed(
+      *surface, "--resolution", "N", options.resolution,
+      [](const std::string& t) { return parse_count(t, 1, kHighestResolution); }, "pixels: columns across the picture")
       ->default_str("2000")
       ->group(group);
   add_parsed(*surface, "--azimuth", "DEG", options.azimuth_degrees, parse_number,
              "direction in which the viewer stands, from the x axis towards y")
       ->default_str("-60")
       ->group("View");
-  add_parsed(*surface, "--elevation", "DEG", options.elevation_degrees,
-             [](const std::string& t) { return parse_within(t, -90, 90, "degrees"); }, "how high the viewer stands over the ground")
+  add_parsed(
+      *surface, "--elevation", "DEG", options.elevation_degrees,
+      [](const std::string& t) { return parse_within(t, -90, 90, "degrees"); }, "how high the viewer stands over the ground")
       ->default_str("30")
       ->group("View");
   add_view_options(*surface, options.view);
@@ -327,12 +344,16 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   add_axes_options(*surface, options.axes);
   add_page_options(*surface, options.page);
   add_output_options(*surface, options.output, "svg pdf png json hpgl gcode (default: by the suffix)");
-  surface->add_flag("--as-mesh", options.as_mesh, "write the surface as a mesh file, .json (ligne-scene) or .obj")->group("Output");
-  add_parsed(*surface, "--dpi", "N", options.dpi,
-             [](const std::string& t) { return parse_within(t, kLowestDpi, kHighestDpi, "dots per inch"); }, "resolution of a PNG")
+  surface->add_flag("--as-mesh", options.as_mesh, "write the surface as a mesh file, .json (ligne-scene) or .obj")
+      ->group("Output");
+  add_parsed(
+      *surface, "--dpi", "N", options.dpi,
+      [](const std::string& t) { return parse_within(t, kLowestDpi, kHighestDpi, "dots per inch"); }, "resolution of a PNG")
       ->default_str("150")
       ->group("Output");
-  surface->add_option("--title", options.title, "title above the picture, and of the document")->type_name("TEXT")->group("Output");
+  surface->add_option("--title", options.title, "title above the picture, and of the document")
+      ->type_name("TEXT")
+      ->group("Output");
   add_plotter_options(*surface, options.plotter);
   add_run_options(*surface, options.run);
   surface->callback([surface, &options] {

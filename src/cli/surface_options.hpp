@@ -66,7 +66,8 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options);
 /// Throws UsageError for options that do not go together.
 void check(const SurfaceOptions& options);
 
-/// Whether the floating horizon draws it: one surface z = f(x, y) without anything that only meshes can do, and no mesh method is asked for.
+/// Whether the floating horizon draws it: one surface z = f(x, y) without anything that only meshes can do, and no mesh
+/// method is asked for.
 bool drawn_by_horizon(const SurfaceOptions& options);
 
 /// The method that draws the mesh; never nullptr.

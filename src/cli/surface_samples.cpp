@@ -11,7 +11,8 @@ namespace ligne {
 namespace {
 
 constexpr unsigned kCurves = 40;
-/// Samples between two neighbouring curves when nothing is said: smooth, but no more than a thousand along a curve for its own sake.
+/// Samples between two neighbouring curves when nothing is said: smooth, but no more than a thousand along a curve for its
+/// own sake.
 constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000;
 
 /// Up to so many samples of a formula are held (32 MB), since a picture asks for each several times; more are computed anew.
@@ -40,10 +41,16 @@ Positions positions(const CurveRange& range, bool crossed, const std::optional<u
   return result;
 }
 
-bool x_curves(const SurfaceOptions& options) { return (options.lines == CurveFamilies::x || options.lines == CurveFamilies::xy) && !options.curves.ridgeline; }
-bool y_curves(const SurfaceOptions& options) { return options.lines == CurveFamilies::y || options.lines == CurveFamilies::xy || options.curves.ridgeline; }
+bool x_curves(const SurfaceOptions& options) {
+  return (options.lines == CurveFamilies::x || options.lines == CurveFamilies::xy) && !options.curves.ridgeline;
+}
+bool y_curves(const SurfaceOptions& options) {
+  return options.lines == CurveFamilies::y || options.lines == CurveFamilies::xy || options.curves.ridgeline;
+}
 
-AxisWindow window_of(const std::optional<CurveRange>& range) { return range ? AxisWindow{range->from, range->to} : AxisWindow{}; }
+AxisWindow window_of(const std::optional<CurveRange>& range) {
+  return range ? AxisWindow{range->from, range->to} : AxisWindow{};
+}
 
 Surface grid_surface(const SurfaceOptions& options, const std::string& file) {
   Warnings warnings;
@@ -92,7 +99,8 @@ std::vector<Surface> surfaces_of(const SurfaceOptions& options) {
   for (const std::string& file : options.grids) grids.push_back(grid_surface(options, file));
   // What hides is fine in both directions, unless it is the curves alone.
   const bool by_curves = options.curves.hidden_by == HiddenBy::curves || options.curves.ridgeline;
-  const CurveRange x_range = range_of(options.x, grids, &HeightSource::x), y_range = range_of(options.y, grids, &HeightSource::y);
+  const CurveRange x_range = range_of(options.x, grids, &HeightSource::x),
+                   y_range = range_of(options.y, grids, &HeightSource::y);
   std::vector<Surface> surfaces;
   for (const std::string& formula : options.formulas) {
     Positions x = positions(x_range, !by_curves || y_curves(options), options.samples);

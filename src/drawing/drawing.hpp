@@ -24,8 +24,8 @@ struct Polylines {
   }
 };
 
-/// Layers of strokes, in the order in which they are painted: hidden strokes, those seen through transparent faces, then the classes, the
-/// strongest last.
+/// Layers of strokes, in the order in which they are painted: hidden strokes, those seen through transparent faces, then the
+/// classes, the strongest last.
 inline constexpr std::size_t kStrokeLayerCount = kLineClassCount + 2;
 std::size_t stroke_layer(LineClass line_class, bool visible, unsigned level);
 /// "hidden", "behind-glass", or the name of the class.
@@ -46,8 +46,9 @@ struct Fill {
   double opacity = 1;
 };
 
-/// Layers in the order in which they are painted, over the fills. Layers without lines are left out. Texts are painted last; writers put them into a layer
-/// "text" in a typeface. A drawing has either texts or a layer "text" of lines (plotting/stroke_text.hpp).
+/// Layers in the order in which they are painted, over the fills. Layers without lines are left out. Texts are painted last;
+/// writers put them into a layer "text" in a typeface. A drawing has either texts or a layer "text" of lines
+/// (plotting/stroke_text.hpp).
 struct Drawing {
   std::vector<Layer> layers;
   std::vector<TextItem> texts{};
@@ -55,10 +56,9 @@ struct Drawing {
 };
 
 /// Every line once: where strokes lie on each other within `tolerance_mm` one of them stands for all (by class, then the
-/// nearer, then the lower source). A hidden stroke gives way to every visible one, and one seen through transparent faces to every one seen
-/// directly. Strokes whose `may_coincide` is
-/// false are only held against those where it is true. Those that lie on no other keep their order; the others follow, by
-/// precedence.
+/// nearer, then the lower source). A hidden stroke gives way to every visible one, and one seen through transparent faces to
+/// every one seen directly. Strokes whose `may_coincide` is false are only held against those where it is true. Those that
+/// lie on no other keep their order; the others follow, by precedence.
 void remove_coincident_strokes(StrokeModel& model, double tolerance_mm);
 
 /// Joins strokes that continue each other into polylines, per layer. Where more than two strokes of a layer meet the

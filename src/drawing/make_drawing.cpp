@@ -1,9 +1,10 @@
 /// Strokes joined into polylines, layer by layer.
 ///
 /// 1. Strokes are dealt out to their layers by a counting sort, in their order.
-/// 2. Ends are grouped by lattice point. The ends of a layer are first spread over buckets by a hash of their point, so that a
-///    bucket fits into the cache; in each bucket a small hash table numbers the nodes, and a counting sort brings the ends of
-///    a node together. All arrays are flat: 36 bytes a stroke beside the drawing itself.
+/// 2. Ends are grouped by lattice point. The ends of a layer are first spread over buckets by a hash of their point, so that
+/// a
+///    bucket fits into the cache; in each bucket a small hash table numbers the nodes, and a counting sort brings the ends
+///    of a node together. All arrays are flat: 36 bytes a stroke beside the drawing itself.
 /// 3. At each node the arms are paired (node_pairs.hpp): `partner` then links the ends of strokes into chains and rings.
 /// 4. The chains are walked from their loose ends, in the order of these, then the rings that are left. Points that lie
 ///    exactly on the segment between their neighbours are dropped on the way.
@@ -196,7 +197,8 @@ Drawing make_drawing(const StrokeModel& model) {
   std::array<Polylines, kLayerCount> lines;
   tbb::parallel_for(std::size_t{0}, kLayerCount, [&](std::size_t l) {
     if (begin[l] == begin[l + 1]) return;
-    lines[l] = StrokeGraph(model.strokes, {members.data() + begin[l], members.data() + begin[l + 1]}).polylines(model.lattice);
+    lines[l] =
+        StrokeGraph(model.strokes, {members.data() + begin[l], members.data() + begin[l + 1]}).polylines(model.lattice);
   });
 
   Drawing drawing;

@@ -10,12 +10,13 @@ namespace ligne {
 
 /// A visible part of a face on the page.
 struct Region {
-  std::uint32_t face = 0;                      ///< face of the scene
+  std::uint32_t face = 0;                     ///< face of the scene
   std::vector<std::vector<Point2>> contours;  ///< page mm; the first is outer, the others holes
-  std::uint32_t level = 0;  ///< how many transparent faces are in front of it: 0 is seen directly
+  std::uint32_t level = 0;                    ///< how many transparent faces are in front of it: 0 is seen directly
   /// Bit i: light i reaches it. All bits where no light was asked for.
   std::uint32_t lights = 0xffffffffu;
-  /// How much of each light comes here through the transparent faces in its way, 0 to 1, by light. Empty: all of those in `lights`.
+  /// How much of each light comes here through the transparent faces in its way, 0 to 1, by light. Empty: all of those in
+  /// `lights`.
   std::vector<double> light_shares{};
   std::uint32_t material = 0xffffffffu;  ///< of the detail of which it is a part; 0xffffffff for that of the face
 };

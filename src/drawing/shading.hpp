@@ -15,8 +15,9 @@ struct GrayPicture {
   std::vector<std::uint8_t> gray;
 };
 
-/// Paints spans that are one line for each row of pixels: every pixel gets the brightness (0 to 1, by face) of what is seen on it,
-/// mixed at the ends of spans by the share that each has; white where nothing is seen. `pixels_per_mm` both ways.
-GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
+/// Paints spans that are one line for each row of pixels: every pixel gets the brightness (0 to 1, by face) of what is seen
+/// on it, mixed at the ends of spans by the share that each has; white where nothing is seen. `pixels_per_mm` both ways.
+GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
+                  double pixels_per_mm);
 
 }  // namespace ligne

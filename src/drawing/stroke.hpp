@@ -25,8 +25,8 @@ enum class LineClass : std::uint8_t {
 inline constexpr std::size_t kLineClassCount = 9;
 /// The first classes are those of the scene's edges.
 inline constexpr std::size_t kEdgeClassCount = 5;
-inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{"outline", "border",  "intersection", "crease", "mesh",
-                                                                               "contour", "horizon", "axes",         "shadow"};
+inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{
+    "outline", "border", "intersection", "crease", "mesh", "contour", "horizon", "axes", "shadow"};
 
 /// A set of classes.
 struct LineClasses {
@@ -40,12 +40,13 @@ struct Stroke {
   double t_from = 0, t_to = 1;  ///< parameters on the source edge in model space, t_from < t_to
   LatticePoint from, to;
   float z_from = 0, z_to = 0;  ///< depths at the two ends; smaller is nearer
-  float w_from = 1, w_to = 1;  ///< distances along the line of sight at the two ends (to one factor); 1 in parallel projection
-  std::uint32_t source = 0;    ///< source edge, as numbered by StrokeModel
+  float w_from = 1,
+        w_to = 1;            ///< distances along the line of sight at the two ends (to one factor); 1 in parallel projection
+  std::uint32_t source = 0;  ///< source edge, as numbered by StrokeModel
   LineClass line_class = LineClass::mesh;
   bool visible = true;
   bool may_coincide = true;  ///< false only where the method knows that no other stroke lies on this one
-  std::uint8_t level = 0;  ///< how many transparent faces are in front of it, 255 for more; 0 is seen directly
+  std::uint8_t level = 0;    ///< how many transparent faces are in front of it, 255 for more; 0 is seen directly
 };
 
 /// Parameter on the source edge at the fraction `s` of the stroke's length on the page. Perspective foreshortens: with the
@@ -60,7 +61,8 @@ inline double source_parameter(const Stroke& stroke, double s) {
 /// Where a stroke comes from: an edge of the scene, the common segment of two penetrating faces, or a line on a face.
 struct SourceEdge {
   std::array<Point3, 2> ends{};  ///< model coordinates; a stroke's parameter runs from the first to the second
-  std::array<std::uint32_t, 2> faces{0xffffffffu, 0xffffffffu};  ///< the faces that meet here, 0xffffffff where there is none
+  std::array<std::uint32_t, 2> faces{0xffffffffu,
+                                     0xffffffffu};  ///< the faces that meet here, 0xffffffff where there is none
   bool intersection = false;
 };
 

@@ -13,10 +13,14 @@ std::array<Point2, 2> frame(double rotation_degrees) {
   const double quarters = rotation_degrees / 90;
   if (quarters == std::round(quarters)) {
     switch (static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4))) {
-      case 0: return {Point2{1, 0}, Point2{0, -1}};
-      case 1: return {Point2{0, -1}, Point2{-1, 0}};
-      case 2: return {Point2{-1, 0}, Point2{0, 1}};
-      default: return {Point2{0, 1}, Point2{1, 0}};
+      case 0:
+        return {Point2{1, 0}, Point2{0, -1}};
+      case 1:
+        return {Point2{0, -1}, Point2{-1, 0}};
+      case 2:
+        return {Point2{-1, 0}, Point2{0, 1}};
+      default:
+        return {Point2{0, 1}, Point2{1, 0}};
     }
   }
   const double angle = rotation_degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);

@@ -13,8 +13,8 @@ enum class TextUp { base, middle, top };
 
 /// One line of text. `at` is the point of the text that the two anchors name; the middle and the top are those of capitals.
 struct TextItem {
-  std::string text;  ///< UTF-8; what is malformed is shown as U+FFFD, control characters as blanks
-  Point2 at{0, 0};   ///< page mm
+  std::string text;        ///< UTF-8; what is malformed is shown as U+FFFD, control characters as blanks
+  Point2 at{0, 0};         ///< page mm
   double height_mm = 2.5;  ///< of capitals
   TextAcross across = TextAcross::left;
   TextUp up = TextUp::base;
@@ -45,7 +45,8 @@ struct TextBox {
 
 TextBox text_box(const TextItem& item, const TextExtent& extent);
 
-/// The boxes have a point in common when each is widened by half of `gap_mm` on all sides. Boxes that only touch do not overlap.
+/// The boxes have a point in common when each is widened by half of `gap_mm` on all sides. Boxes that only touch do not
+/// overlap.
 bool overlap(const TextBox& a, const TextBox& b, double gap_mm = 0);
 
 }  // namespace ligne

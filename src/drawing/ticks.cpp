@@ -11,7 +11,8 @@
 namespace ligne {
 namespace {
 
-/// A number of plain digits is written as such up to this length; a longer one when the form with a power of ten is no shorter.
+/// A number of plain digits is written as such up to this length; a longer one when the form with a power of ten is no
+/// shorter.
 constexpr std::size_t kShortNumber = 5;
 /// Plain numbers have no more digits before or behind the point than this.
 constexpr int kMostPlainDigits = 17;
@@ -128,7 +129,8 @@ struct Step {
   }
 };
 
-/// First and last whole multiple of a step in a range, the ends with a slack for the rounding of both ends and of the division.
+/// First and last whole multiple of a step in a range, the ends with a slack for the rounding of both ends and of the
+/// division.
 struct Multiples {
   double first = 0, last = -1;
   Multiples(double from, double to, double step) {
@@ -187,7 +189,8 @@ std::vector<Tick> digit_ticks(double from, double to, std::initializer_list<int>
 
 std::vector<Tick> decade_ticks(double from, double to, std::size_t most) {
   // Powers of ten beyond those of a double have no number that a label could say.
-  constexpr double kLeast = std::numeric_limits<double>::min_exponent10, kLargest = std::numeric_limits<double>::max_exponent10;
+  constexpr double kLeast = std::numeric_limits<double>::min_exponent10,
+                   kLargest = std::numeric_limits<double>::max_exponent10;
   from = std::max(from, kLeast);
   to = std::min(to, kLargest);
   if (from > to) return {};

@@ -11,8 +11,8 @@ namespace {
 /// Collects the parts of one edge after the other that border a set of points.
 class BorderCollector {
  public:
-  /// The part from-to of the edge has the set on its left, on its right, on both banks or on none. `goes_on`: it continues the part given
-  /// before, and nothing ends there.
+  /// The part from-to of the edge has the set on its left, on its right, on both banks or on none. `goes_on`: it continues
+  /// the part given before, and nothing ends there.
   void part(const ContourEdge& edge, SegmentParameter from, SegmentParameter to, bool left, bool right, bool goes_on) {
     if (left == right) return;
     if (goes_on && !edges_.empty() && edges_.back().reversed == right && edges_.back().segment == edge.segment &&
@@ -40,7 +40,8 @@ class FineBox {
   }
   bool meets(const ContourEdge& edge) const {
     const FinePoint p = edge.begin(), q = edge.end();
-    return std::min(p.x, q.x) <= high_.x && std::max(p.x, q.x) >= low_.x && std::min(p.y, q.y) <= high_.y && std::max(p.y, q.y) >= low_.y;
+    return std::min(p.x, q.x) <= high_.x && std::max(p.x, q.x) >= low_.x && std::min(p.y, q.y) <= high_.y &&
+           std::max(p.y, q.y) >= low_.y;
   }
 
  private:
@@ -60,10 +61,11 @@ ClipResult clip_contour_by_contour(std::span<const ContourFace> subject, std::sp
   for (std::size_t i = 0; i < overlay.size(); ++i) {
     const ContourEdge edge = overlay.edge(i);
     if (i >= subject_edges && !box.meets(edge)) continue;  // results lie within the subject
-    overlay.for_each_part(i, edge.from, edge.to, [&](SegmentParameter from, SegmentParameter to, const Banks& b, bool corner) {
-      inside.part(edge, from, to, b.left[0] > 0 && b.left[1] > 0, b.right[0] > 0 && b.right[1] > 0, !corner);
-      outside.part(edge, from, to, b.left[0] > 0 && b.left[1] <= 0, b.right[0] > 0 && b.right[1] <= 0, !corner);
-    });
+    overlay.for_each_part(
+        i, edge.from, edge.to, [&](SegmentParameter from, SegmentParameter to, const Banks& b, bool corner) {
+          inside.part(edge, from, to, b.left[0] > 0 && b.left[1] > 0, b.right[0] > 0 && b.right[1] > 0, !corner);
+          outside.part(edge, from, to, b.left[0] > 0 && b.left[1] <= 0, b.right[0] > 0 && b.right[1] <= 0, !corner);
+        });
   }
   return {link_edges(inside.take(), closed), link_edges(outside.take(), closed)};
 }

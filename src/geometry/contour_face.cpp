@@ -5,7 +5,8 @@
 namespace ligne {
 namespace {
 
-/// Twice the area of the loop about its first corner: |coordinates| < 2^43, a product 2^88, thousands of millions of them 2^120.
+/// Twice the area of the loop about its first corner: |coordinates| < 2^43, a product 2^88, thousands of millions of them
+/// 2^120.
 Int128 exact_twice_area(const EdgeLoop& loop) {
   if (loop.empty()) return 0;
   const FinePoint origin = loop.front().begin();
@@ -19,9 +20,7 @@ Int128 exact_twice_area(const EdgeLoop& loop) {
   return sum;
 }
 
-double in_steps(Int128 twice_area) {
-  return std::ldexp(static_cast<double>(twice_area), -2 * kFineBits);
-}
+double in_steps(Int128 twice_area) { return std::ldexp(static_cast<double>(twice_area), -2 * kFineBits); }
 
 /// Adds what an edge a-b does to the winding about p, seen along +x; true when p lies on the edge.
 bool count_winding(FinePoint a, FinePoint b, FinePoint p, int& winding) {

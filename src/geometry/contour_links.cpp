@@ -168,8 +168,10 @@ LinkedContours link_contours(std::span<const Point2> points, std::span<const std
     const bool turn_round = contour_sign(points.subspan(begin, end - begin)) != wanted;
     for (std::size_t i = begin; i < end; ++i) {
       const Index u = position[i], v = position[i + 1 < end ? i + 1 : begin];
-      if (turn_round) append_pieces(p, v, u, pieces);
-      else append_pieces(p, u, v, pieces);
+      if (turn_round)
+        append_pieces(p, v, u, pieces);
+      else
+        append_pieces(p, u, v, pieces);
     }
     begin = end;
   }

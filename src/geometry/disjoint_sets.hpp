@@ -1,5 +1,6 @@
 #pragma once
-/// Sets of things that hang together: union-find with path halving (Tarjan and van Leeuwen, Worst-case analysis of set union algorithms, 1984).
+/// Sets of things that hang together: union-find with path halving (Tarjan and van Leeuwen, Worst-case analysis of set union
+/// algorithms, 1984).
 
 #include <algorithm>
 #include <cstddef>

@@ -1,10 +1,12 @@
 #pragma once
-/// Sets of directed edges laid over each other: along an edge, how often each set winds round the page just left and just right of it.
+/// Sets of directed edges laid over each other: along an edge, how often each set winds round the page just left and just
+/// right of it.
 ///
-/// The line of an edge, moved to the left by less than anything that matters, meets no corner and runs along no edge. On it the
-/// winding of a set changes where an edge of the set has one end on its left and the other on its right; an end exactly on the
-/// unmoved line counts as right. The same to the right. So corners on edges, corners on corners, and edges on edges need no case
-/// of their own: the sides of corners are exact, and order along the line is exact (geometry/exact_segment.hpp).
+/// The line of an edge, moved to the left by less than anything that matters, meets no corner and runs along no edge. On it
+/// the winding of a set changes where an edge of the set has one end on its left and the other on its right; an end exactly
+/// on the unmoved line counts as right. The same to the right. So corners on edges, corners on corners, and edges on edges
+/// need no case of their own: the sides of corners are exact, and order along the line is exact
+/// (geometry/exact_segment.hpp).
 
 #include <array>
 #include <cstddef>
@@ -30,9 +32,9 @@ class EdgeOverlay {
   std::size_t size() const { return edges_.size(); }
   const ContourEdge& edge(std::size_t i) const { return edges_[i].edge; }
 
-  /// Calls visit(from, to, banks, corner) for the parts of edge i between `from` and `to` on its segment, in order, without gaps.
-  /// Nothing changes within a part. `corner`: at `from` there may be a corner of a border that goes on along the edge: other
-  /// edges end or meet there, or begin to run along it. A place where one edge passes through is no such corner.
+  /// Calls visit(from, to, banks, corner) for the parts of edge i between `from` and `to` on its segment, in order, without
+  /// gaps. Nothing changes within a part. `corner`: at `from` there may be a corner of a border that goes on along the edge:
+  /// other edges end or meet there, or begin to run along it. A place where one edge passes through is no such corner.
   template <class Visit>
   void for_each_part(std::size_t i, SegmentParameter from, SegmentParameter to, Visit visit) {
     Banks banks = start(i, from, to);

@@ -1,10 +1,10 @@
 #pragma once
-/// Points on lattice segments, exactly: what two segments have in common lies on no lattice, but its parameter on either of them is a
-/// quotient of two exact determinants.
+/// Points on lattice segments, exactly: what two segments have in common lies on no lattice, but its parameter on either of
+/// them is a quotient of two exact determinants.
 ///
-/// Notation: the point of segment s at the parameter t is s.a + t (s.b - s.a). A parameter is num / den with whole numbers, den > 0,
-/// |num| and den at most 2^53, so both are exact doubles. Products of two of them have 106 bits: each sign below is first looked for in
-/// double arithmetic, and where that leaves it open in whole numbers of 128 bits.
+/// Notation: the point of segment s at the parameter t is s.a + t (s.b - s.a). A parameter is num / den with whole numbers,
+/// den > 0, |num| and den at most 2^53, so both are exact doubles. Products of two of them have 106 bits: each sign below is
+/// first looked for in double arithmetic, and where that leaves it open in whole numbers of 128 bits.
 
 #include <cmath>
 #include <compare>
@@ -32,8 +32,8 @@ inline constexpr SegmentParameter kSegmentBegin{0, 1}, kSegmentEnd{1, 1};
 
 inline double value(SegmentParameter t) { return t.num / t.den; }
 
-/// Two rounded products that differ by more than this part of their sizes differ in truth: each carries one rounding of 2^-53 and, where
-/// a factor is itself a difference, another one; the difference carries a third.
+/// Two rounded products that differ by more than this part of their sizes differ in truth: each carries one rounding of
+/// 2^-53 and, where a factor is itself a difference, another one; the difference carries a third.
 inline constexpr double kProductRounding = 0x1p-50;
 
 /// Sign of a b - c d for whole numbers below 2^54, in whole numbers of 128 bits.
@@ -71,10 +71,12 @@ struct FinePoint {
 };
 inline constexpr int kFineBits = 16;
 
-inline FinePoint fine(LatticePoint p) { return {std::int64_t{p.x} * (1 << kFineBits), std::int64_t{p.y} * (1 << kFineBits)}; }
+inline FinePoint fine(LatticePoint p) {
+  return {std::int64_t{p.x} * (1 << kFineBits), std::int64_t{p.y} * (1 << kFineBits)};
+}
 
-/// The nearest point of the fine lattice (halves up). It depends on the true point alone: however a point is come by, from whatever
-/// segments through it, it gets the same coordinates to the last bit.
+/// The nearest point of the fine lattice (halves up). It depends on the true point alone: however a point is come by, from
+/// whatever segments through it, it gets the same coordinates to the last bit.
 FinePoint fine_point(const LatticeSegment& s, SegmentParameter t);
 
 inline Point2 to_mm(const Lattice& lattice, FinePoint p) {

@@ -5,9 +5,9 @@
 
 #include "geometry/contour_face.hpp"
 
-// Phases: (1) edges that lie on each other or run against each other are dropped; (2) loops are traced: at a corner with several
-// ways on the loop stays at the sector of the inside that it came along, so that what has only a corner in common comes apart;
-// (3) loops that come back to a corner are cut there; (4) holes are given to the outer contours that hold them.
+// Phases: (1) edges that lie on each other or run against each other are dropped; (2) loops are traced: at a corner with
+// several ways on the loop stays at the sector of the inside that it came along, so that what has only a corner in common
+// comes apart; (3) loops that come back to a corner are cut there; (4) holes are given to the outer contours that hold them.
 
 namespace ligne {
 namespace {
@@ -61,10 +61,11 @@ class Linker {
   std::uint32_t next(std::uint32_t run) const;
   void add_loop(std::span<const std::uint32_t> runs);
   std::vector<ContourFace> make_faces();
-  /// Whether several runs begin where this one does. There a corner is kept even where the contour goes straight on: rounded, it may lie
-  /// beside the longer edge, and contours that touch there would cross.
+  /// Whether several runs begin where this one does. There a corner is kept even where the contour goes straight on:
+  /// rounded, it may lie beside the longer edge, and contours that touch there would cross.
   bool shared_corner(std::uint32_t run) const {
-    return (run > 0 && runs_[run - 1].begin == runs_[run].begin) || (run + 1 < runs_.size() && runs_[run + 1].begin == runs_[run].begin);
+    return (run > 0 && runs_[run - 1].begin == runs_[run].begin) ||
+           (run + 1 < runs_.size() && runs_[run + 1].begin == runs_[run].begin);
   }
   const ContourEdge& edge(std::uint32_t run) const { return edges_[runs_[run].edge]; }
 
@@ -74,7 +75,7 @@ class Linker {
   std::vector<Run> runs_;              ///< by begin
   std::vector<std::uint32_t> corner_;  ///< per run: the first run that begins where it ends; the corner's number
   std::vector<std::uint8_t> used_;
-  std::vector<std::uint32_t> place_;   ///< per corner: where on the path at hand it was left
+  std::vector<std::uint32_t> place_;  ///< per corner: where on the path at hand it was left
   std::vector<std::uint32_t> path_;
   std::vector<Loop> outer_, holes_;
 };
@@ -104,7 +105,8 @@ void Linker::insert_short_runs(EdgeLoop& loop) {
   EdgeLoop all;
   for (const ContourEdge& e : loop) {
     const FinePoint p = e.begin();
-    const auto first = std::lower_bound(short_runs_.begin(), short_runs_.end(), p, [](const Run& r, const FinePoint& q) { return r.begin < q; });
+    const auto first = std::lower_bound(short_runs_.begin(), short_runs_.end(), p,
+                                        [](const Run& r, const FinePoint& q) { return r.begin < q; });
     auto last = first;
     for (; last != short_runs_.end() && last->begin == p; ++last) all.push_back(edges_[last->edge]);
     short_runs_.erase(first, last);
@@ -145,7 +147,8 @@ void Linker::find_corners() {
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     const auto found = std::lower_bound(runs_.begin(), runs_.end(), runs_[i].end,
                                         [](const Run& r, const FinePoint& p) { return r.begin < p; });
-    corner_[i] = found != runs_.end() && found->begin == runs_[i].end ? static_cast<std::uint32_t>(found - runs_.begin()) : kNowhere;
+    corner_[i] =
+        found != runs_.end() && found->begin == runs_[i].end ? static_cast<std::uint32_t>(found - runs_.begin()) : kNowhere;
   }
 }
 
@@ -230,8 +233,10 @@ void Linker::add_loop(std::span<const std::uint32_t> runs) {
   for (const FinePoint p : loop.corners) loop.box.extend(p);
   loop.area = twice_area(loop.edges);
   if (!short_runs_.empty() && loop.area != 0) insert_short_runs(loop.edges);
-  if (loop.area > 0) outer_.push_back(std::move(loop));
-  else if (loop.area < 0) holes_.push_back(std::move(loop));
+  if (loop.area > 0)
+    outer_.push_back(std::move(loop));
+  else if (loop.area < 0)
+    holes_.push_back(std::move(loop));
 }
 
 /// +1 inside, 0 on the contour, -1 outside; `p` is in half parts.
@@ -241,7 +246,8 @@ int position(const Loop& loop, FinePoint p) {
     const FinePoint c = loop.corners[i], d = loop.corners[i + 1 == n ? 0 : i + 1];
     const FinePoint a{2 * c.x, 2 * c.y}, b{2 * d.x, 2 * d.y};
     const Int128 turn = Int128{b.x - a.x} * (p.y - a.y) - Int128{b.y - a.y} * (p.x - a.x);
-    if (turn == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y)) {
+    if (turn == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
+        p.y <= std::max(a.y, b.y)) {
       return 0;
     }
     if (a.y <= p.y && p.y < b.y && turn > 0) ++winding;
@@ -268,9 +274,8 @@ std::vector<ContourFace> Linker::make_faces() {
   if (!holes_.empty()) {
     std::vector<std::uint32_t> by_area(outer_.size());
     for (std::uint32_t i = 0; i < by_area.size(); ++i) by_area[i] = i;
-    std::sort(by_area.begin(), by_area.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::pair(outer_[a].area, a) < std::pair(outer_[b].area, b);
-    });
+    std::sort(by_area.begin(), by_area.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return std::pair(outer_[a].area, a) < std::pair(outer_[b].area, b); });
     std::vector<std::vector<EdgeLoop>> holes_of(outer_.size());
     for (Loop& hole : holes_) {
       for (const std::uint32_t i : by_area) {
@@ -281,12 +286,15 @@ std::vector<ContourFace> Linker::make_faces() {
     }
     for (std::size_t i = 0; i < faces.size(); ++i) faces[i].contours = std::move(holes_of[i]);
   }
-  for (std::size_t i = 0; i < faces.size(); ++i) faces[i].contours.insert(faces[i].contours.begin(), std::move(outer_[i].edges));
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    faces[i].contours.insert(faces[i].contours.begin(), std::move(outer_[i].edges));
   return faces;
 }
 
 }  // namespace
 
-std::vector<ContourFace> link_edges(std::vector<ContourEdge> edges, bool closed) { return Linker(std::move(edges), closed).link(); }
+std::vector<ContourFace> link_edges(std::vector<ContourEdge> edges, bool closed) {
+  return Linker(std::move(edges), closed).link();
+}
 
 }  // namespace ligne

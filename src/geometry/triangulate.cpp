@@ -1,6 +1,6 @@
 // The contours are first made into loops that share no edges (contour_links.hpp); a hole that touches the outer contour is
-// then part of it. What is left of the holes is joined by bridges, from the hole whose leftmost corner is leftmost on, so that a bridge
-// can only be blocked by what is joined already. Then ears are cut:
+// then part of it. What is left of the holes is joined by bridges, from the hole whose leftmost corner is leftmost on, so
+// that a bridge can only be blocked by what is joined already. Then ears are cut:
 //
 //            c                An ear is a convex corner b whose triangle a b c holds nothing of the rest of the ring in its
 //           / \               inside. Rings touch themselves (at bridges, and where a diagonal passes a corner), so a corner
@@ -56,9 +56,7 @@ class EarCutter {
 
  private:
   Point2 at(Index node) const { return p_[nodes_[node].position]; }
-  int turn(Index node) const {
-    return orientation_sign(at(nodes_[node].prev), at(node), at(nodes_[node].next));
-  }
+  int turn(Index node) const { return orientation_sign(at(nodes_[node].prev), at(node), at(nodes_[node].next)); }
 
   Index add_ring(const std::vector<Index>& loop) {
     const auto first = static_cast<Index>(nodes_.size());
@@ -270,8 +268,8 @@ std::vector<Point2> in_exact_range(std::span<const Point2> points) {
 std::vector<Triple> triangulate(std::span<const Point2> points, std::span<const std::uint32_t> contour_end) {
   std::vector<Triple> triangles;
   if (contour_end.empty() || contour_end[0] < 3) return triangles;
-  const bool finite = std::all_of(points.begin(), points.end(),
-                                  [](Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+  const bool finite =
+      std::all_of(points.begin(), points.end(), [](Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
   if (!finite) return triangles;
   const std::vector<Point2> scaled = in_exact_range(points);
   const std::span<const Point2> outer(scaled.data(), contour_end[0]);

@@ -1,5 +1,5 @@
-// The format has no written standard; what is read here is what 3D Studio R2 to R4 write. Every line stands for itself, and the
-// headings tell what the lines below them are:
+// The format has no written standard; what is read here is what 3D Studio R2 to R4 write. Every line stands for itself, and
+// the headings tell what the lines below them are:
 //
 //   Named object: "Box"                      then one of:
 //     Tri-mesh, Vertices: 8 Faces: 12        mesh
@@ -193,8 +193,10 @@ class AscReader {
                     std::to_string(face_count_) + " faces");
       }
       for (const Face& face : faces_) {
-        if (face.material.empty()) builder_.use_material(kNone);
-        else builder_.use_material(face.material);
+        if (face.material.empty())
+          builder_.use_material(kNone);
+        else
+          builder_.use_material(face.material);
         builder_.add_face(face.corners);
         builder_.set_corner_flags(face.flags);
       }

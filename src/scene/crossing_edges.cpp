@@ -1,6 +1,6 @@
-// Candidates are the edges at a vertex that several objects have, or that more faces meet at than at a vertex of one sheet. Their sides (an edge of a
-// triangle, and the direction in which the triangle leaves it) are sorted by edge; at each edge the sides of an object are put together into sheets, and
-// the sheets held against each other.
+// Candidates are the edges at a vertex that several objects have, or that more faces meet at than at a vertex of one sheet.
+// Their sides (an edge of a triangle, and the direction in which the triangle leaves it) are sorted by edge; at each edge
+// the sides of an object are put together into sheets, and the sheets held against each other.
 
 #include "scene/crossing_edges.hpp"
 
@@ -26,9 +26,9 @@ constexpr std::uint8_t kTrianglesOfOneSheet = 6;
 
 /// An edge of a triangle.
 struct Side {
-  std::uint32_t v0, v1;   ///< places (vertices that stand for all at one position), in ascending order
+  std::uint32_t v0, v1;  ///< places (vertices that stand for all at one position), in ascending order
   std::uint32_t object;
-  std::uint32_t corner;   ///< of the triangle, where the edge begins
+  std::uint32_t corner;  ///< of the triangle, where the edge begins
   auto key() const { return std::tie(v0, v1); }
 };
 
@@ -62,8 +62,8 @@ bool cross(const Sheet& s, const Sheet& t) {
 /// By how much a sheet is bent, 0 when it runs straight through.
 double bend(const Sheet& s) { return std::abs(turn(s.a, s.b) - std::numbers::pi); }
 
-/// The sheets of one object: two directions are one, four are two, those that run the straightest. Where sheets lie on each other they are one; a
-/// single direction is a border, which crosses nothing, and of other numbers nothing can be said.
+/// The sheets of one object: two directions are one, four are two, those that run the straightest. Where sheets lie on each
+/// other they are one; a single direction is a border, which crosses nothing, and of other numbers nothing can be said.
 void add_sheets(std::vector<Direction>& directions, std::vector<Sheet>& sheets) {
   std::sort(directions.begin(), directions.end(), [](const Direction& l, const Direction& r) { return l.angle < r.angle; });
   directions.erase(std::unique(directions.begin(), directions.end(), equal), directions.end());
@@ -71,7 +71,8 @@ void add_sheets(std::vector<Direction>& directions, std::vector<Sheet>& sheets) 
   const auto& d = directions;
   if (d.size() == 2) sheets.push_back({d[0], d[1]});
   if (d.size() != 4) return;
-  const std::array<std::array<Sheet, 2>, 3> pairings{{{{{d[0], d[2]}, {d[1], d[3]}}}, {{{d[0], d[1]}, {d[2], d[3]}}}, {{{d[0], d[3]}, {d[1], d[2]}}}}};
+  const std::array<std::array<Sheet, 2>, 3> pairings{
+      {{{{d[0], d[2]}, {d[1], d[3]}}}, {{{d[0], d[1]}, {d[2], d[3]}}}, {{{d[0], d[3]}, {d[1], d[2]}}}}};
   const auto& best = *std::min_element(pairings.begin(), pairings.end(), [](const auto& l, const auto& r) {
     return bend(l[0]) + bend(l[1]) < bend(r[0]) + bend(r[1]);
   });

@@ -26,7 +26,7 @@ std::optional<std::string_view> known_stranger(std::string_view bytes) {
   };
   static constexpr std::array kMarks{Mark{"\x89PNG", "a PNG image"},      Mark{"\xFF\xD8\xFF", "a JPEG image"},
                                      Mark{"GIF8", "a GIF image"},         Mark{"II*", "a TIFF image"},
-                                     Mark{{"MM\0*", 4}, "a TIFF image"},       Mark{"%PDF", "a PDF document"},
+                                     Mark{{"MM\0*", 4}, "a TIFF image"},  Mark{"%PDF", "a PDF document"},
                                      Mark{"PK\x03\x04", "a ZIP archive"}, Mark{"\x1F\x8B", "a gzip archive"},
                                      Mark{"<?xml", "an XML file"},        Mark{"<svg", "an SVG drawing"}};
   for (const Mark& mark : kMarks) {
@@ -95,14 +95,22 @@ std::optional<ModelFormat> text_format(std::string_view text) {
 
 std::string_view to_string(ModelFormat format) {
   switch (format) {
-    case ModelFormat::gltf: return "glTF";
-    case ModelFormat::glb: return "glTF binary";
-    case ModelFormat::obj: return "OBJ";
-    case ModelFormat::stl_ascii: return "STL";
-    case ModelFormat::stl_binary: return "STL binary";
-    case ModelFormat::ply: return "PLY";
-    case ModelFormat::asc_3d_studio: return "3D Studio ASCII";
-    case ModelFormat::ligne_scene: break;
+    case ModelFormat::gltf:
+      return "glTF";
+    case ModelFormat::glb:
+      return "glTF binary";
+    case ModelFormat::obj:
+      return "OBJ";
+    case ModelFormat::stl_ascii:
+      return "STL";
+    case ModelFormat::stl_binary:
+      return "STL binary";
+    case ModelFormat::ply:
+      return "PLY";
+    case ModelFormat::asc_3d_studio:
+      return "3D Studio ASCII";
+    case ModelFormat::ligne_scene:
+      break;
   }
   return "ligne scene";
 }
@@ -115,7 +123,8 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
   const std::string_view text = without_leading_space(chars);
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return ModelFormat::ply;
   if (is_binary_stl(bytes) && stl_triangle_count(bytes) > 0) return ModelFormat::stl_binary;
-  if (chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF")) throw InputError(name, "is UTF-16 text; UTF-8 is needed");
+  if (chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF"))
+    throw InputError(name, "is UTF-16 text; UTF-8 is needed");
 
   const bool is_binary = chars.substr(0, kLookedAt).find('\0') != std::string_view::npos;
   if (!is_binary) {

@@ -1,5 +1,5 @@
-// muParser evaluates; what it is given has been looked through first (scene/formula_text.hpp). Its bulk mode is not used: it starts
-// threads of its own, and the work is dealt out to threads already.
+// muParser evaluates; what it is given has been looked through first (scene/formula_text.hpp). Its bulk mode is not used: it
+// starts threads of its own, and the work is dealt out to threads already.
 
 #include "scene/formula_evaluator.hpp"
 
@@ -25,15 +25,24 @@ std::string cause_of(const mu::ParserError& error) {
     case mu::ecUNEXPECTED_PARENS:
     case mu::ecUNEXPECTED_FUN:
     case mu::ecUNEXPECTED_VAL:
-    case mu::ecUNEXPECTED_VAR: return token + " is not expected here";
-    case mu::ecUNEXPECTED_EOF: return "ends too early";
-    case mu::ecUNEXPECTED_ARG: return "several values in parentheses that belong to no function";
-    case mu::ecTOO_MANY_PARAMS: return "too many arguments for " + token;
-    case mu::ecTOO_FEW_PARAMS: return "too few arguments for " + token;
-    case mu::ecMISSING_ELSE_CLAUSE: return "'?' without its ':'";
-    case mu::ecMISPLACED_COLON: return "':' without its '?'";
-    case mu::ecINTERNAL_ERROR: return "parts of it do not belong together";
-    default: return token + " is not understood";
+    case mu::ecUNEXPECTED_VAR:
+      return token + " is not expected here";
+    case mu::ecUNEXPECTED_EOF:
+      return "ends too early";
+    case mu::ecUNEXPECTED_ARG:
+      return "several values in parentheses that belong to no function";
+    case mu::ecTOO_MANY_PARAMS:
+      return "too many arguments for " + token;
+    case mu::ecTOO_FEW_PARAMS:
+      return "too few arguments for " + token;
+    case mu::ecMISSING_ELSE_CLAUSE:
+      return "'?' without its ':'";
+    case mu::ecMISPLACED_COLON:
+      return "':' without its '?'";
+    case mu::ecINTERNAL_ERROR:
+      return "parts of it do not belong together";
+    default:
+      return token + " is not understood";
   }
 }
 

@@ -85,9 +85,12 @@ class Preparation {
   FormulaText run() {
     while (skip_blanks(), at_ < formula_.size()) {
       const char c = formula_[at_];
-      if (is_digit(c) || c == '.') take_number();
-      else if (is_letter(c)) take_name();
-      else take_sign(c);
+      if (is_digit(c) || c == '.')
+        take_number();
+      else if (is_letter(c))
+        take_name();
+      else
+        take_sign(c);
     }
     if (!open_.empty()) throw formula_error(out_.language, open_.back() + 1, "'(' without its ')'");
     if (out_.text.empty()) throw formula_error(out_.language, 1, "is empty");
@@ -145,8 +148,7 @@ class Preparation {
     } else if (has_name(kFunctions, name)) {
       if (!is_call) throw error("function " + shown(name) + " without its arguments in parentheses");
     } else if (!has_name(kConstants, name)) {
-      throw error(is_call ? "unknown function " + shown(name)
-                          : "unknown name " + shown(name) + "; there are " + names());
+      throw error(is_call ? "unknown function " + shown(name) : "unknown name " + shown(name) + "; there are " + names());
     }
     need_operator(name);
     if (has_name(kFunctions, name)) after_value_ = false;
@@ -186,8 +188,8 @@ class Preparation {
 
   std::string_view formula_;
   std::size_t at_ = 0;
-  bool after_value_ = false;        ///< a value has just ended
-  std::vector<std::size_t> open_;   ///< places of the parentheses that are open
+  bool after_value_ = false;       ///< a value has just ended
+  std::vector<std::size_t> open_;  ///< places of the parentheses that are open
   FormulaText out_;
 };
 

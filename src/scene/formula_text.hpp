@@ -1,6 +1,6 @@
 #pragma once
-/// A formula as typed, made ready for the parser: what the parser reports badly or reads in its own way is refused here, where the
-/// column is known.
+/// A formula as typed, made ready for the parser: what the parser reports badly or reads in its own way is refused here,
+/// where the column is known.
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,8 @@ namespace ligne {
 /// A function of a formula; those of `const double*` take one argument or more.
 struct FormulaFunction {
   std::string_view name;
-  std::variant<double (*)(double), double (*)(double, double), double (*)(double, double, double), double (*)(const double*, int)>
+  std::variant<double (*)(double), double (*)(double, double), double (*)(double, double, double),
+               double (*)(const double*, int)>
       call;
 };
 std::span<const FormulaFunction> formula_functions();

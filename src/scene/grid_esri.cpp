@@ -20,8 +20,8 @@ struct Header {
   std::optional<double> x_corner, y_corner, x_center, y_center, dx, dy, no_data;
 };
 
-constexpr std::string_view kKeys[] = {"ncols",  "nrows",  "xllcorner", "yllcorner", "xllcenter",   "yllcenter",
-                                      "cellsize", "dx",   "dy",        "nodata_value", "nodata"};
+constexpr std::string_view kKeys[] = {"ncols",    "nrows", "xllcorner", "yllcorner",    "xllcenter", "yllcenter",
+                                      "cellsize", "dx",    "dy",        "nodata_value", "nodata"};
 
 bool is_key(std::string_view word) {
   for (const std::string_view key : kKeys) {
@@ -42,11 +42,13 @@ class EsriReader {
     check_header();
     for (; has_line; has_line = lines_.next(line)) read_heights(line);
     if (heights_.size() != wanted_) {
-      throw error("ends after " + std::to_string(heights_.size()) + " of " + std::to_string(wanted_) + " heights" + uneven_row_);
+      throw error("ends after " + std::to_string(heights_.size()) + " of " + std::to_string(wanted_) + " heights" +
+                  uneven_row_);
     }
     std::vector<double> x = positions(header_.x_corner, header_.x_center, *header_.dx, columns_);
     std::vector<double> y = positions(header_.y_corner, header_.y_center, *header_.dy, rows_);
-    return held_heights(std::move(x), std::move(y), std::move(heights_), SampleOrder::first_row_highest(columns_, rows_), name_);
+    return held_heights(std::move(x), std::move(y), std::move(heights_), SampleOrder::first_row_highest(columns_, rows_),
+                        name_);
   }
 
  private:
@@ -63,16 +65,26 @@ class EsriReader {
     const std::string_view word = take_word(line);
     if (word.empty() || !trimmed(line).empty()) throw error("key " + shown(key) + " needs one value");
     const auto is = [&](std::string_view name) { return equal_ignoring_case(key, name); };
-    if (is("ncols")) header_.columns = count_in(key, word);
-    else if (is("nrows")) header_.rows = count_in(key, word);
-    else if (is("xllcorner")) header_.x_corner = value_in(key, word);
-    else if (is("yllcorner")) header_.y_corner = value_in(key, word);
-    else if (is("xllcenter")) header_.x_center = value_in(key, word);
-    else if (is("yllcenter")) header_.y_center = value_in(key, word);
-    else if (is("cellsize")) header_.dx = header_.dy = size_in(key, word);
-    else if (is("dx")) header_.dx = size_in(key, word);
-    else if (is("dy")) header_.dy = size_in(key, word);
-    else header_.no_data = no_data_in(key, word);
+    if (is("ncols"))
+      header_.columns = count_in(key, word);
+    else if (is("nrows"))
+      header_.rows = count_in(key, word);
+    else if (is("xllcorner"))
+      header_.x_corner = value_in(key, word);
+    else if (is("yllcorner"))
+      header_.y_corner = value_in(key, word);
+    else if (is("xllcenter"))
+      header_.x_center = value_in(key, word);
+    else if (is("yllcenter"))
+      header_.y_center = value_in(key, word);
+    else if (is("cellsize"))
+      header_.dx = header_.dy = size_in(key, word);
+    else if (is("dx"))
+      header_.dx = size_in(key, word);
+    else if (is("dy"))
+      header_.dy = size_in(key, word);
+    else
+      header_.no_data = no_data_in(key, word);
     return true;
   }
 
@@ -82,7 +94,8 @@ class EsriReader {
     // Every height takes a character and a separator.
     const std::size_t most = text_size_ / 2 + 1;
     if (static_cast<std::uint64_t>(*value) > most) {
-      throw error(printable(key) + " " + shown(word) + " is more than a file of " + std::to_string(text_size_) + " bytes can hold");
+      throw error(printable(key) + " " + shown(word) + " is more than a file of " + std::to_string(text_size_) +
+                  " bytes can hold");
     }
     return *value;
   }
@@ -132,17 +145,20 @@ class EsriReader {
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
       const std::optional<double> value = height_in(word);
       if (!value) throw error(shown(word) + " is not a number");
-      if (heights_.size() == wanted_) throw error("more heights than the " + std::to_string(wanted_) + " of the header" + uneven_row_);
+      if (heights_.size() == wanted_)
+        throw error("more heights than the " + std::to_string(wanted_) + " of the header" + uneven_row_);
       heights_.push_back(*value == no_data ? kNaN : *value);
     }
     const std::size_t count = heights_.size() - before;
     if (count != 0 && count != columns_ && uneven_row_.empty()) {
-      uneven_row_ = "; line " + std::to_string(lines_.number()) + " has " + std::to_string(count) + ", ncols is " + std::to_string(columns_);
+      uneven_row_ = "; line " + std::to_string(lines_.number()) + " has " + std::to_string(count) + ", ncols is " +
+                    std::to_string(columns_);
     }
   }
 
   /// Of the middles of the cells; a corner is half a cell before the first.
-  static std::vector<double> positions(std::optional<double> corner, std::optional<double> center, double step, std::size_t n) {
+  static std::vector<double> positions(std::optional<double> corner, std::optional<double> center, double step,
+                                       std::size_t n) {
     std::vector<double> out(n);
     for (std::size_t i = 0; i < n; ++i) {
       const auto k = static_cast<double>(i);

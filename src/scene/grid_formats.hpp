@@ -44,7 +44,8 @@ struct PointRows {
 };
 /// Heights over the positions of the file. Blocks are of one x or of one y each.
 std::unique_ptr<HeightSource> grid_of_points(PointRows rows, const std::string& name);
-/// Makes blocks where no blank line does: true, and `rows` has them, when each x or y comes with the same positions of the other.
+/// Makes blocks where no blank line does: true, and `rows` has them, when each x or y comes with the same positions of the
+/// other.
 bool find_blocks(PointRows& rows);
 
 /// The height that a word of a text stands for: a number, or NaN for "nan", "na", "inf" and "?"; nothing for other words.

@@ -57,10 +57,14 @@ struct Meaning {
 /// Reads row by row from the file; a data set is for one thread at a time.
 class GdalHeights : public HeightSource {
  public:
-  GdalHeights(std::vector<double> x, std::vector<double> y, Dataset dataset, GDALRasterBandH band, Meaning meaning, bool north_up,
-              std::string name)
-      : HeightSource(std::move(x), std::move(y)), dataset_(std::move(dataset)), band_(band), meaning_(meaning),
-        north_up_(north_up), name_(std::move(name)) {}
+  GdalHeights(std::vector<double> x, std::vector<double> y, Dataset dataset, GDALRasterBandH band, Meaning meaning,
+              bool north_up, std::string name)
+      : HeightSource(std::move(x), std::move(y)),
+        dataset_(std::move(dataset)),
+        band_(band),
+        meaning_(meaning),
+        north_up_(north_up),
+        name_(std::move(name)) {}
 
   void read_row(std::size_t j, std::span<double> z) const override {
     const auto line = static_cast<int>(north_up_ ? y().size() - 1 - j : j);
@@ -129,7 +133,8 @@ std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, 
   const int columns = GDALGetRasterBandXSize(band), rows = GDALGetRasterBandYSize(band);
   check_counts(static_cast<std::size_t>(std::max(columns, 0)), static_cast<std::size_t>(std::max(rows, 0)), name);
   if (columns > kMostPerSide || rows > kMostPerSide) {
-    throw InputError(name, "has " + std::to_string(columns) + " x " + std::to_string(rows) + " heights, more than can be drawn");
+    throw InputError(name,
+                     "has " + std::to_string(columns) + " x " + std::to_string(rows) + " heights, more than can be drawn");
   }
 
   std::array<double, 6> transform{};

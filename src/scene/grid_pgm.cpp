@@ -1,5 +1,5 @@
-// "P2" or "P5", then width, height and the largest value as text with comments among it; then the values, as text, or as one byte
-// or two (high byte first) each.
+// "P2" or "P5", then width, height and the largest value as text with comments among it; then the values, as text, or as one
+// byte or two (high byte first) each.
 
 #include <algorithm>
 
@@ -32,8 +32,8 @@ class PgmReader {
     const std::size_t left = chars_.size() - std::min(at_, chars_.size());
     // The last value of a text needs no separator.
     if (rows > (left + (is_text ? 1 : 0)) / bytes_each / columns) {
-      throw InputError(name_, "is truncated: " + std::to_string(columns) + " x " + std::to_string(rows) + " values do not fit into " +
-                                  std::to_string(left) + " bytes");
+      throw InputError(name_, "is truncated: " + std::to_string(columns) + " x " + std::to_string(rows) +
+                                  " values do not fit into " + std::to_string(left) + " bytes");
     }
     std::vector<std::uint16_t> values(columns * rows);
     for (std::uint16_t& value : values) value = is_text ? text_value() : binary_value(bytes_each);
@@ -50,8 +50,10 @@ class PgmReader {
 
   std::string_view take_token() {
     while (at_ < chars_.size() && (is_space(chars_[at_]) || chars_[at_] == '#')) {
-      if (chars_[at_] == '#') at_ = std::min(chars_.find_first_of("\r\n", at_), chars_.size());
-      else ++at_;
+      if (chars_[at_] == '#')
+        at_ = std::min(chars_.find_first_of("\r\n", at_), chars_.size());
+      else
+        ++at_;
     }
     const std::size_t begin = at_;
     while (at_ < chars_.size() && !is_space(chars_[at_]) && chars_[at_] != '#') ++at_;
@@ -64,7 +66,8 @@ class PgmReader {
     const std::optional<std::int64_t> value = parse_integer(token);
     if (!value) throw error(what + " " + shown(token) + " is not a whole number");
     if (*value < least || *value > most) {
-      throw error(what + " " + printable(token) + " is not between " + std::to_string(least) + " and " + std::to_string(most));
+      throw error(what + " " + printable(token) + " is not between " + std::to_string(least) + " and " +
+                  std::to_string(most));
     }
     return *value;
   }
@@ -75,7 +78,8 @@ class PgmReader {
     unsigned value = 0;
     for (std::size_t k = 0; k < bytes_each; ++k) value = value << 8 | static_cast<unsigned char>(chars_[at_++]);
     if (value > largest_) {
-      throw InputError(name_, "value " + std::to_string(value) + " is above the largest of the header, " + std::to_string(largest_));
+      throw InputError(
+          name_, "value " + std::to_string(value) + " is above the largest of the header, " + std::to_string(largest_));
     }
     return static_cast<std::uint16_t>(value);
   }

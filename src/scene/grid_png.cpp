@@ -126,7 +126,8 @@ std::unique_ptr<HeightSource> read_heights(PngFile& png, const std::string& name
   const std::optional<unsigned> transparent = png.transparent();
   std::vector<Sample> samples = read_samples<Sample>(png);
   const SampleOrder order = SampleOrder::first_row_highest(columns, rows);
-  if (!transparent) return held_heights(counted_positions(columns), counted_positions(rows), std::move(samples), order, name);
+  if (!transparent)
+    return held_heights(counted_positions(columns), counted_positions(rows), std::move(samples), order, name);
 
   std::vector<float> heights(samples.size());  // holds every value of 16 bits, and NaN
   std::transform(samples.begin(), samples.end(), heights.begin(), [&](Sample value) {

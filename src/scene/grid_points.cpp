@@ -1,5 +1,5 @@
-// Blocks of lines "x y z", as gnuplot has them: within a block one of x and y stays the same and the other goes through the same
-// positions as in every block.
+// Blocks of lines "x y z", as gnuplot has them: within a block one of x and y stays the same and the other goes through the
+// same positions as in every block.
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 namespace ligne {
 namespace {
 
-/// Positions that are meant to be the same differ by no more than this part of the narrowest step, from rounding when they were
-/// written. On a page it is 10 nanometres where a step is a centimetre.
+/// Positions that are meant to be the same differ by no more than this part of the narrowest step, from rounding when they
+/// were written. On a page it is 10 nanometres where a step is a centimetre.
 constexpr double kPositionSlack = 0x1p-20;
 
 const char* axis_name(std::size_t axis) { return axis == 0 ? "x" : "y"; }
@@ -52,7 +52,8 @@ class PointGrid {
                                  std::to_string(block_size_));
       }
     }
-    if (block_size_ < 2) throw error(0, "block of a single point; the points of a grid come in blocks of one x or one y each");
+    if (block_size_ < 2)
+      throw error(0, "block of a single point; the points of a grid come in blocks of one x or one y each");
     for (std::size_t row = 0; row < count_; ++row) {
       for (std::size_t axis = 0; axis < 2; ++axis) {
         if (!std::isfinite(position(rows_, row, axis))) throw error(row, std::string(axis_name(axis)) + " is not a number");

@@ -1,5 +1,5 @@
-// The order of the questions: files with a mark of their own (PNG, PGM, TIFF and others for GDAL), models that are no grids, and
-// then text.
+// The order of the questions: files with a mark of their own (PNG, PGM, TIFF and others for GDAL), models that are no grids,
+// and then text.
 
 #include <algorithm>
 #include <array>
@@ -29,9 +29,13 @@ char netpbm_kind(std::string_view chars) {
 
 /// TIFF in both byte orders and sizes, HDF5 and netCDF.
 bool is_for_gdal(std::string_view chars) {
-  static constexpr std::array<std::string_view, 7> kMarks{
-      std::string_view("II*\0", 4), std::string_view("MM\0*", 4), std::string_view("II+\0", 4), std::string_view("MM\0+", 4),
-      "\x89HDF", "CDF\x01", "CDF\x02"};
+  static constexpr std::array<std::string_view, 7> kMarks{std::string_view("II*\0", 4),
+                                                          std::string_view("MM\0*", 4),
+                                                          std::string_view("II+\0", 4),
+                                                          std::string_view("MM\0+", 4),
+                                                          "\x89HDF",
+                                                          "CDF\x01",
+                                                          "CDF\x02"};
   return std::any_of(kMarks.begin(), kMarks.end(), [&](std::string_view mark) { return chars.starts_with(mark); });
 }
 
@@ -91,13 +95,17 @@ std::vector<double> counted_positions(std::size_t n) {
 
 void check_counts(std::size_t columns, std::size_t rows, const std::string& name) {
   if (columns >= 2 && rows >= 2) return;
-  const auto counted = [](std::size_t n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); };
-  throw InputError(name, "has " + counted(columns, "column") + " and " + counted(rows, "row") + "; a grid has two of each or more");
+  const auto counted = [](std::size_t n, const std::string& what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  throw InputError(
+      name, "has " + counted(columns, "column") + " and " + counted(rows, "row") + "; a grid has two of each or more");
 }
 
 void check_positions(std::span<const double> positions, const char* axis, const std::string& name) {
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (!std::isfinite(positions[i])) throw InputError(name, std::string("has a position ") + axis + " that is no finite number");
+    if (!std::isfinite(positions[i]))
+      throw InputError(name, std::string("has a position ") + axis + " that is no finite number");
     if (i > 0 && !(positions[i - 1] < positions[i])) {
       throw InputError(name, std::string("positions ") + axis + " do not ascend: number " + std::to_string(i + 1) +
                                  " is not above the one before it");

@@ -1,5 +1,5 @@
-// A line is a row. The first row tells the separator and the number of columns. Lines of three numbers can also be x, y and z
-// (grid_points.cpp): they are when blank lines stand between blocks of them, and when they form a grid without.
+// A line is a row. The first row tells the separator and the number of columns. Lines of three numbers can also be x, y and
+// z (grid_points.cpp): they are when blank lines stand between blocks of them, and when they form a grid without.
 
 #include <algorithm>
 #include <limits>
@@ -48,14 +48,16 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator) {
 
 bool is_quoted(std::string_view field) { return field.size() >= 2 && field.front() == '"' && field.back() == '"'; }
 
-/// What separates the columns of a row, by precedence: a comma can be a decimal comma where semicolons separate, and tabs can be
-/// among the blanks of a table that is set by hand.
+/// What separates the columns of a row, by precedence: a comma can be a decimal comma where semicolons separate, and tabs
+/// can be among the blanks of a table that is set by hand.
 char separator_of(std::string_view row) {
   const std::vector<std::string_view> by_semicolons = fields_of(row, ';');
   if (by_semicolons.size() > 1) return ';';
   if (fields_of(row, ',').size() > 1) return ',';
   const std::vector<std::string_view> by_tabs = fields_of(row, '\t');
-  const auto is_one_word = [](std::string_view field) { return is_quoted(field) || field.find(' ') == std::string_view::npos; };
+  const auto is_one_word = [](std::string_view field) {
+    return is_quoted(field) || field.find(' ') == std::string_view::npos;
+  };
   return by_tabs.size() > 1 && std::all_of(by_tabs.begin(), by_tabs.end(), is_one_word) ? '\t' : ' ';
 }
 
@@ -99,7 +101,8 @@ class TextGridReader {
   /// A first row of nothing but quoted names, as R and spreadsheets write it.
   bool skip_header(std::string_view row) {
     const std::vector<std::string_view> fields = fields_of(row, separator_);
-    if (!std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return f.empty() || is_quoted(f); })) return false;
+    if (!std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return f.empty() || is_quoted(f); }))
+      return false;
     warnings_.add("header rows left out");
     return true;
   }

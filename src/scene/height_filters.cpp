@@ -18,7 +18,8 @@ namespace {
 std::vector<double> all_heights(const HeightSource& heights) {
   const std::size_t columns = heights.x().size(), rows = heights.y().size();
   std::vector<double> z(columns * rows);
-  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t j) { heights.read_row(j, std::span(z).subspan(j * columns, columns)); });
+  tbb::parallel_for(std::size_t{0}, rows,
+                    [&](std::size_t j) { heights.read_row(j, std::span(z).subspan(j * columns, columns)); });
   return z;
 }
 
@@ -52,7 +53,10 @@ std::vector<double> from_zero_to_one(std::vector<double> at) {
 class RidgelineHeights : public HeightSource {
  public:
   RidgelineHeights(std::unique_ptr<HeightSource> heights, double low, double factor, double rows_height)
-      : HeightSource(from_zero_to_one(heights->x()), spaced(heights->y().size(), rows_height)), heights_(std::move(heights)), low_(low), factor_(factor) {}
+      : HeightSource(from_zero_to_one(heights->x()), spaced(heights->y().size(), rows_height)),
+        heights_(std::move(heights)),
+        low_(low),
+        factor_(factor) {}
 
   void read_row(std::size_t j, std::span<double> z) const override {
     heights_->read_row(j, z);
@@ -76,7 +80,8 @@ IndexRange range_in(const std::vector<double>& positions, AxisWindow window) {
 }
 
 std::vector<double> part(const std::vector<double>& positions, IndexRange range) {
-  return {positions.begin() + static_cast<std::ptrdiff_t>(range.begin), positions.begin() + static_cast<std::ptrdiff_t>(range.end)};
+  return {positions.begin() + static_cast<std::ptrdiff_t>(range.begin),
+          positions.begin() + static_cast<std::ptrdiff_t>(range.end)};
 }
 
 class WindowHeights : public HeightSource {
@@ -102,7 +107,8 @@ std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights)
 }
 
 std::unique_ptr<HeightSource> held(const HeightSource& heights) {
-  return std::make_unique<HeldHeights<double>>(heights.x(), heights.y(), all_heights(heights), SampleOrder::first_row_lowest(heights.x().size()));
+  return std::make_unique<HeldHeights<double>>(heights.x(), heights.y(), all_heights(heights),
+                                               SampleOrder::first_row_lowest(heights.x().size()));
 }
 
 std::unique_ptr<HeightSource> transposed(const HeightSource& heights) {
@@ -110,13 +116,15 @@ std::unique_ptr<HeightSource> transposed(const HeightSource& heights) {
   return std::make_unique<HeldHeights<double>>(heights.y(), heights.x(), all_heights(heights), order);
 }
 
-std::unique_ptr<HeightSource> ridgeline_heights(std::unique_ptr<HeightSource> heights, double low, double high, double rows, double rows_height) {
+std::unique_ptr<HeightSource> ridgeline_heights(std::unique_ptr<HeightSource> heights, double low, double high, double rows,
+                                                double rows_height) {
   const double distance = rows_height / static_cast<double>(heights->y().size() - 1);
   const double factor = high > low ? rows * distance / (high - low) : 0;
   return std::make_unique<RidgelineHeights>(std::move(heights), low, factor, rows_height);
 }
 
-std::unique_ptr<HeightSource> window_heights(std::unique_ptr<HeightSource> heights, AxisWindow x, AxisWindow y, const std::string& name) {
+std::unique_ptr<HeightSource> window_heights(std::unique_ptr<HeightSource> heights, AxisWindow x, AxisWindow y,
+                                             const std::string& name) {
   const IndexRange columns = range_in(heights->x(), x), rows = range_in(heights->y(), y);
   const std::size_t width = columns.end - columns.begin, height = rows.end - rows.begin;
   if (width < 2 || height < 2) {

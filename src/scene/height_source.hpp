@@ -21,8 +21,8 @@ class HeightSource {
   const std::vector<double>& x() const { return x_; }
   const std::vector<double>& y() const { return y_; }
 
-  /// z[i] becomes the height at (x[i], y[j]), NaN where there is none; z.size() == x().size(). Any order of rows; from several threads
-  /// at a time.
+  /// z[i] becomes the height at (x[i], y[j]), NaN where there is none; z.size() == x().size(). Any order of rows; from
+  /// several threads at a time.
   virtual void read_row(std::size_t j, std::span<double> z) const = 0;
 
  protected:
@@ -32,12 +32,13 @@ class HeightSource {
   std::vector<double> x_, y_;
 };
 
-/// Heights of a formula in x and y (also r and theta, the polar coordinates; pi, e). A place where it is not a finite number is a hole.
-/// Throws InputError that names the column of a mistake: "formula:COLUMN: cause".
+/// Heights of a formula in x and y (also r and theta, the polar coordinates; pi, e). A place where it is not a finite number
+/// is a hole. Throws InputError that names the column of a mistake: "formula:COLUMN: cause".
 std::unique_ptr<HeightSource> formula_heights(const std::string& formula, std::vector<double> x, std::vector<double> y);
 
-/// Heights of a grid file: a CSV or TSV matrix, gnuplot blocks of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16 bits. Told apart by content. NODATA and NaN are holes;
-/// rows of pictures run from north (the largest y) to south. Throws InputError("FILE[:LINE]: cause").
+/// Heights of a grid file: a CSV or TSV matrix, gnuplot blocks of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16 bits. Told
+/// apart by content. NODATA and NaN are holes; rows of pictures run from north (the largest y) to south. Throws
+/// InputError("FILE[:LINE]: cause").
 std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings);
 
 }  // namespace ligne

@@ -25,7 +25,8 @@ constexpr int kDeepestNesting = 32;
 json parse_json(std::string_view text, const std::string& name) {
   std::vector<std::set<std::string>> keys;  // of the objects that are open
   const auto watch = [&](int depth, json::parse_event_t event, json& value) {
-    if (depth > kDeepestNesting) throw InputError(name, "JSON nested deeper than " + std::to_string(kDeepestNesting) + " levels");
+    if (depth > kDeepestNesting)
+      throw InputError(name, "JSON nested deeper than " + std::to_string(kDeepestNesting) + " levels");
     if (event == json::parse_event_t::object_start) keys.emplace_back();
     if (event == json::parse_event_t::object_end) keys.pop_back();
     if (event == json::parse_event_t::key && !keys.back().insert(value.get_ref<const std::string&>()).second) {
@@ -52,7 +53,9 @@ class Node {
  public:
   Node(const json& value, std::string path, const std::string& name) : value_(value), path_(std::move(path)), name_(name) {}
 
-  InputError error(const std::string& cause) const { return InputError(name_, path_.empty() ? cause : path_ + ": " + cause); }
+  InputError error(const std::string& cause) const {
+    return InputError(name_, path_.empty() ? cause : path_ + ": " + cause);
+  }
 
   /// Throws unless this is an object whose keys are all among those given.
   void expect_object(std::initializer_list<std::string_view> known) const {

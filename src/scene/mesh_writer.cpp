@@ -62,7 +62,8 @@ std::string plain(std::string_view name) {
 }  // namespace
 
 std::string write_ligne_scene(const Scene& scene) {
-  std::string out = "{\"format\":\"ligne-scene\",\"version\":1,\"up\":\"" + std::string(axis_name(scene.up_axis)) + "\",\n\"objects\":[";
+  std::string out =
+      "{\"format\":\"ligne-scene\",\"version\":1,\"up\":\"" + std::string(axis_name(scene.up_axis)) + "\",\n\"objects\":[";
   for (std::size_t o = 0; o < scene.objects.size(); ++o) {
     const Object& object = scene.objects[o];
     out += o == 0 ? "\n" : ",\n";

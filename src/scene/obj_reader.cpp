@@ -1,8 +1,8 @@
 // tinyobjloader takes the statements apart, through its callbacks, which hand over polygons as they stand. It says nothing
-// about words where numbers should be (they become 0), faces of two corners, indices that no vertex has (or that overflow), and
-// unfinished continuation lines, and gives no line numbers. So it is fed from a stream that delivers one statement at
-// a time: the stream joins continued lines, checks the statement's words, and knows the line when a callback comes.
-// Vertex positions are read there too: the library's own number parser adds up rounded decimal digits; of random numbers of six
+// about words where numbers should be (they become 0), faces of two corners, indices that no vertex has (or that overflow),
+// and unfinished continuation lines, and gives no line numbers. So it is fed from a stream that delivers one statement at a
+// time: the stream joins continued lines, checks the statement's words, and knows the line when a callback comes. Vertex
+// positions are read there too: the library's own number parser adds up rounded decimal digits; of random numbers of six
 // decimals it gets 48 in a hundred wrong, by up to four units in the last place of a double (2.0.0-rc10, measured).
 
 #include "scene/obj_reader.hpp"
@@ -98,8 +98,10 @@ class StatementStream : public std::streambuf {
       statement_.assign(keyword).append(1, ' ').append(trimmed(rest));
       return true;
     }
-    if (keyword == "l" || keyword == "p") warnings_.add("OBJ lines and points left out");
-    else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") warnings_.add("OBJ free-form curves and surfaces left out");
+    if (keyword == "l" || keyword == "p")
+      warnings_.add("OBJ lines and points left out");
+    else if (keyword == "curv" || keyword == "curv2" || keyword == "surf")
+      warnings_.add("OBJ free-form curves and surfaces left out");
     return false;
   }
 
@@ -228,7 +230,9 @@ Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadRe
   std::istream stream(&statements);
 
   tinyobj::callback_t callback;
-  callback.index_cb = [](void* user, tinyobj::index_t* corners, int n) { static_cast<ObjScene*>(user)->add_face(corners, n); };
+  callback.index_cb = [](void* user, tinyobj::index_t* corners, int n) {
+    static_cast<ObjScene*>(user)->add_face(corners, n);
+  };
   callback.object_cb = [](void* user, const char* object) { static_cast<ObjScene*>(user)->begin_object(object); };
   callback.usemtl_cb = [](void* user, const char* material, int) { static_cast<ObjScene*>(user)->use_material(material); };
   tinyobj::LoadObjWithCallback(stream, callback, &scene);

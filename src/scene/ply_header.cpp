@@ -13,10 +13,12 @@ namespace {
 
 std::optional<PlyType> type_named(std::string_view word) {
   static constexpr std::pair<std::string_view, PlyType> kNames[] = {
-      {"char", PlyType::int8},     {"int8", PlyType::int8},       {"uchar", PlyType::uint8},    {"uint8", PlyType::uint8},
-      {"short", PlyType::int16},   {"int16", PlyType::int16},     {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},
-      {"int", PlyType::int32},     {"int32", PlyType::int32},     {"uint", PlyType::uint32},    {"uint32", PlyType::uint32},
-      {"float", PlyType::float32}, {"float32", PlyType::float32}, {"double", PlyType::float64}, {"float64", PlyType::float64}};
+      {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
+      {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
+      {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
+      {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+      {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
+      {"float64", PlyType::float64}};
   for (const auto& [name, type] : kNames) {
     if (name == word) return type;
   }
@@ -29,7 +31,8 @@ class HeaderReader {
     // Files that went through an editor may have a byte order mark and blank lines in front.
     if (text.starts_with("\xEF\xBB\xBF")) at_ = 3;
     const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n", at_), text.size());
-    header_.lines = static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
+    header_.lines =
+        static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
     at_ = begin;
     const std::size_t end = text.find_first_of("\r\n", begin);
     if (end != std::string_view::npos) line_end_ = text.substr(end).starts_with("\r\n") ? "\r\n" : text.substr(end, 1);
@@ -41,9 +44,12 @@ class HeaderReader {
       std::string_view line = take_line();
       const std::string_view keyword = take_word(line);
       if (keyword == "end_header") break;
-      if (keyword == "format") read_format(line);
-      else if (keyword == "element") read_element(line);
-      else if (keyword == "property") read_property(line);
+      if (keyword == "format")
+        read_format(line);
+      else if (keyword == "element")
+        read_element(line);
+      else if (keyword == "property")
+        read_property(line);
       else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
         throw error(shown(keyword) + " is not a statement of a PLY header");
       }
@@ -67,10 +73,14 @@ class HeaderReader {
 
   void read_format(std::string_view line) {
     const std::string_view encoding = take_word(line), version = take_word(line);
-    if (encoding == "ascii") header_.encoding = PlyEncoding::ascii;
-    else if (encoding == "binary_little_endian") header_.encoding = PlyEncoding::little_endian;
-    else if (encoding == "binary_big_endian") header_.encoding = PlyEncoding::big_endian;
-    else throw error(shown(encoding) + " is not a PLY format (ascii, binary_little_endian, binary_big_endian)");
+    if (encoding == "ascii")
+      header_.encoding = PlyEncoding::ascii;
+    else if (encoding == "binary_little_endian")
+      header_.encoding = PlyEncoding::little_endian;
+    else if (encoding == "binary_big_endian")
+      header_.encoding = PlyEncoding::big_endian;
+    else
+      throw error(shown(encoding) + " is not a PLY format (ascii, binary_little_endian, binary_big_endian)");
     if (version != "1.0") throw error("PLY version " + shown(version) + " is not known, only 1.0 is");
     has_format_ = true;
   }

@@ -1,6 +1,7 @@
-// Our own: the libraries of Debian 12 were tried and none fits. assimp 5.2.5 stores coordinates as float32 also from double files,
-// accepts an index of no vertex and a text that ends early, and lengthens the start of every run by 2.6 ms. CGAL's reader (LGPL) hands
-// out indices that no vertex has, and names no lines. draco triangulates and stores float32. libigl is not packaged.
+// Our own: the libraries of Debian 12 were tried and none fits. assimp 5.2.5 stores coordinates as float32 also from double
+// files, accepts an index of no vertex and a text that ends early, and lengthens the start of every run by 2.6 ms. CGAL's
+// reader (LGPL) hands out indices that no vertex has, and names no lines. draco triangulates and stores float32. libigl is
+// not packaged.
 //
 // Every element is read through one interface, item by item and value by value, from text lines or from bytes; the counts
 // of the header are believed only as far as the data go.
@@ -29,14 +30,22 @@ struct PlyValue {
 
 double load_number(const std::byte* p, PlyType type, std::endian order) {
   switch (type) {
-    case PlyType::int8: return load_bytes<std::int8_t>(p, order);
-    case PlyType::uint8: return load_bytes<std::uint8_t>(p, order);
-    case PlyType::int16: return load_bytes<std::int16_t>(p, order);
-    case PlyType::uint16: return load_bytes<std::uint16_t>(p, order);
-    case PlyType::int32: return load_bytes<std::int32_t>(p, order);
-    case PlyType::uint32: return load_bytes<std::uint32_t>(p, order);
-    case PlyType::float32: return load_bytes<float>(p, order);
-    case PlyType::float64: break;
+    case PlyType::int8:
+      return load_bytes<std::int8_t>(p, order);
+    case PlyType::uint8:
+      return load_bytes<std::uint8_t>(p, order);
+    case PlyType::int16:
+      return load_bytes<std::int16_t>(p, order);
+    case PlyType::uint16:
+      return load_bytes<std::uint16_t>(p, order);
+    case PlyType::int32:
+      return load_bytes<std::int32_t>(p, order);
+    case PlyType::uint32:
+      return load_bytes<std::uint32_t>(p, order);
+    case PlyType::float32:
+      return load_bytes<float>(p, order);
+    case PlyType::float64:
+      break;
   }
   return load_bytes<double>(p, order);
 }
@@ -137,9 +146,12 @@ class PlyReader {
     builder_.begin_object("");
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;
-      if (element.name == "vertex") read_vertices(element);
-      else if (element.name == "face") read_faces(element);
-      else pass_over_items(element);
+      if (element.name == "vertex")
+        read_vertices(element);
+      else if (element.name == "face")
+        read_faces(element);
+      else
+        pass_over_items(element);
     }
     data_.end();
     check_indices();
@@ -157,7 +169,8 @@ class PlyReader {
       return false;
     };
     for (const char* axis : {"x", "y", "z"}) {
-      if (!has("vertex", {axis}, false)) throw InputError(name_, "PLY header names no " + std::string(axis) + " of vertices");
+      if (!has("vertex", {axis}, false))
+        throw InputError(name_, "PLY header names no " + std::string(axis) + " of vertices");
     }
     if (!has("face", {"vertex_indices", "vertex_index"}, true)) {
       throw InputError(name_, "PLY header names no list vertex_indices of faces");
@@ -213,8 +226,10 @@ class PlyReader {
     for (std::uint64_t i = 0; i < element.count; ++i) {
       data_.begin_item(element, i);
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
-        if (p == indices) read_corners(element.properties[p]);
-        else pass_over(element.properties[p]);
+        if (p == indices)
+          read_corners(element.properties[p]);
+        else
+          pass_over(element.properties[p]);
       }
       data_.end_item();
       builder_.add_face(face_);
@@ -240,7 +255,8 @@ class PlyReader {
     for (std::size_t f = 0; f < scene.faces.size(); ++f) {
       for (const std::uint32_t v : scene.faces.contour(f, 0)) {
         if (v >= n) {
-          throw InputError(name_, "face " + std::to_string(f) + " names vertex " + std::to_string(v) + " of " + std::to_string(n));
+          throw InputError(name_,
+                           "face " + std::to_string(f) + " names vertex " + std::to_string(v) + " of " + std::to_string(n));
         }
       }
     }

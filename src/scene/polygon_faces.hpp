@@ -19,9 +19,7 @@ class PolygonFaces {
   bool all_triangles() const { return face_begin_.empty(); }
 
   /// Number of contours of face f: 1 + number of holes.
-  std::size_t contour_count(std::size_t f) const {
-    return face_begin_.empty() ? 1 : face_begin_[f + 1] - face_begin_[f];
-  }
+  std::size_t contour_count(std::size_t f) const { return face_begin_.empty() ? 1 : face_begin_[f + 1] - face_begin_[f]; }
   /// Vertex indices of contour c of face f.
   std::span<const std::uint32_t> contour(std::size_t f, std::size_t c) const {
     if (face_begin_.empty()) return {corners_.data() + 3 * f, 3};

@@ -38,21 +38,30 @@ void check_size(const Scene& scene, const std::string& name) {
 Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
                ReadReport& report, Warnings& warnings) {
   switch (format) {
-    case ModelFormat::gltf: return read_gltf(bytes, false, folder, name, report, warnings);
-    case ModelFormat::glb: return read_gltf(bytes, true, folder, name, report, warnings);
-    case ModelFormat::obj: return read_obj(bytes, name, report, warnings);
-    case ModelFormat::stl_ascii: return read_stl_ascii(bytes, name, report, warnings);
-    case ModelFormat::stl_binary: return read_stl_binary(bytes, name, report, warnings);
-    case ModelFormat::ply: return read_ply(bytes, name, report, warnings);
-    case ModelFormat::asc_3d_studio: return read_asc(bytes, name, report, warnings);
-    case ModelFormat::ligne_scene: break;
+    case ModelFormat::gltf:
+      return read_gltf(bytes, false, folder, name, report, warnings);
+    case ModelFormat::glb:
+      return read_gltf(bytes, true, folder, name, report, warnings);
+    case ModelFormat::obj:
+      return read_obj(bytes, name, report, warnings);
+    case ModelFormat::stl_ascii:
+      return read_stl_ascii(bytes, name, report, warnings);
+    case ModelFormat::stl_binary:
+      return read_stl_binary(bytes, name, report, warnings);
+    case ModelFormat::ply:
+      return read_ply(bytes, name, report, warnings);
+    case ModelFormat::asc_3d_studio:
+      return read_asc(bytes, name, report, warnings);
+    case ModelFormat::ligne_scene:
+      break;
   }
   return read_ligne_scene(bytes, name, report, warnings);
 }
 
 /// Puts `extra` behind `values`, each plus `offset`. An empty list stands for as many zeros as its size says.
 template <typename T>
-void append_zeros_left_out(std::vector<T>& values, std::size_t size, const std::vector<T>& extra, std::size_t extra_size, T offset) {
+void append_zeros_left_out(std::vector<T>& values, std::size_t size, const std::vector<T>& extra, std::size_t extra_size,
+                           T offset) {
   if (values.empty() && extra.empty() && offset == T{0}) return;
   values.resize(size, T{0});
   for (const T value : extra) values.push_back(static_cast<T>(value + offset));
@@ -105,8 +114,10 @@ void append_scene(Scene& a, Scene&& b) {
       const auto corners = b.faces.contour(f, c);
       contour.assign(corners.begin(), corners.end());
       for (std::uint32_t& v : contour) v += vertices;
-      if (c == 0) a.faces.add_face(contour);
-      else a.faces.add_hole(contour);
+      if (c == 0)
+        a.faces.add_face(contour);
+      else
+        a.faces.add_hole(contour);
     }
   }
   append_zeros_left_out(a.face_material, faces_a, b.face_material, b.faces.size(), materials);

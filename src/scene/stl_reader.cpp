@@ -1,6 +1,6 @@
 // Our own: the libraries of Debian 12 were tried and none fits. assimp 5.2.5 stores coordinates as float32, accepts nan and
-// text without its end, names no lines, and lengthens the start of every run by 2.6 ms. CGAL's reader (LGPL) gives one soup for all solids
-// and no line. admesh is GPL. draco reads binary STL only, as float32. libigl is not packaged.
+// text without its end, names no lines, and lengthens the start of every run by 2.6 ms. CGAL's reader (LGPL) gives one soup
+// for all solids and no line. admesh is GPL. draco reads binary STL only, as float32. libigl is not packaged.
 
 #include "scene/stl_reader.hpp"
 

@@ -1,5 +1,6 @@
-// Heights are told as ranks: 2 i at level i, 2 i - 1 between the levels i - 1 and i. A vertex has one rank for all of its triangles, so that neighbours
-// cut their common edge at the same levels. A triangle is cut from below upwards; what is left above a level is the next one's convex polygon.
+// Heights are told as ranks: 2 i at level i, 2 i - 1 between the levels i - 1 and i. A vertex has one rank for all of its
+// triangles, so that neighbours cut their common edge at the same levels. A triangle is cut from below upwards; what is left
+// above a level is the next one's convex polygon.
 
 #include <algorithm>
 #include <array>
@@ -78,7 +79,9 @@ class ContourCut {
 
   /// Levels between two ranks, neither included: from the first to before the second.
   static std::pair<int, int> between(int low, int high) { return {(low + 2) >> 1, (high + 1) >> 1}; }
-  std::array<int, 3> ranks(const std::array<std::uint32_t, 3>& t) const { return {ranks_[t[0]], ranks_[t[1]], ranks_[t[2]]}; }
+  std::array<int, 3> ranks(const std::array<std::uint32_t, 3>& t) const {
+    return {ranks_[t[0]], ranks_[t[1]], ranks_[t[2]]};
+  }
 
   void reserve(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::size_t count = triangles.size();
@@ -87,7 +90,8 @@ class ContourCut {
       const auto [low, high] = std::minmax({r[0], r[1], r[2]});
       const auto [first, end] = between(low, high);
       count += 2 * static_cast<std::size_t>(std::max(end - first, 0));
-      if (count > kMostTriangles) throw InputError(mesh_.name, "has too many contour lines: they cut it into more than 12 million triangles");
+      if (count > kMostTriangles)
+        throw InputError(mesh_.name, "has too many contour lines: they cut it into more than 12 million triangles");
     }
     mesh_.triangles.reserve(count);
     mesh_.flags.reserve(count);
@@ -136,18 +140,21 @@ class ContourCut {
     const auto& c = polygon.corners;
     for (std::size_t k = 2; k < polygon.size; ++k) {
       mesh_.triangles.push_back({c[0].vertex, c[k - 1].vertex, c[k].vertex});
-      mesh_.flags.push_back({k == 2 ? c[0].flags : std::uint8_t{0}, c[k - 1].flags, k + 1 == polygon.size ? c[k].flags : std::uint8_t{0}});
+      mesh_.flags.push_back(
+          {k == 2 ? c[0].flags : std::uint8_t{0}, c[k - 1].flags, k + 1 == polygon.size ? c[k].flags : std::uint8_t{0}});
     }
   }
 
   /// Where an edge of the mesh reaches a level; one vertex, whichever of its triangles asks.
   std::uint32_t cut_vertex(std::uint32_t low, std::uint32_t high, int rank) {
     if (ranks_[low] > ranks_[high]) std::swap(low, high);
-    const auto [place, is_new] = cuts_.try_emplace(CutKey{low, high, rank}, static_cast<std::uint32_t>(mesh_.vertices.size()));
+    const auto [place, is_new] =
+        cuts_.try_emplace(CutKey{low, high, rank}, static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) {
       const Point3 a = mesh_.vertices[low], b = mesh_.vertices[high];
       const double level = levels_[static_cast<std::size_t>(rank / 2)];
-      const double t = (level / 2 - a.z / 2) / (b.z / 2 - a.z / 2);  // halves, since a difference of two heights may overflow
+      const double t =
+          (level / 2 - a.z / 2) / (b.z / 2 - a.z / 2);  // halves, since a difference of two heights may overflow
       mesh_.vertices.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), level});
     }
     return place->second;

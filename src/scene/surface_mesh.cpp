@@ -16,7 +16,8 @@ namespace {
 /// Products of five coordinates stay finite, as for models (scene/reader.cpp).
 constexpr double kLargestCoordinate = 0x1p200;
 
-constexpr std::uint8_t kRims[] = {SurfaceMesh::kRimBottom, SurfaceMesh::kRimRight, SurfaceMesh::kRimTop, SurfaceMesh::kRimLeft};
+constexpr std::uint8_t kRims[] = {SurfaceMesh::kRimBottom, SurfaceMesh::kRimRight, SurfaceMesh::kRimTop,
+                                  SurfaceMesh::kRimLeft};
 constexpr const char* kRimNames[] = {"wall at low y", "wall at high x", "wall at high y", "wall at low x"};
 
 bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
@@ -39,10 +40,12 @@ std::vector<std::uint32_t> vertices_of(const SurfacePoints& surface, std::vector
   return vertex;
 }
 
-bool is_curve(std::size_t i, std::size_t count, std::size_t stride) { return stride != 0 && (i % stride == 0 || i + 1 == count); }
+bool is_curve(std::size_t i, std::size_t count, std::size_t stride) {
+  return stride != 0 && (i % stride == 0 || i + 1 == count);
+}
 
-/// The cells of a grid with a frame of cells round it, and which of them are outside: those of the frame, and those with a hole at a corner that are
-/// joined with it side by side.
+/// The cells of a grid with a frame of cells round it, and which of them are outside: those of the frame, and those with a
+/// hole at a corner that are joined with it side by side.
 class Outside {
  public:
   Outside(const SurfacePoints& surface, const std::vector<std::uint32_t>& vertex)
@@ -89,8 +92,10 @@ class CellCutter {
   void cut(std::size_t i, std::size_t j) {
     const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i, j + 1), d = at(i + 1, j + 1);
     if (a == kNone || b == kNone || c == kNone || d == kNone) return;
-    const std::uint8_t bottom = row_flags(j) | rim(i + 1, j, SurfaceMesh::kRimBottom), top = row_flags(j + 1) | rim(i + 1, j + 2, SurfaceMesh::kRimTop);
-    const std::uint8_t left = column_flags(i) | rim(i, j + 1, SurfaceMesh::kRimLeft), right = column_flags(i + 1) | rim(i + 2, j + 1, SurfaceMesh::kRimRight);
+    const std::uint8_t bottom = row_flags(j) | rim(i + 1, j, SurfaceMesh::kRimBottom),
+                       top = row_flags(j + 1) | rim(i + 1, j + 2, SurfaceMesh::kRimTop);
+    const std::uint8_t left = column_flags(i) | rim(i, j + 1, SurfaceMesh::kRimLeft),
+                       right = column_flags(i + 1) | rim(i + 2, j + 1, SurfaceMesh::kRimRight);
     // Where a side has no length the diagonal lies on another one, and is what that is.
     std::uint8_t diagonal = 0;
     if (a == b) diagonal |= left;
@@ -104,7 +109,9 @@ class CellCutter {
  private:
   std::uint32_t at(std::size_t i, std::size_t j) const { return vertex_[j * surface_.columns + i]; }
   std::uint8_t row_flags(std::size_t j) const { return is_curve(j, surface_.rows, surface_.y_stride) ? kCornerCurve : 0; }
-  std::uint8_t column_flags(std::size_t i) const { return is_curve(i, surface_.columns, surface_.x_stride) ? kCornerCurve : 0; }
+  std::uint8_t column_flags(std::size_t i) const {
+    return is_curve(i, surface_.columns, surface_.x_stride) ? kCornerCurve : 0;
+  }
   /// The flag when the neighbour, told as to Outside, is outside.
   std::uint8_t rim(std::size_t i, std::size_t j, std::uint8_t flag) const { return outside_(i, j) ? flag : 0; }
   void add(std::array<std::uint32_t, 3> corners, std::array<std::uint8_t, 3> flags) {
@@ -174,10 +181,12 @@ class PlaneCut {
   /// Where the edge crosses the plane; one vertex, whichever way the edge is run through.
   std::uint32_t cut_vertex(std::uint32_t v0, std::uint32_t v1) {
     if (v0 > v1) std::swap(v0, v1);
-    const auto [place, is_new] = cuts_.try_emplace(std::uint64_t{v0} << 32 | v1, static_cast<std::uint32_t>(mesh_.vertices.size()));
+    const auto [place, is_new] =
+        cuts_.try_emplace(std::uint64_t{v0} << 32 | v1, static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) {
       const Point3 a = mesh_.vertices[v0], b = mesh_.vertices[v1];
-      const double t = (height_ / 2 - a.z / 2) / (b.z / 2 - a.z / 2);  // halves, since a difference of two heights may overflow
+      const double t =
+          (height_ / 2 - a.z / 2) / (b.z / 2 - a.z / 2);  // halves, since a difference of two heights may overflow
       mesh_.vertices.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), height_});
     }
     return place->second;
@@ -206,7 +215,8 @@ class ObjectMaker {
   std::uint32_t add_vertex(Point3 p) {
     p.z *= z_scale_;
     const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    if (!(size <= kLargestCoordinate)) throw InputError("surface", "has a coordinate beyond 1.6e60, too large to compute with");
+    if (!(size <= kLargestCoordinate))
+      throw InputError("surface", "has a coordinate beyond 1.6e60, too large to compute with");
     largest_ = std::max(largest_, size);
     scene_.vertices.push_back(p);
     return static_cast<std::uint32_t>(scene_.vertices.size() - 1);

@@ -19,7 +19,8 @@ void take_samples(std::size_t& taken, std::size_t columns, std::size_t rows, con
   // Neither count is so large that the product of two could overflow: positions are held in memory.
   const std::size_t samples = columns * rows;
   if (samples > kMostMeshSamples - taken) {
-    throw InputError(name, std::to_string(columns) + " x " + std::to_string(rows) + " samples are too many for a mesh: all surfaces together may have " +
+    throw InputError(name, std::to_string(columns) + " x " + std::to_string(rows) +
+                               " samples are too many for a mesh: all surfaces together may have " +
                                std::to_string(kMostMeshSamples));
   }
   taken += samples;
@@ -33,12 +34,14 @@ SurfacePoints points_of(const HeightSource& heights) {
   tbb::parallel_for(std::size_t{0}, surface.rows, [&](std::size_t j) {
     std::vector<double> z(surface.columns);
     heights.read_row(j, z);
-    for (std::size_t i = 0; i < z.size(); ++i) surface.points[j * surface.columns + i] = {heights.x()[i], heights.y()[j], z[i]};
+    for (std::size_t i = 0; i < z.size(); ++i)
+      surface.points[j * surface.columns + i] = {heights.x()[i], heights.y()[j], z[i]};
   });
   return surface;
 }
 
-SurfacePoints parametric_points(const std::array<std::string, 3>& formulas, const std::vector<double>& u, const std::vector<double>& v) {
+SurfacePoints parametric_points(const std::array<std::string, 3>& formulas, const std::vector<double>& u,
+                                const std::vector<double>& v) {
   SurfacePoints surface;
   surface.columns = u.size();
   surface.rows = v.size();

@@ -78,8 +78,9 @@ std::optional<double> number_in(std::string_view word) {
   if (error == std::errc::result_out_of_range) {
     // Out of range upwards needs a positive exponent or hundreds of digits before the point.
     const std::size_t e = word.find_first_of("eE");
-    const bool tiny = e != std::string_view::npos ? word.substr(e + 1).starts_with('-')
-                                                  : word.starts_with("0.") || word.starts_with("-0.") || word.starts_with('.');
+    const bool tiny = e != std::string_view::npos
+                          ? word.substr(e + 1).starts_with('-')
+                          : word.starts_with("0.") || word.starts_with("-0.") || word.starts_with('.');
     if (tiny) return 0.0;
     return {};
   }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
 #include "geometry/triangulate.hpp"
 

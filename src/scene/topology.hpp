@@ -16,9 +16,9 @@ struct Edge {
 };
 
 enum EdgeFlag : std::uint8_t {
-  kEdgeManyFaces = 1,   ///< more than two faces meet here
-  kEdgeFileHidden = 2,  ///< the file marks it as not to be drawn
-  kEdgeInner = 4,       ///< inside a triangulated polygon
+  kEdgeManyFaces = 1,    ///< more than two faces meet here
+  kEdgeFileHidden = 2,   ///< the file marks it as not to be drawn
+  kEdgeInner = 4,        ///< inside a triangulated polygon
   kEdgeUnlikeWound = 8,  ///< its two faces run through it in the same direction: their windings disagree
   kEdgeCurve = 16,       ///< part of an iso-curve of a surface: one of its faces says so
   kEdgeCrossing = 32,    ///< surfaces cross along it

@@ -21,9 +21,7 @@ struct AxesBox {
   Point3 low{0, 0, 0}, high{0, 0, 0};
 
   /// Corner i: bit k of i says whether its coordinate k is the high one.
-  Point3 corner(unsigned i) const {
-    return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
-  }
+  Point3 corner(unsigned i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
 };
 
 /// The edge along axis `axis` from corner `from`, whose bit `axis` is not set, to that where it is.
@@ -38,8 +36,8 @@ std::array<BoxEdge, kBoxEdges> box_edges();
 /// sides[k][0] and [k][1] are the low and the high side across axis k.
 using BoxSides = std::array<std::array<bool, 2>, 3>;
 
-/// The sides that are seen from within, behind what the box holds. In parallel projection one of each pair: where both are seen edge
-/// on, the low one. In perspective both of a pair when the eye is between them.
+/// The sides that are seen from within, behind what the box holds. In parallel projection one of each pair: where both are
+/// seen edge on, the low one. In perspective both of a pair when the eye is between them.
 BoxSides back_sides(const AxesBox& box, const Camera& camera);
 
 /// The edge is one of a back side.

@@ -1,4 +1,5 @@
-/// 1. Of the edges of the box along each axis those are candidates that lie on the convex outline of its picture. One is chosen for each axis,
+/// 1. Of the edges of the box along each axis those are candidates that lie on the convex outline of its picture. One is
+/// chosen for each axis,
 ///    so that they do not get into each other's way (axis_edges.cpp).
 /// 2. Ticks are set at round numbers, as many as have room for their numbers.
 /// 3. Numbers of different axes that would touch are thinned; names go outwards until they are free.
@@ -19,11 +20,11 @@ namespace {
 
 // Adjustable: lengths in heights of the text.
 constexpr double kTick = 0.7;
-constexpr double kGap = 0.5;           ///< from tick to number
-constexpr double kNameGap = 0.9;       ///< from numbers to name
+constexpr double kGap = 0.5;      ///< from tick to number
+constexpr double kNameGap = 0.9;  ///< from numbers to name
 constexpr double kBetweenNumbers = 1.2;
-constexpr double kBetweenAxes = 0.4;   ///< between texts of different axes, and their ticks
-constexpr double kWideName = 4;        ///< a wider name is turned along its axis
+constexpr double kBetweenAxes = 0.4;  ///< between texts of different axes, and their ticks
+constexpr double kWideName = 4;       ///< a wider name is turned along its axis
 constexpr double kTitleGap = 1.2;
 constexpr double kStepOutwards = 0.5;
 constexpr int kMostStepsOutwards = 100;
@@ -197,7 +198,8 @@ class Layout {
 
     double beyond = (kTick + kGap) * h_;
     for (const Placed& p : texts_) {
-      if (p.axis == edge.axis) beyond = std::max(beyond, glm::dot(p.box.center - edge.a, edge.outward) + p.box.reach(edge.outward));
+      if (p.axis == edge.axis)
+        beyond = std::max(beyond, glm::dot(p.box.center - edge.a, edge.outward) + p.box.reach(edge.outward));
     }
     const Point2 middle = (edge.a + edge.b) * 0.5;
     const Point2 direction = tick_direction(edge, to_model_point_on(edge, middle));
@@ -211,7 +213,8 @@ class Layout {
     }
   }
 
-  /// The point of the edge whose picture is nearest to the middle of what is seen of it; in perspective that is not its own middle.
+  /// The point of the edge whose picture is nearest to the middle of what is seen of it; in perspective that is not its own
+  /// middle.
   Point3 to_model_point_on(const AxisEdge& edge, Point2 page) const {
     const HomogeneousPoint a = to_homogeneous(view_, box_.corner(edge.corner));
     const HomogeneousPoint b = to_homogeneous(view_, box_.corner(edge.corner | 1u << edge.axis));
@@ -230,7 +233,9 @@ class Layout {
       if (request_.style == AxesStyle::base) {
         drawn = edge.axis == 2 ? edges[2] && edges[2]->corner == edge.from : !(edge.from & 4u);
       }
-      if (drawn) add_line(is_back(edge, back) ? picture_.lines : picture_.front_lines, box_.corner(edge.from), box_.corner(edge.to()));
+      if (drawn)
+        add_line(is_back(edge, back) ? picture_.lines : picture_.front_lines, box_.corner(edge.from),
+                 box_.corner(edge.to()));
     }
     if (request_.style == AxesStyle::grid) add_grid(back);
   }
@@ -281,7 +286,8 @@ AxesPicture lay_out_axes(const AxesRequest& request, const View& view, const Mea
   return Layout(request, view, measure).make();
 }
 
-TextItem title_above(const Rect& picture, const std::string& title, double height_mm, double width_mm, const MeasureText& measure) {
+TextItem title_above(const Rect& picture, const std::string& title, double height_mm, double width_mm,
+                     const MeasureText& measure) {
   TextItem item{title, {(picture.min.x + picture.max.x) / 2, 0}, height_mm, TextAcross::center, TextUp::base, 0};
   TextExtent extent = measure(title, height_mm);
   if (extent.width > width_mm) {

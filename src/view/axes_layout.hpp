@@ -36,24 +36,27 @@ struct AxesRequest {
 };
 
 struct AxesPicture {
-  std::vector<AxisLine> lines;        ///< on the sides behind what the box holds: may be hidden by it
-  std::vector<AxisLine> front_lines;  ///< before it
+  std::vector<AxisLine> lines;               ///< on the sides behind what the box holds: may be hidden by it
+  std::vector<AxisLine> front_lines;         ///< before it
   std::vector<std::array<Point2, 2>> marks;  ///< ticks, page mm: before everything
   std::vector<TextItem> texts;
-  std::vector<TextBox> boxes;  ///< of the texts, in their order
+  std::vector<TextBox> boxes;       ///< of the texts, in their order
   std::array<bool, 3> has_scale{};  ///< the axis has ticks
-  Rect extent;  ///< page mm, of marks and texts; empty when there are none
+  Rect extent;                      ///< page mm, of marks and texts; empty when there are none
 };
 
 using MeasureText = std::function<TextExtent(std::string_view utf8, double height_mm)>;
 
-/// Lays out the axes of a picture that is placed already. Each axis stands on an edge of the outline of the box as seen, x and y as low
-/// on the page as there is one, z at the left, so that ticks and texts, which lie on its outer side, never lie on the picture. There are
-/// as many numbers as have room; texts never overlap each other. An axis that is seen end on, or that has no edge on the outline, or
-/// whose edge is out of view, has no scale; none has one when the box reaches behind the viewer.
+/// Lays out the axes of a picture that is placed already. Each axis stands on an edge of the outline of the box as seen, x
+/// and y as low on the page as there is one, z at the left, so that ticks and texts, which lie on its outer side, never lie
+/// on the picture. There are as many numbers as have room; texts never overlap each other. An axis that is seen end on, or
+/// that has no edge on the outline, or whose edge is out of view, has no scale; none has one when the box reaches behind the
+/// viewer.
 AxesPicture lay_out_axes(const AxesRequest& request, const View& view, const MeasureText& measure);
 
-/// The title above a picture with all that is round it, no wider than `width_mm`. Its capitals have `height_mm`, less where it would be too wide.
-TextItem title_above(const Rect& picture, const std::string& title, double height_mm, double width_mm, const MeasureText& measure);
+/// The title above a picture with all that is round it, no wider than `width_mm`. Its capitals have `height_mm`, less where
+/// it would be too wide.
+TextItem title_above(const Rect& picture, const std::string& title, double height_mm, double width_mm,
+                     const MeasureText& measure);
 
 }  // namespace ligne

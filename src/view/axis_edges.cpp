@@ -44,7 +44,8 @@ Corners corners_of(const AxesBox& box, const View& view) {
 }
 
 /// The edge as a place for a scale, when it is one of the outline and long enough in view.
-std::optional<AxisEdge> candidate(const BoxEdge& edge, const AxesBox& box, const View& view, const Corners& corners, double shortest) {
+std::optional<AxisEdge> candidate(const BoxEdge& edge, const AxesBox& box, const View& view, const Corners& corners,
+                                  double shortest) {
   const Point2 p = corners.at[edge.from], q = corners.at[edge.to()];
   const double length = glm::distance(p, q);
   if (!(length >= shortest)) return std::nullopt;

@@ -18,8 +18,8 @@ struct AxisEdge {
 /// One of each axis, or none.
 using AxisEdges = std::array<std::optional<AxisEdge>, 3>;
 
-/// Chooses for x and y edges low on the page, for z one at the left; none shorter than two heights of the text, and none that lies in another's way.
-/// None at all when the box reaches behind the near plane.
+/// Chooses for x and y edges low on the page, for z one at the left; none shorter than two heights of the text, and none
+/// that lies in another's way. None at all when the box reaches behind the near plane.
 AxisEdges choose_axis_edges(const AxesBox& box, const View& view, double text_height_mm);
 
 }  // namespace ligne

@@ -7,7 +7,8 @@
 
 namespace ligne {
 
-Polylines axis_lines(std::span<const AxisLine> lines, const View& view, const LineVisibility& visibility, double coincidence_mm) {
+Polylines axis_lines(std::span<const AxisLine> lines, const View& view, const LineVisibility& visibility,
+                     double coincidence_mm) {
   std::vector<std::vector<VisibleInterval>> visible;
   if (visibility) {
     visible = visibility(lines);

@@ -18,8 +18,10 @@ struct VisibleInterval {
 /// For every line its parts that nothing hides, ascending and disjoint.
 using LineVisibility = std::function<std::vector<std::vector<VisibleInterval>>(std::span<const AxisLine>)>;
 
-/// The visible parts of the lines, clipped to the view's window, as polylines in page mm. Where lines lie on each other within `coincidence_mm`
-/// one is drawn; those that continue each other are joined. Without a `visibility` nothing is hidden.
-Polylines axis_lines(std::span<const AxisLine> lines, const View& view, const LineVisibility& visibility, double coincidence_mm);
+/// The visible parts of the lines, clipped to the view's window, as polylines in page mm. Where lines lie on each other
+/// within `coincidence_mm` one is drawn; those that continue each other are joined. Without a `visibility` nothing is
+/// hidden.
+Polylines axis_lines(std::span<const AxisLine> lines, const View& view, const LineVisibility& visibility,
+                     double coincidence_mm);
 
 }  // namespace ligne

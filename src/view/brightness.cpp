@@ -33,7 +33,8 @@ std::vector<double> face_brightness(const Scene& scene, const Camera& camera) {
   return result;
 }
 
-FaceLight::FaceLight(const Scene& scene, const Camera& camera, std::span<const Light> lights) : scene_(scene), camera_(camera), lights_(lights) {
+FaceLight::FaceLight(const Scene& scene, const Camera& camera, std::span<const Light> lights)
+    : scene_(scene), camera_(camera), lights_(lights) {
   if (lights.empty()) from_eye_ = face_brightness(scene, camera);
 }
 

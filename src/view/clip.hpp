@@ -19,11 +19,16 @@ struct ClipVolume {
   /// Signed distance to plane i, in no particular unit: >= 0 inside.
   double distance(int plane, const HomogeneousPoint& p) const {
     switch (plane) {
-      case 0: return p.w - near_distance;
-      case 1: return p.x - window.min.x * p.w;
-      case 2: return window.max.x * p.w - p.x;
-      case 3: return p.y - window.min.y * p.w;
-      default: return window.max.y * p.w - p.y;
+      case 0:
+        return p.w - near_distance;
+      case 1:
+        return p.x - window.min.x * p.w;
+      case 2:
+        return window.max.x * p.w - p.x;
+      case 3:
+        return p.y - window.min.y * p.w;
+      default:
+        return window.max.y * p.w - p.y;
     }
   }
   bool contains(const HomogeneousPoint& p) const {

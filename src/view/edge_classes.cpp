@@ -3,9 +3,9 @@
 #include <cmath>
 #include <unordered_map>
 
-#include <glm/geometric.hpp>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
 namespace ligne {
 namespace {

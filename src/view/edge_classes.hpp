@@ -15,9 +15,9 @@ std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera);
 /// The class of every edge: border (one face), outline (one of its faces looks at the viewer, the other does not; a face
 /// seen edge on looks neither way), crease (normals differ by more than the angle, or more than two faces), mesh (all
 /// others; edges that the file hides or that only cut a polygon can be outlines, but not creases), and before all of these
-/// intersection where surfaces cross along the edge, contour and horizon where it is part of a contour line or of an iso-curve. Faces that
-/// are wound against each other are compared as if one were turned round. A face without area takes the plane of its neighbour across its
-/// longest edge.
+/// intersection where surfaces cross along the edge, contour and horizon where it is part of a contour line or of an
+/// iso-curve. Faces that are wound against each other are compared as if one were turned round. A face without area takes
+/// the plane of its neighbour across its longest edge.
 std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,
                                       double crease_degrees);
 

@@ -119,8 +119,8 @@ class Clipper {
   };
   static Coordinates coordinates(const HomogeneousPoint& p) { return {p.x, p.y, p.z, p.w}; }
 
-  /// The vertex of a corner of the clipped triangle: its own where that is left, else one that the neighbours of the same object
-  /// have too, since a common edge is cut at the same point to the last bit. So neighbours stay neighbours.
+  /// The vertex of a corner of the clipped triangle: its own where that is left, else one that the neighbours of the same
+  /// object have too, since a common edge is cut at the same point to the last bit. So neighbours stay neighbours.
   std::uint32_t corner(const HomogeneousPoint& p, const Triangle& t) {
     for (const std::uint32_t v : t.v) {
       if (inside_[v] && coordinates(to_homogeneous(view_, scene_.vertices[v])) == coordinates(p)) return v;
@@ -161,12 +161,15 @@ void select_edges(const Scene& scene, const Topology& topology, const Camera& ca
 namespace {
 
 std::vector<std::uint8_t> transparent_faces(const Scene& scene) {
-  const auto transparent = [&](std::uint32_t material) { return material < scene.materials.size() && scene.materials[material].opacity < 1; };
+  const auto transparent = [&](std::uint32_t material) {
+    return material < scene.materials.size() && scene.materials[material].opacity < 1;
+  };
   bool any = false;
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m) any |= transparent(m);
   if (!any) return {};
   std::vector<std::uint8_t> result(scene.faces.size());
-  for (std::size_t f = 0; f < result.size(); ++f) result[f] = transparent(scene.face_material.empty() ? 0 : scene.face_material[f]);
+  for (std::size_t f = 0; f < result.size(); ++f)
+    result[f] = transparent(scene.face_material.empty() ? 0 : scene.face_material[f]);
   return result;
 }
 

@@ -21,9 +21,9 @@ struct ProjectedVertex {
 
 /// A candidate edge: a line that is drawn where it is visible.
 struct ProjectedEdge {
-  std::uint32_t v0 = 0, v1 = 0;        ///< projected vertices
+  std::uint32_t v0 = 0, v1 = 0;                ///< projected vertices
   std::uint32_t face0 = kNone, face1 = kNone;  ///< its first two faces
-  std::uint32_t source = 0;            ///< edge of the topology, or a line beside it (add_lines)
+  std::uint32_t source = 0;                    ///< edge of the topology, or a line beside it (add_lines)
   LineClass line_class = LineClass::mesh;
 };
 
@@ -48,8 +48,8 @@ struct ProjectedScene {
   std::vector<std::array<double, 2>> edge_parts;
   std::uint32_t source_count = 0;   ///< number of edges of the topology, and of lines beside them
   bool with_intersections = false;  ///< the selection has class intersection
-  /// Per face of the scene: 1 when what is behind is seen through it, kClearFace when it is seen but is not even in the way. Empty when all faces
-  /// are opaque. Methods that know no transparency take every face for opaque.
+  /// Per face of the scene: 1 when what is behind is seen through it, kClearFace when it is seen but is not even in the way.
+  /// Empty when all faces are opaque. Methods that know no transparency take every face for opaque.
   std::vector<std::uint8_t> face_is_transparent;
   /// Error of the input's own coordinates in page mm at the target plane: surfaces closer than this touch.
   double input_error_mm = 0;
@@ -64,8 +64,8 @@ struct ProjectedScene {
 /// Projects, clips to the view's window and near plane, snaps to the lattice, and classifies the edges.
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection);
 
-/// Adds lines in model space that are edges of no face: candidates of class `line_class`, whose sources are numbered from `source_count` upwards, in
-/// their order. What is out of view is left out.
+/// Adds lines in model space that are edges of no face: candidates of class `line_class`, whose sources are numbered from
+/// `source_count` upwards, in their order. What is out of view is left out.
 void add_lines(ProjectedScene& projected, std::span<const std::array<Point3, 2>> lines, LineClass line_class);
 
 }  // namespace ligne

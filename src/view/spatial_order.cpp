@@ -75,9 +75,8 @@ void order_spatially(ProjectedScene& scene) {
                                const auto& v = scene.triangles[i].v;
                                return std::min({v[0], v[1], v[2]});
                              }));
-  const auto order = counting_order(scene.edges.size(), n, [&](std::size_t i) {
-    return std::min(scene.edges[i].v0, scene.edges[i].v1);
-  });
+  const auto order =
+      counting_order(scene.edges.size(), n, [&](std::size_t i) { return std::min(scene.edges[i].v0, scene.edges[i].v1); });
   scene.edges = in_order(scene.edges, order);
   if (!scene.edge_parts.empty()) scene.edge_parts = in_order(scene.edge_parts, order);
 }

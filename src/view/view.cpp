@@ -24,9 +24,12 @@ struct ModelFrame {
 
 ModelFrame model_frame(Axis up) {
   switch (up) {
-    case Axis::x: return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
-    case Axis::y: return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
-    case Axis::z: break;
+    case Axis::x:
+      return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+    case Axis::y:
+      return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
+    case Axis::z:
+      break;
   }
   return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 }

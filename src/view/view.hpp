@@ -33,8 +33,8 @@ struct Camera {
   double aspect = 1.41421356;  ///< perspective: width by height of the field of view
 };
 
-inline constexpr std::string_view kNamedViews[] = {"front", "back", "left", "right", "top", "bottom", "iso", "dimetric",
-                                                   "trimetric"};
+inline constexpr std::string_view kNamedViews[] = {"front",  "back", "left",     "right",    "top",
+                                                   "bottom", "iso",  "dimetric", "trimetric"};
 
 /// Throws std::invalid_argument with one line when the request has no meaning (unknown name, zero direction, eye equal to
 /// target, a field of view outside (0, 180)).
@@ -57,7 +57,7 @@ struct View {
   double scale = 1;     ///< page mm per model unit (in perspective: on the target plane)
   Point2 offset{0, 0};  ///< page mm of the camera's axis
   glm::dmat4 model_to_page{1};
-  Rect window;  ///< page mm; what lies outside is clipped away
+  Rect window;               ///< page mm; what lies outside is clipped away
   double near_distance = 0;  ///< perspective: w of the near plane, > 0
 };
 

@@ -30,10 +30,11 @@ struct MethodTraits {
   std::string_view name;     ///< as on the command line
   std::string_view summary;  ///< one line
   std::uint8_t products = kStrokes;
-  bool exact = true;         ///< exact on the lattice, or limited by a resolution
-  bool penetration = true;   ///< draws penetrating faces right
-  std::string_view paper;    ///< author, title, year
-  double tolerance_mm = 0.001;  ///< how far on the page a line or an end of it may be off; more for methods that are not exact
+  bool exact = true;        ///< exact on the lattice, or limited by a resolution
+  bool penetration = true;  ///< draws penetrating faces right
+  std::string_view paper;   ///< author, title, year
+  double tolerance_mm =
+      0.001;  ///< how far on the page a line or an end of it may be off; more for methods that are not exact
   std::span<const MethodParameter> parameters{};  ///< options of its own
 };
 

@@ -12,9 +12,9 @@
 
 namespace ligne {
 
-/// A value is a whole number: one from `low` to `high`, or the index of one of the `words` when there are any; where there are words and
-/// `high` is above 0, either will do, and the words stand for high + 1, high + 2 and so on. Methods may
-/// have parameters of the same name; they are one option of the command line, and mean the same.
+/// A value is a whole number: one from `low` to `high`, or the index of one of the `words` when there are any; where there
+/// are words and `high` is above 0, either will do, and the words stand for high + 1, high + 2 and so on. Methods may have
+/// parameters of the same name; they are one option of the command line, and mean the same.
 struct MethodParameter {
   std::string_view name;      ///< "resolution" is the option --resolution
   std::string_view kind;      ///< what stands for the value in a help text, "N"

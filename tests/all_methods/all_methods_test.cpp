@@ -32,8 +32,8 @@ std::vector<std::filesystem::path> corpus() {
 
 using Case = std::tuple<std::filesystem::path, const char*>;
 
-/// The oracle and the judge hold everything against everything: a scene of thousands of faces takes seconds for each method. It gets two views, and methods as
-/// they are by default.
+/// The oracle and the judge hold everything against everything: a scene of thousands of faces takes seconds for each method.
+/// It gets two views, and methods as they are by default.
 bool is_large(const std::filesystem::path& file) {
   constexpr std::uintmax_t kLargeBytes = 100'000;
   return std::filesystem::file_size(file) > kLargeBytes;

@@ -1,5 +1,5 @@
-// Methods that take a number of scan lines, on the corpus, with 512, 2048 and 8192 of them: what is larger than the lines can tell apart must be as the
-// oracle says.
+// Methods that take a number of scan lines, on the corpus, with 512, 2048 and 8192 of them: what is larger than the lines
+// can tell apart must be as the oracle says.
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,8 @@ TEST_P(LimitedMethods, AgreeWithTheOracleWithinTheirLines) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, LimitedMethods, testing::ValuesIn(small_scenes()), [](const auto& info) { return info.param.stem().string(); });
+INSTANTIATE_TEST_SUITE_P(Corpus, LimitedMethods, testing::ValuesIn(small_scenes()),
+                         [](const auto& info) { return info.param.stem().string(); });
 
 }  // namespace
 }  // namespace ligne::test

@@ -1,6 +1,6 @@
 // Every method on random scenes, against the oracle: triangles at random, corners on a small grid of whole numbers
-// (everything degenerate at once), prisms with holes, boxes that penetrate, boxes that touch. LIGNE_RANDOM_SCENES=N makes N of them. A scene that
-// fails is made small and written to a file that `ligne` reads.
+// (everything degenerate at once), prisms with holes, boxes that penetrate, boxes that touch. LIGNE_RANDOM_SCENES=N makes N
+// of them. A scene that fails is made small and written to a file that `ligne` reads.
 
 #include <gtest/gtest.h>
 
@@ -81,14 +81,16 @@ Scene without_face(const Scene& scene, std::uint32_t left_out) {
     for (std::uint32_t f = begin; f < end; ++f) {
       if (f == left_out) continue;
       rest.faces.add_face(scene.faces.contour(f, 0));
-      for (std::size_t hole = 1; hole < scene.faces.contour_count(f); ++hole) rest.faces.add_hole(scene.faces.contour(f, hole));
+      for (std::size_t hole = 1; hole < scene.faces.contour_count(f); ++hole)
+        rest.faces.add_hole(scene.faces.contour(f, hole));
     }
     o.face_end = static_cast<std::uint32_t>(rest.faces.size());
   }
   return rest;
 }
 
-/// Judges the scene in one of the standard views after the other. A scene that fails loses the faces that it fails without, and is written down.
+/// Judges the scene in one of the standard views after the other. A scene that fails loses the faces that it fails without,
+/// and is written down.
 void expect_agreement(Scene scene, const std::string& name, std::size_t view) {
   std::string faults = faults_in(scene, name, view);
   if (faults.empty()) return;
@@ -197,7 +199,8 @@ TEST_P(RandomScenes, PenetratingBoxes) {
   run("penetrating", [](std::mt19937& random, unsigned, Scene& scene) {
     std::uniform_real_distribution<double> u(-1, 1);
     for (int i = 0; i < 6; ++i) {
-      add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {3, 2, 2.5}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+      add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {3, 2, 2.5},
+              rotation(u(random) * 3, u(random) * 3, u(random) * 3));
     }
   });
 }

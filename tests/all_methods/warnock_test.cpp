@@ -1,5 +1,5 @@
-// The method warnock on the corpus and on crowds of boxes: as many strokes as the default method, whatever the windows; and with a limit of
-// resolution, errors that shrink in proportion.
+// The method warnock on the corpus and on crowds of boxes: as many strokes as the default method, whatever the windows; and
+// with a limit of resolution, errors that shrink in proportion.
 
 #include <gtest/gtest.h>
 
@@ -66,7 +66,8 @@ class WarnockOnCorpus : public testing::TestWithParam<std::filesystem::path> {};
 std::array<std::size_t, 2> stroke_counts(const ProjectedScene& projected, const Method& method, bool hidden) {
   StrokeModel model = *method.study(projected, {hidden, {}}).strokes;
   remove_coincident_strokes(model, coincidence_mm(projected));
-  const auto visible = static_cast<std::size_t>(std::count_if(model.strokes.begin(), model.strokes.end(), [](const Stroke& s) { return s.visible; }));
+  const auto visible = static_cast<std::size_t>(
+      std::count_if(model.strokes.begin(), model.strokes.end(), [](const Stroke& s) { return s.visible; }));
   return {visible, model.strokes.size() - visible};
 }
 
@@ -74,8 +75,8 @@ std::array<std::size_t, 2> stroke_counts(const ProjectedScene& projected, const 
 void expect_as_many_strokes(const Scene& scene, bool with_hidden) {
   const Topology topology = build_topology(scene);
   for (const StandardView& standard : standard_views(scene)) {
-    const View view = make_view(scene, make_camera(standard.camera, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
-                                {{0, 0}, {kPageWidth, kPageHeight}});
+    const View view = make_view(scene, make_camera(standard.camera, scene),
+                                {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}}, {{0, 0}, {kPageWidth, kPageHeight}});
     for (const char* edges : {"all", "feature"}) {
       const ProjectedScene projected = project(scene, topology, view, {classes(edges), 30});
       for (const bool hidden : {false, true}) {
@@ -85,7 +86,8 @@ void expect_as_many_strokes(const Scene& scene, bool with_hidden) {
           for (unsigned choice = 0; choice < (name == "warnock-window" ? 3u : 2u); ++choice) {
             const WarnockWith method(with(name, choice), 0.001);
             EXPECT_EQ(stroke_counts(projected, method, hidden), expected)
-                << standard.name << " " << standard.options << " " << edges << (hidden ? " hidden " : " ") << name << " " << choice;
+                << standard.name << " " << standard.options << " " << edges << (hidden ? " hidden " : " ") << name << " "
+                << choice;
           }
         }
       }
@@ -101,7 +103,8 @@ TEST_P(WarnockOnCorpus, AsManyStrokesAsTheDefaultMethod) {
 INSTANTIATE_TEST_SUITE_P(Corpus, WarnockOnCorpus, testing::ValuesIn(corpus()),
                          [](const auto& info) { return info.param.stem().string(); });
 
-/// Windows with few faces are solved at once: most scenes of the corpus are never divided. Here walls hide boxes behind them over many windows.
+/// Windows with few faces are solved at once: most scenes of the corpus are never divided. Here walls hide boxes behind them
+/// over many windows.
 TEST(WarnockCrowds, AsManyStrokesAsTheDefaultMethod) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     std::mt19937 random(seed);
@@ -154,7 +157,8 @@ std::vector<Errors> errors(std::initializer_list<unsigned> resolutions) {
 TEST(WarnockResolution, ErrorShrinksInProportion) {
   const std::vector<Errors> found = errors({512, 2048, 8192});
   for (const Errors& e : found) {
-    std::cout << "error at " << e.resolution << ": " << e.sum_mm << " mm; worst, of the tolerance: " << e.worst_of_tolerance << '\n';
+    std::cout << "error at " << e.resolution << ": " << e.sum_mm << " mm; worst, of the tolerance: " << e.worst_of_tolerance
+              << '\n';
     EXPECT_LE(e.worst_of_tolerance, 1) << e.resolution;
   }
   EXPECT_GT(found[0].sum_mm, 0) << "a limit is a limit";

@@ -1,5 +1,5 @@
-// Lines behind glass against another method on other scenes: what is seen at all is what is seen when the transparent faces are taken away, and
-// what is seen directly is what is seen when they are opaque.
+// Lines behind glass against another method on other scenes: what is seen at all is what is seen when the transparent faces
+// are taken away, and what is seen directly is what is seen when they are opaque.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,8 @@ Scene boxes_of_glass(unsigned seed) {
   std::uniform_real_distribution<double> u(-1, 1);
   for (int i = 0; i < 40; ++i) {
     // One after the other: the order in which arguments are evaluated is the compiler's.
-    const Point3 middle = Point3{u(random), u(random), u(random)} * 4.0, turns = Point3{u(random), u(random), u(random)} * 3.0;
+    const Point3 middle = Point3{u(random), u(random), u(random)} * 4.0,
+                 turns = Point3{u(random), u(random), u(random)} * 3.0;
     add_box(scene, middle, {2, 1.5, 1}, rotation(turns.x, turns.y, turns.z));
   }
   scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
@@ -61,12 +62,14 @@ void expect_equal(const std::vector<double>& found, const std::vector<double>& w
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], wanted[i], kEdgeMm) << "edge " << i;
 }
 
-/// In the middle of every longer stroke: as many transparent triangles are in front of it as its level says, and no opaque one.
+/// In the middle of every longer stroke: as many transparent triangles are in front of it as its level says, and no opaque
+/// one.
 void expect_levels(const StrokeModel& model, const ProjectedScene& scene) {
   for (const Stroke& s : model.strokes) {
     const Point2 from(s.from.x, s.from.y), to(s.to.x, s.to.y), p = (from + to) * 0.5;
     if (glm::distance(from, to) * model.lattice.step_mm < 1) continue;
-    const auto edge = std::find_if(scene.edges.begin(), scene.edges.end(), [&](const ProjectedEdge& e) { return e.source == s.source; });
+    const auto edge =
+        std::find_if(scene.edges.begin(), scene.edges.end(), [&](const ProjectedEdge& e) { return e.source == s.source; });
     unsigned glass = 0, opaque = 0;
     for (const Triangle& t : scene.triangles) {
       if (t.face == edge->face0 || t.face == edge->face1) continue;

@@ -1,5 +1,5 @@
-// Shadows, transparency and details on scenes whose areas are known. All are drawn from above or from the front, so that a region's area is
-// that of the part of the face, at one page millimetre to a model unit.
+// Shadows, transparency and details on scenes whose areas are known. All are drawn from above or from the front, so that a
+// region's area is that of the part of the face, at one page millimetre to a model unit.
 
 #include <gtest/gtest.h>
 
@@ -98,12 +98,14 @@ TEST(Shadows, ASquareOverAFloor) {
 }
 
 TEST(Shadows, AFrameOverAFloorInTwoLights) {
-  // Parallel: the frame moved by (8, 8): (10, 10) to (14, 14), its hole (11, 11) to (13, 13). The point at (4, 4, 8) doubles about (4, 4): (0, 0)
-  // to (8, 8), hole (2, 2) to (6, 6); of that the frame hides all but ... from above it covers (2, 2) to (6, 6) less (3, 3) to (5, 5).
+  // Parallel: the frame moved by (8, 8): (10, 10) to (14, 14), its hole (11, 11) to (13, 13). The point at (4, 4, 8) doubles
+  // about (4, 4): (0, 0) to (8, 8), hole (2, 2) to (6, 6); of that the frame hides all but ... from above it covers (2, 2)
+  // to (6, 6) less (3, 3) to (5, 5).
   const Seen seen("shadow_frame.json", "top");
   const auto floor = seen.lit(0, seen.scene.lights);
-  EXPECT_NEAR(floor.at(2), 16 - 4, kArea);   // reached by the point only
-  EXPECT_NEAR(floor.at(1), 64 - 16, kArea);  // reached by the parallel light only: the ring (0, 0) to (8, 8) round (2, 2) to (6, 6)
+  EXPECT_NEAR(floor.at(2), 16 - 4, kArea);  // reached by the point only
+  EXPECT_NEAR(floor.at(1), 64 - 16,
+              kArea);  // reached by the parallel light only: the ring (0, 0) to (8, 8) round (2, 2) to (6, 6)
   EXPECT_NEAR(floor.at(3), 400 - 12 - 48 - 12, kArea);
   EXPECT_EQ(floor.count(0), 0u);
   // Of the point's outer border half lies on that of the floor; its inner border lies behind the frame's.
@@ -126,8 +128,9 @@ double perimeter(const Region& region) {
 }
 
 TEST(Shadows, NoSliversAlongTheBordersOfFaces) {
-  // What is lit of a triangle ends at its border, on the light's page as on the viewer's, but rounded otherwise. The two dark parts have the
-  // square's sides and, twice, the piece in it of the line from (0, 0) to (9.3, 10.7): nothing that runs on along the line.
+  // What is lit of a triangle ends at its border, on the light's page as on the viewer's, but rounded otherwise. The two
+  // dark parts have the square's sides and, twice, the piece in it of the line from (0, 0) to (9.3, 10.7): nothing that runs
+  // on along the line.
   const Seen seen("shadow_triangles_askew.json", "top");
   constexpr double kSlope = 10.7 / 9.3;
   for (const double x : {1.0, 1.01, 1.07, 1.13, 1.21}) {
@@ -135,7 +138,8 @@ TEST(Shadows, NoSliversAlongTheBordersOfFaces) {
     const double dx = 3 * x / 1.1, dy = 3 * 1.02 / 1.1;  // the shadow is (2, 3) to (5, 6), moved by this
     const double from = std::max(2 + dx, (3 + dy) / kSlope), to = std::min(5 + dx, (6 + dy) / kSlope);
     double sum = 0;
-    for (const Region& r : atherton_weiler::cast_shadows(seen.scene, seen.topology, seen.view, lights, seen.regions).regions) {
+    for (const Region& r :
+         atherton_weiler::cast_shadows(seen.scene, seen.topology, seen.view, lights, seen.regions).regions) {
       if (r.lights == 0 && r.face < 2) sum += perimeter(r);
     }
     EXPECT_NEAR(sum, 4 * 3 + 2 * std::hypot(1, kSlope) * (to - from), kLength) << x;
@@ -143,10 +147,12 @@ TEST(Shadows, NoSliversAlongTheBordersOfFaces) {
 }
 
 TEST(Shadows, TransparentFacesWeakenTheLight) {
-  // Light falls by 1 where it goes 1 to the right. On the floor: red (6, 2) to (10, 6), blue (6, 4) to (10, 8), the opaque square (18, 12) to (20, 16).
+  // Light falls by 1 where it goes 1 to the right. On the floor: red (6, 2) to (10, 6), blue (6, 4) to (10, 8), the opaque
+  // square (18, 12) to (20, 16).
   const Seen seen("shadow_glass.json", "top");
   std::map<std::pair<std::uint32_t, double>, double> areas;  // by face and share
-  for (const Region& r : atherton_weiler::cast_shadows(seen.scene, seen.topology, seen.view, seen.scene.lights, seen.regions).regions) {
+  for (const Region& r :
+       atherton_weiler::cast_shadows(seen.scene, seen.topology, seen.view, seen.scene.lights, seen.regions).regions) {
     const double share = r.lights == 0 ? 0 : r.light_shares.empty() ? 1 : r.light_shares[0];
     areas[{r.face, std::round(share * 1000) / 1000}] += area(r);
   }
@@ -161,9 +167,9 @@ TEST(Shadows, TransparentFacesWeakenTheLight) {
   EXPECT_NEAR((areas[{1, 1.0}]), 16, kArea);
   EXPECT_NEAR((areas[{3, 1.0}]), 16, kArea);
   EXPECT_EQ(areas.size(), 9u);
-  // The opaque square: three sides, 8. Red and blue on the floor: x = 10 from 2 to 8; y = 2 from 6 to 10; y = 4, 6 and 8 from 8 to 10, before that under
-  // blue's border or, y = 6, under the line that red casts on blue; x = 6 up to 6 under red's border, then to 8 behind blue. On blue: y = 6, up to x = 6 under
-  // red's border.
+  // The opaque square: three sides, 8. Red and blue on the floor: x = 10 from 2 to 8; y = 2 from 6 to 10; y = 4, 6 and 8
+  // from 8 to 10, before that under blue's border or, y = 6, under the line that red casts on blue; x = 6 up to 6 under
+  // red's border, then to 8 behind blue. On blue: y = 6, up to x = 6 under red's border.
   const auto lines = seen.shadow_lines(seen.scene.lights);
   EXPECT_NEAR(lines.at(0), 8 + 6 + 4 + 2 + 2 + 2 + 2, kLength);
   EXPECT_NEAR(lines.at(1), 2, kLength);
@@ -171,7 +177,8 @@ TEST(Shadows, TransparentFacesWeakenTheLight) {
 
 TEST(Shadows, ALightBehindReachesNothing) {
   const Seen seen("shadow_square.json", "top");
-  const auto floor = seen.lit(0, {{Light::Kind::parallel, {0, 0, 1}}}), point = seen.lit(0, {{Light::Kind::point, {5, 5, -4}}});
+  const auto floor = seen.lit(0, {{Light::Kind::parallel, {0, 0, 1}}}),
+             point = seen.lit(0, {{Light::Kind::point, {5, 5, -4}}});
   EXPECT_NEAR(floor.at(0), 91, kArea);
   EXPECT_EQ(floor.size(), 1u);
   EXPECT_NEAR(point.at(0), 91, kArea);
@@ -212,9 +219,9 @@ TEST(Transparency, OneTriangleOfGlassHidesNothing) {
 }
 
 TEST(Transparency, LinesAreSeenThroughToAnyDepth) {
-  // Green (3, 3) to (9, 9) before blue (4, 4) to (11, 11) before red (1, 1) to (8, 8), 28 round each of the latter. Through green: of blue two sides of 5;
-  // of red two sides from 3 to 8, of which 4 to 8 lies behind blue too. The window (5, 5) to (7, 7) is behind all. The plate that is seen edge on, x = 10 from
-  // 0.5 to 11.5, lies behind blue from 4 on, to 11.
+  // Green (3, 3) to (9, 9) before blue (4, 4) to (11, 11) before red (1, 1) to (8, 8), 28 round each of the latter. Through
+  // green: of blue two sides of 5; of red two sides from 3 to 8, of which 4 to 8 lies behind blue too. The window (5, 5) to
+  // (7, 7) is behind all. The plate that is seen edge on, x = 10 from 0.5 to 11.5, lies behind blue from 4 on, to 11.
   const Seen seen("transparent_three.json", "front");
   const auto lines = Seen::lengths(seen.strokes, [](const Stroke& s) { return s.visible; });
   EXPECT_NEAR(lines.at(0), 24 + (28 - 10) + (28 - 10) + 48 + (11 - 7), kLength);
@@ -229,8 +236,9 @@ TEST(Transparency, LinesAreSeenThroughToAnyDepth) {
 }
 
 TEST(Details, AreClippedWithTheirFace) {
-  // The first detail is 6 x 8 less a notch of 6 x 4 / 2 = 36; the bar takes one row of 6 from it. The second is a triangle of base 6 and height 4, 12: the
-  // hole takes (4, 4) (6, 6) (4, 6) from it, 2; the bar z = 5 to 6 lies before the hole and from x = 5..6 beside it nothing.
+  // The first detail is 6 x 8 less a notch of 6 x 4 / 2 = 36; the bar takes one row of 6 from it. The second is a triangle
+  // of base 6 and height 4, 12: the hole takes (4, 4) (6, 6) (4, 6) from it, 2; the bar z = 5 to 6 lies before the hole and
+  // from x = 5..6 beside it nothing.
   const Seen seen("details.json", "front");
   double painted = 0, all = 0;
   for (const Region& r : atherton_weiler::cut_details(seen.scene, seen.view, seen.regions)) {

@@ -1,5 +1,5 @@
-// The classical study by its own figures: zones, slabs, wrong sorts and bodies of scenes that were made to show them, levels behind glass; and
-// crowds of boxes by both studies.
+// The classical study by its own figures: zones, slabs, wrong sorts and bodies of scenes that were made to show them, levels
+// behind glass; and crowds of boxes by both studies.
 
 #include <gtest/gtest.h>
 
@@ -113,7 +113,8 @@ TEST(PolygonStudy, ConvexBodiesAreTakenTogether) {
 }
 
 TEST(PolygonStudy, LevelsBehindGlassAreTheSame) {
-  for (const auto& [name, count] : {std::pair("transparent_three", std::size_t{1 + 2 + 3 + 4}), std::pair("glass_triangle", std::size_t{1 + 1 + 16})}) {
+  for (const auto& [name, count] :
+       {std::pair("transparent_three", std::size_t{1 + 2 + 3 + 4}), std::pair("glass_triangle", std::size_t{1 + 1 + 16})}) {
     SCOPED_TRACE(name);
     const std::string file = std::string("atherton_weiler/scenes/") + name + ".json";
     const auto wanted = areas(study(file, "front", kFaces));
@@ -121,7 +122,8 @@ TEST(PolygonStudy, LevelsBehindGlassAreTheSame) {
     for (const unsigned how : {kPolygons, kSilhouettes}) {
       const auto found = areas(study(file, "front", how));
       ASSERT_EQ(found.size(), wanted.size());
-      for (const auto& [key, area] : wanted) EXPECT_NEAR(found.at(key), area, kArea) << key.first << ", level " << key.second;
+      for (const auto& [key, area] : wanted)
+        EXPECT_NEAR(found.at(key), area, kArea) << key.first << ", level " << key.second;
     }
   }
 }
@@ -152,7 +154,8 @@ TEST(PolygonStudy, AHoleIsInTheRegionRightRoundIt) {
   }
 }
 
-/// Turned boxes, each in a cell of its own, every fourth of glass: over a face lie more sides than are laid over it at a time.
+/// Turned boxes, each in a cell of its own, every fourth of glass: over a face lie more sides than are laid over it at a
+/// time.
 TEST(PolygonStudy, CrowdsAreTheSame) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     std::mt19937 random(seed);
@@ -174,7 +177,8 @@ TEST(PolygonStudy, CrowdsAreTheSame) {
     auto found = areas(study(scene, "iso", kPolygons));
     EXPECT_GT(wanted.size(), 150u);
     for (const auto& [key, area] : wanted) found[key] -= area;
-    for (const auto& [key, area] : found) EXPECT_NEAR(area, 0, kArea) << "seed " << seed << ", face " << key.first << ", level " << key.second;
+    for (const auto& [key, area] : found)
+      EXPECT_NEAR(area, 0, kArea) << "seed " << seed << ", face " << key.first << ", level " << key.second;
   }
 }
 

@@ -1,5 +1,5 @@
-// Regions on every scene of the corpus: together they are the scene as it lies on the page, no two overlap, and each shows the face that
-// is in front there by the oracle.
+// Regions on every scene of the corpus: together they are the scene as it lies on the page, no two overlap, and each shows
+// the face that is in front there by the oracle.
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,8 @@ double twice_area_mm(const std::vector<Region>& regions) {
 double covered(const ProjectedScene& scene) {
   std::vector<ContourFace> faces;
   for (const Triangle& t : scene.triangles) {
-    const std::vector<std::vector<LatticePoint>> contour{{scene.vertices[t.v[0]].p, scene.vertices[t.v[1]].p, scene.vertices[t.v[2]].p}};
+    const std::vector<std::vector<LatticePoint>> contour{
+        {scene.vertices[t.v[0]].p, scene.vertices[t.v[1]].p, scene.vertices[t.v[2]].p}};
     if (orientation(contour[0][0], contour[0][1], contour[0][2]) == 0) continue;
     faces.push_back(make_contour_face(contour));
   }
@@ -63,7 +64,8 @@ double united(const std::vector<Region>& regions, const Lattice& lattice) {
     for (const auto& contour : r.contours) {
       ClipperLib::Path path;
       for (const Point2& p : contour) {
-        path.emplace_back(std::llround((p.x - lattice.origin_mm.x) * units), std::llround((p.y - lattice.origin_mm.y) * units));
+        path.emplace_back(std::llround((p.x - lattice.origin_mm.x) * units),
+                          std::llround((p.y - lattice.origin_mm.y) * units));
       }
       paths.push_back(path);
     }
@@ -145,7 +147,8 @@ TEST_P(Regions, AreWhatIsInFront) {
     const double sum = twice_area_mm(regions);
     if (projected.triangles.size() <= kMostTriangles) {
       const double area = covered(projected);
-      // Four faces and more through one line: rings of four facets are not broken, a sliver of a step's width may be nobody's.
+      // Four faces and more through one line: rings of four facets are not broken, a sliver of a step's width may be
+      // nobody's.
       const double part = GetParam().stem() == "three_prisms_penetrating" ? 2e-9 : 1e-9;
       EXPECT_NEAR(sum, area, part * area);
       // Clipper adds up areas in doubles about a far origin.
@@ -174,7 +177,8 @@ TEST_P(Regions, AreTheSameByTheClassicalStudy) {
     const std::map<std::uint32_t, double> wanted = areas_of(*AthertonWeilerMethod().study(projected, {}).regions);
     double whole = 0;
     for (const auto& [face, area] : wanted) whole += area;
-    // Slivers where four faces pass through one line, a step wide, go to one face by this study and to another or to nobody by that.
+    // Slivers where four faces pass through one line, a step wide, go to one face by this study and to another or to nobody
+    // by that.
     const double part = GetParam().stem() == "three_prisms_penetrating" ? 1e-8 : 1e-9;
     for (const unsigned study : {1u, 2u}) {
       SCOPED_TRACE(standard.name + (study == 1 ? " polygons" : " silhouettes"));
@@ -192,7 +196,8 @@ TEST_P(Regions, AreTheSameByTheClassicalStudy) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, Regions, testing::ValuesIn(corpus()), [](const auto& info) { return info.param.stem().string(); });
+INSTANTIATE_TEST_SUITE_P(Corpus, Regions, testing::ValuesIn(corpus()),
+                         [](const auto& info) { return info.param.stem().string(); });
 
 }  // namespace
 }  // namespace ligne::test

@@ -7,7 +7,8 @@
 namespace ligne::test {
 namespace {
 
-/// Shadow lines come with --light, where --edges does not say otherwise; without it by --edges, from the lights of the scene.
+/// Shadow lines come with --light, where --edges does not say otherwise; without it by --edges, from the lights of the
+/// scene.
 TEST_F(DrawTest, ShadowLines) {
   const std::string scene = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/shadow_frame.json";
   const auto shadows = [&](std::vector<std::string> options) {
@@ -28,13 +29,17 @@ TEST_F(DrawTest, ShadowLines) {
 }
 
 TEST_F(DrawTest, GlassAndLightGiveTheSameBytesForAnyNumberOfThreads) {
-  const std::string scenes = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/", models = LIGNE_SOURCE_DIR "/examples/models/";
-  for (const std::string& model : {scenes + "shadow_glass.json", scenes + "transparent_three.json", models + "stair-tower.obj"}) {
+  const std::string scenes = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/",
+                    models = LIGNE_SOURCE_DIR "/examples/models/";
+  for (const std::string& model :
+       {scenes + "shadow_glass.json", scenes + "transparent_three.json", models + "stair-tower.obj"}) {
     for (const char* study : {"faces", "polygons", "silhouettes"}) {
-      for (const std::vector<std::string>& more : {std::vector<std::string>{"--format", "json"}, {"--format", "svg", "--fill", "shade"},
+      for (const std::vector<std::string>& more : {std::vector<std::string>{"--format", "json"},
+                                                   {"--format", "svg", "--fill", "shade"},
                                                    {"--format", "svg", "--fill", "material", "--hatch", "shade"}}) {
         const auto bytes = [&](const char* threads) {
-          std::vector<std::string> arguments{"draw", model, "-q", "-o", "-", "--study", study, "--light=1,1,-2", "--light=-1,2,-2", "--threads", threads};
+          std::vector<std::string> arguments{
+              "draw", model, "-q", "-o", "-", "--study", study, "--light=1,1,-2", "--light=-1,2,-2", "--threads", threads};
           arguments.insert(arguments.end(), more.begin(), more.end());
           return run(arguments).out;
         };
@@ -58,16 +63,19 @@ TEST_F(DrawTest, WhatIsSeenThroughGlassIsALayer) {
   };
   const std::string text = svg({"draw", scene, "--view", "front", "--method", "atherton-weiler"});
   EXPECT_NE(text.find("id=\"behind-glass\""), std::string::npos);
-  EXPECT_EQ(svg({"draw", scene, "--view", "front", "--method", "appel"}).find("behind-glass"), std::string::npos) << "it knows no transparency";
+  EXPECT_EQ(svg({"draw", scene, "--view", "front", "--method", "appel"}).find("behind-glass"), std::string::npos)
+      << "it knows no transparency";
   ASSERT_EQ(run({"draw", scene, "--view", "front", "--method", "atherton-weiler", "-o", "glass.json"}).status, 0);
   EXPECT_NE(svg({"plot", "glass.json"}).find("behind-glass"), std::string::npos);
 }
 
-/// The options of scan lines: the drawing is the same with every span method, the bytes with any number of threads, in every form.
+/// The options of scan lines: the drawing is the same with every span method, the bytes with any number of threads, in every
+/// form.
 TEST_F(DrawTest, ScanLines) {
   const std::string model = LIGNE_SOURCE_DIR "/examples/models/stair-tower.obj";
   const auto bytes = [&](std::vector<std::string> more, const char* format) {
-    std::vector<std::string> arguments{"draw", model, "-q", "-o", "-", "--format", format, "--method", "watkins", "--dpi", "40"};
+    std::vector<std::string> arguments{"draw", model,      "-q",      "-o",    "-", "--format",
+                                       format, "--method", "watkins", "--dpi", "40"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -75,7 +83,8 @@ TEST_F(DrawTest, ScanLines) {
   };
   const std::string exact = bytes({}, "svg");
   EXPECT_GT(exact.size(), 10000u);
-  for (const char* kind : {"merge", "stack", "box", "point"}) EXPECT_EQ(bytes({"--span-method", kind}, "svg"), exact) << kind;
+  for (const char* kind : {"merge", "stack", "box", "point"})
+    EXPECT_EQ(bytes({"--span-method", kind}, "svg"), exact) << kind;
   EXPECT_EQ(bytes({"--lines", "exact"}, "svg"), exact);
   for (const char* threads : {"1", "2", "7"}) {
     EXPECT_EQ(bytes({"--threads", threads}, "svg"), exact);
@@ -107,30 +116,36 @@ TEST_F(DrawTest, SpansInJson) {
 
 TEST_F(DrawTest, FacesInGray) {
   const auto png = [&](std::vector<std::string> more) {
-    std::vector<std::string> arguments{"draw", "cube.obj", "-o", "-", "--format", "png", "--method", "watkins", "--dpi", "30"};
+    std::vector<std::string> arguments{"draw", "cube.obj", "-o",      "-",     "--format",
+                                       "png",  "--method", "watkins", "--dpi", "30"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments).out;
   };
-  EXPECT_TRUE(png({"--shade", "--view", "trimetric"}) != png({"--view", "trimetric"}));  // seen along its diagonal a cube is as bright as paper
+  EXPECT_TRUE(png({"--shade", "--view", "trimetric"}) !=
+              png({"--view", "trimetric"}));  // seen along its diagonal a cube is as bright as paper
 }
 
-/// The same interface whatever is hatched: regions of two methods, spans of a third. What they draw is the same up to the roundings of the methods.
+/// The same interface whatever is hatched: regions of two methods, spans of a third. What they draw is the same up to the
+/// roundings of the methods.
 TEST_F(DrawTest, HatchingIsTheSameByEveryMethod) {
   const auto length_of = [&](std::vector<std::string> more) {
-    std::vector<std::string> arguments{"draw", "cube.obj", "-o", "hatched.svg", "--report", "--edges", "border", "-q", "--hatch"};
+    std::vector<std::string> arguments{"draw",    "cube.obj", "-o", "hatched.svg", "--report",
+                                       "--edges", "border",   "-q", "--hatch"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(contents(file("hatched.svg")).find("id=\"hatch\""), std::string::npos);
     double down = 0;
-    EXPECT_EQ(std::sscanf(outcome.err.substr(outcome.err.find("before")).c_str(), "before %*d %lf", &down), 1) << outcome.err;
+    EXPECT_EQ(std::sscanf(outcome.err.substr(outcome.err.find("before")).c_str(), "before %*d %lf", &down), 1)
+        << outcome.err;
     return down;
   };
-  const std::vector<std::vector<std::string>> ways{{"shade", "--view", "trimetric"},
-                                                   {"plain", "--hatch-spacing", "3mm", "--hatch-cross", "--view", "trimetric"},
-                                                   {"material", "--hatch-angle", "10", "--view", "dimetric"},
-                                                   {"shade", "--hatch-levels", "continuous", "--hatch-angle", "face", "--view", "trimetric"},
-                                                   {"shade", "--hatch-levels", "2", "--eye", "60,-80,50"}};
+  const std::vector<std::vector<std::string>> ways{
+      {"shade", "--view", "trimetric"},
+      {"plain", "--hatch-spacing", "3mm", "--hatch-cross", "--view", "trimetric"},
+      {"material", "--hatch-angle", "10", "--view", "dimetric"},
+      {"shade", "--hatch-levels", "continuous", "--hatch-angle", "face", "--view", "trimetric"},
+      {"shade", "--hatch-levels", "2", "--eye", "60,-80,50"}};
   std::vector<double> lengths;
   for (const std::vector<std::string>& way : ways) {
     lengths.push_back(length_of(way));
@@ -145,16 +160,20 @@ TEST_F(DrawTest, HatchingIsTheSameByEveryMethod) {
 }
 
 TEST_F(DrawTest, PensByShade) {
-  write("pens.toml", "[[pen]]\nnumber = 1\nrest = true\n[[pen]]\nnumber = 2\nwidth = 0.5\nshades = [1, 2]\n[[pen]]\nnumber = 3\nwidth = 0.2\nshades = [3, 4]\n");
+  write(
+      "pens.toml",
+      "[[pen]]\nnumber = 1\nrest = true\n[[pen]]\nnumber = 2\nwidth = 0.5\nshades = [1, 2]\n[[pen]]\nnumber = 3\nwidth = 0.2\nshades = [3, 4]\n");
   const auto plotted = [&](std::vector<std::string> more) {
-    std::vector<std::string> arguments{"draw", "cube.obj", "-o", "-", "--format", "hpgl", "--hatch", "shade", "--view", "trimetric", "-q"};
+    std::vector<std::string> arguments{"draw",    "cube.obj", "-o",     "-",         "--format", "hpgl",
+                                       "--hatch", "shade",    "--view", "trimetric", "-q"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome.out;
   };
-  for (const std::string& hpgl : {plotted({"--pens", "pens.toml"}), plotted({"--pen", "rest=1", "--pen", "shade:1=2,black,0.5", "--pen", "shade:2=2", "--pen", "shade:3=3,black,0.2",
-                                                                             "--pen", "shade:4=3"})}) {
+  for (const std::string& hpgl :
+       {plotted({"--pens", "pens.toml"}), plotted({"--pen", "rest=1", "--pen", "shade:1=2,black,0.5", "--pen", "shade:2=2",
+                                                   "--pen", "shade:3=3,black,0.2", "--pen", "shade:4=3"})}) {
     for (const char* pen : {"SP1;", "SP2;", "SP3;"}) EXPECT_NE(hpgl.find(pen), std::string::npos) << pen;
   }
   EXPECT_EQ(plotted({"--pens", "pens.toml"}), plotted({"--pens", "pens.toml", "--threads", "1"}));

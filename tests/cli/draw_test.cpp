@@ -252,7 +252,8 @@ TEST_F(DrawTest, MergedCoplanarFacesHaveNoLineBetweenThem) {
 }
 
 TEST_F(DrawTest, WeldedSeamsAreNoBorders) {
-  write("seam.obj", "v 0 0 0\nv 10 0 0\nv 20 0 0\nv 0 10 0\nv 10 10 0\nv 20 10 0\nv 10 0.01 0\nv 10 9.99 0\nf 1 2 5 4\nf 7 3 6 8\n");
+  write("seam.obj",
+        "v 0 0 0\nv 10 0 0\nv 20 0 0\nv 0 10 0\nv 10 10 0\nv 20 10 0\nv 10 0.01 0\nv 10 9.99 0\nf 1 2 5 4\nf 7 3 6 8\n");
   EXPECT_GT(strokes_by_class(drawn({"seam.obj"}))["border"], 6);
   EXPECT_EQ(strokes_by_class(drawn({"seam.obj", "--weld", "0.02"}))["border"], 6);
 }

@@ -107,8 +107,7 @@ TEST_F(ProgramTest, HelpAndVersion) {
                              "--hidden",    "--page",           "--landscape", "--portrait",   "--margin",
                              "--pen-width", "--scale",          "--unit",      "--output",     "--format",
                              "--dpi",       "--threads",        "--stats",     "--stats-json", "--progress",
-                             "--quiet",     "--merge-coplanar", "--title",     "--cull",
-                             "--weld"}) {
+                             "--quiet",     "--merge-coplanar", "--title",     "--cull",       "--weld"}) {
     EXPECT_NE(draw.find(option), std::string::npos) << option;
   }
   EXPECT_NE(draw.find("svg pdf png json"), std::string::npos);

@@ -38,15 +38,21 @@ TEST_F(PlotTest, AnSvgBecomesHpglOfTrueSize) {
 }
 
 TEST_F(PlotTest, LinesAreEnteredAtTheirNearerEnds) {
-  write("a.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
-                 "<path d='M20 20H45'/><path d='M90 20H60'/>\n</svg>\n");
-  EXPECT_EQ(written("a.plt", {"plot", "a.svg"}), "IN;\nSP1;\nPU800,1600;\nPD1800,1600;\nPU2400,1600;\nPD3600,1600;\nPU0,0;\nSP0;\n");
+  write(
+      "a.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
+      "<path d='M20 20H45'/><path d='M90 20H60'/>\n</svg>\n");
+  EXPECT_EQ(written("a.plt", {"plot", "a.svg"}),
+            "IN;\nSP1;\nPU800,1600;\nPD1800,1600;\nPU2400,1600;\nPD3600,1600;\nPU0,0;\nSP0;\n");
 }
 
 TEST_F(PlotTest, LoopsBeginAtTheNearestCornerAndEndThere) {
-  write("a.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
-                 "<path d='M20 20h20v20h-20z'/>\n</svg>\n");
-  EXPECT_EQ(written("a.plt", {"plot", "a.svg"}), "IN;\nSP1;\nPU800,800;\nPD800,1600,1600,1600,1600,800,800,800;\nPU0,0;\nSP0;\n");
+  write(
+      "a.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
+      "<path d='M20 20h20v20h-20z'/>\n</svg>\n");
+  EXPECT_EQ(written("a.plt", {"plot", "a.svg"}),
+            "IN;\nSP1;\nPU800,800;\nPD800,1600,1600,1600,1600,800,800,800;\nPU0,0;\nSP0;\n");
 }
 
 TEST_F(PlotTest, PensByColourAndLayersForOtherPrograms) {
@@ -64,7 +70,8 @@ TEST_F(PlotTest, PensByColourAndLayersForOtherPrograms) {
 TEST_F(PlotTest, ColoursStay) {
   write("a.svg", kSvg);
   const std::string svg = written("b.svg", {"plot", "a.svg"});
-  EXPECT_NE(svg.find("inkscape:label=\"#ff0000\" id=\"pen-#ff0000\" fill=\"none\" stroke=\"#f00\""), std::string::npos) << svg;
+  EXPECT_NE(svg.find("inkscape:label=\"#ff0000\" id=\"pen-#ff0000\" fill=\"none\" stroke=\"#f00\""), std::string::npos)
+      << svg;
   EXPECT_EQ(count(svg, "<path"), 2u) << "the two black lines are one";
 }
 
@@ -91,7 +98,8 @@ TEST_F(PlotTest, ReportAndPreview) {
 
 TEST_F(PlotTest, ScaleAndPage) {
   write("a.svg", kSvg);
-  EXPECT_NE(written("a.plt", {"plot", "a.svg", "--scale", "2:1"}).find("PU1600,3200;\nPD5600,3200,5600,1600;"), std::string::npos);
+  EXPECT_NE(written("a.plt", {"plot", "a.svg", "--scale", "2:1"}).find("PU1600,3200;\nPD5600,3200,5600,1600;"),
+            std::string::npos);
   // 50 mm wide, made to fill 100 mm between the margins.
   const std::string fit = written("b.plt", {"plot", "a.svg", "--scale", "fit", "--page", "120x120", "--margin", "10"});
   EXPECT_NE(fit.find("PU400,"), std::string::npos) << fit;
@@ -102,7 +110,8 @@ TEST_F(PlotTest, RefusesByNameAndLeavesNothingBehind) {
   write("bad.svg", "<svg width='10mm' height='10mm' viewBox='0 0 10 10'>\n<image/></svg>");
   const Outcome outcome = run({"plot", "bad.svg", "-o", "bad.hpgl"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.err, "ligne: bad.svg:2: <image> has image, which can not be drawn as strokes; --skip image leaves it out\n");
+  EXPECT_EQ(outcome.err,
+            "ligne: bad.svg:2: <image> has image, which can not be drawn as strokes; --skip image leaves it out\n");
   EXPECT_FALSE(exists("bad.hpgl"));
   const Outcome skipped = run({"plot", "bad.svg", "--skip", "image,text", "-o", "bad.hpgl"});
   EXPECT_EQ(skipped.status, 0);
@@ -110,7 +119,8 @@ TEST_F(PlotTest, RefusesByNameAndLeavesNothingBehind) {
 }
 
 TEST_F(PlotTest, TheSameBytesWithAnyNumberOfThreads) {
-  const std::vector<std::string> surface{"surface", "sin(r)/r", "-x", "-12:12:30", "-y", "-12:12:30", "--margin", "20", "--device", "hp7475a"};
+  const std::vector<std::string> surface{"surface",   "sin(r)/r", "-x", "-12:12:30", "-y",
+                                         "-12:12:30", "--margin", "20", "--device",  "hp7475a"};
   std::vector<std::string> one = surface, four = surface;
   one.insert(one.end(), {"--threads", "1"});
   four.insert(four.end(), {"--threads", "4"});
@@ -120,8 +130,10 @@ TEST_F(PlotTest, TheSameBytesWithAnyNumberOfThreads) {
 }
 
 TEST_F(PlotTest, ADeviceOfOnesOwn) {
-  write("mine.toml", "name = \"mine\"\ntitle = \"My plotter\"\nlanguage = \"hpgl\"\nstep = 0.1\nlimits = [0, 0, 200, 300]\nbegin = [\"HELLO\"]\n"
-                     "travel = \"U{x},{y};\"\ndraw = \"D{points};\"\ndot = \"D;\"\nspeed_down = 10\nspeed_up = 20\nlift_seconds = 1\npen_change_seconds = 1\n");
+  write(
+      "mine.toml",
+      "name = \"mine\"\ntitle = \"My plotter\"\nlanguage = \"hpgl\"\nstep = 0.1\nlimits = [0, 0, 200, 300]\nbegin = [\"HELLO\"]\n"
+      "travel = \"U{x},{y};\"\ndraw = \"D{points};\"\ndot = \"D;\"\nspeed_down = 10\nspeed_up = 20\nlift_seconds = 1\npen_change_seconds = 1\n");
   write("a.svg", kSvg);
   EXPECT_EQ(written("a.hpgl", {"plot", "a.svg", "--device-file", "mine.toml"}), "HELLO\nU200,400;\nD700,400,700,200;\n");
 }
@@ -140,14 +152,17 @@ TEST_F(PlotTest, WhatLeavesTheLimitsIsToldInMillimetres) {
   const Outcome outcome = run({"draw", "cube.obj", "--page", "A4", "--margin", "0", "--device", "hp7475a", "-o", "a.hpgl"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(outcome.err.starts_with("ligne: device hp7475a, paper A4: the drawing leaves the limits: ")) << outcome.err;
-  EXPECT_EQ(run({"draw", "cube.obj", "--page", "A4", "--margin", "0", "--device", "hp7475a", "--fit-device", "-o", "a.hpgl"}).status, 0);
+  EXPECT_EQ(run({"draw", "cube.obj", "--page", "A4", "--margin", "0", "--device", "hp7475a", "--fit-device", "-o", "a.hpgl"})
+                .status,
+            0);
 }
 
 TEST_F(PlotTest, MaterialsHavePens) {
   write("two.json", R"({"format":"ligne-scene","version":1,"materials":[{"name":"steel"},{"name":"glass"}],"objects":[
 {"vertices":[[0,0,0],[10,0,0],[10,10,0],[0,10,0]],"faces":[{"outer":[0,1,2,3],"material":0}]},
 {"vertices":[[20,0,0],[30,0,0],[30,10,0],[20,10,0]],"faces":[{"outer":[0,1,2,3],"material":1}]}]})");
-  const Outcome outcome = run({"draw", "two.json", "--view", "top", "--pen", "material:glass=2,blue", "--pen", "rest=1", "-o", "two.svg"});
+  const Outcome outcome =
+      run({"draw", "two.json", "--view", "top", "--pen", "material:glass=2,blue", "--pen", "rest=1", "-o", "two.svg"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string svg = contents(file("two.svg"));
   EXPECT_EQ(count(svg, "inkscape:groupmode=\"layer\""), 2u);

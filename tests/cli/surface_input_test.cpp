@@ -15,7 +15,8 @@ class SurfaceInputTest : public SurfaceProgramTest {
   /// By the horizon and by a mesh: the line, and no file beside those of the test.
   void refuses(const std::vector<std::string>& source, int status, const std::string& message) const {
     const std::vector<std::string> files = new_files();
-    for (const std::vector<std::string>& method : {std::vector<std::string>{}, {"--method", "appel"}, {"--skirt"}, {"--contours", "5", "--axes"}}) {
+    for (const std::vector<std::string>& method :
+         {std::vector<std::string>{}, {"--method", "appel"}, {"--skirt"}, {"--contours", "5", "--axes"}}) {
       std::vector<std::string> arguments = source;
       arguments.insert(arguments.end(), method.begin(), method.end());
       arguments.insert(arguments.end(), {"-o", "out.svg"});
@@ -25,7 +26,8 @@ class SurfaceInputTest : public SurfaceProgramTest {
   }
   /// Length of a layer as seen from above, by a mesh method.
   double from_above(const std::string& formula, const std::string& layer, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments{formula, "-x", "-2:2:5", "-y", "-2:2:5", "--samples", "5", "--view", "top", "--z-scale", "1", "--method", "appel"};
+    std::vector<std::string> arguments{formula,  "-x",  "-2:2:5",    "-y", "-2:2:5",   "--samples", "5",
+                                       "--view", "top", "--z-scale", "1",  "--method", "appel"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return length(drawn(arguments), layer);
   }
@@ -42,11 +44,13 @@ TEST_F(SurfaceInputTest, FormulasThatHaveNoValueInPlaces) {
 
 TEST_F(SurfaceInputTest, TheHorizonSeesTheSameHoles) {
   for (const char* formula : {"1/x", "sqrt(x)", "log(x)", "1/(x-y)", "asin(r/2)", "10^(300*x)"}) {
-    const std::vector<std::string> plot{formula, "-x", "-2:2:17", "-y", "-2:2:17", "--samples", "17", "--view", "top", "--scale", "10:1"};
+    const std::vector<std::string> plot{formula, "-x",     "-2:2:17", "-y",      "-2:2:17", "--samples",
+                                        "17",    "--view", "top",     "--scale", "10:1"};
     std::vector<std::string> mesh = plot, cut = plot;
     mesh.insert(mesh.end(), {"--method", "appel"});
     if (formula == std::string("10^(300*x)")) {
-      fails({formula, "-x", "-2:2", "-y", "-2:2", "--z-scale", "1", "--method", "appel", "-o", "out.svg"}, 1, "surface: has a coordinate beyond 1.6e60");
+      fails({formula, "-x", "-2:2", "-y", "-2:2", "--z-scale", "1", "--method", "appel", "-o", "out.svg"}, 1,
+            "surface: has a coordinate beyond 1.6e60");
       continue;
     }
     const double seen = layers(plot).at("horizon");
@@ -57,7 +61,8 @@ TEST_F(SurfaceInputTest, TheHorizonSeesTheSameHoles) {
 
 TEST_F(SurfaceInputTest, FormulasWithoutAnyValue) {
   for (const char* formula : {"log(-1-r)", "0/0", "x/0", "1e308*10*x"}) {
-    for (const char* more : {"--skirt", "--contours=3", "--axes", "--contours-base", "--ridgeline", "--lines=x", "--hidden=dashed"}) {
+    for (const char* more :
+         {"--skirt", "--contours=3", "--axes", "--contours-base", "--ridgeline", "--lines=x", "--hidden=dashed"}) {
       fails({formula, more, "-o", "out.svg"}, 0, "surface: warning: nothing to draw is in view: the drawing is empty");
       EXPECT_NE(contents(file("out.svg")).find("</svg>"), std::string::npos) << "a whole file";
     }
@@ -121,8 +126,9 @@ TEST_F(SurfaceInputTest, Grids) {
 TEST_F(SurfaceInputTest, ContoursWithoutNumberOrMemory) {
   // Ten thousand levels on a steep sheet of two million triangles would cut it into thousands of millions.
   const auto begin = std::chrono::steady_clock::now();
-  fails({"sin(50*x)*sin(50*y)", "-x", "0:1:500", "-y", "0:1:500", "--samples", "1000", "--contours", "10000", "--skirt", "-o", "out.svg"}, 1,
-        "sin(50*x)*sin(50*y): has too many contour lines: they cut it into more than 12 million triangles\n");
+  fails({"sin(50*x)*sin(50*y)", "-x", "0:1:500", "-y", "0:1:500", "--samples", "1000", "--contours", "10000", "--skirt",
+         "-o", "out.svg"},
+        1, "sin(50*x)*sin(50*y): has too many contour lines: they cut it into more than 12 million triangles\n");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
   EXPECT_FALSE(exists("out.svg"));
 }

@@ -36,21 +36,24 @@ TEST_F(SurfaceMeshTest, TwoPlanesCrossAlongALine) {
 TEST_F(SurfaceMeshTest, SurfacesThatCrossAlongTheirOwnEdges) {
   // Three samples each way: the planes meet along a column of samples, which is a curve or not.
   for (const char* curves : {"2", "3"}) {
-    const json planes = drawn({"x", "(-x)", "-x", std::string("-1:1:") + curves, "-y", "-1:1:2", "--samples", "3", "--z-scale", "1", "--azimuth", "-120"});
+    const json planes = drawn({"x", "(-x)", "-x", std::string("-1:1:") + curves, "-y", "-1:1:2", "--samples", "3",
+                               "--z-scale", "1", "--azimuth", "-120"});
     // The line, 2 long, makes an angle with the sight whose cosine is sin(120) cos(30).
     EXPECT_NEAR(length(planes, "intersection"), 2 * std::sqrt(1 - 0.75 * 0.75), kMicrometre) << curves;
   }
   // A saddle and the plane through it: two lines, each 2 long.
-  EXPECT_NEAR(length(drawn({"x^2-y^2", "0", "-x", "-1:1:5", "-y", "-1:1:5", "--samples", "9", "--z-scale", "1", "--view", "top"}), "intersection"),
-              2 * std::sqrt(8.0), kMicrometre);
-  EXPECT_NEAR(length(drawn({"x*y", "0", "-x", "-1:1:5", "-y", "-1:1:5", "--z-scale", "1", "--view", "top"}), "intersection"), 4 - 4 * 0.1,
-              kMicrometre)
+  EXPECT_NEAR(
+      length(drawn({"x^2-y^2", "0", "-x", "-1:1:5", "-y", "-1:1:5", "--samples", "9", "--z-scale", "1", "--view", "top"}),
+             "intersection"),
+      2 * std::sqrt(8.0), kMicrometre);
+  EXPECT_NEAR(length(drawn({"x*y", "0", "-x", "-1:1:5", "-y", "-1:1:5", "--z-scale", "1", "--view", "top"}), "intersection"),
+              4 - 4 * 0.1, kMicrometre)
       << "the two triangles at the origin lie in the plane";
 }
 
 TEST_F(SurfaceMeshTest, TorusFromAbove) {
-  const json torus = drawn({"--parametric", "(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)", "-u", "0:2*pi:25", "-v", "0:2*pi:21", "--samples", "2",
-                            "--lines", "x", "--view", "top"});
+  const json torus = drawn({"--parametric", "(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)", "-u", "0:2*pi:25", "-v",
+                            "0:2*pi:21", "--samples", "2", "--lines", "x", "--view", "top"});
   // Seen from above the outer and the inner equator are the outline: polygons of 24 sides.
   const double sides = 24;
   EXPECT_NEAR(length(torus, "outline"), 2 * sides * std::sin(kPi / sides) * (4 + 2), kMicrometre);
@@ -66,12 +69,14 @@ TEST_F(SurfaceMeshTest, FormulasThatBeginWithAMinus) {
 }
 
 TEST_F(SurfaceMeshTest, EveryParametricSurfaceHasItsRanges) {
-  const json sheets = drawn({"--parametric", "u", "v", "0", "--parametric", "u", "v", "0", "-u", "0:1:2", "-u", "3:4:2", "-v", "0:1:2", "--view", "top"});
+  const json sheets = drawn({"--parametric", "u", "v", "0", "--parametric", "u", "v", "0", "-u", "0:1:2", "-u", "3:4:2",
+                             "-v", "0:1:2", "--view", "top"});
   EXPECT_NEAR(length(sheets, "horizon"), 8, kMicrometre);
 }
 
 TEST_F(SurfaceMeshTest, TheHorizonAndTheMeshDrawTheSame) {
-  for (const std::vector<std::string>& view : {std::vector<std::string>{}, {"--azimuth", "20", "--elevation", "50"}, {"--eye", "30,-20,25"}}) {
+  for (const std::vector<std::string>& view :
+       {std::vector<std::string>{}, {"--azimuth", "20", "--elevation", "50"}, {"--eye", "30,-20,25"}}) {
     std::vector<std::string> arguments{"5*sin(r)/r", "-x", "-9:9:60", "-y", "-8:9:55", "--z-scale", "1"};
     arguments.insert(arguments.end(), view.begin(), view.end());
     const double horizon = layers(arguments).at("horizon");
@@ -84,7 +89,8 @@ TEST_F(SurfaceMeshTest, TheHorizonAndTheMeshDrawTheSame) {
 }
 
 TEST_F(SurfaceMeshTest, HeightRangesEndInBorders) {
-  const json bowl = drawn({"x^2+y^2", "-x", "-2:2:41", "-y", "-2:2:41", "--z-range", "0:1", "--z-scale", "1", "--view", "top"});
+  const json bowl =
+      drawn({"x^2+y^2", "-x", "-2:2:41", "-y", "-2:2:41", "--z-range", "0:1", "--z-scale", "1", "--view", "top"});
   EXPECT_NEAR(length(bowl, "border"), 2 * kPi, 0.01);
   double largest = 0;
   for (const json& stroke : bowl["strokes"]) {
@@ -129,7 +135,8 @@ TEST_F(SurfaceMeshTest, Logarithms) {
 
 TEST_F(SurfaceMeshTest, MeshFiles) {
   for (const std::string name : {"hill.json", "hill.obj"}) {
-    const Outcome outcome = surface({"x*y", "-x", "0:1:3", "-y", "0:1:3", "--samples", "5", "--z-scale", "2", "--as-mesh"}, {"-o", name});
+    const Outcome outcome =
+        surface({"x*y", "-x", "0:1:3", "-y", "0:1:3", "--samples", "5", "--z-scale", "2", "--as-mesh"}, {"-o", name});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     const Outcome info = run({"info", name, "--json"});
     ASSERT_EQ(info.status, 0) << info.err;
@@ -142,8 +149,11 @@ TEST_F(SurfaceMeshTest, MeshFiles) {
 }
 
 TEST_F(SurfaceMeshTest, TheSameBytesWithAnyNumberOfThreads) {
-  const std::vector<std::string> bowls{"x^2+y^2", "8-x^2-y^2", "-x", "-3:3", "-y", "-3:3", "--hidden", "dashed", "--z-range", "0:7"};
-  const auto with = [&](const char* threads) { return surface(bowls, {"--threads", threads, "-o", "-", "--format", "json"}).out; };
+  const std::vector<std::string> bowls{"x^2+y^2", "8-x^2-y^2", "-x",     "-3:3",      "-y",
+                                       "-3:3",    "--hidden",  "dashed", "--z-range", "0:7"};
+  const auto with = [&](const char* threads) {
+    return surface(bowls, {"--threads", threads, "-o", "-", "--format", "json"}).out;
+  };
   EXPECT_EQ(with("1"), with("4"));
 }
 
@@ -168,7 +178,8 @@ TEST_F(SurfaceMeshTest, Mistakes) {
   fails({"--parametric", "u", "v", "0", "-v", "0:q", "-o", "a.svg"}, 2, "-v: \"q\":1: unknown name 'q'");
   fails({"x", "-u", "0:1", "-o", "a.svg"}, 2, "-u, -v: go with --parametric");
   for (const char* n : {"0", "1", "1000000000"}) fails({"x", "y", "-x", std::string("0:1:") + n, "-o", "a.svg"}, 2, "-x: ");
-  fails({"x", "-x", "0:1:20000", "-y", "0:1:20000", "--method", "appel", "-o", "a.svg"}, 1, "x: 20000 x 20000 samples are too many for a mesh");
+  fails({"x", "-x", "0:1:20000", "-y", "0:1:20000", "--method", "appel", "-o", "a.svg"}, 1,
+        "x: 20000 x 20000 samples are too many for a mesh");
   fails({"--grid", "flat.csv", "-x", "0:1:4", "-o", "a.svg"}, 2, "-x, -y: a grid takes A:B");
   fails({"--grid", "flat.csv", "-x", "7:9", "-o", "a.svg"}, 1, "flat.csv: the window -x, -y holds 0 columns");
   fails({"--grid", "flat.csv", "--samples", "9", "-o", "a.svg"}, 2, "--samples: ");
@@ -188,7 +199,12 @@ TEST_F(SurfaceMeshTest, HatchedSurfaces) {
   EXPECT_NE(plain.out.find("id=\"hatch\""), std::string::npos);
   EXPECT_NE(plain.out.find("id=\"horizon\""), std::string::npos);
   EXPECT_EQ(hatched({"--lines", "none"}).out.find("id=\"horizon\""), std::string::npos);
-  EXPECT_EQ(hatched({"--method", "horizon"}).err.rfind("ligne: --hatch: method horizon gives neither regions nor spans; regions: atherton-weiler, warnock; spans: watkins", 0), 0u);
+  EXPECT_EQ(
+      hatched({"--method", "horizon"})
+          .err.rfind(
+              "ligne: --hatch: method horizon gives neither regions nor spans; regions: atherton-weiler, warnock; spans: watkins",
+              0),
+      0u);
   EXPECT_EQ(run({"surface", "x", "--hatch", "shade", "--as-mesh", "-o", "x.obj"}).status, 2);
 }
 

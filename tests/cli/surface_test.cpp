@@ -75,7 +75,8 @@ TEST_F(SurfaceTest, GridsAndTheirCurves) {
 
 TEST_F(SurfaceTest, HiddenPartsAreLeftOut) {
   // A wall before a plain, looked at from low in front: the plain behind it is not seen.
-  const std::vector<std::string> wall{"if(y < 0.25, 1, 0)", "-x", "0:1:4", "-y", "0:1:5", "--lines", "y", "--z-scale", "1", "--azimuth", "-90"};
+  const std::vector<std::string> wall{"if(y < 0.25, 1, 0)", "-x", "0:1:4",     "-y", "0:1:5", "--lines", "y",
+                                      "--z-scale",          "1",  "--azimuth", "-90"};
   const auto with = [&](const char* elevation) {
     std::vector<std::string> all = wall;
     all.insert(all.end(), {"--elevation", elevation});
@@ -115,7 +116,8 @@ TEST_F(SurfaceTest, AxesAreLayersOfTheirOwn) {
   const std::string text = with({"--axes"});
   EXPECT_NE(text.find("id=\"axes\""), std::string::npos);
   EXPECT_NE(text.find("id=\"text\""), std::string::npos);
-  for (const char* label : {">a &lt; b</text>", ">east</text>", ">y</text>", ">z</text>", ">\u22124</text>", ">0.8</text>"}) {
+  for (const char* label :
+       {">a &lt; b</text>", ">east</text>", ">y</text>", ">z</text>", ">\u22124</text>", ">0.8</text>"}) {
     EXPECT_EQ(count(text, label), label == std::string(">\u22124</text>") ? 2u : 1u) << label;
   }
   const std::string strokes = with({"--axes", "--text", "stroke"});
@@ -147,20 +149,24 @@ double length_of_layer(const std::string& svg, const std::string& layer) {
     std::vector<double> values;
     for (std::sregex_iterator n(data.begin(), data.end(), number); n != end; ++n) values.push_back(std::stod(n->str()));
     for (std::size_t i = 3; i < values.size(); i += 2) {
-      length += relative ? std::hypot(values[i - 1], values[i]) : std::hypot(values[i - 1] - values[i - 3], values[i] - values[i - 2]);
+      length += relative ? std::hypot(values[i - 1], values[i])
+                         : std::hypot(values[i - 1] - values[i - 3], values[i] - values[i - 2]);
     }
   }
   return length;
 }
 
 TEST_F(SurfaceTest, TheSurfaceHidesTheAxesBehindIt) {
-  // A slope that rises away from the viewer hides the edge of the ground at the back, 100 mm long; with a hole in its middle it does not.
+  // A slope that rises away from the viewer hides the edge of the ground at the back, 100 mm long; with a hole in its middle
+  // it does not.
   const auto length = [&](const std::string& formula) {
-    return length_of_layer(svg({formula, "-x", "0:1:5", "-y", "0:1:5", "--z-scale", "1", "--scale", "100:1", "--axes", "--azimuth", "-90", "--elevation", "20"}),
+    return length_of_layer(svg({formula, "-x", "0:1:5", "-y", "0:1:5", "--z-scale", "1", "--scale", "100:1", "--axes",
+                                "--azimuth", "-90", "--elevation", "20"}),
                            "axes");
   };
   const double hidden = length("y"), seen = length("if(abs(y-0.5) < 0.44, sqrt(-1), y)");
-  EXPECT_LT(hidden, 100) << "ticks alone: the edges that are not hidden lie along the surface, whose own lines are there already";
+  EXPECT_LT(hidden, 100)
+      << "ticks alone: the edges that are not hidden lie along the surface, whose own lines are there already";
   EXPECT_GE(seen - hidden, 100 - 0.01);
 }
 
@@ -171,7 +177,8 @@ TEST_F(SurfaceTest, AxesEverywhereAndOfEverything) {
     }
   }
   EXPECT_EQ(count(svg({"3", "--axes"}), "id=\"axes\""), 1u) << "a flat surface";
-  EXPECT_EQ(count(svg({"x*y", "--axes=box", "--eye", "4,4,2", "--target=-5,-5,0", "--fov", "90"}), "id=\"axes\""), 1u) << "from within the box";
+  EXPECT_EQ(count(svg({"x*y", "--axes=box", "--eye", "4,4,2", "--target=-5,-5,0", "--fov", "90"}), "id=\"axes\""), 1u)
+      << "from within the box";
   EXPECT_EQ(count(svg({"1e9+x", "--axes", "-x", "0:1e-7", "-y", "0:1e9", "--page", "a6"}), "id=\"axes\""), 1u);
   fails({"sqrt(-1-r)", "--axes", "-o", "a.svg"}, 0, "surface: warning: nothing to draw is in view");
 }
@@ -181,9 +188,12 @@ TEST_F(SurfaceTest, MistakesOfAxes) {
   fails({"x", "--x-label", "east", "-o", "a.svg"}, 2, "--x-label: goes with --axes");
   fails({"x", "--text", "ink", "-o", "a.svg"}, 2, "--text: ");
   fails({"x", "--axes", "--text-height", "0", "-o", "a.svg"}, 2, "--text-height: ");
-  fails({"x", "--axes", "--text-height", "100", "-o", "a.svg"}, 2, "--text-height: 100 mm is more than a tenth of the 190 mm");
-  fails({"x", "--axes", "--x-label", std::string(1000, 'n'), "-o", "a.svg"}, 2, "--page: numbers and names of the axes leave nothing");
-  fails({"x", "--title", "\u6f22", "--text", "stroke", "-o", "a.svg"}, 0, "surface: warning: 1 characters are not in the font");
+  fails({"x", "--axes", "--text-height", "100", "-o", "a.svg"}, 2,
+        "--text-height: 100 mm is more than a tenth of the 190 mm");
+  fails({"x", "--axes", "--x-label", std::string(1000, 'n'), "-o", "a.svg"}, 2,
+        "--page: numbers and names of the axes leave nothing");
+  fails({"x", "--title", "\u6f22", "--text", "stroke", "-o", "a.svg"}, 0,
+        "surface: warning: 1 characters are not in the font");
 }
 
 TEST_F(SurfaceTest, Mistakes) {

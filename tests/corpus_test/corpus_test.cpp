@@ -107,14 +107,16 @@ bool is_closed(const Scene& scene, const Object& object) {
 // A few by name, so that a reader or a script that gets winding or holes wrong fails here too.
 TEST(Corpus, SolidsAreClosedAndSurfacesAreOpen) {
   const std::map<std::string, bool> expected{
-      {"cube", true},     {"tunnel", true},        {"gear", true},          {"torus", true},         {"low_sphere", true},
-      {"pocket", true},   {"letter_e", true},      {"window_frames", true}, {"grid_3", true},        {"inside_out_cube", true},
-      {"open_box", false}, {"mixed_winding", false}, {"moebius_strip", false}, {"one_triangle", false}, {"book_four", false}};
+      {"cube", true},           {"tunnel", true},          {"gear", true},      {"torus", true},
+      {"low_sphere", true},     {"pocket", true},          {"letter_e", true},  {"window_frames", true},
+      {"grid_3", true},         {"inside_out_cube", true}, {"open_box", false}, {"mixed_winding", false},
+      {"moebius_strip", false}, {"one_triangle", false},   {"book_four", false}};
   for (const auto& [name, closed] : expected) {
     SCOPED_TRACE(name);
     Warnings warnings;
     Scene scene;
-    ASSERT_NO_THROW(scene = read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (name + ".json"), {}, warnings));
+    ASSERT_NO_THROW(
+        scene = read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (name + ".json"), {}, warnings));
     for (const Object& object : scene.objects) EXPECT_EQ(is_closed(scene, object), closed) << object.name;
   }
 }

@@ -80,7 +80,8 @@ TEST(CoincidentStrokes, TheLoserIsCut) {
 }
 
 TEST(CoincidentStrokes, DepthIsInterpolated) {
-  const auto got = removed({at_depth(stroke(a, b, LineClass::mesh, 0), 10, 110), stroke(a, {500, 0}, LineClass::outline, 1)});
+  const auto got =
+      removed({at_depth(stroke(a, b, LineClass::mesh, 0), 10, 110), stroke(a, {500, 0}, LineClass::outline, 1)});
   expect(got, {{0, {500, 0}, b}, {1, a, {500, 0}}});
   EXPECT_FLOAT_EQ(got[0].z_from, 60);
   EXPECT_FLOAT_EQ(got[0].z_to, 110);
@@ -92,8 +93,10 @@ TEST(CoincidentStrokes, ParametersFollowThePerspective) {
   s.w_from = 1;
   s.w_to = 4;
   const auto page = [](double t) { return 1000 * t * 4 / ((1 - t) * 1 + t * 4); };
-  for (const double fraction : {0.1, 0.25, 0.5, 0.9}) EXPECT_NEAR(page(source_parameter(s, fraction)), 1000 * fraction, 1e-9);
-  const auto got = removed({s, stroke({250, 0}, {400, 0}, LineClass::outline, 1), stroke({600, 0}, {750, 0}, LineClass::border, 2)});
+  for (const double fraction : {0.1, 0.25, 0.5, 0.9})
+    EXPECT_NEAR(page(source_parameter(s, fraction)), 1000 * fraction, 1e-9);
+  const auto got =
+      removed({s, stroke({250, 0}, {400, 0}, LineClass::outline, 1), stroke({600, 0}, {750, 0}, LineClass::border, 2)});
   ASSERT_EQ(got.size(), 5u);
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(page(got[i].t_from), got[i].from.x, 1e-4);
@@ -111,8 +114,7 @@ TEST(CoincidentStrokes, RemnantsWithinTheToleranceVanish) {
 }
 
 TEST(CoincidentStrokes, WholeStrokesWithinTheToleranceStay) {
-  expect(removed({stroke(a, {2, 0}, LineClass::mesh, 0), stroke(a, b, LineClass::outline, 1)}),
-         {{0, a, {2, 0}}, {1, a, b}});
+  expect(removed({stroke(a, {2, 0}, LineClass::mesh, 0), stroke(a, b, LineClass::outline, 1)}), {{0, a, {2, 0}}, {1, a, b}});
 }
 
 TEST(CoincidentStrokes, AWedgeStays) {
@@ -155,7 +157,8 @@ TEST(CoincidentStrokes, StrokesThatLieOnNoOtherKeepTheirOrder) {
 
 TEST(CoincidentStrokes, ACutMeetsTheWinnerExactlySoThatTheyJoin) {
   // Two edges one step apart, one longer: together one line, drawn in one go.
-  StrokeModel m = model({stroke({0, 0}, {1000, 0}, LineClass::outline, 0), stroke({500, 1}, {2000, 1}, LineClass::outline, 1)});
+  StrokeModel m =
+      model({stroke({0, 0}, {1000, 0}, LineClass::outline, 0), stroke({500, 1}, {2000, 1}, LineClass::outline, 1)});
   remove_coincident_strokes(m, kTolerance);
   const Drawing drawing = make_drawing(m);
   ASSERT_EQ(drawing.layers.size(), 1u);

@@ -69,8 +69,8 @@ TEST(MakeDrawing, JoinsTwoStrokesAtAnyAngle) {
 }
 
 TEST(MakeDrawing, DoesNotJoinAcrossLayersOrAcrossTheSmallestGap) {
-  const Drawing drawing = make_drawing(model({stroke({0, 0}, {5, 0}), stroke({5, 0}, {9, 0}, LineClass::crease),
-                                              stroke({5, 1}, {5, 9})}));
+  const Drawing drawing =
+      make_drawing(model({stroke({0, 0}, {5, 0}), stroke({5, 0}, {9, 0}, LineClass::crease), stroke({5, 1}, {5, 9})}));
   EXPECT_EQ(lines_of(drawing, "mesh"), (Lines{{{0, 0}, {5, 0}}, {{5, 1}, {5, 9}}}));
   EXPECT_EQ(lines_of(drawing, "crease"), (Lines{{{5, 0}, {9, 0}}}));
 }
@@ -100,8 +100,8 @@ TEST(MakeDrawing, DropsASeamInTheMiddleOfASide) {
 
 TEST(MakeDrawing, StraightestContinueEachOtherAtACrossing) {
   // Two slanted lines cross in (0, 0).
-  const Lines lines = mesh_lines({stroke({-9, -1}, {0, 0}), stroke({-9, 1}, {0, 0}), stroke({0, 0}, {9, -1}),
-                                  stroke({0, 0}, {9, 1})});
+  const Lines lines =
+      mesh_lines({stroke({-9, -1}, {0, 0}), stroke({-9, 1}, {0, 0}), stroke({0, 0}, {9, -1}), stroke({0, 0}, {9, 1})});
   EXPECT_EQ(lines, (Lines{{{-9, -1}, {9, 1}}, {{-9, 1}, {9, -1}}}));
 }
 

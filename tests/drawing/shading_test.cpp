@@ -40,9 +40,7 @@ TEST(Shading, SpansBesideThePictureAreCut) {
   EXPECT_EQ(p.gray, (std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255}));
 }
 
-TEST(Shading, NothingSeenIsWhite) {
-  EXPECT_EQ(shade({}, {}, 2, 1, 1).gray, (std::vector<std::uint8_t>{255, 255}));
-}
+TEST(Shading, NothingSeenIsWhite) { EXPECT_EQ(shade({}, {}, 2, 1, 1).gray, (std::vector<std::uint8_t>{255, 255})); }
 
 }  // namespace
 }  // namespace ligne

@@ -49,7 +49,8 @@ TEST(Ticks, LargeAndSmallNumbersHavePowersOfTen) {
   EXPECT_EQ(linear(0, 1e6, 3), (Labels{"0", "5·10⁵", "10⁶"}));
   EXPECT_EQ(linear(0, 2.5e12, 6), (Labels{"0", "5·10¹¹", "10¹²", "1.5·10¹²", "2·10¹²", "2.5·10¹²"}));
   EXPECT_EQ(linear(0, 50000, 3), (Labels{"0", "20000", "40000"}));
-  EXPECT_EQ(linear(1e9, 1e9 + 10, 3), (Labels{"1000000000", "1000000005", "1000000010"})) << "a power of ten would be longer";
+  EXPECT_EQ(linear(1e9, 1e9 + 10, 3), (Labels{"1000000000", "1000000005", "1000000010"}))
+      << "a power of ten would be longer";
   EXPECT_EQ(linear(-1e300, 1e300, 3), (Labels{"−10³⁰⁰", "0", "10³⁰⁰"}));
 }
 
@@ -69,8 +70,14 @@ TEST(Ticks, OneNumberAndNone) {
 
 TEST(Ticks, TheExtremesOfDoublesEndInTime) {
   const double largest = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
-  for (const auto& [from, to] : {std::pair{-largest, largest}, {0.0, largest}, {0.0, least}, {-least, least}, {0.0, 1e-310}, {-largest, 0.0},
-                                 {largest / 2, largest}, {-1.0, largest}}) {
+  for (const auto& [from, to] : {std::pair{-largest, largest},
+                                 {0.0, largest},
+                                 {0.0, least},
+                                 {-least, least},
+                                 {0.0, 1e-310},
+                                 {-largest, 0.0},
+                                 {largest / 2, largest},
+                                 {-1.0, largest}}) {
     for (const std::size_t most : {1u, 2u, 5u, 11u}) {
       for (const TickScale scale : {TickScale::linear, TickScale::decades}) {
         for (const Tick& tick : round_ticks(scale, from, to, most)) EXPECT_TRUE(from <= tick.at && tick.at <= to);
@@ -104,7 +111,8 @@ TEST(Ticks, AscendWithinTheRangeAndAreNoMoreThanAsked) {
       const auto ticks = round_ticks(TickScale::linear, a, b, most);
       EXPECT_LE(ticks.size(), most);
       if (most >= 4) {
-        EXPECT_GE(2.5 * static_cast<double>(ticks.size() + 1), static_cast<double>(most)) << a << " to " << b << ": a step of 1, 2 or 5 fills more";
+        EXPECT_GE(2.5 * static_cast<double>(ticks.size() + 1), static_cast<double>(most))
+            << a << " to " << b << ": a step of 1, 2 or 5 fills more";
       }
       for (std::size_t k = 0; k < ticks.size(); ++k) {
         EXPECT_TRUE(a <= ticks[k].at && ticks[k].at <= b);

@@ -47,14 +47,16 @@ void add_triangle(Scene& scene, ByteStream& bytes) {
   if (!is_flat(b - a, c - a)) add_face(scene, {{a, b, c}});
 }
 
-/// A parallelogram, whole, with a hole at quarters of its sides, with two holes, or an L. Contours keep apart: turned, those that touch would
-/// cross in the last digits, which polygons of this program do not.
+/// A parallelogram, whole, with a hole at quarters of its sides, with two holes, or an L. Contours keep apart: turned, those
+/// that touch would cross in the last digits, which polygons of this program do not.
 void add_plate(Scene& scene, ByteStream& bytes) {
   const Point3 corner = bytes.point(), u = bytes.vector(-4, 4), v = bytes.vector(-4, 4);
   const int form = bytes.below(4);
   if (is_flat(u, v)) return;
   const auto at = [&](double i, double k) { return corner + u * (i / 4) + v * (k / 4); };
-  const auto rectangle = [&](double i0, double k0, double i1, double k1) { return Contour{at(i0, k0), at(i1, k0), at(i1, k1), at(i0, k1)}; };
+  const auto rectangle = [&](double i0, double k0, double i1, double k1) {
+    return Contour{at(i0, k0), at(i1, k0), at(i1, k1), at(i0, k1)};
+  };
   switch (form) {
     case 0:
       add_face(scene, {rectangle(0, 0, 4, 4)});
@@ -92,8 +94,9 @@ void add_prism(Scene& scene, ByteStream& bytes) {
   const bool bent = bytes.below(2) == 1, open = bytes.below(4) == 3;
   const double volume = glm::dot(glm::cross(u, v), push);
   if (volume == 0) return;
-  Contour base = bent ? Contour{corner, corner + u * 2.0, corner + u * 2.0 + v, corner + u + v, corner + u + v * 2.0, corner + v * 2.0}
-                      : Contour{corner, corner + u, corner + v};
+  Contour base =
+      bent ? Contour{corner, corner + u * 2.0, corner + u * 2.0 + v, corner + u + v, corner + u + v * 2.0, corner + v * 2.0}
+           : Contour{corner, corner + u, corner + v};
   const auto n = static_cast<std::uint32_t>(base.size());
   for (std::uint32_t i = 0; i < n; ++i) base.push_back(base[i] + push);
   std::vector<std::vector<std::uint32_t>> faces(open ? 1 : 2);
@@ -138,11 +141,16 @@ void add_element(Scene& scene, ByteStream& bytes) {
       const Point3 corner = bytes.point();
       return add_box(scene, corner, bytes.vector(1, 3));
     }
-    case 1: return add_triangle(scene, bytes);
-    case 2: return add_plate(scene, bytes);
-    case 3: return add_prism(scene, bytes);
-    case 4: return add_tetrahedron(scene, bytes);
-    default: return add_mesh(scene, bytes);
+    case 1:
+      return add_triangle(scene, bytes);
+    case 2:
+      return add_plate(scene, bytes);
+    case 3:
+      return add_prism(scene, bytes);
+    case 4:
+      return add_tetrahedron(scene, bytes);
+    default:
+      return add_mesh(scene, bytes);
   }
 }
 
@@ -175,8 +183,8 @@ StandardView from_point(ByteStream& bytes) {
   constexpr std::array kAngles{35, 60, 90};
   const int fov = kAngles[static_cast<std::size_t>(bytes.below(3))];
   char options[160];
-  std::snprintf(options, sizeof options, "--eye=%g,%g,%g --target=%g,%g,%g --fov=%d", eye.x, eye.y, eye.z, target.x, target.y,
-                target.z, fov);
+  std::snprintf(options, sizeof options, "--eye=%g,%g,%g --target=%g,%g,%g --fov=%d", eye.x, eye.y, eye.z, target.x,
+                target.y, target.z, fov);
   StandardView view{"from a point", {}, options};
   view.camera.eye = eye;
   view.camera.target = target;

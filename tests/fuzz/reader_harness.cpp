@@ -56,7 +56,8 @@ void check_scene(const Scene& scene) {
   need(scene.face_material.empty() || scene.face_material.size() == scene.faces.size(), "a material per face");
   for (const std::uint32_t m : scene.face_material) need(m < scene.materials.size(), "materials exist");
   need(scene.corner_flags.empty() || scene.corner_flags.size() == scene.faces.corners().size(), "flags per corner");
-  for (const Point3& p : scene.vertices) need(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "vertices are finite");
+  for (const Point3& p : scene.vertices)
+    need(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "vertices are finite");
   for (const Detail& detail : scene.details) need(detail.face < scene.faces.size(), "details lie on faces");
 }
 
@@ -104,15 +105,18 @@ void read_formula_as_fuzzer(std::span<const std::byte> bytes) {
 void read_drawing_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   try {
-    const ReadDrawing read = kind == "svg" ? read_svg_drawing(text, "fuzz", {}, {FillReading::How::hatch, 1}) : read_json_drawing(text, "fuzz");
+    const ReadDrawing read =
+        kind == "svg" ? read_svg_drawing(text, "fuzz", {}, {FillReading::How::hatch, 1}) : read_json_drawing(text, "fuzz");
     need(read.page.width_mm > 0 && read.page.height_mm > 0, "pages have an area");
     for (const Layer& layer : read.drawing.layers) {
-      for (const Point2 p : layer.lines.points) need(std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm, "points lie within a kilometre");
+      for (const Point2 p : layer.lines.points)
+        need(std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm, "points lie within a kilometre");
       for (std::size_t i = 0; i < layer.lines.size(); ++i) need(layer.lines[i].size() >= 2, "lines have two points");
       constexpr std::size_t kPoints = 20'000;
       if (layer.lines.points.size() > kPoints) continue;
       const Polylines better = optimize_paths(layer.lines, {});
-      for (const Point2 p : better.points) need(std::abs(p.x) <= kFarthestMm + 1 && std::abs(p.y) <= kFarthestMm + 1, "and stay there");
+      for (const Point2 p : better.points)
+        need(std::abs(p.x) <= kFarthestMm + 1 && std::abs(p.y) <= kFarthestMm + 1, "and stay there");
     }
   } catch (const std::runtime_error& error) {
     need(std::string_view(error.what()).find('\n') == std::string_view::npos, "errors are one line");

@@ -33,7 +33,9 @@ TEST_P(FuzzReplay, EveryFileIsReadOrRefused) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, FuzzReplay, testing::Values("gltf", "glb", "obj", "stl", "ply", "asc", "scene", "grid", "formula", "svg", "drawing"),
+INSTANTIATE_TEST_SUITE_P(Corpus, FuzzReplay,
+                         testing::Values("gltf", "glb", "obj", "stl", "ply", "asc", "scene", "grid", "formula", "svg",
+                                         "drawing"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

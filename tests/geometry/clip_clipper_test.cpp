@@ -1,5 +1,5 @@
-// The clip against an independent library: Clipper 6, which works on whole numbers too. Its corners are rounded to its lattice, which is made
-// 2^16 times finer than ours.
+// The clip against an independent library: Clipper 6, which works on whole numbers too. Its corners are rounded to its
+// lattice, which is made 2^16 times finer than ours.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// The clip on faces that are worked out by hand: the configurations of the thesis, section 3.2.3.4, and every singular case by name.
+// The clip on faces that are worked out by hand: the configurations of the thesis, section 3.2.3.4, and every singular case
+// by name.
 
 #include <gtest/gtest.h>
 
@@ -56,12 +57,22 @@ std::vector<Case> cases() {
   c.push_back({"corner on a corner", square, face({rectangle(8, 8, 12, 12)}), {}, {64, 1, 0}});
   c.push_back({"corner on an edge from outside", square, face({{{8, 4}, {12, 0}, {12, 8}}}), {}, {64, 1, 0}});
   c.push_back({"corner on an edge from inside", square, face({{{8, 4}, {4, 6}, {4, 2}}}), {8, 1, 0}, {56, 1, 1}});
-  c.push_back({"two corners on edges: the rest is two faces", square, face({{{0, 4}, {4, 0}, {8, 4}, {4, 8}}}), {32, 1, 0}, {32, 4, 0}});
-  c.push_back({"hole that touches the outer contour", face({rectangle(0, 0, 8, 8), {{0, 4}, {4, 6}, {4, 2}}}),
-               face({rectangle(0, 0, 8, 4)}), {28, 1, 0}, {28, 1, 0}});
+  c.push_back({"two corners on edges: the rest is two faces",
+               square,
+               face({{{0, 4}, {4, 0}, {8, 4}, {4, 8}}}),
+               {32, 1, 0},
+               {32, 4, 0}});
+  c.push_back({"hole that touches the outer contour",
+               face({rectangle(0, 0, 8, 8), {{0, 4}, {4, 6}, {4, 2}}}),
+               face({rectangle(0, 0, 8, 4)}),
+               {28, 1, 0},
+               {28, 1, 0}});
   c.push_back({"holes that overlap", framed, face({rectangle(0, 0, 8, 8), rectangle(4, 2, 8, 6)}), {40, 1, 0}, {8, 1, 0}});
-  c.push_back({"figure 3.24: every edge cuts every edge", face({{{0, 1}, {9, 1}, {9, 2}, {1, 2}, {1, 3}, {9, 3}, {9, 4}, {0, 4}}}),
-               face({{{2, 0}, {3, 0}, {3, 5}, {5, 5}, {5, 0}, {6, 0}, {6, 6}, {2, 6}}}), {4, 4, 0}, {15, 5, 0}});
+  c.push_back({"figure 3.24: every edge cuts every edge",
+               face({{{0, 1}, {9, 1}, {9, 2}, {1, 2}, {1, 3}, {9, 3}, {9, 4}, {0, 4}}}),
+               face({{{2, 0}, {3, 0}, {3, 5}, {5, 5}, {5, 0}, {6, 0}, {6, 6}, {2, 6}}}),
+               {4, 4, 0},
+               {15, 5, 0}});
   return c;
 }
 
@@ -89,7 +100,8 @@ TEST(ClipKnown, BordersAreLedBackToTheirSources) {
 
 TEST(ClipKnown, NeighboursHaveTheSameCorners) {
   // Three lines through one point that is on no lattice: (1/3, 1/3).
-  const ContourFace a = face({{{0, 0}, {1, 1}, {0, 1}}}), b = face({{{0, 1}, {0, -3}, {1, -1}}}), c = face({{{1, 0}, {-1, 1}, {-1, 5}}});
+  const ContourFace a = face({{{0, 0}, {1, 1}, {0, 1}}}), b = face({{{0, 1}, {0, -3}, {1, -1}}}),
+                    c = face({{{1, 0}, {-1, 1}, {-1, 5}}});
   const ClipResult ab = clip_contour_by_contour(a, b), ac = clip_contour_by_contour(a, c);
   const LatticeSegment diagonal{{0, 0}, {1, 1}}, first{{0, 1}, {1, -1}}, second{{1, 0}, {-1, 1}};
   EXPECT_EQ(fine_point(diagonal, crossing(diagonal, first)), fine_point(first, crossing(first, diagonal)));

@@ -1,5 +1,5 @@
-// The clip on faces at random. Faces made of quarter cells of a small grid have everything singular at once, and their common points can be
-// counted; stars over the whole lattice try the arithmetic at its limits.
+// The clip on faces at random. Faces made of quarter cells of a small grid have everything singular at once, and their
+// common points can be counted; stars over the whole lattice try the arithmetic at its limits.
 
 #include <gtest/gtest.h>
 
@@ -68,10 +68,12 @@ Cells random_cells(std::mt19937& random) {
     if (mode == 2 && i % 2 == 0) cells[i] = cells[i + 1] = percent(random) < dense;
   }
   if (mode == 3) {  // a frame
-    const int x0 = side(random), x1 = side(random), y0 = side(random), y1 = side(random), hole = side(random) + kSide * side(random);
+    const int x0 = side(random), x1 = side(random), y0 = side(random), y1 = side(random),
+              hole = side(random) + kSide * side(random);
     for (int c = 0; c < kSide * kSide; ++c) {
       const int x = c % kSide, y = c / kSide;
-      if (x < std::min(x0, x1) || x > std::max(x0, x1) || y < std::min(y0, y1) || y > std::max(y0, y1) || c == hole) continue;
+      if (x < std::min(x0, x1) || x > std::max(x0, x1) || y < std::min(y0, y1) || y > std::max(y0, y1) || c == hole)
+        continue;
       for (int k = 0; k < 4; ++k) cells[static_cast<std::size_t>(4 * c + k)] = c % 5 != 0 || coin(random) != 0;
     }
   }
@@ -175,7 +177,8 @@ TEST_P(ClipRandom, StarsAgainAndAgain) {
     SCOPED_TRACE(i);
     const ContourFace whole = random_star(random, {0, 0}, kLatticeLimit * 0.7, true);
     Faces clips;
-    for (int k = 0; k < 6; ++k) clips.push_back(random_star(random, {place(random), place(random)}, kLatticeLimit * 0.4, k % 2 == 0));
+    for (int k = 0; k < 6; ++k)
+      clips.push_back(random_star(random, {place(random), place(random)}, kLatticeLimit * 0.4, k % 2 == 0));
     Faces forth{whole}, back{whole}, taken;
     for (int k = 0; k < 6; ++k) {
       ClipResult r = clip_contour_by_contour(forth, std::span(&clips[static_cast<std::size_t>(k)], 1));

@@ -26,8 +26,8 @@ inline double contour_length(const Faces& faces) {
   return length;
 }
 
-/// A corner moves by half a part in x and in y; twice the area of a triangle over an edge changes by at most the edge's length times twice that,
-/// and the last rounding of a sum is relative.
+/// A corner moves by half a part in x and in y; twice the area of a triangle over an edge changes by at most the edge's
+/// length times twice that, and the last rounding of a sum is relative.
 inline double area_tolerance(const Faces& faces) {
   return std::ldexp(2 * contour_length(faces), -kFineBits) + std::abs(twice_area(faces)) * 0x1p-50;
 }

@@ -68,8 +68,8 @@ TEST(LatticeOrientation, IdentitiesAndExactnessAtTheLimit) {
   for (int i = 0; i < 10000; ++i) {
     const auto draw = [&] { return LatticePoint{coordinate(random), coordinate(random)}; };
     const LatticePoint a = draw(), b = draw(), c = draw();
-    const std::int64_t exact = (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
-                               (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
+    const std::int64_t exact =
+        (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) - (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
     EXPECT_EQ(orientation(a, b, c), static_cast<double>(exact));
     EXPECT_EQ(orientation(a, b, c), orientation(b, c, a));
     EXPECT_EQ(orientation(a, b, c), -orientation(b, a, c));

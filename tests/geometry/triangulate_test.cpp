@@ -215,10 +215,10 @@ TEST(Triangulate, HolesThatTouchEachOtherAlongEdges) {
 }
 
 TEST(Triangulate, HolesThatTouchTheOuterContour) {
-  expect_partition_in_every_form({rectangle(0, 0, 4, 4), {{0, 0}, {3, 1}, {1, 3}}});          // at a corner
-  expect_partition_in_every_form({rectangle(0, 0, 4, 4), {{2, 0}, {3, 2}, {1, 2}}});          // at the middle of an edge
-  expect_partition_in_every_form({rectangle(0, 0, 4, 4), rectangle(1, 0, 2, 2)});             // along an edge
-  expect_partition_in_every_form({rectangle(0, 0, 4, 4), rectangle(1, 0, 2, 4)});             // cuts it in two
+  expect_partition_in_every_form({rectangle(0, 0, 4, 4), {{0, 0}, {3, 1}, {1, 3}}});  // at a corner
+  expect_partition_in_every_form({rectangle(0, 0, 4, 4), {{2, 0}, {3, 2}, {1, 2}}});  // at the middle of an edge
+  expect_partition_in_every_form({rectangle(0, 0, 4, 4), rectangle(1, 0, 2, 2)});     // along an edge
+  expect_partition_in_every_form({rectangle(0, 0, 4, 4), rectangle(1, 0, 2, 4)});     // cuts it in two
   expect_partition_in_every_form({rectangle(0, 0, 4, 4), rectangle(0, 0, 4, 1)});
   expect_partition_in_every_form({rectangle(0, 0, 4, 4), {{2, 0}, {4, 2}, {2, 4}, {0, 2}}});  // four corners are left
 }
@@ -229,17 +229,18 @@ TEST(Triangulate, HoleEqualToTheOuterContourLeavesNothing) {
 }
 
 TEST(Triangulate, OuterContourThatTouchesItself) {
-  expect_partition_in_every_form({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}});                 // a corner on an edge
-  expect_partition_in_every_form({{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}});         // two parts, one corner
+  expect_partition_in_every_form({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}});          // a corner on an edge
+  expect_partition_in_every_form({{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}});  // two parts, one corner
   expect_partition_in_every_form({{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {1, 2}, {1, 5}, {4, 4}}});  // a keyhole
-  expect_partition_in_every_form({{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 3}, {2, 3}, {2, 4}, {4, 4}, {4, 2}, {2, 2},
-                                   {2, 3}, {0, 3}}});                                        // a hole joined by a slit
+  expect_partition_in_every_form(
+      {{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 3}, {2, 3}, {2, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 3}, {0, 3}}});  // a hole joined
+                                                                                                            // by a slit
 }
 
 TEST(Triangulate, SpikesAndRepeatedCorners) {
-  expect_partition_in_every_form({{{0, 0}, {4, 0}, {7, 0}, {4, 0}, {4, 4}, {0, 4}}});         // outward
+  expect_partition_in_every_form({{{0, 0}, {4, 0}, {7, 0}, {4, 0}, {4, 4}, {0, 4}}});          // outward
   expect_partition_in_every_form({{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 1}, {2, 4}, {0, 4}}});  // inward
-  expect_partition_in_every_form({{{0, 0}, {4, 0}, {9, 0}, {3, 0}, {4, 4}, {0, 4}}});         // folds back past its start
+  expect_partition_in_every_form({{{0, 0}, {4, 0}, {9, 0}, {3, 0}, {4, 4}, {0, 4}}});          // folds back past its start
   expect_partition_in_every_form({{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}}});
 }
 

@@ -9,8 +9,8 @@
 namespace ligne::test {
 namespace {
 
-/// Two pixels are near when their centres are no farther apart than 1.5 pixels, 0.375 mm: the pixel itself and its eight neighbours. Half the pen
-/// is 0.7 pixels, and a jump is told within one.
+/// Two pixels are near when their centres are no farther apart than 1.5 pixels, 0.375 mm: the pixel itself and its eight
+/// neighbours. Half the pen is 0.7 pixels, and a jump is told within one.
 constexpr int kNear = 1;
 
 std::size_t index(int x, int y) { return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x); }
@@ -50,9 +50,10 @@ Ink read_ink(const std::filesystem::path& png) {
 std::string Disagreement::words() const {
   char buffer[256];
   const double mm = 1.0 / kPixelsPerMm;
-  std::snprintf(buffer, sizeof buffer,
-                "%zu of %zu dark pixels lie at no line, the first at page mm (%.2f, %.2f); of %zu jumps %zu have no line, the first at (%.2f, %.2f)", stray,
-                ink, first_stray.x * mm, first_stray.y * mm, jumps, missing, first_missing.x * mm, first_missing.y * mm);
+  std::snprintf(
+      buffer, sizeof buffer,
+      "%zu of %zu dark pixels lie at no line, the first at page mm (%.2f, %.2f); of %zu jumps %zu have no line, the first at (%.2f, %.2f)",
+      stray, ink, first_stray.x * mm, first_stray.y * mm, jumps, missing, first_missing.x * mm, first_missing.y * mm);
   return buffer;
 }
 

@@ -1,6 +1,6 @@
-// The program's PNG against a z-buffer of the same scene that shares no geometry with it: every dark pixel lies where the faces seen change
-// or an edge is seen, and where the picture jumps there is ink. Rough, a pixel to a quarter of a millimetre, but of the whole way from the
-// file to the page.
+// The program's PNG against a z-buffer of the same scene that shares no geometry with it: every dark pixel lies where the
+// faces seen change or an edge is seen, and where the picture jumps there is ink. Rough, a pixel to a quarter of a
+// millimetre, but of the whole way from the file to the page.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -23,7 +23,8 @@ struct Case {
   const char* file;
 };
 
-/// No round things of broad facets: between two pixels near their rim whole facets can lie, and a smooth surface jumps there.
+/// No round things of broad facets: between two pixels near their rim whole facets can lie, and a smooth surface jumps
+/// there.
 const Case kCases[] = {
     {"cube", "tests/corpus/cube.json"},
     {"letter_e", "tests/corpus/letter_e.json"},
@@ -84,7 +85,8 @@ class PictureTest : public testing::Test {
     const std::string dpi = std::to_string(kPixelsPerMm * 25.4);
     options.insert(options.begin(), {"draw", file});
     // Creases have 0.7 of the pen's width: 1.4 pixels, so that half of a pixel is covered wherever the line runs.
-    options.insert(options.end(), {"--up=0,0,1", "--landscape", "--pen-width", "0.5mm", "--dpi", dpi, "--threads", "1", "-q", "-o", png.string()});
+    options.insert(options.end(), {"--up=0,0,1", "--landscape", "--pen-width", "0.5mm", "--dpi", dpi, "--threads", "1", "-q",
+                                   "-o", png.string()});
     if (command) {
       *command = "ligne";
       for (const std::string& option : options) *command += " " + option;
@@ -109,7 +111,8 @@ TEST_P(Picture, ShowsTheSameAsTheDrawing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Picture, testing::ValuesIn(kCases), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Files, Picture, testing::ValuesIn(kCases),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 /// Drawings that are spoilt on purpose.
 class SpoiltPicture : public PictureTest {

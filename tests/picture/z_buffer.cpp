@@ -24,8 +24,11 @@ constexpr double kClearlyBehind = 0.5;
 }  // namespace
 
 ZBuffer::ZBuffer(const Scene& scene, const ViewPoint& view)
-    : scene_(scene), perspective_(view.eye.has_value()), planes_(scene.faces.size()),
-      face_(static_cast<std::size_t>(kWidth) * kHeight, -1), depth_(face_.size(), kNothing) {
+    : scene_(scene),
+      perspective_(view.eye.has_value()),
+      planes_(scene.faces.size()),
+      face_(static_cast<std::size_t>(kWidth) * kHeight, -1),
+      depth_(face_.size(), kNothing) {
   const Point3 forward = glm::normalize(view.direction);
   const Point3 right = glm::normalize(glm::cross(forward, Point3{0, 0, 1})), down = glm::cross(forward, right);
   const Point3 eye = view.eye.value_or(Point3{0, 0, 0});
@@ -61,7 +64,8 @@ ZBuffer::ZBuffer(const Scene& scene, const ViewPoint& view)
     for (std::size_t c = 0; c < contours.size(); ++c) {
       for (const std::uint32_t v : scene.faces.contour(f, c)) contours[c].push_back(vertices_[v]);
     }
-    // In camera coordinates the plane is n.x X + n.y Y + n.z W = e. With X = u W and Y = v W in a perspective, e / W is linear in the page.
+    // In camera coordinates the plane is n.x X + n.y Y + n.z W = e. With X = u W and Y = v W in a perspective, e / W is
+    // linear in the page.
     const Point3 n{glm::dot(normal, right), glm::dot(normal, down), glm::dot(normal, forward)};
     const double e = glm::dot(normal, origin - eye), to_pixels = scale / mean_depth;
     Plane& plane = planes_[f];
@@ -119,7 +123,8 @@ bool ZBuffer::is_strong_jump(Pixel a, Pixel b) const {
   if (fa < 0 || fb < 0) return true;
   const Plane &pa = planes_[static_cast<std::size_t>(fa)], &pb = planes_[static_cast<std::size_t>(fb)];
   if (glm::dot(pa.normal, pb.normal) < kSteepCosine) return true;
-  const double at_a = depth(fb, a.x + 0.5, a.y + 0.5) - depth_[index(a)], at_b = depth_[index(b)] - depth(fa, b.x + 0.5, b.y + 0.5);
+  const double at_a = depth(fb, a.x + 0.5, a.y + 0.5) - depth_[index(a)],
+               at_b = depth_[index(b)] - depth(fa, b.x + 0.5, b.y + 0.5);
   return std::min(at_a, at_b) > kFarBefore || std::max(at_a, at_b) < -kFarBefore;
 }
 

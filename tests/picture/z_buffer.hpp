@@ -1,6 +1,7 @@
 #pragma once
-/// A picture of a scene, pixel by pixel: of every face the pixels whose centres lie in it by the even-odd rule, at the depths of its
-/// plane. Made from model coordinates and the camera's numbers alone; nothing of the library's geometry is used.
+/// A picture of a scene, pixel by pixel: of every face the pixels whose centres lie in it by the even-odd rule, at the
+/// depths of its plane. Made from model coordinates and the camera's numbers alone; nothing of the library's geometry is
+/// used.
 
 #include <cstdint>
 #include <optional>
@@ -29,10 +30,11 @@ class ZBuffer {
 
   std::int32_t face_at(Pixel p) const { return face_[index(p)]; }  ///< -1: none
 
-  /// Whether something must be drawn between two neighbouring pixels: one sees a face and the other nothing, one sees a face far before
-  /// the other's, or two planes at a steep angle.
+  /// Whether something must be drawn between two neighbouring pixels: one sees a face and the other nothing, one sees a face
+  /// far before the other's, or two planes at a steep angle.
   bool is_strong_jump(Pixel a, Pixel b) const;
-  /// Pixels at which something may be drawn: neighbours see different faces, or an edge runs there and no face is clearly before it.
+  /// Pixels at which something may be drawn: neighbours see different faces, or an edge runs there and no face is clearly
+  /// before it.
   std::vector<std::uint8_t> lines_allowed() const;
 
  private:

@@ -22,18 +22,28 @@ class GcodeMachine {
       char* end = nullptr;
       const double value = std::strtod(word.c_str() + 1, &end);
       if (*end != '\0' || word.size() < 2) return fault("not a word: " + word);
-      if (word[0] == 'G' || word[0] == 'M') command = word;
-      else words[word[0]] = value;
+      if (word[0] == 'G' || word[0] == 'M')
+        command = word;
+      else
+        words[word[0]] = value;
     }
-    if (command == "G21") millimetres_ = true;
-    else if (command == "G90") absolute_ = true;
-    else if (command == "G94" || command == "M2") {}
-    else if (command == "G4") settled_ = true;
-    else if (command == "M0") pause();
-    else if (command == "M3") set_pen(kind_ == PenKind::servo, kind_ != PenKind::z);
-    else if (command == "M5") set_pen(kind_ == PenKind::servo_reversed, kind_ != PenKind::z);
-    else if (command == "G0" || command == "G1") move(command == "G0", words);
-    else if (!text.empty()) fault("unknown: " + text);
+    if (command == "G21")
+      millimetres_ = true;
+    else if (command == "G90")
+      absolute_ = true;
+    else if (command == "G94" || command == "M2") {
+    } else if (command == "G4")
+      settled_ = true;
+    else if (command == "M0")
+      pause();
+    else if (command == "M3")
+      set_pen(kind_ == PenKind::servo, kind_ != PenKind::z);
+    else if (command == "M5")
+      set_pen(kind_ == PenKind::servo_reversed, kind_ != PenKind::z);
+    else if (command == "G0" || command == "G1")
+      move(command == "G0", words);
+    else if (!text.empty())
+      fault("unknown: " + text);
   }
   Replay take() {
     replay_.ends_up = known_ && !down_;

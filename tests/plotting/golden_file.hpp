@@ -19,7 +19,8 @@ inline std::string difference(const std::string& name, const std::string& text) 
   if (!in) return name + " is missing";
   const std::string wanted{std::istreambuf_iterator<char>(in), {}};
   if (wanted == text) return "";
-  const auto at = static_cast<std::size_t>(std::mismatch(wanted.begin(), wanted.end(), text.begin(), text.end()).first - wanted.begin());
+  const auto at =
+      static_cast<std::size_t>(std::mismatch(wanted.begin(), wanted.end(), text.begin(), text.end()).first - wanted.begin());
   return name + " differs at byte " + std::to_string(at) + ": " + text.substr(at, 60);
 }
 

@@ -46,7 +46,8 @@ Drawing axes_drawing() {
   const Scene scene = box_scene(request.box());
   const Rect sheet{{0, 0}, {210, 297}}, area{{30, 30}, {180, 267}};
   const View view = make_view(scene, make_camera(camera, scene), {area}, sheet);
-  const AxesPicture axes = lay_out_axes(request, view, [](std::string_view text, double height) { return text_extent(text, height, TextStyle::font); });
+  const AxesPicture axes = lay_out_axes(
+      request, view, [](std::string_view text, double height) { return text_extent(text, height, TextStyle::font); });
   Drawing drawing;
   constexpr double kCoincidence = 0.00025;
   drawing.layers.push_back({"axes", axis_lines(axes.lines, view, {}, kCoincidence)});

@@ -47,7 +47,8 @@ bool inside(Point2 p, const Contours& contours) {
   return in;
 }
 
-/// A corner that points along the strokes between two lines of the cover is not seen: one of a right angle comes nearer by half the distance of the lines at most.
+/// A corner that points along the strokes between two lines of the cover is not seen: one of a right angle comes nearer by
+/// half the distance of the lines at most.
 constexpr double kUnseenPens = 0.5 / 6;
 
 /// Every point of every stroke is inside and half a pen from the border.
@@ -106,7 +107,8 @@ TEST(Hatch, HolesAndCornersStayFree) {
       area += &contour == &contours[0] ? std::abs(sum) / 2 : -std::abs(sum) / 2;
     }
     EXPECT_NEAR(lengths.down_mm * options.spacing_mm, area, 0.15 * area) << angle;
-    // About a hundred spans; beside a round hole the straight way to the next row would come nearer than half a pen, so the pen is lifted there.
+    // About a hundred spans; beside a round hole the straight way to the next row would come nearer than half a pen, so the
+    // pen is lifted there.
     EXPECT_LT(lines.size(), 30u) << "rows are tied together";
   }
 }
@@ -223,7 +225,8 @@ TEST(Hatch, TiesFollowTheRim) {
     for (std::size_t k = 1; k < line.size(); ++k) {
       if (std::abs(line[k].y - line[k - 1].y) < 1e-9) continue;
       ++ties;
-      for (const double t : {0.0, 0.5, 1.0}) EXPECT_LT(border_distance(line[k - 1] + (line[k] - line[k - 1]) * t, tower), 0.8 * options.pen_width_mm);
+      for (const double t : {0.0, 0.5, 1.0})
+        EXPECT_LT(border_distance(line[k - 1] + (line[k] - line[k - 1]) * t, tower), 0.8 * options.pen_width_mm);
       corner = std::max({corner, line[k - 1].x, line[k].x});
     }
   }
@@ -238,9 +241,11 @@ TEST(Hatch, CornersBetweenNeighboursMakeNoGaps) {
   const double line_mm = cover_line_mm(0.9, 0.3);
   std::vector<CoverRun> cover;
   for (std::size_t i = 0; i < rim.size(); ++i) {
-    add_cover(Contours{{{20.1, 19.7}, rim[i], rim[(i + 1) % rim.size()]}}, static_cast<std::uint32_t>(i), frame, line_mm, cover);
+    add_cover(Contours{{{20.1, 19.7}, rim[i], rim[(i + 1) % rim.size()]}}, static_cast<std::uint32_t>(i), frame, line_mm,
+              cover);
   }
-  const std::vector<SurfaceHatch> surfaces(rim.size(), {static_cast<std::uint32_t>(std::lround(0.9 / line_mm)), kRowCycle, 0, 0});
+  const std::vector<SurfaceHatch> surfaces(rim.size(),
+                                           {static_cast<std::uint32_t>(std::lround(0.9 / line_mm)), kRowCycle, 0, 0});
   std::vector<double> pens{0.3};
   std::vector<Polylines> layers(1);
   hatch_cover(frame, line_mm, cover, surfaces, pens, layers);

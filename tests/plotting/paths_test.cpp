@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include <glm/geometric.hpp>
 #include <oneapi/tbb/global_control.h>
+#include <glm/geometric.hpp>
 
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/end_tree.hpp"
@@ -40,7 +40,8 @@ double distance(Point2 p, const Polylines& lines) {
   double least = 1e300;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto line = lines[i];
-    for (std::size_t k = 0; k < line.size(); ++k) least = std::min(least, distance(p, line[k], line[std::min(k + 1, line.size() - 1)]));
+    for (std::size_t k = 0; k < line.size(); ++k)
+      least = std::min(least, distance(p, line[k], line[std::min(k + 1, line.size() - 1)]));
   }
   return least;
 }
@@ -74,7 +75,8 @@ TEST(JoinStrokes, EndsWithinTheToleranceAndNotBeyond) {
 
 TEST(JoinStrokes, TheNearestEndsGoTogether) {
   // The end at 10 has two candidates; the nearer one leaves nothing else to join.
-  const Polylines joined = join_near_ends(lines_of({{{0, 0}, {10, 0}}, {{10.04, 0}, {20, 5}}, {{10, 0.01}, {20, -5}}}), 0.05);
+  const Polylines joined =
+      join_near_ends(lines_of({{{0, 0}, {10, 0}}, {{10.04, 0}, {20, 5}}, {{10, 0.01}, {20, -5}}}), 0.05);
   ASSERT_EQ(joined.size(), 2u);
   EXPECT_EQ(joined[0].back(), Point2(20, -5));
 }
@@ -90,11 +92,10 @@ TEST(JoinStrokes, AGapIsClosedOnlyByALineThatComesBack) {
 
 TEST(JoinStrokes, RingsAreTakenIntoWhatTheyTouch) {
   // A line with two triangles on it, and a third on one of them: one stroke.
-  const Polylines joined = join_strokes(lines_of({{{0, 0}, {10, 0}},
-                                                  {{10, 0}, {20, 0}},
-                                                  {{10, 0}, {12, 5}, {8, 5}, {10, 0}},
-                                                  {{8, 5}, {12, 9}, {4, 9}, {8, 5}}}),
-                                        {});
+  const Polylines joined = join_strokes(
+      lines_of(
+          {{{0, 0}, {10, 0}}, {{10, 0}, {20, 0}}, {{10, 0}, {12, 5}, {8, 5}, {10, 0}}, {{8, 5}, {12, 9}, {4, 9}, {8, 5}}}),
+      {});
   ASSERT_EQ(joined.size(), 1u);
   EXPECT_EQ(joined[0].front(), Point2(0, 0));
   EXPECT_EQ(joined[0].back(), Point2(20, 0));
@@ -116,9 +117,11 @@ TEST(JoinStrokes, AFigureTakesHalfAsManyStrokesAsItHasOddPoints) {
 
 TEST(JoinStrokes, LinesTwiceAndLinesThatOverlapAreDrawnOnce) {
   std::vector<Point2> circle;
-  for (int i = 0; i <= 3000; ++i) circle.push_back({50 + 30 * std::cos(i * 2 * M_PI / 3000), 50 + 30 * std::sin(i * 2 * M_PI / 3000)});
+  for (int i = 0; i <= 3000; ++i)
+    circle.push_back({50 + 30 * std::cos(i * 2 * M_PI / 3000), 50 + 30 * std::sin(i * 2 * M_PI / 3000)});
   std::vector<Point2> turned(circle.rbegin(), circle.rend());
-  const Polylines joined = join_strokes(lines_of({circle, turned, {{0, 0}, {10, 0}}, {{20, 0.001}, {5, 0.001}}, {{10, 0}, {0, 0}}}), {});
+  const Polylines joined =
+      join_strokes(lines_of({circle, turned, {{0, 0}, {10, 0}}, {{20, 0.001}, {5, 0.001}}, {{10, 0}, {0, 0}}}), {});
   EXPECT_EQ(joined.size(), 2u);
   EXPECT_NEAR(total_length(joined), 2 * M_PI * 30 + 20, 0.1);
 }
@@ -126,7 +129,8 @@ TEST(JoinStrokes, LinesTwiceAndLinesThatOverlapAreDrawnOnce) {
 TEST(JoinStrokes, FineCurvesTwiceAreDrawnOnce) {
   // Segments of 2 micrometres.
   std::vector<Point2> circle;
-  for (int i = 0; i <= 9000; ++i) circle.push_back({50 + 3 * std::cos(i * 2 * M_PI / 9000), 50 + 3 * std::sin(i * 2 * M_PI / 9000)});
+  for (int i = 0; i <= 9000; ++i)
+    circle.push_back({50 + 3 * std::cos(i * 2 * M_PI / 9000), 50 + 3 * std::sin(i * 2 * M_PI / 9000)});
   const std::vector<Point2> turned(circle.rbegin(), circle.rend());
   const Polylines joined = join_strokes(lines_of({circle, turned, circle}), {});
   EXPECT_EQ(joined.size(), 1u);

@@ -64,7 +64,9 @@ Written written(const Device& device, const Drawing& drawing, bool two_pens, boo
 }
 
 PenKind kind_of(const Device& device) {
-  return device.name == "grbl-z" ? PenKind::z : device.name == "grbl-servo-reversed" ? PenKind::servo_reversed : PenKind::servo;
+  return device.name == "grbl-z"                ? PenKind::z
+         : device.name == "grbl-servo-reversed" ? PenKind::servo_reversed
+                                                : PenKind::servo;
 }
 
 Replay replay(const Device& device, const std::string& text) {
@@ -145,7 +147,8 @@ TEST_P(EveryPlotter, RefusesWhatLeavesTheLimitsOrMakesItFit) {
   const double step = device().language == DeviceLanguage::hpgl ? 1 : device().step_mm;
   EXPECT_GE(got.reach.min.x, w.frame.limits.min.x * step - 1e-9);
   EXPECT_LE(got.reach.max.y, w.frame.limits.max.y * step + 1e-9);
-  const Point2 across = w.frame.to_device({1, 0}) - w.frame.to_device({0, 0}), down = w.frame.to_device({0, 1}) - w.frame.to_device({0, 0});
+  const Point2 across = w.frame.to_device({1, 0}) - w.frame.to_device({0, 0}),
+               down = w.frame.to_device({0, 1}) - w.frame.to_device({0, 0});
   EXPECT_NEAR(glm::length(across), glm::length(down), 1e-12) << "made smaller alike in both directions";
   EXPECT_NEAR(glm::distance(w.frame.to_page(w.frame.to_device({12, 34})), Point2(12, 34)), 0, 1e-9);
 }
@@ -157,7 +160,8 @@ INSTANTIATE_TEST_SUITE_P(Devices, EveryPlotter, testing::ValuesIn(plotters()), [
 });
 
 TEST(Devices, AreTheOnesThatAreOwed) {
-  for (const char* name : {"hp7475a", "hp7550a", "designjet", "cutter", "axidraw-v3", "grbl-servo", "grbl-servo-reversed", "grbl-z"}) {
+  for (const char* name :
+       {"hp7475a", "hp7550a", "designjet", "cutter", "axidraw-v3", "grbl-servo", "grbl-servo-reversed", "grbl-z"}) {
     EXPECT_NE(find_device(name), nullptr) << name;
   }
   EXPECT_EQ(find_device("hp7475a")->step_mm, 0.02488);
@@ -183,9 +187,10 @@ TEST(Devices, TheMiddleOfP1AndP2IsThatOfThePaperOnThe7475A) {
     Point2 p1, p2;
   };
   const Device& device = *find_device("hp7475a");
-  for (const Points& points : {Points{"A4", {603, 521}, {10603, 7721}}, Points{"A3", {170, 602}, {15370, 10602}}, Points{"letter", {250, 596}, {10250, 7796}},
-                               Points{"tabloid", {522, 259}, {15722, 10259}}}) {
-    const auto paper = std::find_if(device.papers.begin(), device.papers.end(), [&](const DevicePaper& p) { return p.name == points.paper; });
+  for (const Points& points : {Points{"A4", {603, 521}, {10603, 7721}}, Points{"A3", {170, 602}, {15370, 10602}},
+                               Points{"letter", {250, 596}, {10250, 7796}}, Points{"tabloid", {522, 259}, {15722, 10259}}}) {
+    const auto paper = std::find_if(device.papers.begin(), device.papers.end(),
+                                    [&](const DevicePaper& p) { return p.name == points.paper; });
     ASSERT_NE(paper, device.papers.end()) << points.paper;
     const Point2 middle = *paper->origin_mm + (points.p1 + points.p2) * (0.5 * device.step_mm);
     EXPECT_NEAR(glm::distance(middle, Point2(paper->width_mm, paper->height_mm) * 0.5), 0, 0.01) << points.paper;
@@ -209,7 +214,8 @@ TEST(Devices, ErrorsNameFileAndLine) {
   EXPECT_TRUE(error_of("name = ").starts_with("my.toml:1: "));
   EXPECT_EQ(error_of("name = \"a\"\ntitle = \"b\"\nlanguage = \"dxf\"\n"), "my.toml:3: language is not hpgl, gcode or svg");
   EXPECT_EQ(error_of("name = \"a\"\ncolour = 3\n"), "my.toml:2: there is no key colour");
-  EXPECT_EQ(error_of("name = \"a\"\ntitle = \"b\"\nlanguage = \"svg\"\nstep = -1\n"), "my.toml:4: step is not from 0.0001 to 10 mm");
+  EXPECT_EQ(error_of("name = \"a\"\ntitle = \"b\"\nlanguage = \"svg\"\nstep = -1\n"),
+            "my.toml:4: step is not from 0.0001 to 10 mm");
   EXPECT_TRUE(error_of("").starts_with("my.toml"));
 }
 
@@ -244,18 +250,21 @@ TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
   EXPECT_EQ(table.pen_of("mesh", ""), 2u);
   EXPECT_EQ(table.pen_of("!5+S30 mine", ""), 5u) << "a layer that another program numbered";
   EXPECT_EQ(table.pen(4).color, (std::array<double, 3>{0, 1, 0}));
-  for (const char* wrong : {"", "outline", "=1", "outline=0", "outline=1001", "outline=x", "outline=1,reddish", "outline=1,red,-1", "outline=1,red,0", "outline=1,#12"}) {
+  for (const char* wrong : {"", "outline", "=1", "outline=0", "outline=1001", "outline=x", "outline=1,reddish",
+                            "outline=1,red,-1", "outline=1,red,0", "outline=1,#12"}) {
     EXPECT_THROW(add_pen(table, wrong), std::invalid_argument) << wrong;
   }
-  const PenTable file = read_pens("[[pen]]\nnumber = 2\ncolor = \"red\"\nwidth = 0.7\nclasses = [\"outline\", \"border\"]\nmaterials = [\"glass\"]\n"
-                                  "[[pen]]\nnumber = 1\nrest = true\nskip = true\n",
-                                  "pens.toml");
+  const PenTable file = read_pens(
+      "[[pen]]\nnumber = 2\ncolor = \"red\"\nwidth = 0.7\nclasses = [\"outline\", \"border\"]\nmaterials = [\"glass\"]\n"
+      "[[pen]]\nnumber = 1\nrest = true\nskip = true\n",
+      "pens.toml");
   EXPECT_EQ(file.pen_of("border", ""), 2u);
   EXPECT_EQ(file.pen_of("mesh", "glass"), 2u);
   EXPECT_EQ(file.pen_of("mesh", ""), 1u);
   EXPECT_TRUE(file.pen(1).skip);
-  for (const char* wrong : {"", "[[pen]]\n", "[[pen]]\nnumber = 0\n", "[[pen]]\nnumber = 1\nwidth = 0\n", "[[pen]]\nnumber = 1\nwidht = 1\n",
-                            "[[pen]]\nnumber = 1\n[[pen]]\nnumber = 1\n", "[[pen]]\nnumber = 1\ncolor = \"?\"\n", "[pen]\nnumber = 1\n"}) {
+  for (const char* wrong :
+       {"", "[[pen]]\n", "[[pen]]\nnumber = 0\n", "[[pen]]\nnumber = 1\nwidth = 0\n", "[[pen]]\nnumber = 1\nwidht = 1\n",
+        "[[pen]]\nnumber = 1\n[[pen]]\nnumber = 1\n", "[[pen]]\nnumber = 1\ncolor = \"?\"\n", "[pen]\nnumber = 1\n"}) {
     EXPECT_THROW(read_pens(wrong, "pens.toml"), std::runtime_error) << wrong;
   }
 }
@@ -300,7 +309,8 @@ bool hp2xx_is_there() { return std::system("command -v hp2xx >/dev/null 2>&1") =
 
 /// Points of the paths of hp2xx's SVG, in its units of 1/90 inch.
 std::vector<Point2> hp2xx_points(const std::string& hpgl) {
-  const auto folder = std::filesystem::temp_directory_path() / ("ligne-hp2xx-" + std::to_string(std::hash<std::string>{}(hpgl)));
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("ligne-hp2xx-" + std::to_string(std::hash<std::string>{}(hpgl)));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "in.hpgl", std::ios::binary) << hpgl;
   const std::string command = "cd '" + folder.string() + "' && hp2xx -q -N -t -m svg -f out.svg in.hpgl >/dev/null 2>&1";
@@ -332,8 +342,8 @@ TEST_P(Hp2xx, ReadsTheSameDrawingOfTheSameSize) {
   const Written w = written(device, drawing, true);
   const std::vector<Point2> read = hp2xx_points(w.text);
   ASSERT_FALSE(read.empty());
-  // hp2xx takes a unit for 0.025 mm, puts the lower left of the drawing into a corner, and fits its SVG to a page: shapes are compared, at our width. That sizes are true
-  // its G-code tells, below.
+  // hp2xx takes a unit for 0.025 mm, puts the lower left of the drawing into a corner, and fits its SVG to a page: shapes
+  // are compared, at our width. That sizes are true its G-code tells, below.
   constexpr double kUnitMm = 0.025;
   Rect ours, theirs;
   std::vector<Point2> points;
@@ -353,7 +363,8 @@ TEST_P(Hp2xx, ReadsTheSameDrawingOfTheSameSize) {
     return least;
   };
   std::vector<Point2> shifted;
-  for (const Point2 p : read) shifted.push_back({p.x * pixel_mm - theirs.min.x + ours.min.x, theirs.max.y - p.y * pixel_mm + ours.min.y});
+  for (const Point2 p : read)
+    shifted.push_back({p.x * pixel_mm - theirs.min.x + ours.min.x, theirs.max.y - p.y * pixel_mm + ours.min.y});
   for (const Point2 p : points) EXPECT_LE(nearest(p, shifted), kWithinMm) << p.x << " " << p.y;
   for (const Point2 p : shifted) EXPECT_LE(nearest(p, points), kWithinMm) << p.x << " " << p.y;
 }
@@ -369,7 +380,8 @@ TEST(Hp2xxGcode, ALineOf25MillimetresIs25Millimetres) {
   const auto folder = std::filesystem::temp_directory_path() / "ligne-hp2xx-nc";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "in.hpgl") << hpgl;
-  ASSERT_EQ(std::system(("cd '" + folder.string() + "' && hp2xx -q -N -t -m nc -f out.nc in.hpgl >/dev/null 2>&1").c_str()), 0);
+  ASSERT_EQ(std::system(("cd '" + folder.string() + "' && hp2xx -q -N -t -m nc -f out.nc in.hpgl >/dev/null 2>&1").c_str()),
+            0);
   std::ifstream in(folder / "out.nc");
   std::string line;
   Point2 at{0, 0};

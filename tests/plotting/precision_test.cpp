@@ -27,7 +27,8 @@ Drawing awkward_drawing(const Page& page, std::vector<Line>& lines) {
     for (int j = 0; j < 7; ++j) line.push_back({page.width_mm * unit(random), page.height_mm * unit(random)});
     lines.push_back(line);
   }
-  lines.push_back({{100.1235, 100.1235}, {0.00005, 0.0001}, {page.width_mm, page.height_mm}, {page.width_mm - 0.0005, 1. / 3}});
+  lines.push_back(
+      {{100.1235, 100.1235}, {0.00005, 0.0001}, {page.width_mm, page.height_mm}, {page.width_mm - 0.0005, 1. / 3}});
   for (const Line& line : lines) add_line(drawing, "outline", line);
   return drawing;
 }

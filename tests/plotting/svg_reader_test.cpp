@@ -23,7 +23,8 @@ namespace {
 /// In a page of 100 x 100 mm whose unit is the millimetre.
 std::string page(const std::string& body, const std::string& attributes = "") {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
-         "width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\" fill=\"none\" stroke=\"black\" " + attributes + ">\n" + body + "\n</svg>";
+         "width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\" fill=\"none\" stroke=\"black\" " +
+         attributes + ">\n" + body + "\n</svg>";
 }
 
 ReadDrawing read(const std::string& body) { return read_svg_drawing(page(body), "a.svg", {}); }
@@ -42,7 +43,8 @@ std::vector<Point2> line_of(const std::string& body) {
 void expect_points(const std::string& body, const std::vector<Point2>& wanted) {
   const std::vector<Point2> got = line_of(body);
   ASSERT_EQ(got.size(), wanted.size()) << body;
-  for (std::size_t i = 0; i < got.size(); ++i) EXPECT_NEAR(glm::distance(got[i], wanted[i]), 0, 1e-9) << body << " point " << i;
+  for (std::size_t i = 0; i < got.size(); ++i)
+    EXPECT_NEAR(glm::distance(got[i], wanted[i]), 0, 1e-9) << body << " point " << i;
 }
 
 std::string error_of(const std::string& svg) {
@@ -67,8 +69,10 @@ TEST(SvgReader, ShapesAreWhereTheySayTheyAre) {
 }
 
 TEST(SvgReader, CurvesAreWithinTheirFlatness) {
-  for (const char* body : {"<circle cx='50' cy='50' r='40'/>", "<ellipse cx='50' cy='50' rx='40' ry='40'/>", "<path d='M90 50A40 40 0 1 1 10 50A40 40 0 0 1 90 50'/>",
-                           "<path d='M90 50a40 40 0 01-80 0 40 40 0 0180 0'/>", "<rect x='10' y='10' width='80' height='80' rx='40'/>"}) {
+  for (const char* body :
+       {"<circle cx='50' cy='50' r='40'/>", "<ellipse cx='50' cy='50' rx='40' ry='40'/>",
+        "<path d='M90 50A40 40 0 1 1 10 50A40 40 0 0 1 90 50'/>", "<path d='M90 50a40 40 0 01-80 0 40 40 0 0180 0'/>",
+        "<rect x='10' y='10' width='80' height='80' rx='40'/>"}) {
     const std::vector<Point2> line = line_of(body);
     EXPECT_GT(line.size(), 40u);
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -79,7 +83,9 @@ TEST(SvgReader, CurvesAreWithinTheirFlatness) {
     }
   }
   // A parabola as a quadratic and as a cubic.
-  for (const char* body : {"<path d='M0 0Q50 100 100 0'/>", "<path d='M0 0C33.3333333333 66.6666666667 66.6666666667 66.6666666667 100 0'/>", "<path d='M0 0q25 50 50 50t50-50'/>"}) {
+  for (const char* body :
+       {"<path d='M0 0Q50 100 100 0'/>", "<path d='M0 0C33.3333333333 66.6666666667 66.6666666667 66.6666666667 100 0'/>",
+        "<path d='M0 0q25 50 50 50t50-50'/>"}) {
     for (const Point2 p : line_of(body)) EXPECT_NEAR(p.y, 2 * p.x * (1 - p.x / 100), 1e-6) << body;
   }
   const std::vector<Point2> smooth = line_of("<path d='M0 50C0 30 20 30 20 50S40 70 40 50'/>");
@@ -95,19 +101,23 @@ TEST(SvgReader, TransformsUnitsAndGroups) {
   expect_points("<line x2='10' transform='rotate(90 5 0)'/>", {{5, -5}, {5, 5}});
   expect_points("<line x1='1' y1='2' x2='3' y2='4' transform='matrix(1 2 3 4 5 6)'/>", {{12, 16}, {20, 28}});
   expect_points("<line y2='10' transform='skewX(45)'/>", {{0, 0}, {10, 10}});
-  const auto pixels = read_svg_drawing("<svg width='960' height='480'><line stroke='red' x2='96' y2='1in'/></svg>", "a.svg", {});
+  const auto pixels =
+      read_svg_drawing("<svg width='960' height='480'><line stroke='red' x2='96' y2='1in'/></svg>", "a.svg", {});
   EXPECT_NEAR(pixels.page.width_mm, 254, 1e-9);
   EXPECT_NEAR(glm::distance(pixels.drawing.layers[0].lines[0][1], Point2(25.4, 25.4)), 0, 1e-9);
   EXPECT_EQ(pixels.drawing.layers[0].name, "#ff0000");
-  const auto wide = read_svg_drawing("<svg width='100mm' height='50mm' viewBox='0 0 10 10'><line stroke='red' x2='10'/></svg>", "a.svg", {});
+  const auto wide = read_svg_drawing(
+      "<svg width='100mm' height='50mm' viewBox='0 0 10 10'><line stroke='red' x2='10'/></svg>", "a.svg", {});
   EXPECT_NEAR(glm::distance(wide.drawing.layers[0].lines[0][0], Point2(25, 0)), 0, 1e-9) << "xMidYMid";
 }
 
 TEST(SvgReader, LinksLayersAndWhatDoesNotShow) {
   expect_points("<defs><line id='l' x2='5'/></defs><use xlink:href='#l' x='3' y='4'/>", {{3, 4}, {8, 4}});
-  expect_points("<line x2='5'/><g display='none'><line x2='9'/></g><line x2='7' stroke='none'/><line x2='8' visibility='hidden'/><line x2='4' style='stroke-opacity:0'/>",
-                {{0, 0}, {5, 0}});
-  const ReadDrawing layers = read("<g inkscape:groupmode='layer' inkscape:label='2 fine'><g stroke='red'><line x2='1'/></g></g><line x2='2' stroke='#00f'/>");
+  expect_points(
+      "<line x2='5'/><g display='none'><line x2='9'/></g><line x2='7' stroke='none'/><line x2='8' visibility='hidden'/><line x2='4' style='stroke-opacity:0'/>",
+      {{0, 0}, {5, 0}});
+  const ReadDrawing layers = read(
+      "<g inkscape:groupmode='layer' inkscape:label='2 fine'><g stroke='red'><line x2='1'/></g></g><line x2='2' stroke='#00f'/>");
   ASSERT_EQ(layers.drawing.layers.size(), 2u);
   EXPECT_EQ(layers.drawing.layers[0].name, "2 fine");
   EXPECT_EQ(layers.drawing.layers[1].name, "#0000ff");
@@ -117,8 +127,9 @@ TEST(SvgReader, LinksLayersAndWhatDoesNotShow) {
 }
 
 TEST(SvgReader, TextStandsWhereItIsWritten) {
-  const ReadDrawing drawing = read("<g font-size='10'><text x='20' y='30' text-anchor='middle'><tspan>A &amp; B</tspan></text></g>"
-                                   "<text transform='translate(5 60) rotate(-90)' font-size='10'>up</text>");
+  const ReadDrawing drawing = read(
+      "<g font-size='10'><text x='20' y='30' text-anchor='middle'><tspan>A &amp; B</tspan></text></g>"
+      "<text transform='translate(5 60) rotate(-90)' font-size='10'>up</text>");
   ASSERT_EQ(drawing.drawing.texts.size(), 2u);
   EXPECT_EQ(drawing.drawing.texts[0].text, "A & B");
   EXPECT_EQ(drawing.drawing.texts[0].at, Point2(20, 30));
@@ -133,7 +144,8 @@ TEST(SvgReader, RefusesByName) {
       {"<path d='M0 0L9 0 9 9z' fill='red'/>", "<path> has fill"},
       {"<line x2='5'/><rect width='9' height='9' fill='white'/>", "<rect> has fill"},
       {"<g clip-path='circle(5px)'><line x2='5'/></g>", "<g> has clip-path"},
-      {"<clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='1' height='1'/></clipPath> <line x2='5' clip-path='url(#c)'/>", "<line> has clip-path"},
+      {"<clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='1' height='1'/></clipPath> <line x2='5' clip-path='url(#c)'/>",
+       "<line> has clip-path"},
       {"<clipPath id='c'><text>a</text></clipPath> <line x2='5' clip-path='url(#c)'/>", "<text> has clip-path"},
       {"<line x2='5' style='mask:url(#m)'/>", "<line> has mask"},
       {"<line x2='5' filter='url(#m)'/>", "<line> has filter"},
@@ -183,7 +195,8 @@ std::multiset<std::string> lines_of(const ReadDrawing& drawing) {
   for (const Layer& layer : drawing.drawing.layers) {
     for (std::size_t i = 0; i < layer.lines.size(); ++i) {
       std::string text;
-      for (const Point2 p : layer.lines[i]) text += std::to_string(std::lround(p.x * 100)) + "," + std::to_string(std::lround(p.y * 100)) + " ";
+      for (const Point2 p : layer.lines[i])
+        text += std::to_string(std::lround(p.x * 100)) + "," + std::to_string(std::lround(p.y * 100)) + " ";
       all.insert(text);
     }
   }
@@ -197,13 +210,21 @@ TEST(SvgReader, ClipPathsCutWhatTheyHide) {
   EXPECT_EQ(lines_of(read(box + "<line y1='20' x2='100' y2='20' clip-path='url(#c)'/>")), Lines{"1000,2000 3000,2000 "});
   EXPECT_EQ(lines_of(read(box + "<g clip-path=\"url('#c')\"><polyline points='0,20 20,20 20,0 25,0 25,50'/></g>")),
             (Lines{"1000,2000 2000,2000 2000,1000 ", "2500,1000 2500,3000 "}));
-  EXPECT_EQ(lines_of(read(box + "<g transform='translate(50 0)'><line y1='20' x2='100' y2='20' style='clip-path: url(#c)'/></g>")), Lines{"6000,2000 8000,2000 "})
+  EXPECT_EQ(
+      lines_of(read(box + "<g transform='translate(50 0)'><line y1='20' x2='100' y2='20' style='clip-path: url(#c)'/></g>")),
+      Lines{"6000,2000 8000,2000 "})
       << "in the units of the element that is cut";
-  EXPECT_EQ(lines_of(read(box + "<g clip-path='url(#c)'><g transform='translate(10 0)'><line y1='20' x2='100' y2='20' clip-path='url(#c)'/></g></g>")),
-            Lines{"2000,2000 3000,2000 "})
+  EXPECT_EQ(
+      lines_of(read(
+          box +
+          "<g clip-path='url(#c)'><g transform='translate(10 0)'><line y1='20' x2='100' y2='20' clip-path='url(#c)'/></g></g>")),
+      Lines{"2000,2000 3000,2000 "})
       << "one inside the other";
-  EXPECT_EQ(lines_of(read(box + "<line x1='10' y1='5' x2='10' y2='50' clip-path='url(#c)'/>")), Lines{"1000,1000 1000,3000 "}) << "half of its width shows";
-  EXPECT_EQ(lines_of(read("<clipPath id='c'/><line x2='9' clip-path='url(#c)'/>")), Lines{}) << "nothing shows through an empty one";
+  EXPECT_EQ(lines_of(read(box + "<line x1='10' y1='5' x2='10' y2='50' clip-path='url(#c)'/>")),
+            Lines{"1000,1000 1000,3000 "})
+      << "half of its width shows";
+  EXPECT_EQ(lines_of(read("<clipPath id='c'/><line x2='9' clip-path='url(#c)'/>")), Lines{})
+      << "nothing shows through an empty one";
   EXPECT_EQ(lines_of(read("<line x2='9' clip-path='url(#none)'/>")), Lines{"0,0 900,0 "});
 }
 
@@ -212,11 +233,16 @@ TEST(SvgReader, ClipPathsOfAnyShape) {
   const std::string path = "<path d='M10 10h20v20h-20zM20 10h20v20h-20z' ";
   const std::string line = "<line y1='20' x2='100' y2='20' clip-path='url(#c)'/>";
   EXPECT_EQ(lines_of(read("<clipPath id='c'>" + path + "/></clipPath>" + line)), Lines{"1000,2000 4000,2000 "});
-  EXPECT_EQ(lines_of(read("<clipPath id='c'>" + path + "clip-rule='evenodd'/></clipPath>" + line)), (Lines{"1000,2000 2000,2000 ", "3000,2000 4000,2000 "}));
-  EXPECT_EQ(lines_of(read("<clipPath id='c'><rect x='10' width='5' height='50'/><rect x='12' width='8' height='50'/><use xlink:href='#r' x='30'/></clipPath>"
-                          "<defs><rect id='r' width='3' height='50'/></defs>" + line)),
-            (Lines{"1000,2000 2000,2000 ", "3000,2000 3300,2000 "}));
-  const ReadDrawing round = read("<clipPath id='c'><circle cx='50' cy='50' r='30'/></clipPath><g clip-path='url(#c)'><path d='M0 50H100M50 0V100M0 0L100 100'/></g>");
+  EXPECT_EQ(lines_of(read("<clipPath id='c'>" + path + "clip-rule='evenodd'/></clipPath>" + line)),
+            (Lines{"1000,2000 2000,2000 ", "3000,2000 4000,2000 "}));
+  EXPECT_EQ(
+      lines_of(read(
+          "<clipPath id='c'><rect x='10' width='5' height='50'/><rect x='12' width='8' height='50'/><use xlink:href='#r' x='30'/></clipPath>"
+          "<defs><rect id='r' width='3' height='50'/></defs>" +
+          line)),
+      (Lines{"1000,2000 2000,2000 ", "3000,2000 3300,2000 "}));
+  const ReadDrawing round = read(
+      "<clipPath id='c'><circle cx='50' cy='50' r='30'/></clipPath><g clip-path='url(#c)'><path d='M0 50H100M50 0V100M0 0L100 100'/></g>");
   for (const Point2 p : round.drawing.layers.at(0).lines.points) EXPECT_NEAR(glm::distance(p, Point2(50, 50)), 30, 0.006);
   // A hundred thousand random segments: what is kept is inside, what is not is outside, and nothing is lost at corners.
   std::string star = "M", crowd;
@@ -227,25 +253,32 @@ TEST(SvgReader, ClipPathsOfAnyShape) {
     star += std::to_string(corners.back().x) + " " + std::to_string(corners.back().y) + (i < 9 ? "L" : "Z");
   }
   for (int i = 0; i < 100; ++i) crowd += "M0 " + std::to_string(i + 0.5) + "H100";
-  const ReadDrawing stripes = read("<clipPath id='c'><path d='" + star + "'/></clipPath><path clip-path='url(#c)' d='" + crowd + "'/>");
+  const ReadDrawing stripes =
+      read("<clipPath id='c'><path d='" + star + "'/></clipPath><path clip-path='url(#c)' d='" + crowd + "'/>");
   double length = 0, area = 0;
   const Polylines& kept = stripes.drawing.layers.at(0).lines;
   for (std::size_t i = 0; i < kept.size(); ++i) length += glm::distance(kept[i].front(), kept[i].back());
-  for (std::size_t i = 0; i < 10; ++i) area += (corners[i].x * corners[(i + 1) % 10].y - corners[i].y * corners[(i + 1) % 10].x) / 2;
+  for (std::size_t i = 0; i < 10; ++i)
+    area += (corners[i].x * corners[(i + 1) % 10].y - corners[i].y * corners[(i + 1) % 10].x) / 2;
   EXPECT_NEAR(length, area, 0.01 * area) << "stripes one millimetre apart";
 }
 
 TEST(SvgReader, StyleSheets) {
-  EXPECT_EQ(lines_of(read("<style>.no{stroke:none} #seen{stroke:red} g.in > line{display:none} g path { stroke-dasharray: 2 1 } *{stroke-linejoin:round}</style>"
-                          "<line class='a no b' x2='1'/><line class='no' id='seen' x2='2'/><g class='in'><line x2='3'/><g><line x2='4'/></g></g><g><path d='M0 9h4'/></g>")),
-            (Lines{"0,0 200,0 ", "0,0 400,0 ", "0,900 200,900 ", "300,900 400,900 "}));
-  const ReadDrawing colors = read("<style type='text/css'><![CDATA[ /* black */ line, polyline.x { stroke: blue } line { stroke: #00ff00 !important; } ]]></style>"
-                                  "<line x2='1' style='stroke:red'/><polyline class='x' points='0 1 2 1' stroke='red'/><polyline class='x' points='0 2 2 2' style='stroke:red'/>");
+  EXPECT_EQ(
+      lines_of(read(
+          "<style>.no{stroke:none} #seen{stroke:red} g.in > line{display:none} g path { stroke-dasharray: 2 1 } *{stroke-linejoin:round}</style>"
+          "<line class='a no b' x2='1'/><line class='no' id='seen' x2='2'/><g class='in'><line x2='3'/><g><line x2='4'/></g></g><g><path d='M0 9h4'/></g>")),
+      (Lines{"0,0 200,0 ", "0,0 400,0 ", "0,900 200,900 ", "300,900 400,900 "}));
+  const ReadDrawing colors = read(
+      "<style type='text/css'><![CDATA[ /* black */ line, polyline.x { stroke: blue } line { stroke: #00ff00 !important; } ]]></style>"
+      "<line x2='1' style='stroke:red'/><polyline class='x' points='0 1 2 1' stroke='red'/><polyline class='x' points='0 2 2 2' style='stroke:red'/>");
   ASSERT_EQ(colors.drawing.layers.size(), 3u);
   EXPECT_EQ(colors.drawing.layers[0].name, "#00ff00") << "!important";
   EXPECT_EQ(colors.drawing.layers[1].name, "#0000ff") << "a rule goes before an attribute";
   EXPECT_EQ(colors.drawing.layers[2].name, "#ff0000") << "and behind the style attribute";
-  EXPECT_EQ(lines_of(read("<style>@font-face{font-family:x;src:none} a:hover{stroke:none} <!-- --></style><line x2='1'/>")).size(), 1u);
+  EXPECT_EQ(
+      lines_of(read("<style>@font-face{font-family:x;src:none} a:hover{stroke:none} <!-- --></style><line x2='1'/>")).size(),
+      1u);
   EXPECT_EQ(lines_of(read("<style>g{display:none}</style><g style='display:inline'><line x2='1'/></g>")).size(), 1u);
   std::string many = "<style>";
   for (int i = 0; i < 9000; ++i) many += "g g g line{stroke:red}";
@@ -256,15 +289,22 @@ TEST(SvgReader, StyleSheets) {
 }
 
 TEST(SvgReader, SymbolsAndNestedDrawings) {
-  EXPECT_EQ(lines_of(read("<svg x='10' y='20' width='30' height='30' viewBox='0 0 3 3'><line x1='-1' y1='1' x2='2' y2='1'/></svg>")), Lines{"1000,3000 3000,3000 "})
+  EXPECT_EQ(lines_of(read(
+                "<svg x='10' y='20' width='30' height='30' viewBox='0 0 3 3'><line x1='-1' y1='1' x2='2' y2='1'/></svg>")),
+            Lines{"1000,3000 3000,3000 "})
       << "scaled, and cut at its frame";
-  EXPECT_EQ(lines_of(read("<svg x='10' y='20' width='30' height='30' viewBox='0 0 3 3' overflow='visible'><line x1='-1' y1='1' x2='2' y2='1'/></svg>")),
-            Lines{"0,3000 3000,3000 "});
+  EXPECT_EQ(
+      lines_of(read(
+          "<svg x='10' y='20' width='30' height='30' viewBox='0 0 3 3' overflow='visible'><line x1='-1' y1='1' x2='2' y2='1'/></svg>")),
+      Lines{"0,3000 3000,3000 "});
   EXPECT_EQ(lines_of(read("<svg width='50%' height='10'><line x2='100%'/></svg>")), Lines{"0,0 5000,0 "});
   const std::string symbol = "<symbol id='s' viewBox='0 0 10 10'><line x2='10' y2='10'/></symbol>";
-  EXPECT_EQ(lines_of(read(symbol + "<use xlink:href='#s' x='5' y='6' width='20' height='20'/>")), Lines{"500,600 2500,2600 "});
+  EXPECT_EQ(lines_of(read(symbol + "<use xlink:href='#s' x='5' y='6' width='20' height='20'/>")),
+            Lines{"500,600 2500,2600 "});
   EXPECT_EQ(lines_of(read(symbol + "<use href='#s' x='5' width='0' height='20'/>")), Lines{});
-  EXPECT_EQ(lines_of(read("<symbol id='g' overflow='visible'><path d='M1 1L-4 1'/></symbol><use xlink:href='#g' x='50' y='50'/>")), Lines{"5100,5100 4600,5100 "});
+  EXPECT_EQ(
+      lines_of(read("<symbol id='g' overflow='visible'><path d='M1 1L-4 1'/></symbol><use xlink:href='#g' x='50' y='50'/>")),
+      Lines{"5100,5100 4600,5100 "});
 }
 
 TEST(SvgReader, DotsAndFills) {
@@ -273,10 +313,12 @@ TEST(SvgReader, DotsAndFills) {
   Drawing dots;
   add_line(dots, "outline", {{5, 5}, {5, 5}});
   EXPECT_EQ(lines_of(read_svg_drawing(write_svg(dots, {}), "a.svg", {})), Lines{"500,500 500,500 "}) << "ours come back";
-  const std::string square = page("<path d='M10 10h20v20h-20zM15 15h10v10h-10z' fill='red' stroke='none'/><text x='1' y='9'>a</text>");
+  const std::string square =
+      page("<path d='M10 10h20v20h-20zM15 15h10v10h-10z' fill='red' stroke='none'/><text x='1' y='9'>a</text>");
   const auto with = [&](FillReading::How how) { return read_svg_drawing(square, "a.svg", {}, {how, 0.5}); };
   EXPECT_EQ(lines_of(with(FillReading::How::outline)).size(), 2u);
-  EXPECT_GT(measure(with(FillReading::How::hatch).drawing.layers.at(0).lines, {0, 0}, false).down_mm, 400 / 0.4 * 0.9) << "wound alike: no hole";
+  EXPECT_GT(measure(with(FillReading::How::hatch).drawing.layers.at(0).lines, {0, 0}, false).down_mm, 400 / 0.4 * 0.9)
+      << "wound alike: no hole";
   EXPECT_NE(error_of(square), "");
   EXPECT_NE(error_of(page("<line x2='9' y2='9'/><rect width='5' height='5' fill='white' stroke='none'/>")), "");
 }
@@ -291,12 +333,14 @@ ReadDrawing read_file(const char* name) {
 TEST(SvgReader, DrawingsOfOtherPrograms) {
   const ReadDrawing matplotlib = read_file("matplotlib.svg");
   EXPECT_NEAR(matplotlib.page.width_mm, 50.8, 1e-9);
-  EXPECT_EQ(lines_of(matplotlib), (Lines{"1270,1270 2117,423 ", "3810,423 4657,1270 ", "1270,2117 1270,2240 ", "1270,2117 1270,423 "}));
+  EXPECT_EQ(lines_of(matplotlib),
+            (Lines{"1270,1270 2117,423 ", "3810,423 4657,1270 ", "1270,2117 1270,2240 ", "1270,2117 1270,423 "}));
   ASSERT_EQ(matplotlib.drawing.texts.size(), 1u);
   EXPECT_NEAR(matplotlib.drawing.texts[0].height_mm, 10 * 25.4 / 72 * 0.729, 0.001);
   const ReadDrawing gnuplot = read_file("gnuplot.svg");
   EXPECT_NEAR(gnuplot.page.width_mm, 50.8, 1e-9);
-  EXPECT_EQ(lines_of(gnuplot), (Lines{"1270,1905 1508,1905 ", "3810,1905 3572,1905 ", "1270,635 2540,1270 3810,635 ", "2421,635 2659,635 ", "2540,516 2540,754 "}));
+  EXPECT_EQ(lines_of(gnuplot), (Lines{"1270,1905 1508,1905 ", "3810,1905 3572,1905 ", "1270,635 2540,1270 3810,635 ",
+                                      "2421,635 2659,635 ", "2540,516 2540,754 "}));
   ASSERT_EQ(gnuplot.drawing.layers.size(), 3u);
   EXPECT_EQ(gnuplot.drawing.layers[2].name, "#009e73") << "the colour of the use";
   EXPECT_EQ(gnuplot.drawing.texts.at(0).across, TextAcross::right);
@@ -316,7 +360,8 @@ TEST(SvgReader, TextShowsThroughClipPathsInPart) {
 }
 
 TEST(SvgReader, LeavesOutWhatMayBeLeftOut) {
-  const ReadDrawing drawing = read_svg_drawing(page("<image/><image/><path d='M0 0L9 0 9 9z' fill='red'/>"), "a.svg", {"image", "fill"});
+  const ReadDrawing drawing =
+      read_svg_drawing(page("<image/><image/><path d='M0 0L9 0 9 9z' fill='red'/>"), "a.svg", {"image", "fill"});
   EXPECT_EQ(drawing.left_out.at("image"), 2u);
   EXPECT_EQ(drawing.left_out.at("fill"), 1u);
   EXPECT_EQ(drawing.drawing.layers.at(0).lines.size(), 1u);
@@ -325,7 +370,8 @@ TEST(SvgReader, LeavesOutWhatMayBeLeftOut) {
 TEST(SvgReader, BombsDoNoHarm) {
   const auto start = std::chrono::steady_clock::now();
   std::string entities = "<!DOCTYPE svg [<!ENTITY a \"aaaaaaaaaa\">";
-  for (char c = 'b'; c < 'z'; ++c) entities += std::string("<!ENTITY ") + c + " \"" + std::string(10, '&') + static_cast<char>(c - 1) + ";\">";
+  for (char c = 'b'; c < 'z'; ++c)
+    entities += std::string("<!ENTITY ") + c + " \"" + std::string(10, '&') + static_cast<char>(c - 1) + ";\">";
   EXPECT_NE(error_of(entities + "]>" + page("<text>&y;</text>")).find("entity"), std::string::npos);
   EXPECT_NE(error_of(entities + "]>" + page("<line x2='&y;'/>")), "");
 
@@ -341,7 +387,10 @@ TEST(SvgReader, BombsDoNoHarm) {
   std::string comb = "M0 0", across;
   for (int i = 0; i < 50'000; ++i) comb += "L" + std::to_string(i * 0.002) + (i % 2 ? " 0" : " 100");
   for (int i = 0; i < 50'000; ++i) across += "M0 " + std::to_string(i * 0.002) + "H100";
-  EXPECT_NE(error_of(page("<clipPath id='c'><path d='" + comb + "z'/></clipPath><path clip-path='url(#c)' d='" + across + "'/>")).find("endless work"), std::string::npos);
+  EXPECT_NE(
+      error_of(page("<clipPath id='c'><path d='" + comb + "z'/></clipPath><path clip-path='url(#c)' d='" + across + "'/>"))
+          .find("endless work"),
+      std::string::npos);
   std::string areas;
   for (int i = 0; i < 5'000; ++i) areas += "<path d='M0 0H1000000V1000000H0z' fill='red' stroke='none'/>";
   EXPECT_THROW(read_svg_drawing(page(areas), "a.svg", {}, {FillReading::How::hatch, 0.01}), std::runtime_error);
@@ -383,17 +432,19 @@ TEST(JsonDrawingReader, ReadsWhatWeWrite) {
 }
 
 TEST(JsonDrawingReader, RefusesWhatIsWrong) {
-  const std::string head = "{\"format\":\"ligne-drawing\",\"version\":1,\"page\":{\"width_mm\":210,\"height_mm\":297,\"margin_mm\":10},";
+  const std::string head =
+      "{\"format\":\"ligne-drawing\",\"version\":1,\"page\":{\"width_mm\":210,\"height_mm\":297,\"margin_mm\":10},";
   const std::string stroke = "{\"class\":\"outline\",\"visible\":true,\"points\":[[1,2],[3,4]]}";
   EXPECT_EQ(read_json_drawing(head + "\"strokes\":[" + stroke + "]}", "a.json").drawing.layers.size(), 1u);
   std::string deep(200'000, '[');
-  for (const std::string& wrong : {std::string("{"), std::string("[]"), std::string("{}"), head + "\"order\":[]}", head + "\"strokes\":[{}]}",
-                                   head + "\"strokes\":[{\"class\":\"ink\",\"visible\":true,\"points\":[[1,2],[3,4]]}]}",
-                                   head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":1,\"points\":[[1,2],[3,4]]}]}",
-                                   head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":true,\"points\":[[1,2]]}]}",
-                                   head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":true,\"points\":[[1,2],[3,1e9]]}]}",
-                                   head + "\"strokes\":[],\"strokes\":[]}", std::string("{\"format\":\"ligne-drawing\",\"version\":2,\"strokes\":[]}"), deep,
-                                   std::string("{\"format\":\"ligne-drawing\",\"version\":1,\"page\":{\"width_mm\":0},\"strokes\":[]}")}) {
+  for (const std::string& wrong :
+       {std::string("{"), std::string("[]"), std::string("{}"), head + "\"order\":[]}", head + "\"strokes\":[{}]}",
+        head + "\"strokes\":[{\"class\":\"ink\",\"visible\":true,\"points\":[[1,2],[3,4]]}]}",
+        head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":1,\"points\":[[1,2],[3,4]]}]}",
+        head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":true,\"points\":[[1,2]]}]}",
+        head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":true,\"points\":[[1,2],[3,1e9]]}]}",
+        head + "\"strokes\":[],\"strokes\":[]}", std::string("{\"format\":\"ligne-drawing\",\"version\":2,\"strokes\":[]}"),
+        deep, std::string("{\"format\":\"ligne-drawing\",\"version\":1,\"page\":{\"width_mm\":0},\"strokes\":[]}")}) {
     EXPECT_THROW(read_json_drawing(wrong, "a.json"), std::runtime_error) << wrong.substr(0, 200);
   }
 }

@@ -3,8 +3,8 @@
 
 #include <expat.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <oneapi/tbb/global_control.h>
+#include <nlohmann/json.hpp>
 
 #include "sample_drawing.hpp"
 
@@ -74,7 +74,9 @@ TEST(Svg, IsWellFormedWhateverTheTitle) {
   const std::pair<std::string, std::string> titles[] = {
       {"z = sin(x) < 1 & \"y\" > '2'", "z = sin(x) < 1 & \"y\" > '2'"},
       {"ligne claire \xc3\xa9t\xc3\xa9 \xf0\x9f\x96\x8b", "ligne claire \xc3\xa9t\xc3\xa9 \xf0\x9f\x96\x8b"},
-      {std::string("a\0b\x01", 4), "a\xef\xbf\xbd" "b\xef\xbf\xbd"},
+      {std::string("a\0b\x01", 4),
+       "a\xef\xbf\xbd"
+       "b\xef\xbf\xbd"},
       {"\xff\xc3(", "\xef\xbf\xbd\xef\xbf\xbd("},
       {"\xed\xa0\x80", "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd"},
       {"\xc0\x80 \xe2\x82", "\xef\xbf\xbd\xef\xbf\xbd \xef\xbf\xbd\xef\xbf\xbd"}};

@@ -79,7 +79,8 @@ std::string to_json(const PlainScene& plain) {
       if (face.contours.size() > 1) contours += "]";
       faces += (faces.empty() ? "{" : ",\n  {") + contours + "}";
     }
-    text += next_object + ("{\"precision\": " + number(o.precision) + ", \"vertices\": [" + vertices + "],\n \"faces\": [" + faces + "]}");
+    text += next_object +
+            ("{\"precision\": " + number(o.precision) + ", \"vertices\": [" + vertices + "],\n \"faces\": [" + faces + "]}");
     next_object = ",\n";
   }
   return text + "]}\n";

@@ -115,7 +115,8 @@ Related rewound(const Sight& sight, bool) {
   std::size_t shift = 0;
   for (PlainObject& object : changed.scene.objects) {
     for (PlainFace& face : object.faces) {
-      for (Contour& c : face.contours) std::rotate(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(++shift % c.size()), c.end());
+      for (Contour& c : face.contours)
+        std::rotate(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(++shift % c.size()), c.end());
     }
   }
   return {changed};
@@ -174,8 +175,8 @@ Related triangulated(const Sight& sight, bool) {
   return {{with_faces(sight.scene, triangles_of), sight.camera}};
 }
 
-/// A point of the edge that is the same from either end, and exact for dyadic ends. No simple fraction: where things cross exactly along such a
-/// cut, their common line is an edge of coplanar faces, mesh, and no intersection.
+/// A point of the edge that is the same from either end, and exact for dyadic ends. No simple fraction: where things cross
+/// exactly along such a cut, their common line is an edge of coplanar faces, mesh, and no intersection.
 Point3 point_within(const Point3& a, const Point3& b) {
   constexpr double kPart = 11.0 / 32;
   const bool forward = std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
@@ -216,8 +217,8 @@ PlainObject tetrahedron(const Point3& centre, double size) {
   return object;
 }
 
-/// A tetrahedron in the middle of the first object, when that is a closed convex solid; otherwise behind a plate that stands behind
-/// the scene, which is there without the tetrahedron too.
+/// A tetrahedron in the middle of the first object, when that is a closed convex solid; otherwise behind a plate that stands
+/// behind the scene, which is there without the tetrahedron too.
 Related with_hidden(const Sight& sight, bool closed_solid) {
   constexpr double kSmallPart = 1.0 / 16;
   Related result{sight};
@@ -232,7 +233,8 @@ Related with_hidden(const Sight& sight, bool closed_solid) {
   const Box box = box_of(sight.scene);
   const double r = box.radius();
   const Point3 centre = box.centre() + camera.forward * (1.5 * r);
-  PlainObject plate{0, {{{{centre - camera.right * r, centre - camera.down * r, centre + camera.right * r, centre + camera.down * r}}}}};
+  PlainObject plate{
+      0, {{{{centre - camera.right * r, centre - camera.down * r, centre + camera.right * r, centre + camera.down * r}}}}};
   plate.precision = rounding_of(plate);
   objects.push_back(plate);
   result.base = result.changed.scene;

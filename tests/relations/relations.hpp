@@ -20,7 +20,7 @@ struct Sight {
 /// What a relation makes of a sight.
 struct Related {
   Sight changed;
-  bool mirrored = false;  ///< the drawing comes out with left and right exchanged
+  bool mirrored = false;             ///< the drawing comes out with left and right exchanged
   std::optional<PlainScene> base{};  ///< what is drawn for comparison, when it is not the scene itself
 };
 

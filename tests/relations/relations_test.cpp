@@ -1,6 +1,6 @@
 // Drawings that must be equal. A scene told in another order, moved, scaled, turned about the line of sight, cut into other
-// faces, or with more in it that is not seen gives the same visible lines; its mirror image gives the mirror image. No oracle
-// takes part, and no known answer: a fault that both of these share shows here.
+// faces, or with more in it that is not seen gives the same visible lines; its mirror image gives the mirror image. No
+// oracle takes part, and no known answer: a fault that both of these share shows here.
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/task_arena.h>
@@ -66,13 +66,14 @@ struct Line {
 
 struct LineDrawing {
   std::vector<Line> lines;
-  /// How far a line may be off: two steps of the lattice for the rounding of its two ends, and the distance at which one of two lines stands for
-  /// both. See docs/numerics.md.
+  /// How far a line may be off: two steps of the lattice for the rounding of its two ends, and the distance at which one of
+  /// two lines stands for both. See docs/numerics.md.
   double tolerance_mm = 0;
 };
 
 LineDrawing drawn(const Method& method, const Sight& sight) {
-  const Picture picture = draw(to_scene(sight.scene), {sight.camera, "feature", false, 0, std::string(method.traits().name)});
+  const Picture picture =
+      draw(to_scene(sight.scene), {sight.camera, "feature", false, 0, std::string(method.traits().name)});
   LineDrawing result;
   const Lattice& lattice = picture.model.lattice;
   for (const Stroke& s : picture.model.strokes) {
@@ -104,7 +105,8 @@ std::string not_covered(const LineDrawing& a, const LineDrawing& b, double toler
       const Point2 from = line.place.at(gap.from), to = line.place.at(gap.to);
       char buffer[160];
       std::snprintf(buffer, sizeof buffer, "    %s, page mm (%.5f, %.5f) - (%.5f, %.5f), %.6f mm long\n",
-                    kLineClassNames[static_cast<std::size_t>(line.line_class)].data(), from.x, from.y, to.x, to.y, gap.length());
+                    kLineClassNames[static_cast<std::size_t>(line.line_class)].data(), from.x, from.y, to.x, to.y,
+                    gap.length());
       text += buffer;
     }
   }
@@ -141,8 +143,8 @@ std::string options(const CameraRequest& camera) {
 std::string command(const std::string& stem, const Sight& sight, const Method& method) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("ligne-" + stem + ".json");
   std::ofstream(file, std::ios::binary) << to_json(sight.scene);
-  return "  ligne draw " + file.string() + options(sight.camera) + " --landscape --method " + std::string(method.traits().name) +
-         " -o " + stem + ".svg\n";
+  return "  ligne draw " + file.string() + options(sight.camera) + " --landscape --method " +
+         std::string(method.traits().name) + " -o " + stem + ".svg\n";
 }
 
 std::vector<const Method*> exact_methods() {
@@ -189,23 +191,22 @@ TEST_P(Relations, GiveTheSameDrawing) {
       const std::string text = differences(related.mirrored ? mirror_image(expected) : expected, found);
       if (text.empty()) continue;
       const std::string stem = std::string(subject.name) + "-" + view + "-" + relation.name;
-      ADD_FAILURE() << subject.name << ", view " << view << ", relation " << relation.name << ", method " << method->traits().name
-                    << (related.mirrored ? ", places in the mirrored drawing\n" : "\n") << text
+      ADD_FAILURE() << subject.name << ", view " << view << ", relation " << relation.name << ", method "
+                    << method->traits().name << (related.mirrored ? ", places in the mirrored drawing\n" : "\n") << text
                     << command(stem + "-before", base, *method) << command(stem + "-after", related.changed, *method);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, Relations, testing::Combine(testing::ValuesIn(all_relations()), testing::ValuesIn(kSubjects)),
-                         [](const auto& info) {
-                           return std::get<0>(info.param).name + "_" + std::get<1>(info.param).name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Corpus, Relations,
+                         testing::Combine(testing::ValuesIn(all_relations()), testing::ValuesIn(kSubjects)),
+                         [](const auto& info) { return std::get<0>(info.param).name + "_" + std::get<1>(info.param).name; });
 
 /// Bit for bit, not within a tolerance.
 bool equal(const Stroke& a, const Stroke& b) {
-  return a.from == b.from && a.to == b.to && a.t_from == b.t_from && a.t_to == b.t_to && a.z_from == b.z_from && a.z_to == b.z_to &&
-         a.w_from == b.w_from && a.w_to == b.w_to && a.source == b.source && a.line_class == b.line_class &&
-         a.visible == b.visible && a.may_coincide == b.may_coincide;
+  return a.from == b.from && a.to == b.to && a.t_from == b.t_from && a.t_to == b.t_to && a.z_from == b.z_from &&
+         a.z_to == b.z_to && a.w_from == b.w_from && a.w_to == b.w_to && a.source == b.source &&
+         a.line_class == b.line_class && a.visible == b.visible && a.may_coincide == b.may_coincide;
 }
 
 class Threads : public testing::TestWithParam<Subject> {};
@@ -217,7 +218,9 @@ TEST_P(Threads, GiveEqualStrokes) {
     for (const Method* method : exact_methods()) {
       const auto with_threads = [&](int n) {
         tbb::task_arena arena(n);
-        return arena.execute([&] { return draw(scene, {sight.camera, "all", true, 0, std::string(method->traits().name)}).model.strokes; });
+        return arena.execute([&] {
+          return draw(scene, {sight.camera, "all", true, 0, std::string(method->traits().name)}).model.strokes;
+        });
       };
       const std::vector<Stroke> one = with_threads(1), four = with_threads(4);
       EXPECT_TRUE(std::equal(one.begin(), one.end(), four.begin(), four.end(), equal))
@@ -228,7 +231,8 @@ TEST_P(Threads, GiveEqualStrokes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, Threads, testing::ValuesIn(kSubjects), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Corpus, Threads, testing::ValuesIn(kSubjects),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 /// The comparison itself.
 class Differences : public testing::Test {

@@ -10,7 +10,8 @@ using namespace reader_test;
 std::string error(const std::string& text) { return error_of(read_asc, text); }
 
 const std::string kHead = "Named object: \"Box\"\nTri-mesh, Vertices: 3     Faces: 1\nVertex list:\n";
-const std::string kVertices = "Vertex 0:  X: 0     Y: -0     Z: 1.5\nVertex 1:  X:1.0 Y:0 Z:0\nVertex 2:\tX:\t0\tY:1\tZ:0   U:0 V:1\n";
+const std::string kVertices =
+    "Vertex 0:  X: 0     Y: -0     Z: 1.5\nVertex 1:  X:1.0 Y:0 Z:0\nVertex 2:\tX:\t0\tY:1\tZ:0   U:0 V:1\n";
 const std::string kFace = "Face list:\nFace 0:    A:0 B:1 C:2 AB:1 BC:0 CA:1\n";
 
 TEST(AscReader, FlagsOfTheEdges) {
@@ -32,10 +33,11 @@ TEST(AscReader, EdgesWithoutFlagsAreDrawn) {
 }
 
 TEST(AscReader, LightsPagesCamerasAndLineEnds) {
-  std::string text = "Ambient light color: Red=0.3 Green=0.3 Blue=0.3\n\n" + kHead + "\n     Page 1\n\n" + kVertices + kFace +
-                     "Named object: \"Lamp\"\nDirect light\nPosition:  X:-25.5 Y:3 Z:2450\nLight color: Red=1 Green=1 Blue=1\n"
-                     "Named object: \"Cam\"\nCamera (50.000004mm)\nPosition:  X:1 Y:2 Z:3\nTarget:  X:0 Y:0 Z:0\nBank angle: 0 degrees\n" +
-                     kHead + kVertices + kFace;
+  std::string text =
+      "Ambient light color: Red=0.3 Green=0.3 Blue=0.3\n\n" + kHead + "\n     Page 1\n\n" + kVertices + kFace +
+      "Named object: \"Lamp\"\nDirect light\nPosition:  X:-25.5 Y:3 Z:2450\nLight color: Red=1 Green=1 Blue=1\n"
+      "Named object: \"Cam\"\nCamera (50.000004mm)\nPosition:  X:1 Y:2 Z:3\nTarget:  X:0 Y:0 Z:0\nBank angle: 0 degrees\n" +
+      kHead + kVertices + kFace;
   for (const bool crlf : {false, true}) {
     if (crlf) {
       for (std::size_t i = text.find('\n'); i != text.npos; i = text.find('\n', i + 2)) text.replace(i, 1, "\r\n");
@@ -68,13 +70,16 @@ TEST(AscReader, ErrorsNameTheLine) {
   EXPECT_EQ(error(kHead + "Vertex 1: X: 0 Y: 0 Z: 0\n"), "M:4: expected vertex 0, found '1'");
   EXPECT_EQ(error(kHead + kVertices + "Vertex 3: X: 0 Y: 0 Z: 0\n"), "M:7: vertex 3 of a mesh with 3");
   EXPECT_EQ(error(kHead + kVertices + "Face 0: A:0 B:1 C:3 AB:1 BC:1 CA:1\n"), "M:7: face names vertex 3 of 3");
-  EXPECT_EQ(error(kHead + kVertices + "Face 0: A:0 B:-1 C:2 AB:1 BC:1 CA:1\n"), "M:7: '-1' after 'B:' is not a whole number in range");
+  EXPECT_EQ(error(kHead + kVertices + "Face 0: A:0 B:-1 C:2 AB:1 BC:1 CA:1\n"),
+            "M:7: '-1' after 'B:' is not a whole number in range");
   EXPECT_EQ(error(kHead + kVertices + "Face 0: A:0 B:1\n"), "M:7: expected 'C:', found ''");
   EXPECT_EQ(error(kHead + kVertices + "Face 0: A:0 B:1 C:2 AB:1\n"), "M:7: expected 'BC:', found ''");
   EXPECT_EQ(error(kHead + kVertices + kFace + "Face 1: A:0 B:1 C:2\n"), "M:9: face 1 of a mesh with 1");
   EXPECT_EQ(error(kHead + kVertices), "M:6: mesh 'Box' ends with 3 of 3 vertices and 0 of 1 faces");
-  EXPECT_EQ(error(kHead + "Vertex 0: X:0 Y:0 Z:0\n\nNamed object: \"b\"\n"), "M:6: mesh 'Box' ends with 1 of 3 vertices and 0 of 1 faces");
-  EXPECT_EQ(error("Named object: \"a\"\nTri-mesh, Vertices: 4294967295 Faces: 1\n"), "M:2: '4294967295' after 'Vertices:' is not a whole number in range");
+  EXPECT_EQ(error(kHead + "Vertex 0: X:0 Y:0 Z:0\n\nNamed object: \"b\"\n"),
+            "M:6: mesh 'Box' ends with 1 of 3 vertices and 0 of 1 faces");
+  EXPECT_EQ(error("Named object: \"a\"\nTri-mesh, Vertices: 4294967295 Faces: 1\n"),
+            "M:2: '4294967295' after 'Vertices:' is not a whole number in range");
   EXPECT_EQ(error("Named object: \"a\"\nTri-mesh, Vertices: 4000000000 Faces: 4000000000\n"),
             "M:2: mesh 'a' ends with 0 of 4000000000 vertices and 0 of 4000000000 faces");
   EXPECT_EQ(error("Named object: \"a\"\nTri-mesh\n"), "M:2: expected 'Vertices:', found ''");

@@ -18,7 +18,8 @@ constexpr double kPi = std::numbers::pi;
 
 std::vector<double> evenly(double from, double to, std::size_t intervals) {
   std::vector<double> positions;
-  for (std::size_t i = 0; i <= intervals; ++i) positions.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(intervals));
+  for (std::size_t i = 0; i <= intervals; ++i)
+    positions.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(intervals));
   return positions;
 }
 
@@ -74,11 +75,13 @@ TEST(CrossingEdges, WhatTouchesDoesNotCross) {
 
 TEST(CrossingEdges, SurfacesThatCrossThemselves) {
   const auto full = evenly(0, 2 * kPi, 12);
-  const std::array<std::string, 3> klein{"(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*cos(u)", "(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*sin(u)",
+  const std::array<std::string, 3> klein{"(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*cos(u)",
+                                         "(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*sin(u)",
                                          "sin(u/2)*sin(v)+cos(u/2)*sin(2*v)"};
   EXPECT_EQ(of_parametric(klein, full, full), 12) << "the circle in the middle of the eight";
   EXPECT_EQ(of_parametric({"sin(u)*cos(v)", "sin(u)*sin(v)", "cos(u)"}, evenly(0, kPi, 6), full), 0) << "poles";
-  EXPECT_EQ(of_parametric({"(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)"}, evenly(0, 4 * kPi, 24), full), 0) << "twice round";
+  EXPECT_EQ(of_parametric({"(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)"}, evenly(0, 4 * kPi, 24), full), 0)
+      << "twice round";
 }
 
 }  // namespace

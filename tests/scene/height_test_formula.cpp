@@ -54,19 +54,42 @@ TEST(FormulaHeights, VariablesAndConstants) {
 
 TEST(FormulaHeights, Functions) {
   const double x = 0.3, y = -0.7;
-  const std::vector<std::pair<std::string, double>> cases{
-      {"sin(x)", std::sin(x)}, {"cos(x)", std::cos(x)}, {"tan(x)", std::tan(x)}, {"asin(x)", std::asin(x)},
-      {"acos(x)", std::acos(x)}, {"atan(x)", std::atan(x)}, {"atan2(y, x)", std::atan2(y, x)}, {"sinh(x)", std::sinh(x)},
-      {"cosh(x)", std::cosh(x)}, {"tanh(x)", std::tanh(x)}, {"sqrt(x)", std::sqrt(x)}, {"exp(x)", std::exp(x)},
-      {"log(x)", std::log(x)}, {"log10(x)", std::log10(x)}, {"log2(x)", std::log2(x)}, {"abs(y)", 0.7},
-      {"min(x, y, 3)", y}, {"max(x, y, -3)", x}, {"min(x)", x}, {"floor(y)", -1}, {"ceil(y)", 0}, {"round(y)", -1},
-      {"round(-2.5)", -3}, {"sign(y)", -1}, {"sign(0)", 0}, {"mod(5, 3)", 2}, {"mod(-1, 3)", 2}, {"mod(1, -3)", -2},
-      {"mod(-3, 3)", 0}, {"hypot(3, 4)", 5}};
+  const std::vector<std::pair<std::string, double>> cases{{"sin(x)", std::sin(x)},
+                                                          {"cos(x)", std::cos(x)},
+                                                          {"tan(x)", std::tan(x)},
+                                                          {"asin(x)", std::asin(x)},
+                                                          {"acos(x)", std::acos(x)},
+                                                          {"atan(x)", std::atan(x)},
+                                                          {"atan2(y, x)", std::atan2(y, x)},
+                                                          {"sinh(x)", std::sinh(x)},
+                                                          {"cosh(x)", std::cosh(x)},
+                                                          {"tanh(x)", std::tanh(x)},
+                                                          {"sqrt(x)", std::sqrt(x)},
+                                                          {"exp(x)", std::exp(x)},
+                                                          {"log(x)", std::log(x)},
+                                                          {"log10(x)", std::log10(x)},
+                                                          {"log2(x)", std::log2(x)},
+                                                          {"abs(y)", 0.7},
+                                                          {"min(x, y, 3)", y},
+                                                          {"max(x, y, -3)", x},
+                                                          {"min(x)", x},
+                                                          {"floor(y)", -1},
+                                                          {"ceil(y)", 0},
+                                                          {"round(y)", -1},
+                                                          {"round(-2.5)", -3},
+                                                          {"sign(y)", -1},
+                                                          {"sign(0)", 0},
+                                                          {"mod(5, 3)", 2},
+                                                          {"mod(-1, 3)", 2},
+                                                          {"mod(1, -3)", -2},
+                                                          {"mod(-3, 3)", 0},
+                                                          {"hypot(3, 4)", 5}};
   for (const auto& [formula, expected] : cases) EXPECT_DOUBLE_EQ(value(formula, x, y), expected) << formula;
 }
 
 TEST(FormulaHeights, WhatIsNoFiniteNumberIsAHole) {
-  for (const char* formula : {"1/x", "x/x", "log(x)", "sqrt(-1)", "asin(2)", "exp(1000)", "mod(1, x)", "min(1, 0/x)", "max(0/x, 1)"}) {
+  for (const char* formula :
+       {"1/x", "x/x", "log(x)", "sqrt(-1)", "asin(2)", "exp(1000)", "mod(1, x)", "min(1, 0/x)", "max(0/x, 1)"}) {
     EXPECT_TRUE(std::isnan(value(formula, 0, 0))) << formula;
   }
   EXPECT_DOUBLE_EQ(value("atan(1/x)", 0, 0), std::numbers::pi / 2) << "infinite on the way, finite in the end";

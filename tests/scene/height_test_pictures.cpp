@@ -60,7 +60,8 @@ TEST(PngGrid, Errors) {
 
 TEST(GridFile, WithoutAFile) {
   Warnings warnings;
-  EXPECT_EQ(error_line([&] { read_grid(std::filesystem::path("absent.csv"), warnings); }), "absent.csv: there is no such file");
+  EXPECT_EQ(error_line([&] { read_grid(std::filesystem::path("absent.csv"), warnings); }),
+            "absent.csv: there is no such file");
 }
 
 TEST(SharedGrids, Volcano) {
@@ -147,7 +148,8 @@ TEST(SharedGrids, RunoutNeedsGdal) {
 TEST(SharedGrids, ModelsAreRefused) {
   LIGNE_NEED_MODELS(folder);
   Warnings warnings;
-  for (const char* model : {"CITY.ASC", "TESTI.ASC", "teapot.obj", "featuretype.stl", "octagonal_pocket.ply", "simple_pole.glb"}) {
+  for (const char* model :
+       {"CITY.ASC", "TESTI.ASC", "teapot.obj", "featuretype.stl", "octagonal_pocket.ply", "simple_pole.glb"}) {
     EXPECT_NE(error_line([&] { read_grid(folder / model, warnings); }).find("is a model ("), std::string::npos) << model;
   }
 }

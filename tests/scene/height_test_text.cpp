@@ -7,13 +7,13 @@ using namespace height_test;
 
 const std::vector<std::vector<double>> kTwoByTwo{{1, 2}, {3, 4}};
 
-TEST(TextGrid, RowsCountUpFromYZero) {
-  expect_grid(*grid("1,2,3\n4,5,6.5\n"), {0, 1, 2}, {0, 1}, {{1, 2, 3}, {4, 5, 6.5}});
-}
+TEST(TextGrid, RowsCountUpFromYZero) { expect_grid(*grid("1,2,3\n4,5,6.5\n"), {0, 1, 2}, {0, 1}, {{1, 2, 3}, {4, 5, 6.5}}); }
 
 TEST(TextGrid, Separators) {
-  for (const char* text : {"1,2\n3,4\n", "1, 2\r\n3 ,4", "1;2\r3;4\r", "1\t2\n3\t4\n", "  1  2 \n\t3\t 4\n", 
-                           "\xEF\xBB\xBF" "1,2\n3,4\n", "# heights\n\n1 2 # first\n#\n3 4\n\n\n"}) {
+  for (const char* text : {"1,2\n3,4\n", "1, 2\r\n3 ,4", "1;2\r3;4\r", "1\t2\n3\t4\n", "  1  2 \n\t3\t 4\n",
+                           "\xEF\xBB\xBF"
+                           "1,2\n3,4\n",
+                           "# heights\n\n1 2 # first\n#\n3 4\n\n\n"}) {
     SCOPED_TRACE(text);
     expect_grid(*grid(text), {0, 1}, {0, 1}, kTwoByTwo);
   }
@@ -21,7 +21,8 @@ TEST(TextGrid, Separators) {
 }
 
 TEST(TextGrid, Holes) {
-  expect_grid(*grid("1,,3\nnan,-NaN,NA\n?,inf,7\n"), {0, 1, 2}, {0, 1, 2}, {{1, kNaN, 3}, {kNaN, kNaN, kNaN}, {kNaN, kNaN, 7}});
+  expect_grid(*grid("1,,3\nnan,-NaN,NA\n?,inf,7\n"), {0, 1, 2}, {0, 1, 2},
+              {{1, kNaN, 3}, {kNaN, kNaN, kNaN}, {kNaN, kNaN, 7}});
   expect_grid(*grid("\t1\t2\n3\t\t\n"), {0, 1, 2}, {0, 1}, {{kNaN, 1, 2}, {3, kNaN, kNaN}});
 }
 
@@ -53,7 +54,9 @@ TEST(TextGrid, Errors) {
   EXPECT_EQ(grid_error(std::string("1,2\n3,\0\n", 8)),
             "M: not a grid file that is known (matrix as text, gnuplot, ESRI ASCII grid, PGM, PNG, GeoTIFF)");
   EXPECT_EQ(grid_error("1,2\n3,\x01\x80\n"), "M:2: column 2: '?\?' is not a number");
-  EXPECT_EQ(grid_error("\xFF\xFE" "1"), "M: is UTF-16 text; UTF-8 is needed");
+  EXPECT_EQ(grid_error("\xFF\xFE"
+                       "1"),
+            "M: is UTF-16 text; UTF-8 is needed");
   EXPECT_EQ(grid_error("1 2 3 4\n5 6 7 8\n\n1 2 3 4\n"),
             "M:4: blank lines before this row of a matrix of 4 columns; blocks of x y z have three");
   EXPECT_EQ(grid_error("v 1 2 3\nv 2 3 4\n"), "M: is a model (OBJ), not a grid of heights; draw it with: ligne draw");
@@ -79,10 +82,12 @@ TEST(PointGrid, RoundingOfPositionsIsNoMistake) {
 
 TEST(PointGrid, Errors) {
   EXPECT_EQ(grid_error("0 0 1\n0 1 2\n\n1 0 3\n"), "M:4: block of 1 points ends here; the first block has 2");
-  EXPECT_EQ(grid_error("0 0 1\n\n0 1 2\n"), "M:1: block of a single point; the points of a grid come in blocks of one x or one y each");
+  EXPECT_EQ(grid_error("0 0 1\n\n0 1 2\n"),
+            "M:1: block of a single point; the points of a grid come in blocks of one x or one y each");
   EXPECT_EQ(grid_error("0 0 1\n0 1 2\n\n1 0 3\n1 1.5 3\n"), "M:5: the points form no grid: y is 1.5, expected 1");
   EXPECT_EQ(grid_error("0 0 1\n0 1 2\n\n1 0 3\n1.5 1 3\n"), "M:5: the points form no grid: x is 1.5, expected 1");
-  EXPECT_EQ(grid_error("0 0 1\n0 2 2\n0 1 2\n\n1 0 3\n1 2 3\n1 1 3\n"), "M:3: positions y neither ascend nor descend throughout");
+  EXPECT_EQ(grid_error("0 0 1\n0 2 2\n0 1 2\n\n1 0 3\n1 2 3\n1 1 3\n"),
+            "M:3: positions y neither ascend nor descend throughout");
   EXPECT_EQ(grid_error("0 0 1\n0 2 2\n\n0 0 3\n0 2 3\n"), "M:4: positions x neither ascend nor descend throughout");
   EXPECT_EQ(grid_error("0 0 1\n0 nan 2\n\n1 0 3\n1 1 3\n"), "M:2: y is not a number");
   EXPECT_EQ(grid_error("0 0 nan\n0 1 nan\n\n1 0 nan\n1 1 nan\n"), "M: holds no height, only places without one (NODATA)");
@@ -93,8 +98,9 @@ const std::string kCorner = "xllcorner 10\nyllcorner 20\ncellsize 2\n";
 TEST(EsriGrid, NorthIsUpAndPositionsAreTheMiddlesOfCells) {
   const std::vector<std::vector<double>> z{{5, 6}, {kNaN, 4}, {1, 2}};
   expect_grid(*grid("ncols 2\nnrows 3\n" + kCorner + "NODATA_value -1\n1 2\n-1 4\n5 6\n"), {11, 13}, {21, 23, 25}, z);
-  expect_grid(*grid("nodata_VALUE -1\r\nDY 3\r\nDX 2\r\nYLLCENTER 20\r\nxllcenter 10\r\nNROWS 3\r\nNcols 2\r\n1 2 -1 4\r\n5\r\n6"),
-              {10, 12}, {20, 23, 26}, z);
+  expect_grid(
+      *grid("nodata_VALUE -1\r\nDY 3\r\nDX 2\r\nYLLCENTER 20\r\nxllcenter 10\r\nNROWS 3\r\nNcols 2\r\n1 2 -1 4\r\n5\r\n6"),
+      {10, 12}, {20, 23, 26}, z);
   expect_grid(*grid("ncols 2\nnrows 3\n" + kCorner + "\n1 2\n-9999 4\n5 6\n"), {11, 13}, {21, 23, 25}, z);
 }
 
@@ -111,8 +117,10 @@ TEST(EsriGrid, Errors) {
             "M: header speaks of 400 heights, more than a file of 59 bytes can hold");
   EXPECT_EQ(grid_error("ncols -3\n"), "M:1: ncols '-3' is not a number of cells");
   EXPECT_EQ(grid_error("ncols 2\nncols 2\n1 2\n"), "M: the header of the ESRI ASCII grid lacks nrows");
-  EXPECT_EQ(grid_error("ncols 2\nnrows 2\ncellsize 1\nxllcorner 1\n1 2 3 4\n"), "M: the header of the ESRI ASCII grid lacks yllcorner");
-  EXPECT_EQ(grid_error("ncols 1\nnrows 2\n" + kCorner + "1\n2\n"), "M: has 1 column and 2 rows; a grid has two of each or more");
+  EXPECT_EQ(grid_error("ncols 2\nnrows 2\ncellsize 1\nxllcorner 1\n1 2 3 4\n"),
+            "M: the header of the ESRI ASCII grid lacks yllcorner");
+  EXPECT_EQ(grid_error("ncols 1\nnrows 2\n" + kCorner + "1\n2\n"),
+            "M: has 1 column and 2 rows; a grid has two of each or more");
   EXPECT_EQ(grid_error("cellsize 0\n"), "M:1: cellsize '0' is not above zero");
   EXPECT_EQ(grid_error("ncols 2\nnrows 2\nxllcorner 1e20\nyllcorner 0\ncellsize 1\n1 2 3 4\n"),
             "M: positions x do not ascend: number 2 is not above the one before it");

@@ -69,8 +69,10 @@ inline void expect_grid(const HeightSource& source, const std::vector<double>& x
   for (std::size_t j = 0; j < z.size(); ++j) {
     ASSERT_EQ(found[j].size(), z[j].size());
     for (std::size_t i = 0; i < z[j].size(); ++i) {
-      if (std::isnan(z[j][i])) EXPECT_TRUE(std::isnan(found[j][i])) << "at " << i << ", " << j;
-      else EXPECT_EQ(found[j][i], z[j][i]) << "at " << i << ", " << j;
+      if (std::isnan(z[j][i]))
+        EXPECT_TRUE(std::isnan(found[j][i])) << "at " << i << ", " << j;
+      else
+        EXPECT_EQ(found[j][i], z[j][i]) << "at " << i << ", " << j;
     }
   }
 }

@@ -14,7 +14,9 @@ std::string error(const std::string& text) { return error_of(read_ligne_scene, t
 const std::string kHead = R"({"format": "ligne-scene", "version": 1, )";
 const std::string kVertices = R"("vertices": [[0,0,0],[4,0,0],[4,4,0],[0,4,0],[1,1,0],[2,1,0],[2,2,0]])";
 
-std::string with_faces(const std::string& faces) { return kHead + "\"objects\": [{" + kVertices + ", \"faces\": [" + faces + "]}]}"; }
+std::string with_faces(const std::string& faces) {
+  return kHead + "\"objects\": [{" + kVertices + ", \"faces\": [" + faces + "]}]}";
+}
 std::string with_face(const std::string& face) { return with_faces("{" + face + "}"); }
 
 TEST(LigneSceneReader, EverythingThatItHolds) {
@@ -65,23 +67,33 @@ TEST(LigneSceneReader, ErrorsNameThePlace) {
   EXPECT_EQ(error(with_face(R"("outer": 5)")), "M: objects[0].faces[0].outer: is not an array");
   EXPECT_EQ(error(with_face(R"("material": 0)")), "M: objects[0].faces[0].material: material 0 of 0");
   EXPECT_EQ(error(with_face(R"("holes": [])")), "M: objects[0].faces[0]: key 'outer' is missing");
-  EXPECT_EQ(error(with_face(R"("outer": [0,1,2], "holes": [[4,5,77]])")), "M: objects[0].faces[0].holes[0][2]: vertex 77 of 7");
+  EXPECT_EQ(error(with_face(R"("outer": [0,1,2], "holes": [[4,5,77]])")),
+            "M: objects[0].faces[0].holes[0][2]: vertex 77 of 7");
   EXPECT_EQ(error(with_face(R"("outer": [0,1,2], "hole": [])")), "M: objects[0].faces[0]: unknown key 'hole'");
-  EXPECT_EQ(error(with_face(R"("outer": [0,1,2], "details": [{"contour": []}])")), "M: objects[0].faces[0].details[0]: key 'material' is missing");
+  EXPECT_EQ(error(with_face(R"("outer": [0,1,2], "details": [{"contour": []}])")),
+            "M: objects[0].faces[0].details[0]: key 'material' is missing");
   EXPECT_EQ(error(with_faces("7")), "M: objects[0].faces[0]: is not an object");
   EXPECT_EQ(error(with_faces("")), "M: holds no faces");
-  EXPECT_EQ(error(kHead + R"("objects": [{"vertices": [[0,0]], "faces": []}]})"), "M: objects[0].vertices[0]: is not an array of three numbers");
-  EXPECT_EQ(error(kHead + R"("objects": [{"vertices": [[0,0,"a"]], "faces": []}]})"), "M: objects[0].vertices[0][2]: is not a number");
-  EXPECT_EQ(error(kHead + R"("objects": [{"vertices": [[0,0,null]], "faces": []}]})"), "M: objects[0].vertices[0][2]: is not a number");
-  EXPECT_EQ(error(kHead + R"("objects": [{"vertices": [], "faces": [], "precision": -1}]})"), "M: objects[0].precision: is negative");
+  EXPECT_EQ(error(kHead + R"("objects": [{"vertices": [[0,0]], "faces": []}]})"),
+            "M: objects[0].vertices[0]: is not an array of three numbers");
+  EXPECT_EQ(error(kHead + R"("objects": [{"vertices": [[0,0,"a"]], "faces": []}]})"),
+            "M: objects[0].vertices[0][2]: is not a number");
+  EXPECT_EQ(error(kHead + R"("objects": [{"vertices": [[0,0,null]], "faces": []}]})"),
+            "M: objects[0].vertices[0][2]: is not a number");
+  EXPECT_EQ(error(kHead + R"("objects": [{"vertices": [], "faces": [], "precision": -1}]})"),
+            "M: objects[0].precision: is negative");
   EXPECT_EQ(error(kHead + R"("objects": {}})"), "M: objects: is not an array");
   EXPECT_EQ(error(kHead + R"("up": "w", "objects": []})"), "M: up: 'w' is not 'x', 'y' or 'z'");
-  EXPECT_EQ(error(kHead + R"("materials": [{"color": [0,2,0]}], "objects": []})"), "M: materials[0].color[1]: is not in 0 .. 1");
-  EXPECT_EQ(error(kHead + R"("materials": [{"opacity": -0.5}], "objects": []})"), "M: materials[0].opacity: is not in 0 .. 1");
-  EXPECT_EQ(error(kHead + R"("lights": [{"kind": "spot"}], "objects": []})"), "M: lights[0].kind: 'spot' is not 'parallel' or 'point'");
+  EXPECT_EQ(error(kHead + R"("materials": [{"color": [0,2,0]}], "objects": []})"),
+            "M: materials[0].color[1]: is not in 0 .. 1");
+  EXPECT_EQ(error(kHead + R"("materials": [{"opacity": -0.5}], "objects": []})"),
+            "M: materials[0].opacity: is not in 0 .. 1");
+  EXPECT_EQ(error(kHead + R"("lights": [{"kind": "spot"}], "objects": []})"),
+            "M: lights[0].kind: 'spot' is not 'parallel' or 'point'");
   EXPECT_EQ(error(kHead + R"("lights": [{"kind": "point", "direction": [0,0,1]}], "objects": []})"),
             "M: lights[0].direction: does not belong to a light of kind 'point'");
-  EXPECT_EQ(error(kHead + R"("lights": [{"kind": "parallel", "direction": [0,0,0]}], "objects": []})"), "M: lights[0].direction: is no direction");
+  EXPECT_EQ(error(kHead + R"("lights": [{"kind": "parallel", "direction": [0,0,0]}], "objects": []})"),
+            "M: lights[0].direction: is no direction");
   EXPECT_EQ(error(R"({"format": "ligne-drawing"})"), "M: format: 'ligne-drawing' is not 'ligne-scene'");
   EXPECT_EQ(error(R"({"format": "ligne-scene", "version": 2, "objects": []})"), "M: version: only version 1 is known");
   EXPECT_EQ(error(R"({"format": "ligne-scene", "objects": []})"), "M: key 'version' is missing");
@@ -93,7 +105,8 @@ TEST(LigneSceneReader, ErrorsNameThePlace) {
 TEST(LigneSceneReader, BrokenJson) {
   EXPECT_EQ(error("{\n\"format\": \n}").substr(0, 20), "M:3: not valid JSON:");
   EXPECT_EQ(error("{\"format\": \"ligne-scene\"").substr(0, 20), "M:1: not valid JSON:");
-  EXPECT_EQ(error(kHead + R"("objects": [{"vertices": [[0,0,1e999]], "faces": []}]})"), "M: holds a number that is out of range");
+  EXPECT_EQ(error(kHead + R"("objects": [{"vertices": [[0,0,1e999]], "faces": []}]})"),
+            "M: holds a number that is out of range");
   EXPECT_EQ(error(std::string(1000000, '[')), "M: JSON nested deeper than 32 levels");
   EXPECT_EQ(error(std::string("{\"a\xFF\": 1}")).substr(0, 20), "M:1: not valid JSON:");
 }

@@ -30,8 +30,9 @@ TEST(ObjReader, PolygonsKeepTheirCorners) {
 
 TEST(ObjReader, EveryFormOfCorner) {
   const std::string head = kSquare + "vt 0 0\nvn 0 0 1\n";
-  for (const char* face : {"f 1 2 3 4", "f 1/1 2/1 3/1 4/1", "f 1//1 2//1 3//1 4//1", "f 1/1/1 2/1/1 3/1/1 4/1/1", "f 1// 2// 3// 4//",
-                           "f -4 -3 -2 -1", "f -4/-1 -3/-1 -2/-1 -1/-1", "f\t1\t2\t3\t4 # a comment", "  f 1 2 3 4  "}) {
+  for (const char* face :
+       {"f 1 2 3 4", "f 1/1 2/1 3/1 4/1", "f 1//1 2//1 3//1 4//1", "f 1/1/1 2/1/1 3/1/1 4/1/1", "f 1// 2// 3// 4//",
+        "f -4 -3 -2 -1", "f -4/-1 -3/-1 -2/-1 -1/-1", "f\t1\t2\t3\t4 # a comment", "  f 1 2 3 4  "}) {
     const Result r = read_raw(read_obj, head + face + "\n");
     ASSERT_EQ(r.scene.faces.size(), 1u) << face;
     EXPECT_EQ(contour(r.scene, 0), (std::vector<std::uint32_t>{0, 1, 2, 3})) << face;
@@ -45,7 +46,8 @@ TEST(ObjReader, RelativeIndicesCountFromTheVerticesSoFar) {
 }
 
 TEST(ObjReader, LineEndsByteOrderMarkAndContinuedLines) {
-  const std::string text = "\xEF\xBB\xBF\r\n\r\n# made by hand\r\nv 0 0 \\\r\n0\r\nv 1 0 0\r\nv 1 1 0\r\nf 1 \\\r\n 2\\\r\n 3\r\n";
+  const std::string text =
+      "\xEF\xBB\xBF\r\n\r\n# made by hand\r\nv 0 0 \\\r\n0\r\nv 1 0 0\r\nv 1 1 0\r\nf 1 \\\r\n 2\\\r\n 3\r\n";
   const Result r = read_raw(read_obj, text);
   EXPECT_EQ(contour(r.scene, 0), (std::vector<std::uint32_t>{0, 1, 2}));
 }
@@ -69,7 +71,9 @@ TEST(ObjReader, ObjectsOwnTheirVerticesAndGroupsDoNot) {
 }
 
 TEST(ObjReader, MaterialsByNameWithoutTheirLibrary) {
-  const Result r = read_raw(read_obj, "mtllib missing.mtl\n" + kSquare + "f 1 2 3\nusemtl red paint\nf 1 3 4\nusemtl b\nf 2 3 4\nusemtl\tred paint\nf 1 2 4\n");
+  const Result r =
+      read_raw(read_obj, "mtllib missing.mtl\n" + kSquare +
+                             "f 1 2 3\nusemtl red paint\nf 1 3 4\nusemtl b\nf 2 3 4\nusemtl\tred paint\nf 1 2 4\n");
   ASSERT_EQ(r.scene.materials.size(), 3u);
   EXPECT_EQ(r.scene.materials[0].name, "red paint");
   EXPECT_EQ(r.scene.materials[1].name, "b");
@@ -77,7 +81,8 @@ TEST(ObjReader, MaterialsByNameWithoutTheirLibrary) {
 }
 
 TEST(ObjReader, NumbersAreRoundedCorrectly) {
-  for (const std::string word : {"0.1234567890123456", "-149.29088", "123456.789012", "1e-3", "+2.5", "5e-324", "1e-400", ".5", "7."}) {
+  for (const std::string word :
+       {"0.1234567890123456", "-149.29088", "123456.789012", "1e-3", "+2.5", "5e-324", "1e-400", ".5", "7."}) {
     const Result r = read_raw(read_obj, "v " + word + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_EQ(r.scene.vertices[0].x, std::strtod(word.c_str(), nullptr)) << word;
   }
@@ -99,7 +104,8 @@ TEST(ObjReader, ErrorsNameTheLine) {
   EXPECT_EQ(error(kSquare + "f 1 2 3.5\n"), "M:5: '3.5' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
   EXPECT_EQ(error(kSquare + "f 1 2 3/1/1/1\n"), "M:5: '3/1/1/1' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
   EXPECT_EQ(error(kSquare + "f 1 2 /3\n"), "M:5: '/3' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
-  EXPECT_EQ(error(kSquare + "f 1 2 99999999999\n"), "M:5: '99999999999' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
+  EXPECT_EQ(error(kSquare + "f 1 2 99999999999\n"),
+            "M:5: '99999999999' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
   EXPECT_EQ(error(kSquare + "f 1 2 2147483647\n"), "M:5: face names vertex 2147483647 of 4");
   EXPECT_EQ(error("v 0 0\n"), "M:1: vertex with 2 coordinates, needs 3");
   EXPECT_EQ(error("v 0 0 0\nv 0 zero 0\n"), "M:2: 'zero' is not a coordinate of a vertex");
@@ -113,14 +119,13 @@ TEST(ObjReader, ErrorsNameTheLine) {
   EXPECT_EQ(error(kSquare + "f 1 2 3 \\"), "M:5: the file ends in a continued line");
   EXPECT_EQ(error(kSquare), "M: holds no faces");
   EXPECT_EQ(error(kSquare + std::string("f 1 2\0 3\n", 10)), "M:5: zero byte in a text file");
-  EXPECT_EQ(error("v 0 0 " + std::string(100, 'x')), "M:1: '" + std::string(40, 'x') + "...' is not a coordinate of a vertex");
+  EXPECT_EQ(error("v 0 0 " + std::string(100, 'x')),
+            "M:1: '" + std::string(40, 'x') + "...' is not a coordinate of a vertex");
   EXPECT_EQ(error("v 0 0 \x1b[2J"), "M:1: '?[2J' is not a coordinate of a vertex");
 }
 
 // The first error is the one that is told, and what follows is not read.
-TEST(ObjReader, StopsAtTheFirstError) {
-  EXPECT_EQ(error("v a 0 0\nf 1 2\n"), "M:1: 'a' is not a coordinate of a vertex");
-}
+TEST(ObjReader, StopsAtTheFirstError) { EXPECT_EQ(error("v a 0 0\nf 1 2\n"), "M:1: 'a' is not a coordinate of a vertex"); }
 
 struct Model {
   const char* file;

@@ -12,9 +12,11 @@ using namespace reader_test;
 
 std::string error(const std::string& text) { return error_of(read_ply, text); }
 
-std::string header(const std::string& format, const std::string& vertices, const std::string& faces, const std::string& type = "float") {
-  return "ply\nformat " + format + " 1.0\ncomment made by hand\nelement vertex " + vertices + "\nproperty " + type + " x\nproperty " + type +
-         " y\nproperty " + type + " z\nelement face " + faces + "\nproperty list uchar int vertex_indices\nend_header\n";
+std::string header(const std::string& format, const std::string& vertices, const std::string& faces,
+                   const std::string& type = "float") {
+  return "ply\nformat " + format + " 1.0\ncomment made by hand\nelement vertex " + vertices + "\nproperty " + type +
+         " x\nproperty " + type + " y\nproperty " + type + " z\nelement face " + faces +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
 const std::string kSquare = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
@@ -59,9 +61,10 @@ TEST(PlyReader, ExtraElementsAndPropertiesInAnyOrder) {
 
 TEST(PlyReader, BinaryInBothByteOrders) {
   for (const std::endian order : {std::endian::little, std::endian::big}) {
-    std::string bytes = "ply\nformat binary_" + std::string(order == std::endian::little ? "little" : "big") +
-                        "_endian 1.0\nelement vertex 3\nproperty double x\nproperty float y\nproperty short z\nproperty list ushort uchar tags\n"
-                        "element face 1\nproperty list uint ushort vertex_indices\nproperty int8 mark\nend_header\n";
+    std::string bytes =
+        "ply\nformat binary_" + std::string(order == std::endian::little ? "little" : "big") +
+        "_endian 1.0\nelement vertex 3\nproperty double x\nproperty float y\nproperty short z\nproperty list ushort uchar tags\n"
+        "element face 1\nproperty list uint ushort vertex_indices\nproperty int8 mark\nend_header\n";
     for (int i = 0; i < 3; ++i) {
       put(bytes, order, 0.1 * i);
       put(bytes, order, 1.5f * static_cast<float>(i));
@@ -103,20 +106,25 @@ TEST(PlyReader, ErrorsInTextNameTheLine) {
   EXPECT_EQ(error(header("ascii", "3", "1") + "0 0 0\n1 0"), "M:12: line with too few numbers");
   EXPECT_EQ(error(header("ascii", "3", "1") + "0 0 0\n1 0 0\n"), "M:12: the file ends before vertex 2 of 3");
   EXPECT_EQ(error(header("ascii", "3", "1") + three), "M:13: the file ends before face 0 of 1");
-  EXPECT_EQ(error(header("ascii", "9000000000000000000", "1") + three), "M:13: the file ends before vertex 3 of 9000000000000000000");
-  EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 2\n3 0 1 2\n"), "M:15: more lines than the header names elements");
+  EXPECT_EQ(error(header("ascii", "9000000000000000000", "1") + three),
+            "M:13: the file ends before vertex 3 of 9000000000000000000");
+  EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 2\n3 0 1 2\n"),
+            "M:15: more lines than the header names elements");
   EXPECT_EQ(error(header("ascii", "3", "0") + three), "M: holds no faces");
 }
 
 TEST(PlyReader, HostileBinaryCounts) {
   const std::string lying = header("binary_little_endian", "4000000000", "1");
   EXPECT_EQ(error(lying + std::string(30, '\0')), "M: the file ends in vertex 2 of 4000000000");
-  const std::string list = "ply\nformat binary_big_endian 1.0\nelement x 1\nproperty list uint double p\nelement vertex 0\nproperty float x\nproperty float y\n"
-                           "property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n";
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a\x1b[2J\x07 1\nproperty int a\n" + list.substr(list.find("element vertex"))),
-            "M:11: the file ends before a?[2J? 0 of 1");
+  const std::string list =
+      "ply\nformat binary_big_endian 1.0\nelement x 1\nproperty list uint double p\nelement vertex 0\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n";
+  EXPECT_EQ(
+      error("ply\nformat ascii 1.0\nelement a\x1b[2J\x07 1\nproperty int a\n" + list.substr(list.find("element vertex"))),
+      "M:11: the file ends before a?[2J? 0 of 1");
   EXPECT_EQ(error(list + "\xFF\xFF\xFF\xFF"), "M: the file ends in x 0 of 1");
-  EXPECT_EQ(error(header("binary_little_endian", "0", "1") + std::string("\x02\0\0\0\0\0\0\0\0", 9)), "M: face 0 of 1: face with 2 corners, needs 3 or more");
+  EXPECT_EQ(error(header("binary_little_endian", "0", "1") + std::string("\x02\0\0\0\0\0\0\0\0", 9)),
+            "M: face 0 of 1: face with 2 corners, needs 3 or more");
 }
 
 TEST(PlyReader, ErrorsInTheHeader) {
@@ -125,19 +133,23 @@ TEST(PlyReader, ErrorsInTheHeader) {
   EXPECT_EQ(error("ply\nend_header\n"), "M:2: PLY header without 'format'");
   EXPECT_EQ(error("plyx\n"), "M:1: a PLY file begins with a line 'ply'");
   EXPECT_EQ(error("ply\nformat ascii 2.0\n"), "M:2: PLY version '2.0' is not known, only 1.0 is");
-  EXPECT_EQ(error("ply\nformat text 1.0\n"), "M:2: 'text' is not a PLY format (ascii, binary_little_endian, binary_big_endian)");
+  EXPECT_EQ(error("ply\nformat text 1.0\n"),
+            "M:2: 'text' is not a PLY format (ascii, binary_little_endian, binary_big_endian)");
   EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex many\n"), "M:3: 'many' is not a number of elements");
   EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex -1\n"), "M:3: '-1' is not a number of elements");
   EXPECT_EQ(error("ply\nformat ascii 1.0\nelement\n"), "M:3: element without a name");
   EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a 1\nelement a 1\n"), "M:4: element 'a' a second time");
   EXPECT_EQ(error("ply\nformat ascii 1.0\nproperty float x\n"), "M:3: property before the first element");
   EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a 1\nproperty half x\n"), "M:4: 'half' is not a PLY type");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a 1\nproperty list float int x\n"), "M:4: the length of a list can not be a float");
+  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a 1\nproperty list float int x\n"),
+            "M:4: the length of a list can not be a float");
   EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a 1\nproperty int\n"), "M:4: property without a name");
   EXPECT_EQ(error("ply\nformat ascii 1.0\nwhatever\n"), "M:3: 'whatever' is not a statement of a PLY header");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nend_header\n"), "M: PLY header names no z of vertices");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n"),
-            "M: PLY header names no list vertex_indices of faces");
+  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nend_header\n"),
+            "M: PLY header names no z of vertices");
+  EXPECT_EQ(
+      error("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n"),
+      "M: PLY header names no list vertex_indices of faces");
 }
 
 TEST(PlyReader, ModelOfOthers) {

@@ -57,7 +57,8 @@ TEST(DetectFormat, FilesThatAreNoModels) {
   EXPECT_EQ(detected("hello\n", ".txt"), unknown);
   EXPECT_EQ(detected(std::string("v 0 0 0\n\0", 9), ".obj"), unknown);
   EXPECT_EQ(detected("hello\n", ".asc"), unknown);
-  EXPECT_EQ(detected("ncols        43\nnrows        89\n", ".asc"), "M: is an ESRI ASCII grid; draw it with: ligne surface --grid");
+  EXPECT_EQ(detected("ncols        43\nnrows        89\n", ".asc"),
+            "M: is an ESRI ASCII grid; draw it with: ligne surface --grid");
   EXPECT_EQ(detected("\r\nNCOLS 43\r\n", ".asc"), "M: is an ESRI ASCII grid; draw it with: ligne surface --grid");
 }
 
@@ -100,7 +101,9 @@ TEST_F(Files, OneClearLineForWhatIsNoFile) {
   EXPECT_EQ(error(closed), geteuid() == 0 ? ": holds no faces" : ": can not be opened for reading");
 }
 
-TEST_F(Files, NamesAndLinesStandInFront) { EXPECT_EQ(error(write("a.obj", "v 0 0 0\nf 1 1\n")), ":2: face with 2 corners, needs 3 or more"); }
+TEST_F(Files, NamesAndLinesStandInFront) {
+  EXPECT_EQ(error(write("a.obj", "v 0 0 0\nf 1 1\n")), ":2: face with 2 corners, needs 3 or more");
+}
 
 TEST_F(Files, CoordinatesTooLargeToComputeWith) {
   const std::string rest = " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -128,17 +131,21 @@ TEST(ReadScene, ModelFilesThatAreNone) {
     }
     return std::string("no error");
   };
-  EXPECT_EQ(error("west_bijou_gully.asc"), "west_bijou_gully.asc: is an ESRI ASCII grid; draw it with: ligne surface --grid");
+  EXPECT_EQ(error("west_bijou_gully.asc"),
+            "west_bijou_gully.asc: is an ESRI ASCII grid; draw it with: ligne surface --grid");
   EXPECT_EQ(error("jacksboro_dem_16bit.png"), "jacksboro_dem_16bit.png: is a PNG image, not a model");
   EXPECT_EQ(error("runout_dem_float32.tif"), "runout_dem_float32.tif: is a TIFF image, not a model");
 }
 
 TEST(ReadScene, FormatOfEveryModel) {
   LIGNE_NEED_MODELS(folder);
-  const std::pair<const char*, ModelFormat> formats[] = {
-      {"2CylinderEngine.glb", ModelFormat::glb},    {"lantern/Lantern.gltf", ModelFormat::gltf}, {"beetle.obj", ModelFormat::obj},
-      {"featuretype.stl", ModelFormat::stl_binary}, {"octagonal_pocket.ply", ModelFormat::ply},  {"CITY.ASC", ModelFormat::asc_3d_studio},
-      {"1002_tray_bottom.stl", ModelFormat::stl_ascii}};
+  const std::pair<const char*, ModelFormat> formats[] = {{"2CylinderEngine.glb", ModelFormat::glb},
+                                                         {"lantern/Lantern.gltf", ModelFormat::gltf},
+                                                         {"beetle.obj", ModelFormat::obj},
+                                                         {"featuretype.stl", ModelFormat::stl_binary},
+                                                         {"octagonal_pocket.ply", ModelFormat::ply},
+                                                         {"CITY.ASC", ModelFormat::asc_3d_studio},
+                                                         {"1002_tray_bottom.stl", ModelFormat::stl_ascii}};
   for (const auto& [file, format] : formats) {
     Warnings warnings;
     ReadReport report;
@@ -213,7 +220,7 @@ TEST(Precision, OfDecimalNumbers) {
     for (const char* word : words) p.add(word, *number_in(word));
     return p.value();
   };
-  EXPECT_DOUBLE_EQ(precision({"-2598.325684", "16.175011", "-2500"}), 0.5e-6);   // six decimals
+  EXPECT_DOUBLE_EQ(precision({"-2598.325684", "16.175011", "-2500"}), 0.5e-6);    // six decimals
   EXPECT_DOUBLE_EQ(precision({"0.187321", "0.00447467", "-0.0378297"}), 0.5e-6);  // six digits
   EXPECT_DOUBLE_EQ(precision({"3.556000e+002", "1.5e-17"}), 0.5e-4);
   EXPECT_EQ(precision({"1", "0.5", "12.25"}), half_ulp_double(12.25));  // by hand
@@ -226,7 +233,8 @@ TEST(Precision, NumbersAsWritten) {
   EXPECT_EQ(number_in("+1.5"), 1.5);
   EXPECT_EQ(number_in("1e-999"), 0.0);
   EXPECT_EQ(number_in("0." + std::string(400, '0') + "1"), 0.0);
-  for (const char* word : {"", "+", "-", "+-1", "1e999", "inf", "-nan", "1.5x", "0x1", "1,5", " 1", "1 "}) EXPECT_FALSE(number_in(word)) << word;
+  for (const char* word : {"", "+", "-", "+-1", "1e999", "inf", "-nan", "1.5x", "0x1", "1,5", " 1", "1 "})
+    EXPECT_FALSE(number_in(word)) << word;
   EXPECT_EQ(parse_integer("-7"), -7);
   for (const char* word : {"", "7.0", "99999999999999999999", "a"}) EXPECT_FALSE(parse_integer(word)) << word;
 }

@@ -78,7 +78,8 @@ inline void expect_sound(const Scene& scene) {
     for (std::size_t f = object.face_begin; f < object.face_end; ++f) {
       for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
         EXPECT_GE(scene.faces.contour(f, c).size(), 3u);
-        for (const std::uint32_t v : scene.faces.contour(f, c)) EXPECT_TRUE(v >= object.vertex_begin && v < object.vertex_end);
+        for (const std::uint32_t v : scene.faces.contour(f, c))
+          EXPECT_TRUE(v >= object.vertex_begin && v < object.vertex_end);
       }
     }
     vertex = object.vertex_end;
@@ -94,6 +95,6 @@ inline void expect_sound(const Scene& scene) {
 }  // namespace ligne::reader_test
 
 /// The folder of models made by others; the test ends when it is absent.
-#define LIGNE_NEED_MODELS(folder)                                                 \
-  const std::filesystem::path folder = LIGNE_MODELS_DIR;                          \
+#define LIGNE_NEED_MODELS(folder)                        \
+  const std::filesystem::path folder = LIGNE_MODELS_DIR; \
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "shared models are absent"

@@ -30,7 +30,8 @@ std::string binary(const std::string& header, std::uint32_t claimed, const std::
 const std::vector<float> kTriangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 TEST(StlReader, OneObjectPerSolid) {
-  const Result r = read_raw(read_stl_ascii, "solid first part\n" + kFacet + kFacet + "endsolid first part\nsolid\n" + kFacet + "endsolid");
+  const Result r = read_raw(read_stl_ascii,
+                            "solid first part\n" + kFacet + kFacet + "endsolid first part\nsolid\n" + kFacet + "endsolid");
   expect_sound(r.scene);
   ASSERT_EQ(r.scene.objects.size(), 2u);
   EXPECT_EQ(r.scene.objects[0].name, "first part");
@@ -48,14 +49,17 @@ TEST(StlReader, CaseLineEndsAndNormalsDoNotMatter) {
 }
 
 TEST(StlReader, TextErrorsNameTheLine) {
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 x 0\n"), "M:5: 'x' is not a coordinate of a vertex");
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n"), "M:4: 'nan' is not a coordinate of a vertex");
+  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 x 0\n"),
+            "M:5: 'x' is not a coordinate of a vertex");
+  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n"),
+            "M:4: 'nan' is not a coordinate of a vertex");
   EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0"), "M:4: the file ends in a vertex");
   EXPECT_EQ(error("solid a\nfacet normal 0 0"), "M:2: the file ends in a facet");
   EXPECT_EQ(error("solid a\nfacet normal 0 0 1 1 outer loop"), "M:2: expected 'outer loop' in a facet, found '1'");
   EXPECT_EQ(error("solid a\n" + kFacet), "M:8: the file ends in a solid; expected 'facet' or 'endsolid'");
   EXPECT_EQ(error("solid a\nsolid b\n"), "M:2: expected 'facet' or 'endsolid', found 'solid'");
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n"), "M:6: expected 'vertex' in a facet, found 'endloop'");
+  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n"),
+            "M:6: expected 'vertex' in a facet, found 'endloop'");
   EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n"),
             "M:7: expected 'endloop' after the three vertices of a facet, found 'vertex'");
   EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop"),
@@ -79,7 +83,8 @@ TEST(StlReader, BinaryCountsThatLie) {
   EXPECT_EQ(error_of(read_stl_binary, one), "M: binary STL names 2 triangles, which need 184 bytes, but the file has 134");
   EXPECT_EQ(error_of(read_stl_binary, binary("", 4294967295u, kTriangle)),
             "M: binary STL names 4294967295 triangles, which need 214748364834 bytes, but the file has 134");
-  EXPECT_EQ(error_of(read_stl_binary, binary("", 0, kTriangle)), "M: binary STL names 0 triangles, which need 84 bytes, but the file has 134");
+  EXPECT_EQ(error_of(read_stl_binary, binary("", 0, kTriangle)),
+            "M: binary STL names 0 triangles, which need 84 bytes, but the file has 134");
   EXPECT_EQ(error_of(read_stl_binary, std::string(50, '\0')), "M: binary STL of 50 bytes, shorter than its header of 84");
   EXPECT_EQ(error_of(read_stl_binary, binary("", 0, {})), "M: holds no faces");
 }

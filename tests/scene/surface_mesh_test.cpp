@@ -27,7 +27,8 @@ constexpr double kPi = std::numbers::pi;
 
 std::vector<double> evenly(double from, double to, std::size_t intervals) {
   std::vector<double> positions;
-  for (std::size_t i = 0; i <= intervals; ++i) positions.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(intervals));
+  for (std::size_t i = 0; i <= intervals; ++i)
+    positions.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(intervals));
   return positions;
 }
 
@@ -50,7 +51,8 @@ struct Counts {
 
 Counts count(const Scene& scene) {
   const Topology topology = build_topology(scene);
-  Counts counts{static_cast<int>(scene.vertices.size()), static_cast<int>(topology.edges.size()), static_cast<int>(scene.faces.size())};
+  Counts counts{static_cast<int>(scene.vertices.size()), static_cast<int>(topology.edges.size()),
+                static_cast<int>(scene.faces.size())};
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
     counts.borders += topology.edges[e].face1 == kNone;
     counts.many += (topology.edge_flags[e] & kEdgeManyFaces) != 0;
@@ -102,15 +104,15 @@ TEST(SurfaceMesh, CurvesAreEveryStrideAndTheLast) {
 
 TEST(SurfaceMesh, ClosedSurfacesClose) {
   const auto full = evenly(0, 2 * kPi, 12);
-  const Counts torus = count(scene_of(make_surface_mesh(
-      parametric("(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)", full, full))));
+  const Counts torus =
+      count(scene_of(make_surface_mesh(parametric("(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)", full, full))));
   EXPECT_EQ(torus.vertices, 144);
   EXPECT_EQ(torus.characteristic(), 0);
   EXPECT_EQ(torus.borders + torus.many + torus.unlike, 0);
   EXPECT_EQ(torus.curves, 2 * 144);
 
-  const Counts sphere = count(scene_of(make_surface_mesh(
-      parametric("sin(u)*cos(v)", "sin(u)*sin(v)", "cos(u)", evenly(0, kPi, 6), full))));
+  const Counts sphere =
+      count(scene_of(make_surface_mesh(parametric("sin(u)*cos(v)", "sin(u)*sin(v)", "cos(u)", evenly(0, kPi, 6), full))));
   EXPECT_EQ(sphere.vertices, 2 + 5 * 12);
   EXPECT_EQ(sphere.characteristic(), 2);
   EXPECT_EQ(sphere.borders + sphere.many + sphere.unlike, 0);
@@ -377,13 +379,18 @@ TEST(HeightFilters, Logarithms) {
 }
 
 TEST(HeightFilters, Windows) {
-  const auto window = [](AxisWindow x, AxisWindow y) { return window_heights(formula_heights("x+10*y", evenly(0, 5, 5), evenly(0, 4, 4)), x, y, "g"); };
+  const auto window = [](AxisWindow x, AxisWindow y) {
+    return window_heights(formula_heights("x+10*y", evenly(0, 5, 5), evenly(0, 4, 4)), x, y, "g");
+  };
   const auto part = window({0.5, 3}, {});
   EXPECT_EQ(part->x(), (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(part->y().size(), 5u);
   const auto corner = window({4, 9}, {2, 3});
   EXPECT_EQ(height_test::heights_of(*corner), (std::vector<std::vector<double>>{{24, 25}, {34, 35}}));
-  EXPECT_EQ(error_line([&] { window({7, 9}, {}); }), "g: the window -x, -y holds 0 columns and 5 rows of the grid; it takes two of each");
+  EXPECT_EQ(error_line([&] {
+              window({7, 9}, {});
+            }),
+            "g: the window -x, -y holds 0 columns and 5 rows of the grid; it takes two of each");
 }
 
 }  // namespace

@@ -92,7 +92,8 @@ JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView&
       accuracy_mm_(accuracy_mm),
       topology_(build_topology(scene)),
       view_(make_view(scene, make_camera(standard.camera, scene), kFrame, kSheet)),
-      oracle_(std::make_unique<oracle::Oracle>(scene, smaller(oracle_view(standard.camera, view_), accuracy_mm / kOracleMm), kCreaseDegrees)),
+      oracle_(std::make_unique<oracle::Oracle>(scene, smaller(oracle_view(standard.camera, view_), accuracy_mm / kOracleMm),
+                                               kCreaseDegrees)),
       lines_(std::make_unique<Lines>()) {
   const double by = accuracy_mm / kOracleMm;
   std::map<EdgeKey, std::uint32_t> numbers;
@@ -119,8 +120,12 @@ JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView&
     const oracle::Intersection& x = oracle_->intersections()[i];
     const std::string faces = "intersection of faces " + std::to_string(x.face0) + " and " + std::to_string(x.face1);
     const Segment page{x.page_a * by, x.page_b * by};
-    Candidate candidate{
-        true, x.proper, EdgeClass::intersection, {}, larger(oracle_->intersection_intervals(i), by), words(faces.c_str(), x.a, x.b)};
+    Candidate candidate{true,
+                        x.proper,
+                        EdgeClass::intersection,
+                        {},
+                        larger(oracle_->intersection_intervals(i), by),
+                        words(faces.c_str(), x.a, x.b)};
     lines_->of_faces[{x.face0, x.face1}].push_back({page, x.vague, candidate});
     add_candidate(std::move(candidate));
   }

@@ -38,9 +38,9 @@ struct Verdict {
 /// A scene in one view on an A4 sheet, with the oracle's answers. These are found once, for all methods.
 class JudgedView {
  public:
-  /// `name` is the corpus scene's, "tests/corpus/NAME.json"; it stands in the command that shows a fault. For methods that are limited
-  /// by a resolution `accuracy_mm` is that resolution: the oracle is asked on a page so much smaller that what it leaves open around
-  /// every change, a micrometre there, is that much here.
+  /// `name` is the corpus scene's, "tests/corpus/NAME.json"; it stands in the command that shows a fault. For methods that
+  /// are limited by a resolution `accuracy_mm` is that resolution: the oracle is asked on a page so much smaller that what
+  /// it leaves open around every change, a micrometre there, is that much here.
   JudgedView(const Scene& scene, std::string name, const StandardView& view, double accuracy_mm = 0.001);
   ~JudgedView();
 

@@ -32,12 +32,15 @@ struct PreparedScan {
     projected = project(scene, topology, view, {classes("all"), 30});
     const double coincidence = coincidence_mm(projected) / projected.lattice.step_mm;
     facets = make_facets(projected, coincidence);
-    for (const ProjectedEdge& e : projected.edges) lines.push_back({projected.vertices[e.v0], projected.vertices[e.v1], e.face0, e.face1});
+    for (const ProjectedEdge& e : projected.edges)
+      lines.push_back({projected.vertices[e.v0], projected.vertices[e.v1], e.face0, e.face1});
     ExactOptions exact;
     exact.coincidence_steps = coincidence;
     exact.penetrations = true;
     ExactResult found = study_exactly(projected.vertices, facets.facets, {}, exact);
-    for (const Intersection& i : take_intersections(found, projected.vertices, facets.facets, kLeastPartMm / projected.lattice.step_mm)) lines.push_back({i.from, i.to, i.face0, i.face1});
+    for (const Intersection& i :
+         take_intersections(found, projected.vertices, facets.facets, kLeastPartMm / projected.lattice.step_mm))
+      lines.push_back({i.from, i.to, i.face0, i.face1});
   }
 
   LineStudyResult study(std::uint32_t count, const ScanOptions& scan, std::uint32_t group = 0, bool whole = false) const {

@@ -9,8 +9,8 @@
 
 namespace ligne::test {
 
-/// The objects with their faces and holes in the format of docs/scene-format.md; reading it gives the same doubles. Materials, details
-/// and lights are left out.
+/// The objects with their faces and holes in the format of docs/scene-format.md; reading it gives the same doubles.
+/// Materials, details and lights are left out.
 inline std::string scene_json(const Scene& scene) {
   std::ostringstream out;
   out.precision(17);
@@ -25,12 +25,14 @@ inline std::string scene_json(const Scene& scene) {
     out << ']';
   };
   const char* const separator = ",\n  ";
-  out << "{\"format\": \"ligne-scene\", \"version\": 1, \"up\": \"" << "xyz"[static_cast<int>(scene.up_axis)] << "\", \"objects\": [";
+  out << "{\"format\": \"ligne-scene\", \"version\": 1, \"up\": \""
+      << "xyz"[static_cast<int>(scene.up_axis)] << "\", \"objects\": [";
   for (const Object& o : scene.objects) {
     out << (&o == scene.objects.data() ? "\n  " : separator) << "{\"precision\": " << o.precision << ", \"vertices\": ";
     const auto begin = scene.vertices.begin();
-    list(std::span(begin + o.vertex_begin, begin + o.vertex_end),
-         [&](const Point3& p) { out << '[' << p.x + 0.0 << ", " << p.y + 0.0 << ", " << p.z + 0.0 << ']'; });  // -0 reads as 0
+    list(std::span(begin + o.vertex_begin, begin + o.vertex_end), [&](const Point3& p) {
+      out << '[' << p.x + 0.0 << ", " << p.y + 0.0 << ", " << p.z + 0.0 << ']';
+    });  // -0 reads as 0
     out << ",\n   \"faces\": [";
     for (std::uint32_t f = o.face_begin; f < o.face_end; ++f) {
       const auto contour = [&](std::size_t c) {

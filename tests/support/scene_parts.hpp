@@ -59,8 +59,8 @@ inline void add_box(Scene& scene, const Point3& corner, const Point3& size, cons
     const Point3 local = corner + size * Point3{double(i & 1), double((i >> 1) & 1), double(i >> 2)};
     scene.vertices.push_back(basis[0] * local.x + basis[1] * local.y + basis[2] * local.z);
   }
-  for (const auto& q : {std::array<std::uint32_t, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2},
-                        {1, 3, 7, 5}}) {
+  for (const auto& q :
+       {std::array<std::uint32_t, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
     const std::array<std::uint32_t, 4> corners{base + q[0], base + q[1], base + q[2], base + q[3]};
     scene.faces.add_face(corners);
   }

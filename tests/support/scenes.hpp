@@ -62,9 +62,9 @@ inline constexpr double kPageWidth = 297, kPageHeight = 210;
 inline Picture draw(const Scene& scene, const PictureRequest& request) {
   const Topology topology = build_topology(scene);
   const Camera camera = make_camera(request.camera, scene);
-  const View view = make_view(scene, camera, {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
-                              {{0, 0}, {kPageWidth, kPageHeight}},
-                              request.scale > 0 ? std::optional(request.scale) : std::nullopt);
+  const View view =
+      make_view(scene, camera, {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}}, {{0, 0}, {kPageWidth, kPageHeight}},
+                request.scale > 0 ? std::optional(request.scale) : std::nullopt);
   Picture picture{project(scene, topology, view, {classes(request.edges), 30}), {}};
   StudyOptions options;
   options.hidden_strokes = request.hidden;

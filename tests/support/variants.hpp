@@ -15,7 +15,8 @@ struct Variant {
   std::string name;  ///< as on the command line, "watkins --span-method box"
 };
 
-/// The methods as they are by default, and with every other word of every parameter that is a choice of words, one at a time.
+/// The methods as they are by default, and with every other word of every parameter that is a choice of words, one at a
+/// time.
 inline std::vector<Variant> variants() {
   std::vector<Variant> list;
   for (const Method* method : all_methods()) {

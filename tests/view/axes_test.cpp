@@ -1,7 +1,7 @@
 /// Axes of plots: the box as seen, and what stands round it.
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -103,7 +103,8 @@ TEST(Axes, TextsNeverOverlapEachOtherNorThePicture) {
         EXPECT_EQ(picture.has_scale[0], !x_end_on);
         EXPECT_EQ(picture.has_scale[1], !y_end_on);
         for (unsigned k = 0; k < 3; ++k) {
-          const bool named = std::any_of(picture.texts.begin(), picture.texts.end(), [&](const TextItem& t) { return t.text == r.axes[k].name; });
+          const bool named = std::any_of(picture.texts.begin(), picture.texts.end(),
+                                         [&](const TextItem& t) { return t.text == r.axes[k].name; });
           EXPECT_EQ(named, edges[k].has_value()) << r.axes[k].name;
         }
       }
@@ -187,7 +188,8 @@ TEST(Axes, TicksStandAtTheirNumbers) {
   const AxesPicture picture = lay_out_axes(r, view, measure);
   const auto has_mark = [&](const Point3& p) {
     const Point2 at = page(view, p);
-    return std::any_of(picture.marks.begin(), picture.marks.end(), [&](const auto& m) { return glm::distance(m[0], at) < 1e-9; });
+    return std::any_of(picture.marks.begin(), picture.marks.end(),
+                       [&](const auto& m) { return glm::distance(m[0], at) < 1e-9; });
   };
   EXPECT_TRUE(has_mark({-10, -7, -2.17}));
   EXPECT_TRUE(has_mark({10, -7, -2.17}));
@@ -246,7 +248,8 @@ TEST(AxisLines, AreDrawnOnce) {
 TEST(AxisLines, OnlyTheirVisibleParts) {
   const AxesBox box = request().box();
   const View view = seen_from(box, -60, 30);
-  const std::vector<AxisLine> lines{{box.low, {box.high.x, box.low.y, box.low.z}}, {box.low, {box.low.x, box.low.y, box.high.z}}};
+  const std::vector<AxisLine> lines{{box.low, {box.high.x, box.low.y, box.low.z}},
+                                    {box.low, {box.low.x, box.low.y, box.high.z}}};
   const double whole = length_of(axis_lines({lines.data(), 1}, view, {}, kCoincidenceMm));
   std::size_t asked = 0;
   const auto part = axis_lines(
@@ -265,7 +268,12 @@ TEST(AxisLines, IntervalsAreInSpaceAlsoInPerspective) {
   const AxesBox box = request().box();
   const View view = seen_by(box, {40, -60, 30});
   const AxisLine line{{box.high.x, box.low.y, 0}, {box.low.x, box.high.y, 0}};
-  const auto half = axis_lines({&line, 1}, view, [](auto) { return std::vector<std::vector<VisibleInterval>>{{{0, 0.5}}}; }, kCoincidenceMm);
+  const auto half = axis_lines(
+      {&line, 1}, view,
+      [](auto) {
+        return std::vector<std::vector<VisibleInterval>>{{{0, 0.5}}};
+      },
+      kCoincidenceMm);
   ASSERT_EQ(half.size(), 1u);
   const Point2 middle = page(view, (line.a + line.b) * 0.5);
   EXPECT_LT(std::min(glm::distance(half[0].front(), middle), glm::distance(half[0].back(), middle)), 1e-4);

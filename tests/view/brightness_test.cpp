@@ -40,14 +40,16 @@ TEST(Brightness, PerspectiveFallsWithTheSquareOfTheDistance) {
   EXPECT_EQ(b[2], 0);
 }
 
-/// With lights: the mean of the cosines, without those that do not reach the face or stand behind it. Without: the light at the eye.
+/// With lights: the mean of the cosines, without those that do not reach the face or stand behind it. Without: the light at
+/// the eye.
 TEST(Brightness, LightsGiveTheMeanOfTheirCosines) {
   Scene scene;
   add_face(scene, {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
   CameraRequest request;
   request.direction = Point3{0, 1, -1};
   const Camera camera = make_camera(request, scene);
-  const std::vector<Light> lights{{Light::Kind::parallel, {0, 0, -2}}, {Light::Kind::parallel, {1, 0, -1}}, {Light::Kind::parallel, {0, 0, 1}}};
+  const std::vector<Light> lights{
+      {Light::Kind::parallel, {0, 0, -2}}, {Light::Kind::parallel, {1, 0, -1}}, {Light::Kind::parallel, {0, 0, 1}}};
   const FaceLight light(scene, camera, lights);
   const double slanted = std::sqrt(0.5);
   EXPECT_NEAR(light.of(0), (1 + slanted) / 3, 1e-12);

@@ -114,7 +114,8 @@ void compare(const Scene& scene, const PictureRequest& request, const std::strin
     total += length;
     checked += (visible + hidden) * length;
     EXPECT_GE(drawn[edge.source], visible * length - kTolerance) << name << ", edge " << edge.source << " lacks a part";
-    EXPECT_LE(drawn[edge.source], (1 - hidden) * length + kTolerance) << name << ", edge " << edge.source << " is drawn hidden";
+    EXPECT_LE(drawn[edge.source], (1 - hidden) * length + kTolerance)
+        << name << ", edge " << edge.source << " is drawn hidden";
   }
   EXPECT_GT(checked, 0.4 * total) << name;
 }
@@ -159,7 +160,8 @@ TEST(BruteForce, PenetratingBoxes) {
     std::uniform_real_distribution<double> u(-1, 1);
     Scene scene;
     for (int i = 0; i < 9; ++i) {
-      add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {3, 2, 2.5}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+      add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {3, 2, 2.5},
+              rotation(u(random) * 3, u(random) * 3, u(random) * 3));
     }
     compare(scene, {along({-1, 2, -1})}, "boxes, seed " + std::to_string(seed));
     compare(scene, {from_eye({3, -14, 9}, {0, 0, 0}, 50)}, "boxes in perspective, seed " + std::to_string(seed));

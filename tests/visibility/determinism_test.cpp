@@ -37,11 +37,14 @@ TEST_P(Determinism, OneThreadAndManyGiveTheSameStrokes) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> u(-1, 1);
     for (int i = 0; i < boxes; ++i) {
-      add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {2, 2, 2}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+      add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {2, 2, 2},
+              rotation(u(random) * 3, u(random) * 3, u(random) * 3));
     }
     const auto with_threads = [&, hidden = hidden](int n) {
       tbb::task_arena arena(n);
-      return arena.execute([&] { return draw(scene, {along({-1, 2, -1}), "all", hidden, 0, std::string(GetParam()->traits().name)}); });
+      return arena.execute([&] {
+        return draw(scene, {along({-1, 2, -1}), "all", hidden, 0, std::string(GetParam()->traits().name)});
+      });
     };
     const Picture one = with_threads(1), four = with_threads(4);
     ASSERT_GT(one.model.strokes.size(), 1000u);
@@ -52,12 +55,11 @@ TEST_P(Determinism, OneThreadAndManyGiveTheSameStrokes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Determinism, testing::ValuesIn(methods_of_strokes()),
-                         [](const auto& info) {
-                           std::string name(info.param->traits().name);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Methods, Determinism, testing::ValuesIn(methods_of_strokes()), [](const auto& info) {
+  std::string name(info.param->traits().name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
 
 }  // namespace
 }  // namespace ligne::test

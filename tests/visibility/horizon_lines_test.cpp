@@ -1,4 +1,5 @@
-// What the horizon draws beside curves, point by point against rays to the viewer: contour lines, lines on the base, lines behind the surface.
+// What the horizon draws beside curves, point by point against rays to the viewer: contour lines, lines on the base, lines
+// behind the surface.
 
 #include <gtest/gtest.h>
 
@@ -87,7 +88,8 @@ class Scenery {
     for (int k = 0; k < points; ++k) {
       const Point3 p = a + (b - a) * ((k + 0.5) / points);
       const Camera& camera = view_.camera;
-      const bool is_hidden = camera.perspective ? hidden(triangles_, p, camera.eye - p, 1) : hidden(triangles_, p, -camera.forward, 1e9);
+      const bool is_hidden =
+          camera.perspective ? hidden(triangles_, p, camera.eye - p, 1) : hidden(triangles_, p, -camera.forward, 1e9);
       if (is_hidden) continue;
       const Point2 from = page(a + (b - a) * (double(k) / points)), to = page(a + (b - a) * ((k + 1.0) / points));
       sum += std::hypot(to.x - from.x, to.y - from.y);
@@ -125,7 +127,8 @@ double length(const Polylines& lines) {
 
 std::vector<CameraRequest> cameras() {
   std::vector<CameraRequest> all;
-  for (const Point3& direction : {Point3{1, 0.7, -0.5}, Point3{-0.8, 0.5, -0.3}, Point3{0.9, -0.4, 0.35}, Point3{-0.3, -1, -1.1}}) {
+  for (const Point3& direction :
+       {Point3{1, 0.7, -0.5}, Point3{-0.8, 0.5, -0.3}, Point3{0.9, -0.4, 0.35}, Point3{-0.3, -1, -1.1}}) {
     all.emplace_back().direction = direction;
   }
   for (const Point3& eye : {Point3{-2.6, -2.3, 1.4}, Point3{2.7, -1.9, 0.8}}) {
@@ -168,7 +171,9 @@ TEST(HorizonLines, LinesBehindAreSeenWhereRaysAreFree) {
       const Scenery scenery(heights, request);
       const Camera& camera = scenery.view().camera;
       // The far corner's upright, and the sides of a box there.
-      const auto far = [&](int axis) { return (camera.perspective ? camera.eye[axis] < 0 : camera.forward[axis] > 0) ? 1.0 : -1.0; };
+      const auto far = [&](int axis) {
+        return (camera.perspective ? camera.eye[axis] < 0 : camera.forward[axis] > 0) ? 1.0 : -1.0;
+      };
       const double x = far(0), y = far(1);
       HorizonOptions options;
       for (const double z : {-0.6, -0.1, 0.35}) {
@@ -186,7 +191,8 @@ TEST(HorizonLines, LinesBehindAreSeenWhereRaysAreFree) {
           const Point2 p = scenery.page(a + (b - a) * span.from), q = scenery.page(a + (b - a) * span.to);
           seen += std::hypot(q.x - p.x, q.y - p.y);
         }
-        EXPECT_NEAR(seen, scenery.seen_length(a, b, 800), 1.5) << "line " << i << ", surface " << (f == waves ? "waves" : "holed");
+        EXPECT_NEAR(seen, scenery.seen_length(a, b, 800), 1.5)
+            << "line " << i << ", surface " << (f == waves ? "waves" : "holed");
       }
     }
   }
@@ -221,7 +227,8 @@ TEST(HorizonLines, SidesApartAreTheWhole) {
 
 TEST(HorizonLines, RimsOfHolesAreBorders) {
   // One sample in the middle is missing: four cells are gone, and around them runs a square of two cells' side.
-  const Heights heights([](double x, double y) { return std::abs(x) < 0.1 && std::abs(y) < 0.1 ? kNaN : 0.0; }, positions(9), positions(9));
+  const Heights heights([](double x, double y) { return std::abs(x) < 0.1 && std::abs(y) < 0.1 ? kNaN : 0.0; }, positions(9),
+                        positions(9));
   CameraRequest from_above;
   from_above.direction = Point3{0, 0, -1};
   HorizonOptions options;

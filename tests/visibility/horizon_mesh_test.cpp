@@ -1,4 +1,5 @@
-// The horizon against the default method on the same surface as a mesh: two triangles a cell, one diagonal. Nothing is shared but the heights.
+// The horizon against the default method on the same surface as a mesh: two triangles a cell, one diagonal. Nothing is
+// shared but the heights.
 
 #include <gtest/gtest.h>
 
@@ -54,13 +55,15 @@ Scene mesh_of(const HeightSource& heights) {
   }
   for (std::size_t j = 0; j + 1 < ny; ++j) {
     for (std::size_t i = 0; i + 1 < nx; ++i) {
-      const std::uint32_t a = number[j * nx + i], b = number[j * nx + i + 1], c = number[(j + 1) * nx + i], d = number[(j + 1) * nx + i + 1];
+      const std::uint32_t a = number[j * nx + i], b = number[j * nx + i + 1], c = number[(j + 1) * nx + i],
+                          d = number[(j + 1) * nx + i + 1];
       if (std::max({a, b, c, d}) == 0xffffffffu) continue;
       scene.faces.add_triangle(a, b, c);
       scene.faces.add_triangle(b, d, c);
     }
   }
-  scene.objects.push_back({"surface", 0, static_cast<std::uint32_t>(scene.vertices.size()), 0, static_cast<std::uint32_t>(scene.faces.size()), 0});
+  scene.objects.push_back({"surface", 0, static_cast<std::uint32_t>(scene.vertices.size()), 0,
+                           static_cast<std::uint32_t>(scene.faces.size()), 0});
   return scene;
 }
 
@@ -109,7 +112,9 @@ double sombrero(double x, double y) {
   const double r = std::hypot(x, y) * 12;
   return r == 0 ? 1 : std::sin(r) / r;
 }
-double rough(double x, double y) { return 0.15 * std::sin(917.3 * x + 1.3) * std::sin(631.7 * y + 0.4) + 0.1 * std::sin(4 * x); }
+double rough(double x, double y) {
+  return 0.15 * std::sin(917.3 * x + 1.3) * std::sin(631.7 * y + 0.4) + 0.1 * std::sin(4 * x);
+}
 
 struct Surface {
   const char* name;
@@ -123,12 +128,14 @@ const std::vector<Surface>& surfaces() {
       {"rough", rough},
       {"waves with a hole", [](double x, double y) { return std::hypot(x - 0.1, y + 0.2) < 0.35 ? kNaN : waves(x, y); }},
       {"round sombrero", [](double x, double y) { return std::hypot(x, y) > 0.93 ? kNaN : sombrero(x, y); }},
-      {"rough with many holes", [](double x, double y) { return std::sin(411.7 * x) * std::sin(523.1 * y) > 0.7 ? kNaN : rough(x, y); }},
+      {"rough with many holes",
+       [](double x, double y) { return std::sin(411.7 * x) * std::sin(523.1 * y) > 0.7 ? kNaN : rough(x, y); }},
       {"strips", [](double x, double y) { return std::sin(20 * x) > 0.6 ? kNaN : waves(x, y) + 0.2 * x; }}};
   return all;
 }
 
-void compare(const Surface& surface, const CameraRequest& request, std::size_t n, const std::string& place, double tolerance = 1e-5) {
+void compare(const Surface& surface, const CameraRequest& request, std::size_t n, const std::string& place,
+             double tolerance = 1e-5) {
   const FunctionHeights heights(surface.f, positions(n), positions(n + 7));
   const Camera camera = make_camera(request, box_of(heights, survey(heights), 1));
   const View view = make_view(stand_in(heights, 1, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
@@ -140,7 +147,8 @@ void compare(const Surface& surface, const CameraRequest& request, std::size_t n
   const std::string where = std::string(surface.name) + ", " + place;
   // Pieces shorter than a quarter micrometre are dropped by each in its own way; the mesh lies on a lattice of 8 nm.
   EXPECT_NEAR(length(lines.curves), mesh.curves, tolerance * mesh.curves) << where;
-  EXPECT_NEAR(length(lines.outline), mesh.outline, 1e-3 + 0.1 * tolerance * mesh.curves + 10 * tolerance * mesh.outline) << where;
+  EXPECT_NEAR(length(lines.outline), mesh.outline, 1e-3 + 0.1 * tolerance * mesh.curves + 10 * tolerance * mesh.outline)
+      << where;
 }
 
 TEST(HorizonAndMesh, AgreeFromAllSides) {
@@ -168,11 +176,12 @@ TEST(HorizonAndMesh, AgreeInPerspective) {
   }
 }
 
-// Where the eye stands over the ground or beside it the cells in its row and column are cut differently, and of an edge straight before it one
-// bank is looked at.
+// Where the eye stands over the ground or beside it the cells in its row and column are cut differently, and of an edge
+// straight before it one bank is looked at.
 TEST(HorizonAndMesh, AgreeNearlyWithTheEyeOverTheGround) {
   for (const Surface& surface : surfaces()) {
-    for (const Point3& eye : {Point3{-4, 0.5 / 3, 1}, Point3{-3, 0.11, 1}, Point3{0.21, 2.7, 1.2}, Point3{0.33, -0.12, 2.5}}) {
+    for (const Point3& eye :
+         {Point3{-4, 0.5 / 3, 1}, Point3{-3, 0.11, 1}, Point3{0.21, 2.7, 1.2}, Point3{0.33, -0.12, 2.5}}) {
       CameraRequest request;
       request.eye = eye;
       request.target = Point3{0.05, 0, 0};
@@ -184,7 +193,8 @@ TEST(HorizonAndMesh, AgreeNearlyWithTheEyeOverTheGround) {
 
 TEST(HorizonAndMesh, AgreeAlongTheAxes) {
   for (const Surface& surface : surfaces()) {
-    for (const Point3& direction : {Point3{0, 1, -0.4}, Point3{-1, 0, -0.4}, Point3{0, 0, -1}, Point3{1, 1, -1}, Point3{1, -1, -0.5}}) {
+    for (const Point3& direction :
+         {Point3{0, 1, -0.4}, Point3{-1, 0, -0.4}, Point3{0, 0, -1}, Point3{1, 1, -1}, Point3{1, -1, -0.5}}) {
       CameraRequest request;
       request.direction = direction;
       compare(surface, request, 24, "direction " + std::to_string(direction.x) + " " + std::to_string(direction.y));

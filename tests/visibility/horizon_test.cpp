@@ -1,4 +1,5 @@
-// Iso-curves against a plain search: every segment against every segment that is nearer, with nothing remembered, in long double.
+// Iso-curves against a plain search: every segment against every segment that is nearer, with nothing remembered, in long
+// double.
 
 #include "visibility/horizon/horizon.hpp"
 
@@ -93,8 +94,9 @@ struct Piece {
   Real right() const { return std::max(a.u, b.u); }
 };
 
-/// Visible length on the page, for a viewer towards whom x and y descend (parallel: direction with both positive; perspective:
-/// an eye before the corner of the smallest x and y), with a drawing plane of the test's own: at right angles to the x axis' and y axis' bisector.
+/// Visible length on the page, for a viewer towards whom x and y descend (parallel: direction with both positive;
+/// perspective: an eye before the corner of the smallest x and y), with a drawing plane of the test's own: at right angles
+/// to the x axis' and y axis' bisector.
 double brute_force(const HeightSource& source, const Drawn& picture) {
   const std::size_t nx = source.x().size(), ny = source.y().size();
   const Camera& camera = picture.view.camera;
@@ -236,7 +238,8 @@ TEST(Horizon, PixelsTendToExact) {
   EXPECT_LT(before, 0.005 * exact);
 }
 
-// What is seen between curves that are farther apart, and hides nothing there, makes coarse grids a little longer: 0.6 % here.
+// What is seen between curves that are farther apart, and hides nothing there, makes coarse grids a little longer: 0.6 %
+// here.
 TEST(Horizon, NoSurfaceIsLostWhereCurvesAreDense) {
   const auto wide = [](double x, double y) { return sombrero(x * 2 / 3, y * 2 / 3); };  // sin(r)/r up to 8
   const auto length_by_curve = [&](int n) { return drawn(heights(wide, n), along({1, 0.7, -0.5})).length() / (2 * n); };
@@ -248,7 +251,8 @@ TEST(Horizon, HolesEndCurves) {
   const auto with_hole = [](double x, double y) {
     return std::abs(x) < 0.25 && std::abs(y) < 0.25 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   };
-  const FunctionHeights source = heights(with_hole, 9);  // positions in steps of a quarter; the hole is the sample in the middle
+  const FunctionHeights source =
+      heights(with_hole, 9);  // positions in steps of a quarter; the hole is the sample in the middle
   const Drawn picture = drawn(source, along({0, 0, -1}));
   EXPECT_EQ(picture.lines.size(), 20u);
   EXPECT_NEAR(picture.length(), 18 * 190 - 4 * 190 / 8.0, 1e-6);

@@ -8,7 +8,8 @@ namespace ligne::test {
 namespace {
 
 /// The strokes of class axes of lines beside a plate of 2 x 2 at z = 0, seen from above at 10 mm by unit.
-std::vector<Stroke> seen(const Method& method, const std::vector<std::array<Point3, 2>>& lines, bool hidden, double* step_mm) {
+std::vector<Stroke> seen(const Method& method, const std::vector<std::array<Point3, 2>>& lines, bool hidden,
+                         double* step_mm) {
   Scene scene;
   add_box(scene, {-1, -1, -1}, {2, 2, 1}, kUpright);
   const Topology topology = build_topology(scene);
@@ -52,7 +53,8 @@ TEST(LinesOfNoFace, AreHiddenByFacesAndHideNothing) {
     const auto above = seen(*method, {{{{-3, 0.5, 1}, {3, 0.5, 1}}}}, true, &step);
     EXPECT_NEAR(length(above, step, true), 60, tolerance);
     // What is out of the sheet, 10 units wide, is cut off: the parameters are those of the whole line.
-    const auto clipped = seen(*method, {{{{0, 2, 0}, {1, 2, 0}}}, {{{-20, 3, 0}, {20, 3, 0}}}, {{{-20, 30, 0}, {20, 30, 0}}}}, false, &step);
+    const auto clipped =
+        seen(*method, {{{{0, 2, 0}, {1, 2, 0}}}, {{{-20, 3, 0}, {20, 3, 0}}}, {{{-20, 30, 0}, {20, 30, 0}}}}, false, &step);
     ASSERT_EQ(clipped.size(), 2u);
     EXPECT_NEAR(length(clipped, step, true), 10 + 100, tolerance);
     const Stroke& cut = clipped[0].source > clipped[1].source ? clipped[0] : clipped[1];

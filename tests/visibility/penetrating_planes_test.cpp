@@ -49,7 +49,8 @@ TEST(PenetratingPlanes, SurfaceThroughAPlateAlongAnEdgeThatIsClipped) {
   Scene scene;
   add_face(scene, {{{-200, -5, 0}, {200, -5, 0}, {200, 5, 0}, {-200, 5, 0}}});
   begin_object(scene);
-  scene.vertices.insert(scene.vertices.end(), {{-200, 0, 0}, {200, 0, 0}, {200, 0, 4}, {-200, 0, 4}, {200, 0, -4}, {-200, 0, -4}});
+  scene.vertices.insert(scene.vertices.end(),
+                        {{-200, 0, 0}, {200, 0, 0}, {200, 0, 4}, {-200, 0, 4}, {200, 0, -4}, {-200, 0, -4}});
   const std::uint32_t upper[] = {4, 5, 6, 7}, lower[] = {5, 4, 9, 8};
   scene.faces.add_face(upper);
   scene.faces.add_face(lower);
@@ -58,7 +59,8 @@ TEST(PenetratingPlanes, SurfaceThroughAPlateAlongAnEdgeThatIsClipped) {
   EXPECT_NEAR(p.length_of(LineClass::intersection), kPageWidth, kMicrometre);
 }
 
-// Two squares that cross in the diagonal along which both are cut into triangles; and two roofs that only touch along their ridges.
+// Two squares that cross in the diagonal along which both are cut into triangles; and two roofs that only touch along their
+// ridges.
 TEST(PenetratingPlanes, CrossInADiagonalOfBoth) {
   for (const int turn : {0, 1}) {
     const auto turned = [turn](std::vector<Point3> p) {

@@ -88,11 +88,13 @@ TEST(Touching, CoplanarPlatesHideNothingOfEachOther) {
   add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}});
   add_face(scene, {{{5, 5, 0}, {15, 5, 0}, {15, 15, 0}, {5, 15, 0}}});
   const Picture p = draw(scene, {along({0.1, 0.3, -1}), "feature", false, 1});
-  const Picture first = draw([] {
-    Scene s;
-    add_face(s, {{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}});
-    return s;
-  }(), {along({0.1, 0.3, -1}), "feature", false, 1});
+  const Picture first = draw(
+      [] {
+        Scene s;
+        add_face(s, {{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}});
+        return s;
+      }(),
+      {along({0.1, 0.3, -1}), "feature", false, 1});
   EXPECT_NEAR(p.length(), 2 * first.length(), 0.01);
 }
 

@@ -21,7 +21,8 @@ TEST(WarnockWindow, TurnsAreExactWhereDoublesAreNot) {
   std::mt19937 random(5);
   std::uniform_int_distribution<int> u(-9, 9);
   for (int i = 0; i < 1000; ++i) {
-    const FramePoint p{double(u(random)), double(u(random))}, q{double(u(random)), double(u(random))}, r{double(u(random)), double(u(random))};
+    const FramePoint p{double(u(random)), double(u(random))}, q{double(u(random)), double(u(random))},
+        r{double(u(random)), double(u(random))};
     EXPECT_EQ(turn(p, q, r), turn(q, r, p));
     EXPECT_EQ(turn(p, q, r), -turn(q, p, r));
   }
@@ -46,7 +47,8 @@ TEST(WarnockWindow, SegmentsMeetTheClosedWindow) {
     bool sampled = false;
     for (int k = 0; k <= 400; ++k) {
       const double t = k / 400.0;
-      sampled = sampled || (p.u + t * (q.u - p.u) >= 0 && p.u + t * (q.u - p.u) <= 10 && p.v + t * (q.v - p.v) >= 0 && p.v + t * (q.v - p.v) <= 10);
+      sampled = sampled || (p.u + t * (q.u - p.u) >= 0 && p.u + t * (q.u - p.u) <= 10 && p.v + t * (q.v - p.v) >= 0 &&
+                            p.v + t * (q.v - p.v) <= 10);
     }
     EXPECT_TRUE(!sampled || meets(p, q, w));
   }
@@ -88,7 +90,8 @@ TEST(WarnockAnalysis, RelationsOfAFaceThatIsNotConvex) {
   const FaceTable& table = stage.table();
   AnalysisCounts counts;
   std::uint32_t side = 0;
-  EXPECT_EQ(relation_to(table, stage.face(number), {-50, 50, -600, -500}, side, counts), Relation::disjoint) << "in the notch";
+  EXPECT_EQ(relation_to(table, stage.face(number), {-50, 50, -600, -500}, side, counts), Relation::disjoint)
+      << "in the notch";
   EXPECT_EQ(relation_to(table, stage.face(number), {-50, 50, 300, 400}, side, counts), Relation::surrounder);
 }
 
@@ -105,7 +108,14 @@ TEST(WarnockAnalysis, RelationsHoldInTurnedWindows) {
 
 TEST(WarnockAnalysis, TheRememberedSideIsTriedFirst) {
   Stage stage;
-  stage.add({{-1000, -1000, 1}, {0, -1400, 1}, {1000, -1000, 1}, {1400, 0, 1}, {1000, 1000, 1}, {0, 1400, 1}, {-1000, 1000, 1}, {-1400, 0, 1}});
+  stage.add({{-1000, -1000, 1},
+             {0, -1400, 1},
+             {1000, -1000, 1},
+             {1400, 0, 1},
+             {1000, 1000, 1},
+             {0, 1400, 1},
+             {-1000, 1000, 1},
+             {-1400, 0, 1}});
   const FaceTable& table = stage.table();
   const Analysis analysis(table, 1, true);
   AnalysisCounts counts;
@@ -114,8 +124,8 @@ TEST(WarnockAnalysis, TheRememberedSideIsTriedFirst) {
   ASSERT_EQ(lists.elements.size(), 1u);
   EXPECT_EQ(lists.elements[0].relation, Relation::intersector);
   counts = {};
-  const std::array<Window, 4> windows{Window{900, 1000, 900, 1000}, Window{1000, 1100, 900, 1000}, Window{900, 1000, 1000, 1100},
-                                      Window{1000, 1100, 1000, 1100}};
+  const std::array<Window, 4> windows{Window{900, 1000, 900, 1000}, Window{1000, 1100, 900, 1000},
+                                      Window{900, 1000, 1000, 1100}, Window{1000, 1100, 1000, 1100}};
   const auto children = analysis.children(lists, windows, counts);
   EXPECT_GE(counts.remembered, 2u) << "a side of the parent meets one child or more: there one test is enough";
   EXPECT_LT(counts.side_tests, 8u + 8u + 8u + 8u);
@@ -137,7 +147,8 @@ TEST(WarnockAnalysis, SurroundersAreInheritedAndWhatTheyHideIsNotStudied) {
   EXPECT_NEAR(lists.cover, 1, 1e-3);
   EXPECT_EQ(counts.not_studied, 1u) << "the face behind";
   counts = {};
-  const auto children = analysis.children(lists, {Window{50, 100, 50, 100}, {0, -1, 0, -1}, {0, -1, 0, -1}, {0, -1, 0, -1}}, counts);
+  const auto children =
+      analysis.children(lists, {Window{50, 100, 50, 100}, {0, -1, 0, -1}, {0, -1, 0, -1}, {0, -1, 0, -1}}, counts);
   EXPECT_EQ(counts.inherited, 1u);
   EXPECT_EQ(counts.side_tests, 0u);
   ASSERT_EQ(children[0].elements.size(), 1u);

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <oneapi/tbb/task_arena.h>
+#include <cmath>
 #include <random>
 
 #include "support/scenes.hpp"
@@ -74,7 +74,8 @@ TEST(WarnockControl, DivisionAtAVertexThatStandsInTheWay) {
 
 TEST(WarnockControl, PrincipalDirectionIsThatOfTheSmallestRectangle) {
   ProjectedScene scene;
-  for (const auto& [x, y] : {std::pair{0, 0}, {400, 300}, {250, 500}, {-150, 200}, {100, 200}}) scene.vertices.push_back({{x, y}, 0});
+  for (const auto& [x, y] : {std::pair{0, 0}, {400, 300}, {250, 500}, {-150, 200}, {100, 200}})
+    scene.vertices.push_back({{x, y}, 0});
   const WindowFrame frame = principal_frame(scene.vertices);
   EXPECT_EQ(frame.b * 400, frame.a * 300) << "along (400, 300)";
   const InitialWindow first = initial_window(scene, WindowChoice::principal);
@@ -99,12 +100,14 @@ TEST(WarnockControl, SceneWithoutAnything) {
   }
 }
 
-/// Figures 2.20 to 2.23: a square of 50 mm turned by 40 degrees, before a triangle that it hides; on a sheet of 100 x 100 mm.
+/// Figures 2.20 to 2.23: a square of 50 mm turned by 40 degrees, before a triangle that it hides; on a sheet of 100 x 100
+/// mm.
 std::uint64_t windows_of_square(double shift_x, double shift_y, unsigned window, unsigned split, unsigned resolution) {
   Scene scene;
   const double angle = 40 * std::acos(-1.0) / 180, c = std::cos(angle), s = std::sin(angle);
   std::vector<Point3> square;
-  for (const auto& [x, y] : {std::pair{-25, -25}, {25, -25}, {25, 25}, {-25, 25}}) square.push_back({c * x - s * y, s * x + c * y, 0});
+  for (const auto& [x, y] : {std::pair{-25, -25}, {25, -25}, {25, 25}, {-25, 25}})
+    square.push_back({c * x - s * y, s * x + c * y, 0});
   add_face(scene, {square});
   std::vector<Point3> triangle;
   for (const auto& [x, y] : {std::pair{-6, -5}, {16, -3}, {4, 17}}) triangle.push_back({x + shift_x, y + shift_y, -10.0});
@@ -148,7 +151,8 @@ TEST(WarnockControl, OneThreadAndManyFindTheSame) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> u(-1, 1);
   for (int i = 0; i < 600; ++i) {
-    add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {2, 2, 2}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+    add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {2, 2, 2},
+            rotation(u(random) * 3, u(random) * 3, u(random) * 3));
   }
   const Camera camera = make_camera(along({-1, 2, -1}), scene);
   const View view = make_view(scene, camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
@@ -165,7 +169,8 @@ TEST(WarnockControl, OneThreadAndManyFindTheSame) {
   ASSERT_EQ(one.strokes->strokes.size(), four.strokes->strokes.size());
   for (std::size_t i = 0; i < one.strokes->strokes.size(); ++i) {
     const Stroke &a = one.strokes->strokes[i], &b = four.strokes->strokes[i];
-    ASSERT_TRUE(a.from == b.from && a.to == b.to && a.t_from == b.t_from && a.t_to == b.t_to && a.source == b.source && a.may_coincide == b.may_coincide);
+    ASSERT_TRUE(a.from == b.from && a.to == b.to && a.t_from == b.t_from && a.t_to == b.t_to && a.source == b.source &&
+                a.may_coincide == b.may_coincide);
   }
   EXPECT_EQ(one.debug, four.debug);
   EXPECT_EQ(one.statistics.counts, four.statistics.counts);

@@ -126,7 +126,8 @@ TEST_P(WarnockRegions, ShowTheFaceInFrontEverywhereOnce) {
         bool right = shown.size() == (depths.empty() ? 0u : 1u);
         if (right && !shown.empty()) {
           const auto own = depths.find(shown[0]);
-          const double nearest = std::min_element(depths.begin(), depths.end(), [](auto& a, auto& b) { return a.second < b.second; })->second;
+          const double nearest =
+              std::min_element(depths.begin(), depths.end(), [](auto& a, auto& b) { return a.second < b.second; })->second;
           right = own != depths.end() && own->second <= nearest + kDepthMm;
         }
         if (right) continue;
@@ -156,7 +157,8 @@ TEST(WarnockAreas, AddUpToThePlateBehind) {
     for (const unsigned split : {0u, 1u}) {
       MethodSettings settings;
       const std::string_view names[] = {"screen", "bounding", "principal"};
-      settings.set("warnock-window", static_cast<unsigned>(std::find(std::begin(names), std::end(names), window) - std::begin(names)));
+      settings.set("warnock-window",
+                   static_cast<unsigned>(std::find(std::begin(names), std::end(names), window) - std::begin(names)));
       settings.set("warnock-split", split);
       const Areas areas = areas_of(scene, along({0, 0, -1}), settings);
       double total = 0;
@@ -164,7 +166,8 @@ TEST(WarnockAreas, AddUpToThePlateBehind) {
       const double scale = areas.projected.view.scale;
       // Every corner is rounded to the lattice: half a step along the rim.
       EXPECT_NEAR(total, 48 * scale * scale, 28 * scale * areas.projected.lattice.step_mm) << window << " " << split;
-      const auto of_plate = std::count_if(areas.regions.begin(), areas.regions.end(), [](const Region& r) { return r.face == 0; });
+      const auto of_plate =
+          std::count_if(areas.regions.begin(), areas.regions.end(), [](const Region& r) { return r.face == 0; });
       EXPECT_EQ(of_plate, 1);
       EXPECT_EQ(areas.regions[0].contours.size(), 2u) << "the plate has one hole, where the boxes are";
     }

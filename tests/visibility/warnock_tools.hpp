@@ -39,7 +39,8 @@ class Stage {
     const std::uint32_t face = faces_++;
     const auto v = static_cast<std::uint32_t>(scene_.vertices.size());
     for (const std::int32_t r : {outer, inner}) {
-      for (const auto& [sx, sy] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) scene_.vertices.push_back({{sx * r, sy * r}, z});
+      for (const auto& [sx, sy] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+        scene_.vertices.push_back({{sx * r, sy * r}, z});
     }
     for (std::uint32_t i = 0; i < 4; ++i) {
       const std::uint32_t k = (i + 1) % 4;

@@ -15,7 +15,9 @@ constexpr std::int32_t kFar = 5000;  ///< well outside the window
 /// The situation in kWindow.
 struct Seen {
   explicit Seen(Stage& stage)
-      : table(stage.table()), lists(Analysis(table, 1, true).begin(kWindow, analysis)), situation(table, lists, kWindow.grown(-1), 64, analysis, depth),
+      : table(stage.table()),
+        lists(Analysis(table, 1, true).begin(kWindow, analysis)),
+        situation(table, lists, kWindow.grown(-1), 64, analysis, depth),
         covers(study_surrounders(situation)) {}
 
   std::vector<const Placed*> intersectors() const {
@@ -41,7 +43,7 @@ std::uint32_t add_tilted_cover(Stage& stage, double left, double right) {
 TEST(WarnockUnderstanding, SurrounderBeforeEverything) {
   Stage stage;
   const auto front = add_tilted_cover(stage, 1, 3);
-  add_tilted_cover(stage, 2, 4);                         // behind it, though their depths overlap
+  add_tilted_cover(stage, 2, 4);                          // behind it, though their depths overlap
   stage.add({{-500, 0, 3}, {500, 0, 3.5}, {0, 500, 3}});  // behind it where it is
   Seen s(stage);
   EXPECT_TRUE(surrounder_before_everything(s.situation, s.covers));

@@ -37,7 +37,8 @@ TEST(WatkinsConversion, SquareCoversItsLinesOnce) {
 }
 
 TEST(WatkinsConversion, HoleIsLeftOut) {
-  const std::vector<GridPoint> points{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}};
+  const std::vector<GridPoint> points{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0},
+                                      {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}};
   const std::vector<std::uint32_t> end{4, 8};
   const auto runs = scan_polygon(points, end, 9);
   EXPECT_EQ(covered(runs), 9 * 9 - 3 * 3);
@@ -51,7 +52,7 @@ TEST(WatkinsConversion, VerticesOnLines) {
   const std::vector<GridPoint> points{{0, 0, 0}, {4, 4, 0}, {8, 0, 0}, {8, 6, 0}, {6, 6, 0}, {6, 8, 0}, {0, 8, 0}};
   const std::vector<std::uint32_t> end{7};
   const auto runs = scan_polygon(points, end, 20);
-  EXPECT_EQ(run_on(runs, 0)->u1, 0);            // the peaks at the top have length zero, and are there
+  EXPECT_EQ(run_on(runs, 0)->u1, 0);  // the peaks at the top have length zero, and are there
   EXPECT_EQ(run_on(runs, 2, 0)->u1, 2);
   EXPECT_EQ(run_on(runs, 2, 1)->u0, 6);
   EXPECT_EQ(run_on(runs, 4, 0)->u1 - run_on(runs, 4, 0)->u0, 8);  // the valley closes
@@ -80,14 +81,16 @@ TEST(WatkinsConversion, AreaOfRandomTriangles) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(0, 4000);
   for (int i = 0; i < 50; ++i) {
-    const std::vector<GridPoint> t{{place(random), place(random), 0}, {place(random), place(random), 0}, {place(random), place(random), 0}};
+    const std::vector<GridPoint> t{
+        {place(random), place(random), 0}, {place(random), place(random), 0}, {place(random), place(random), 0}};
     const double area = std::abs((t[1].u - t[0].u) * (t[2].v - t[0].v) - (t[1].v - t[0].v) * (t[2].u - t[0].u)) / 2;
     const double sum = covered(scan_polygon(t, std::vector<std::uint32_t>{3}, 4000));
     EXPECT_NEAR(sum, area, 4000 + 0.001 * area);  // a line is a sample
   }
 }
 
-/// Figure 2.38: an edge that moves by less than half a unit a line. Its whole place is rounded from a real one, and so it does move.
+/// Figure 2.38: an edge that moves by less than half a unit a line. Its whole place is rounded from a real one, and so it
+/// does move.
 TEST(WatkinsConversion, SteepEdgeMovesThoughEachStepIsBelowHalf) {
   EdgeTrack t = EdgeTrack::between({10, 0, 0}, {40, 100, 50}, 200);
   for (int line = 0; line < 100; ++line, t.advance()) {

@@ -1,4 +1,5 @@
-// The scan by lines: lines passed over give the spans that a study would; what is recognised as no change; groups of lines; the classical precision.
+// The scan by lines: lines passed over give the spans that a study would; what is recognised as no change; groups of lines;
+// the classical precision.
 
 #include <gtest/gtest.h>
 
@@ -38,10 +39,12 @@ double length(const std::vector<Span>& spans) {
 
 class WatkinsCoherence : public testing::TestWithParam<const char*> {};
 
-/// The thesis proposes to pass over changes among hidden elements and never tested it. Here: the spans are those of a study of every line.
+/// The thesis proposes to pass over changes among hidden elements and never tested it. Here: the spans are those of a study
+/// of every line.
 TEST_P(WatkinsCoherence, LinesPassedOverHaveTheSpansOfAStudy) {
   const PreparedScan p(corpus_scene(GetParam()), kOdd);
-  const LineStudyResult every = p.study(1024, kEveryLine), coherent = p.study(1024, kCoherent), recognising = p.study(1024, kRecognising);
+  const LineStudyResult every = p.study(1024, kEveryLine), coherent = p.study(1024, kCoherent),
+                        recognising = p.study(1024, kRecognising);
   EXPECT_EQ(every.scan.studied, every.scan.lines);
   EXPECT_LE(coherent.scan.studied, every.scan.studied);
   EXPECT_LE(recognising.scan.studied, coherent.scan.studied);
@@ -52,15 +55,18 @@ TEST_P(WatkinsCoherence, LinesPassedOverHaveTheSpansOfAStudy) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, WatkinsCoherence,
-                         testing::Values("cube", "cyclic_3", "cyclic_5", "plate_many_holes", "stair", "house", "gear", "nested_cubes", "letter_e",
-                                         "spiral_stair", "cross_of_plates", "penetrating_plates_with_holes", "mutual_combs", "needle_pyramids",
-                                         "lattice_of_bars_merged", "thesis_2_59a", "thesis_2_59b", "thesis_2_59c", "mixed_sizes", "bricks"));
+                         testing::Values("cube", "cyclic_3", "cyclic_5", "plate_many_holes", "stair", "house", "gear",
+                                         "nested_cubes", "letter_e", "spiral_stair", "cross_of_plates",
+                                         "penetrating_plates_with_holes", "mutual_combs", "needle_pyramids",
+                                         "lattice_of_bars_merged", "thesis_2_59a", "thesis_2_59b", "thesis_2_59c",
+                                         "mixed_sizes", "bricks"));
 
-
-/// The same for all scenes that are not large, also along an axis, where vertices, edges and lines of intersection lie on each other and are horizontal.
+/// The same for all scenes that are not large, also along an axis, where vertices, edges and lines of intersection lie on
+/// each other and are horizontal.
 TEST(WatkinsScan, LinesPassedOverHaveTheSpansOfAStudyOnAllScenes) {
   constexpr std::uintmax_t kLargeBytes = 20'000;
-  constexpr double kSameShare = 1e-6;  // of the length of all spans: ends that follow an edge are off by the roundings of its accumulator
+  constexpr double kSameShare =
+      1e-6;  // of the length of all spans: ends that follow an edge are off by the roundings of its accumulator
   constexpr double kAccuracyMm = 1e-3;  // scenes seen edge on are no wider
   std::size_t scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
@@ -71,7 +77,8 @@ TEST(WatkinsScan, LinesPassedOverHaveTheSpansOfAStudyOnAllScenes) {
       SCOPED_TRACE(name + " along " + std::to_string(direction.x) + ' ' + std::to_string(direction.y));
       const PreparedScan p(scene, along(direction));
       for (const std::uint32_t lines : {256u, 1000u}) {
-        const LineStudyResult every = p.study(lines, kEveryLine), coherent = p.study(lines, kCoherent), recognising = p.study(lines, kRecognising);
+        const LineStudyResult every = p.study(lines, kEveryLine), coherent = p.study(lines, kCoherent),
+                              recognising = p.study(lines, kRecognising);
         EXPECT_LE(difference(every.spans, coherent.spans), kSameShare * length(every.spans) + kAccuracyMm) << lines;
         EXPECT_LE(difference(every.spans, recognising.spans), kSameShare * length(every.spans) + kAccuracyMm) << lines;
       }
@@ -89,19 +96,23 @@ TEST(WatkinsScan, SpanMethodsAgree) {
     for (const SpanMethodKind kind : {SpanMethodKind::merge, SpanMethodKind::box, SpanMethodKind::point}) {
       ScanOptions scan = kRecognising;
       scan.kind = kind;
-      EXPECT_LT(difference(stack.spans, p.study(400, scan).spans), 1e-3 * length(stack.spans)) << name << ' ' << static_cast<int>(kind);
+      EXPECT_LT(difference(stack.spans, p.study(400, scan).spans), 1e-3 * length(stack.spans))
+          << name << ' ' << static_cast<int>(kind);
     }
   }
 }
 
-/// Figure 2.59: three faces where points and exchanges alter nothing, seen along the sight of the figure (the sheets face the viewer).
+/// Figure 2.59: three faces where points and exchanges alter nothing, seen along the sight of the figure (the sheets face
+/// the viewer).
 TEST(WatkinsScan, HiddenChangesAreRecognised) {
-  for (const auto& [name, at_most] : {std::pair("thesis_2_59a", 2), std::pair("thesis_2_59b", 5), std::pair("thesis_2_59c", 4)}) {
+  for (const auto& [name, at_most] :
+       {std::pair("thesis_2_59a", 2), std::pair("thesis_2_59b", 5), std::pair("thesis_2_59c", 4)}) {
     const PreparedScan p(corpus_scene(name), along({0, 1, 0}));
     const LineStudyResult coherent = p.study(2000, kCoherent), recognising = p.study(2000, kRecognising);
     EXPECT_LT(recognising.scan.studied, coherent.scan.studied) << name;
     EXPECT_LE(recognising.scan.studied, static_cast<std::uint64_t>(at_most)) << name;
-    EXPECT_GT(recognising.scan.passed_chains + recognising.scan.passed_points + recognising.scan.passed_exchanges, 0u) << name;
+    EXPECT_GT(recognising.scan.passed_chains + recognising.scan.passed_points + recognising.scan.passed_exchanges, 0u)
+        << name;
   }
 }
 
@@ -109,7 +120,8 @@ TEST(WatkinsScan, HiddenChangesAreRecognised) {
 TEST(WatkinsScan, GroupsLeaveNoSeam) {
   const PreparedScan p(corpus_scene("bricks"), kOdd);
   const LineStudyResult whole = p.study(600, kRecognising);
-  // Where edges run along each other a carried span may end at the one or the other: they are the same place within 2^-20 of a line.
+  // Where edges run along each other a carried span may end at the one or the other: they are the same place within 2^-20 of
+  // a line.
   const double same = 2 * 0x1p-20 * (210.0 / 600) * static_cast<double>(whole.spans.size());
   OpenParts open;
   for (const std::uint32_t group : {1u, 7u, 100u, 599u}) {
@@ -128,9 +140,11 @@ TEST(WatkinsScan, GroupsLeaveNoSeam) {
   }
 }
 
-/// Spans are the same whether or not the lines of intersection are to be drawn: the scan needs them to know where faces come out of each other.
+/// Spans are the same whether or not the lines of intersection are to be drawn: the scan needs them to know where faces come
+/// out of each other.
 TEST(WatkinsScan, IntersectionsAreKnownAlsoWhenNobodyDrawsThem) {
-  for (const char* name : {"cross_of_plates", "two_triangular_prisms_penetrating", "three_plates_penetrating", "thesis_2_81c"}) {
+  for (const char* name :
+       {"cross_of_plates", "two_triangular_prisms_penetrating", "three_plates_penetrating", "thesis_2_81c"}) {
     const Scene scene = corpus_scene(name);
     const Topology topology = build_topology(scene);
     const View view = make_view(scene, make_camera(kOdd, scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
@@ -141,7 +155,9 @@ TEST(WatkinsScan, IntersectionsAreKnownAlsoWhenNobodyDrawsThem) {
       } else {
         options.span_lines = SpanLines{0.15, 0.3, 700};
       }
-      const auto draw = [&](const char* edges) { return WatkinsMethod().study(project(scene, topology, view, {classes(edges), 30}), options); };
+      const auto draw = [&](const char* edges) {
+        return WatkinsMethod().study(project(scene, topology, view, {classes(edges), 30}), options);
+      };
       const VisibilityResult with = draw("feature"), without = draw("outline border crease");
       EXPECT_LT(difference(with.spans->spans, without.spans->spans), 1e-6 * length(with.spans->spans)) << name << by_lines;
       EXPECT_TRUE(without.strokes->intersections.empty()) << name;

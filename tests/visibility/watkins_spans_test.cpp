@@ -1,4 +1,5 @@
-// The four span methods against a plain search, and against each other: random segments, whole and real, that overlap, touch, coincide and penetrate.
+// The four span methods against a plain search, and against each other: random segments, whole and real, that overlap,
+// touch, coincide and penetrate.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,8 @@ namespace {
 template <class X>
 using Segments = std::vector<ScanSegment<X>>;
 
-constexpr SpanMethodKind kKinds[] = {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box, SpanMethodKind::point};
+constexpr SpanMethodKind kKinds[] = {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box,
+                                     SpanMethodKind::point};
 
 template <class X>
 std::vector<VisibleSpan> spans(SpanMethodKind kind, Segments<X> segments, SpanCounts* counts = nullptr) {
@@ -35,13 +37,15 @@ double nearest(const Segments<X>& segments, double x) {
 }
 
 template <class X>
-void expect_right(const Segments<X>& segments, const std::vector<VisibleSpan>& found, double depth_slack, const std::string& what) {
+void expect_right(const Segments<X>& segments, const std::vector<VisibleSpan>& found, double depth_slack,
+                  const std::string& what) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     ASSERT_LT(found[i].x0, found[i].x1) << what;
     ASSERT_LT(found[i].segment, segments.size());
     if (i > 0) {
       ASSERT_LE(found[i - 1].x1, found[i].x0) << what;
-      ASSERT_FALSE(found[i - 1].x1 == found[i].x0 && found[i - 1].segment == found[i].segment) << what << ": one span in two";
+      ASSERT_FALSE(found[i - 1].x1 == found[i].x0 && found[i - 1].segment == found[i].segment)
+          << what << ": one span in two";
     }
   }
   // Every run between two places where anything may change has one answer.
@@ -83,13 +87,15 @@ TYPED_TEST(WatkinsSpans, RandomSegments) {
       if (b < a) std::swap(a, b);
       segments.push_back({a, b, double(depth(random)), double(depth(random)), static_cast<std::uint32_t>(i)});
     }
-    if (round % 3 == 0) std::sort(segments.begin(), segments.end(), [](const auto& a, const auto& b) { return comes_before(a, b); });
+    if (round % 3 == 0)
+      std::sort(segments.begin(), segments.end(), [](const auto& a, const auto& b) { return comes_before(a, b); });
     for (const SpanMethodKind kind : kKinds) {
       // Point by point on whole coordinates a penetration is put to the nearest cell.
       const bool cells = std::is_integral_v<TypeParam> && kind == SpanMethodKind::point;
       double steepest = 0;
       for (const auto& s : segments) steepest = std::max(steepest, std::abs(s.slope()));
-      expect_right(segments, spans(kind, segments), cells ? 1.01 * steepest : 1e-6, std::string(kSpanMethodNames[static_cast<int>(kind)]) + ", round " + std::to_string(round));
+      expect_right(segments, spans(kind, segments), cells ? 1.01 * steepest : 1e-6,
+                   std::string(kSpanMethodNames[static_cast<int>(kind)]) + ", round " + std::to_string(round));
       if (this->HasFatalFailure()) return;
     }
   }
@@ -141,7 +147,8 @@ TYPED_TEST(WatkinsSpans, ThreePenetrateInOnePlace) {
 TYPED_TEST(WatkinsSpans, ScreenSegmentIsTheBoxMethodsBest) {
   Segments<TypeParam> segments{{0, 1000, -1, -1, 0}};
   for (int i = 0; i < 100; ++i) {
-    segments.push_back({static_cast<TypeParam>(10 * i), static_cast<TypeParam>(10 * i + 9), 5, 5, static_cast<std::uint32_t>(i + 1)});
+    segments.push_back(
+        {static_cast<TypeParam>(10 * i), static_cast<TypeParam>(10 * i + 9), 5, 5, static_cast<std::uint32_t>(i + 1)});
   }
   SpanCounts box, stack;
   ASSERT_EQ(spans(SpanMethodKind::box, segments, &box).size(), 1u);
@@ -152,7 +159,9 @@ TYPED_TEST(WatkinsSpans, ScreenSegmentIsTheBoxMethodsBest) {
 
 TYPED_TEST(WatkinsSpans, SortedSegmentsCostTheMergeLess) {
   Segments<TypeParam> segments;
-  for (int i = 0; i < 60; ++i) segments.push_back({static_cast<TypeParam>(i), static_cast<TypeParam>(i + 20), double(i % 7), double(i % 5), static_cast<std::uint32_t>(i)});
+  for (int i = 0; i < 60; ++i)
+    segments.push_back({static_cast<TypeParam>(i), static_cast<TypeParam>(i + 20), double(i % 7), double(i % 5),
+                        static_cast<std::uint32_t>(i)});
   SpanCounts sorted, backwards;
   spans(SpanMethodKind::merge, segments, &sorted);
   std::reverse(segments.begin(), segments.end());
@@ -184,11 +193,15 @@ class HigherFirst final : public PairOrders {
   PairOrder of(std::uint32_t a, std::uint32_t b) override { return a > b ? PairOrder::first : PairOrder::second; }
 };
 
-/// Where segments touch, their pair says who is in front, whatever the depths, in all methods; where they do not, the depths say it.
+/// Where segments touch, their pair says who is in front, whatever the depths, in all methods; where they do not, the depths
+/// say it.
 TEST(WatkinsSpans, SegmentsThatTouchAreAsTheirPairSays) {
   const double touch = 0.01;
   // Two that cross by half the tolerance all along, one far in front of both, one far behind, in all orders.
-  const Segments<double> all{{0, 10, 1 - 0.003, 1 + 0.003, 0, touch}, {2, 12, 1 + 0.002, 1 - 0.002, 1, touch}, {4, 5, 0.5, 0.5, 2, touch}, {1, 11, 2, 2, 3, touch}};
+  const Segments<double> all{{0, 10, 1 - 0.003, 1 + 0.003, 0, touch},
+                             {2, 12, 1 + 0.002, 1 - 0.002, 1, touch},
+                             {4, 5, 0.5, 0.5, 2, touch},
+                             {1, 11, 2, 2, 3, touch}};
   std::array<std::uint32_t, 4> turn{0, 1, 2, 3};
   do {
     Segments<double> segments;

@@ -1,5 +1,5 @@
-// How many lines a scan by lines studies: as many as there are changes that can be seen, however many lines there are. And who is in front where faces
-// touch, which is what keeps it so.
+// How many lines a scan by lines studies: as many as there are changes that can be seen, however many lines there are. And
+// who is in front where faces touch, which is what keeps it so.
 
 #include <gtest/gtest.h>
 
@@ -15,20 +15,22 @@ constexpr ScanOptions kRecognising{SpanMethodKind::stack, true, true, true};
 
 std::uint64_t studied(const PreparedScan& p, std::uint32_t lines) { return p.study(lines, kRecognising).scan.studied; }
 
-/// Cost follows the changes in the scene, not its height. From some number of lines on no two changes share a line, and twice the lines are as many
-/// studies; with fewer lines some changes share one, or come so close to an edge that they are looked at.
+/// Cost follows the changes in the scene, not its height. From some number of lines on no two changes share a line, and
+/// twice the lines are as many studies; with fewer lines some changes share one, or come so close to an edge that they are
+/// looked at.
 TEST(WatkinsStudies, TwiceTheLinesAreNoMoreStudies) {
   for (const char* name : {"cube", "cyclic_3", "stair", "thesis_2_52d_n5", "plate_many_holes", "bricks"}) {
     const PreparedScan p(corpus_scene(name), kOdd);
     const std::uint64_t many = studied(p, 32768);
     EXPECT_EQ(studied(p, 16384), many) << name;
-    for (const std::uint32_t lines : {2048u, 4096u, 8192u}) EXPECT_NEAR(double(studied(p, lines)), double(many), 1 + 0.1 * double(many)) << name << ' ' << lines;
+    for (const std::uint32_t lines : {2048u, 4096u, 8192u})
+      EXPECT_NEAR(double(studied(p, lines)), double(many), 1 + 0.1 * double(many)) << name << ' ' << lines;
     EXPECT_LT(many, 200u) << name;
   }
 }
 
-/// On every scene without penetration, faces that touch, coincide, lie on each other or not. Changes at one height but for a step of the lattice
-/// fall on one line or on two.
+/// On every scene without penetration, faces that touch, coincide, lie on each other or not. Changes at one height but for a
+/// step of the lattice fall on one line or on two.
 TEST(WatkinsStudies, TwiceTheLinesAreNoMoreStudiesOnAllScenes) {
   constexpr std::uintmax_t kLargeBytes = 20'000;
   constexpr std::uint32_t kLines = 1u << 16;
@@ -45,7 +47,8 @@ TEST(WatkinsStudies, TwiceTheLinesAreNoMoreStudiesOnAllScenes) {
   EXPECT_GT(scenes, 80u);
 }
 
-/// The same city with its digits rounded: faces touch within the digits of the file, and their depths change places from line to line.
+/// The same city with its digits rounded: faces touch within the digits of the file, and their depths change places from
+/// line to line.
 TEST(WatkinsStudies, FacesThatTouchAreNoChanges) {
   const std::filesystem::path file = std::filesystem::path(LIGNE_MODELS_DIR) / "CITY.ASC";
   if (!std::filesystem::exists(LIGNE_MODELS_DIR)) GTEST_SKIP() << "shared models are absent";
@@ -79,7 +82,8 @@ struct TwoPlates {
     add_face(scene, {{{2, 2, lift[0]}, {12, 2, lift[1]}, {12, 12, lift[2]}, {2, 12, lift[3]}}});
     Warnings warnings;
     finish_scene(scene, warnings);
-    const View view = make_view(scene, make_camera(along({0.1, 0.2, -1}), scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+    const View view =
+        make_view(scene, make_camera(along({0.1, 0.2, -1}), scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
     projected = project(scene, build_topology(scene), view, {classes("all"), 30});
     facets = make_facets(projected, coincidence_mm(projected) / projected.lattice.step_mm);
   }
@@ -99,11 +103,12 @@ TEST(WatkinsStudies, OrderOfAPairIsThatOfItsWholeOverlap) {
     EXPECT_EQ(plates.order(0, 1), zero_one);
     EXPECT_EQ(plates.order(1, 0), one_zero);
   };
-  expect(TwoPlates({0, 0, 0, 0}), PairOrder::first, PairOrder::second);              // touch all over: the lower number
+  expect(TwoPlates({0, 0, 0, 0}), PairOrder::first, PairOrder::second);  // touch all over: the lower number
   expect(TwoPlates({1e-12, -1e-12, -1e-12, 1e-12}), PairOrder::first, PairOrder::second);  // but for roundings
-  expect(TwoPlates({0, 1, 1, 0}), PairOrder::second, PairOrder::first);              // touch along a line: the second is higher elsewhere
+  expect(TwoPlates({0, 1, 1, 0}), PairOrder::second,
+         PairOrder::first);  // touch along a line: the second is higher elsewhere
   expect(TwoPlates({0, -1, -1, 0}), PairOrder::first, PairOrder::second);
-  expect(TwoPlates({-1, 1, 1, -1}), PairOrder::by_depth, PairOrder::by_depth);       // pass through each other
+  expect(TwoPlates({-1, 1, 1, -1}), PairOrder::by_depth, PairOrder::by_depth);  // pass through each other
 }
 
 }  // namespace

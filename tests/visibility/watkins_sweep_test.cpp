@@ -86,7 +86,8 @@ Prepared prepare(Scene scene, const CameraRequest& camera) {
   const View view = make_view(scene, make_camera(camera, scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
   Prepared p{project(scene, topology, view, {classes("all"), 30}), {}, {}};
   p.facets = make_facets(p.projected, 1);
-  for (const ProjectedEdge& e : p.projected.edges) p.lines.push_back({p.projected.vertices[e.v0], p.projected.vertices[e.v1], e.face0, e.face1});
+  for (const ProjectedEdge& e : p.projected.edges)
+    p.lines.push_back({p.projected.vertices[e.v0], p.projected.vertices[e.v1], e.face0, e.face1});
   return p;
 }
 
@@ -98,7 +99,8 @@ ExactResult study(const Prepared& p, SpanMethodKind kind = SpanMethodKind::stack
   return study_exactly(p.projected.vertices, p.facets.facets, p.lines, options);
 }
 
-/// Two plates, one before the other, turned: ten stops for the eight corners and two diagonals' ends, crossings where sides and diagonals cross.
+/// Two plates, one before the other, turned: ten stops for the eight corners and two diagonals' ends, crossings where sides
+/// and diagonals cross.
 TEST(WatkinsSweep, StopsOfTwoPlates) {
   Scene scene;
   add_face(scene, {{{0, 0, 0}, {10, 0, 1}, {11, 0, 11}, {1, 0, 10}}});
@@ -127,11 +129,13 @@ TEST(WatkinsSweep, FindingsAreThoseOfAllFacets) {
   std::uniform_real_distribution<double> u(-1, 1);
   Scene scene;
   for (int i = 0; i < 40; ++i) {
-    add_box(scene, Point3{u(random), u(random), u(random)} * 6.0, {3, 2, 2.5}, rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+    add_box(scene, Point3{u(random), u(random), u(random)} * 6.0, {3, 2, 2.5},
+            rotation(u(random) * 3, u(random) * 3, u(random) * 3));
   }
   const Prepared p = prepare(scene, along({-1, 2, -1}));
   OpenParts open, all;
-  for (const SpanMethodKind kind : {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box, SpanMethodKind::point}) {
+  for (const SpanMethodKind kind :
+       {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box, SpanMethodKind::point}) {
     const ExactResult r = study(p, kind);
     EXPECT_GT(r.counts.stretches.studied, 0u);
     for (std::size_t i = 0; i < p.lines.size(); ++i) {
@@ -186,7 +190,8 @@ TEST(WatkinsSweep, FindsWhatPenetrates) {
   const Prepared p = prepare(scene, along({0, 1, 0}));
   ExactResult r = study(p, SpanMethodKind::stack, true);
   double sum = 0;
-  for (const Intersection& i : take_intersections(r, p.projected.vertices, p.facets.facets, 1)) sum += std::hypot(double(i.to.p.x) - i.from.p.x, double(i.to.p.y) - i.from.p.y);
+  for (const Intersection& i : take_intersections(r, p.projected.vertices, p.facets.facets, 1))
+    sum += std::hypot(double(i.to.p.x) - i.from.p.x, double(i.to.p.y) - i.from.p.y);
   const double unit = p.projected.view.scale / p.projected.lattice.step_mm;
   EXPECT_NEAR(sum, 6 * unit, 4);
 }

@@ -55,8 +55,11 @@ void study_lines(std::size_t n, const ProjectedScene& scene, const Facets& facet
 
 const MethodTraits& AppelMethod::traits() const {
   static const MethodTraits traits{
-      "appel", "every edge against the faces that can hide it, by exact intervals; the default for line drawings", kStrokes,
-      true, true,
+      "appel",
+      "every edge against the faces that can hide it, by exact intervals; the default for line drawings",
+      kStrokes,
+      true,
+      true,
       "A. Appel, The notion of quantitative invisibility, 1967; R. Galimberti, U. Montanari, An algorithm for hidden line "
       "elimination, 1969"};
   return traits;

@@ -11,13 +11,13 @@ namespace {
 // Adjustable parameters.
 constexpr std::size_t kLeafFacets = 24;      ///< a list longer than this is split if large facets may cover children
 constexpr std::size_t kCrowdedFacets = 256;  ///< a list longer than this is split anyway
-constexpr double kLargeBreadth = 0.6;         ///< facets broader than so many sides of the cell are large
+constexpr double kLargeBreadth = 0.6;        ///< facets broader than so many sides of the cell are large
 constexpr double kLargePart = 0.25;          ///< what part of the list must be large facets
-constexpr double kSizeFactor = 1.5;      ///< side of a top-level cell over the mean extent of a facet
-constexpr double kCellsPerFacet = 1.0;    ///< at most so many top-level cells
+constexpr double kSizeFactor = 1.5;          ///< side of a top-level cell over the mean extent of a facet
+constexpr double kCellsPerFacet = 1.0;       ///< at most so many top-level cells
 constexpr double kMinCells = 256;
-constexpr double kSmallestCell = 64;      ///< steps; smaller cells are not split
-constexpr double kGain = 0.7;               ///< see progress() in split()
+constexpr double kSmallestCell = 64;  ///< steps; smaller cells are not split
+constexpr double kGain = 0.7;         ///< see progress() in split()
 constexpr std::size_t kBlock = 65'536;
 
 struct CellRange {
@@ -96,10 +96,12 @@ struct CellGrid::Build {
   const std::vector<Facet>& facets;
   const Options& options;
   CellGrid& grid;
-  std::vector<CellRange> ranges;      ///< per facet, margin included
-  std::vector<std::uint8_t> wanted;   ///< per top-level cell, when only some are filled
+  std::vector<CellRange> ranges;     ///< per facet, margin included
+  std::vector<std::uint8_t> wanted;  ///< per top-level cell, when only some are filled
 
-  bool hides(const Facet& f) const { return !options.see_through || scene.face_is_transparent.empty() || !scene.face_is_transparent[f.face]; }
+  bool hides(const Facet& f) const {
+    return !options.see_through || scene.face_is_transparent.empty() || !scene.face_is_transparent[f.face];
+  }
   bool choose_cells();
   void find_ranges();
   void mark_wanted();
@@ -246,7 +248,8 @@ void CellGrid::Build::fill() {
   });
 }
 
-/// Facets broader than children of the cell cover some of them and hide what is behind; a crowd of small ones is only spread.
+/// Facets broader than children of the cell cover some of them and hide what is behind; a crowd of small ones is only
+/// spread.
 bool CellGrid::Build::worth_splitting(const CellFacet* list, std::size_t n, double size) const {
   if (n <= kLeafFacets || size < kSplitSide * kSmallestCell) return false;
   if (n > kCrowdedFacets) return true;

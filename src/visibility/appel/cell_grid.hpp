@@ -214,8 +214,8 @@ void CellGrid::for_each_leaf_in(double x0, double y0, double x1, double y1, Visi
 }
 
 template <class Visit>
-void CellGrid::visit_leaves_in(const CellSquare& root, double size, int columns, int rows, const Cell* cells, const PageRange& range,
-                               const Visit& visit) const {
+void CellGrid::visit_leaves_in(const CellSquare& root, double size, int columns, int rows, const Cell* cells,
+                               const PageRange& range, const Visit& visit) const {
   const auto clamped = [](double v, int n) { return v < 0 ? 0 : v >= n ? n - 1 : static_cast<int>(v); };
   const int left = clamped((range.x0 - root.x) / size, columns), right = clamped((range.x1 - root.x) / size, columns);
   const int top = clamped((range.y0 - root.y) / size, rows), bottom = clamped((range.y1 - root.y) / size, rows);
@@ -224,7 +224,8 @@ void CellGrid::visit_leaves_in(const CellSquare& root, double size, int columns,
       const Cell& cell = cells[static_cast<std::size_t>(row) * columns + column];
       const CellSquare square{root.x + column * size, root.y + row * size, size};
       if (cell.count == Cell::kSplit) {
-        visit_leaves_in(square, size / kSplitSide, kSplitSide, kSplitSide, arenas_[cell.arena].children.data() + cell.begin, range, visit);
+        visit_leaves_in(square, size / kSplitSide, kSplitSide, kSplitSide, arenas_[cell.arena].children.data() + cell.begin,
+                        range, visit);
       } else {
         visit(cell, square);
       }

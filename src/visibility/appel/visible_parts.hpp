@@ -10,9 +10,9 @@ namespace ligne::appel {
 
 /// Counts for the statistics.
 struct TestCounts {
-  std::uint64_t leaves = 0;         ///< leaf cells visited
-  std::uint64_t covered = 0;        ///< of them, those in which the line lies behind the cover
-  std::uint64_t facet_tests = 0;    ///< line against facet
+  std::uint64_t leaves = 0;       ///< leaf cells visited
+  std::uint64_t covered = 0;      ///< of them, those in which the line lies behind the cover
+  std::uint64_t facet_tests = 0;  ///< line against facet
   void operator+=(const TestCounts& o) {
     leaves += o.leaves;
     covered += o.covered;
@@ -23,8 +23,7 @@ struct TestCounts {
 /// Working memory that is kept from line to line.
 class VisibleParts {
  public:
-  VisibleParts(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
-               double coincidence_steps)
+  VisibleParts(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double coincidence_steps)
       : vertices_(scene.vertices.data()), facets_(facets.data()), grid_(grid), coincidence_steps_(coincidence_steps) {}
 
   /// Finds the visible parts of the line, in order, disjoint; parts that touch are one. They are the caller's to change

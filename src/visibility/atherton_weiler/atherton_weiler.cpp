@@ -13,8 +13,8 @@
 #include "visibility/common/stroke_maker.hpp"
 #include "visibility/tolerances.hpp"
 
-// Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that borders do not
-// tell. See docs/methods/atherton-weiler.md.
+// Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that
+// borders do not tell. See docs/methods/atherton-weiler.md.
 
 namespace ligne {
 namespace {
@@ -40,8 +40,9 @@ class LineSearch {
 enum class Study : std::uint8_t { faces, polygons, silhouettes };
 constexpr std::string_view kStudies[] = {"faces", "polygons", "silhouettes"};
 constexpr MethodParameter kParameters[] = {
-    {"study", "HOW", "every face by itself, or the classical study of polygons nearest first, convex bodies by faces or by silhouettes", "faces",
-     kStudies}};
+    {"study", "HOW",
+     "every face by itself, or the classical study of polygons nearest first, convex bodies by faces or by silhouettes",
+     "faces", kStudies}};
 
 void report(const StudyCounts& counts, Statistics& statistics) {
   statistics.count("facets behind covers", counts.not_listed);
@@ -66,8 +67,11 @@ void report(const PolygonCounts& counts, Statistics& statistics) {
 
 const MethodTraits& AthertonWeilerMethod::traits() const {
   static const MethodTraits traits{
-      "atherton-weiler", "faces clipped by the faces in front of them: visible polygons with holes, and their borders as lines",
-      kStrokes | kRegions, true, true,
+      "atherton-weiler",
+      "faces clipped by the faces in front of them: visible polygons with holes, and their borders as lines",
+      kStrokes | kRegions,
+      true,
+      true,
       "K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, 1977",
       MethodTraits{}.tolerance_mm,
       kParameters};
@@ -95,7 +99,8 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
   const Study study = options.settings.choice("study", Study::faces);
   PolygonCounts polygon_counts;
   VisibleFaces visible = study == Study::faces ? find_visible_faces(scene, facets.facets, grid, options.progress)
-                                               : study_polygons(scene, facets.facets, study == Study::silhouettes, options.progress, polygon_counts);
+                                               : study_polygons(scene, facets.facets, study == Study::silhouettes,
+                                                                options.progress, polygon_counts);
   statistics.time("faces", clock.lap());
 
   // 3. Lines.
@@ -126,7 +131,8 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
     intersections = appel::find_intersections(scene, facets.facets, grid, grid_options.margin_steps);
   }
   make_strokes(intersections.size(), model.strokes, [&] {
-    return [&, search = LineSearch(scene, facets, grid, coincidence_steps)](std::size_t i, std::vector<Stroke>& out) mutable {
+    return [&, search = LineSearch(scene, facets, grid, coincidence_steps)](std::size_t i,
+                                                                            std::vector<Stroke>& out) mutable {
       const Intersection& s = intersections[i];
       const PageLine line(s.from, s.to, s.face0, s.face1);
       std::vector<LinePart>& parts = search.find(line);

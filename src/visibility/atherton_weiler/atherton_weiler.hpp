@@ -1,8 +1,8 @@
 #pragma once
 /// Faces clip faces: what is seen is polygons, with holes.
 ///
-/// After K. Weiler and P. Atherton, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977, and P. Atherton, K. Weiler and D.
-/// Greenberg, "Polygon shadow generation", SIGGRAPH 1978. docs/methods/atherton-weiler.md.
+/// After K. Weiler and P. Atherton, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977, and P. Atherton, K.
+/// Weiler and D. Greenberg, "Polygon shadow generation", SIGGRAPH 1978. docs/methods/atherton-weiler.md.
 
 #include "visibility/method.hpp"
 

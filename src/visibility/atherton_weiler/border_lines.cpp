@@ -30,7 +30,8 @@ class EdgeFinder {
   template <class Visit>
   void find(std::uint32_t v, std::uint32_t w, Visit visit) const {
     const EdgeKey key{std::min(v, w), std::max(v, w), 0};
-    for (auto it = std::lower_bound(keys_.begin(), keys_.end(), key); it != keys_.end() && it->low == key.low && it->high == key.high; ++it) {
+    for (auto it = std::lower_bound(keys_.begin(), keys_.end(), key);
+         it != keys_.end() && it->low == key.low && it->high == key.high; ++it) {
       visit(it->edge);
     }
   }
@@ -106,7 +107,8 @@ BorderLines::BorderLines(const ProjectedScene& scene, const Facets& facets, cons
     });
   }
   tbb::parallel_sort(found.begin(), found.end(), [](const EdgePart& a, const EdgePart& b) {
-    return std::tuple(a.edge, a.part.level, a.part.from, a.part.to) < std::tuple(b.edge, b.part.level, b.part.from, b.part.to);
+    return std::tuple(a.edge, a.part.level, a.part.from, a.part.to) <
+           std::tuple(b.edge, b.part.level, b.part.from, b.part.to);
   });
   begin_.assign(scene.edges.size() + 1, 0);
   std::size_t k = 0;

@@ -15,13 +15,13 @@ class BorderLines {
   /// Leads every border part back to its candidate edge, if it has one.
   BorderLines(const ProjectedScene& scene, const Facets& facets, const VisibleFaces& visible);
 
-  /// The visible parts of a candidate edge: where regions border on it, each at the lowest level that one of them has there: what is
-  /// farther is seen through more. In order and disjoint.
+  /// The visible parts of a candidate edge: where regions border on it, each at the lowest level that one of them has there:
+  /// what is farther is seen through more. In order and disjoint.
   std::span<const LinePart> parts(std::size_t edge) const {
     return std::span(parts_).subspan(begin_[edge], begin_[edge + 1] - begin_[edge]);
   }
-  /// Whether borders do not tell all of the edge: a face of it has no area on the page, or touches another face somewhere, which
-  /// takes what lies on it, but does not hide its lines.
+  /// Whether borders do not tell all of the edge: a face of it has no area on the page, or touches another face somewhere,
+  /// which takes what lies on it, but does not hide its lines.
   bool needs_study(std::size_t edge) const { return needs_study_[edge] != 0; }
 
  private:

@@ -59,7 +59,8 @@ Side side_of(const ProjectedScene& scene, const Facet& f, const std::vector<std:
   bool before = false, behind = false;
   for (const std::uint32_t v : vertices) {
     const ProjectedVertex& p = scene.vertices[v];
-    const double plane_z = (orientation(b.p, c.p, p.p) * a.z + orientation(c.p, a.p, p.p) * b.z + orientation(a.p, b.p, p.p) * c.z) / area;
+    const double plane_z =
+        (orientation(b.p, c.p, p.p) * a.z + orientation(c.p, a.p, p.p) * b.z + orientation(a.p, b.p, p.p) * c.z) / area;
     before |= p.z < plane_z - f.touch;
     behind |= p.z > plane_z + f.touch;
   }
@@ -115,9 +116,11 @@ std::vector<Body> closed_bodies(const ProjectedScene& scene, const std::vector<F
 double area_of(const std::vector<ContourFace>& faces) { return twice_area(faces); }
 
 /// The facets of a list by face, in the order of their first facets.
-std::vector<UnitFace> by_face(const std::vector<Facet>& facets, const std::vector<std::uint32_t>& list, const UnitMaker& maker) {
+std::vector<UnitFace> by_face(const std::vector<Facet>& facets, const std::vector<std::uint32_t>& list,
+                              const UnitMaker& maker) {
   std::vector<std::uint32_t> sorted = list;
-  std::stable_sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) { return facets[a].face < facets[b].face; });
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return facets[a].face < facets[b].face; });
   std::vector<UnitFace> faces;
   for (const std::uint32_t f : sorted) {
     if (faces.empty() || faces.back().face != facets[f].face) faces.push_back({facets[f].face, {}, {}});
@@ -128,7 +131,8 @@ std::vector<UnitFace> by_face(const std::vector<Facet>& facets, const std::vecto
 }
 
 /// The body as one unit, when it is convex on the page too.
-std::optional<ClipUnit> silhouette(const ProjectedScene& scene, const std::vector<Facet>& facets, const Body& body, const UnitMaker& maker) {
+std::optional<ClipUnit> silhouette(const ProjectedScene& scene, const std::vector<Facet>& facets, const Body& body,
+                                   const UnitMaker& maker) {
   std::vector<std::uint32_t> front, back;
   for (const std::uint32_t f : body.facets) {
     const Side side = side_of(scene, facets[f], body.vertices);

@@ -32,7 +32,8 @@ FaceBorder::FaceBorder(const Scene& scene, std::uint32_t face, const View& view,
 
 bool FaceBorder::lies_on(const Edge& edge, LatticePoint p) const {
   const Point2 q = Point2{p.x, p.y} - edge.from;
-  return glm::distance(q, edge.along * std::clamp(glm::dot(q, edge.along) / glm::dot(edge.along, edge.along), 0.0, 1.0)) <= near_;
+  return glm::distance(q, edge.along * std::clamp(glm::dot(q, edge.along) / glm::dot(edge.along, edge.along), 0.0, 1.0)) <=
+         near_;
 }
 
 void FaceBorder::move_beyond(std::vector<LatticePoint>& contour) const {
@@ -44,7 +45,8 @@ void FaceBorder::move_beyond(std::vector<LatticePoint>& contour) const {
   std::vector<Place> places(n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = i + 1 == n ? 0 : i + 1;
-    const auto along = std::find_if(edges_.begin(), edges_.end(), [&](const Edge& e) { return lies_on(e, contour[i]) && lies_on(e, contour[next]); });
+    const auto along = std::find_if(edges_.begin(), edges_.end(),
+                                    [&](const Edge& e) { return lies_on(e, contour[i]) && lies_on(e, contour[next]); });
     if (along != edges_.end()) places[i].border[1] = places[next].border[0] = &*along;
   }
   const std::vector<LatticePoint> before = contour;

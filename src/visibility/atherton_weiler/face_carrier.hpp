@@ -26,7 +26,8 @@ inline double side_of_eye(const Camera& camera, const FacePlane& plane) {
 
 /// The point of the plane that is drawn at the page point. False when the sight runs along the plane.
 inline bool point_on_face(const View& view, Point2 page_mm, const FacePlane& plane, Point3& out) {
-  const double far_depth = view.camera.perspective ? 0.5 * view.scale * view.camera.target_distance : 100;  // any depth but 0
+  const double far_depth =
+      view.camera.perspective ? 0.5 * view.scale * view.camera.target_distance : 100;  // any depth but 0
   const Point3 a = to_model_point(view, page_mm, 0), b = to_model_point(view, page_mm, far_depth);
   const double rise = glm::dot(plane.normal, b - a);
   if (rise == 0) return false;
@@ -34,9 +35,10 @@ inline bool point_on_face(const View& view, Point2 page_mm, const FacePlane& pla
   return true;
 }
 
-/// Where a point of the face's plane lies on another page. False when it can not be drawn: the sight runs along the face, or it is not in
-/// front of the other viewer.
-inline bool carry(const View& from, Point2 page_mm, const FacePlane& plane, const View& to, const Lattice& lattice, LatticePoint& out) {
+/// Where a point of the face's plane lies on another page. False when it can not be drawn: the sight runs along the face, or
+/// it is not in front of the other viewer.
+inline bool carry(const View& from, Point2 page_mm, const FacePlane& plane, const View& to, const Lattice& lattice,
+                  LatticePoint& out) {
   Point3 p;
   if (!point_on_face(from, page_mm, plane, p)) return false;
   const HomogeneousPoint h = to_homogeneous(to, p);
@@ -45,8 +47,9 @@ inline bool carry(const View& from, Point2 page_mm, const FacePlane& plane, cons
   return true;
 }
 
-/// The border of a face on a page. What another view sees of the face ends there too, but carried over it is rounded otherwise, and slivers
-/// would be left between the two. So what runs along the border is moved beyond it, where the face has nothing that could be cut.
+/// The border of a face on a page. What another view sees of the face ends there too, but carried over it is rounded
+/// otherwise, and slivers would be left between the two. So what runs along the border is moved beyond it, where the face
+/// has nothing that could be cut.
 class FaceBorder {
  public:
   /// What is nearer than `near_mm` lies on the border, and is moved as far beyond it.

@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-// Many clip faces over one subject: the page is halved again and again, and each half has only the clip faces that meet it. A half that
-// they cover is done: nothing is seen there. Halving changes no result: a part of an edge is decided by all faces that meet its
-// half, whole as they are, and parts that go on across a border are put together when the edges are linked. The sides of halves are odd
-// numbers of half steps, so that no corner lies on them and no side runs along them.
+// Many clip faces over one subject: the page is halved again and again, and each half has only the clip faces that meet it.
+// A half that they cover is done: nothing is seen there. Halving changes no result: a part of an edge is decided by all
+// faces that meet its half, whole as they are, and parts that go on across a border are put together when the edges are
+// linked. The sides of halves are odd numbers of half steps, so that no corner lies on them and no side runs along them.
 
 namespace ligne::atherton_weiler {
 namespace {
@@ -34,7 +34,8 @@ bool cut_range(double a, double d, double low, double high, SegmentParameter& fr
 /// Whether the segment lies beside the window. False where rounding leaves it open.
 bool beside(const LatticeSegment& s, const FacetClip::Window& w) {
   const double ax = 2 * double(s.a.x), ay = 2 * double(s.a.y), bx = 2 * double(s.b.x), by = 2 * double(s.b.y);
-  if (std::max(ax, bx) <= w.x0 || std::min(ax, bx) >= w.x1 || std::max(ay, by) <= w.y0 || std::min(ay, by) >= w.y1) return true;
+  if (std::max(ax, bx) <= w.x0 || std::min(ax, bx) >= w.x1 || std::max(ay, by) <= w.y0 || std::min(ay, by) >= w.y1)
+    return true;
   const double dx = s.dx(), dy = s.dy(), c = dy * ax - dx * ay;
   const double x0 = -dy * w.x0, x1 = -dy * w.x1, y0 = dx * w.y0, y1 = dx * w.y1;
   return std::min(x0, x1) + std::min(y0, y1) + c > kDoubt || std::max(x0, x1) + std::max(y0, y1) + c < -kDoubt;
@@ -147,9 +148,9 @@ bool FacetClip::find_inner_point(const Window& window, double& x, double& y) con
   return x > window.x0 && x < window.x1 && y > window.y0 && y < window.y1 && subject_lines_.surely_inside(x, y);
 }
 
-/// From a clip face over some place of the subject its neighbours are gone through, over the sides that pass over the subject. When none of these
-/// is a rim, what holds at the one place holds everywhere. Clip faces of other surfaces are not asked, so that those which happen to be
-/// listed without their neighbours do not matter.
+/// From a clip face over some place of the subject its neighbours are gone through, over the sides that pass over the
+/// subject. When none of these is a rim, what holds at the one place holds everywhere. Clip faces of other surfaces are not
+/// asked, so that those which happen to be listed without their neighbours do not matter.
 bool FacetClip::covers(std::span<const Number> list, const Window& window) {
   double x = 0, y = 0;
   if (!find_inner_point(window, x, y)) return false;
@@ -189,8 +190,8 @@ void FacetClip::finish(std::vector<std::vector<ContourEdge>>& out) {
   Window window{kFar, kFar, -kFar, -kFar};
   for (std::uint32_t k = 0; k < subject_.count; ++k) {
     for (const LatticePoint p : {subject_.edges[k].segment.a, subject_.edges[k].segment.b}) {
-      window = {std::min(window.x0, 2 * double(p.x) - 1), std::min(window.y0, 2 * double(p.y) - 1), std::max(window.x1, 2 * double(p.x) + 1),
-                std::max(window.y1, 2 * double(p.y) + 1)};
+      window = {std::min(window.x0, 2 * double(p.x) - 1), std::min(window.y0, 2 * double(p.y) - 1),
+                std::max(window.x1, 2 * double(p.x) + 1), std::max(window.y1, 2 * double(p.y) + 1)};
     }
   }
   std::vector<Number> all(clips_.size());
@@ -218,7 +219,8 @@ void FacetClip::split(const Window& window, std::span<const Number> list, int de
     for (std::uint32_t k = 0; k < part.count; ++k) rims += is_rim(i, k) && !beside(part.edges[k].segment, window);
   }
   const double width = window.x1 - window.x0, height = window.y1 - window.y0;
-  // Lists that do not become shorter are of sides through one place, or of transparent faces; deeper halves would only repeat them.
+  // Lists that do not become shorter are of sides through one place, or of transparent faces; deeper halves would only
+  // repeat them.
   const bool shorter = depth == 0 || depth % 6 != 0 || kept.size() < list.size();
   if (rims <= kFewRims || depth >= kDeepest || std::max(width, height) <= 8 || !shorter) {
     borders_in(window, kept, depth == 0);
@@ -235,13 +237,14 @@ void FacetClip::split(const Window& window, std::span<const Number> list, int de
   split(b, kept, depth + 1);
 }
 
-/// Whether the edge's segment lies on the outer side of a side of the subject, or along it. There it borders nothing of the subject that a side
-/// of the subject does not border too.
+/// Whether the edge's segment lies on the outer side of a side of the subject, or along it. There it borders nothing of the
+/// subject that a side of the subject does not border too.
 bool FacetClip::beside_subject(const ContourEdge& edge) const {
   if (edge.source == kCutSource) return false;
   for (std::uint32_t k = 0; k < subject_.count; ++k) {
     const ContourEdge& side = subject_.edges[k];
-    const double a = orientation(side.segment.a, side.segment.b, edge.segment.a), b = orientation(side.segment.a, side.segment.b, edge.segment.b);
+    const double a = orientation(side.segment.a, side.segment.b, edge.segment.a),
+                 b = orientation(side.segment.a, side.segment.b, edge.segment.b);
     if (side.reversed ? a >= 0 && b >= 0 : a <= 0 && b <= 0) return true;
   }
   return false;

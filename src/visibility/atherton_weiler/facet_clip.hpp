@@ -33,10 +33,12 @@ class FacetClip {
   /// Whether the subject lies beside the window. False where rounding leaves it open.
   bool subject_beside(const Window& window) const { return subject_lines_.meet(window) == Meeting::apart; }
 
-  /// Whether the opaque ones of these clip faces hide all of the subject that lies in the window. False where rounding leaves it open.
+  /// Whether the opaque ones of these clip faces hide all of the subject that lies in the window. False where rounding
+  /// leaves it open.
   bool covers(std::span<const Number> list, const Window& window);
 
-  /// Appends the borders of what is left of the subject, the inside on the left: out[k] of that behind k transparent clip faces.
+  /// Appends the borders of what is left of the subject, the inside on the left: out[k] of that behind k transparent clip
+  /// faces.
   void finish(std::vector<std::vector<ContourEdge>>& out);
 
  private:
@@ -79,7 +81,7 @@ class FacetClip {
   SharedSides sides_;
   std::vector<std::uint32_t> listed_;  ///< per clip face: the list it was in last
   std::uint32_t list_number_ = 0;
-  std::vector<Number> patch_;          ///< clip faces of one surface
+  std::vector<Number> patch_;  ///< clip faces of one surface
   EdgeOverlay overlay_;
   std::vector<std::vector<ContourEdge>>* out_ = nullptr;
 };

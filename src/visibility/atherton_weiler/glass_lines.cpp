@@ -11,7 +11,9 @@ using appel::CellSquare;
 
 std::vector<LinePart>& GlassLines::find(const PageLine& line) {
   parts_.clear();
-  grid_.for_each_leaf(line, [&](const Cell& cell, const CellSquare& square, double from, double to) { search_leaf(line, cell, square, from, to); });
+  grid_.for_each_leaf(line, [&](const Cell& cell, const CellSquare& square, double from, double to) {
+    search_leaf(line, cell, square, from, to);
+  });
   return parts_;
 }
 
@@ -19,7 +21,8 @@ void GlassLines::search_leaf(const PageLine& line, const Cell& cell, const CellS
   if (cell.cover < line.z(from) && cell.cover < line.z(to)) return;
   events_.assign({{from, 0, 0, 0, 0}, {to, 0, 0, 0, 0}});
   const double z_far = std::max(line.z(from), line.z(to));
-  const double x0 = line.p0.x + from * line.dx, x1 = line.p0.x + to * line.dx, y0 = line.p0.y + from * line.dy, y1 = line.p0.y + to * line.dy;
+  const double x0 = line.p0.x + from * line.dx, x1 = line.p0.x + to * line.dx, y0 = line.p0.y + from * line.dy,
+               y1 = line.p0.y + to * line.dy;
   const CellBox box = square.box(std::min(x0, x1), std::max(x0, x1), std::min(y0, y1), std::max(y0, y1));
   const CellFacet* entry = grid_.list(cell);
   for (const CellFacet* const end = entry + cell.count; entry != end && entry->z_near <= z_far; ++entry) {
@@ -27,7 +30,8 @@ void GlassLines::search_leaf(const PageLine& line, const Cell& cell, const CellS
     const Facet& facet = facets_[entry->facet];
     if (facet.face == line.face0 || facet.face == line.face1) continue;
     bool near_side = false;
-    const HiddenInterval hidden = hidden_interval(line, facet, scene_.vertices.data(), from, to, coincidence_steps_, near_side);
+    const HiddenInterval hidden =
+        hidden_interval(line, facet, scene_.vertices.data(), from, to, coincidence_steps_, near_side);
     if (hidden.bank == Bank::none) continue;
     const int left = hidden.bank != Bank::right, right = hidden.bank != Bank::left;
     const bool glass = scene_.face_is_transparent[facet.face] != 0;

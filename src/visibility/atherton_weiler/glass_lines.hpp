@@ -8,15 +8,16 @@
 
 namespace ligne::atherton_weiler {
 
-/// Like appel::VisibleParts, but a transparent face hides nothing: what is behind it is seen at a higher level. Working memory that is kept
-/// from line to line. The grid is one through which transparent faces are seen.
+/// Like appel::VisibleParts, but a transparent face hides nothing: what is behind it is seen at a higher level. Working
+/// memory that is kept from line to line. The grid is one through which transparent faces are seen.
 class GlassLines {
  public:
-  GlassLines(const ProjectedScene& scene, const std::vector<Facet>& facets, const appel::CellGrid& grid, double coincidence_steps)
+  GlassLines(const ProjectedScene& scene, const std::vector<Facet>& facets, const appel::CellGrid& grid,
+             double coincidence_steps)
       : scene_(scene), facets_(facets.data()), grid_(grid), coincidence_steps_(coincidence_steps) {}
 
-  /// The visible parts of the line with their levels, in order, disjoint. A point is seen on the bank on which less is in front of it. The parts are
-  /// the caller's to change until the next call.
+  /// The visible parts of the line with their levels, in order, disjoint. A point is seen on the bank on which less is in
+  /// front of it. The parts are the caller's to change until the next call.
   std::vector<LinePart>& find(const PageLine& line);
 
  private:

@@ -11,12 +11,13 @@
 #include "geometry/disjoint_sets.hpp"
 #include "visibility/atherton_weiler/unit_order.hpp"
 
-// Per zone, with its polygons nearest first: (1) the first polygon is the clip face. Every other one is clipped by it. (2) What is inside and
-// behind it is not seen, or seen through it. (3) Where a piece inside proves to be nearer, the sort was wrong: the clip is begun again, with this piece as
-// clip face, on what is inside; (4) otherwise all of the clip face is seen. (5) The same with what is outside.
+// Per zone, with its polygons nearest first: (1) the first polygon is the clip face. Every other one is clipped by it. (2)
+// What is inside and behind it is not seen, or seen through it. (3) Where a piece inside proves to be nearer, the sort was
+// wrong: the clip is begun again, with this piece as clip face, on what is inside; (4) otherwise all of the clip face is
+// seen. (5) The same with what is outside.
 //
-// It ends: a clip face that is done leaves its list, so lists become shorter from call to call, but where a wrong sort is found. There the chain of
-// clip faces becomes longer, and a polygon that is in the chain is not taken for nearer again.
+// It ends: a clip face that is done leaves its list, so lists become shorter from call to call, but where a wrong sort is
+// found. There the chain of clip faces becomes longer, and a polygon that is in the chain is not taken for nearer again.
 
 namespace ligne::atherton_weiler {
 namespace {
@@ -41,9 +42,8 @@ std::vector<std::vector<std::uint32_t>> zones_of(const std::vector<ClipUnit>& un
   DisjointSets sets(units.size());
   std::vector<std::uint32_t> by_left(units.size());
   std::iota(by_left.begin(), by_left.end(), 0u);
-  std::sort(by_left.begin(), by_left.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(units[a].box.x0, a) < std::pair(units[b].box.x0, b);
-  });
+  std::sort(by_left.begin(), by_left.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::pair(units[a].box.x0, a) < std::pair(units[b].box.x0, b); });
   std::vector<std::uint32_t> open;
   for (const std::uint32_t u : by_left) {
     std::erase_if(open, [&](std::uint32_t o) { return units[o].box.x1 <= units[u].box.x0; });
@@ -88,7 +88,8 @@ class ZoneStudy {
   PolygonCounts counts;
 
  private:
-  /// `chain`: the clip faces for which the first polygon of the list proved to be nearer; empty when it was just sorted first.
+  /// `chain`: the clip faces for which the first polygon of the list proved to be nearer; empty when it was just sorted
+  /// first.
   void study(std::vector<Polygon>& list, std::vector<std::uint32_t> chain, std::uint64_t depth);
   void show(const Polygon& polygon);
 
@@ -123,7 +124,8 @@ void ZoneStudy::study(std::vector<Polygon>& list, std::vector<std::uint32_t> cha
       const bool passed = std::find(chain.begin(), chain.end(), subject.unit) != chain.end();
       const UnitOrder order = passed || subject.slab > clip.slab ? UnitOrder::first : orders_.order(clip.unit, subject.unit);
       if (order == UnitOrder::mixed) {
-        ClipResult cut = clip_contour_by_contour(parts.inside, orders_.front_parts(clip.unit, subject.unit, box_of(parts.inside)), true);
+        ClipResult cut =
+            clip_contour_by_contour(parts.inside, orders_.front_parts(clip.unit, subject.unit, box_of(parts.inside)), true);
         counts.splits += !cut.inside.empty() && !cut.outside.empty();
         if (!cut.inside.empty()) nearer.push_back(like(subject, std::move(cut.inside)));
         if (transparent && !cut.outside.empty()) behind.push_back(like(subject, std::move(cut.outside)));
@@ -153,16 +155,16 @@ void ZoneStudy::study(std::vector<Polygon>& list, std::vector<std::uint32_t> cha
 void ZoneStudy::show(const Polygon& polygon) {
   for (const UnitFace& face : units_[polygon.unit].faces) {
     Piece piece{face.face, polygon.level, {}};
-    piece.parts = units_[polygon.unit].body ? clip_contour_by_contour(face.outline, polygon.pieces, true).inside : polygon.pieces;
+    piece.parts =
+        units_[polygon.unit].body ? clip_contour_by_contour(face.outline, polygon.pieces, true).inside : polygon.pieces;
     if (!piece.parts.empty()) pieces.push_back(std::move(piece));
   }
 }
 
 /// The pieces of a face and level put together. What two of them have in common may lie on different segments of one line.
 void add_all(const Lattice& lattice, std::vector<Piece>& pieces, VisibleFaces& out) {
-  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
-    return std::pair(a.face, a.level) < std::pair(b.face, b.level);
-  });
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& a, const Piece& b) { return std::pair(a.face, a.level) < std::pair(b.face, b.level); });
   for (std::size_t i = 0; i < pieces.size();) {
     const std::size_t first = i;
     std::vector<ContourFace> parts = std::move(pieces[i++].parts);
@@ -197,7 +199,8 @@ VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet
   const std::vector<ClipUnit> units = clip_units(scene, facets, silhouettes);
   std::vector<std::vector<std::uint32_t>> zones = zones_of(units);
   counts.zones = zones.size();
-  counts.bodies = static_cast<std::uint64_t>(std::count_if(units.begin(), units.end(), [](const ClipUnit& u) { return u.body; }));
+  counts.bodies =
+      static_cast<std::uint64_t>(std::count_if(units.begin(), units.end(), [](const ClipUnit& u) { return u.body; }));
   std::vector<VisibleFaces> found(zones.size());
   std::mutex mutex;
   std::size_t done = 0;
@@ -216,7 +219,8 @@ VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet
     std::move(part.regions.begin(), part.regions.end(), std::back_inserter(result.regions));
     result.borders.insert(result.borders.end(), part.borders.begin(), part.borders.end());
   }
-  std::stable_sort(result.regions.begin(), result.regions.end(), [](const Region& a, const Region& b) { return a.face < b.face; });
+  std::stable_sort(result.regions.begin(), result.regions.end(),
+                   [](const Region& a, const Region& b) { return a.face < b.face; });
   return result;
 }
 

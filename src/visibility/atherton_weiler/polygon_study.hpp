@@ -1,6 +1,6 @@
 #pragma once
-/// The study as Atherton and Weiler made it: polygons, nearest first; the one in front clips all others, which fall apart into what is inside
-/// and what is outside of it.
+/// The study as Atherton and Weiler made it: polygons, nearest first; the one in front clips all others, which fall apart
+/// into what is inside and what is outside of it.
 
 #include <functional>
 
@@ -19,8 +19,9 @@ struct PolygonCounts {
   void operator+=(const PolygonCounts& o);
 };
 
-/// The same regions as find_visible_faces(), by another way; where more than two faces coincide within their tolerances these may give the
-/// place to different ones. Time: the square of the number of faces of a zone. `silhouettes`: see clip_units().
+/// The same regions as find_visible_faces(), by another way; where more than two faces coincide within their tolerances
+/// these may give the place to different ones. Time: the square of the number of faces of a zone. `silhouettes`: see
+/// clip_units().
 VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet>& facets, bool silhouettes,
                             const std::function<void(double)>& progress, PolygonCounts& counts);
 

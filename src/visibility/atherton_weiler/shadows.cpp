@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <oneapi/tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
 #include "geometry/clip_contour_by_contour.hpp"
 #include "visibility/atherton_weiler/face_carrier.hpp"
@@ -58,7 +58,7 @@ std::vector<CameraRequest> pictures_of(const Light& light, const Scene& scene) {
     if (request.fov_degrees < 150) return {request};
   }
   std::vector<CameraRequest> pictures;  // the six sides of a cube round the light
-  request.fov_degrees = 91;  // they overlap, so that nothing is left between them
+  request.fov_degrees = 91;             // they overlap, so that nothing is left between them
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       Point3 forward(0);
@@ -70,7 +70,8 @@ std::vector<CameraRequest> pictures_of(const Light& light, const Scene& scene) {
   return pictures;
 }
 
-/// What a light sees of a face of the scene, on the viewer's page: [face][k] through k of the transparent faces that were counted.
+/// What a light sees of a face of the scene, on the viewer's page: [face][k] through k of the transparent faces that were
+/// counted.
 using LitFaces = std::vector<std::vector<std::vector<ContourFace>>>;
 
 double opacity_of(const Scene& scene, std::uint32_t face) {
@@ -91,8 +92,8 @@ std::vector<double> opacities_of(const Scene& scene) {
 }
 
 /// Adds what one picture of a light shows. Of the transparent faces those of this opacity are counted.
-void add_lit(const Scene& scene, const Topology& topology, const View& view, const Lattice& lattice, const CameraRequest& request, double opacity,
-             LitFaces& lit) {
+void add_lit(const Scene& scene, const Topology& topology, const View& view, const Lattice& lattice,
+             const CameraRequest& request, double opacity, LitFaces& lit) {
   const Camera camera = make_camera(request, scene);
   const View light_view = make_view(scene, camera, {kLightPage}, kLightPage);
   ProjectedScene seen = project(scene, topology, light_view, {});
@@ -113,7 +114,8 @@ void add_lit(const Scene& scene, const Topology& topology, const View& view, con
     bool drawn = true;
     for (const std::vector<Point2>& contour : region.contours) {
       auto& points = contours.emplace_back(contour.size());
-      for (std::size_t i = 0; i < contour.size(); ++i) drawn = drawn && carry(light_view, contour[i], plane, view, lattice, points[i]);
+      for (std::size_t i = 0; i < contour.size(); ++i)
+        drawn = drawn && carry(light_view, contour[i], plane, view, lattice, points[i]);
       if (drawn) border.move_beyond(points);
     }
     if (!drawn) continue;
@@ -234,7 +236,8 @@ CastShadows cast_shadows(const Scene& scene, const Topology& topology, const Vie
   for (std::size_t i = 0; i < light_count; ++i) {
     for (const double opacity : opacities) {
       LitFaces lit(scene.faces.size());
-      for (const CameraRequest& request : pictures_of(lights[i], scene)) add_lit(scene, topology, view, lattice, request, opacity, lit);
+      for (const CameraRequest& request : pictures_of(lights[i], scene))
+        add_lit(scene, topology, view, lattice, request, opacity, lit);
       const ShadowCut work(lattice, i, light_count, opacity);
       std::vector<CastShadows> cut(all.regions.size());
       tbb::parallel_for(std::size_t{0}, cut.size(), [&](std::size_t k) {

@@ -1,5 +1,6 @@
 #pragma once
-/// Cast shadows, after P. Atherton, K. Weiler, D. Greenberg, "Polygon shadow generation", SIGGRAPH 1978: what a light sees is lit.
+/// Cast shadows, after P. Atherton, K. Weiler, D. Greenberg, "Polygon shadow generation", SIGGRAPH 1978: what a light sees
+/// is lit.
 
 #include <span>
 #include <vector>
@@ -26,13 +27,13 @@ struct CastShadows {
   std::vector<ShadowBorder> borders;
 };
 
-/// Cuts every region into the parts that the lights reach and those that they do not; Region::lights says which. The study is made once
-/// from each light; what it sees of a face is a detail of the face, clipped by what the viewer sees of it. A face is lit on the side that the
-/// viewer sees, or not at all. Of more than kMostLights lights the first ones count. Behind a transparent face the light has the share
-/// 1 - opacity, behind several the product of their shares (Region::light_shares): where scenes have several opacities the study is made
-/// for each of them, with only the faces of that opacity in the way.
-/// Borders along the region's own border are left out: where a face ends, or begins to be hidden, there are other lines.
-/// `view` is that in which the regions are seen.
+/// Cuts every region into the parts that the lights reach and those that they do not; Region::lights says which. The study
+/// is made once from each light; what it sees of a face is a detail of the face, clipped by what the viewer sees of it. A
+/// face is lit on the side that the viewer sees, or not at all. Of more than kMostLights lights the first ones count. Behind
+/// a transparent face the light has the share 1 - opacity, behind several the product of their shares
+/// (Region::light_shares): where scenes have several opacities the study is made for each of them, with only the faces of
+/// that opacity in the way. Borders along the region's own border are left out: where a face ends, or begins to be hidden,
+/// there are other lines. `view` is that in which the regions are seen.
 CastShadows cast_shadows(const Scene& scene, const Topology& topology, const View& view, std::span<const Light> lights,
                          const std::vector<Region>& regions);
 

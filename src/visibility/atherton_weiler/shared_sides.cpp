@@ -47,8 +47,8 @@ void SharedSides::insert(std::uint32_t side) {
   std::size_t i = hash_of(s.segment) & mask;
   for (; slots_[i].round == round_; i = (i + 1) & mask) {
     const Side& other = sides_[slots_[i].side];
-    if (partner == kNone && partner_[other.number] == kNone && other.reversed != s.reversed && other.transparent == s.transparent &&
-        other.segment == s.segment) {
+    if (partner == kNone && partner_[other.number] == kNone && other.reversed != s.reversed &&
+        other.transparent == s.transparent && other.segment == s.segment) {
       partner = other.number / kMostSides;
       partner_[other.number] = s.number / kMostSides;
     }

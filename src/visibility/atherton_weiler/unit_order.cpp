@@ -67,7 +67,8 @@ std::vector<ContourFace> UnitOrders::front_parts(std::uint32_t a, std::uint32_t 
     ClipPart front = whole_facet(facets_, scene_.vertices, fb);
     if (o.order == Order::cut) front = left_of(front, {o.cut.b, o.cut.a});
     if (front.count == 0) return;
-    ClipResult both = clip_contour_by_contour(std::vector{front.face()}, std::vector{whole_facet(facets_, scene_.vertices, fa).face()}, true);
+    ClipResult both = clip_contour_by_contour(std::vector{front.face()},
+                                              std::vector{whole_facet(facets_, scene_.vertices, fa).face()}, true);
     std::move(both.inside.begin(), both.inside.end(), std::back_inserter(parts));
   });
   return parts;

@@ -14,14 +14,15 @@ enum class UnitOrder : std::uint8_t { first, second, mixed };
 class UnitOrders {
  public:
   /// Facets that touch others are marked in `touches`; see VisibleFaces::facet_touches.
-  UnitOrders(const ProjectedScene& scene, const std::vector<Facet>& facets, const std::vector<ClipUnit>& units, std::vector<std::uint8_t>& touches)
+  UnitOrders(const ProjectedScene& scene, const std::vector<Facet>& facets, const std::vector<ClipUnit>& units,
+             std::vector<std::uint8_t>& touches)
       : scene_(scene), facets_(facets), units_(units), touches_(touches) {}
 
   /// Of two units that have a place of the page in common.
   UnitOrder order(std::uint32_t a, std::uint32_t b);
 
-  /// Where they have mixed order, because they pass through each other or one is no plane: the parts of b that are in front of a, those that
-  /// meet the rectangle.
+  /// Where they have mixed order, because they pass through each other or one is no plane: the parts of b that are in front
+  /// of a, those that meet the rectangle.
   std::vector<ContourFace> front_parts(std::uint32_t a, std::uint32_t b, const PageBox& within) const;
 
  private:

@@ -10,10 +10,10 @@
 #include "geometry/clip_contour_by_contour.hpp"
 #include "visibility/common/facet_order.hpp"
 
-// Per face: (1) each of its facets is the subject once. The lists of the cells that it lies in give what may be in front, nearest first.
-// Where two overlap their order is found from the depths of the overlap; what begins nearer and proves to be behind clips nothing, it
-// will itself be clipped. (2) Pieces of several facets are one face: what two of them have in common vanishes. (3) The
-// borders are linked to contours.
+// Per face: (1) each of its facets is the subject once. The lists of the cells that it lies in give what may be in front,
+// nearest first. Where two overlap their order is found from the depths of the overlap; what begins nearer and proves to be
+// behind clips nothing, it will itself be clipped. (2) Pieces of several facets are one face: what two of them have in
+// common vanishes. (3) The borders are linked to contours.
 
 namespace ligne::atherton_weiler {
 namespace {
@@ -84,21 +84,29 @@ void split_at_common_ends(std::vector<ContourEdge>& edges) {
   edges = std::move(cut);
 }
 
-/// Adjustable: when so many clip faces of a cell are laid over the subject, and twice as many, and so on, it is seen whether they hide it there.
+/// Adjustable: when so many clip faces of a cell are laid over the subject, and twice as many, and so on, it is seen whether
+/// they hide it there.
 constexpr std::size_t kFirstCheck = 4;
 
 /// One task's memory.
 class Worker {
  public:
-  Worker(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, std::vector<std::uint8_t>& touches)
-      : scene_(scene), facets_(facets), grid_(grid), touches_(touches), stamp_(facets.size(), 0), number_(facets.size(), 0) {}
+  Worker(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
+         std::vector<std::uint8_t>& touches)
+      : scene_(scene),
+        facets_(facets),
+        grid_(grid),
+        touches_(touches),
+        stamp_(facets.size(), 0),
+        number_(facets.size(), 0) {}
 
   /// Appends the regions of the face of these facets.
   void study(std::span<const std::uint32_t> group, VisibleFaces& out) {
     for (std::vector<ContourEdge>& edges : levels_) edges.clear();
     for (const std::uint32_t f : group) clip(f, out.counts);
     for (std::uint32_t level = 0; level < levels_.size(); ++level) {
-      if (!levels_[level].empty()) add_regions(scene_.lattice, facets_[group[0]].face, level, levels_[level], group.size() > 1, out);
+      if (!levels_[level].empty())
+        add_regions(scene_.lattice, facets_[group[0]].face, level, levels_[level], group.size() > 1, out);
     }
   }
 
@@ -107,19 +115,24 @@ class Worker {
 
   void clip(std::uint32_t facet, StudyCounts& counts);
   std::uint32_t compare(std::uint32_t facet, std::uint32_t other, StudyCounts& counts);
-  bool transparent(std::uint32_t face) const { return !scene_.face_is_transparent.empty() && scene_.face_is_transparent[face]; }
-  bool clear(std::uint32_t face) const { return !scene_.face_is_transparent.empty() && scene_.face_is_transparent[face] == kClearFace; }
+  bool transparent(std::uint32_t face) const {
+    return !scene_.face_is_transparent.empty() && scene_.face_is_transparent[face];
+  }
+  bool clear(std::uint32_t face) const {
+    return !scene_.face_is_transparent.empty() && scene_.face_is_transparent[face] == kClearFace;
+  }
   bool covered_by(std::uint32_t facet, std::uint32_t other) const;
 
   const ProjectedScene& scene_;
   const std::vector<Facet>& facets_;
   const CellGrid& grid_;
   std::vector<std::uint8_t>& touches_;
-  std::vector<std::uint32_t> stamp_;  ///< per facet: the facet for which it was looked at last, plus one
-  std::vector<std::uint32_t> number_; ///< per facet: what compare() said then
-  std::vector<FacetClip::Number> here_; ///< clip faces of the cell at hand
+  std::vector<std::uint32_t> stamp_;     ///< per facet: the facet for which it was looked at last, plus one
+  std::vector<std::uint32_t> number_;    ///< per facet: what compare() said then
+  std::vector<FacetClip::Number> here_;  ///< clip faces of the cell at hand
   FacetClip clip_;
-  std::vector<std::vector<ContourEdge>> levels_;  ///< borders of the face at hand, by the number of transparent faces in front
+  std::vector<std::vector<ContourEdge>>
+      levels_;  ///< borders of the face at hand, by the number of transparent faces in front
   /// Facets that touch the one at hand or cross it.
   struct Near {
     std::uint32_t facet;
@@ -149,19 +162,23 @@ int common_corners(const Facet& a, const Facet& b) {
 }
 
 /// The part of facet a in front of facet b.
-ClipPart part_in_front(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a, const FacetOrder& a_b) {
+ClipPart part_in_front(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a,
+                       const FacetOrder& a_b) {
   if (a_b.order == Order::cut) return left_of(whole_facet(facets, vertices, a), a_b.cut);
   return a_b.order == Order::first ? whole_facet(facets, vertices, a) : ClipPart{};
 }
 
-/// Three facets through one line have three cuts that should be one line, but each is rounded by itself. Between them a may be in front of h, h
-/// in front of g, and g in front of a: nobody is seen. So it may be where three touch within their tolerances. There the face of the
-/// lowest number is taken for the one in front. Gives the places where g is in front of a, and there is such an h.
+/// Three facets through one line have three cuts that should be one line, but each is rounded by itself. Between them a may
+/// be in front of h, h in front of g, and g in front of a: nobody is seen. So it may be where three touch within their
+/// tolerances. There the face of the lowest number is taken for the one in front. Gives the places where g is in front of a,
+/// and there is such an h.
 std::vector<ContourFace> Worker::rings(std::uint32_t a, const Near& g) const {
   std::vector<ContourFace> places;
   if (facets_[g.facet].face < facets_[a].face) return places;
   for (const Near& h : near_) {
-    if (h.order.order == Order::second || facets_[h.facet].face < facets_[a].face || facets_[h.facet].face == facets_[g.facet].face) continue;
+    if (h.order.order == Order::second || facets_[h.facet].face < facets_[a].face ||
+        facets_[h.facet].face == facets_[g.facet].face)
+      continue;
     const FacetOrder h_g = order_of(facets_, scene_.vertices, h.facet, g.facet);
     if (!h_g.touch || h_g.order == Order::apart || h_g.order == Order::second) continue;
     const ClipPart h_before_g = part_in_front(facets_, scene_.vertices, h.facet, h_g);
@@ -174,8 +191,8 @@ std::vector<ContourFace> Worker::rings(std::uint32_t a, const Near& g) const {
   return places;
 }
 
-/// Lays what of the other facet is in front over the subject. Gives its number, kCovers when it hides the subject whole, and kNothing when
-/// nothing was laid over it or it waits in near_.
+/// Lays what of the other facet is in front over the subject. Gives its number, kCovers when it hides the subject whole, and
+/// kNothing when nothing was laid over it or it waits in near_.
 std::uint32_t Worker::compare(std::uint32_t facet, std::uint32_t other, StudyCounts& counts) {
   const Facet &f = facets_[facet], &g = facets_[other];
   if (g.face == f.face || clear(g.face)) return kNothing;
@@ -208,7 +225,8 @@ std::uint32_t Worker::compare(std::uint32_t facet, std::uint32_t other, StudyCou
 void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
   const Facet& f = facets_[facet];
   const LatticePoint a = scene_.vertices[f.v[0]].p, b = scene_.vertices[f.v[1]].p, c = scene_.vertices[f.v[2]].p;
-  const double x0 = std::min({a.x, b.x, c.x}), x1 = std::max({a.x, b.x, c.x}), y0 = std::min({a.y, b.y, c.y}), y1 = std::max({a.y, b.y, c.y});
+  const double x0 = std::min({a.x, b.x, c.x}), x1 = std::max({a.x, b.x, c.x}), y0 = std::min({a.y, b.y, c.y}),
+               y1 = std::max({a.y, b.y, c.y});
   clip_.begin(whole_facet(facets_, scene_.vertices, facet));
   near_.clear();
   bool listed = false, hidden = false, covered = true;
@@ -216,7 +234,8 @@ void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
   number_[facet] = kNothing;
   grid_.for_each_leaf_in(x0, y0, x1, y1, [&](const Cell& cell, const CellSquare& square) {
     // A step more on each side: where facets have points in common, one of the cells that are looked at holds some of them.
-    const FacetClip::Window window{2 * square.x - 2, 2 * square.y - 2, 2 * (square.x + square.size) + 2, 2 * (square.y + square.size) + 2};
+    const FacetClip::Window window{2 * square.x - 2, 2 * square.y - 2, 2 * (square.x + square.size) + 2,
+                                   2 * (square.y + square.size) + 2};
     if (hidden || clip_.subject_beside(window)) return;
     const CellBox box = square.box(x0, x1, y0, y1);
     here_.clear();
@@ -261,8 +280,8 @@ void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
 
 }  // namespace
 
-void add_regions(const Lattice& lattice, std::uint32_t face, std::uint32_t level, std::vector<ContourEdge>& edges, bool several_pieces,
-                 VisibleFaces& out) {
+void add_regions(const Lattice& lattice, std::uint32_t face, std::uint32_t level, std::vector<ContourEdge>& edges,
+                 bool several_pieces, VisibleFaces& out) {
   if (several_pieces) split_at_common_ends(edges);
   for (const ContourFace& piece : link_edges(edges)) {
     Region region;
@@ -307,7 +326,8 @@ VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<F
     result.borders.insert(result.borders.end(), part.borders.begin(), part.borders.end());
     part = {};
   }
-  std::stable_sort(result.regions.begin(), result.regions.end(), [](const Region& a, const Region& b) { return a.face < b.face; });
+  std::stable_sort(result.regions.begin(), result.regions.end(),
+                   [](const Region& a, const Region& b) { return a.face < b.face; });
   return result;
 }
 

@@ -53,8 +53,8 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps) {
       double area = orientation(a.p, b.p, c.p);
       const double abx = double(b.p.x) - a.p.x, aby = double(b.p.y) - a.p.y;
       const double acx = double(c.p.x) - a.p.x, acy = double(c.p.y) - a.p.y;
-      const double length = std::max({std::abs(abx) + std::abs(aby), std::abs(acx) + std::abs(acy),
-                                      std::abs(acx - abx) + std::abs(acy - aby)});
+      const double length = std::max(
+          {std::abs(abx) + std::abs(aby), std::abs(acx) + std::abs(acy), std::abs(acx - abx) + std::abs(acy - aby)});
       if (std::abs(area) <= thin_steps * length) thin[block].push_back(t.face);
       if (area == 0) continue;
       // Depth gradient by Cramer's rule.

@@ -14,11 +14,11 @@ namespace ligne {
 
 /// A triangle that hides.
 struct Facet {
-  std::uint32_t v[3];       ///< projected vertices, positively turned
-  std::uint32_t face;       ///< face of the scene
-  float z_near, z_far;      ///< bounds of its depth, rounded outwards
-  float touch;              ///< surfaces within this depth of it touch it; see touch_tolerance()
-  float size;               ///< largest |dx| + |dy| of its sides, rounded up
+  std::uint32_t v[3];   ///< projected vertices, positively turned
+  std::uint32_t face;   ///< face of the scene
+  float z_near, z_far;  ///< bounds of its depth, rounded outwards
+  float touch;          ///< surfaces within this depth of it touch it; see touch_tolerance()
+  float size;           ///< largest |dx| + |dy| of its sides, rounded up
 };
 
 /// Depth within which something touches a facet of the given depth gradient (absolute values summed, mm per step).

@@ -136,7 +136,8 @@ FacetOrder ordered(const Facet& fa, const Facet& fb, const Corners& a, const Cor
 
 }  // namespace
 
-FacetOrder order_of(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a, std::uint32_t b) {
+FacetOrder order_of(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a,
+                    std::uint32_t b) {
   const Corners ca = corners_of(facets[a], vertices), cb = corners_of(facets[b], vertices);
   if (a < b) return ordered(facets[a], facets[b], ca, cb);
   FacetOrder result = ordered(facets[b], facets[a], cb, ca);

@@ -1,6 +1,7 @@
 #pragma once
-/// Which of two facets is in front where they overlap on the page, decided once for all of the overlap: Atherton and Weiler's comparison of
-/// depths for the piece that a clip has found inside, and the order of faces that touch in a scan by lines.
+/// Which of two facets is in front where they overlap on the page, decided once for all of the overlap: Atherton and
+/// Weiler's comparison of depths for the piece that a clip has found inside, and the order of faces that touch in a scan by
+/// lines.
 
 #include <cstdint>
 #include <vector>
@@ -24,8 +25,9 @@ struct FacetOrder {
   LatticeSegment cut{};  ///< two lattice points of the common line
 };
 
-/// The answer depends on the two facets alone and not on their order: order_of(b, a) is order_of(a, b) with the roles exchanged, and the
-/// same cut in the other direction. So of two facets each point of the page is given to exactly one.
-FacetOrder order_of(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a, std::uint32_t b);
+/// The answer depends on the two facets alone and not on their order: order_of(b, a) is order_of(a, b) with the roles
+/// exchanged, and the same cut in the other direction. So of two facets each point of the page is given to exactly one.
+FacetOrder order_of(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a,
+                    std::uint32_t b);
 
 }  // namespace ligne

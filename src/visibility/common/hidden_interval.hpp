@@ -12,7 +12,14 @@ namespace ligne {
 /// A candidate line on the page. P(t) = p0 + t (p1 - p0), z(t) = z0 + t (z1 - z0), 0 <= t <= 1.
 struct PageLine {
   PageLine(const ProjectedVertex& from, const ProjectedVertex& to, std::uint32_t f0, std::uint32_t f1)
-      : p0(from.p), p1(to.p), z0(from.z), z1(to.z), face0(f0), face1(f1), dx(double(p1.x) - p0.x), dy(double(p1.y) - p0.y),
+      : p0(from.p),
+        p1(to.p),
+        z0(from.z),
+        z1(to.z),
+        face0(f0),
+        face1(f1),
+        dx(double(p1.x) - p0.x),
+        dy(double(p1.y) - p0.y),
         size(std::abs(dx) + std::abs(dy)) {}
 
   LatticePoint p0, p1;

@@ -11,8 +11,8 @@
 
 namespace ligne {
 
-/// Appends what work(i, strokes) makes for i in [0, n), in that order whatever the number of threads; make_work() gives the work of a block of lines, with its own
-/// memory.
+/// Appends what work(i, strokes) makes for i in [0, n), in that order whatever the number of threads; make_work() gives the
+/// work of a block of lines, with its own memory.
 template <class MakeWork>
 void make_strokes(std::size_t n, std::vector<Stroke>& strokes, MakeWork make_work) {
   constexpr std::size_t kBlock = 4096;

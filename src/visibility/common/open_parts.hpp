@@ -57,9 +57,9 @@ inline void append_part(std::vector<LinePart>& parts, const LinePart& part) {
   }
 }
 
-/// Joins parts of [0, 1] over hidden gaps shorter than the least length and drops parts that are shorter; what remains of a line that
-/// is shorter as a whole is the line or nothing. What goes on in another level is a part of its own; where it is too short the one before
-/// goes on. Lengths are in page steps.
+/// Joins parts of [0, 1] over hidden gaps shorter than the least length and drops parts that are shorter; what remains of a
+/// line that is shorter as a whole is the line or nothing. What goes on in another level is a part of its own; where it is
+/// too short the one before goes on. Lengths are in page steps.
 void drop_short_parts(std::vector<LinePart>& parts, double length, double least);
 
 }  // namespace ligne

@@ -23,9 +23,9 @@ Corners corners_of(const Facet& f, const std::vector<ProjectedVertex>& vertices)
 }  // namespace
 
 /// Heights of the other's corners over the plane of `plane` (positive: farther from the viewer), times its area; those
-/// within the touching tolerance are zero. `touch` is owed half to the corners of the facet and half to the point that is held against
-/// them, for a point over the facet. Outside of it the plane is extrapolated: its depth is the sum of the corners' depths with weights
-/// w_i / area, some of them negative, so the errors of the corners count with |w_i| / area.
+/// within the touching tolerance are zero. `touch` is owed half to the corners of the facet and half to the point that is
+/// held against them, for a point over the facet. Outside of it the plane is extrapolated: its depth is the sum of the
+/// corners' depths with weights w_i / area, some of them negative, so the errors of the corners count with |w_i| / area.
 struct PenetrationSearch::Heights {
   std::array<double, 3> h;
   int above = 0, below = 0, on = 0;
@@ -43,7 +43,8 @@ PenetrationSearch::Heights PenetrationSearch::Heights::over(const Corners& plane
     const double a = w0 * plane.p[0].z, b = w1 * plane.p[1].z, c = w2 * plane.p[2].z, z = plane.area * other.p[i].z;
     const double h = z - (a + b + c);
     const double weights = std::abs(w0) + std::abs(w1) + std::abs(w2);  // the area, when q lies over the facet
-    const double tolerance = 0.5 * touch * (weights + plane.area) + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
+    const double tolerance =
+        0.5 * touch * (weights + plane.area) + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
     if (std::abs(h) <= tolerance) {
       r.h[i] = 0;
       ++r.on;
@@ -110,8 +111,8 @@ ProjectedVertex rounded(const PagePoint& p) {
   return {{static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))}, p.z};
 }
 
-/// Drops segments no longer than `least` steps, which rounding leaves where surfaces touch, unless longer ones go on at both ends: a line of
-/// many facets may have short pieces, and is to be one line.
+/// Drops segments no longer than `least` steps, which rounding leaves where surfaces touch, unless longer ones go on at both
+/// ends: a line of many facets may have short pieces, and is to be one line.
 void drop_specks(std::vector<Intersection>& segments, double least) {
   const auto is_short = [least](const Intersection& s) {
     return std::hypot(double(s.to.p.x) - s.from.p.x, double(s.to.p.y) - s.from.p.y) <= least;
@@ -171,18 +172,20 @@ void PenetrationSearch::add_side(const PlacedFacet& plane, const PlacedFacet& ot
 }
 
 /// `plane_heights` are those of the plane's corners over the other's plane, `heights` the reverse.
-void PenetrationSearch::add_side_on_side(const PlacedFacet& plane, const Heights& plane_heights, const PlacedFacet& other, const Heights& heights) {
+void PenetrationSearch::add_side_on_side(const PlacedFacet& plane, const Heights& plane_heights, const PlacedFacet& other,
+                                         const Heights& heights) {
   int off_plane = 0, off = 0;
   while (plane_heights.h[off_plane] == 0) ++off_plane;
   while (heights.h[off] == 0) ++off;
   const std::uint32_t p = plane.v[(off_plane + 1) % 3], q = plane.v[(off_plane + 2) % 3];
   const std::uint32_t v = other.v[(off + 1) % 3], w = other.v[(off + 2) % 3];
-  sides_on_sides_.push_back({plane.face, std::min(p, q), std::max(p, q), std::min(v, w), std::max(v, w), heights.h[off] > 0,
-                            plane.id, other.id});
+  sides_on_sides_.push_back(
+      {plane.face, std::min(p, q), std::max(p, q), std::min(v, w), std::max(v, w), heights.h[off] > 0, plane.id, other.id});
 }
 
-/// A side on a side is a penetration when the face of the plane goes on behind its side, which is but a cut of its triangulation, and on the
-/// other side one facet is above it and another below: the lower one is cut. (Folds that touch along edges do not penetrate.)
+/// A side on a side is a penetration when the face of the plane goes on behind its side, which is but a cut of its
+/// triangulation, and on the other side one facet is above it and another below: the lower one is cut. (Folds that touch
+/// along edges do not penetrate.)
 void PenetrationSearch::match_sides_on_sides() {
   std::vector<SideOnSide>& sides = sides_on_sides_;
   if (sides.empty()) return;
@@ -197,7 +200,8 @@ void PenetrationSearch::match_sides_on_sides() {
       const std::uint32_t p = std::min(f.v[k], f.v[(k + 1) % 3]), q = std::max(f.v[k], f.v[(k + 1) % 3]);
       const auto found = std::lower_bound(sides.begin(), sides.end(), std::tie(f.face, p, q),
                                           [](const SideOnSide& s, const auto& key) { return s.side() < key; });
-      if (found != sides.end() && found->side() == std::tie(f.face, p, q)) ++facets_on[static_cast<std::size_t>(found - sides.begin())];
+      if (found != sides.end() && found->side() == std::tie(f.face, p, q))
+        ++facets_on[static_cast<std::size_t>(found - sides.begin())];
     }
   }
   std::size_t first_of_side = 0;
@@ -205,7 +209,8 @@ void PenetrationSearch::match_sides_on_sides() {
     if (sides[i].side() != sides[first_of_side].side()) first_of_side = i;
     std::size_t end = i + 1;
     while (end < sides.size() && sides[end].key() == sides[i].key()) ++end;
-    if (!sides[i].above && sides[end - 1].above && facets_on[first_of_side] > 1) pairs_.push_back({sides[i].plane, sides[i].side_of});
+    if (!sides[i].above && sides[end - 1].above && facets_on[first_of_side] > 1)
+      pairs_.push_back({sides[i].plane, sides[i].side_of});
     i = end;
   }
 }
@@ -243,7 +248,8 @@ std::vector<Intersection> PenetrationSearch::finish(double least_steps) {
     const Corners a = corners_of(fa, *vertices_), b = corners_of(fb, *vertices_);
     const auto segment = common_segment(a, b, Heights::over(a, fa.touch, b).h);
     if (!segment) continue;
-    const Intersection i{rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face), std::max(fa.face, fb.face)};
+    const Intersection i{rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face),
+                         std::max(fa.face, fb.face)};
     if (!(i.from.p == i.to.p)) result.push_back(i);
   }
   drop_specks(result, least_steps);

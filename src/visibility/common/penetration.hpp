@@ -1,8 +1,8 @@
 #pragma once
 /// Where facets pass through each other: pairs are tested wherever two facets may meet, put together, and only then cut.
 ///
-/// A pair is tested by the sides of its corners: above or below the other's plane, or on it within the touching tolerance. "On" counts as
-/// above, so that a segment through a common corner of two facets is found once.
+/// A pair is tested by the sides of its corners: above or below the other's plane, or on it within the touching tolerance.
+/// "On" counts as above, so that a segment through a common corner of two facets is found once.
 
 #include <array>
 #include <cstdint>
@@ -27,10 +27,13 @@ struct PagePoint {
 
 struct PageSegment {
   PagePoint from, to;
-  PagePoint at(double t) const { return {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), from.z + t * (to.z - from.z)}; }
+  PagePoint at(double t) const {
+    return {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), from.z + t * (to.z - from.z)};
+  }
 };
 
-/// The part of a segment in a convex region given by linear functions E_i >= 0, with their values at its two ends: parameters, or nothing.
+/// The part of a segment in a convex region given by linear functions E_i >= 0, with their values at its two ends:
+/// parameters, or nothing.
 template <std::size_t N>
 std::optional<std::array<double, 2>> clip_parameters(const std::array<double, N>& e0, const std::array<double, N>& e1) {
   double from = 0, to = 1;
@@ -53,12 +56,13 @@ struct PlacedFacet {
 /// Collects pairs. Facets may be given in any order and as often as one likes; searches of several tasks are put together.
 class PenetrationSearch {
  public:
-  PenetrationSearch(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices) : facets_(&facets), vertices_(&vertices) {}
+  PenetrationSearch(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices)
+      : facets_(&facets), vertices_(&vertices) {}
 
   PlacedFacet place(std::uint32_t facet) const;
 
-  /// Tests two facets of different faces. A pair whose common segment `wanted(segment)` says is not wanted is left out; a side of one
-  /// that lies in the plane of the other is always remembered.
+  /// Tests two facets of different faces. A pair whose common segment `wanted(segment)` says is not wanted is left out; a
+  /// side of one that lies in the plane of the other is always remembered.
   template <class Wanted>
   void test(const PlacedFacet& a, const PlacedFacet& b, Wanted wanted) {
     if (const auto found = segment_of(a, b); found && wanted(found->segment)) pairs_.push_back(found->pair);
@@ -66,9 +70,9 @@ class PenetrationSearch {
 
   void add(PenetrationSearch&& other);
 
-  /// All segments, each once, ordered by facets. Facets that only touch, within their tolerance, give none: neither do neighbours with a
-  /// common side. Where a side of one facet lies in the plane of another there is a segment only if the surface goes on on the other side.
-  /// Segments no longer than `least_steps` that stand alone are left out.
+  /// All segments, each once, ordered by facets. Facets that only touch, within their tolerance, give none: neither do
+  /// neighbours with a common side. Where a side of one facet lies in the plane of another there is a segment only if the
+  /// surface goes on on the other side. Segments no longer than `least_steps` that stand alone are left out.
   std::vector<Intersection> finish(double least_steps);
 
  private:
@@ -86,8 +90,8 @@ class PenetrationSearch {
     bool above;
     auto key() const { return std::tie(plane, v0, v1); }
   };
-  /// A side of facet `side_of` that lies on a side of facet `plane`, and in its plane: the common line of two faces runs where one of
-  /// them, or both, were cut into triangles.
+  /// A side of facet `side_of` that lies on a side of facet `plane`, and in its plane: the common line of two faces runs
+  /// where one of them, or both, were cut into triangles.
   struct SideOnSide {
     std::uint32_t face, p0, p1;  ///< face of the plane, and its side
     std::uint32_t v0, v1;        ///< the side that lies on it
@@ -100,7 +104,8 @@ class PenetrationSearch {
 
   std::optional<Found> segment_of(const PlacedFacet& a, const PlacedFacet& b);
   void add_side(const PlacedFacet& plane, const PlacedFacet& other, const Heights& heights);
-  void add_side_on_side(const PlacedFacet& plane, const Heights& plane_heights, const PlacedFacet& other, const Heights& heights);
+  void add_side_on_side(const PlacedFacet& plane, const Heights& plane_heights, const PlacedFacet& other,
+                        const Heights& heights);
   void match_sides();
   void match_sides_on_sides();
 

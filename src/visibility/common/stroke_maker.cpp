@@ -19,8 +19,8 @@ Point3 to_model(const ProjectedScene& scene, const ProjectedVertex& v) {
 
 }  // namespace
 
-void StrokeMaker::add(const PageLine& line, const std::vector<LinePart>& parts, std::array<double, 2> range, std::uint32_t source,
-                      LineClass line_class, bool may_coincide, std::vector<Stroke>& out) const {
+void StrokeMaker::add(const PageLine& line, const std::vector<LinePart>& parts, std::array<double, 2> range,
+                      std::uint32_t source, LineClass line_class, bool may_coincide, std::vector<Stroke>& out) const {
   double end = 0;
   for (const LinePart& part : parts) {
     if (hidden_too_ && part.from > end) {
@@ -32,8 +32,8 @@ void StrokeMaker::add(const PageLine& line, const std::vector<LinePart>& parts, 
   if (hidden_too_ && end < 1) out.push_back(stroke(line, {end, 1}, range, source, line_class, may_coincide, false));
 }
 
-Stroke StrokeMaker::stroke(const PageLine& line, LinePart part, std::array<double, 2> range, std::uint32_t source, LineClass line_class,
-                           bool may_coincide, bool visible) const {
+Stroke StrokeMaker::stroke(const PageLine& line, LinePart part, std::array<double, 2> range, std::uint32_t source,
+                           LineClass line_class, bool may_coincide, bool visible) const {
   Stroke s;
   s.from = point(line, part.from);
   s.to = point(line, part.to);
@@ -60,9 +60,7 @@ double StrokeMaker::model_parameter(const PageLine& line, double t) const {
   return t * m1 / ((1 - t) * m0 + t * m1);
 }
 
-double page_length(const PageLine& line) {
-  return std::sqrt(line.dx * line.dx + line.dy * line.dy);
-}
+double page_length(const PageLine& line) { return std::sqrt(line.dx * line.dx + line.dy * line.dy); }
 
 void number_intersections(const ProjectedScene& scene, const std::vector<Intersection>& intersections, StrokeModel& model) {
   std::vector<std::uint32_t> number(intersections.size(), kNone);

@@ -32,8 +32,8 @@ class StrokeMaker {
 /// Length on the page in steps.
 double page_length(const PageLine& line);
 
-/// Strokes whose source is `scene.source_count` + i come from intersections[i]. Gives numbers to those that have strokes, without gaps, and
-/// lists them in the model.
+/// Strokes whose source is `scene.source_count` + i come from intersections[i]. Gives numbers to those that have strokes,
+/// without gaps, and lists them in the model.
 void number_intersections(const ProjectedScene& scene, const std::vector<Intersection>& intersections, StrokeModel& model);
 
 }  // namespace ligne

@@ -10,7 +10,8 @@ namespace ligne::horizon {
 class Columns {
  public:
   /// At least one column.
-  Columns(double u_min, double u_max, std::size_t count) : u_min_(u_min), extent_(u_max - u_min), count_(std::max<std::size_t>(count, 1)) {
+  Columns(double u_min, double u_max, std::size_t count)
+      : u_min_(u_min), extent_(u_max - u_min), count_(std::max<std::size_t>(count, 1)) {
     const double width = extent_ / static_cast<double>(count_);
     width_ = width > 0 ? width : 1;
   }

@@ -17,9 +17,7 @@ Span not_negative(double a, double b, double da, double db) {
   return da < 0 ? Span{zero, b} : Span{a, zero};
 }
 
-double levelled(double d, double tolerance) {
-  return std::abs(d) <= tolerance ? 0.0 : d;
-}
+double levelled(double d, double tolerance) { return std::abs(d) <= tolerance ? 0.0 : d; }
 
 }  // namespace
 
@@ -89,7 +87,9 @@ void Coverage::add(std::vector<Band>& cell, const Band& band) {
     const double from = std::max(b.u0, band.u0), to = std::min(b.u1, band.u1);
     if (to - from <= least_) return false;
     const double slack = std::max({tolerance(b.lower), tolerance(b.upper), tolerance(band.lower), tolerance(band.upper)});
-    const auto above = [&](const Rim& p, const Rim& q) { return p.height(from) > q.height(from) + slack && p.height(to) > q.height(to) + slack; };
+    const auto above = [&](const Rim& p, const Rim& q) {
+      return p.height(from) > q.height(from) + slack && p.height(to) > q.height(to) + slack;
+    };
     if (above(b.lower, band.upper) || above(band.lower, b.upper)) return false;
     touched_.push_back(b);
     return true;
@@ -123,7 +123,8 @@ void Coverage::add(std::vector<Band>& cell, const Band& band) {
   cell.insert(cell.end(), added_.begin(), added_.end());
 }
 
-void Coverage::append_uncovered(double from, double to, double least, std::vector<Span>& hidden, std::vector<Span>& uncovered) {
+void Coverage::append_uncovered(double from, double to, double least, std::vector<Span>& hidden,
+                                std::vector<Span>& uncovered) {
   std::sort(hidden.begin(), hidden.end(), [](const Span& a, const Span& b) { return a.from < b.from; });
   hidden.push_back({to, to});
   double at = from;
@@ -154,7 +155,8 @@ void Coverage::find_uncovered(const Line& line, std::vector<Span>& uncovered) {
       const double u0 = std::max(b.u0, from), u1 = std::min(b.u1, to);
       if (!(u0 < u1)) continue;
       const auto part = [&](const Rim& high, const Rim& low, double slack) {
-        return not_negative(u0, u1, levelled(high.height(u0) - low.height(u0), slack), levelled(high.height(u1) - low.height(u1), slack));
+        return not_negative(u0, u1, levelled(high.height(u0) - low.height(u0), slack),
+                            levelled(high.height(u1) - low.height(u1), slack));
       };
       const Span over = part(rim, b.lower, std::max(line_tolerance, tolerance(b.lower)));
       const Span under = part(b.upper, rim, std::max(line_tolerance, tolerance(b.upper)));

@@ -1,6 +1,6 @@
 #pragma once
-/// The horizon in general, where it is no function of u: behind holes of the surface one sees through it. What is covered is, at every u, any
-/// number of intervals of v.
+/// The horizon in general, where it is no function of u: behind holes of the surface one sees through it. What is covered
+/// is, at every u, any number of intervals of v.
 
 #include <array>
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace ligne::horizon {
 
-/// A union of triangles of the drawing plane, as bands between two lines over a range of u. No two bands overlap; a band keeps the lines that
-/// it is made of, as in ExactEnvelope, and the bands stand in cells of equal width.
+/// A union of triangles of the drawing plane, as bands between two lines over a range of u. No two bands overlap; a band
+/// keeps the lines that it is made of, as in ExactEnvelope, and the bands stand in cells of equal width.
 class Coverage {
  public:
   /// For triangles in [u_min, u_max].
@@ -23,15 +23,18 @@ class Coverage {
   /// Adds a triangle.
   void cover(std::array<Corner, 3> corners);
 
-  /// Appends where the line is not covered: ascending, each as long as can be. What is level with the rim of a band is covered.
+  /// Appends where the line is not covered: ascending, each as long as can be. What is level with the rim of a band is
+  /// covered.
   void find_uncovered(const Line& line, std::vector<Span>& uncovered);
 
-  /// The same for an upright line from (u, v0) to (u, v1), v0 < v1, looking at what covers its left (side < 0) or right bank; appends to
-  /// `covered` spans of v, in any order.
+  /// The same for an upright line from (u, v0) to (u, v1), v0 < v1, looking at what covers its left (side < 0) or right
+  /// bank; appends to `covered` spans of v, in any order.
   void find_covered_beside(double u, double v0, double v1, int side, std::vector<Span>& covered) const;
 
-  /// What `covered`, which it sorts, leaves of [from, to], but for parts no longer than `least`; a span continues the last one that ends where it begins.
-  static void append_uncovered(double from, double to, double least, std::vector<Span>& covered, std::vector<Span>& uncovered);
+  /// What `covered`, which it sorts, leaves of [from, to], but for parts no longer than `least`; a span continues the last
+  /// one that ends where it begins.
+  static void append_uncovered(double from, double to, double least, std::vector<Span>& covered,
+                               std::vector<Span>& uncovered);
 
   /// Parts no longer than this are rounding.
   double least() const { return least_; }

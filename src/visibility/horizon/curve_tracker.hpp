@@ -12,7 +12,8 @@ namespace ligne::horizon {
 
 class CurveTracker {
  public:
-  /// The part from t0 to t1 of the segment a, b in space is seen; it belongs to `lines`. Parts come in order along the curve.
+  /// The part from t0 to t1 of the segment a, b in space is seen; it belongs to `lines`. Parts come in order along the
+  /// curve.
   void add(const HomogeneousPoint& a, const HomogeneousPoint& b, double t0, double t1, Polylines& lines) {
     if (!(goes_on_ && t0 == 0 && lines_ == &lines)) {
       end();
@@ -36,7 +37,8 @@ class CurveTracker {
   /// Gives the stretch away.
   void end() {
     double length = 0;
-    for (std::size_t i = 1; i < points_.size(); ++i) length += std::hypot(points_[i].x - points_[i - 1].x, points_[i].y - points_[i - 1].y);
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      length += std::hypot(points_[i].x - points_[i - 1].x, points_[i].y - points_[i - 1].y);
     if (length > kLeastPartMm) {
       lines_->points.insert(lines_->points.end(), points_.begin(), points_.end());
       lines_->begin.push_back(static_cast<std::uint32_t>(lines_->points.size()));

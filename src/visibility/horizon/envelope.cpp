@@ -73,8 +73,8 @@ void ExactEnvelope::search(const Line& line, std::vector<Span>& above) {
   const std::size_t first_span = above.size();
   const std::size_t first = columns_.at(line.u0), last = columns_.at(line.u1);
   Piece piece{line.u0, line.u1, line.u0, line.v0, (line.v1 - line.v0) / (line.u1 - line.u0)};
-  const double tolerance =
-      kLevelPart * (std::max({columns_.extent(), std::abs(line.v0), std::abs(line.v1)}) + std::abs(piece.slope) * columns_.extent());
+  const double tolerance = kLevelPart * (std::max({columns_.extent(), std::abs(line.v0), std::abs(line.v1)}) +
+                                         std::abs(piece.slope) * columns_.extent());
   for (std::size_t c = first; c <= last; ++c) {
     piece.u0 = c == first ? line.u0 : columns_.begin(c);
     piece.u1 = c == last ? line.u1 : columns_.begin(c + 1);
@@ -96,13 +96,9 @@ void ExactEnvelope::search(const Line& line, std::vector<Span>& above) {
   if (line.u1 - above.back().to <= least_) above.back().to = line.u1;
 }
 
-void ExactEnvelope::find_above(const Line& line, std::vector<Span>& above) {
-  search<false>(line, above);
-}
+void ExactEnvelope::find_above(const Line& line, std::vector<Span>& above) { search<false>(line, above); }
 
-void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) {
-  search<true>(line, above);
-}
+void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) { search<true>(line, above); }
 
 double ExactEnvelope::height(double u) const {
   double highest = kNothing;
@@ -151,12 +147,8 @@ void PixelEnvelope::search(const Line& line, std::vector<Span>& above) {
   }
 }
 
-void PixelEnvelope::find_above(const Line& line, std::vector<Span>& above) {
-  search<false>(line, above);
-}
+void PixelEnvelope::find_above(const Line& line, std::vector<Span>& above) { search<false>(line, above); }
 
-void PixelEnvelope::raise(const Line& line, std::vector<Span>& above) {
-  search<true>(line, above);
-}
+void PixelEnvelope::raise(const Line& line, std::vector<Span>& above) { search<true>(line, above); }
 
 }  // namespace ligne::horizon

@@ -21,15 +21,17 @@ struct Span {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-/// The upper horizon as a piecewise linear function that knows the lines that it is made of, so that nothing is lost when it is cut again and
-/// again: crossings are computed from the lines themselves. (The lower horizon is the upper one of the lines turned upside down.)
-/// The pieces stand in cells of equal width, ascending in each; to take a line costs time with the pieces that it spans.
+/// The upper horizon as a piecewise linear function that knows the lines that it is made of, so that nothing is lost when it
+/// is cut again and again: crossings are computed from the lines themselves. (The lower horizon is the upper one of the
+/// lines turned upside down.) The pieces stand in cells of equal width, ascending in each; to take a line costs time with
+/// the pieces that it spans.
 class ExactEnvelope {
  public:
   /// For lines in [u_min, u_max]. `cells` is best about the number of curves.
   ExactEnvelope(double u_min, double u_max, std::size_t cells);
 
-  /// Appends to `above` where the line is higher than the horizon, or where there is none yet: ascending, each as long as can be.
+  /// Appends to `above` where the line is higher than the horizon, or where there is none yet: ascending, each as long as
+  /// can be.
   void find_above(const Line& line, std::vector<Span>& above);
 
   /// The same; then raises the horizon there.
@@ -59,8 +61,8 @@ class ExactEnvelope {
   Columns columns_;
   double least_;
   std::vector<std::vector<Piece>> cells_;
-  std::vector<Span> found_;      ///< scratch: where the line is above, in one cell
-  std::vector<Piece> rebuilt_;   ///< scratch
+  std::vector<Span> found_;     ///< scratch: where the line is above, in one cell
+  std::vector<Piece> rebuilt_;  ///< scratch
 };
 
 /// The upper horizon as an array of heights, one for each of the picture's columns of pixels.

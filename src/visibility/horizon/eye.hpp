@@ -1,5 +1,6 @@
 #pragma once
-/// Where points of the surface are for the horizon and on the page, and which part of a segment is in front of the eye and inside the window.
+/// Where points of the surface are for the horizon and on the page, and which part of a segment is in front of the eye and
+/// inside the window.
 
 #include <algorithm>
 #include <array>
@@ -32,7 +33,10 @@ struct FrontPart {
 class Eye {
  public:
   Eye(const View& view, const Sight& sight)
-      : view_(view), sight_(sight), volume_{view.window, view.near_distance}, nearest_(kNearestPart * view.camera.target_distance) {}
+      : view_(view),
+        sight_(sight),
+        volume_{view.window, view.near_distance},
+        nearest_(kNearestPart * view.camera.target_distance) {}
 
   Sample sample(const Point3& p) const {
     Sample s{p, sight_(p), to_homogeneous(view_, p), false, false};
@@ -44,7 +48,8 @@ class Eye {
 
   std::optional<FrontPart> part_in_front(const Sample& a, const Sample& b, double from = 0, double to = 1) const {
     if (!perspective()) return FrontPart{a.seen, b.seen, 0, 1};
-    FrontPart part{from == 0 ? a.seen : between(a.seen, b.seen, from), to == 1 ? b.seen : between(a.seen, b.seen, to), from, to};
+    FrontPart part{from == 0 ? a.seen : between(a.seen, b.seen, from), to == 1 ? b.seen : between(a.seen, b.seen, to), from,
+                   to};
     const bool a_near = too_near(part.a), b_near = too_near(part.b);
     if (a_near && b_near) return std::nullopt;
     if (a_near || b_near) {

@@ -48,7 +48,8 @@ std::vector<GridAxis::Part> GridAxis::parts(double forward) const {
   if (*eye_ <= at.front()) return {away(1)};
   if (*eye_ >= at.back()) return {away(-1)};
   const auto here = std::lower_bound(at.begin(), at.end(), *eye_) - at.begin();
-  Part up{{ascending.begin() + here, ascending.end()}, 1}, down{{ascending.begin(), ascending.begin() + here + 1}, -1, false};
+  Part up{{ascending.begin() + here, ascending.end()}, 1},
+      down{{ascending.begin(), ascending.begin() + here + 1}, -1, false};
   std::reverse(down.order.begin(), down.order.end());
   return {up, down};
 }

@@ -7,7 +7,8 @@
 
 namespace ligne::horizon {
 
-/// Positions in ascending order: the samples, and the eye's where it lies between two of them. There the surface is divided, without a curve.
+/// Positions in ascending order: the samples, and the eye's where it lies between two of them. There the surface is divided,
+/// without a curve.
 struct GridAxis {
   /// `eye`: the viewer's place along the axis, nothing in parallel projection.
   GridAxis(const std::vector<double>& samples, std::size_t stride, std::optional<double> eye);

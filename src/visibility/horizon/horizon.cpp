@@ -11,7 +11,8 @@ namespace horizon {
 namespace {
 
 /// Extent of the grid across the picture.
-std::pair<double, double> u_range(const Camera& camera, const Sight& sight, const GridAxis& x, const GridAxis& y, bool transposed) {
+std::pair<double, double> u_range(const Camera& camera, const Sight& sight, const GridAxis& x, const GridAxis& y,
+                                  bool transposed) {
   if (camera.perspective) return {-1, 1};
   std::pair<double, double> range{1e300, -1e300};
   for (const double cx : {x.at.front(), x.at.back()}) {
@@ -24,7 +25,8 @@ std::pair<double, double> u_range(const Camera& camera, const Sight& sight, cons
 }
 
 template <class Horizon>
-HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View& view, const HorizonOptions& options, Statistics& statistics) {
+HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View& view, const HorizonOptions& options,
+                       Statistics& statistics) {
   const Camera& camera = view.camera;
   const auto eye = [&](int axis) { return camera.perspective ? std::optional(camera.eye[axis]) : std::nullopt; };
   const int column = transposed ? 1 : 0, row = 1 - column;
@@ -71,17 +73,19 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
 
 namespace {
 
-/// Lines that lie off the surface, where the eye is over the grid: the surface reaches down to the point below the eye, and no edge tells the lower
-/// horizon so.
+/// Lines that lie off the surface, where the eye is over the grid: the surface reaches down to the point below the eye, and
+/// no edge tells the lower horizon so.
 bool needs_coverage(const HeightSource& heights, const Camera& camera, const HorizonOptions& options) {
   if (!camera.perspective || (options.back_lines.empty() && !options.contour_base)) return false;
   const Point3& eye = camera.eye;
-  return heights.x().front() < eye.x && eye.x < heights.x().back() && heights.y().front() < eye.y && eye.y < heights.y().back();
+  return heights.x().front() < eye.x && eye.x < heights.x().back() && heights.y().front() < eye.y &&
+         eye.y < heights.y().back();
 }
 
 }  // namespace
 
-HorizonLines horizon_lines(const HeightSource& heights, const View& view, const HorizonOptions& options, Statistics& statistics) {
+HorizonLines horizon_lines(const HeightSource& heights, const View& view, const HorizonOptions& options,
+                           Statistics& statistics) {
   using namespace horizon;
   const bool by_curves = options.hidden_by == HiddenBy::curves;
   const auto sweep = [&](const HeightSource& source, bool transposed) {

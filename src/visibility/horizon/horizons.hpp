@@ -14,8 +14,8 @@ namespace ligne::horizon {
 /// A segment is upright on the drawing plane when its ends are no farther apart across it than this part of the picture.
 inline constexpr double kUprightPart = 0x1p-42;
 
-/// Where a segment can be seen: above all that is nearer, below it, or either. A surface that rises in the picture behind the line of sight
-/// shows itself above its nearer parts only.
+/// Where a segment can be seen: above all that is nearer, below it, or either. A surface that rises in the picture behind
+/// the line of sight shows itself above its nearer parts only.
 enum class Against : std::uint8_t { upper, lower, both };
 
 /// Which banks of an upright line are looked at. It is hidden where all of them are covered; curves that hide have no banks.
@@ -134,7 +134,8 @@ class GeneralHorizon {
   void seen_upright(const Line& line, Banks banks) {
     std::array<std::vector<Span>, 2> covered;  // left, right
     for (const int k : {0, 1}) {
-      if (banks != (k == 0 ? Banks::right : Banks::left)) coverage_.find_covered_beside(line.u0, line.v0, line.v1, k == 0 ? -1 : 1, covered[k]);
+      if (banks != (k == 0 ? Banks::right : Banks::left))
+        coverage_.find_covered_beside(line.u0, line.v0, line.v1, k == 0 ? -1 : 1, covered[k]);
     }
     std::vector<Span> hidden;
     if (banks == Banks::left || banks == Banks::right) {

@@ -1,20 +1,22 @@
 #pragma once
 /// The sweep over one part of the grid, from the nearest cell to the farthest.
 ///
-/// Notation. Positions are counted from the viewer: column c and row r grow away from it. Cell c of a strip between two rows has the corners
+/// Notation. Positions are counted from the viewer: column c and row r grow away from it. Cell c of a strip between two rows
+/// has the corners
 ///
 ///     q ---- f      row            n: nearest, f: farthest
 ///     |      |
 ///     n ---- p      before         columns c - 1, c
 ///
-/// Its diagonal runs p - q ("anti") or n - f ("main"), whichever is the one of HiddenBy::surface in the grid's own directions. `first` is the
-/// triangle at the side n - p, `second` the one at the side q - f.
+/// Its diagonal runs p - q ("anti") or n - f ("main"), whichever is the one of HiddenBy::surface in the grid's own
+/// directions. `first` is the triangle at the side n - p, `second` the one at the side q - f.
 ///
-/// Invariant: when an edge is asked for, all that lies before it on any line of sight has been taken, and nothing that lies behind it.
+/// Invariant: when an edge is asked for, all that lies before it on any line of sight has been taken, and nothing that lies
+/// behind it.
 ///
-/// A sight goes over the ground along one straight path, on which the surface is a function. While it rises in the picture ("facing" > 0: its upper
-/// side is seen) each of its points is seen when it is above all before; so the upper horizon needs to know no more than the
-/// edges where the surface stops to rise, and the lower one those where it stops to fall.
+/// A sight goes over the ground along one straight path, on which the surface is a function. While it rises in the picture
+/// ("facing" > 0: its upper side is seen) each of its points is seen when it is above all before; so the upper horizon needs
+/// to know no more than the edges where the surface stops to rise, and the lower one those where it stops to fall.
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -52,11 +54,21 @@ class PartSweep {
     bool transposed;  ///< x and y have changed places
   };
 
-  PartSweep(const Grid& grid, const View& view, const HorizonOptions& options, std::pair<double, double> u_range, std::size_t cells,
-            LineStore& store)
-      : heights_(grid.heights), view_(view), options_(options), x_(grid.x), y_(grid.y), columns_(grid.columns), rows_(grid.rows),
-        transposed_(grid.transposed), anti_(grid.columns.sign == grid.rows.sign), eye_(view, Sight(view.camera, grid.columns.sign, grid.rows.sign)),
-        horizon_(u_range.first, u_range.second, cells), store_(store), column_curves_(columns_.order.size()) {
+  PartSweep(const Grid& grid, const View& view, const HorizonOptions& options, std::pair<double, double> u_range,
+            std::size_t cells, LineStore& store)
+      : heights_(grid.heights),
+        view_(view),
+        options_(options),
+        x_(grid.x),
+        y_(grid.y),
+        columns_(grid.columns),
+        rows_(grid.rows),
+        transposed_(grid.transposed),
+        anti_(grid.columns.sign == grid.rows.sign),
+        eye_(view, Sight(view.camera, grid.columns.sign, grid.rows.sign)),
+        horizon_(u_range.first, u_range.second, cells),
+        store_(store),
+        column_curves_(columns_.order.size()) {
     for (const double level : options.contours) levels_.push_back(level * options.z_scale);
   }
 
@@ -95,7 +107,8 @@ class PartSweep {
   std::size_t segments = 0;
 
  private:
-  /// +1: the upper side is seen, -1: the lower one, 0: edge on. Beyond an edge there may be no face, or one of another part of the grid.
+  /// +1: the upper side is seen, -1: the lower one, 0: edge on. Beyond an edge there may be no face, or one of another part
+  /// of the grid.
   static constexpr std::int8_t kNoFace = 2, kOtherPart = 3;
   static bool is_face(std::int8_t facing) { return facing < kNoFace; }
   struct Facings {
@@ -212,9 +225,10 @@ class PartSweep {
     return std::abs(sight[column] * diagonal[row]) <= std::abs(sight[row] * diagonal[column]);
   }
 
-  /// An edge between the nearer and the farther of its faces; `curve` when it is drawn as part of a curve. Of an edge of a row straight before
-  /// the eye only the bank of `bank` has been taken as far as the edge goes.
-  void edge(const Sample& a, const Sample& b, std::int8_t nearer, std::int8_t farther, CurveTracker* curve, const Sample* bank = nullptr) {
+  /// An edge between the nearer and the farther of its faces; `curve` when it is drawn as part of a curve. Of an edge of a
+  /// row straight before the eye only the bank of `bank` has been taken as far as the edge goes.
+  void edge(const Sample& a, const Sample& b, std::int8_t nearer, std::int8_t farther, CurveTracker* curve,
+            const Sample* bank = nullptr) {
     if (!is_face(nearer) && !is_face(farther)) {
       if (curve) curve->interrupt();
       return;
@@ -243,11 +257,13 @@ class PartSweep {
       if (bank && !by_curves) banks = bank->seen.u() < a.seen.u() ? Banks::left : Banks::right;
       const std::vector<Span>& seen = horizon_.seen(part->a, part->b, against, banks);
       if (outlined) {
-        eye_.give(a, b, *part, seen, [&](double t0, double t1) { add_to(rim ? store_.border : store_.outline, a, b, t0, t1); });
+        eye_.give(a, b, *part, seen,
+                  [&](double t0, double t1) { add_to(rim ? store_.border : store_.outline, a, b, t0, t1); });
       } else if (facing < 0 && options_.underside == Underside::none && !by_curves) {
         curve->interrupt();
       } else {
-        Polylines& lines = facing < 0 && options_.underside == Underside::apart ? store_.lines.underside : store_.lines.curves;
+        Polylines& lines =
+            facing < 0 && options_.underside == Underside::apart ? store_.lines.underside : store_.lines.curves;
         eye_.give(a, b, *part, seen, [&](double t0, double t1) { curve->add(a.page, b.page, t0, t1, lines); });
         curve->next_segment();
       }
@@ -270,7 +286,8 @@ class PartSweep {
     if (levels_.empty()) return;
     const std::array<const Sample*, 3> corners{&a, &b, &c};
     const auto [low, high] = std::minmax({a.p.z, b.p.z, c.p.z});
-    for (auto level = std::upper_bound(levels_.begin(), levels_.end(), low); level != levels_.end() && *level <= high; ++level) {
+    for (auto level = std::upper_bound(levels_.begin(), levels_.end(), low); level != levels_.end() && *level <= high;
+         ++level) {
       std::array<Point3, 2> ends;
       int n = 0;
       for (int i = 0; i < 3 && n < 2; ++i) {
@@ -305,7 +322,9 @@ class PartSweep {
   void contour(const std::array<Point3, 2>& ends, Against against, Banks banks, Chains& chains) {
     const Sample a = eye_.sample(ends[0]), b = eye_.sample(ends[1]);
     const auto part = eye_.part_in_front(a, b);
-    if (part) eye_.give(a, b, *part, horizon_.seen(part->a, part->b, against, banks), [&](double t0, double t1) { add_to(chains, a, b, t0, t1); });
+    if (part)
+      eye_.give(a, b, *part, horizon_.seen(part->a, part->b, against, banks),
+                [&](double t0, double t1) { add_to(chains, a, b, t0, t1); });
   }
 
   void find_back_lines() {
@@ -314,8 +333,9 @@ class PartSweep {
       const Sample a = eye_.sample(line[0]), b = eye_.sample(line[1]);
       double from = 0, to = 1;  // what is in this part
       if (eye_.perspective()) {
-        const std::array<std::array<double, 2>, 2> ahead{{{columns_.sign * (a.p.x - view_.camera.eye.x), columns_.sign * (b.p.x - view_.camera.eye.x)},
-                                                          {rows_.sign * (a.p.y - view_.camera.eye.y), rows_.sign * (b.p.y - view_.camera.eye.y)}}};
+        const std::array<std::array<double, 2>, 2> ahead{
+            {{columns_.sign * (a.p.x - view_.camera.eye.x), columns_.sign * (b.p.x - view_.camera.eye.x)},
+             {rows_.sign * (a.p.y - view_.camera.eye.y), rows_.sign * (b.p.y - view_.camera.eye.y)}}};
         for (const auto& [da, db] : ahead) {
           if (da < 0 && db < 0) to = -1;
           if (da < 0 && db > 0) from = std::max(from, da / (da - db));
@@ -326,7 +346,9 @@ class PartSweep {
       const auto part = eye_.part_in_front(a, b, from, to);
       if (!part) continue;
       auto& seen = store_.lines.back_lines[i];
-      eye_.give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, Banks::none), [&](double t0, double t1) { seen.push_back({t0, t1}); });
+      eye_.give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, Banks::none), [&](double t0, double t1) {
+        seen.push_back({t0, t1});
+      });
     }
   }
 

@@ -7,7 +7,8 @@ namespace ligne::horizon {
 Sight::Sight(const Camera& camera, double sign_x, double sign_y)
     : perspective_(camera.perspective), eye_(camera.eye), forward_(camera.forward) {
   if (perspective_) {
-    // The part spans a quarter of the circle around the eye: its middle looks at no point of it from farther aside than 45 degrees.
+    // The part spans a quarter of the circle around the eye: its middle looks at no point of it from farther aside than 45
+    // degrees.
     forward_ = Point3{sign_x, sign_y, 0} * std::sqrt(0.5);
     right_ = {forward_.y, -forward_.x, 0};
     up_ = {0, 0, 1};

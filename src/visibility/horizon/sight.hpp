@@ -7,8 +7,9 @@
 
 namespace ligne::horizon {
 
-/// A point as the viewer sees it on an upright drawing plane. Upright means that verticals stay verticals, whatever the camera's tilt: what
-/// hides what depends on the line of sight alone, so any plane serves, and on this one the horizon is a function of u.
+/// A point as the viewer sees it on an upright drawing plane. Upright means that verticals stay verticals, whatever the
+/// camera's tilt: what hides what depends on the line of sight alone, so any plane serves, and on this one the horizon is a
+/// function of u.
 struct SightPoint {
   double x, y;  ///< to the right and upwards, before the division by w
   double w;     ///< distance from the viewer along the plane's normal; 1 in parallel projection

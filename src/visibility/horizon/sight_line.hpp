@@ -13,7 +13,8 @@ namespace ligne::horizon {
 class SightLine {
  public:
   /// Upright are segments no wider than `upright`: they have no width that could hide.
-  SightLine(const SightPoint& a, const SightPoint& b, double upright) : w0_(a.w), w1_(b.w), line_{a.u(), a.v(), b.u(), b.v()} {
+  SightLine(const SightPoint& a, const SightPoint& b, double upright)
+      : w0_(a.w), w1_(b.w), line_{a.u(), a.v(), b.u(), b.v()} {
     upright_ = std::abs(line_.u1 - line_.u0) <= upright;
     turned_ = upright_ ? line_.v1 < line_.v0 : line_.u1 < line_.u0;
     if (turned_) line_ = {line_.u1, line_.v1, line_.u0, line_.v0};

@@ -92,7 +92,8 @@ Scene box_of(const HeightSource& heights, const HeightSurvey& survey, double z_s
 
 Scene stand_in(const HeightSource& heights, double z_scale, const Camera& camera) {
   // In perspective what leaves the field of view fills it; a pyramid's corners tell that as well as all samples would.
-  const double half_height = std::tan(camera.fov_degrees * 3.14159265358979323846 / 360), half_width = half_height * camera.aspect;
+  const double half_height = std::tan(camera.fov_degrees * 3.14159265358979323846 / 360),
+               half_width = half_height * camera.aspect;
   Extremes extremes;
   for_rows<Extremes>(
       heights,
@@ -104,7 +105,8 @@ Scene stand_in(const HeightSource& heights, double z_scale, const Camera& camera
           if (!camera.perspective) {
             e.take(p, {c.x, c.y});
           } else if (c.z > 0) {
-            const Point2 on_plane{std::clamp(c.x / c.z, -half_width, half_width), std::clamp(c.y / c.z, -half_height, half_height)};
+            const Point2 on_plane{std::clamp(c.x / c.z, -half_width, half_width),
+                                  std::clamp(c.y / c.z, -half_height, half_height)};
             const Point3 in_view = camera.right * on_plane.x + camera.down * on_plane.y + camera.forward;
             e.take(camera.eye + in_view * camera.target_distance, on_plane);
           }

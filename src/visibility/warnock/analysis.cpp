@@ -14,7 +14,8 @@ void AnalysisCounts::operator+=(const AnalysisCounts& o) {
   not_studied += o.not_studied;
 }
 
-Relation relation_to(const FaceTable& table, const Face& face, const Window& window, std::uint32_t& side, AnalysisCounts& counts) {
+Relation relation_to(const FaceTable& table, const Face& face, const Window& window, std::uint32_t& side,
+                     AnalysisCounts& counts) {
   if (!face.box.meets(window)) {
     ++counts.box;
     return Relation::disjoint;
@@ -87,7 +88,8 @@ Lists Analysis::begin(const Window& window, AnalysisCounts& counts) const {
   return lists;
 }
 
-std::array<Lists, 4> Analysis::children(const Lists& parent, const std::array<Window, 4>& windows, AnalysisCounts& counts) const {
+std::array<Lists, 4> Analysis::children(const Lists& parent, const std::array<Window, 4>& windows,
+                                        AnalysisCounts& counts) const {
   std::array<Lists, 4> lists;
   std::array<Window, 4> larger;
   std::array<bool, 4> open{};

@@ -1,9 +1,9 @@
 #pragma once
 /// Module of analysis: how faces lie to a window.
 ///
-/// A child window only looks at what its parent handed down: a surrounder stays one without a test, a disjoint face is gone, and of an
-/// intersector the side that made it one in the parent is tried first. Faces come from near to far; once a surrounder covers the window,
-/// no face that begins behind its farthest depth there is studied any more.
+/// A child window only looks at what its parent handed down: a surrounder stays one without a test, a disjoint face is gone,
+/// and of an intersector the side that made it one in the parent is tried first. Faces come from near to far; once a
+/// surrounder covers the window, no face that begins behind its farthest depth there is studied any more.
 
 #include <array>
 #include <cstdint>
@@ -33,33 +33,36 @@ struct Element {
   FaceBox box;
 };
 
-/// What a window knows of the scene: elements from near to far (as FaceTable::by_depth), and the depth behind which nothing is seen.
+/// What a window knows of the scene: elements from near to far (as FaceTable::by_depth), and the depth behind which nothing
+/// is seen.
 struct Lists {
   std::vector<Element> elements;
   float cover = std::numeric_limits<float>::infinity();
 };
 
 struct AnalysisCounts {
-  std::uint64_t faces = 0;             ///< faces looked at, over all windows
-  std::uint64_t inherited = 0;         ///< of them surrounders already in the parent
-  std::uint64_t box = 0;               ///< disjoint by their boxes
-  std::uint64_t inside = 0;            ///< intersectors by their boxes, which lie in the window
-  std::uint64_t remembered = 0;        ///< intersectors by the remembered side
-  std::uint64_t side_tests = 0;        ///< side against window
-  std::uint64_t not_studied = 0;       ///< left out at once, for what covers the window
+  std::uint64_t faces = 0;        ///< faces looked at, over all windows
+  std::uint64_t inherited = 0;    ///< of them surrounders already in the parent
+  std::uint64_t box = 0;          ///< disjoint by their boxes
+  std::uint64_t inside = 0;       ///< intersectors by their boxes, which lie in the window
+  std::uint64_t remembered = 0;   ///< intersectors by the remembered side
+  std::uint64_t side_tests = 0;   ///< side against window
+  std::uint64_t not_studied = 0;  ///< left out at once, for what covers the window
   void operator+=(const AnalysisCounts& o);
 };
 
 /// The face against the closed window. `side` is tried first, and is set to the side that meets the window.
 /// surrounder: the window lies inside the contours and meets none of their sides; disjoint: outside, and meets none.
 /// Exact, for convex faces and others, with holes or without.
-Relation relation_to(const FaceTable& table, const Face& face, const Window& window, std::uint32_t& side, AnalysisCounts& counts);
+Relation relation_to(const FaceTable& table, const Face& face, const Window& window, std::uint32_t& side,
+                     AnalysisCounts& counts);
 
 class Analysis {
  public:
-  /// `drop_hidden`: faces behind a cover are left out. `margin` in frame units: faces are held against windows that are so much larger,
-  /// so that a line along the border of a window finds there the faces on both of its banks.
-  Analysis(const FaceTable& table, double margin, bool drop_hidden) : table_(table), margin_(margin), drop_hidden_(drop_hidden) {}
+  /// `drop_hidden`: faces behind a cover are left out. `margin` in frame units: faces are held against windows that are so
+  /// much larger, so that a line along the border of a window finds there the faces on both of its banks.
+  Analysis(const FaceTable& table, double margin, bool drop_hidden)
+      : table_(table), margin_(margin), drop_hidden_(drop_hidden) {}
 
   /// The lists of the initial window.
   Lists begin(const Window& window, AnalysisCounts& counts) const;

@@ -42,7 +42,9 @@ std::uint32_t AreaSearch::front_at(const Lists& lists, double u, double v) const
     if (e.relation != Relation::surrounder) {
       if (u < face.box.u0 || u > face.box.u1 || v < face.box.v0 || v > face.box.v1) continue;
       const auto facets = table_.facets_of(face);
-      if (std::none_of(facets.begin(), facets.end(), [&](std::uint32_t id) { return in_facet(table_, (*table_.facets)[id], u, v); })) continue;
+      if (std::none_of(facets.begin(), facets.end(),
+                       [&](std::uint32_t id) { return in_facet(table_, (*table_.facets)[id], u, v); }))
+        continue;
     }
     const double z = face.z(u, v);
     if (front) {
@@ -107,14 +109,17 @@ void AreaSearch::collect(const Lists& lists, const Window& w, std::span<const Pi
     return std::tie(a.p.u, a.p.v, a.q.u, a.q.v) < std::tie(b.p.u, b.p.v, b.q.u, b.q.v);
   });
   segments_.erase(std::unique(segments_.begin(), segments_.end(),
-                              [](const Segment& a, const Segment& b) { return Boundary{a.p, a.q} == Boundary{b.p, b.q}; }),
+                              [](const Segment& a, const Segment& b) {
+                                return Boundary{a.p, a.q} == Boundary{b.p, b.q};
+                              }),
                   segments_.end());
   find_crossings(w);
   std::sort(events_.begin(), events_.end());
   events_.erase(std::unique(events_.begin(), events_.end()), events_.end());
 }
 
-void AreaSearch::find(const Lists& lists, const Window& w, std::span<const Piece> intersections, std::vector<AreaPiece>& out) {
+void AreaSearch::find(const Lists& lists, const Window& w, std::span<const Piece> intersections,
+                      std::vector<AreaPiece>& out) {
   collect(lists, w, intersections);
   const Boundary below{{w.u0, w.v0}, {w.u1, w.v0}}, above{{w.u0, w.v1}, {w.u1, w.v1}};
   struct Crossed {
@@ -153,7 +158,9 @@ void AreaSearch::find(const Lists& lists, const Window& w, std::span<const Piece
     if (begun) next.push_back(piece);
     // Those that only go on are one.
     for (AreaPiece& p : next) {
-      const auto before = std::find_if(open.begin(), open.end(), [&](const AreaPiece& o) { return o.face == p.face && o.low == p.low && o.high == p.high; });
+      const auto before = std::find_if(open.begin(), open.end(), [&](const AreaPiece& o) {
+        return o.face == p.face && o.low == p.low && o.high == p.high;
+      });
       if (before == open.end()) continue;
       p.u0 = before->u0;
       open.erase(before);

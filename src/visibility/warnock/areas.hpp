@@ -1,9 +1,10 @@
 #pragma once
-/// The visible areas of a window: it is cut into trapezoids along the sides of its faces, and of each the face in front is known.
+/// The visible areas of a window: it is cut into trapezoids along the sides of its faces, and of each the face in front is
+/// known.
 ///
-/// A trapezoid lies between two lines of constant u; it is bounded below and above (towards -v and +v) by a side of a face, a line of
-/// intersection, or a border of the window. All that meet at a line of constant u compute the places of their corners from the same
-/// numbers, to the last bit.
+/// A trapezoid lies between two lines of constant u; it is bounded below and above (towards -v and +v) by a side of a face,
+/// a line of intersection, or a border of the window. All that meet at a line of constant u compute the places of their
+/// corners from the same numbers, to the last bit.
 
 #include <span>
 #include <vector>
@@ -12,7 +13,8 @@
 
 namespace ligne::warnock {
 
-/// A straight line on the page, ends in ascending order of u: what bounds trapezoids. Horizontal lines of the window have the same v at both ends.
+/// A straight line on the page, ends in ascending order of u: what bounds trapezoids. Horizontal lines of the window have
+/// the same v at both ends.
 struct Boundary {
   FramePoint p, q;
 
@@ -35,7 +37,8 @@ class AreaSearch {
  public:
   AreaSearch(const FaceTable& table, const std::vector<PageLine>& lines) : table_(table), lines_(lines) {}
 
-  /// Appends the trapezoids of the window on which a face is seen. `intersections`: pieces of lines in which faces penetrate.
+  /// Appends the trapezoids of the window on which a face is seen. `intersections`: pieces of lines in which faces
+  /// penetrate.
   void find(const Lists& lists, const Window& window, std::span<const Piece> intersections, std::vector<AreaPiece>& out);
 
   /// The whole window, with the face that is in front at its centre.

@@ -28,7 +28,8 @@ constexpr int kProgressDepth = 4;            ///< windows of this depth report
 constexpr Window kNoWindow{0, -1, 0, -1};
 
 FramePoint middle_in(FramePoint p, FramePoint q, const Window& w) {
-  const auto part = clip_parameters<4>({p.u - w.u0, w.u1 - p.u, p.v - w.v0, w.v1 - p.v}, {q.u - w.u0, w.u1 - q.u, q.v - w.v0, w.v1 - q.v});
+  const auto part =
+      clip_parameters<4>({p.u - w.u0, w.u1 - p.u, p.v - w.v0, w.v1 - p.v}, {q.u - w.u0, w.u1 - q.u, q.v - w.v0, w.v1 - q.v});
   const double t = part ? ((*part)[0] + (*part)[1]) / 2 : 0.5;
   return {std::round(p.u + t * (q.u - p.u)), std::round(p.v + t * (q.v - p.v))};
 }
@@ -101,7 +102,8 @@ Division divide(const FaceTable& table, const Lists& lists, const Window& w, con
 /// What one thread works with for a while.
 struct Control::Task {
   Task(const Control& control, Progress& p)
-      : progress(p), solution(control.table_, control.lines_, control.rules_.coincidence_steps, control.rules_.margin_steps),
+      : progress(p),
+        solution(control.table_, control.lines_, control.rules_.coincidence_steps, control.rules_.margin_steps),
         area_search(control.table_, control.lines_),
         outcome{{}, PenetrationSearch(*control.table_.facets, *control.table_.vertices), {}, {}, {}} {}
 
@@ -128,7 +130,10 @@ class Control::Progress {
 };
 
 Control::Control(const FaceTable& table, const std::vector<PageLine>& lines, const Rules& rules)
-    : table_(table), lines_(lines), rules_(rules), margin_(std::ceil(rules.margin_steps * table.frame.unit())),
+    : table_(table),
+      lines_(lines),
+      rules_(rules),
+      margin_(std::ceil(rules.margin_steps * table.frame.unit())),
       analysis_(table, margin_, rules.drop_hidden) {}
 
 Outcome Control::study(const Window& window, std::vector<Piece> pieces, const std::function<void(double)>& report) const {
@@ -160,14 +165,16 @@ void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces
     if (depth <= kProgressDepth) task.progress.add(std::pow(0.25, depth));
   };
   const bool exact = rules_.limit == 0;
-  const bool wanted = !pieces.empty() || (rules_.find_pairs && lists.elements.size() > 1) || (rules_.areas && !lists.elements.empty());
+  const bool wanted =
+      !pieces.empty() || (rules_.find_pairs && lists.elements.size() > 1) || (rules_.areas && !lists.elements.empty());
   if (!wanted) {
     ++counts.empty;
     report();
     return;
   }
   Clock clock;
-  const Situation situation(table_, lists, window.grown(-margin_), exact ? kMostOfExact : kMostElements, counts.analysis, counts.depth);
+  const Situation situation(table_, lists, window.grown(-margin_), exact ? kMostOfExact : kMostElements, counts.analysis,
+                            counts.depth);
   const Understood understood = understand(situation);
   counts.understanding_seconds += clock.lap();
   if (understood != Understood::no) {
@@ -178,8 +185,8 @@ void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces
   }
   const Division division = divide(table_, lists, window, rules_);
   const bool indivisible = !division.across && !division.down;
-  if (exact && (few_edges(lists, pieces) || window.longer_side() < kSmallestSteps * table_.frame.unit() || stalled >= kMostStalls ||
-                depth >= kDeepest || indivisible)) {
+  if (exact && (few_edges(lists, pieces) || window.longer_side() < kSmallestSteps * table_.frame.unit() ||
+                stalled >= kMostStalls || depth >= kDeepest || indivisible)) {
     ++counts.solved;
     draw(window, lists, pieces, understood, task);
     report();
@@ -194,8 +201,8 @@ void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces
   }
 }
 
-void Control::split(const Window& window, const Division& division, const Lists& lists, const std::vector<Piece>& pieces, int depth,
-                    int stalled, Task& task) const {
+void Control::split(const Window& window, const Division& division, const Lists& lists, const std::vector<Piece>& pieces,
+                    int depth, int stalled, Task& task) const {
   const Window& w = window;
   if (rules_.show_windows) {
     if (division.across) task.outcome.cuts.push_back({{division.u, w.v0}, {division.u, w.v1}});
@@ -203,15 +210,16 @@ void Control::split(const Window& window, const Division& division, const Lists&
   }
   std::array<std::vector<Piece>, 4> parts;
   for (const Piece& piece : pieces) {
-    cut_piece(lines_[piece.line], piece, table_.frame, division, [&](int child, const Piece& part) { parts[child].push_back(part); });
+    cut_piece(lines_[piece.line], piece, table_.frame, division,
+              [&](int child, const Piece& part) { parts[child].push_back(part); });
   }
   std::array<Window, 4> windows;
   for (std::size_t k = 0; k < 4; ++k) {
     const bool high_u = k % 2 == 1, high_v = k / 2 == 1;
     windows[k] = (high_u && !division.across) || (high_v && !division.down)
                      ? kNoWindow
-                     : Window{high_u ? division.u : w.u0, division.across && !high_u ? division.u : w.u1, high_v ? division.v : w.v0,
-                              division.down && !high_v ? division.v : w.v1};
+                     : Window{high_u ? division.u : w.u0, division.across && !high_u ? division.u : w.u1,
+                              high_v ? division.v : w.v0, division.down && !high_v ? division.v : w.v1};
   }
   Clock clock;
   std::array<Lists, 4> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
@@ -222,7 +230,8 @@ void Control::split(const Window& window, const Division& division, const Lists&
     std::erase_if(parts[k], [&](const Piece& p) {
       return lines_[p.line].z(p.from) > own_lists.cover && lines_[p.line].z(p.to) > own_lists.cover;
     });
-    const bool shorter = static_cast<double>(own_lists.elements.size()) < kStall * static_cast<double>(lists.elements.size());
+    const bool shorter =
+        static_cast<double>(own_lists.elements.size()) < kStall * static_cast<double>(lists.elements.size());
     study(windows[k], std::move(own_lists), std::move(parts[k]), depth + 1, shorter ? 0 : stalled + 1, own);
   };
   if (lists.elements.size() + pieces.size() < kParallelLoad) {
@@ -243,7 +252,8 @@ void Control::split(const Window& window, const Division& division, const Lists&
   }
 }
 
-void Control::draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood, Task& task) const {
+void Control::draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood,
+                   Task& task) const {
   Outcome& out = task.outcome;
   Clock clock;
   const bool covered = understood == Understood::surrounder && rules_.drop_hidden;
@@ -251,7 +261,8 @@ void Control::draw(const Window& window, const Lists& lists, const std::vector<P
   if (!pieces.empty() || pairs) {
     task.solution.load(lists, window);
     task.solution.draw_lines(pieces, out.parts);
-    if (pairs) task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(), out.pairs);
+    if (pairs)
+      task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(), out.pairs);
   }
   out.counts.solution_seconds += clock.lap();
   if (!rules_.areas) return;
@@ -269,7 +280,8 @@ void Control::draw_at_limit(const Window& window, const Lists& lists, const std:
   task.solution.load(lists, window);
   task.solution.draw_by_middle(pieces, task.outcome.parts);
   if (rules_.find_pairs) {
-    task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(), task.outcome.pairs);
+    task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(),
+                             task.outcome.pairs);
   }
   task.outcome.counts.solution_seconds += clock.lap();
   if (rules_.areas) task.area_search.take_front(lists, window, task.outcome.areas);

@@ -77,7 +77,8 @@ Clipped clipped(const FaceTable& table, const Facet& facet, const Window& w) {
 
 }  // namespace
 
-DepthComparison compare_depth(const FaceTable& table, const Element& element, const Face& cover, const Window& window, DepthCounts& counts) {
+DepthComparison compare_depth(const FaceTable& table, const Element& element, const Face& cover, const Window& window,
+                              DepthCounts& counts) {
   ++counts.comparisons;
   const Face& face = table.faces[element.face];
   Gap rough(face, cover, counts);

@@ -1,10 +1,11 @@
 #pragma once
 /// Tests of depth over a window.
 ///
-/// The thesis compares the planes of two faces at the four corners of the window, and concludes that they penetrate when they change places
-/// there (its case 3). That is wrong where a face ends before the planes cross; it then took the window round the intersector instead.
-/// Here a face is compared where it is: first over the common part of the window and of the box round the face, which decides most pairs, then at
-/// the corners of its contour cut by the window, where the difference of two planes has its extremes.
+/// The thesis compares the planes of two faces at the four corners of the window, and concludes that they penetrate when
+/// they change places there (its case 3). That is wrong where a face ends before the planes cross; it then took the window
+/// round the intersector instead. Here a face is compared where it is: first over the common part of the window and of the
+/// box round the face, which decides most pairs, then at the corners of its contour cut by the window, where the difference
+/// of two planes has its extremes.
 
 #include "visibility/warnock/analysis.hpp"
 
@@ -37,6 +38,7 @@ struct DepthCounts {
 };
 
 /// `face` (an element of the window) to the plane of `cover`, over what `face` has of the window.
-DepthComparison compare_depth(const FaceTable& table, const Element& face, const Face& cover, const Window& window, DepthCounts& counts);
+DepthComparison compare_depth(const FaceTable& table, const Element& face, const Face& cover, const Window& window,
+                              DepthCounts& counts);
 
 }  // namespace ligne::warnock

@@ -11,8 +11,8 @@
 namespace ligne::warnock {
 namespace {
 
-/// A side with the places of its ends in ascending order. Sides of one face that lie on each other in opposite directions are cuts: they are
-/// found by place, since clipping may give one place two vertices.
+/// A side with the places of its ends in ascending order. Sides of one face that lie on each other in opposite directions
+/// are cuts: they are found by place, since clipping may give one place two vertices.
 struct PlacedSide {
   LatticePoint low, high;
   bool ascending;
@@ -73,7 +73,8 @@ void set_plane(const FaceTable& table, Face& face) {
     face.z_far = std::max(face.z_far, f.z_far);
     for (const std::uint32_t v : f.v) {
       const FramePoint p = table.at(v);
-      face.box = {std::min(face.box.u0, p.u), std::max(face.box.u1, p.u), std::min(face.box.v0, p.v), std::max(face.box.v1, p.v)};
+      face.box = {std::min(face.box.u0, p.u), std::max(face.box.u1, p.u), std::min(face.box.v0, p.v),
+                  std::max(face.box.v1, p.v)};
     }
   }
   const FramePoint p0 = table.at(largest->v[0]), p1 = table.at(largest->v[1]), p2 = table.at(largest->v[2]);

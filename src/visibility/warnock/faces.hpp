@@ -20,8 +20,8 @@ struct DepthRange {
   double near = 0, far = 0;
 };
 
-/// A plane face on the page. Its contours are the sides that only one of its facets has, so that a face with holes, or one that
-/// was cut into triangles, has its true contours and no cuts.
+/// A plane face on the page. Its contours are the sides that only one of its facets has, so that a face with holes, or one
+/// that was cut into triangles, has its true contours and no cuts.
 struct Face {
   std::uint32_t face = 0;                        ///< of the scene
   std::uint32_t facet_begin = 0, facet_end = 0;  ///< in FaceTable::facet_order
@@ -30,7 +30,7 @@ struct Face {
   float slack = 0;                               ///< touching tolerance, and how far its facets are off its plane
   FramePoint base;                               ///< a point of the plane, its depth there, and the gradient by frame unit
   double base_z = 0, gu = 0, gv = 0;
-  Window box;                                    ///< of its projection
+  Window box;  ///< of its projection
 
   double z(double u, double v) const { return base_z + gu * (u - base.u) + gv * (v - base.v); }
   /// Bounds of the depth of the face where it lies over the window.
@@ -38,8 +38,8 @@ struct Face {
 };
 
 struct FaceTable {
-  std::vector<Face> faces;                 ///< in the order of their first facets: neighbours on the page are neighbours here
-  std::vector<std::uint32_t> by_depth;     ///< indices of faces by z_near, then by number of the face
+  std::vector<Face> faces;              ///< in the order of their first facets: neighbours on the page are neighbours here
+  std::vector<std::uint32_t> by_depth;  ///< indices of faces by z_near, then by number of the face
   std::vector<std::uint32_t> facet_order;  ///< facets, those of a face in one range
   std::vector<Side> sides;
   const std::vector<Facet>* facets = nullptr;

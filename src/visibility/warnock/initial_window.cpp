@@ -13,7 +13,8 @@ std::vector<LatticePoint> hull_of(const std::vector<ProjectedVertex>& vertices) 
   std::vector<LatticePoint> points;
   points.reserve(vertices.size());
   for (const ProjectedVertex& v : vertices) points.push_back(v.p);
-  std::sort(points.begin(), points.end(), [](LatticePoint a, LatticePoint b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
+  std::sort(points.begin(), points.end(),
+            [](LatticePoint a, LatticePoint b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<LatticePoint> hull;
@@ -54,7 +55,8 @@ WindowFrame principal_frame(const std::vector<ProjectedVertex>& vertices) {
     const LatticePoint p = hull[i], q = hull[(i + 1) % hull.size()];
     if (p == q) continue;
     WindowFrame frame{double(q.x) - p.x, double(q.y) - p.y};
-    if (std::max(std::abs(frame.a), std::abs(frame.b)) > kLatticeLimit) frame = {std::trunc(frame.a / 2), std::trunc(frame.b / 2)};
+    if (std::max(std::abs(frame.a), std::abs(frame.b)) > kLatticeLimit)
+      frame = {std::trunc(frame.a / 2), std::trunc(frame.b / 2)};
     while (!(frame.a > 0 && frame.b >= 0)) frame = {frame.b, -frame.a};
     const Window box = box_of(hull, [&](LatticePoint c) { return frame(c); });
     const double area = box.width() * box.height() / (frame.unit() * frame.unit());
@@ -73,7 +75,8 @@ InitialWindow initial_window(const ProjectedScene& scene, WindowChoice choice) {
   window = box_of(scene.vertices, [&](const ProjectedVertex& v) { return result.frame(v.p); });
   if (window.empty()) return result;
   if (choice == WindowChoice::bounding) {
-    const double side = window.longer_side(), more_u = std::floor((side - window.width()) / 2), more_v = std::floor((side - window.height()) / 2);
+    const double side = window.longer_side(), more_u = std::floor((side - window.width()) / 2),
+                 more_v = std::floor((side - window.height()) / 2);
     window = {window.u0 - more_u, window.u0 - more_u + side, window.v0 - more_v, window.v0 - more_v + side};
   } else if (choice == WindowChoice::screen) {
     const LatticePoint low = scene.lattice.snap(scene.view.window.min), high = scene.lattice.snap(scene.view.window.max);

@@ -20,8 +20,8 @@ struct InitialWindow {
 /// Holds all vertices of the scene. A scene without vertices has an empty window.
 InitialWindow initial_window(const ProjectedScene& scene, WindowChoice choice);
 
-/// Direction of a side of the smallest rectangle round the points, which touches a side of their convex hull (Freeman and Shapira 1975):
-/// |a|, |b| <= 2^25, turned into the first quadrant. (1, 0) when the points lie in one place.
+/// Direction of a side of the smallest rectangle round the points, which touches a side of their convex hull (Freeman and
+/// Shapira 1975): |a|, |b| <= 2^25, turned into the first quadrant. (1, 0) when the points lie in one place.
 WindowFrame principal_frame(const std::vector<ProjectedVertex>& vertices);
 
 }  // namespace ligne::warnock

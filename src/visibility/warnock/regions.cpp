@@ -29,7 +29,8 @@ std::vector<Interval> cancel(std::vector<Interval> all, const std::vector<AreaPi
   std::erase_if(all, [](const Interval& i) { return !(i.from < i.to); });
   const auto face = [&](const Interval& i) { return pieces[i.piece].face; };
   std::sort(all.begin(), all.end(), [&](const Interval& a, const Interval& b) {
-    return std::tuple(a.line, face(a), a.high_side, a.from, a.to, a.piece) < std::tuple(b.line, face(b), b.high_side, b.from, b.to, b.piece);
+    return std::tuple(a.line, face(a), a.high_side, a.from, a.to, a.piece) <
+           std::tuple(b.line, face(b), b.high_side, b.from, b.to, b.piece);
   });
   std::vector<Interval> left;
   for (std::size_t i = 0; i < all.size();) {
@@ -107,9 +108,11 @@ std::vector<DirectedEdge> contour_edges(const std::vector<AreaPiece>& pieces, Di
   return edges;
 }
 
-/// Angle from the direction back along `in` to `out`, against the turn from +u towards +v: the smallest one stays with the region.
+/// Angle from the direction back along `in` to `out`, against the turn from +u towards +v: the smallest one stays with the
+/// region.
 double turn_back(const DirectedEdge& in, const DirectedEdge& out) {
-  const double back_u = in.from.u - in.to.u, back_v = in.from.v - in.to.v, u = out.to.u - out.from.u, v = out.to.v - out.from.v;
+  const double back_u = in.from.u - in.to.u, back_v = in.from.v - in.to.v, u = out.to.u - out.from.u,
+               v = out.to.v - out.from.v;
   const double angle = std::atan2(back_v * u - back_u * v, back_u * u + back_v * v);
   return angle > 0 ? angle : angle + 2 * std::acos(-1.0);
 }
@@ -135,7 +138,8 @@ Contour simplified(const Contour& c, double unit) {
   for (const FramePoint p : c) {
     if (result.empty() || std::hypot(p.u - result.back().u, p.v - result.back().v) > near) result.push_back(p);
   }
-  while (result.size() > 1 && std::hypot(result.front().u - result.back().u, result.front().v - result.back().v) <= near) result.pop_back();
+  while (result.size() > 1 && std::hypot(result.front().u - result.back().u, result.front().v - result.back().v) <= near)
+    result.pop_back();
   if (result.size() < 4) return result;
   Contour corners;
   const std::size_t n = result.size();
@@ -155,7 +159,8 @@ std::vector<Contour> trace(const std::vector<DirectedEdge>& edges, std::size_t b
   std::vector<Contour> contours;
   std::vector<std::uint8_t> used(end - begin, 0);
   const auto less = [](const DirectedEdge& e, FramePoint p) { return std::tie(e.from.u, e.from.v) < std::tie(p.u, p.v); };
-  const auto first_edge = edges.begin() + static_cast<std::ptrdiff_t>(begin), last_edge = edges.begin() + static_cast<std::ptrdiff_t>(end);
+  const auto first_edge = edges.begin() + static_cast<std::ptrdiff_t>(begin),
+             last_edge = edges.begin() + static_cast<std::ptrdiff_t>(end);
   for (std::size_t start = begin; start < end; ++start) {
     if (used[start - begin]) continue;
     Contour contour;
@@ -166,7 +171,8 @@ std::vector<Contour> trace(const std::vector<DirectedEdge>& edges, std::size_t b
       // The way on that turns most to the side of the region.
       std::size_t next = e;
       double best = 0;
-      for (auto o = std::lower_bound(first_edge, last_edge, edges[e].to, less); o != last_edge && same(o->from, edges[e].to); ++o) {
+      for (auto o = std::lower_bound(first_edge, last_edge, edges[e].to, less); o != last_edge && same(o->from, edges[e].to);
+           ++o) {
         const auto k = static_cast<std::size_t>(o - edges.begin());
         if (used[k - begin] && k != start) continue;
         const double angle = turn_back(edges[e], *o);
@@ -183,7 +189,8 @@ std::vector<Contour> trace(const std::vector<DirectedEdge>& edges, std::size_t b
 
 }  // namespace
 
-std::vector<Region> make_regions(const std::vector<AreaPiece>& pieces, const WindowFrame& frame, const Lattice& lattice, double least_steps) {
+std::vector<Region> make_regions(const std::vector<AreaPiece>& pieces, const WindowFrame& frame, const Lattice& lattice,
+                                 double least_steps) {
   DisjointSets groups(pieces.size());
   std::vector<DirectedEdge> edges = contour_edges(pieces, groups);
   for (DirectedEdge& e : edges) e.piece = groups.find(e.piece);
@@ -204,7 +211,8 @@ std::vector<Region> make_regions(const std::vector<AreaPiece>& pieces, const Win
       Contour corners = simplified(c, unit);
       if (corners.size() >= 3 && std::abs(area) > least * least) kept.emplace_back(area, std::move(corners));
     }
-    // The outer contour is the largest: only it turns the positive way, but for what rounding left at points where it touches itself.
+    // The outer contour is the largest: only it turns the positive way, but for what rounding left at points where it
+    // touches itself.
     std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     if (total > least * least && !kept.empty()) {
       Region region;

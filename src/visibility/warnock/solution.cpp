@@ -17,7 +17,8 @@ void Solution::load(const Lists& lists, const Window& window) {
       const Facet& f = (*table_.facets)[id];
       if (facets.size() > 1) {
         const FramePoint a = table_.at(f.v[0]), b = table_.at(f.v[1]), c = table_.at(f.v[2]);
-        const Window box{std::min({a.u, b.u, c.u}), std::max({a.u, b.u, c.u}), std::min({a.v, b.v, c.v}), std::max({a.v, b.v, c.v})};
+        const Window box{std::min({a.u, b.u, c.u}), std::max({a.u, b.u, c.u}), std::min({a.v, b.v, c.v}),
+                         std::max({a.v, b.v, c.v})};
         if (!box.meets(larger)) continue;
       }
       const LatticePoint p = vertices[f.v[0]].p, q = vertices[f.v[1]].p, r = vertices[f.v[2]].p;
@@ -25,12 +26,12 @@ void Solution::load(const Lists& lists, const Window& window) {
                         std::min({p.y, q.y, r.y}) - margin, std::max({p.y, q.y, r.y}) + margin});
     }
   }
-  std::sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) {
-    return a.z_near != b.z_near ? a.z_near < b.z_near : a.facet < b.facet;
-  });
+  std::sort(items_.begin(), items_.end(),
+            [](const Item& a, const Item& b) { return a.z_near != b.z_near ? a.z_near < b.z_near : a.facet < b.facet; });
 }
 
-/// The operation is made over the whole line, and its result cut to the piece: what is hidden does not depend on the windows.
+/// The operation is made over the whole line, and its result cut to the piece: what is hidden does not depend on the
+/// windows.
 template <class Visit>
 bool Solution::visit_hidden(const Piece& piece, bool& near_side, Visit visit) {
   const PageLine& line = lines_[piece.line];

@@ -6,8 +6,8 @@ namespace ligne::warnock {
 namespace {
 
 // Adjustable parameters.
-constexpr std::size_t kMostSeen = 12;      ///< so many seen intersectors are never understood
-constexpr std::size_t kMostFacets = 16;    ///< of an intersector that is held against another on the page
+constexpr std::size_t kMostSeen = 12;    ///< so many seen intersectors are never understood
+constexpr std::size_t kMostFacets = 16;  ///< of an intersector that is held against another on the page
 
 /// Calls visit(p, q) for the sides of the face that meet the inner window, until it returns false; false when it did.
 template <class Visit>
@@ -41,13 +41,15 @@ bool faces_apart(const Situation& s, const Face& a, const Face& b) {
   const auto of_a = s.table.facets_of(a), of_b = s.table.facets_of(b);
   if (of_a.size() > kMostFacets || of_b.size() > kMostFacets) return false;
   return std::all_of(of_a.begin(), of_a.end(), [&](std::uint32_t i) {
-    return std::all_of(of_b.begin(), of_b.end(), [&](std::uint32_t k) { return facets_apart(s.table, (*s.table.facets)[i], (*s.table.facets)[k]); });
+    return std::all_of(of_b.begin(), of_b.end(),
+                       [&](std::uint32_t k) { return facets_apart(s.table, (*s.table.facets)[i], (*s.table.facets)[k]); });
   });
 }
 
 }  // namespace
 
-Situation::Situation(const FaceTable& t, const Lists& lists, const Window& w, std::size_t most, AnalysisCounts& analysis, DepthCounts& d)
+Situation::Situation(const FaceTable& t, const Lists& lists, const Window& w, std::size_t most, AnalysisCounts& analysis,
+                     DepthCounts& d)
     : table(t), inner(w), depth(d) {
   if (inner.empty() || lists.elements.size() > most) {
     crowded = true;

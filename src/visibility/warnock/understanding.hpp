@@ -1,8 +1,9 @@
 #pragma once
 /// Module of understanding: is what a window shows plain enough to be drawn at once?
 ///
-/// All functions look at the inner window, which is smaller than the window by the margin: a face whose rim runs along the border of the window
-/// within the margin surrounds it. Nothing is lost by that: lines are cut exactly afterwards, against all faces of the lists.
+/// All functions look at the inner window, which is smaller than the window by the margin: a face whose rim runs along the
+/// border of the window within the margin surrounds it. Nothing is lost by that: lines are cut exactly afterwards, against
+/// all faces of the lists.
 
 #include <optional>
 #include <span>
@@ -29,7 +30,8 @@ struct Placed {
   const Face* face = nullptr;
 };
 
-/// Outcome of the study of the surrounders: the one before all others, or two that penetrate each other before all others, or nothing.
+/// Outcome of the study of the surrounders: the one before all others, or two that penetrate each other before all others,
+/// or nothing.
 struct Covers {
   const Placed* front = nullptr;
   const Placed* other = nullptr;  ///< penetrates the front one
@@ -40,7 +42,8 @@ struct Covers {
 class Situation {
  public:
   /// `inner` is the window less its margin. With more than `most` elements it is crowded.
-  Situation(const FaceTable& table, const Lists& lists, const Window& inner, std::size_t most, AnalysisCounts& analysis, DepthCounts& depth);
+  Situation(const FaceTable& table, const Lists& lists, const Window& inner, std::size_t most, AnalysisCounts& analysis,
+            DepthCounts& depth);
 
   const FaceTable& table;
   Window inner;
@@ -72,7 +75,8 @@ bool seen_edges_meet_in_one_vertex(const Situation& s, std::span<const Placed* c
 /// 2.14d. No seen intersector lies over another.
 bool seen_intersectors_apart(const Situation& s, std::span<const Placed* const> seen);
 
-/// Tries all of them. A window in which nothing is seen but a cover that something touches, or nothing at all, counts as one line.
+/// Tries all of them. A window in which nothing is seen but a cover that something touches, or nothing at all, counts as one
+/// line.
 Understood understand(const Situation& s);
 
 }  // namespace ligne::warnock

@@ -13,8 +13,9 @@
 #include "visibility/warnock/initial_window.hpp"
 #include "visibility/warnock/regions.hpp"
 
-// Phases: (1) facets and faces, sorted by depth; (2) windows with the candidate edges: visible parts, penetrating pairs; (3) windows with the
-// intersections that were found: their visible parts, and areas; (4) parts put together into strokes, areas into regions. See docs/methods/warnock.md.
+// Phases: (1) facets and faces, sorted by depth; (2) windows with the candidate edges: visible parts, penetrating pairs; (3)
+// windows with the intersections that were found: their visible parts, and areas; (4) parts put together into strokes, areas
+// into regions. See docs/methods/warnock.md.
 
 namespace ligne {
 namespace {
@@ -27,10 +28,16 @@ constexpr std::string_view kShowNames[] = {"windows"};
 constexpr unsigned kLowestResolution = 1, kHighestResolution = 1 << 20;
 
 constexpr MethodParameter kParameters[] = {
-    {"warnock-window", "screen|bounding|principal", "first window: the sheet, the square round the scene, or the smallest rectangle of any direction",
-     "bounding", kWindowNames},
+    {"warnock-window", "screen|bounding|principal",
+     "first window: the sheet, the square round the scene, or the smallest rectangle of any direction", "bounding",
+     kWindowNames},
     {"warnock-split", "centre|vertex", "where windows are divided", "centre", kSplitNames},
-    {"resolution", "N", "classical limit: no window smaller than the sheet's longer side by N (default: none, exact)", "", {}, kLowestResolution,
+    {"resolution",
+     "N",
+     "classical limit: no window smaller than the sheet's longer side by N (default: none, exact)",
+     "",
+     {},
+     kLowestResolution,
      kHighestResolution},
     {"show", "windows", "the subdivision as layer debug", "", kShowNames},
 };
@@ -43,7 +50,9 @@ constexpr std::string_view kCaseNames[kUnderstoodCount] = {"",
                                                            "understood: seen edges meet in one vertex",
                                                            "understood: seen intersectors apart"};
 
-double longer_side_mm(const ProjectedScene& scene) { return std::max(scene.view.window.width(), scene.view.window.height()); }
+double longer_side_mm(const ProjectedScene& scene) {
+  return std::max(scene.view.window.width(), scene.view.window.height());
+}
 
 /// The visible parts of each line, in order; first[i] is where those of line i begin.
 struct PartsByLine {
@@ -72,8 +81,8 @@ struct Origin {
 
 /// Appends the strokes of all lines, in their order.
 template <class OriginOf>
-void make_strokes(const ProjectedScene& scene, const std::vector<PageLine>& lines, const std::vector<FoundPart>& found, bool hidden_too,
-                  const OriginOf& origin_of, std::vector<Stroke>& strokes) {
+void make_strokes(const ProjectedScene& scene, const std::vector<PageLine>& lines, const std::vector<FoundPart>& found,
+                  bool hidden_too, const OriginOf& origin_of, std::vector<Stroke>& strokes) {
   const PartsByLine sorted = by_line(found, lines.size());
   const StrokeMaker maker(scene, hidden_too);
   const double least = kLeastPartMm / scene.lattice.step_mm;
@@ -87,7 +96,8 @@ void make_strokes(const ProjectedScene& scene, const std::vector<PageLine>& line
       if (lines[i].p0 == lines[i].p1) continue;  // seen end on
       of_line.assign(sorted.parts.begin() + static_cast<std::ptrdiff_t>(sorted.first[i]),
                      sorted.parts.begin() + static_cast<std::ptrdiff_t>(sorted.first[i + 1]));
-      std::sort(of_line.begin(), of_line.end(), [](const FoundPart& a, const FoundPart& b) { return a.part.from < b.part.from; });
+      std::sort(of_line.begin(), of_line.end(),
+                [](const FoundPart& a, const FoundPart& b) { return a.part.from < b.part.from; });
       parts.clear();
       bool near_side = false;
       for (const FoundPart& p : of_line) {
@@ -139,7 +149,8 @@ void tell_times(const Counts& c, Statistics& s) {
   s.time("areas, all threads", c.area_seconds);
 }
 
-std::vector<std::vector<Point2>> page_lines(const std::vector<WindowCut>& cuts, const WindowFrame& frame, const Lattice& lattice) {
+std::vector<std::vector<Point2>> page_lines(const std::vector<WindowCut>& cuts, const WindowFrame& frame,
+                                            const Lattice& lattice) {
   std::vector<std::vector<Point2>> lines;
   const auto point = [&](FramePoint p) { return lattice.origin_mm + frame.to_page(p.u, p.v) * lattice.step_mm; };
   for (const WindowCut& c : cuts) lines.push_back({point(c.from), point(c.to)});
@@ -154,8 +165,14 @@ double warnock_tolerance_mm(const ProjectedScene& scene, unsigned resolution) {
 
 const MethodTraits& WarnockMethod::traits() const {
   static const MethodTraits traits{
-      "warnock", "subdivision of the picture into windows that are plain enough; edges and areas, exact or with --resolution limited", kStrokes | kRegions,
-      true, true, "J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969", 0.001, kParameters};
+      "warnock",
+      "subdivision of the picture into windows that are plain enough; edges and areas, exact or with --resolution limited",
+      kStrokes | kRegions,
+      true,
+      true,
+      "J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969",
+      0.001,
+      kParameters};
   return traits;
 }
 
@@ -187,21 +204,24 @@ VisibilityResult WarnockMethod::study(const ProjectedScene& scene, const StudyOp
   // 2. Windows with the candidate edges.
   const bool twice = rules.find_pairs;
   const auto report = [&](double from, double to) {
-    return options.progress ? std::function<void(double)>([&options, from, to](double part) { options.progress(from + part * (to - from)); })
+    return options.progress ? std::function<void(double)>(
+                                  [&options, from, to](double part) { options.progress(from + part * (to - from)); })
                             : std::function<void(double)>();
   };
   std::vector<PageLine> lines;
   lines.reserve(scene.edges.size());
-  for (const ProjectedEdge& e : scene.edges) lines.emplace_back(scene.vertices[e.v0], scene.vertices[e.v1], e.face0, e.face1);
+  for (const ProjectedEdge& e : scene.edges)
+    lines.emplace_back(scene.vertices[e.v0], scene.vertices[e.v1], e.face0, e.face1);
   Outcome of_edges = Control(table, lines, rules).study(first.window, whole_lines(lines), report(0, twice ? 0.5 : 1));
   const auto thin = [&](std::uint32_t f) { return f < facets.face_is_thin.size() && facets.face_is_thin[f]; };
-  make_strokes(scene, lines, of_edges.parts, options.hidden_strokes,
-               [&](std::size_t i) {
-                 const ProjectedEdge& e = scene.edges[i];
-                 return Origin{e.source, e.line_class, scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i],
-                               thin(e.face0) || thin(e.face1)};
-               },
-               model.strokes);
+  make_strokes(
+      scene, lines, of_edges.parts, options.hidden_strokes,
+      [&](std::size_t i) {
+        const ProjectedEdge& e = scene.edges[i];
+        return Origin{e.source, e.line_class, scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i],
+                      thin(e.face0) || thin(e.face1)};
+      },
+      model.strokes);
   statistics.time("windows", clock.lap());
 
   // 3. Windows with the intersections.
@@ -218,11 +238,12 @@ VisibilityResult WarnockMethod::study(const ProjectedScene& scene, const StudyOp
     Outcome outcome = Control(table, crossings, second).study(first.window, whole_lines(crossings), report(0.5, 1));
     of_intersections = outcome.counts;
     if (scene.with_intersections) {
-      make_strokes(scene, crossings, outcome.parts, options.hidden_strokes,
-                   [&](std::size_t i) {
-                     return Origin{scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, {0, 1}, true};
-                   },
-                   model.strokes);
+      make_strokes(
+          scene, crossings, outcome.parts, options.hidden_strokes,
+          [&](std::size_t i) {
+            return Origin{scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, {0, 1}, true};
+          },
+          model.strokes);
       number_intersections(scene, intersections, model);
     }
     statistics.time("windows of intersections", clock.lap());

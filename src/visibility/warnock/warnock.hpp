@@ -1,8 +1,8 @@
 #pragma once
 /// Edges and areas by subdivision of the picture.
 ///
-/// After J. E. Warnock, "A hidden surface algorithm for computer generated halftone pictures", 1969, in the version for edges of the thesis among
-/// this project's sources (chapter 2.2). docs/methods/warnock.md.
+/// After J. E. Warnock, "A hidden surface algorithm for computer generated halftone pictures", 1969, in the version for
+/// edges of the thesis among this project's sources (chapter 2.2). docs/methods/warnock.md.
 
 #include "visibility/method.hpp"
 
@@ -14,8 +14,8 @@ class WarnockMethod final : public Method {
   VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override;
 };
 
-/// How far on the page lines may be off when `--resolution` limits the study: windows are no larger than the longer side of the sheet
-/// divided by it, and everything is decided within one window.
+/// How far on the page lines may be off when `--resolution` limits the study: windows are no larger than the longer side of
+/// the sheet divided by it, and everything is decided within one window.
 double warnock_tolerance_mm(const ProjectedScene& scene, unsigned resolution);
 
 }  // namespace ligne

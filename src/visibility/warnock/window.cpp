@@ -8,7 +8,8 @@ namespace {
 
 __extension__ typedef __int128 Wide;
 
-/// Two products and their difference, each with a relative error of 2^-53: below this part of the sizes the sign is not sure.
+/// Two products and their difference, each with a relative error of 2^-53: below this part of the sizes the sign is not
+/// sure.
 constexpr double kTurnError = 0x1p-51;
 
 }  // namespace
@@ -24,7 +25,8 @@ int turn(FramePoint p, FramePoint q, FramePoint r) {
 }
 
 bool meets(FramePoint p, FramePoint q, const Window& w) {
-  if (std::max(p.u, q.u) < w.u0 || std::min(p.u, q.u) > w.u1 || std::max(p.v, q.v) < w.v0 || std::min(p.v, q.v) > w.v1) return false;
+  if (std::max(p.u, q.u) < w.u0 || std::min(p.u, q.u) > w.u1 || std::max(p.v, q.v) < w.v0 || std::min(p.v, q.v) > w.v1)
+    return false;
   if (w.holds(p) || w.holds(q)) return true;
   // The corners that lie farthest to both sides of the line.
   const bool right = q.u >= p.u, up = q.v >= p.v;

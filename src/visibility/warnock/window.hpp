@@ -2,8 +2,8 @@
 /// Windows, and exact tests of segments and points against them.
 ///
 /// Notation: the axes of all windows of a study are given by a frame (a, b), a vector of whole numbers on the page lattice:
-/// u = a x + b y, v = a y - b x. (1, 0) is the page itself. With |a|, |b| <= 2^25 both are whole numbers below 2^52, exact in
-/// doubles; signs of determinants are decided in doubles where their error allows, and in 128-bit integers elsewhere.
+/// u = a x + b y, v = a y - b x. (1, 0) is the page itself. With |a|, |b| <= 2^25 both are whole numbers below 2^52, exact
+/// in doubles; signs of determinants are decided in doubles where their error allows, and in 128-bit integers elsewhere.
 
 #include <cmath>
 
@@ -47,15 +47,15 @@ struct Window {
   }
 };
 
-/// Sign of (q - p) x (r - p): positive when p -> q -> r turns from +u towards +v. Exact. Identities: turn(p,q,r) == turn(q,r,p) ==
-/// -turn(q,p,r).
+/// Sign of (q - p) x (r - p): positive when p -> q -> r turns from +u towards +v. Exact. Identities: turn(p,q,r) ==
+/// turn(q,r,p) == -turn(q,p,r).
 int turn(FramePoint p, FramePoint q, FramePoint r);
 
 /// Whether the closed segment has a point in the closed window. Exact. meets(p,q,w) == meets(q,p,w).
 bool meets(FramePoint p, FramePoint q, const Window& window);
 
-/// How often the directed side p -> q goes round the point: +1 where it crosses the ray from r towards +u upwards (towards +v), -1
-/// downwards, else 0. Summed over a contour that does not pass r: its winding number there. Exact.
+/// How often the directed side p -> q goes round the point: +1 where it crosses the ray from r towards +u upwards (towards
+/// +v), -1 downwards, else 0. Summed over a contour that does not pass r: its winding number there. Exact.
 int winding(FramePoint p, FramePoint q, FramePoint r);
 
 }  // namespace ligne::warnock

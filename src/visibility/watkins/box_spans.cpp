@@ -4,12 +4,13 @@
 
 #include "visibility/watkins/span_method.hpp"
 
-// Span method `box` (thesis 2.3.3.3, Boîte, after Romney, Watkins and Evans 1969): Warnock's division on a line. A part of the
-// line is analysed against a box around the segments met so far; when the situation is understood it is shown, otherwise the part is divided
-// at an end of a segment, where two penetrate, or in the middle. Three modules, as in the thesis: analysis, decision, control.
+// Span method `box` (thesis 2.3.3.3, Boîte, after Romney, Watkins and Evans 1969): Warnock's division on a line. A part of
+// the line is analysed against a box around the segments met so far; when the situation is understood it is shown, otherwise
+// the part is divided at an end of a segment, where two penetrate, or in the middle. Three modules, as in the thesis:
+// analysis, decision, control.
 //
-// Of several ends inside a part the one nearest to its middle divides it, so that n segments side by side take n log n; and segments that the
-// analysis has seen to be hidden are not handed down.
+// Of several ends inside a part the one nearest to its middle divides it, so that n segments side by side take n log n; and
+// segments that the analysis has seen to be hidden are not handed down.
 
 namespace ligne::watkins {
 namespace {
@@ -37,13 +38,13 @@ class BoxMethod final : public SpanMethod<X> {
   /// What the analysis of a part knows: the box around the segments that may be seen in it.
   struct Box {
     unsigned count = 0;
-    double x0 = 0, x1 = 0;       ///< extent in x
-    double near = 0;             ///< nearest depth that touches one of them
-    std::uint32_t segment = 0;   ///< the only one (count 1), or the first of two that cross
-    std::uint32_t other = 0;     ///< crossing: the second
-    bool crossing = false;       ///< two segments that span the part cross at cut, and nothing else is there
-    double cut = -kFar;          ///< an end or a crossing strictly inside the part
-    bool cut_at_end = false;     ///< it is an end
+    double x0 = 0, x1 = 0;      ///< extent in x
+    double near = 0;            ///< nearest depth that touches one of them
+    std::uint32_t segment = 0;  ///< the only one (count 1), or the first of two that cross
+    std::uint32_t other = 0;    ///< crossing: the second
+    bool crossing = false;      ///< two segments that span the part cross at cut, and nothing else is there
+    double cut = -kFar;         ///< an end or a crossing strictly inside the part
+    bool cut_at_end = false;    ///< it is an end
   };
 
   /// Analysis, decision and control of [a, b], with the segments lists_[begin, end).
@@ -140,7 +141,8 @@ class BoxMethod final : public SpanMethod<X> {
     const double cut = box.cut > a && box.cut < b ? box.cut : a + (b - a) / 2;
     if (!(cut > a && cut < b)) {  // nothing between a and b any more: rounding alone keeps the segments apart
       const auto first = lists_.begin() + static_cast<std::ptrdiff_t>(kept_begin);
-      const auto nearest = std::min_element(first, lists_.end(), [&](std::uint32_t i, std::uint32_t k) { return segments_[i].z(a) < segments_[k].z(a); });
+      const auto nearest = std::min_element(
+          first, lists_.end(), [&](std::uint32_t i, std::uint32_t k) { return segments_[i].z(a) < segments_[k].z(a); });
       this->give(a, b, *nearest, out);
       return;
     }

@@ -15,7 +15,8 @@ constexpr double kFewestCells = 64, kMostCells = 1024;  // along the longer side
 
 }  // namespace
 
-CoverGrid::CoverGrid(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, double margin_steps) : margin_(margin_steps) {
+CoverGrid::CoverGrid(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, double margin_steps)
+    : margin_(margin_steps) {
   Rect box;
   double sum = 0;
   for (const Facet& f : facets) {
@@ -28,7 +29,8 @@ CoverGrid::CoverGrid(const std::vector<ProjectedVertex>& vertices, const std::ve
     return;
   }
   const double extent = std::max({box.width(), box.height(), 1.0});
-  size_ = extent / std::clamp(std::ceil(kCellsAcross * extent / (sum / static_cast<double>(facets.size()))), kFewestCells, kMostCells);
+  size_ = extent / std::clamp(std::ceil(kCellsAcross * extent / (sum / static_cast<double>(facets.size()))), kFewestCells,
+                              kMostCells);
   x_ = box.min.x;
   y_ = box.min.y;
   columns_ = static_cast<std::uint32_t>(box.width() / size_) + 1;
@@ -38,11 +40,17 @@ CoverGrid::CoverGrid(const std::vector<ProjectedVertex>& vertices, const std::ve
   tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
     if (facets[i].size >= size_) add(facets[i], vertices);
   });
-  empty_ = std::all_of(depth_.begin(), depth_.end(), [](const std::atomic<float>& d) { return d.load(std::memory_order_relaxed) == std::numeric_limits<float>::infinity(); });
+  empty_ = std::all_of(depth_.begin(), depth_.end(), [](const std::atomic<float>& d) {
+    return d.load(std::memory_order_relaxed) == std::numeric_limits<float>::infinity();
+  });
 }
 
-std::uint32_t CoverGrid::column(double x) const { return static_cast<std::uint32_t>(std::clamp((x - x_) / size_, 0.0, double(columns_ - 1))); }
-std::uint32_t CoverGrid::row(double y) const { return static_cast<std::uint32_t>(std::clamp((y - y_) / size_, 0.0, double(rows_ - 1))); }
+std::uint32_t CoverGrid::column(double x) const {
+  return static_cast<std::uint32_t>(std::clamp((x - x_) / size_, 0.0, double(columns_ - 1)));
+}
+std::uint32_t CoverGrid::row(double y) const {
+  return static_cast<std::uint32_t>(std::clamp((y - y_) / size_, 0.0, double(rows_ - 1)));
+}
 
 /// Puts the facet's depth into the cells that lie in it with their margin. The smallest stays, whoever comes first.
 void CoverGrid::add(const Facet& facet, const std::vector<ProjectedVertex>& vertices) {
@@ -77,7 +85,8 @@ void CoverGrid::add(const Facet& facet, const std::vector<ProjectedVertex>& vert
       }
     }
     if (!(from <= to)) continue;
-    const double first_column = std::max(0.0, std::ceil((from - x_) / size_ - 0.5)), last_column = std::min(double(columns_) - 1, std::floor((to - x_) / size_ - 0.5));
+    const double first_column = std::max(0.0, std::ceil((from - x_) / size_ - 0.5)),
+                 last_column = std::min(double(columns_) - 1, std::floor((to - x_) / size_ - 0.5));
     for (double c = first_column; c <= last_column; ++c) {
       const double x = x_ + (c + 0.5) * size_;
       const float z = round_up(p[0]->z + zx * (x - p[0]->p.x) + zy * (y - p[0]->p.y) + deeper);

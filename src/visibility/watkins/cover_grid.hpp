@@ -1,9 +1,9 @@
 #pragma once
 /// What is surely hidden, before any scan: the depth behind which nothing can be seen, cell by cell.
 ///
-/// The thesis (2.3.5.5) asks to recognise changes among hidden elements, "to predict" them. The scan predicts most cheaply what it never meets: facets
-/// and lines that lie behind single facets, each of which covers a whole cell, are left out of it. A facet left out hides nothing that is not
-/// hidden by what covers it.
+/// The thesis (2.3.5.5) asks to recognise changes among hidden elements, "to predict" them. The scan predicts most cheaply
+/// what it never meets: facets and lines that lie behind single facets, each of which covers a whole cell, are left out of
+/// it. A facet left out hides nothing that is not hidden by what covers it.
 
 #include <atomic>
 #include <cstdint>
@@ -19,7 +19,8 @@ class CoverGrid {
   /// `margin_steps`: what comes within this distance of a cell counts as in it.
   CoverGrid(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, double margin_steps);
 
-  /// Whether something whose extent on the page is this rectangle, and whose nearest depth is z_near, lies behind covers all over.
+  /// Whether something whose extent on the page is this rectangle, and whose nearest depth is z_near, lies behind covers all
+  /// over.
   bool hides(double x0, double y0, double x1, double y1, double z_near) const;
   bool hides(const Facet& facet, const std::vector<ProjectedVertex>& vertices) const;
   /// Whether every point of the segment does.
@@ -32,8 +33,8 @@ class CoverGrid {
 
   double x_ = 0, y_ = 0, size_ = 1, margin_;
   std::uint32_t columns_ = 1, rows_ = 1;
-  bool empty_ = true;                        ///< no facet covers a cell
-  std::vector<std::atomic<float>> depth_;    ///< row by row; infinite where there is no cover
+  bool empty_ = true;                      ///< no facet covers a cell
+  std::vector<std::atomic<float>> depth_;  ///< row by row; infinite where there is no cover
 };
 
 }  // namespace ligne::watkins

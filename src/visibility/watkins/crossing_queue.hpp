@@ -1,8 +1,8 @@
 #pragma once
 /// The crossings that the exact scan still has to come to, in its order.
 ///
-/// Most crossings lie far below the scan when they are found, and many are no longer to come when it gets there. So they are put into buckets by their
-/// place, and only the bucket at hand is a heap: a small one, of crossings that are still good.
+/// Most crossings lie far below the scan when they are found, and many are no longer to come when it gets there. So they are
+/// put into buckets by their place, and only the bucket at hand is a heap: a small one, of crossings that are still good.
 
 #include <algorithm>
 #include <cstdint>

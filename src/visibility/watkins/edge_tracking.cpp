@@ -70,11 +70,14 @@ void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t l
       right |= h.bank != Bank::left;
     }
     const State now = left && right ? State::hidden : State::visible;
-    if (now != track.state && track.state != State::unknown) ++(now == State::visible ? counts_.became_visible : counts_.became_hidden);
+    if (now != track.state && track.state != State::unknown)
+      ++(now == State::visible ? counts_.became_visible : counts_.became_hidden);
     // Hidden on two lines that it crosses steeply: what might be seen between them is below the resolution of the lines.
     if (now == State::hidden && std::abs(a.track.du) <= 1) {
-      if (track.state == State::unknown && edge.v_top > line - 1.0) track.t = comes_before(l.from.p, l.to.p) ? 0 : 1;  // from its top on
-      if (track.state != State::visible && track.t >= 0) track.hidden.push_back({std::min(track.t, t), std::max(track.t, t), Bank::both});
+      if (track.state == State::unknown && edge.v_top > line - 1.0)
+        track.t = comes_before(l.from.p, l.to.p) ? 0 : 1;  // from its top on
+      if (track.state != State::visible && track.t >= 0)
+        track.hidden.push_back({std::min(track.t, t), std::max(track.t, t), Bank::both});
       if (edge.v_bottom <= line + 1.0) {  // and to its bottom
         const double end = comes_before(l.from.p, l.to.p) ? 1 : 0;
         track.hidden.push_back({std::min(t, end), std::max(t, end), Bank::both});
@@ -85,8 +88,8 @@ void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t l
   }
 }
 
-/// Parts of edges between this line and the one before, or the one after, that the other of the two does not meet: whole edges that lie between two
-/// lines, and what lies beyond the first and the last line of the others.
+/// Parts of edges between this line and the one before, or the one after, that the other of the two does not meet: whole
+/// edges that lie between two lines, and what lies beyond the first and the last line of the others.
 void EdgeTracker::between_lines(const LineScan& scan, std::uint32_t line) {
   const ScanScene& scene = scan.scene();
   for (std::uint32_t e = scene.first_of_line[line]; e < scene.first_of_line[line + 2]; ++e) {

@@ -1,13 +1,14 @@
 #pragma once
 /// Visible edges tracked from line to line (thesis 2.3.4, after Archuleta 1972).
 ///
-/// On every studied line the spans tell for each candidate line where it stands: visible on this line (state 2), visible on the line before (1),
-/// invisible (0). The thesis draws from the line on which state 2 began to the last one on which it held, so a stroke ends at a line. Here the face
-/// that a span shows in front of an edge is kept, and what it hides of the edge is computed by the exact operation
-/// (common/hidden_interval.hpp): strokes begin and end where they truly do, and the lines limit only which faces are found.
+/// On every studied line the spans tell for each candidate line where it stands: visible on this line (state 2), visible on
+/// the line before (1), invisible (0). The thesis draws from the line on which state 2 began to the last one on which it
+/// held, so a stroke ends at a line. Here the face that a span shows in front of an edge is kept, and what it hides of the
+/// edge is computed by the exact operation (common/hidden_interval.hpp): strokes begin and end where they truly do, and the
+/// lines limit only which faces are found.
 ///
-/// An edge is held against the faces of all spans that it may pass on its way from the line before to the line after: a flat edge passes many. An
-/// edge that no line meets, horizontal or between two lines, is held against the spans of both.
+/// An edge is held against the faces of all spans that it may pass on its way from the line before to the line after: a flat
+/// edge passes many. An edge that no line meets, horizontal or between two lines, is held against the spans of both.
 
 #include <cstdint>
 #include <span>
@@ -20,7 +21,7 @@
 namespace ligne::watkins {
 
 struct TrackCounts {
-  std::uint64_t positions = 0;      ///< edges looked at on studied lines
+  std::uint64_t positions = 0;                          ///< edges looked at on studied lines
   std::uint64_t became_visible = 0, became_hidden = 0;  ///< changes of state
   std::uint64_t facet_tests = 0;
   void operator+=(const TrackCounts& o);
@@ -28,9 +29,13 @@ struct TrackCounts {
 
 class EdgeTracker final : public LineListener {
  public:
-  EdgeTracker(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, const FacetsOfFaces& facets_of_faces,
-              std::span<const SweepLine> lines, double coincidence_steps)
-      : vertices_(vertices), facets_(facets), of_faces_(facets_of_faces), lines_(lines), coincidence_steps_(coincidence_steps) {}
+  EdgeTracker(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
+              const FacetsOfFaces& facets_of_faces, std::span<const SweepLine> lines, double coincidence_steps)
+      : vertices_(vertices),
+        facets_(facets),
+        of_faces_(facets_of_faces),
+        lines_(lines),
+        coincidence_steps_(coincidence_steps) {}
 
   void line(const LineScan& scan, std::uint32_t line, bool studied) override;
   void ended(const LineScan& scan, std::uint32_t slot) override;
@@ -42,10 +47,10 @@ class EdgeTracker final : public LineListener {
  private:
   enum class State : std::uint8_t { unknown, hidden, visible };
   struct Track {
-    std::vector<std::uint32_t> tested;    ///< faces
+    std::vector<std::uint32_t> tested;  ///< faces
     std::vector<HiddenInterval> hidden;
     State state = State::unknown;
-    double t = 0;                         ///< where it was last looked at
+    double t = 0;  ///< where it was last looked at
   };
   /// Tracks of the lines of one active edge.
   struct Tracks {

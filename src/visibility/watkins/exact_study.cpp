@@ -18,10 +18,11 @@ void ExactCounts::operator+=(const ExactCounts& o) {
   bands += o.bands;
 }
 
-ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& all_facets, std::span<const SweepLine> lines,
-                          const ExactOptions& options) {
+ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& all_facets,
+                          std::span<const SweepLine> lines, const ExactOptions& options) {
   // Penetrations may be anywhere; otherwise what is not near a line is no concern of the scan.
-  const std::vector<Facet> near = options.penetrations ? std::vector<Facet>{} : facets_near(lines, all_facets, vertices, options.coincidence_steps + 1);
+  const std::vector<Facet> near =
+      options.penetrations ? std::vector<Facet>{} : facets_near(lines, all_facets, vertices, options.coincidence_steps + 1);
   const std::vector<Facet>& facets = options.penetrations ? all_facets : near;
   const SweepScene scene = make_sweep_scene(vertices, facets, lines);
   const std::vector<SweepBand> bands = make_bands(scene);
@@ -35,18 +36,21 @@ ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const st
   if (options.penetrations) result.penetrations.assign(bands.size(), PenetrationSearch(facets, vertices));
   std::mutex progress_mutex;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t b) {
-    StretchStudy study(vertices, facets, lines, options.coincidence_steps, options.kind);
-    std::optional<PairFinder> pairs;
-    if (options.penetrations) pairs.emplace(facets, result.penetrations[b], options.covers);
-    ExactSweep sweep(scene, study, options.coincidence_steps + 1, pairs ? &*pairs : nullptr);
-    sweep.scan(bands[b]);
-    results[b] = {sweep.findings(), sweep.near_lines(), {sweep.counts(), study.counts(), study.span_counts(), 1}};
-    if (options.progress) {
-      const std::lock_guard lock(progress_mutex);
-      options.progress(static_cast<double>(++done) / static_cast<double>(bands.size()));
-    }
-  }, tbb::simple_partitioner{});
+  tbb::parallel_for(
+      std::size_t{0}, bands.size(),
+      [&](std::size_t b) {
+        StretchStudy study(vertices, facets, lines, options.coincidence_steps, options.kind);
+        std::optional<PairFinder> pairs;
+        if (options.penetrations) pairs.emplace(facets, result.penetrations[b], options.covers);
+        ExactSweep sweep(scene, study, options.coincidence_steps + 1, pairs ? &*pairs : nullptr);
+        sweep.scan(bands[b]);
+        results[b] = {sweep.findings(), sweep.near_lines(), {sweep.counts(), study.counts(), study.span_counts(), 1}};
+        if (options.progress) {
+          const std::lock_guard lock(progress_mutex);
+          options.progress(static_cast<double>(++done) / static_cast<double>(bands.size()));
+        }
+      },
+      tbb::simple_partitioner{});
 
   result.near.assign(lines.size(), 0);
   std::vector<std::vector<Finding>> findings;
@@ -59,15 +63,16 @@ ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const st
   return result;
 }
 
-std::vector<Intersection> take_intersections(ExactResult& result, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
-                                             double least_steps) {
+std::vector<Intersection> take_intersections(ExactResult& result, const std::vector<ProjectedVertex>& vertices,
+                                             const std::vector<Facet>& facets, double least_steps) {
   PenetrationSearch all(facets, vertices);
   for (PenetrationSearch& p : result.penetrations) all.add(std::move(p));
   result.penetrations.clear();
   return all.finish(least_steps);
 }
 
-FoundIntervals::FoundIntervals(const std::vector<std::vector<Finding>>& findings, std::size_t line_count) : first_(line_count + 1, 0) {
+FoundIntervals::FoundIntervals(const std::vector<std::vector<Finding>>& findings, std::size_t line_count)
+    : first_(line_count + 1, 0) {
   for (const auto& band : findings) {
     for (const Finding& f : band) ++first_[f.line + 1];
   }

@@ -13,8 +13,8 @@ namespace ligne::watkins {
 struct ExactOptions {
   SpanMethodKind kind = SpanMethodKind::stack;
   double coincidence_steps = 0;
-  bool penetrations = false;                ///< look for pairs of facets that penetrate
-  const CoverGrid* covers = nullptr;        ///< of what lies behind them, no penetrations
+  bool penetrations = false;          ///< look for pairs of facets that penetrate
+  const CoverGrid* covers = nullptr;  ///< of what lies behind them, no penetrations
   std::function<void(double)> progress{};
 };
 
@@ -26,8 +26,8 @@ struct ExactCounts {
   void operator+=(const ExactCounts& o);
 };
 
-/// What facets hide of every line, from the findings of several bands. A line that runs through several bands has those of all; what bands
-/// have in common is the same interval to the last bit, so a seam leaves no trace.
+/// What facets hide of every line, from the findings of several bands. A line that runs through several bands has those of
+/// all; what bands have in common is the same interval to the last bit, so a seam leaves no trace.
 class FoundIntervals {
  public:
   FoundIntervals() = default;
@@ -43,16 +43,16 @@ class FoundIntervals {
 
 struct ExactResult {
   FoundIntervals found;
-  std::vector<std::uint8_t> near;             ///< by line: another one may lie on it
-  std::vector<PenetrationSearch> penetrations; ///< one by band, when asked for
+  std::vector<std::uint8_t> near;               ///< by line: another one may lie on it
+  std::vector<PenetrationSearch> penetrations;  ///< one by band, when asked for
   ExactCounts counts;
 };
 
 /// The intersections that all bands have found together. Takes them out of the result.
-std::vector<Intersection> take_intersections(ExactResult& result, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
-                                             double least_steps);
+std::vector<Intersection> take_intersections(ExactResult& result, const std::vector<ProjectedVertex>& vertices,
+                                             const std::vector<Facet>& facets, double least_steps);
 
-ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
-                          const ExactOptions& options);
+ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
+                          std::span<const SweepLine> lines, const ExactOptions& options);
 
 }  // namespace ligne::watkins

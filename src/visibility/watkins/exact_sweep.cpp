@@ -29,7 +29,8 @@ void ExactSweep::scan(const SweepBand& band) {
   begin(band);
   for (std::uint32_t p = band.first; p < band.end; ++p) {
     at_crossings(scene_.points[p].y, scene_.points[p].x);
-    if (p > band.first && (p - band.first) % kPointsPerBucket == 0) queue_.pass_fence([this](const Crossing& c) { return still_to_come(c); });
+    if (p > band.first && (p - band.first) % kPointsPerBucket == 0)
+      queue_.pass_fence([this](const Crossing& c) { return still_to_come(c); });
     at_point(p);
     counts_.most_active = std::max(counts_.most_active, active_count_);
   }
@@ -56,7 +57,8 @@ void ExactSweep::begin(const SweepBand& band) {
   state_of_.assign(locals, kNone);
   const LatticePoint start = scene_.points[band.first];
   std::vector<LatticePoint> fences;
-  for (std::uint32_t p = band.first + kPointsPerBucket; p < band.end; p += kPointsPerBucket) fences.push_back(scene_.points[p]);
+  for (std::uint32_t p = band.first + kPointsPerBucket; p < band.end; p += kPointsPerBucket)
+    fences.push_back(scene_.points[p]);
   const bool last_band = band.end == scene_.points.size();
   if (!last_band) fences.push_back(scene_.points[band.end]);
   queue_.reset(std::move(fences), last_band);
@@ -155,8 +157,8 @@ void ExactSweep::open(std::uint32_t node, double x, double y) {
   status_.node(node).y = y;
 }
 
-/// Whether the two neighbours must still be exchanged, and where. The end of the one that ends first lies on one side of the other: that
-/// is the order in which they part. Neighbours on one line become one node.
+/// Whether the two neighbours must still be exchanged, and where. The end of the one that ends first lies on one side of the
+/// other: that is the order in which they part. Neighbours on one line become one node.
 void ExactSweep::check_pair(std::uint32_t left_slot) {
   const std::uint32_t right_slot = status_.next(left_slot);
   if (left_slot == SweepStatus::kLeftEnd || right_slot == SweepStatus::kLeftEnd) return;
@@ -243,7 +245,8 @@ void ExactSweep::close(std::uint32_t slot, double x, double y) {
   }
 }
 
-/// Whether the neighbour to the left or to the right lies along the slot's stretch within the coincidence tolerance, as far as both have come.
+/// Whether the neighbour to the left or to the right lies along the slot's stretch within the coincidence tolerance, as far
+/// as both have come.
 bool ExactSweep::neighbour_along(std::uint32_t slot, double x, double y) const {
   const SweepNode& node = status_.node(status_.node_at(slot));
   const auto distance = [](const SweepNode& n, double px, double py) {

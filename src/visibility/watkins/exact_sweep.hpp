@@ -1,13 +1,14 @@
 #pragma once
 /// The exact scan of one band of the page: it stops at every vertex and at every crossing of edges, and nowhere else.
 ///
-/// Invariant: between two stops the active list is ordered as the edges lie on the scan line, and the cover of every gap is the set
-/// of facets over it. A stop changes the list and the covers only there where it is. A line is studied from one of its own stops to
-/// the next (StretchStudy); what happens elsewhere, and what hidden edges do among each other, costs it nothing.
+/// Invariant: between two stops the active list is ordered as the edges lie on the scan line, and the cover of every gap is
+/// the set of facets over it. A stop changes the list and the covers only there where it is. A line is studied from one of
+/// its own stops to the next (StretchStudy); what happens elsewhere, and what hidden edges do among each other, costs it
+/// nothing.
 ///
-/// Crossings are computed in doubles, so two stops closer than rounding may come in the wrong order. That is harmless: each pair of neighbours
-/// is asked by exact determinants which of the two is left where the first of them ends, and exchanged at most once, so the
-/// list mends itself, and what was misjudged on the way is shorter than a thousandth of a lattice step.
+/// Crossings are computed in doubles, so two stops closer than rounding may come in the wrong order. That is harmless: each
+/// pair of neighbours is asked by exact determinants which of the two is left where the first of them ends, and exchanged at
+/// most once, so the list mends itself, and what was misjudged on the way is shorter than a thousandth of a lattice step.
 
 #include <cstdint>
 #include <span>
@@ -22,11 +23,12 @@
 namespace ligne::watkins {
 
 struct SweepCounts {
-  std::uint64_t points = 0;           ///< stops at ends of edges
-  std::uint64_t crossings = 0;        ///< stops where edges cross
-  std::uint64_t hidden_crossings = 0; ///< of them: of edges that bound nothing seen and are no lines: only the list changes (figure 2.59)
-  std::uint64_t searches = 0;         ///< points that had to be looked for, because no edge ends there (dangling vertices)
-  std::uint64_t most_active = 0;      ///< longest active list
+  std::uint64_t points = 0;     ///< stops at ends of edges
+  std::uint64_t crossings = 0;  ///< stops where edges cross
+  std::uint64_t hidden_crossings =
+      0;  ///< of them: of edges that bound nothing seen and are no lines: only the list changes (figure 2.59)
+  std::uint64_t searches = 0;     ///< points that had to be looked for, because no edge ends there (dangling vertices)
+  std::uint64_t most_active = 0;  ///< longest active list
   void operator+=(const SweepCounts& o);
 };
 
@@ -38,7 +40,8 @@ struct Finding {
 
 class ExactSweep {
  public:
-  /// `pairs` is told where facets begin to overlap; it may be null. Edges no farther apart than `near_steps` may lie on each other.
+  /// `pairs` is told where facets begin to overlap; it may be null. Edges no farther apart than `near_steps` may lie on each
+  /// other.
   ExactSweep(const SweepScene& scene, StretchStudy& study, double near_steps, PairFinder* pairs)
       : scene_(scene), study_(study), near_steps_(near_steps), pairs_(pairs) {}
 
@@ -74,7 +77,9 @@ class ExactSweep {
   void facets_of(std::uint32_t node, std::vector<std::uint32_t>& facets) const;
 
   std::uint32_t local_of(std::uint32_t edge) const;
-  const SweepEdge& edge(std::uint32_t local) const { return scene_.edges[local < active_->size() ? (*active_)[local] : first_edge_ + (local - active_->size())]; }
+  const SweepEdge& edge(std::uint32_t local) const {
+    return scene_.edges[local < active_->size() ? (*active_)[local] : first_edge_ + (local - active_->size())];
+  }
   bool through(std::uint32_t slot, LatticePoint p) const {
     const SweepNode& n = status_.node(status_.node_at(slot));
     return side(n.top, n.bottom, p) == 0;

@@ -7,7 +7,8 @@
 
 namespace ligne::watkins {
 
-FacetsOfFaces::FacetsOfFaces(const std::vector<Facet>& facets, std::uint32_t face_count) : first(face_count + 1, 0), list(facets.size()) {
+FacetsOfFaces::FacetsOfFaces(const std::vector<Facet>& facets, std::uint32_t face_count)
+    : first(face_count + 1, 0), list(facets.size()) {
   for (const Facet& f : facets) ++first[f.face + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
@@ -29,9 +30,11 @@ void FaceOrders::extents_of(std::uint32_t face, std::vector<Extent>& extents) co
   for (const std::uint32_t f : of_faces_.of(face)) {
     const std::uint32_t* v = facets_[f].v;
     const LatticePoint a = vertices_[v[0]].p, b = vertices_[v[1]].p, c = vertices_[v[2]].p;
-    extents.push_back({std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), f});
+    extents.push_back(
+        {std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), f});
   }
-  std::sort(extents.begin(), extents.end(), [](const Extent& p, const Extent& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.facet < q.facet; });
+  std::sort(extents.begin(), extents.end(),
+            [](const Extent& p, const Extent& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.facet < q.facet; });
 }
 
 /// All facets of the one against those of the other that lie beside them, from left to right; a < b.

@@ -1,11 +1,12 @@
 #pragma once
-/// Which of two faces is in front where they touch: decided once for a pair, from all of its overlap on the page, and remembered.
+/// Which of two faces is in front where they touch: decided once for a pair, from all of its overlap on the page, and
+/// remembered.
 ///
-/// Depths of faces that touch are equal but for roundings, and on every scan line for other ones. Were they compared line by line, the two would change
-/// places from line to line, and each time look as if they penetrated. So where the depths on a line are within the touching tolerance
-/// (docs/numerics.md) the pair is asked instead: if the two touch all over, the face of the lower number is in front everywhere; if one is in
-/// front somewhere and behind nowhere, it is in front also where they touch. Only faces that pass through each other by more than the tolerance
-/// are left to their depths.
+/// Depths of faces that touch are equal but for roundings, and on every scan line for other ones. Were they compared line by
+/// line, the two would change places from line to line, and each time look as if they penetrated. So where the depths on a
+/// line are within the touching tolerance (docs/numerics.md) the pair is asked instead: if the two touch all over, the face
+/// of the lower number is in front everywhere; if one is in front somewhere and behind nowhere, it is in front also where
+/// they touch. Only faces that pass through each other by more than the tolerance are left to their depths.
 
 #include <cstdint>
 #include <span>
@@ -21,7 +22,9 @@ namespace ligne::watkins {
 struct FacetsOfFaces {
   FacetsOfFaces() = default;
   FacetsOfFaces(const std::vector<Facet>& facets, std::uint32_t face_count);
-  std::span<const std::uint32_t> of(std::uint32_t face) const { return {list.data() + first[face], list.data() + first[face + 1]}; }
+  std::span<const std::uint32_t> of(std::uint32_t face) const {
+    return {list.data() + first[face], list.data() + first[face + 1]};
+  }
   std::vector<std::uint32_t> first, list;
 };
 

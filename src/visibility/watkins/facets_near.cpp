@@ -30,7 +30,8 @@ class CellMarks {
         x1 = a.x + (y1 - a.y) * slope;
       }
       const std::uint32_t end = cell(std::max(x0, x1) + margin_);
-      for (std::uint32_t column = cell(std::min(x0, x1) - margin_); column <= end; ++column) marked_[std::size_t{row} * kCells + column] = 1;
+      for (std::uint32_t column = cell(std::min(x0, x1) - margin_); column <= end; ++column)
+        marked_[std::size_t{row} * kCells + column] = 1;
     }
   }
 
@@ -46,7 +47,9 @@ class CellMarks {
  private:
   static constexpr double kSize = 2.0 * kLatticeLimit / kCells;
 
-  static std::uint32_t cell(double v) { return static_cast<std::uint32_t>(std::clamp((v + kLatticeLimit) / kSize, 0.0, kCells - 1.0)); }
+  static std::uint32_t cell(double v) {
+    return static_cast<std::uint32_t>(std::clamp((v + kLatticeLimit) / kSize, 0.0, kCells - 1.0));
+  }
 
   double margin_;
   std::vector<std::uint8_t> marked_;
@@ -54,8 +57,8 @@ class CellMarks {
 
 }  // namespace
 
-std::vector<Facet> facets_near(std::span<const SweepLine> lines, const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices,
-                               double margin_steps) {
+std::vector<Facet> facets_near(std::span<const SweepLine> lines, const std::vector<Facet>& facets,
+                               const std::vector<ProjectedVertex>& vertices, double margin_steps) {
   CellMarks marks(margin_steps);
   for (const SweepLine& line : lines) {
     if (line.to_study()) marks.mark(line);

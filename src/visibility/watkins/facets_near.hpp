@@ -10,7 +10,7 @@
 namespace ligne::watkins {
 
 /// Those facets, in order, that come near any of the lines on the page: all that can hide one, and those along it.
-std::vector<Facet> facets_near(std::span<const SweepLine> lines, const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices,
-                               double margin_steps);
+std::vector<Facet> facets_near(std::span<const SweepLine> lines, const std::vector<Facet>& facets,
+                               const std::vector<ProjectedVertex>& vertices, double margin_steps);
 
 }  // namespace ligne::watkins

@@ -6,8 +6,8 @@
 
 namespace ligne::watkins {
 
-/// Two edges that bound nothing change places unseen (figure 2.59 c). So does one of them with the end of a span if it comes behind the next
-/// span: hidden it was, and hidden it stays.
+/// Two edges that bound nothing change places unseen (figure 2.59 c). So does one of them with the end of a span if it comes
+/// behind the next span: hidden it was, and hidden it stays.
 bool LineScan::exchange_matters(std::uint32_t line, std::uint32_t to_the_left, std::uint32_t to_the_right) {
   if (!options_.recognise || must_study_) return true;
   const ActiveEdge &l = slots_[to_the_left], &r = slots_[to_the_right];
@@ -60,8 +60,8 @@ void LineScan::for_each_vertex(Visit visit) const {
   }
 }
 
-/// Edges that go on in another direction (figure 2.59 a): the new one gets the place of the old one in the list, before the list is put in order, so
-/// that it changes places with others as the old one would have.
+/// Edges that go on in another direction (figure 2.59 a): the new one gets the place of the old one in the list, before the
+/// list is put in order, so that it changes places with others as the old one would have.
 void LineScan::link_chains() {
   if (ended_.empty() || entered_.empty()) return;
   sort_by_vertex();
@@ -100,8 +100,9 @@ bool LineScan::changes_matter(std::uint32_t line) {
   return matters;
 }
 
-/// Edges between this line and the one before, horizontal or short, are in no list. With them a face may end or begin whose other edges are
-/// hidden (it is seen through a hole), and with a horizontal line of intersection two faces may change places all along it.
+/// Edges between this line and the one before, horizontal or short, are in no list. With them a face may end or begin whose
+/// other edges are hidden (it is seen through a hole), and with a horizontal line of intersection two faces may change
+/// places all along it.
 bool LineScan::flat_edge_matters(std::uint32_t line) const {
   for (std::uint32_t e = scene_.first_of_line[line]; e < scene_.first_of_line[line + 1]; ++e) {
     const ScanEdge& edge = scene_.edges[e];
@@ -132,7 +133,8 @@ bool LineScan::behind_spans(std::uint32_t line, const ScanEdge& edge) const {
 }
 
 /// What ends and begins at one vertex: does it change what is seen?
-bool LineScan::vertex_matters(std::uint32_t line, std::span<const std::uint32_t> ended, std::span<const std::uint32_t> entered) {
+bool LineScan::vertex_matters(std::uint32_t line, std::span<const std::uint32_t> ended,
+                              std::span<const std::uint32_t> entered) {
   for (const std::uint32_t slot : ended) {
     if (slots_[slot].boundary || bounds_a_penetration(slot)) return true;
   }
@@ -144,11 +146,14 @@ bool LineScan::vertex_matters(std::uint32_t line, std::span<const std::uint32_t>
   return false;
 }
 
-/// Whether the edge bounds a face that meets another one in a penetration without an edge: nobody but the face's own edges knows where that ends.
+/// Whether the edge bounds a face that meets another one in a penetration without an edge: nobody but the face's own edges
+/// knows where that ends.
 bool LineScan::bounds_a_penetration(std::uint32_t slot) const {
   if (penetrating_.empty()) return false;
   const std::span<const std::uint32_t> faces = scene_.faces_of(scene_.edges[slots_[slot].edge]);
-  return std::any_of(faces.begin(), faces.end(), [this](std::uint32_t f) { return std::find(penetrating_.begin(), penetrating_.end(), f) != penetrating_.end(); });
+  return std::any_of(faces.begin(), faces.end(), [this](std::uint32_t f) {
+    return std::find(penetrating_.begin(), penetrating_.end(), f) != penetrating_.end();
+  });
 }
 
 /// Whether all edges that enter at a vertex lie inside one span, behind its face.

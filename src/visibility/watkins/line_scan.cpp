@@ -6,8 +6,8 @@
 namespace ligne::watkins {
 namespace {
 
-/// Edges on one line of the page have accumulators that differ by their roundings; that is no exchange. In grid units: far above 2^-53 of
-/// the largest u, far below a lattice step at any number of lines that a page can have.
+/// Edges on one line of the page have accumulators that differ by their roundings; that is no exchange. In grid units: far
+/// above 2^-53 of the largest u, far below a lattice step at any number of lines that a page can have.
 constexpr double kSamePlace = 0x1p-20;
 
 }  // namespace
@@ -27,9 +27,14 @@ void ScanCounts::operator+=(const ScanCounts& o) {
   passed_exchanges += o.passed_exchanges;
 }
 
-LineScan::LineScan(const ScanScene& scene, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
-                   const ScanOptions& options, LineListener& listener)
-    : scene_(scene), lines_(lines), options_(options), listener_(listener), face_orders_(vertices, facets, scene.of_faces), open_(scene.face_count, 0) {
+LineScan::LineScan(const ScanScene& scene, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
+                   std::span<const SweepLine> lines, const ScanOptions& options, LineListener& listener)
+    : scene_(scene),
+      lines_(lines),
+      options_(options),
+      listener_(listener),
+      face_orders_(vertices, facets, scene.of_faces),
+      open_(scene.face_count, 0) {
   if (scene.grid.whole) {
     whole_ = make_span_method<std::int32_t>(options.kind);
     whole_->ask(this);
@@ -140,8 +145,8 @@ bool LineScan::take_line(std::uint32_t line) {
   return study;
 }
 
-/// Puts the list in order: what was there before is almost so, and every exchange is a change of the scene; what enters is sorted by itself and
-/// merged in. Says whether two edges changed places so that it can be seen.
+/// Puts the list in order: what was there before is almost so, and every exchange is a change of the scene; what enters is
+/// sorted by itself and merged in. Says whether two edges changed places so that it can be seen.
 bool LineScan::sort(std::uint32_t line) {
   const auto before = [this](std::uint32_t a, std::uint32_t b) {
     const ActiveEdge &p = slots_[a], &q = slots_[b];
@@ -164,13 +169,14 @@ bool LineScan::sort(std::uint32_t line) {
   std::sort(entered_.begin(), entered_.end(), before);
   const auto middle = static_cast<std::ptrdiff_t>(order_.size());
   order_.insert(order_.end(), entered_.begin(), entered_.end());
-  std::inplace_merge(order_.begin(), order_.begin() + middle, order_.end(), [this](std::uint32_t a, std::uint32_t b) { return slots_[a].u < slots_[b].u; });
+  std::inplace_merge(order_.begin(), order_.begin() + middle, order_.end(),
+                     [this](std::uint32_t a, std::uint32_t b) { return slots_[a].u < slots_[b].u; });
   if (!entered_.empty()) put_apart();
   return matters;
 }
 
-/// Where an edge enters on another one, on this very line, nothing tells on which side of it it belongs. It is put on the side that it leaves: if the two
-/// part, they change places on the next line, like any others.
+/// Where an edge enters on another one, on this very line, nothing tells on which side of it it belongs. It is put on the
+/// side that it leaves: if the two part, they change places on the next line, like any others.
 void LineScan::put_apart() {
   for (std::size_t i = 1; i < order_.size(); ++i) {
     for (std::size_t k = i; k > 0; --k) {
@@ -205,7 +211,8 @@ void LineScan::collect_segments(std::vector<ScanSegment<X>>& segments) {
     const ActiveEdge& a = slots_[slot];
     for (const std::uint32_t face : scene_.faces_of(scene_.edges[a.edge])) {
       if (open_[face] == 0) {
-        segments.push_back({coordinate(a.u), coordinate(a.u), a.track.z, a.track.z, static_cast<std::uint32_t>(ends_.size()), scene_.touch[face]});
+        segments.push_back({coordinate(a.u), coordinate(a.u), a.track.z, a.track.z, static_cast<std::uint32_t>(ends_.size()),
+                            scene_.touch[face]});
         ends_.push_back({slot, slot, a.u, a.u, face});
         open_[face] = static_cast<std::uint32_t>(ends_.size());
       } else {
@@ -275,8 +282,8 @@ void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
   }
 }
 
-/// The edge between two spans that touch: the right end of the left one, the left end of the right one, or, where neither ends, the line in
-/// which their faces penetrate.
+/// The edge between two spans that touch: the right end of the left one, the left end of the right one, or, where neither
+/// ends, the line in which their faces penetrate.
 std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleSpan& right) {
   const SegmentEnds &l = ends_[left.segment], &r = ends_[right.segment];
   if (l.u1 == left.x1) return l.right;
@@ -285,11 +292,13 @@ std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleS
   std::uint32_t best = kNone;
   double distance = near;
   const std::uint32_t f = std::min(l.face, r.face), g = std::max(l.face, r.face);
-  const auto from = std::partition_point(order_.begin(), order_.end(), [&](std::uint32_t s) { return slots_[s].u < left.x1 - near; });
+  const auto from =
+      std::partition_point(order_.begin(), order_.end(), [&](std::uint32_t s) { return slots_[s].u < left.x1 - near; });
   for (auto s = from; s != order_.end() && slots_[*s].u <= left.x1 + near; ++s) {
     const ActiveEdge& a = slots_[*s];
     for (const std::uint32_t line : scene_.lines_of(scene_.edges[a.edge])) {
-      if (std::min(lines_[line].face0, lines_[line].face1) != f || std::max(lines_[line].face0, lines_[line].face1) != g) continue;
+      if (std::min(lines_[line].face0, lines_[line].face1) != f || std::max(lines_[line].face0, lines_[line].face1) != g)
+        continue;
       if (std::abs(a.u - left.x1) < distance) {
         distance = std::abs(a.u - left.x1);
         best = *s;
@@ -313,7 +322,9 @@ std::uint32_t LineScan::penetration_edge(const VisibleSpan& left, const VisibleS
   if (std::isfinite(step)) track.du = step;  // otherwise upright: parallel planes of faces that are not quite plane
   const std::uint32_t slot = make_slot(scene_.unlisted, track);
   slots_[slot].entered = false;
-  order_.insert(std::partition_point(order_.begin(), order_.end(), [&](std::uint32_t s) { return slots_[s].u < slots_[slot].u; }), slot);
+  order_.insert(
+      std::partition_point(order_.begin(), order_.end(), [&](std::uint32_t s) { return slots_[s].u < slots_[slot].u; }),
+      slot);
   return slot;
 }
 

@@ -11,7 +11,8 @@ namespace {
 /// Spans of every line, for output, and the tracker behind them.
 class Collector final : public LineListener {
  public:
-  Collector(EdgeTracker* tracker, const ProjectedScene& scene, bool spans) : tracker_(tracker), scene_(scene), collect_(spans) {}
+  Collector(EdgeTracker* tracker, const ProjectedScene& scene, bool spans)
+      : tracker_(tracker), scene_(scene), collect_(spans) {}
 
   void line(const LineScan& scan, std::uint32_t line, bool studied) override {
     if (tracker_) tracker_->line(scan, line, studied);
@@ -49,11 +50,12 @@ LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count) {
   return grid;
 }
 
-LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines, const LineGrid& grid,
-                               const LineStudyOptions& options) {
+LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Facet>& facets,
+                               std::span<const SweepLine> lines, const LineGrid& grid, const LineStudyOptions& options) {
   constexpr std::uint32_t kGroups = 32, kFewestLines = 16;
   const ScanScene scan_scene = make_scan_scene(scene, facets, lines, grid);
-  const std::uint32_t size = options.group > 0 ? options.group : std::max(kFewestLines, (grid.count + kGroups - 1) / kGroups);
+  const std::uint32_t size =
+      options.group > 0 ? options.group : std::max(kFewestLines, (grid.count + kGroups - 1) / kGroups);
   const std::uint32_t groups = (grid.count + size - 1) / size;
   struct GroupResult {
     std::vector<Finding> findings;
@@ -63,13 +65,16 @@ LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Fa
     TrackCounts tracking;
   };
   std::vector<GroupResult> results(groups);
-  tbb::parallel_for(std::uint32_t{0}, groups, [&](std::uint32_t g) {
-    EdgeTracker tracker(scene.vertices, facets, scan_scene.of_faces, lines, options.coincidence_steps);
-    Collector collector(options.track ? &tracker : nullptr, scene, options.collect_spans);
-    LineScan scan(scan_scene, scene.vertices, facets, lines, options.scan, collector);
-    scan.scan(g * size, std::min(grid.count, (g + 1) * size));
-    results[g] = {tracker.findings(), std::move(collector.spans), scan.counts(), scan.span_counts(), tracker.counts()};
-  }, tbb::simple_partitioner{});
+  tbb::parallel_for(
+      std::uint32_t{0}, groups,
+      [&](std::uint32_t g) {
+        EdgeTracker tracker(scene.vertices, facets, scan_scene.of_faces, lines, options.coincidence_steps);
+        Collector collector(options.track ? &tracker : nullptr, scene, options.collect_spans);
+        LineScan scan(scan_scene, scene.vertices, facets, lines, options.scan, collector);
+        scan.scan(g * size, std::min(grid.count, (g + 1) * size));
+        results[g] = {tracker.findings(), std::move(collector.spans), scan.counts(), scan.span_counts(), tracker.counts()};
+      },
+      tbb::simple_partitioner{});
 
   LineStudyResult result;
   result.groups = groups;

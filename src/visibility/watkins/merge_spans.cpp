@@ -2,9 +2,10 @@
 
 #include "visibility/watkins/span_method.hpp"
 
-// Span method `merge` (thesis 2.3.3.1, Fusion, after Lucas 1977). Invariant: the visible list, ordered by x, holds the nearest of the
-// segments taken so far, pieces that touch or leave gaps (the background), never overlap. Each further segment is held
-// against the pieces that it overlaps: test IS cuts both to the common run, test PRO tells who is seen there.
+// Span method `merge` (thesis 2.3.3.1, Fusion, after Lucas 1977). Invariant: the visible list, ordered by x, holds the
+// nearest of the segments taken so far, pieces that touch or leave gaps (the background), never overlap. Each further
+// segment is held against the pieces that it overlaps: test IS cuts both to the common run, test PRO tells who is seen
+// there.
 
 namespace ligne::watkins {
 namespace {
@@ -20,7 +21,8 @@ class MergeMethod final : public SpanMethod<X> {
       if (segments[i].x0 < segments[i].x1) merge(i);
     }
     out.clear();
-    for (std::uint32_t p = head_; p != kEnd; p = pieces_[p].next) this->give(pieces_[p].x0, pieces_[p].x1, pieces_[p].segment, out);
+    for (std::uint32_t p = head_; p != kEnd; p = pieces_[p].next)
+      this->give(pieces_[p].x0, pieces_[p].x1, pieces_[p].segment, out);
   }
 
  private:
@@ -49,8 +51,8 @@ class MergeMethod final : public SpanMethod<X> {
     const ScanSegment<X>& segment = segments_[index];
     double x = double(segment.x0);
     const double end = double(segment.x1);
-    // Pieces wholly to the left. What lay left of one segment lies left of all that begin farther right: segments that come sorted go on from
-    // there, others begin anew.
+    // Pieces wholly to the left. What lay left of one segment lies left of all that begin farther right: segments that come
+    // sorted go on from there, others begin anew.
     ++this->counts_.comparisons;
     const bool goes_on = passed_ != kEnd && pieces_[passed_].x1 <= x;
     std::uint32_t before = goes_on ? passed_ : kEnd, piece = goes_on ? pieces_[passed_].next : head_;
@@ -99,7 +101,8 @@ class MergeMethod final : public SpanMethod<X> {
   std::span<const ScanSegment<X>> segments_;
   std::vector<Piece> pieces_;
   std::uint32_t head_ = kEnd;
-  std::uint32_t passed_ = kEnd;  ///< last piece left of the segment at hand, still in the list: only pieces right of it are replaced
+  std::uint32_t passed_ =
+      kEnd;  ///< last piece left of the segment at hand, still in the list: only pieces right of it are replaced
 };
 
 }  // namespace

@@ -11,7 +11,8 @@ void PairFinder::at_point(std::span<const std::uint32_t> touched, const Cover& c
   }
 }
 
-void PairFinder::at_crossing(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right, const Cover& outside) {
+void PairFinder::at_crossing(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right,
+                             const Cover& outside) {
   for (const std::uint32_t f : left) {
     if (!contains(outside, f)) continue;
     for (const std::uint32_t g : right) {

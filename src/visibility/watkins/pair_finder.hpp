@@ -1,8 +1,8 @@
 #pragma once
 /// Pairs of facets that may penetrate, found where the scan first meets both.
 ///
-/// Two facets that overlap on the page begin to do so, in the order of the scan, at a point of one of them or where two of their sides cross. There and
-/// only there they are held against each other.
+/// Two facets that overlap on the page begin to do so, in the order of the scan, at a point of one of them or where two of
+/// their sides cross. There and only there they are held against each other.
 
 #include <cstdint>
 #include <span>
@@ -17,12 +17,13 @@ namespace ligne::watkins {
 class PairFinder {
  public:
   /// What lies behind `covers`, which may be null, is not wanted.
-  PairFinder(const std::vector<Facet>& facets, PenetrationSearch& search, const CoverGrid* covers) : facets_(facets), search_(search), covers_(covers) {}
+  PairFinder(const std::vector<Facet>& facets, PenetrationSearch& search, const CoverGrid* covers)
+      : facets_(facets), search_(search), covers_(covers) {}
 
   /// At a point: the facets that have a corner or a side there against all over a gap below it.
   void at_point(std::span<const std::uint32_t> touched, const Cover& cover);
-  /// At a crossing: below it, between the edges, lie the facets left of the left edge and those right of the right one. `outside` is over the gap left of
-  /// both.
+  /// At a crossing: below it, between the edges, lie the facets left of the left edge and those right of the right one.
+  /// `outside` is over the gap left of both.
   void at_crossing(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right, const Cover& outside);
 
  private:

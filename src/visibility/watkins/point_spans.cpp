@@ -4,11 +4,11 @@
 
 #include "visibility/watkins/span_method.hpp"
 
-// Span method `point` (thesis 2.3.2.6, point par point, after Lucas 1977): depth and segment are kept for every cell of the line, and every
-// segment is held against all cells that it covers. On whole coordinates a cell is the run between two neighbouring whole
-// numbers, and depth is compared at its middle: where segments penetrate, the place is that of the cell. On real coordinates there is
-// no such grid; the cells are the runs between neighbouring ends of segments, and where the depth changes order inside a cell, it is cut
-// at the crossing.
+// Span method `point` (thesis 2.3.2.6, point par point, after Lucas 1977): depth and segment are kept for every cell of the
+// line, and every segment is held against all cells that it covers. On whole coordinates a cell is the run between two
+// neighbouring whole numbers, and depth is compared at its middle: where segments penetrate, the place is that of the cell.
+// On real coordinates there is no such grid; the cells are the runs between neighbouring ends of segments, and where the
+// depth changes order inside a cell, it is cut at the crossing.
 
 namespace ligne::watkins {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "visibility/watkins/exact_sweep.hpp"
 
-// Stops of the exact scan at points: the slots whose edges run through the point are closed and taken out, the edges that end there go, those that begin
-// there come, and all that lie below it are put in again by their directions.
+// Stops of the exact scan at points: the slots whose edges run through the point are closed and taken out, the edges that
+// end there go, those that begin there come, and all that lie below it are put in again by their directions.
 
 namespace ligne::watkins {
 
@@ -24,10 +24,12 @@ void ExactSweep::find_range(std::uint32_t point, std::uint32_t& before, std::uin
   }
   while (before != SweepStatus::kLeftEnd && through(before, v)) before = status_.previous(before);
   while (status_.next(last) != SweepStatus::kLeftEnd && through(status_.next(last), v)) last = status_.next(last);
-  for (std::uint32_t i = ends_begin; i < ends_end; ++i) draw_in(status_.node(node_of_[local_of(ends[i])]).slot, before, last);
+  for (std::uint32_t i = ends_begin; i < ends_end; ++i)
+    draw_in(status_.node(node_of_[local_of(ends[i])]).slot, before, last);
 }
 
-/// A slot whose edge ends at the point at hand, but which rounding left outside the range, is exchanged with its neighbours until it is inside.
+/// A slot whose edge ends at the point at hand, but which rounding left outside the range, is exchanged with its neighbours
+/// until it is inside.
 void ExactSweep::draw_in(std::uint32_t slot, std::uint32_t& before, std::uint32_t& last) {
   for (std::uint32_t s = status_.next(before); s != status_.next(last); s = status_.next(s)) {
     if (s == slot) return;

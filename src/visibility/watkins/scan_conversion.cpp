@@ -7,7 +7,9 @@ namespace ligne::watkins {
 
 EdgeTrack EdgeTrack::between(GridPoint a, GridPoint b, std::uint32_t line_count) {
   if (b.v < a.v) std::swap(a, b);
-  const auto line_from = [line_count](double v) { return static_cast<std::uint32_t>(std::clamp(std::ceil(v), 0.0, double(line_count))); };
+  const auto line_from = [line_count](double v) {
+    return static_cast<std::uint32_t>(std::clamp(std::ceil(v), 0.0, double(line_count)));
+  };
   EdgeTrack t;
   t.first = line_from(a.v);
   t.last = line_from(b.v);
@@ -33,7 +35,8 @@ EdgeTrack EdgeTrack::on(std::uint32_t line) const {
   return t;
 }
 
-std::vector<PolygonRun> scan_polygon(std::span<const GridPoint> corners, std::span<const std::uint32_t> contour_end, std::uint32_t line_count) {
+std::vector<PolygonRun> scan_polygon(std::span<const GridPoint> corners, std::span<const std::uint32_t> contour_end,
+                                     std::uint32_t line_count) {
   // The table of edges by first line: one sort does for the buckets.
   std::vector<EdgeTrack> table;
   table.reserve(corners.size());

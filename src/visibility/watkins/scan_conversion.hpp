@@ -1,9 +1,9 @@
 #pragma once
 /// Scan conversion of any polygon, holes and all (thesis 2.3.2.2 and 2.3.2.4; lecture, 5.1).
 ///
-/// Notation: grid units. Scan line i is v = i; u is measured in the same unit along the line. An edge is met by the lines with
-/// v_top <= i < v_bottom, so of two edges that meet at a point on a line one is counted, at a peak two or none, and parity is right at every
-/// vertex; edges that no line meets, horizontal ones among them, bound nothing.
+/// Notation: grid units. Scan line i is v = i; u is measured in the same unit along the line. An edge is met by the lines
+/// with v_top <= i < v_bottom, so of two edges that meet at a point on a line one is counted, at a peak two or none, and
+/// parity is right at every vertex; edges that no line meets, horizontal ones among them, bound nothing.
 
 #include <cmath>
 #include <cstdint>
@@ -34,11 +34,11 @@ struct GridPoint {
   double u, v, z;
 };
 
-/// An edge as the lines meet it, updated by two additions a line. The accumulators are real whatever the coordinates: a whole u that were
-/// itself updated by a rounded step would stand still where the edge is steep (thesis, figure 2.38).
+/// An edge as the lines meet it, updated by two additions a line. The accumulators are real whatever the coordinates: a
+/// whole u that were itself updated by a rounded step would stand still where the edge is steep (thesis, figure 2.38).
 struct EdgeTrack {
-  double u = 0, z = 0;    ///< on the line at hand
-  double du = 0, dz = 0;  ///< from line to line
+  double u = 0, z = 0;                ///< on the line at hand
+  double du = 0, dz = 0;              ///< from line to line
   std::uint32_t first = 0, last = 0;  ///< lines [first, last) meet it
 
   /// An edge that no line meets has first == last, and du, dz go from its upper end to its lower one.
@@ -59,8 +59,10 @@ struct PolygonRun {
   double z0, z1;
 };
 
-/// All runs of a polygon, line by line from the top and left to right, by the rule of parity. `contour_end[i]` is one past the last corner of contour
-/// i; any winding, contours may cross. Runs of length zero are given too: with them no vertex on a line is lost.
-std::vector<PolygonRun> scan_polygon(std::span<const GridPoint> corners, std::span<const std::uint32_t> contour_end, std::uint32_t line_count);
+/// All runs of a polygon, line by line from the top and left to right, by the rule of parity. `contour_end[i]` is one past
+/// the last corner of contour i; any winding, contours may cross. Runs of length zero are given too: with them no vertex on
+/// a line is lost.
+std::vector<PolygonRun> scan_polygon(std::span<const GridPoint> corners, std::span<const std::uint32_t> contour_end,
+                                     std::uint32_t line_count);
 
 }  // namespace ligne::watkins

@@ -24,7 +24,8 @@ std::vector<GridPlane> planes_of(const ProjectedScene& scene, const LineGrid& gr
     const double area = orientation(a.p, b.p, c.p);
     if (std::abs(area) <= largest[t.face]) continue;
     largest[t.face] = std::abs(area);
-    const double abx = double(b.p.x) - a.p.x, aby = double(b.p.y) - a.p.y, acx = double(c.p.x) - a.p.x, acy = double(c.p.y) - a.p.y;
+    const double abx = double(b.p.x) - a.p.x, aby = double(b.p.y) - a.p.y, acx = double(c.p.x) - a.p.x,
+                 acy = double(c.p.y) - a.p.y;
     const double zx = ((b.z - a.z) * acy - (c.z - a.z) * aby) / area, zy = ((c.z - a.z) * abx - (b.z - a.z) * acx) / area;
     GridPlane& plane = planes[t.face];
     plane.zu = zx * grid.spacing;
@@ -36,7 +37,8 @@ std::vector<GridPlane> planes_of(const ProjectedScene& scene, const LineGrid& gr
 
 }  // namespace
 
-ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines, const LineGrid& grid) {
+ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
+                          const LineGrid& grid) {
   ScanScene result;
   result.grid = grid;
   for (const Triangle& t : scene.triangles) result.face_count = std::max(result.face_count, t.face + 1);
@@ -70,7 +72,9 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<Use> uses(begin.back());
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for_each_use([&](std::uint32_t a, std::uint32_t b, bool line, std::uint32_t i) { uses[next[std::min(a, b)]++] = {std::max(a, b), line, i}; });
+  for_each_use([&](std::uint32_t a, std::uint32_t b, bool line, std::uint32_t i) {
+    uses[next[std::min(a, b)]++] = {std::max(a, b), line, i};
+  });
 
   std::vector<ScanEdge> edges;
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {

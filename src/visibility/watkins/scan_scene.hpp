@@ -1,5 +1,6 @@
 #pragma once
-/// What the scan by lines goes over: edges with the faces that they bound, in buckets by the first line that meets them (Td).
+/// What the scan by lines goes over: edges with the faces that they bound, in buckets by the first line that meets them
+/// (Td).
 
 #include <cstdint>
 #include <span>
@@ -14,10 +15,10 @@ namespace ligne::watkins {
 /// An edge of faces, or a candidate line, or both.
 struct ScanEdge {
   EdgeTrack track;
-  std::uint32_t top = 0, bottom = 0;               ///< vertices
+  std::uint32_t top = 0, bottom = 0;  ///< vertices
   double u_top = 0, v_top = 0, u_bottom = 0, v_bottom = 0;
-  std::uint32_t faces_begin = 0, faces_end = 0;    ///< in ScanScene::edge_faces
-  std::uint32_t lines_begin = 0, lines_end = 0;    ///< in ScanScene::edge_lines
+  std::uint32_t faces_begin = 0, faces_end = 0;  ///< in ScanScene::edge_faces
+  std::uint32_t lines_begin = 0, lines_end = 0;  ///< in ScanScene::edge_lines
 };
 
 /// Depth over a face, in grid units: z = z0 + zu u + zv v.
@@ -29,21 +30,27 @@ struct GridPlane {
 /// Faces are polygons with holes: what two triangles of one face have in common is no edge.
 struct ScanScene {
   LineGrid grid;
-  std::vector<ScanEdge> edges;                ///< by first line, those that no line meets among them; behind them stands `unlisted`
-  std::uint32_t unlisted = 0;                 ///< an edge of no face and no line, met by all lines: stands for penetrations without an edge
-  std::vector<std::uint32_t> first_of_line;   ///< by line, and two more: edges that begin at line i; behind the last line lie those that begin below
+  std::vector<ScanEdge> edges;  ///< by first line, those that no line meets among them; behind them stands `unlisted`
+  std::uint32_t unlisted = 0;  ///< an edge of no face and no line, met by all lines: stands for penetrations without an edge
+  std::vector<std::uint32_t>
+      first_of_line;  ///< by line, and two more: edges that begin at line i; behind the last line lie those that begin below
   std::vector<std::uint32_t> edge_faces, edge_lines;
-  std::vector<GridPlane> planes;              ///< by face
-  std::vector<double> touch;                  ///< by face: largest of its facets
+  std::vector<GridPlane> planes;  ///< by face
+  std::vector<double> touch;      ///< by face: largest of its facets
   FacetsOfFaces of_faces;
   std::uint32_t face_count = 0;
 
-  std::span<const std::uint32_t> faces_of(const ScanEdge& e) const { return {edge_faces.data() + e.faces_begin, edge_faces.data() + e.faces_end}; }
-  std::span<const std::uint32_t> lines_of(const ScanEdge& e) const { return {edge_lines.data() + e.lines_begin, edge_lines.data() + e.lines_end}; }
+  std::span<const std::uint32_t> faces_of(const ScanEdge& e) const {
+    return {edge_faces.data() + e.faces_begin, edge_faces.data() + e.faces_end};
+  }
+  std::span<const std::uint32_t> lines_of(const ScanEdge& e) const {
+    return {edge_lines.data() + e.lines_begin, edge_lines.data() + e.lines_end};
+  }
 };
 
-/// `lines` are those of the scene's candidate edges, in order, and behind them such as have ends of their own (intersections).
-/// Faces without facets (behind covers, edge on) are bounded by their edges all the same.
-ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines, const LineGrid& grid);
+/// `lines` are those of the scene's candidate edges, in order, and behind them such as have ends of their own
+/// (intersections). Faces without facets (behind covers, edge on) are bounded by their edges all the same.
+ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
+                          const LineGrid& grid);
 
 }  // namespace ligne::watkins

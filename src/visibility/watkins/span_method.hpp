@@ -41,16 +41,16 @@ struct VisibleSpan {
 
 /// What a study costs, as the thesis counts it. `total()` is the sum over which methods are compared.
 struct SpanCounts {
-  std::uint64_t comparisons = 0;    ///< of abscissas
-  std::uint64_t depth_tests = 0;    ///< depths held against each other
-  std::uint64_t penetrations = 0;   ///< places computed where two segments cross
-  std::uint64_t insertions = 0;     ///< pieces put into the visible list (merge)
-  std::uint64_t pushes = 0;         ///< (stack)
-  std::uint64_t pops = 0;           ///< (stack)
-  std::uint64_t boxes = 0;          ///< parts of the line studied as a box (box)
-  std::uint64_t points = 0;         ///< cells of the line written or compared (point)
-  std::uint64_t spans = 0;          ///< spans handed out
-  std::uint64_t swaps = 0;          ///< exchanges in sorting
+  std::uint64_t comparisons = 0;   ///< of abscissas
+  std::uint64_t depth_tests = 0;   ///< depths held against each other
+  std::uint64_t penetrations = 0;  ///< places computed where two segments cross
+  std::uint64_t insertions = 0;    ///< pieces put into the visible list (merge)
+  std::uint64_t pushes = 0;        ///< (stack)
+  std::uint64_t pops = 0;          ///< (stack)
+  std::uint64_t boxes = 0;         ///< parts of the line studied as a box (box)
+  std::uint64_t points = 0;        ///< cells of the line written or compared (point)
+  std::uint64_t spans = 0;         ///< spans handed out
+  std::uint64_t swaps = 0;         ///< exchanges in sorting
 
   void operator+=(const SpanCounts& o);
   std::uint64_t total() const;
@@ -64,7 +64,8 @@ inline constexpr std::array<std::string_view, 4> kSpanMethodNames{"merge", "stac
 /// Who is in front of the other where two segments touch, whatever their depths there say.
 enum class PairOrder : std::uint8_t { first, second, by_depth };
 
-/// Knows that for the faces of two segments, the same on every line, so that the roundings of depths change nothing from line to line.
+/// Knows that for the faces of two segments, the same on every line, so that the roundings of depths change nothing from
+/// line to line.
 class PairOrders {
  public:
   virtual ~PairOrders() = default;
@@ -87,8 +88,8 @@ class SpanMethod {
  public:
   virtual ~SpanMethod() = default;
 
-  /// Replaces `out` by the visible spans of the line, from left to right, disjoint; neighbours of one segment are one span. Where
-  /// depths are equal along a whole run either segment may be given. Segments of length zero are seen nowhere.
+  /// Replaces `out` by the visible spans of the line, from left to right, disjoint; neighbours of one segment are one span.
+  /// Where depths are equal along a whole run either segment may be given. Segments of length zero are seen nowhere.
   virtual void study(std::span<const ScanSegment<X>> segments, std::vector<VisibleSpan>& out) = 0;
 
   const SpanCounts& counts() const { return counts_; }
@@ -124,8 +125,9 @@ std::unique_ptr<SpanMethod<X>> make_box_method();
 template <class X>
 std::unique_ptr<SpanMethod<X>> make_point_method();
 
-/// Depths that differ by less than this share of themselves are equal: updated line by line they carry the roundings of thousands of
-/// additions, and faces that touch are to touch on every line. Of a depth as large as a page it is a third of a nanometre.
+/// Depths that differ by less than this share of themselves are equal: updated line by line they carry the roundings of
+/// thousands of additions, and faces that touch are to touch on every line. Of a depth as large as a page it is a third of a
+/// nanometre.
 inline constexpr double kSameDepth = 0x1p-30;
 
 /// How two segments lie to each other on [x0, x1], which both span.
@@ -136,10 +138,11 @@ struct DepthComparison {
   double x;  ///< where they cross, for the last two
 };
 
-/// The test PRO of the thesis (figure 2.44): two depth tests, and a division only when the segments cross strictly inside. Equal
-/// depths all along count as `first`. Where the two touch, `pairs` is asked, which may be null.
+/// The test PRO of the thesis (figure 2.44): two depth tests, and a division only when the segments cross strictly inside.
+/// Equal depths all along count as `first`. Where the two touch, `pairs` is asked, which may be null.
 template <class X>
-DepthComparison compare_depths(const ScanSegment<X>& a, const ScanSegment<X>& b, double x0, double x1, SpanCounts& counts, PairOrders* pairs) {
+DepthComparison compare_depths(const ScanSegment<X>& a, const ScanSegment<X>& b, double x0, double x1, SpanCounts& counts,
+                               PairOrders* pairs) {
   counts.depth_tests += 2;
   const auto difference = [&](double x) {
     const double za = a.z(x), zb = b.z(x), d = za - zb;

@@ -3,14 +3,14 @@
 
 #include "visibility/watkins/span_method.hpp"
 
-// Span method `stack` (thesis 2.3.3.2, Pile, after Hamlin and Gear 1977). The line is walked from left to right over the ends of
-// segments. Invariant: `current_` is the nearest of the segments over the run that comes next, up to `turn_` at least; all others that
-// have begun and not ended lie on the stack, in any order, and so may some that have ended.
+// Span method `stack` (thesis 2.3.3.2, Pile, after Hamlin and Gear 1977). The line is walked from left to right over the
+// ends of segments. Invariant: `current_` is the nearest of the segments over the run that comes next, up to `turn_` at
+// least; all others that have begun and not ended lie on the stack, in any order, and so may some that have ended.
 //
-// The thesis pops until it finds a segment that has not ended, which takes for granted that the stack is ordered by depth. It is not:
-// what begins behind the current segment is pushed on top of what lies nearer. So the stack is searched for the nearest, and
-// ended segments are taken out on the way. Where the current segment is going to be penetrated is found in the same
-// search (2.3.3.2, "Cas des faces pénétrantes"): two depth tests where one would do without penetration.
+// The thesis pops until it finds a segment that has not ended, which takes for granted that the stack is ordered by depth.
+// It is not: what begins behind the current segment is pushed on top of what lies nearer. So the stack is searched for the
+// nearest, and ended segments are taken out on the way. Where the current segment is going to be penetrated is found in the
+// same search (2.3.3.2, "Cas des faces pénétrantes"): two depth tests where one would do without penetration.
 
 namespace ligne::watkins {
 namespace {
@@ -49,8 +49,9 @@ class StackMethod final : public SpanMethod<X> {
     bool left;
   };
 
-  /// Ends by x. Of several at one place right ends come first, so that what ends there is in nobody's way; left ends come as the segments
-  /// do, that is nearest first when these are sorted by the full key, and then only the first needs to be held against the current.
+  /// Ends by x. Of several at one place right ends come first, so that what ends there is in nobody's way; left ends come as
+  /// the segments do, that is nearest first when these are sorted by the full key, and then only the first needs to be held
+  /// against the current.
   void sort_ends() {
     ends_.clear();
     for (std::uint32_t i = 0; i < segments_.size(); ++i) {
@@ -129,7 +130,8 @@ class StackMethod final : public SpanMethod<X> {
         continue;
       }
       if (std::min(b.z0, b.z1) < std::max(a.z0, a.z1)) {
-        const DepthComparison seen = compare_depths(a, b, x, std::min(double(a.x1), double(b.x1)), this->counts_, this->pairs_);
+        const DepthComparison seen =
+            compare_depths(a, b, x, std::min(double(a.x1), double(b.x1)), this->counts_, this->pairs_);
         if (seen.order == DepthOrder::first_then_second) note(seen.x, stack_[i]);
       }
       ++i;

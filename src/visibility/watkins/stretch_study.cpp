@@ -6,7 +6,8 @@
 namespace ligne::watkins {
 namespace {
 
-/// Ends of stretches and of hidden intervals are computed in different ways: within a thousandth of a step they are the same.
+/// Ends of stretches and of hidden intervals are computed in different ways: within a thousandth of a step they are the
+/// same.
 constexpr double kSamePlaceSteps = 0x1p-10;
 
 /// Whether both banks of [t0, t1] are known to be hidden, each by one interval.
@@ -31,16 +32,22 @@ void StretchCounts::operator+=(const StretchCounts& o) {
   facet_tests += o.facet_tests;
 }
 
-StretchStudy::StretchStudy(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
-                           double coincidence_steps, SpanMethodKind kind)
-    : vertices_(vertices), facets_(facets), lines_(lines), coincidence_steps_(coincidence_steps), spans_(make_span_method<double>(kind)) {}
+StretchStudy::StretchStudy(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
+                           std::span<const SweepLine> lines, double coincidence_steps, SpanMethodKind kind)
+    : vertices_(vertices),
+      facets_(facets),
+      lines_(lines),
+      coincidence_steps_(coincidence_steps),
+      spans_(make_span_method<double>(kind)) {}
 
-void StretchStudy::study(std::uint32_t index, LineState& state, double x0, double y0, double x1, double y1, const Cover& left,
-                         const Cover& right) {
+void StretchStudy::study(std::uint32_t index, LineState& state, double x0, double y0, double x1, double y1,
+                         const Cover& left, const Cover& right) {
   const SweepLine& l = lines_[index];
   const PageLine line(l.from, l.to, l.face0, l.face1);
   const bool steep = std::abs(line.dy) > std::abs(line.dx);
-  const auto parameter = [&](double x, double y) { return std::clamp(steep ? (y - line.p0.y) / line.dy : (x - line.p0.x) / line.dx, 0.0, 1.0); };
+  const auto parameter = [&](double x, double y) {
+    return std::clamp(steep ? (y - line.p0.y) / line.dy : (x - line.p0.x) / line.dx, 0.0, 1.0);
+  };
   double t0 = parameter(x0, y0), t1 = parameter(x1, y1);
   if (t0 > t1) std::swap(t0, t1);
   const double slack = kSamePlaceSteps / line.size;
@@ -72,7 +79,8 @@ void StretchStudy::study(std::uint32_t index, LineState& state, double x0, doubl
   }
 }
 
-void StretchStudy::add_candidates(const PageLine& line, const LineState& state, double z_far, const Cover& cover, bool left) {
+void StretchStudy::add_candidates(const PageLine& line, const LineState& state, double z_far, const Cover& cover,
+                                  bool left) {
   const std::size_t others = candidates_.size();
   for (const std::uint32_t f : cover) {
     const Facet& facet = facets_[f];
@@ -115,13 +123,15 @@ void StretchStudy::propose(const PageLine& line, double t) {
 void StretchStudy::test(const PageLine& line, std::uint32_t facet, LineState& state) {
   ++counts_.facet_tests;
   state.tested.push_back(facet);
-  const HiddenInterval h = hidden_interval(line, facets_[facet], vertices_.data(), 0, 1, coincidence_steps_, state.near_side);
+  const HiddenInterval h =
+      hidden_interval(line, facets_[facet], vertices_.data(), 0, 1, coincidence_steps_, state.near_side);
   if (h.bank != Bank::none) state.hidden.push_back(h);
 }
 
 double StretchStudy::depth(const Facet& facet, double x, double y) const {
   const ProjectedVertex &a = vertices_[facet.v[0]], &b = vertices_[facet.v[1]], &c = vertices_[facet.v[2]];
-  const double abx = double(b.p.x) - a.p.x, aby = double(b.p.y) - a.p.y, acx = double(c.p.x) - a.p.x, acy = double(c.p.y) - a.p.y;
+  const double abx = double(b.p.x) - a.p.x, aby = double(b.p.y) - a.p.y, acx = double(c.p.x) - a.p.x,
+               acy = double(c.p.y) - a.p.y;
   const double qx = x - a.p.x, qy = y - a.p.y;
   const double area = abx * acy - aby * acx;
   const double v = (qx * acy - qy * acx) / area, w = (abx * qy - aby * qx) / area;

@@ -1,11 +1,11 @@
 #pragma once
 /// What is seen of one line between two places where it meets other edges.
 ///
-/// Between such places the facets over the two banks of the line are the same all along, so one small scan line across it, in the
-/// middle, tells by a span method which of them is in front. What that facet hides of the line is then computed by the exact
-/// operation that all methods share (common/hidden_interval.hpp), over the whole line at once: its ends are the same to the last bit
-/// wherever and however often the line is studied. Only what the proposed facets leave open is asked of the others. So a span method
-/// decides how much is computed, never what comes out.
+/// Between such places the facets over the two banks of the line are the same all along, so one small scan line across it,
+/// in the middle, tells by a span method which of them is in front. What that facet hides of the line is then computed by
+/// the exact operation that all methods share (common/hidden_interval.hpp), over the whole line at once: its ends are the
+/// same to the last bit wherever and however often the line is studied. Only what the proposed facets leave open is asked of
+/// the others. So a span method decides how much is computed, never what comes out.
 
 #include <cstdint>
 #include <memory>
@@ -21,9 +21,9 @@ namespace ligne::watkins {
 
 /// What is known of a line so far.
 struct LineState {
-  std::vector<std::uint32_t> tested;    ///< facets held against it
-  std::vector<HiddenInterval> hidden;   ///< what they hide of it
-  bool near_side = false;               ///< a side of one of them, or of a neighbour in the active list, lies along it
+  std::vector<std::uint32_t> tested;   ///< facets held against it
+  std::vector<HiddenInterval> hidden;  ///< what they hide of it
+  bool near_side = false;              ///< a side of one of them, or of a neighbour in the active list, lies along it
 
   void clear() {
     tested.clear();
@@ -43,11 +43,13 @@ struct StretchCounts {
 
 class StretchStudy {
  public:
-  StretchStudy(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
-               double coincidence_steps, SpanMethodKind kind);
+  StretchStudy(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
+               std::span<const SweepLine> lines, double coincidence_steps, SpanMethodKind kind);
 
-  /// The stretch from page position (x0, y0) to (x1, y1), in steps, both on the line; `left` and `right` are the facets over its banks.
-  void study(std::uint32_t line, LineState& state, double x0, double y0, double x1, double y1, const Cover& left, const Cover& right);
+  /// The stretch from page position (x0, y0) to (x1, y1), in steps, both on the line; `left` and `right` are the facets over
+  /// its banks.
+  void study(std::uint32_t line, LineState& state, double x0, double y0, double x1, double y1, const Cover& left,
+             const Cover& right);
 
   const StretchCounts& counts() const { return counts_; }
   const SpanCounts& span_counts() const { return spans_->counts(); }

@@ -46,12 +46,13 @@ class UseTable {
     if (a != b) uses_[next_[std::min(a, b)]++] = {std::max(a, b), line, index};
   }
   void sort() {
-    tbb::parallel_for(std::size_t{0}, begin_.size() - 1, [&](std::size_t p) {
-      std::sort(uses_.begin() + begin_[p], uses_.begin() + begin_[p + 1]);
-    });
+    tbb::parallel_for(std::size_t{0}, begin_.size() - 1,
+                      [&](std::size_t p) { std::sort(uses_.begin() + begin_[p], uses_.begin() + begin_[p + 1]); });
   }
   std::size_t points() const { return begin_.size() - 1; }
-  std::span<const Use> of(std::size_t point) const { return {uses_.data() + begin_[point], uses_.data() + begin_[point + 1]}; }
+  std::span<const Use> of(std::size_t point) const {
+    return {uses_.data() + begin_[point], uses_.data() + begin_[point + 1]};
+  }
 
  private:
   std::vector<std::uint32_t> begin_, next_;
@@ -95,7 +96,8 @@ void add_ends(SweepScene& scene) {
 
 }  // namespace
 
-SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, std::span<const SweepLine> lines) {
+SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
+                            std::span<const SweepLine> lines) {
   // Every place gets a number, in the order of the scan.
   struct Place {
     std::uint64_t key;
@@ -152,7 +154,8 @@ std::vector<SweepBand> make_bands(const SweepScene& scene) {
     bands[b].end = std::min(n, (b + 1) * size);
   }
   for (std::uint32_t e = 0; e < scene.edges.size(); ++e) {
-    for (std::uint32_t b = scene.edges[e].top_point / size + 1; b <= scene.edges[e].bottom_point / size; ++b) bands[b].active.push_back(e);
+    for (std::uint32_t b = scene.edges[e].top_point / size + 1; b <= scene.edges[e].bottom_point / size; ++b)
+      bands[b].active.push_back(e);
   }
   return bands;
 }

@@ -108,10 +108,12 @@ bool SweepStatus::left_of(std::uint32_t slot, LatticePoint p) const {
 }
 
 std::uint32_t SweepStatus::last_left_of(LatticePoint p) const {
-  const auto block = std::partition_point(order_.begin(), order_.end(), [&](std::uint32_t b) { return left_of(blocks_[b].slots[0], p); });
+  const auto block =
+      std::partition_point(order_.begin(), order_.end(), [&](std::uint32_t b) { return left_of(blocks_[b].slots[0], p); });
   if (block == order_.begin()) return kLeftEnd;
   const Block& b = blocks_[*(block - 1)];
-  const std::uint32_t* const found = std::partition_point(b.slots, b.slots + b.count, [&](std::uint32_t s) { return left_of(s, p); });
+  const std::uint32_t* const found =
+      std::partition_point(b.slots, b.slots + b.count, [&](std::uint32_t s) { return left_of(s, p); });
   return *(found - 1);
 }
 

@@ -1,10 +1,13 @@
 #pragma once
-/// The active list of the exact scan: the edges that the scan line meets, from left to right, with the facets over every gap.
+/// The active list of the exact scan: the edges that the scan line meets, from left to right, with the facets over every
+/// gap.
 ///
-/// A *node* stands for one edge, or for several that run along each other. A *slot* is a place of the list and holds a node; exchanging two
-/// neighbours exchanges their nodes. The gap right of a slot reaches to the next one; its *cover* is the set of facets over it.
+/// A *node* stands for one edge, or for several that run along each other. A *slot* is a place of the list and holds a node;
+/// exchanging two neighbours exchanges their nodes. The gap right of a slot reaches to the next one; its *cover* is the set
+/// of facets over it.
 ///
-/// Invariant: the cover right of a slot is the cover left of it, with every facet that has a side in the slot's node put in or taken out.
+/// Invariant: the cover right of a slot is the cover left of it, with every facet that has a side in the slot's node put in
+/// or taken out.
 
 #include <algorithm>
 #include <cstdint>
@@ -29,16 +32,18 @@ inline void toggle(Cover& cover, std::uint32_t facet) {
   cover.push_back(facet);
 }
 
-inline bool contains(const Cover& cover, std::uint32_t facet) { return std::find(cover.begin(), cover.end(), facet) != cover.end(); }
+inline bool contains(const Cover& cover, std::uint32_t facet) {
+  return std::find(cover.begin(), cover.end(), facet) != cover.end();
+}
 
 struct SweepNode {
-  LatticePoint top, bottom;         ///< of one of its edges, that reaches beyond the scan line
+  LatticePoint top, bottom;  ///< of one of its edges, that reaches beyond the scan line
   std::uint32_t bottom_point = 0;
-  std::uint32_t first = 0;          ///< first of its edges, see ExactSweep
+  std::uint32_t first = 0;  ///< first of its edges, see ExactSweep
   std::uint32_t slot = 0;
-  std::uint32_t generation = 0;     ///< changes when the node is given to others
+  std::uint32_t generation = 0;  ///< changes when the node is given to others
   bool has_lines = false;
-  double x = 0, y = 0;              ///< where its edges were last met by another, steps
+  double x = 0, y = 0;  ///< where its edges were last met by another, steps
 };
 
 class SweepStatus {

@@ -12,10 +12,11 @@
 #include "visibility/watkins/exact_study.hpp"
 #include "visibility/watkins/line_study.hpp"
 
-// Phases: (1) facets, (2) facets and lines that are surely hidden are left out, (3) the scan over the edges, which also finds what penetrates, (4)
-// the scan over the lines of intersection, where there are any, (5) spans for those who want them, (6) strokes. With a number of lines (3) only
-// looks for penetrations, and (4) goes by lines, over edges and intersections at once. A scan by lines needs the intersections even when nobody wants
-// them drawn: without them it would not know where faces come out of each other. See docs/methods/watkins.md.
+// Phases: (1) facets, (2) facets and lines that are surely hidden are left out, (3) the scan over the edges, which also
+// finds what penetrates, (4) the scan over the lines of intersection, where there are any, (5) spans for those who want
+// them, (6) strokes. With a number of lines (3) only looks for penetrations, and (4) goes by lines, over edges and
+// intersections at once. A scan by lines needs the intersections even when nobody wants them drawn: without them it would
+// not know where faces come out of each other. See docs/methods/watkins.md.
 
 namespace ligne {
 namespace {
@@ -26,8 +27,10 @@ constexpr std::string_view kExactWord[] = {"exact"};
 constexpr unsigned kMostLines = 1u << 20;
 
 constexpr MethodParameter kParameters[] = {
-    {"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point", "stack", kSpanMethodNames, 0, 0},
-    {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event", "exact", kExactWord, 1, kMostLines},
+    {"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point", "stack",
+     kSpanMethodNames, 0, 0},
+    {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event", "exact", kExactWord, 1,
+     kMostLines},
 };
 
 void report(const SpanCounts& counts, Statistics& statistics) {
@@ -78,9 +81,11 @@ LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines) {
 }
 
 /// Takes facets that lie behind covers out of the list, and marks lines that do.
-void leave_out_hidden(const ProjectedScene& scene, const CoverGrid& covers, std::vector<Facet>& facets, std::vector<SweepLine>& lines) {
+void leave_out_hidden(const ProjectedScene& scene, const CoverGrid& covers, std::vector<Facet>& facets,
+                      std::vector<SweepLine>& lines) {
   std::vector<std::uint8_t> hidden(facets.size());
-  tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) { hidden[i] = covers.hides(facets[i], scene.vertices); });
+  tbb::parallel_for(std::size_t{0}, facets.size(),
+                    [&](std::size_t i) { hidden[i] = covers.hides(facets[i], scene.vertices); });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     if (!hidden[i]) facets[kept++] = facets[i];
@@ -153,7 +158,8 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   ExactCounts counts;
   Found found;
   std::vector<Intersection> intersections;
-  ExactResult first = study_exactly(scene.vertices, facets.facets, exact ? std::span<const SweepLine>(lines) : std::span<const SweepLine>{}, exact_options);
+  ExactResult first = study_exactly(scene.vertices, facets.facets,
+                                    exact ? std::span<const SweepLine>(lines) : std::span<const SweepLine>{}, exact_options);
   counts += first.counts;
   found.edges = std::move(first.found);
   found.near = std::move(first.near);
@@ -185,7 +191,8 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
     found.edges = std::move(r.found);
     found.near.clear();
     const double spacing = scene.view.window.height() / line_count;
-    if (by_lines.collect_spans) result.spans = SpanModel{{scene.view.window.min.y + spacing / 2, spacing, line_count}, std::move(r.spans)};
+    if (by_lines.collect_spans)
+      result.spans = SpanModel{{scene.view.window.min.y + spacing / 2, spacing, line_count}, std::move(r.spans)};
   }
   statistics.time("lines", clock.lap());
 
@@ -193,7 +200,9 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   if (options.span_lines) {
     by_lines.track = false;
     by_lines.collect_spans = true;
-    result.spans = SpanModel{*options.span_lines, study_by_lines(scene, facets.facets, all_lines, grid_of(scene, *options.span_lines), by_lines).spans};
+    result.spans =
+        SpanModel{*options.span_lines,
+                  study_by_lines(scene, facets.facets, all_lines, grid_of(scene, *options.span_lines), by_lines).spans};
     statistics.time("spans", clock.lap());
   }
   if (!scene.with_intersections) {  // they have served
@@ -206,8 +215,8 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
   // By lines what is shorter than the distance of two lines is below the resolution.
   const double shortest = exact ? least : std::max(least, grid_of_lines(scene, line_count).spacing);
   const StrokeMaker maker(scene, options.hidden_strokes);
-  const auto add = [&](const SweepLine& l, const std::vector<LinePart>& visible, std::array<double, 2> range, std::uint32_t source, LineClass line_class,
-                       bool may_coincide, std::vector<Stroke>& out) {
+  const auto add = [&](const SweepLine& l, const std::vector<LinePart>& visible, std::array<double, 2> range,
+                       std::uint32_t source, LineClass line_class, bool may_coincide, std::vector<Stroke>& out) {
     const PageLine line(l.from, l.to, l.face0, l.face1);
     std::vector<LinePart> parts;
     if (!l.behind) parts = visible;
@@ -223,12 +232,16 @@ VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOp
     add(lines[i], found.edges.visible_parts(i, open), range, edge.source, edge.line_class, may_coincide, out);
   };
   const auto add_intersection = [&](std::size_t i, OpenParts& open, std::vector<Stroke>& out) {
-    const std::vector<LinePart>& parts = exact ? found.intersections.visible_parts(i, open) : found.edges.visible_parts(lines.size() + i, open);
+    const std::vector<LinePart>& parts =
+        exact ? found.intersections.visible_parts(i, open) : found.edges.visible_parts(lines.size() + i, open);
     add(crossed[i], parts, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, true, out);
   };
-  make_strokes(lines.size(), model.strokes, [&] { return [&, open = OpenParts()](std::size_t i, std::vector<Stroke>& out) mutable { add_edge(i, open, out); }; });
-  make_strokes(crossed.size(), model.strokes,
-               [&] { return [&, open = OpenParts()](std::size_t i, std::vector<Stroke>& out) mutable { add_intersection(i, open, out); }; });
+  make_strokes(lines.size(), model.strokes, [&] {
+    return [&, open = OpenParts()](std::size_t i, std::vector<Stroke>& out) mutable { add_edge(i, open, out); };
+  });
+  make_strokes(crossed.size(), model.strokes, [&] {
+    return [&, open = OpenParts()](std::size_t i, std::vector<Stroke>& out) mutable { add_intersection(i, open, out); };
+  });
   number_intersections(scene, intersections, model);
   statistics.time("strokes", clock.lap());
   statistics.count("strokes", model.strokes.size());

@@ -1,8 +1,9 @@
 #pragma once
 /// The scan-line method: spans by one of four methods, and visible edges tracked from line to line into strokes.
 ///
-/// After G. S. Watkins, "A real time visible surface algorithm", 1970; G. W. Romney, G. S. Watkins, D. C. Evans, "Real time display of
-/// computer generated half-tone perspective pictures", 1969; M. Archuleta, "Hidden surface line-drawing algorithm", 1972. docs/methods/watkins.md.
+/// After G. S. Watkins, "A real time visible surface algorithm", 1970; G. W. Romney, G. S. Watkins, D. C. Evans, "Real time
+/// display of computer generated half-tone perspective pictures", 1969; M. Archuleta, "Hidden surface line-drawing
+/// algorithm", 1972. docs/methods/watkins.md.
 
 #include "visibility/method.hpp"
 
