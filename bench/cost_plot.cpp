@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include <oneapi/tbb/task_arena.h>
-
+#include "geometry/parallel.hpp"
 #include "inputs.hpp"
 #include "plotting/page.hpp"
 #include "scene/clean.hpp"
@@ -171,6 +170,7 @@ int main(int argc, char** argv) {
     std::fputs("ligne_cost_plot OUT.svg [METHOD METHOD]\n", stderr);
     return 2;
   }
-  tbb::task_arena one(1);
-  return one.execute([&] { return run(argv[1], methods); });
+  int status = 0;
+  run_with_threads(1, [&] { status = run(argv[1], methods); });
+  return status;
 }

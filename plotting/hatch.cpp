@@ -22,9 +22,9 @@
 #include <tuple>
 #include <utility>
 
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "geometry/parallel.hpp"
 #include "plotting/paths/simplify.hpp"
 
 namespace ligne {
@@ -138,8 +138,7 @@ Hatcher::Hatcher(const HatchFrame& frame, double line_mm, std::uint32_t every, d
   longest_ = every_ * ((kRowCycle + fewest - 1) / fewest);
   for (std::size_t i = 0; i < lines; ++i) begin_[i + 1] += begin_[i];
   free_.resize(lines);
-  oneapi::tbb::parallel_for(std::size_t{0}, lines,
-                            [&](std::size_t i) { free_[i] = inside(kAll, first_ + static_cast<std::int32_t>(i)); });
+  parallel_for(lines, [&](std::size_t i) { free_[i] = inside(kAll, first_ + static_cast<std::int32_t>(i)); });
 }
 
 Line Hatcher::covered(std::int64_t rank, std::int32_t line, std::optional<std::uint32_t> layer) const {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <span>
 
-#include <oneapi/tbb/parallel_for.h>
 #include <nlohmann/json.hpp>
 
+#include "geometry/parallel.hpp"
 #include "plotting/number_text.hpp"
 #include "plotting/writers.hpp"
 
@@ -104,7 +104,7 @@ void append_array(std::string& out, std::size_t n, const AppendItem& append_item
   out += '[';
   std::vector<std::string> texts(kBatchChunks);
   for (std::size_t batch = 0; batch < n; batch += kBatchChunks * kChunkStrokes) {
-    tbb::parallel_for(std::size_t{0}, kBatchChunks, [&](std::size_t chunk) {
+    parallel_for(kBatchChunks, [&](std::size_t chunk) {
       std::string& text = texts[chunk];
       text.clear();
       const std::size_t first = batch + chunk * kChunkStrokes;

@@ -4,8 +4,7 @@
 #include <map>
 #include <utility>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "geometry/parallel.hpp"
 #include "plotting/dashes.hpp"
 #include "plotting/stroke_text.hpp"
 
@@ -105,17 +104,14 @@ Plot deal_to_pens(const Drawing& drawing, const PlotRequest& request) {
 Plot make_plot(const Drawing& drawing, const PlotRequest& request) {
   std::vector<PenWork> work = work_of(drawing, request);
   Plot plot{request.style.page, std::vector<PenLines>(work.size())};
-  oneapi::tbb::parallel_for(std::size_t{0}, work.size(), [&](std::size_t i) {
-    plot.pens[i] = {work[i].pen, optimized(work[i], request.paths)};
-  });
+  parallel_for(work.size(), [&](std::size_t i) { plot.pens[i] = {work[i].pen, optimized(work[i], request.paths)}; });
   return plot;
 }
 
 Drawing optimize_layers(const Drawing& drawing, const PathOptions& options) {
   Drawing result = drawing;
-  oneapi::tbb::parallel_for(std::size_t{0}, result.layers.size(), [&](std::size_t i) {
-    result.layers[i].lines = optimize_paths(result.layers[i].lines, options);
-  });
+  parallel_for(result.layers.size(),
+               [&](std::size_t i) { result.layers[i].lines = optimize_paths(result.layers[i].lines, options); });
   return result;
 }
 

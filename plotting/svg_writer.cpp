@@ -9,8 +9,7 @@
 #include <span>
 #include <utility>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "geometry/parallel.hpp"
 #include "plotting/cairo_path.hpp"
 #include "plotting/cairo_text.hpp"
 #include "plotting/number_text.hpp"
@@ -318,8 +317,7 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
   for (const Layer& layer : drawing.layers) {
     const std::vector<Chunk> chunks = chunks_of(layer.lines);
     std::vector<std::string> texts(chunks.size());
-    tbb::parallel_for(std::size_t{0}, chunks.size(),
-                      [&](std::size_t i) { texts[i] = chunk_text(layer.lines, chunks[i], device); });
+    parallel_for(chunks.size(), [&](std::size_t i) { texts[i] = chunk_text(layer.lines, chunks[i], device); });
     std::size_t size = svg.size();
     for (const std::string& text : texts) size += text.size();
     svg.reserve(size);

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <tuple>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "geometry/parallel.hpp"
 #include "plotting/paths/end_tree.hpp"
 
 namespace ligne {
@@ -17,6 +16,7 @@ constexpr std::uint32_t kNone = EndTree::kNone;
 
 /// Adjustable: of all ends near to one, so many are tried.
 constexpr std::size_t kCandidates = 8;
+constexpr std::size_t kEndsPerTask = 1024;
 
 struct Pair {
   double squared;
@@ -44,9 +44,9 @@ std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
   }
   const EndTree tree(points);
   std::vector<std::vector<Pair>> found(ends.size());
-  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, ends.size()), [&](const auto& range) {
+  parallel_blocks(ends.size(), kEndsPerTask, [&](std::size_t first, std::size_t last) {
     std::vector<EndTree::Neighbour> neighbours;
-    for (std::size_t e = range.begin(); e < range.end(); ++e) {
+    for (std::size_t e = first; e < last; ++e) {
       tree.nearest(points[e], kCandidates + 1, neighbours);
       for (const EndTree::Neighbour& n : neighbours) {
         if (n.squared > tolerance_mm * tolerance_mm) break;

@@ -15,10 +15,9 @@
 #include <cmath>
 #include <deque>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "geometry/parallel.hpp"
 #include "plotting/paths/end_tree.hpp"
 
 namespace ligne {
@@ -28,6 +27,7 @@ namespace {
 constexpr std::size_t kNear = 10;
 constexpr std::uint32_t kTogether = 3;
 constexpr std::uint32_t kMostShifted = 10'000;
+constexpr std::size_t kEndsPerTask = 1024;
 
 /// A gain below a picometre is rounding, and could be gained for ever.
 constexpr double kLeastGainMm = 1e-9;
@@ -96,9 +96,9 @@ class Improver {
 void Improver::find_near() {
   const EndTree tree(ends_);
   near_.resize(ends_.size() * kNear);
-  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, ends_.size()), [&](const auto& range) {
+  parallel_blocks(ends_.size(), kEndsPerTask, [&](std::size_t first, std::size_t last) {
     std::vector<EndTree::Neighbour> found;
-    for (std::size_t e = range.begin(); e < range.end(); ++e) {
+    for (std::size_t e = first; e < last; ++e) {
       tree.nearest(ends_[e], kNear + 2, found);
       std::size_t n = 0;
       for (const EndTree::Neighbour& f : found) {

@@ -1,12 +1,10 @@
 #include "cli/run_options.hpp"
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <stdexcept>
 
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -38,13 +36,7 @@ void add_run_options(CLI::App& app, RunOptions& options) {
 }
 
 void run_with_threads(const RunOptions& options, const std::function<void()>& work) {
-  if (options.threads == 0) {
-    work();
-    return;
-  }
-  const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, options.threads);
-  oneapi::tbb::task_arena arena(static_cast<int>(options.threads));
-  arena.execute(work);
+  run_with_threads(options.threads, work);
 }
 
 }  // namespace ligne

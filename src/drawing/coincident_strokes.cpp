@@ -16,12 +16,10 @@
 #include <optional>
 #include <tuple>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include "drawing/drawing.hpp"
 #include "drawing/stroke_index.hpp"
 #include "drawing/stroke_overlap.hpp"
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -279,8 +277,8 @@ std::vector<char> participants(const std::vector<Stroke>& strokes, const std::ve
   const MarkedSquares squares(flagged, tolerance_steps);
   std::vector<char> takes_part(strokes.size(), 0);
   constexpr std::size_t kGrain = 4096;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, strokes.size(), kGrain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+  parallel_blocks(strokes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
       const Stroke& s = strokes[i];
       if (s.may_coincide) {
         takes_part[i] = long_enough(s, tolerance_steps);

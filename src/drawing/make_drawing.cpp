@@ -17,11 +17,9 @@
 #include <bit>
 #include <cstddef>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include "drawing/drawing.hpp"
 #include "drawing/node_pairs.hpp"
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -35,6 +33,7 @@ std::size_t layer_of(const Stroke& stroke) { return stroke_layer(stroke.line_cla
 // number of buckets that a scattering pass can write to at once.
 constexpr std::size_t kBucketEnds = 512;
 constexpr unsigned kMostBucketBits = 14;
+constexpr std::size_t kBucketsPerTask = 16;
 
 /// An end of a stroke of the layer: end 2 i is the `from` of the layer's stroke i, end 2 i + 1 its `to`.
 struct End {
@@ -90,8 +89,8 @@ void StrokeGraph::link() {
     ends[cursor[bucket(s.from)]++] = {s.from, 2 * i};
     ends[cursor[bucket(s.to)]++] = {s.to, 2 * i + 1};
   }
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, buckets), [&](const tbb::blocked_range<std::size_t>& range) {
-    for (std::size_t b = range.begin(); b < range.end(); ++b) {
+  parallel_blocks(buckets, kBucketsPerTask, [&](std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b) {
       link_bucket({ends.data() + begin[b], ends.data() + begin[b + 1]});
     }
   });
@@ -195,7 +194,7 @@ Drawing make_drawing(const StrokeModel& model) {
   }
 
   std::array<Polylines, kLayerCount> lines;
-  tbb::parallel_for(std::size_t{0}, kLayerCount, [&](std::size_t l) {
+  parallel_for(kLayerCount, [&](std::size_t l) {
     if (begin[l] == begin[l + 1]) return;
     lines[l] =
         StrokeGraph(model.strokes, {members.data() + begin[l], members.data() + begin[l + 1]}).polylines(model.lattice);

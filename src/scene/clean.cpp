@@ -4,14 +4,12 @@
 
 #include "scene/clean.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cassert>
 #include <functional>
 #include <utility>
 
+#include "geometry/parallel.hpp"
 #include "scene/compact.hpp"
 #include "scene/cut_nonplanar.hpp"
 #include "scene/weld.hpp"
@@ -83,23 +81,21 @@ void drop_triangles(Scene& scene, Warnings& warnings) {
 Dropped clean_triangles(Scene& scene, const Weld& weld, Warnings& warnings) {
   const std::span<std::uint32_t> corners = scene.faces.corners();
   const bool same = weld.changes_nothing();
-  const Dropped dropped = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, scene.faces.size(), kGrain), Dropped{},
-      [&](const tbb::blocked_range<std::size_t>& block, Dropped sum) {
-        for (std::size_t f = block.begin(); f != block.end(); ++f) {
-          std::uint32_t* t = &corners[3 * f];
-          if (!same) {
-            for (int k = 0; k < 3; ++k) t[k] = weld.first[t[k]];
-          }
-          if (is_lost(t)) {
-            ++sum.not_finite;
-          } else if (is_degenerate(t)) {
-            ++sum.degenerate;
-          }
-        }
-        return sum;
-      },
-      std::plus<>());
+  const Dropped dropped = parallel_reduce(scene.faces.size(), kGrain, Dropped{}, [&](std::size_t begin, std::size_t end) {
+    Dropped sum;
+    for (std::size_t f = begin; f != end; ++f) {
+      std::uint32_t* t = &corners[3 * f];
+      if (!same) {
+        for (int k = 0; k < 3; ++k) t[k] = weld.first[t[k]];
+      }
+      if (is_lost(t)) {
+        ++sum.not_finite;
+      } else if (is_degenerate(t)) {
+        ++sum.degenerate;
+      }
+    }
+    return sum;
+  });
   if (dropped.any()) drop_triangles(scene, warnings);
   return dropped;
 }

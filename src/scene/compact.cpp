@@ -1,9 +1,8 @@
 #include "scene/compact.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <atomic>
+
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -13,8 +12,8 @@ constexpr std::size_t kGrain = std::size_t{1} << 15;
 
 template <class Work>
 void for_blocks(std::size_t n, const Work& work) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kGrain), [&](const tbb::blocked_range<std::size_t>& block) {
-    for (std::size_t i = block.begin(); i != block.end(); ++i) work(i);
+  parallel_blocks(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) work(i);
   });
 }
 

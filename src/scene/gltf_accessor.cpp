@@ -1,8 +1,5 @@
 #include "scene/gltf_accessor.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -11,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "geometry/parallel.hpp"
 #include "scene/polygon_faces.hpp"
 
 namespace ligne {
@@ -19,8 +17,6 @@ namespace {
 /// Elements that one task converts.
 constexpr std::size_t kGrain = std::size_t{1} << 15;
 constexpr std::size_t kAllGood = std::numeric_limits<std::size_t>::max();
-
-using Range = tbb::blocked_range<std::size_t>;
 
 std::size_t component_size(int type) {
   switch (type) {
@@ -135,32 +131,30 @@ bool is_identity(const glm::dmat4& m) { return m == glm::dmat4(1); }
 /// Reads elements and hands position number i to put(i, position).
 template <class T, class Put>
 Met read_as(const GltfElements& from, double scale, const Put& put) {
-  return tbb::parallel_reduce(
-      Range(0, from.count, kGrain), Met{},
-      [&](const Range& range, Met met) {
-        T largest = 0;  // of floats; the integers are always good
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          const std::byte* at = from.data + i * from.stride;
-          const T x = load<T>(at), y = load<T>(at + sizeof(T)), z = load<T>(at + 2 * sizeof(T));
-          if constexpr (std::is_floating_point_v<T>) {
-            const T most = std::max({std::abs(x), std::abs(y), std::abs(z)});
-            if (!(std::abs(x) + std::abs(y) + std::abs(z) < std::numeric_limits<T>::infinity()) &&
-                !(std::isfinite(x) && std::isfinite(y) && std::isfinite(z))) {
-              met.bad = std::min(met.bad, i);
-            }
-            largest = std::max(largest, most);
-            put(i, Point3(x, y, z));
-          } else {
-            // The most negative of normalized integers stands for -1 too.
-            const Point3 p = glm::max(Point3(x, y, z) * scale, scale == 1 ? -std::numeric_limits<double>::infinity() : -1.0);
-            met.largest = std::max({met.largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-            put(i, p);
-          }
+  return parallel_reduce(from.count, kGrain, Met{}, [&](std::size_t begin, std::size_t end) {
+    Met met;
+    T largest = 0;  // of floats; the integers are always good
+    for (std::size_t i = begin; i != end; ++i) {
+      const std::byte* at = from.data + i * from.stride;
+      const T x = load<T>(at), y = load<T>(at + sizeof(T)), z = load<T>(at + 2 * sizeof(T));
+      if constexpr (std::is_floating_point_v<T>) {
+        const T most = std::max({std::abs(x), std::abs(y), std::abs(z)});
+        if (!(std::abs(x) + std::abs(y) + std::abs(z) < std::numeric_limits<T>::infinity()) &&
+            !(std::isfinite(x) && std::isfinite(y) && std::isfinite(z))) {
+          met.bad = std::min(met.bad, i);
         }
-        met.largest = std::max(met.largest, static_cast<double>(largest));
-        return met;
-      },
-      std::plus<>());
+        largest = std::max(largest, most);
+        put(i, Point3(x, y, z));
+      } else {
+        // The most negative of normalized integers stands for -1 too.
+        const Point3 p = glm::max(Point3(x, y, z) * scale, scale == 1 ? -std::numeric_limits<double>::infinity() : -1.0);
+        met.largest = std::max({met.largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        put(i, p);
+      }
+    }
+    met.largest = std::max(met.largest, static_cast<double>(largest));
+    return met;
+  });
 }
 
 template <class Put>
@@ -245,17 +239,17 @@ void read_indices(const GltfDocument& document, const GltfAccessor& accessor, st
   } else {
     const std::size_t bad = with_type(from.component_type, [&](auto type) {
       using T = decltype(type);
-      const auto read = [&](const Range& range, std::size_t first_bad) {
+      const auto read = [&](std::size_t begin, std::size_t end) {
         std::uint32_t largest = 0;
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+        for (std::size_t i = begin; i != end; ++i) {
           const auto index = static_cast<std::uint32_t>(load<T>(from.data + i * from.stride));
           largest = std::max(largest, index);
           out[i] = first_vertex + index;
         }
-        return range.empty() || largest < vertex_count ? first_bad : std::min(first_bad, range.begin());
+        return largest < vertex_count ? kAllGood : begin;
       };
-      return tbb::parallel_reduce(Range(0, from.count, kGrain), kAllGood, read,
-                                  [](std::size_t a, std::size_t b) { return std::min(a, b); });
+      return parallel_reduce(from.count, kGrain, kAllGood, read,
+                             [](std::size_t a, std::size_t b) { return std::min(a, b); });
     });
     // The block of the first bad index is known; an index that a sparse one replaces is bad nevertheless.
     for (std::size_t i = bad; i < from.count; ++i) check(i, load_index(from, i));

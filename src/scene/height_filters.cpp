@@ -1,7 +1,5 @@
 #include "scene/height_filters.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/parallel.hpp"
 #include "scene/held_heights.hpp"
 
 namespace ligne {
@@ -18,8 +17,7 @@ namespace {
 std::vector<double> all_heights(const HeightSource& heights) {
   const std::size_t columns = heights.x().size(), rows = heights.y().size();
   std::vector<double> z(columns * rows);
-  tbb::parallel_for(std::size_t{0}, rows,
-                    [&](std::size_t j) { heights.read_row(j, std::span(z).subspan(j * columns, columns)); });
+  parallel_for(rows, [&](std::size_t j) { heights.read_row(j, std::span(z).subspan(j * columns, columns)); });
   return z;
 }
 

@@ -1,11 +1,10 @@
 #include "scene/surface_points.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <memory>
 #include <string_view>
 #include <utility>
 
+#include "geometry/parallel.hpp"
 #include "scene/formula_evaluator.hpp"
 
 namespace ligne {
@@ -31,7 +30,7 @@ SurfacePoints points_of(const HeightSource& heights) {
   surface.columns = heights.x().size();
   surface.rows = heights.y().size();
   surface.points.resize(surface.columns * surface.rows);
-  tbb::parallel_for(std::size_t{0}, surface.rows, [&](std::size_t j) {
+  parallel_for(surface.rows, [&](std::size_t j) {
     std::vector<double> z(surface.columns);
     heights.read_row(j, z);
     for (std::size_t i = 0; i < z.size(); ++i)
@@ -52,7 +51,7 @@ SurfacePoints parametric_points(const std::array<std::string, 3>& formulas, cons
   for (int axis = 0; axis < 3; ++axis) {
     evaluators[axis] = std::make_unique<FormulaEvaluators>(prepare_formula(formulas[axis], {kParameters, kNames[axis]}));
   }
-  tbb::parallel_for(std::size_t{0}, v.size(), [&](std::size_t j) {
+  parallel_for(v.size(), [&](std::size_t j) {
     for (int axis = 0; axis < 3; ++axis) {
       evaluators[axis]->use([&](FormulaEvaluator& evaluator) {
         for (std::size_t i = 0; i < u.size(); ++i) {

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "geometry/parallel.hpp"
 #include "geometry/triangulate.hpp"
 
 // Edges are found by counting sort: every corner of a contour gives one half-edge, filed under the lower of its two
@@ -60,7 +59,7 @@ Buckets file_half_edges(const Scene& scene, std::size_t ranges) {
   buckets.begin.assign(vertex_count + 1, 0);
   const auto range_begin = [&](std::size_t r) { return static_cast<std::uint32_t>(vertex_count * r / ranges); };
   // begin[v + 1] counts, then becomes the end of bucket v while it is filled.
-  tbb::parallel_for(std::size_t{0}, ranges, [&](std::size_t r) {
+  parallel_for(ranges, [&](std::size_t r) {
     const std::uint32_t low = range_begin(r), count = range_begin(r + 1) - low;
     for_each_half_edge(scene.faces, [&](std::uint32_t a, std::uint32_t b, std::size_t, std::size_t) {
       const std::uint32_t lower = std::min(a, b);
@@ -73,7 +72,7 @@ Buckets file_half_edges(const Scene& scene, std::size_t ranges) {
   buckets.half_edges.resize(buckets.begin[vertex_count]);
   if (with_flags) buckets.corner_flags.resize(buckets.half_edges.size());
   std::vector<std::uint32_t> next(buckets.begin.begin(), buckets.begin.end() - 1);
-  tbb::parallel_for(std::size_t{0}, ranges, [&](std::size_t r) {
+  parallel_for(ranges, [&](std::size_t r) {
     const std::uint32_t low = range_begin(r), count = range_begin(r + 1) - low;
     for_each_half_edge(scene.faces, [&](std::uint32_t a, std::uint32_t b, std::size_t face, std::size_t corner) {
       const std::uint32_t lower = std::min(a, b);
@@ -157,7 +156,7 @@ void find_edges(const Scene& scene, Topology& topology) {
     }
   };
   std::vector<std::size_t> first_edge(blocks + 1, 0);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallel_for(blocks, [&](std::size_t block) {
     const std::size_t last = std::min(vertex_count, (block + 1) * kVerticesPerBlock);
     for (std::size_t v = block * kVerticesPerBlock; v < last; ++v) {
       sort_bucket(buckets, buckets.begin[v], buckets.begin[v + 1]);
@@ -169,7 +168,7 @@ void find_edges(const Scene& scene, Topology& topology) {
   for (std::size_t b = 0; b < blocks; ++b) first_edge[b + 1] += first_edge[b];
   topology.edges.resize(first_edge[blocks]);
   topology.edge_flags.resize(first_edge[blocks]);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallel_for(blocks, [&](std::size_t block) {
     std::size_t e = first_edge[block];
     for_each_edge_of_block(block, [&](std::uint32_t v, std::uint32_t begin, std::uint32_t end) {
       const auto& h = buckets.half_edges;
@@ -230,8 +229,8 @@ Topology build_topology(const Scene& scene) {
   if (scene.faces.all_triangles()) {
     topology.triangles.resize(n);
     const auto corners = scene.faces.corners();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 65'536), [&](const auto& range) {
-      for (std::size_t f = range.begin(); f < range.end(); ++f) {
+    parallel_blocks(n, 65'536, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
         topology.triangles[f] = {{corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]}, static_cast<std::uint32_t>(f)};
       }
     });

@@ -4,15 +4,14 @@
 
 #include "scene/weld.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numeric>
 #include <span>
 #include <utility>
+
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -59,7 +58,7 @@ Parts sort_into_parts(const std::vector<Point3>& vertices, std::vector<std::uint
   std::vector<std::uint32_t> hashes(n);
   std::vector<std::size_t> place(blocks * kParts, 0);  // counts, then positions, per block and part
   const auto of_block = [&](auto&& work) {
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+    parallel_for(blocks, [&](std::size_t b) {
       for (std::size_t i = b * kBlock, end = std::min(n, i + kBlock); i < end; ++i) work(i, &place[b * kParts]);
     });
   };
@@ -129,7 +128,7 @@ Weld weld_vertices(const Scene& scene) {
   const Parts parts = sort_into_parts(scene.vertices, weld.first);
   weld.not_finite = scene.vertices.size() - parts.entries.size();
   std::vector<std::size_t> repeated(kParts, 0);
-  tbb::parallel_for(std::size_t{0}, kParts, [&](std::size_t p) {
+  parallel_for(kParts, [&](std::size_t p) {
     const std::span entries(parts.entries);
     repeated[p] = weld_part(scene, entries.subspan(parts.begin[p], parts.begin[p + 1] - parts.begin[p]), weld.first);
   });

@@ -4,13 +4,13 @@
 
 #include "scene/weld_near.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <array>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
+
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -78,8 +78,8 @@ void weld_near_vertices(Scene& scene, double distance) {
     weld(0, static_cast<std::uint32_t>(scene.vertices.size()));
     return;
   }
-  tbb::parallel_for(std::size_t{0}, scene.objects.size(),
-                    [&](std::size_t i) { weld(scene.objects[i].vertex_begin, scene.objects[i].vertex_end); });
+  parallel_for(scene.objects.size(),
+               [&](std::size_t i) { weld(scene.objects[i].vertex_begin, scene.objects[i].vertex_end); });
 }
 
 }  // namespace ligne

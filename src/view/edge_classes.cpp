@@ -3,9 +3,9 @@
 #include <cmath>
 #include <unordered_map>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/geometric.hpp>
+
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -30,8 +30,8 @@ std::int8_t facing_of(const Point3& normal, const Point3& on_face, const Camera&
 
 std::vector<FacePlane> face_planes(const Scene& scene, const Camera& camera) {
   std::vector<FacePlane> planes(scene.faces.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, planes.size(), kGrain), [&](const auto& range) {
-    for (std::size_t f = range.begin(); f < range.end(); ++f) {
+  parallel_blocks(planes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
       const Point3 normal = face_normal(scene, static_cast<std::uint32_t>(f));
       planes[f].normal = normal;
       planes[f].facing = facing_of(normal, scene.vertices[scene.faces.contour(f, 0)[0]], camera);
@@ -90,8 +90,8 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
   const double degree = 3.14159265358979323846 / 180;
   const float crease_cosine = static_cast<float>(std::cos(std::min(180.0, crease_degrees + kCreaseSlackDegrees) * degree));
   std::vector<LineClass> classes(topology.edges.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, classes.size(), kGrain), [&](const auto& range) {
-    for (std::size_t e = range.begin(); e < range.end(); ++e) {
+  parallel_blocks(classes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
       const Edge& edge = topology.edges[e];
       const std::uint8_t flags = topology.edge_flags[e];
       LineClass& result = classes[e];

@@ -6,9 +6,7 @@
 #include <functional>
 #include <unordered_map>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
+#include "geometry/parallel.hpp"
 #include "view/clip.hpp"
 #include "view/edge_classes.hpp"
 #include "view/spatial_order.hpp"
@@ -36,9 +34,9 @@ ProjectedVertex to_vertex(const HomogeneousPoint& p, const Lattice& lattice) {
 bool project_vertices(const Scene& scene, const View& view, const ClipVolume& volume, ProjectedScene& out) {
   std::atomic<bool> all_inside{true};
   out.vertices.resize(scene.vertices.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, out.vertices.size(), kGrain), [&](const auto& range) {
+  parallel_blocks(out.vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     bool inside = true;
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       const HomogeneousPoint p = to_homogeneous(view, scene.vertices[i]);
       if (volume.contains(p)) {
         out.vertices[i] = to_vertex(p, out.lattice);
@@ -57,8 +55,8 @@ class Clipper {
   Clipper(const Scene& scene, const View& view, const ClipVolume& volume, ProjectedScene& out)
       : scene_(scene), view_(view), volume_(volume), out_(out) {
     inside_.resize(scene.vertices.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, inside_.size(), kGrain), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+    parallel_blocks(inside_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
         inside_[i] = volume_.contains(to_homogeneous(view_, scene_.vertices[i]));
       }
     });

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -40,16 +39,16 @@ std::vector<std::uint32_t> counting_order(std::size_t n, std::size_t key_count, 
 template <class T>
 std::vector<T> in_order(const std::vector<T>& items, const std::vector<std::uint32_t>& order) {
   std::vector<T> sorted(items.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, items.size(), kGrain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) sorted[i] = items[order[i]];
+  parallel_blocks(items.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) sorted[i] = items[order[i]];
   });
   return sorted;
 }
 
 template <class Work>
 void for_each_index(std::size_t n, Work work) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kGrain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
+  parallel_blocks(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) work(i);
   });
 }
 

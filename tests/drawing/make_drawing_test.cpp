@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
+#include "geometry/parallel.hpp"
 #include "stroke_builder.hpp"
 
 namespace ligne {
@@ -192,8 +192,9 @@ TEST(MakeDrawing, KeepsTheLengthOfCollinearChains) {
 TEST(MakeDrawing, DoesNotDependOnTheNumberOfThreads) {
   const std::vector<Stroke> strokes = random_mesh(60, 3);
   const auto with_threads = [&](std::size_t n) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, n);
-    return mesh_lines(strokes);
+    decltype(mesh_lines(strokes)) lines;
+    run_with_threads(n, [&] { lines = mesh_lines(strokes); });
+    return lines;
   };
   EXPECT_EQ(with_threads(1), with_threads(4));
 }

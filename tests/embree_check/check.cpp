@@ -1,7 +1,5 @@
 #include "check.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,6 +9,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "geometry/parallel.hpp"
 #include "intersections_seen.hpp"
 #include "page_map.hpp"
 #include "sight.hpp"
@@ -119,7 +118,7 @@ class Checker {
         map_(drawing.model_to_page, checked_.box, window_of(drawing, options), drawing.near_distance),
         sight_(checked_, map_),
         kinds_(checked_.edges.size()) {
-    tbb::parallel_for(std::size_t{0}, kinds_.size(), [&](std::size_t e) {
+    parallel_for(kinds_.size(), [&](std::size_t e) {
       kinds_[e] = possible_kinds(checked_, checked_.edges[e], map_, options_.crease_degrees);
     });
   }
@@ -171,7 +170,7 @@ class Checker {
       source.faces.insert(source.faces.end(), edge.faces.begin(), edge.faces.end());
     }
     std::vector<Tally> tallies(drawing_.strokes.size());
-    tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t i) {
+    parallel_for(tallies.size(), [&](std::size_t i) {
       const DrawnStroke& stroke = drawing_.strokes[i];
       if (!stroke.visible) return;
       const auto found = sources.find(segment_key(stroke.ends[0], stroke.ends[1]));
@@ -234,7 +233,7 @@ class Checker {
   std::vector<PageSegment> check_edges(const StrokeGrid& drawn) {
     std::vector<PageSegment> seen;
     std::vector<Tally> tallies(checked_.edges.size());
-    tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t e) {
+    parallel_for(tallies.size(), [&](std::size_t e) {
       if (!(kinds_[e] & options_.kinds)) return;
       tallies[e] = check_edge(checked_.edges[e], drawn);
       const bool owed = (kinds_[e] & ~options_.kinds) == 0;  // else it may be drawn, and may be left out

@@ -1,6 +1,5 @@
 #include "intersections_seen.hpp"
-
-#include <oneapi/tbb/parallel_for.h>
+#include "geometry/parallel.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -89,13 +88,13 @@ std::vector<SeenCrossing> find_intersections_seen(const CheckedScene& scene, con
     return window.min + Point2{margin + static_cast<double>(column) * step, margin + static_cast<double>(row) * step};
   };
   std::vector<std::optional<Hit>> seen(columns * rows);
-  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
+  parallel_for(rows, [&](std::size_t row) {
     for (std::size_t column = 0; column < columns; ++column)
       seen[row * columns + column] = sight.seen_at(point(column, row));
   });
   const Search search(scene, map, sight, options);
   std::vector<std::vector<SeenCrossing>> by_row(rows);
-  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
+  parallel_for(rows, [&](std::size_t row) {
     for (std::size_t column = 0; column < columns; ++column) {
       const auto look = [&](std::size_t to_column, std::size_t to_row) {
         if (to_column >= columns || to_row >= rows) return;

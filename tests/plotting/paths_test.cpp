@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
-#include <oneapi/tbb/global_control.h>
 #include <glm/geometric.hpp>
 
+#include "geometry/parallel.hpp"
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/end_tree.hpp"
 #include "plotting/paths/optimize.hpp"
@@ -306,10 +306,7 @@ Polylines many_strokes(std::size_t n) {
 TEST(OptimizePaths, TheSameWithAnyNumberOfThreads) {
   const Polylines lines = many_strokes(3000);
   Polylines one;
-  {
-    const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, 1);
-    one = optimize_paths(lines, {});
-  }
+  run_with_threads(1, [&] { one = optimize_paths(lines, {}); });
   const Polylines many = optimize_paths(lines, {});
   EXPECT_EQ(one.points, many.points);
   EXPECT_EQ(one.begin, many.begin);

@@ -3,9 +3,9 @@
 
 #include <expat.h>
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 #include <nlohmann/json.hpp>
 
+#include "geometry/parallel.hpp"
 #include "sample_drawing.hpp"
 
 namespace ligne {
@@ -105,8 +105,9 @@ TEST(Svg, DoesNotDependOnTheNumberOfThreads) {
     add_line(drawing, "mesh", {{coordinate(), coordinate()}, {coordinate(), coordinate()}, {coordinate(), coordinate()}});
   }
   const auto with_threads = [&](std::size_t n) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, n);
-    return write_svg(drawing, {});
+    std::string text;
+    run_with_threads(n, [&] { text = write_svg(drawing, {}); });
+    return text;
   };
   EXPECT_TRUE(with_threads(1) == with_threads(4));
 }

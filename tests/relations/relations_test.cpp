@@ -3,12 +3,12 @@
 // oracle takes part, and no known answer: a fault that both of these share shows here.
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
+#include "geometry/parallel.hpp"
 #include "relations/relations.hpp"
 #include "scene/reader.hpp"
 #include "support/page_segments.hpp"
@@ -217,10 +217,11 @@ TEST_P(Threads, GiveEqualStrokes) {
     const Sight sight = sight_of(scene, view);
     for (const Method* method : exact_methods()) {
       const auto with_threads = [&](int n) {
-        tbb::task_arena arena(n);
-        return arena.execute([&] {
-          return draw(scene, {sight.camera, "all", true, 0, std::string(method->traits().name)}).model.strokes;
+        std::vector<Stroke> strokes;
+        run_with_threads(n, [&] {
+          strokes = draw(scene, {sight.camera, "all", true, 0, std::string(method->traits().name)}).model.strokes;
         });
+        return strokes;
       };
       const std::vector<Stroke> one = with_threads(1), four = with_threads(4);
       EXPECT_TRUE(std::equal(one.begin(), one.end(), four.begin(), four.end(), equal))

@@ -1,14 +1,13 @@
 // The same strokes whatever the number of threads.
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "geometry/parallel.hpp"
 #include "support/scenes.hpp"
 
 namespace ligne::test {
@@ -41,10 +40,11 @@ TEST_P(Determinism, OneThreadAndManyGiveTheSameStrokes) {
               rotation(u(random) * 3, u(random) * 3, u(random) * 3));
     }
     const auto with_threads = [&, hidden = hidden](int n) {
-      tbb::task_arena arena(n);
-      return arena.execute([&] {
-        return draw(scene, {along({-1, 2, -1}), "all", hidden, 0, std::string(GetParam()->traits().name)});
+      Picture picture;
+      run_with_threads(n, [&] {
+        picture = draw(scene, {along({-1, 2, -1}), "all", hidden, 0, std::string(GetParam()->traits().name)});
       });
+      return picture;
     };
     const Picture one = with_threads(1), four = with_threads(4);
     ASSERT_GT(one.model.strokes.size(), 1000u);

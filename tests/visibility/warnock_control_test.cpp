@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <oneapi/tbb/task_arena.h>
 #include <cmath>
 #include <random>
 
+#include "geometry/parallel.hpp"
 #include "support/scenes.hpp"
 #include "visibility/warnock_tools.hpp"
 
@@ -158,12 +158,13 @@ TEST(WarnockControl, OneThreadAndManyFindTheSame) {
   const View view = make_view(scene, camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
   const ProjectedScene projected = project(scene, build_topology(scene), view, {classes("all"), 30});
   const auto with_threads = [&](int n) {
-    tbb::task_arena arena(n);
-    return arena.execute([&] {
+    VisibilityResult result;
+    run_with_threads(n, [&] {
       StudyOptions options;
       options.settings.set("show", 0);
-      return find_method("warnock")->study(projected, options);
+      result = find_method("warnock")->study(projected, options);
     });
+    return result;
   };
   const VisibilityResult one = with_threads(1), four = with_threads(4);
   ASSERT_EQ(one.strokes->strokes.size(), four.strokes->strokes.size());

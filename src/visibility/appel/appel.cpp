@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "geometry/parallel.hpp"
 #include "visibility/appel/cell_grid.hpp"
 #include "visibility/appel/intersections.hpp"
 #include "visibility/appel/visible_parts.hpp"
@@ -31,7 +30,7 @@ void study_lines(std::size_t n, const ProjectedScene& scene, const Facets& facet
   std::vector<TestCounts> block_counts(blocks);
   std::mutex progress_mutex;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallel_for(blocks, [&](std::size_t block) {
     VisibleParts search(scene, facets.facets, grid, coincidence_steps);
     std::vector<Stroke>& out = found[block];
     for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) work(i, search, out);
@@ -44,7 +43,7 @@ void study_lines(std::size_t n, const ProjectedScene& scene, const Facets& facet
   std::vector<std::size_t> first(blocks + 1, strokes.size());
   for (std::size_t b = 0; b < blocks; ++b) first[b + 1] = first[b] + found[b].size();
   strokes.resize(first[blocks]);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+  parallel_for(blocks, [&](std::size_t b) {
     std::copy(found[b].begin(), found[b].end(), strokes.begin() + static_cast<std::ptrdiff_t>(first[b]));
     std::vector<Stroke>().swap(found[b]);
   });

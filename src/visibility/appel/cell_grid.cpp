@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <oneapi/tbb/parallel_for.h>
+#include "geometry/parallel.hpp"
 
 namespace ligne::appel {
 namespace {
@@ -117,7 +117,10 @@ struct CellGrid::Build {
   template <class Work>
   void for_each_band(Work work) const {
     const int bands = std::clamp(static_cast<int>(facets.size() / kBlock), 1, 4);
-    tbb::parallel_for(0, bands, [&](int b) { work(grid.rows_ * b / bands, grid.rows_ * (b + 1) / bands); });
+    parallel_for(static_cast<std::size_t>(bands), [&](std::size_t band) {
+      const int b = static_cast<int>(band);
+      work(grid.rows_ * b / bands, grid.rows_ * (b + 1) / bands);
+    });
   }
   /// Calls visit(facet, cell, meeting, z_near, z_far) for all cells in rows [row0, row1) that facets meet.
   template <class Visit>
@@ -157,7 +160,7 @@ void CellGrid::Build::find_ranges() {
   const double inverse = 1 / grid.size_, margin = options.margin_steps;
   const auto clamped = [](double v, int n) { return static_cast<std::uint16_t>(v < 0 ? 0 : v >= n ? n - 1 : v); };
   const std::size_t blocks = (facets.size() + kBlock - 1) / kBlock;
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallel_for(blocks, [&](std::size_t block) {
     const std::size_t last = std::min(facets.size(), (block + 1) * kBlock);
     for (std::size_t i = block * kBlock; i < last; ++i) {
       const auto [left, right, top, bottom] = page_box(facets[i], scene.vertices.data());
@@ -264,7 +267,7 @@ void CellGrid::Build::split_overfull() {
   constexpr std::size_t kArenas = 64;
   grid.arenas_.resize(kArenas + 1);
   const std::size_t n = grid.cells_.size();
-  tbb::parallel_for(std::size_t{0}, kArenas, [&](std::size_t k) {
+  parallel_for(kArenas, [&](std::size_t k) {
     Arena& arena = grid.arenas_[k + 1];
     std::vector<CellFacet> inherited;
     for (std::size_t i = n * k / kArenas; i < n * (k + 1) / kArenas; ++i) {

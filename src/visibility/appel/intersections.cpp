@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "geometry/parallel.hpp"
 #include "visibility/tolerances.hpp"
 
 // Per leaf all pairs of facets that may meet in depth and on the page are tested.
@@ -67,7 +66,7 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
   constexpr std::size_t kCellsPerTask = 256;
   const std::size_t n = grid.top_cell_count(), tasks = (n + kCellsPerTask - 1) / kCellsPerTask;
   std::vector<PenetrationSearch> found(tasks, PenetrationSearch(facets, scene.vertices));
-  tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+  parallel_for(tasks, [&](std::size_t task) {
     LeafSearch search(scene, facets, grid, margin_steps);
     for (std::size_t i = task * kCellsPerTask; i < std::min(n, (task + 1) * kCellsPerTask); ++i) {
       grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare& square) { search.search(cell, square); });

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_sort.h>
+#include "geometry/parallel.hpp"
 
 namespace ligne::atherton_weiler {
 namespace {
@@ -23,7 +22,7 @@ class EdgeFinder {
       const ProjectedEdge& e = scene.edges[i];
       keys_.push_back({std::min(e.v0, e.v1), std::max(e.v0, e.v1), i});
     }
-    tbb::parallel_sort(keys_.begin(), keys_.end());
+    parallel_sort(keys_.begin(), keys_.end());
   }
 
   /// Calls visit(edge) for all edges between the two vertices.
@@ -106,7 +105,7 @@ BorderLines::BorderLines(const ProjectedScene& scene, const Facets& facets, cons
       found.push_back({edge, along ? LinePart{b.from, b.to, b.level} : LinePart{1 - b.to, 1 - b.from, b.level}});
     });
   }
-  tbb::parallel_sort(found.begin(), found.end(), [](const EdgePart& a, const EdgePart& b) {
+  parallel_sort(found.begin(), found.end(), [](const EdgePart& a, const EdgePart& b) {
     return std::tuple(a.edge, a.part.level, a.part.from, a.part.to) <
            std::tuple(b.edge, b.part.level, b.part.from, b.part.to);
   });

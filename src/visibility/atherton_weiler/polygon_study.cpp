@@ -5,10 +5,9 @@
 #include <mutex>
 #include <numeric>
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include "geometry/clip_contour_by_contour.hpp"
 #include "geometry/disjoint_sets.hpp"
+#include "geometry/parallel.hpp"
 #include "visibility/atherton_weiler/unit_order.hpp"
 
 // Per zone, with its polygons nearest first: (1) the first polygon is the clip face. Every other one is clipped by it. (2)
@@ -204,7 +203,7 @@ VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet
   std::vector<VisibleFaces> found(zones.size());
   std::mutex mutex;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, zones.size(), [&](std::size_t z) {
+  parallel_for(zones.size(), [&](std::size_t z) {
     // Facets of different zones are never compared: each task marks its own.
     const std::size_t size = zones[z].size();
     ZoneStudy study(units, UnitOrders(scene, facets, units, result.facet_touches));

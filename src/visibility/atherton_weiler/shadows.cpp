@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <oneapi/tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/parallel.hpp"
 #include "visibility/atherton_weiler/face_carrier.hpp"
 #include "visibility/atherton_weiler/region_faces.hpp"
 #include "visibility/atherton_weiler/visible_faces.hpp"
@@ -240,7 +240,7 @@ CastShadows cast_shadows(const Scene& scene, const Topology& topology, const Vie
         add_lit(scene, topology, view, lattice, request, opacity, lit);
       const ShadowCut work(lattice, i, light_count, opacity);
       std::vector<CastShadows> cut(all.regions.size());
-      tbb::parallel_for(std::size_t{0}, cut.size(), [&](std::size_t k) {
+      parallel_for(cut.size(), [&](std::size_t k) {
         const Region& piece = all.regions[k];
         // What is dark is so whichever transparent faces are counted.
         if (lit[piece.face].empty() || (opacity != opacities.front() && !(piece.lights >> i & 1u))) {

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
 #include <tuple>
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/parallel.hpp"
 #include "visibility/common/facet_order.hpp"
 
 // Per face: (1) each of its facets is the subject once. The lists of the cells that it lies in give what may be in front,
@@ -307,13 +306,14 @@ VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<F
   const FacesOfFacets faces = group(facets);
   const std::size_t n = faces.begin.size() - 1, tasks = (n + kFacesPerTask - 1) / kFacesPerTask;
   std::vector<VisibleFaces> found(tasks);
-  tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(scene, facets, grid, result.facet_touches); });
+  std::vector<std::optional<Worker>> workers(thread_count());
   std::mutex progress_mutex;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
-    Worker& worker = workers.local();
+  parallel_for(tasks, [&](std::size_t task) {
+    std::optional<Worker>& worker = workers[thread_index()];
+    if (!worker) worker.emplace(scene, facets, grid, result.facet_touches);
     for (std::size_t g = task * kFacesPerTask; g < std::min(n, (task + 1) * kFacesPerTask); ++g) {
-      worker.study(std::span(faces.facets).subspan(faces.begin[g], faces.begin[g + 1] - faces.begin[g]), found[task]);
+      worker->study(std::span(faces.facets).subspan(faces.begin[g], faces.begin[g + 1] - faces.begin[g]), found[task]);
     }
     if (progress) {
       const std::lock_guard lock(progress_mutex);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <oneapi/tbb/parallel_for.h>
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -42,7 +42,7 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps) {
   std::uint32_t face_count = 0;
   for (const Triangle& t : scene.triangles) face_count = std::max(face_count, t.face + 1);
 
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallel_for(blocks, [&](std::size_t block) {
     std::size_t out = block * kBlock;
     const std::size_t last = std::min(n, out + kBlock);
     for (std::size_t i = block * kBlock; i < last; ++i) {

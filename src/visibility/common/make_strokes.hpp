@@ -5,9 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include "drawing/stroke.hpp"
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 
@@ -18,7 +17,7 @@ void make_strokes(std::size_t n, std::vector<Stroke>& strokes, MakeWork make_wor
   constexpr std::size_t kBlock = 4096;
   const std::size_t blocks = (n + kBlock - 1) / kBlock;
   std::vector<std::vector<Stroke>> made(blocks);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallel_for(blocks, [&](std::size_t block) {
     auto work = make_work();
     for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) work(i, made[block]);
   });

@@ -18,14 +18,13 @@
 /// ("facing" > 0: its upper side is seen) each of its points is seen when it is above all before; so the upper horizon needs
 /// to know no more than the edges where the surface stops to rise, and the lower one those where it stops to fall.
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "geometry/parallel.hpp"
 #include "visibility/horizon/chains.hpp"
 #include "visibility/horizon/curve_tracker.hpp"
 #include "visibility/horizon/eye.hpp"
@@ -84,8 +83,8 @@ class PartSweep {
     const std::size_t n = rows_.order.size();
     for (std::size_t first = 0; first < n; first += kRowsAtATime) {
       const std::size_t count = std::min(kRowsAtATime, n - first);
-      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) { read(rows_.order[first + k], rows[k]); });
-      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+      parallel_for(count, [&](std::size_t k) { read(rows_.order[first + k], rows[k]); });
+      parallel_for(count, [&](std::size_t k) {
         if (first + k > 0) find_facings(k > 0 ? rows[k - 1] : last_row, rows[k], facings[k]);
       });
       last_row = rows[count - 1];

@@ -1,10 +1,10 @@
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "geometry/parallel.hpp"
 #include "visibility/horizon/horizon.hpp"
 
 namespace ligne {
@@ -16,7 +16,7 @@ void for_rows(const HeightSource& heights, Take take, Merge merge) {
   constexpr std::size_t kRows = 64;
   const std::size_t rows = heights.y().size(), tasks = (rows + kRows - 1) / kRows;
   std::vector<Result> found(tasks);
-  tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+  parallel_for(tasks, [&](std::size_t task) {
     std::vector<double> z(heights.x().size());
     for (std::size_t j = task * kRows; j < std::min(rows, (task + 1) * kRows); ++j) {
       heights.read_row(j, z);

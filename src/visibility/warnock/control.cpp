@@ -4,8 +4,7 @@
 #include <cmath>
 #include <mutex>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "geometry/parallel.hpp"
 #include "visibility/common/clock.hpp"
 
 namespace ligne::warnock {
@@ -243,7 +242,7 @@ void Control::split(const Window& window, const Division& division, const Lists&
   std::vector<Task> tasks;
   tasks.reserve(4);
   for (int k = 0; k < 4; ++k) tasks.emplace_back(*this, task.progress);
-  tbb::parallel_for(std::size_t{0}, std::size_t{4}, [&](std::size_t k) {
+  parallel_for(std::size_t{4}, [&](std::size_t k) {
     if (!windows[k].empty()) study_child(k, tasks[k]);
   });
   for (Task& t : tasks) {

@@ -5,8 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_sort.h>
+#include "geometry/parallel.hpp"
 
 namespace ligne::warnock {
 namespace {
@@ -132,7 +131,7 @@ FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& face
   constexpr std::size_t kBlock = 8192;
   const std::size_t n = table.faces.size(), blocks = (n + kBlock - 1) / kBlock;
   std::vector<std::vector<Side>> sides(blocks);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallel_for(blocks, [&](std::size_t block) {
     for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) {
       Face& face = table.faces[i];
       set_plane(table, face);
@@ -152,7 +151,7 @@ FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& face
   using Key = std::tuple<float, std::uint32_t, std::uint32_t>;  // z_near, number, index
   std::vector<Key> order(n);
   for (std::uint32_t i = 0; i < n; ++i) order[i] = {table.faces[i].z_near, table.faces[i].face, i};
-  tbb::parallel_sort(order.begin(), order.end());
+  parallel_sort(order.begin(), order.end());
   table.by_depth.resize(n);
   for (std::size_t i = 0; i < n; ++i) table.by_depth[i] = std::get<2>(order[i]);
   return table;

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "geometry/parallel.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/stroke_maker.hpp"
 #include "visibility/tolerances.hpp"
@@ -89,7 +88,7 @@ void make_strokes(const ProjectedScene& scene, const std::vector<PageLine>& line
   constexpr std::size_t kBlock = 4096;
   const std::size_t blocks = (lines.size() + kBlock - 1) / kBlock;
   std::vector<std::vector<Stroke>> made(blocks);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallel_for(blocks, [&](std::size_t block) {
     std::vector<FoundPart> of_line;
     std::vector<LinePart> parts;
     for (std::size_t i = block * kBlock; i < std::min(lines.size(), (block + 1) * kBlock); ++i) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <oneapi/tbb/parallel_for.h>
+#include "geometry/parallel.hpp"
 
 namespace ligne::watkins {
 namespace {
@@ -37,7 +37,7 @@ CoverGrid::CoverGrid(const std::vector<ProjectedVertex>& vertices, const std::ve
   rows_ = static_cast<std::uint32_t>(box.height() / size_) + 1;
   depth_ = std::vector<std::atomic<float>>(std::size_t{columns_} * rows_);
   for (std::atomic<float>& d : depth_) d.store(std::numeric_limits<float>::infinity(), std::memory_order_relaxed);
-  tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
+  parallel_for(facets.size(), [&](std::size_t i) {
     if (facets[i].size >= size_) add(facets[i], vertices);
   });
   empty_ = std::all_of(depth_.begin(), depth_.end(), [](const std::atomic<float>& d) {

@@ -4,9 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-
+#include "geometry/parallel.hpp"
 #include "visibility/watkins/facets_near.hpp"
 
 namespace ligne::watkins {
@@ -36,21 +34,18 @@ ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const st
   if (options.penetrations) result.penetrations.assign(bands.size(), PenetrationSearch(facets, vertices));
   std::mutex progress_mutex;
   std::size_t done = 0;
-  tbb::parallel_for(
-      std::size_t{0}, bands.size(),
-      [&](std::size_t b) {
-        StretchStudy study(vertices, facets, lines, options.coincidence_steps, options.kind);
-        std::optional<PairFinder> pairs;
-        if (options.penetrations) pairs.emplace(facets, result.penetrations[b], options.covers);
-        ExactSweep sweep(scene, study, options.coincidence_steps + 1, pairs ? &*pairs : nullptr);
-        sweep.scan(bands[b]);
-        results[b] = {sweep.findings(), sweep.near_lines(), {sweep.counts(), study.counts(), study.span_counts(), 1}};
-        if (options.progress) {
-          const std::lock_guard lock(progress_mutex);
-          options.progress(static_cast<double>(++done) / static_cast<double>(bands.size()));
-        }
-      },
-      tbb::simple_partitioner{});
+  parallel_tasks(bands.size(), [&](std::size_t b) {
+    StretchStudy study(vertices, facets, lines, options.coincidence_steps, options.kind);
+    std::optional<PairFinder> pairs;
+    if (options.penetrations) pairs.emplace(facets, result.penetrations[b], options.covers);
+    ExactSweep sweep(scene, study, options.coincidence_steps + 1, pairs ? &*pairs : nullptr);
+    sweep.scan(bands[b]);
+    results[b] = {sweep.findings(), sweep.near_lines(), {sweep.counts(), study.counts(), study.span_counts(), 1}};
+    if (options.progress) {
+      const std::lock_guard lock(progress_mutex);
+      options.progress(static_cast<double>(++done) / static_cast<double>(bands.size()));
+    }
+  });
 
   result.near.assign(lines.size(), 0);
   std::vector<std::vector<Finding>> findings;

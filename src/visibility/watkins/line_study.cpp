@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
+#include "geometry/parallel.hpp"
 
 namespace ligne::watkins {
 namespace {
@@ -65,16 +64,14 @@ LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Fa
     TrackCounts tracking;
   };
   std::vector<GroupResult> results(groups);
-  tbb::parallel_for(
-      std::uint32_t{0}, groups,
-      [&](std::uint32_t g) {
-        EdgeTracker tracker(scene.vertices, facets, scan_scene.of_faces, lines, options.coincidence_steps);
-        Collector collector(options.track ? &tracker : nullptr, scene, options.collect_spans);
-        LineScan scan(scan_scene, scene.vertices, facets, lines, options.scan, collector);
-        scan.scan(g * size, std::min(grid.count, (g + 1) * size));
-        results[g] = {tracker.findings(), std::move(collector.spans), scan.counts(), scan.span_counts(), tracker.counts()};
-      },
-      tbb::simple_partitioner{});
+  parallel_tasks(groups, [&](std::size_t task) {
+    const auto g = static_cast<std::uint32_t>(task);
+    EdgeTracker tracker(scene.vertices, facets, scan_scene.of_faces, lines, options.coincidence_steps);
+    Collector collector(options.track ? &tracker : nullptr, scene, options.collect_spans);
+    LineScan scan(scan_scene, scene.vertices, facets, lines, options.scan, collector);
+    scan.scan(g * size, std::min(grid.count, (g + 1) * size));
+    results[g] = {tracker.findings(), std::move(collector.spans), scan.counts(), scan.span_counts(), tracker.counts()};
+  });
 
   LineStudyResult result;
   result.groups = groups;

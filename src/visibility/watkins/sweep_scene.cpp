@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_sort.h>
+#include "geometry/parallel.hpp"
 
 namespace ligne::watkins {
 namespace {
@@ -46,8 +45,8 @@ class UseTable {
     if (a != b) uses_[next_[std::min(a, b)]++] = {std::max(a, b), line, index};
   }
   void sort() {
-    tbb::parallel_for(std::size_t{0}, begin_.size() - 1,
-                      [&](std::size_t p) { std::sort(uses_.begin() + begin_[p], uses_.begin() + begin_[p + 1]); });
+    parallel_for(begin_.size() - 1,
+                 [&](std::size_t p) { std::sort(uses_.begin() + begin_[p], uses_.begin() + begin_[p + 1]); });
   }
   std::size_t points() const { return begin_.size() - 1; }
   std::span<const Use> of(std::size_t point) const {
@@ -117,7 +116,7 @@ SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const 
     places.push_back({key_of(lines[i].from.p), static_cast<std::uint32_t>(n + 2 * i)});
     places.push_back({key_of(lines[i].to.p), static_cast<std::uint32_t>(n + 2 * i + 1)});
   }
-  tbb::parallel_sort(places.begin(), places.end());
+  parallel_sort(places.begin(), places.end());
   SweepScene scene;
   std::vector<std::uint32_t> number(n + 2 * lines.size(), kNone);
   for (std::size_t i = 0; i < places.size(); ++i) {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "geometry/parallel.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/make_strokes.hpp"
 #include "visibility/common/stroke_maker.hpp"
@@ -84,14 +83,13 @@ LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines) {
 void leave_out_hidden(const ProjectedScene& scene, const CoverGrid& covers, std::vector<Facet>& facets,
                       std::vector<SweepLine>& lines) {
   std::vector<std::uint8_t> hidden(facets.size());
-  tbb::parallel_for(std::size_t{0}, facets.size(),
-                    [&](std::size_t i) { hidden[i] = covers.hides(facets[i], scene.vertices); });
+  parallel_for(facets.size(), [&](std::size_t i) { hidden[i] = covers.hides(facets[i], scene.vertices); });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     if (!hidden[i]) facets[kept++] = facets[i];
   }
   facets.resize(kept);
-  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
+  parallel_for(lines.size(), [&](std::size_t i) {
     const ProjectedVertex &a = lines[i].from, &b = lines[i].to;
     lines[i].behind = covers.hides(PageSegment{{double(a.p.x), double(a.p.y), a.z}, {double(b.p.x), double(b.p.y), b.z}});
   });

@@ -1,0 +1,35 @@
+#include "geometry/parallel.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace ligne {
+
+void parallel_for(std::size_t count, FunctionRef<void(std::size_t)> work) {
+  tbb::parallel_for(std::size_t{0}, count, [work](std::size_t i) { work(i); });
+}
+
+void parallel_tasks(std::size_t count, FunctionRef<void(std::size_t)> work) {
+  tbb::parallel_for(
+      std::size_t{0}, count, [work](std::size_t i) { work(i); }, tbb::simple_partitioner{});
+}
+
+void parallel_blocks(std::size_t count, std::size_t size, FunctionRef<void(std::size_t, std::size_t)> work) {
+  tbb::parallel_for(std::size_t{0}, block_count(count, size),
+                    [=](std::size_t block) { work(block * size, std::min(count, (block + 1) * size)); });
+}
+
+std::size_t thread_count() { return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()); }
+
+std::size_t thread_index() { return static_cast<std::size_t>(std::max(0, tbb::this_task_arena::current_thread_index())); }
+
+void run_with_threads(unsigned threads, FunctionRef<void()> work) {
+  if (threads == 0) return work();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([work] { work(); });
+}
+
+}  // namespace ligne
