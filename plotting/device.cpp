@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "files/message_text.hpp"
 #include "plotting/number_text.hpp"
 
 namespace ligne {
@@ -40,8 +41,8 @@ const DevicePaper* paper_for(const Device& device, const Page& page, bool fit) {
   if (holds) return holds;
   if (fit) return largest;
   std::string names;
-  for (const DevicePaper& paper : device.papers) names += (names.empty() ? "" : ", ") + paper.name;
-  throw std::runtime_error("device " + device.name + ": no paper holds a page of " + mm(page.width_mm) + " x " +
+  for (const DevicePaper& paper : device.papers) names += (names.empty() ? "" : ", ") + printable(paper.name);
+  throw std::runtime_error("device " + printable(device.name) + ": no paper holds a page of " + mm(page.width_mm) + " x " +
                            mm(page.height_mm) + "; there are " + names + "; --fit-device makes the drawing smaller");
 }
 
@@ -79,7 +80,8 @@ void refuse_excess(const Device& device, const Rect& units, const DeviceFrame& f
     if (excess > 0) text += (text.empty() ? "" : ", ") + mm(excess * device.step_mm) + " " + side;
   }
   if (text.empty()) return;
-  throw std::runtime_error("device " + device.name + (frame.paper ? ", paper " + frame.paper->name : "") +
+  throw std::runtime_error("device " + printable(device.name) +
+                           (frame.paper ? ", paper " + printable(frame.paper->name) : "") +
                            ": the drawing leaves the limits: " + text + "; a wider --margin or --fit-device helps");
 }
 

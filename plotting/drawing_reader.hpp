@@ -22,7 +22,7 @@ struct ReadDrawing {
 inline constexpr double kFarthestMm = 1e6;
 
 /// A ligne-drawing (docs/drawing-format.md): strokes become lines of two points in layers by class. Throws
-/// std::runtime_error, "FILE: what is wrong and where".
+/// InputError, "FILE: what is wrong and where".
 ReadDrawing read_json_drawing(std::string_view json, const std::string& file);
 
 /// What becomes of filled areas of an SVG. White ones below everything are paper; white ones above something hide it, and
@@ -35,7 +35,7 @@ struct FillReading {
 inline constexpr std::string_view kFillReadingNames[] = {"refuse", "outline", "hatch"};
 
 /// The strokes of an SVG; docs/plotting.md says what of SVG is known. Whatever else shows on the page is refused by its
-/// name, unless that is in `skip`. Reads nothing but the text: no entity, no link. Throws std::runtime_error, "FILE:LINE:
+/// name, unless that is in `skip`. Reads nothing but the text: no entity, no link. Throws InputError, "FILE:LINE:
 /// what is wrong".
 ReadDrawing read_svg_drawing(std::string_view svg, const std::string& file, const std::set<std::string>& skip,
                              const FillReading& fills = {});

@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
+#include "files/input_error.hpp"
 #include "plotting/drawing_reader.hpp"
 
 namespace ligne {
@@ -25,9 +25,9 @@ class DrawingReader {
       root =
           json::parse(text, [this](int depth, json::parse_event_t event, json& value) { return take(depth, event, value); });
     } catch (const json::parse_error& e) {
-      throw std::runtime_error(file_ + ": is not JSON: at byte " + std::to_string(e.byte));
+      fail("is not JSON: at byte " + std::to_string(e.byte));
     } catch (const json::exception& e) {
-      throw std::runtime_error(file_ + ": is not JSON that can be read");
+      fail("is not JSON that can be read");
     }
     if (!root.is_object() || root.value("format", json()) != "ligne-drawing") fail("is not a ligne-drawing");
     if (root.value("version", json()) != 1) fail("the version of the ligne-drawing is not 1");
@@ -41,7 +41,7 @@ class DrawingReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& cause) const { throw std::runtime_error(file_ + ": " + cause); }
+  [[noreturn]] void fail(const std::string& cause) const { throw InputError(file_, cause); }
   [[noreturn]] void fail_stroke(const std::string& cause) const { fail("stroke " + std::to_string(count_) + ": " + cause); }
 
   bool take(int depth, json::parse_event_t event, json& value) {

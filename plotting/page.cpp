@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "files/message_text.hpp"
+
 namespace ligne {
 namespace {
 
@@ -40,17 +42,15 @@ constexpr LayerPen kLayerPens[] = {{"intersection", 0.7}, {"crease", 0.7}, {"mes
                                    {"behind-glass", 0.5}, {"shadow", 0.5}};
 constexpr std::array<double, 3> kDebugColor{0.8, 0, 0}, kGlassColor{0.5, 0.5, 0.5};
 
-std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
-
 /// A number and the unit behind it, which may be empty.
 std::pair<double, std::string_view> split_unit(std::string_view text) {
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc::result_out_of_range) throw std::invalid_argument("length out of range: " + in_quotes(text));
-  if (error != std::errc{}) throw std::invalid_argument("not a length: " + in_quotes(text));
-  if (!std::isfinite(value)) throw std::invalid_argument("length is not finite: " + in_quotes(text));
-  if (std::signbit(value)) throw std::invalid_argument("length is negative: " + in_quotes(text));
+  if (error == std::errc::result_out_of_range) throw std::invalid_argument("length out of range: " + shown(text));
+  if (error != std::errc{}) throw std::invalid_argument("not a length: " + shown(text));
+  if (!std::isfinite(value)) throw std::invalid_argument("length is not finite: " + shown(text));
+  if (std::signbit(value)) throw std::invalid_argument("length is negative: " + shown(text));
   return {value, {rest, static_cast<std::size_t>(end - rest)}};
 }
 
@@ -58,10 +58,10 @@ double in_mm(double value, std::string_view unit, std::string_view text) {
   if (unit.empty()) return value;
   for (const auto& [name, mm] : kUnits) {
     if (unit != name) continue;
-    if (!std::isfinite(value * mm)) throw std::invalid_argument("length out of range: " + in_quotes(text));
+    if (!std::isfinite(value * mm)) throw std::invalid_argument("length out of range: " + shown(text));
     return value * mm;
   }
-  throw std::invalid_argument("unknown unit " + in_quotes(unit) + " in length " + in_quotes(text) + " (mm, cm, in, pt)");
+  throw std::invalid_argument("unknown unit " + shown(unit) + " in length " + shown(text) + " (mm, cm, in, pt)");
 }
 
 std::string lower(std::string_view text) {
@@ -90,7 +90,7 @@ Page parse_page(std::string_view text) {
   }
   const std::size_t cross = name.find('x');
   if (cross == std::string::npos) {
-    throw std::invalid_argument("unknown page " + in_quotes(text) + " (A0 to A6, letter, legal, tabloid, or WxH)");
+    throw std::invalid_argument("unknown page " + shown(text) + " (A0 to A6, letter, legal, tabloid, or WxH)");
   }
   try {
     const auto [width, width_unit] = split_unit(std::string_view(name).substr(0, cross));
@@ -99,11 +99,11 @@ Page parse_page(std::string_view text) {
     page.width_mm = in_mm(width, width_unit.empty() ? height_unit : width_unit, name);
     page.height_mm = in_mm(height, height_unit, name);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("page " + in_quotes(text) + ": " + error.what());
+    throw std::invalid_argument("page " + shown(text) + ": " + error.what());
   }
-  if (page.width_mm <= 0 || page.height_mm <= 0) throw std::invalid_argument("page " + in_quotes(text) + " has no area");
+  if (page.width_mm <= 0 || page.height_mm <= 0) throw std::invalid_argument("page " + shown(text) + " has no area");
   if (std::max(page.width_mm, page.height_mm) > kLargestPageMm) {
-    throw std::invalid_argument("page " + in_quotes(text) + " is larger than 100 m");
+    throw std::invalid_argument("page " + shown(text) + " is larger than 100 m");
   }
   return page;
 }

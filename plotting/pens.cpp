@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "files/message_text.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {
@@ -25,16 +26,14 @@ unsigned parse_pen_number(std::string_view text) {
   unsigned number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > kMostPens) {
-    throw std::invalid_argument("\"" + std::string(text) + "\" is not the number of a pen, 1 to " +
-                                std::to_string(kMostPens));
+    throw std::invalid_argument(shown(text, '"') + " is not the number of a pen, 1 to " + std::to_string(kMostPens));
   }
   return number;
 }
 
 unsigned parse_shade(std::string_view text) {
   if (text.size() != 1 || text[0] < '1' || text[0] > static_cast<char>('0' + kMostPenShades)) {
-    throw std::invalid_argument("\"" + std::string(text) + "\" is not a shade, 1 (the darkest) to " +
-                                std::to_string(kMostPenShades));
+    throw std::invalid_argument(shown(text, '"') + " is not a shade, 1 (the darkest) to " + std::to_string(kMostPenShades));
   }
   return static_cast<unsigned>(text[0] - '0');
 }
@@ -53,7 +52,7 @@ std::array<double, 3> parse_color(std::string_view text) {
   for (const auto& [name, code] : kColors) {
     if (name == text) return of_code(code);
   }
-  throw std::invalid_argument("\"" + std::string(text) + "\" is not a colour: #rrggbb, or a name such as red");
+  throw std::invalid_argument(shown(text, '"') + " is not a colour: #rrggbb, or a name such as red");
 }
 
 std::string layer_label(const Pen& pen) {
@@ -93,7 +92,7 @@ Pen PenTable::pen(unsigned number) const {
 void add_pen(PenTable& table, std::string_view text) {
   const std::size_t equals = text.rfind('=');
   if (equals == std::string_view::npos || equals == 0) {
-    throw std::invalid_argument("\"" + std::string(text) + "\" is not CLASS=N, CLASS=N,COLOUR or CLASS=N,COLOUR,WIDTH");
+    throw std::invalid_argument(shown(text, '"') + " is not CLASS=N, CLASS=N,COLOUR or CLASS=N,COLOUR,WIDTH");
   }
   const std::string_view layer = text.substr(0, equals);
   std::string_view rest = text.substr(equals + 1);

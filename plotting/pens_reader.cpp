@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/message_text.hpp"
 #include "plotting/pens.hpp"
 #include "plotting/toml_reading.hpp"
 
@@ -53,7 +54,7 @@ PenTable read_pens(std::string_view toml, const std::string& name) {
     if (!result.pens.emplace(pen.number, pen).second) table.fail("pen " + std::to_string(pen.number) + " is there twice");
     const auto assign = [&](std::string_view key, auto& target) {
       for (const std::string& layer : table.texts(key)) {
-        if (!target.emplace(layer, pen.number).second) table.fail(layer + " has two pens", table.find(key));
+        if (!target.emplace(layer, pen.number).second) table.fail(printable(layer) + " has two pens", table.find(key));
       }
     };
     assign("classes", result.pen_of_layer);

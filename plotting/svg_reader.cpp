@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "files/input_error.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne {
@@ -24,7 +25,7 @@ void SvgReader::fail(const pugi::xml_node& node, const std::string& cause) const
   if (offset > 0 && static_cast<std::size_t>(offset) <= text_.size()) {
     place += ":" + std::to_string(1 + std::count(text_.begin(), text_.begin() + offset, '\n'));
   }
-  throw std::runtime_error(place + ": " + cause);
+  throw InputError(place, cause);
 }
 
 void SvgReader::refuse(std::string_view name, const pugi::xml_node& node) {
@@ -32,7 +33,7 @@ void SvgReader::refuse(std::string_view name, const pugi::xml_node& node) {
     ++result_.left_out[std::string(name)];
     return;
   }
-  fail(node, "<" + std::string(local_name(node)) + "> has " + std::string(name) +
+  fail(node, "<" + printable(local_name(node)) + "> has " + std::string(name) +
                  ", which can not be drawn as strokes; --skip " + std::string(name) + " leaves it out");
 }
 
@@ -90,8 +91,8 @@ ReadDrawing SvgReader::read() {
       text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata_single);
   if (!parsed) {
     const auto end = text_.begin() + std::clamp<std::ptrdiff_t>(parsed.offset, 0, static_cast<std::ptrdiff_t>(text_.size()));
-    throw std::runtime_error(file_ + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n')) +
-                             ": is not XML: " + parsed.description());
+    throw InputError(file_ + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n')),
+                     std::string("is not XML: ") + parsed.description());
   }
   pugi::xml_node root;
   for (const pugi::xml_node& node : document) {
@@ -99,7 +100,7 @@ ReadDrawing SvgReader::read() {
       entities_ = std::string_view(node.value()).find("<!ENTITY") != std::string_view::npos;
     if (node.type() == pugi::node_element) root = node;
   }
-  if (local_name(root) != "svg") throw std::runtime_error(file_ + ": is not an SVG");
+  if (local_name(root) != "svg") throw InputError(file_, "is not an SVG");
   survey(root);
   try {
     Context context = place_page(root);
@@ -166,9 +167,9 @@ void SvgReader::walk(const pugi::xml_node& node, const Context& around) {
     if (name == "use") return follow_use(node, context);
     if (name == "text") return context.style.visible ? draw_text(node, context) : void();
     if (!draw_shape(name, node, context))
-      fail(node, "<" + std::string(name.substr(0, 40)) + "> is not known, and could be something that shows");
+      fail(node, "<" + printable(name) + "> is not known, and could be something that shows");
   } catch (const std::invalid_argument& e) {
-    fail(node, "<" + std::string(name.substr(0, 40)) + "> " + e.what());
+    fail(node, "<" + printable(name) + "> " + e.what());
   }
 }
 

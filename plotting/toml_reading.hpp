@@ -3,7 +3,6 @@
 
 #include <initializer_list>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,23 +10,25 @@
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
+#include "files/input_error.hpp"
+
 namespace ligne {
 
-/// One table of a TOML file. Every reader throws std::runtime_error, "FILE:LINE: what is wrong".
+/// One table of a TOML file. Every reader throws InputError, "FILE:LINE: what is wrong".
 class TomlTable {
  public:
   TomlTable(const toml::table& table, std::string file) : table_(&table), file_(std::move(file)) {}
 
   [[noreturn]] void fail(const std::string& cause, const toml::node* where = nullptr) const {
     const auto line = (where ? where->source() : table_->source()).begin.line;
-    throw std::runtime_error(file_ + (line > 0 ? ":" + std::to_string(line) : "") + ": " + cause);
+    throw InputError(file_ + (line > 0 ? ":" + std::to_string(line) : ""), cause);
   }
   /// Refuses keys that are not among these.
   void only(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, value] : *table_) {
       bool known = false;
       for (const std::string_view k : keys) known = known || key.str() == k;
-      if (!known) fail("there is no key " + std::string(key.str()), &value);
+      if (!known) fail("there is no key " + printable(key.str()), &value);
     }
   }
   const toml::node* find(std::string_view key) const { return table_->get(key); }

@@ -8,17 +8,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "files/message_text.hpp"
 #include "plotting/pens.hpp"
 
 namespace ligne::svg {
 namespace {
 
-/// What stands in a message of a text that may be a gigabyte.
-constexpr std::size_t kShownBytes = 40;
-
 [[noreturn]] void fail(std::string_view text, const std::string& cause) {
-  const bool longer = text.size() > kShownBytes;
-  throw std::invalid_argument("\"" + std::string(text.substr(0, kShownBytes)) + (longer ? "..." : "") + "\" " + cause);
+  throw std::invalid_argument(shown(text, '"') + " " + cause);
 }
 
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }

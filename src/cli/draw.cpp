@@ -25,28 +25,26 @@ void check(const DrawOptions& options) {
   check(options.hatch, format_of(options.output), method);
   if (options.faces.shade && options.hatch.asked()) throw UsageError("--hatch", "does not go together with --shade");
   check(options.page);
-  refuse_input_as_output("--output", *options.output.file, options.model.files);
-  check(options.plotter, *options.output.file, options.model.files);
-  if (options.run.stats_json.empty()) return;
-  refuse_input_as_output("--stats-json", options.run.stats_json, options.model.files);
-  if (options.run.stats_json == *options.output.file) {
-    throw UsageError("--stats-json", options.run.stats_json + " is the output file too");
-  }
 }
 
 void draw(const DrawOptions& options) {
+  RunFiles files;
+  files.will_write("--output", *options.output.file);
+  files.will_write("--preview", options.plotter.preview);
+  files.will_write("--stats-json", options.run.stats_json);
   LineClasses classes = options.method.edges;
   if (!options.method.edges_given && !options.fill.lights.empty()) classes.add(LineClass::shadow);
   const Method& method = method_of(options);
   const MethodSettings settings = settings_of(options.method, method);  // a wrong one is told before anything is read
-  const PlotterSetup plotter = plotter_setup(options.plotter, format_of(options.output));
+  const PlotterSetup plotter = plotter_setup(options.plotter, format_of(options.output), files);
   RunReport run;
-  const LoadedModels models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
+  const LoadedModels models =
+      timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet, files); });
   draw_scene(models.scene,
              {method, settings, classes, options.method.crease_degrees, options.method.hidden, options.method.cull,
               options.view, options.page, options.output, options.run, options.dpi, options.title,
               options.model.files.front(), nullptr, options.faces, plotter, options.fill, options.hatch},
-             run);
+             files, run);
 }
 
 }  // namespace

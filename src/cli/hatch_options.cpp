@@ -5,6 +5,7 @@
 
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
+#include "files/message_text.hpp"
 #include "plotting/page.hpp"
 #include "visibility/registry.hpp"
 
@@ -19,14 +20,14 @@ HatchKind parse_hatch(const std::string& text) {
     length = false;
   }
   if (length)
-    throw std::invalid_argument("\"" + text + "\" is not one of " + list_of(kHatchNames) +
+    throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(kHatchNames) +
                                 "; the distance of the strokes is --hatch-spacing");
   return static_cast<HatchKind>(parse_choice(text, kHatchNames));
 }
 
 double parse_spacing(const std::string& text) {
   const double mm = parse_length_mm(text);
-  if (!(mm > 0)) throw std::invalid_argument("\"" + text + "\" is not a length above zero");
+  if (!(mm > 0)) throw std::invalid_argument(shown(text, '"') + " is not a length above zero");
   return mm;
 }
 

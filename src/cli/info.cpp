@@ -14,7 +14,7 @@
 #include "cli/scene_facts.hpp"
 #include "cli/stages.hpp"
 #include "cli/text.hpp"
-#include "plotting/output_file.hpp"
+#include "files/message_text.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -24,6 +24,8 @@ using Json = nlohmann::ordered_json;
 
 /// Objects named one by one in the text; the JSON names them all.
 constexpr std::size_t kMostObjectLines = 20;
+/// Bytes of a name in the text; the JSON has all of it.
+constexpr std::size_t kLongestName = 120;
 
 struct Info {
   LoadedModels models;
@@ -87,7 +89,7 @@ std::string objects_text(const SceneFacts& scene) {
                                          std::to_string(solid) + " of them with windings that agree");
   for (std::size_t i = 0; i < std::min(scene.objects.size(), kMostObjectLines); ++i) {
     const ObjectFacts& object = scene.objects[i];
-    text += line("", (object.name.empty() ? "object " + std::to_string(i) : one_line(object.name)) + ": " +
+    text += line("", (object.name.empty() ? "object " + std::to_string(i) : printable(object.name, kLongestName)) + ": " +
                          std::to_string(object.faces) + " faces, " + closedness(object));
   }
   if (scene.objects.size() > kMostObjectLines) {
@@ -219,21 +221,18 @@ void check(const InfoOptions& options) {
   if (options.output.format && *options.output.format != OutputFormat::json) {
     throw UsageError("--format", "info is written as text, or as json");
   }
-  if (options.output.file) refuse_input_as_output("--output", *options.output.file, options.model.files);
-  if (!options.run.stats_json.empty()) {
-    refuse_input_as_output("--stats-json", options.run.stats_json, options.model.files);
-    if (options.run.stats_json == options.output.file.value_or("-")) {
-      throw UsageError("--stats-json", options.run.stats_json + " is the output file too");
-    }
-  }
 }
 
 void inform(const InfoOptions& options) {
+  const std::string output = options.output.file.value_or("-");
+  RunFiles files;
+  files.will_write("--output", output);
+  files.will_write("--stats-json", options.run.stats_json);
   Info info;
   RunReport run;
   info.method = &method_of(options.method);
   settings_of(options.method, *info.method);
-  info.models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet); });
+  info.models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet, files); });
   const Scene& scene = info.models.scene;
   info.up_axis = options.view.up_axis.value_or(scene.up_axis);
   const Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
@@ -248,9 +247,8 @@ void inform(const InfoOptions& options) {
     info.view = view_facts(scene, projected);
   });
   const bool json = options.json || options.output.format.has_value();
-  write_output(options.output.file.value_or("-"), json ? json_of(info) : text_of(info));
-  if (options.run.stats) std::fputs(report_text(run).c_str(), stderr);
-  if (!options.run.stats_json.empty()) write_output(options.run.stats_json, report_json(run));
+  files.write(output, json ? json_of(info) : text_of(info));
+  finish(options.run, run, files);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
+#include "files/message_text.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -16,7 +17,7 @@ const Method* parse_method(const std::string& text) {
   if (const Method* method = find_method(text)) return method;
   std::vector<std::string_view> names{"auto"};
   for (const Method* method : all_methods()) names.push_back(method->traits().name);
-  throw std::invalid_argument("\"" + text + "\" is not one of " + list_of(names));
+  throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(names));
 }
 
 unsigned parse_value(const std::string& text, const MethodParameter& parameter) {

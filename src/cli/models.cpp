@@ -29,12 +29,13 @@ void add_model_options(CLI::App& app, ModelOptions& options) {
 
 void warn(const std::string& place, const std::string& text) { say(place + ": warning: " + text); }
 
-LoadedModels load_models(const ModelOptions& options, bool quiet) {
+LoadedModels load_models(const ModelOptions& options, bool quiet, RunFiles& files) {
   LoadedModels models;
   for (const std::string& name : options.files) {
     ModelFile& file = models.files.emplace_back();
     file.name = name;
     Scene scene = read_scene(name, {options.weld_distance, options.merge_coplanar}, file.warnings, &file.report);
+    files.were_read(file.report.files);
     if (!quiet) {
       for (const auto& [kind, count] : file.warnings.counts()) warn(name, std::to_string(count) + " " + kind);
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/run_files.hpp"
 #include "scene/reader.hpp"
 #include "scene/scene.hpp"
 
@@ -34,8 +35,9 @@ struct LoadedModels {
   std::vector<ModelFile> files;
 };
 
-/// Reads all files. Throws InputError. Unless `quiet`, writes one line per kind of warning to standard error.
-LoadedModels load_models(const ModelOptions& options, bool quiet);
+/// Reads all files, and tells `files` of them. Throws InputError, UsageError. Unless `quiet`, writes one line per kind of
+/// warning to standard error.
+LoadedModels load_models(const ModelOptions& options, bool quiet, RunFiles& files);
 
 /// Writes "ligne: PLACE: warning: TEXT" to standard error.
 void warn(const std::string& place, const std::string& text);

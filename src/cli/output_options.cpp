@@ -1,7 +1,6 @@
 #include "cli/output_options.hpp"
 
 #include <stdexcept>
-#include <system_error>
 
 #include "cli/option_helpers.hpp"
 
@@ -27,17 +26,6 @@ OutputFormat format_of(const OutputOptions& options) {
     return format_of_suffix(*options.file);
   } catch (const std::invalid_argument& e) {
     throw UsageError("--output", e.what());
-  }
-}
-
-void refuse_input_as_output(const std::string& option, const std::filesystem::path& file,
-                            std::span<const std::string> inputs) {
-  if (file == "-") return;
-  for (const std::string& input : inputs) {
-    std::error_code error;
-    if (std::filesystem::equivalent(file, input, error) && !error) {
-      throw UsageError(option, file.string() + " is an input too, and would be lost");
-    }
   }
 }
 

@@ -1,9 +1,7 @@
 #pragma once
 /// Options that say where the result goes.
 
-#include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "cli/parse.hpp"
@@ -25,9 +23,5 @@ void add_output_options(CLI::App& app, OutputOptions& options,
 
 /// The format: as given, else by the suffix of the file. Throws UsageError when it can not be known.
 OutputFormat format_of(const OutputOptions& options);
-
-/// Throws UsageError when the file that `option` names is one of the inputs.
-void refuse_input_as_output(const std::string& option, const std::filesystem::path& file,
-                            std::span<const std::string> inputs);
 
 }  // namespace ligne

@@ -8,6 +8,7 @@
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
 #include "cli/text.hpp"
+#include "files/message_text.hpp"
 
 namespace ligne {
 namespace {
@@ -32,7 +33,7 @@ double fitting_scale(const Page& page, const Rect& extent) {
 double parse_pen_width(const std::string& text) {
   const double width = parse_length_mm(text);
   if (!(width > 0 && width <= kWidestPenMm)) {
-    throw std::invalid_argument(text + " is not above 0 and at most " + shortest(kWidestPenMm) + " mm");
+    throw std::invalid_argument(printable(text) + " is not above 0 and at most " + shortest(kWidestPenMm) + " mm");
   }
   return width;
 }

@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "cli/text.hpp"
+#include "files/message_text.hpp"
 
 namespace ligne {
 namespace {
 
 [[noreturn]] void fail(std::string_view text, const std::string& cause) {
-  throw std::invalid_argument((text.empty() ? "an empty text" : "\"" + std::string(text) + "\"") + " " + cause);
+  throw std::invalid_argument((text.empty() ? "an empty text" : shown(text, '"')) + " " + cause);
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -56,14 +57,14 @@ double parse_number(std::string_view text) {
 
 double parse_positive(std::string_view text) {
   const double value = parse_number(text);
-  if (!(value > 0)) throw std::invalid_argument(std::string(text) + " is not greater than 0");
+  if (!(value > 0)) throw std::invalid_argument(printable(text) + " is not greater than 0");
   return value;
 }
 
 double parse_between(std::string_view text, double low, double high, std::string_view unit) {
   const double value = parse_number(text);
   if (!(value > low && value < high)) {
-    throw std::invalid_argument(std::string(text) + " is not between " + shortest(low) + " and " + shortest(high) +
+    throw std::invalid_argument(printable(text) + " is not between " + shortest(low) + " and " + shortest(high) +
                                 with_unit(unit));
   }
   return value;
@@ -72,7 +73,7 @@ double parse_between(std::string_view text, double low, double high, std::string
 double parse_within(std::string_view text, double low, double high, std::string_view unit) {
   const double value = parse_number(text);
   if (!(value >= low && value <= high)) {
-    throw std::invalid_argument(std::string(text) + " is not from " + shortest(low) + " to " + shortest(high) +
+    throw std::invalid_argument(printable(text) + " is not from " + shortest(low) + " to " + shortest(high) +
                                 with_unit(unit));
   }
   return value;

@@ -1,8 +1,6 @@
 #include "cli/plot.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -13,8 +11,8 @@
 #include "cli/scene_drawing.hpp"
 #include "cli/stages.hpp"
 #include "cli/text.hpp"
+#include "files/message_text.hpp"
 #include "plotting/drawing_reader.hpp"
-#include "plotting/output_file.hpp"
 #include "plotting/plot.hpp"
 #include "plotting/stroke_text.hpp"
 
@@ -31,26 +29,8 @@ constexpr const char* kExamples = R"(Examples:
   ligne plot gearbox.json --pen outline=1,black,0.5 --pen rest=2,blue,0.25 -o gearbox.gcode
   ligne plot poster.svg --page A3 --scale fit --preview way.svg -o poster-ready.svg)";
 
-std::string read_drawing_file(const std::string& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw std::runtime_error(file + ": is a folder");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error(file + ": can not be read");
-  const std::string too_large = file + ": is larger than 256 MiB, too large for a drawing";
-  if (const std::uintmax_t size = std::filesystem::file_size(file, error); !error && size > kMostBytes)
-    throw std::runtime_error(too_large);
-  std::string text;
-  std::string block(1 << 16, '\0');
-  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
-    text.append(block, 0, static_cast<std::size_t>(in.gcount()));
-    if (text.size() > kMostBytes) throw std::runtime_error(too_large);
-  }
-  return text;
-}
-
 /// JSON begins with a brace, XML with an angle bracket, whatever the name says.
-ReadDrawing read_drawing(const PlotCommandOptions& options, const FillReading& fills) {
-  const std::string text = read_drawing_file(options.drawing);
+ReadDrawing read_drawing(const PlotCommandOptions& options, std::string_view text, const FillReading& fills) {
   const std::string_view bom = "\xef\xbb\xbf";
   std::string_view content = text;
   if (content.starts_with(bom)) content.remove_prefix(bom.size());
@@ -113,14 +93,18 @@ void warn_of_left_out(const PlotCommandOptions& options, const ReadDrawing& read
 
 /// The drawing in its place. Strokes that fill an area lie as far apart as the pen is wide on the drawing as it comes out,
 /// so its scale must be known before.
-ReadDrawing placed_drawing(const PlotCommandOptions& options) {
+ReadDrawing placed_drawing(const PlotCommandOptions& options, RunFiles& files) {
+  InputFiles opened;
+  const std::vector<std::byte> bytes = read_input(options.drawing, options.drawing, opened, kMostBytes);
+  files.were_read(opened);
+  const std::string_view text = as_characters(bytes);
   FillReading fills{options.fills, options.pen_width_mm / options.scale};
   if (options.fit && fills.how == FillReading::How::hatch) {
-    ReadDrawing contours = read_drawing(options, {FillReading::How::outline, options.pen_width_mm});
+    ReadDrawing contours = read_drawing(options, text, {FillReading::How::outline, options.pen_width_mm});
     draw_texts_as_strokes(contours.drawing);
     fills.pen_width_mm = options.pen_width_mm / place(options, contours);
   }
-  ReadDrawing read = read_drawing(options, fills);
+  ReadDrawing read = read_drawing(options, text, fills);
   warn_of_left_out(options, read, draw_texts_as_strokes(read.drawing));
   place(options, read);
   return read;
@@ -139,21 +123,25 @@ LineStyle style_of_layer(const std::string& layer, double pen_width_mm, bool hid
 }
 
 void plot(const PlotCommandOptions& options) {
+  RunFiles files;
+  files.will_write("--output", *options.output.file);
+  files.will_write("--preview", options.plotter.preview);
+  files.will_write("--stats-json", options.run.stats_json);
   const OutputFormat format = format_of(options.output);
   if (format == OutputFormat::json) throw UsageError("--format", "plot writes svg, pdf, png, hpgl or gcode");
-  PlotterSetup setup = plotter_setup(options.plotter, format);
+  PlotterSetup setup = plotter_setup(options.plotter, format, files);
   if (!setup.by_pens() && !setup.options.optimize) setup.options.optimize = Optimize::join;
   RunReport run;
-  const ReadDrawing read = timed(run.stages, "read", [&] { return placed_drawing(options); });
+  const ReadDrawing read = timed(run.stages, "read", [&] { return placed_drawing(options, files); });
   PlotOptions style;
   style.page = read.page;
   style.pen_width_mm = options.pen_width_mm;
   style.hidden_solid = read.dashes_cut;
   style.dpi = options.dpi;
   style.style = [&](const std::string& layer) { return style_of_layer(layer, options.pen_width_mm, style.hidden_solid); };
-  const std::string bytes = timed(run.stages, "write", [&] { return written(read.drawing, style, setup, format, run); });
-  timed(run.stages, "output", [&] { write_output(*options.output.file, bytes); });
-  report(options.run, run);
+  std::string bytes = timed(run.stages, "write", [&] { return written(read.drawing, style, setup, format, files, run); });
+  timed(run.stages, "output", [&] { files.write(*options.output.file, std::move(bytes)); });
+  finish(options.run, run, files);
 }
 
 void add_placing_options(CLI::App& app, PlotCommandOptions& options) {
@@ -174,7 +162,7 @@ void add_placing_options(CLI::App& app, PlotCommandOptions& options) {
                          [](const std::string& t) {
                            const double width = parse_length_mm(t);
                            if (!(width > 0 && width <= kWidestPenMm))
-                             throw std::invalid_argument(t + " is not above 0 and at most 50 mm");
+                             throw std::invalid_argument(printable(t) + " is not above 0 and at most 50 mm");
                            return width;
                          },
                          "width of the lines, where no pen has its own")
@@ -233,9 +221,6 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
 
 void run_plot(const PlotCommandOptions& options) {
   format_of(options.output);
-  const std::string inputs[] = {options.drawing};
-  refuse_input_as_output("--output", *options.output.file, inputs);
-  check(options.plotter, *options.output.file, inputs);
   run_with_threads(options.run, [&] { plot(options); });
 }
 

@@ -1,12 +1,11 @@
 #include "cli/plotter_options.hpp"
 
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <utility>
 
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
+#include "files/message_text.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {
@@ -20,16 +19,11 @@ std::string file_name(const std::string& text) {
   return text;
 }
 
-std::string read_toml_file(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) throw std::runtime_error(file + ": can not be read");
-  std::string text;
-  char block[4096];
-  while (in.read(block, sizeof block) || in.gcount() > 0) {
-    text.append(block, static_cast<std::size_t>(in.gcount()));
-    if (text.size() > kMostTomlBytes) throw std::runtime_error(file + ": is larger than 1 MiB, too large for such a file");
-  }
-  return text;
+std::string read_toml_file(const std::string& file, RunFiles& files) {
+  InputFiles opened;
+  const std::vector<std::byte> bytes = read_input(file, file, opened, kMostTomlBytes);
+  files.were_read(opened);
+  return std::string(as_characters(bytes));
 }
 
 std::string known_devices(DeviceLanguage language) {
@@ -49,11 +43,11 @@ DeviceLanguage language_of(OutputFormat format) {
 /// The device that stands for a plotter language when none is named.
 constexpr std::string_view kDefaultHpgl = "cutter", kDefaultGcode = "grbl-servo";
 
-std::shared_ptr<const Device> device_of(const PlotterOptions& options, OutputFormat format) {
+std::shared_ptr<const Device> device_of(const PlotterOptions& options, OutputFormat format, RunFiles& files) {
   const DeviceLanguage language = language_of(format);
   std::shared_ptr<const Device> device;
   if (!options.device_file.empty()) {
-    device = std::make_shared<Device>(read_device(read_toml_file(options.device_file), options.device_file));
+    device = std::make_shared<Device>(read_device(read_toml_file(options.device_file, files), options.device_file));
   } else {
     const std::string_view standard = language == DeviceLanguage::hpgl    ? kDefaultHpgl
                                       : language == DeviceLanguage::gcode ? kDefaultGcode
@@ -61,12 +55,12 @@ std::shared_ptr<const Device> device_of(const PlotterOptions& options, OutputFor
     const std::string_view name = options.device.empty() ? standard : std::string_view(options.device);
     if (name.empty()) return nullptr;
     const Device* known = find_device(name);
-    if (!known) throw UsageError("--device", "\"" + std::string(name) + "\" is not known; ligne devices lists them");
+    if (!known) throw UsageError("--device", shown(name, '"') + " is not known; ligne devices lists them");
     device = std::make_shared<Device>(*known);
   }
   const std::string_view speaks = kDeviceLanguageNames[static_cast<std::size_t>(device->language)];
   if (device->language != language) {
-    throw UsageError("--device", device->name + " takes " + std::string(speaks) + ", not " +
+    throw UsageError("--device", printable(device->name) + " takes " + std::string(speaks) + ", not " +
                                      std::string(kOutputFormatNames[static_cast<std::size_t>(format)]) +
                                      (known_devices(language).empty() ? "" : "; that take " + known_devices(language)));
   }
@@ -118,13 +112,7 @@ void add_plotter_options(CLI::App& app, PlotterOptions& options) {
     option->group("Plotter");
 }
 
-void check(const PlotterOptions& options, const std::string& output, std::span<const std::string> inputs) {
-  if (options.preview.empty()) return;
-  refuse_input_as_output("--preview", options.preview, inputs);
-  if (options.preview == output) throw UsageError("--preview", options.preview + " is the output file too");
-}
-
-PlotterSetup plotter_setup(const PlotterOptions& options, OutputFormat format) {
+PlotterSetup plotter_setup(const PlotterOptions& options, OutputFormat format, RunFiles& files) {
   PlotterSetup setup{options, nullptr, {}};
   if (format == OutputFormat::json) {
     const bool given = !options.device.empty() || !options.device_file.empty() || !options.pens_file.empty() ||
@@ -133,9 +121,9 @@ PlotterSetup plotter_setup(const PlotterOptions& options, OutputFormat format) {
     if (given) throw UsageError("--format", "a JSON drawing has no pens; ligne plot makes a plot of it");
     return setup;
   }
-  setup.device = device_of(options, format);
+  setup.device = device_of(options, format, files);
   if (options.fit_device && !setup.device) throw UsageError("--fit-device", "there is no --device");
-  if (!options.pens_file.empty()) setup.pens = read_pens(read_toml_file(options.pens_file), options.pens_file);
+  if (!options.pens_file.empty()) setup.pens = read_pens(read_toml_file(options.pens_file, files), options.pens_file);
   // What the command line says goes before what the file says.
   for (const auto& [number, pen] : options.pens.pens) {
     const auto [entry, added] = setup.pens.pens.emplace(number, pen);

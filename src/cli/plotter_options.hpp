@@ -3,10 +3,10 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "cli/output_options.hpp"
+#include "cli/run_files.hpp"
 #include "plotting/device.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "plotting/pens.hpp"
@@ -29,9 +29,6 @@ struct PlotterOptions {
   std::string preview;
 };
 
-/// Throws UsageError when the preview would take the place of the output or of an input.
-void check(const PlotterOptions& options, const std::string& output, std::span<const std::string> inputs);
-
 void add_plotter_options(CLI::App& app, PlotterOptions& options);
 
 /// What the options come to for an output format.
@@ -45,8 +42,8 @@ struct PlotterSetup {
   Optimize optimize() const { return options.optimize.value_or(by_pens() ? Optimize::full : Optimize::off); }
 };
 
-/// Finds the device, reads the files. Throws UsageError for options that do not go with the format or with each other,
-/// std::runtime_error for a bad file.
-PlotterSetup plotter_setup(const PlotterOptions& options, OutputFormat format);
+/// Finds the device, reads its file and that of the pens, and tells `files` of them. Throws UsageError for options that do
+/// not go with the format or with each other, std::runtime_error for a bad file.
+PlotterSetup plotter_setup(const PlotterOptions& options, OutputFormat format, RunFiles& files);
 
 }  // namespace ligne

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "plotting/output_file.hpp"
+#include "files/message_text.hpp"
 #include "plotting/plot_writers.hpp"
 
 namespace ligne {
@@ -27,6 +27,7 @@ std::string metres(double mm) {
   return text;
 }
 
+/// The speeds and times of a device are bounded so that these seconds fit (plotting/device_reader.cpp).
 std::string minutes(double seconds) {
   const auto whole = std::llround(seconds);
   char text[64];
@@ -44,7 +45,7 @@ void print_report(const ReportRow& before, const ReportRow& after, const Device*
   constexpr std::size_t kColumn = 12;
   std::string text = padded("", 8);
   for (const char* head : {"strokes", "down", "up", "lifts"}) text += padded(head, kColumn);
-  if (device) text += padded("time", kColumn) + "  (" + device->name + ")";
+  if (device) text += padded("time", kColumn) + "  (" + printable(device->name) + ")";
   text += "\n";
   for (const ReportRow* row : {&before, &after}) {
     std::string name = row->name;
@@ -58,7 +59,7 @@ void print_report(const ReportRow& before, const ReportRow& after, const Device*
 }
 
 std::string written_by_layers(const Drawing& drawing, const PlotOptions& style, const PlotterSetup& setup,
-                              OutputFormat format, RunReport& run, const GrayPicture* under) {
+                              OutputFormat format, RunFiles& files, RunReport& run, const GrayPicture* under) {
   const PlotterOptions& options = setup.options;
   const PathOptions paths{setup.optimize(), options.tolerances, {}};
   if (paths.optimize == Optimize::off && !options.report && options.preview.empty())
@@ -68,7 +69,7 @@ std::string written_by_layers(const Drawing& drawing, const PlotOptions& style, 
     print_report({"before", measure(drawing, {}, false), 0}, {"after", measure(better, {}, false), 0}, nullptr);
   if (!options.preview.empty()) {
     PlotRequest request{style, {}, true, {Optimize::off, {}, {}}};
-    write_output(options.preview, write_preview(deal_to_pens(better, request), {}, false));
+    files.write(options.preview, write_preview(deal_to_pens(better, request), {}, false));
   }
   return written_as(format, better, style, under);
 }
@@ -76,8 +77,8 @@ std::string written_by_layers(const Drawing& drawing, const PlotOptions& style, 
 }  // namespace
 
 std::string written(const Drawing& drawing, const PlotOptions& style, const PlotterSetup& setup, OutputFormat format,
-                    RunReport& run, const GrayPicture* under) {
-  if (!setup.by_pens()) return written_by_layers(drawing, style, setup, format, run, under);
+                    RunFiles& files, RunReport& run, const GrayPicture* under) {
+  if (!setup.by_pens()) return written_by_layers(drawing, style, setup, format, files, run, under);
   const PlotterOptions& options = setup.options;
   const Device* device = setup.device.get();
   PlotRequest request{
@@ -96,7 +97,7 @@ std::string written(const Drawing& drawing, const PlotOptions& style, const Plot
     print_report({"before", measure(before, order.home, order.returns), before.pens.size()},
                  {"after", measure(plot, order.home, order.returns), plot.pens.size()}, device);
   }
-  if (!options.preview.empty()) write_output(options.preview, write_preview(plot, order.home, order.returns));
+  if (!options.preview.empty()) files.write(options.preview, write_preview(plot, order.home, order.returns));
   if (format == OutputFormat::hpgl || format == OutputFormat::gcode) return write_plot(plot, *device, *frame);
   if (frame && options.fit_device) {
     for (PenLines& pen : plot.pens) {

@@ -14,6 +14,6 @@ namespace ligne {
 /// SVG, PDF, PNG, HPGL or G-code. Writes the preview and the report where they are asked for, and adds the time of the path
 /// work to `run`. `under` is a picture below the lines of a PNG.
 std::string written(const Drawing& drawing, const PlotOptions& style, const PlotterSetup& setup, OutputFormat format,
-                    RunReport& run, const GrayPicture* under = nullptr);
+                    RunFiles& files, RunReport& run, const GrayPicture* under = nullptr);
 
 }  // namespace ligne

@@ -1,7 +1,6 @@
 #include "cli/scene_drawing.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -16,7 +15,6 @@
 #include "cli/placement.hpp"
 #include "cli/plotter_output.hpp"
 #include "cli/progress.hpp"
-#include "plotting/output_file.hpp"
 #include "plotting/writers.hpp"
 #include "scene/topology.hpp"
 #include "view/projected_scene.hpp"
@@ -137,7 +135,7 @@ void finish_regions(const Scene& scene, const SceneDrawing& request, const View&
 
 }  // namespace
 
-void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run) {
+void draw_scene(const Scene& scene, const SceneDrawing& request, RunFiles& files, RunReport& run) {
   run.method = request.method.traits().name;
   const OutputFormat format = format_of(request.output);
   Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
@@ -201,7 +199,7 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
   }
 
   timed(run.stages, "drawing", [&] { remove_coincident_strokes(strokes, coincidence_mm(projected)); });
-  const std::string bytes = timed(run.stages, "write", [&] {
+  std::string bytes = timed(run.stages, "write", [&] {
     DrawingDocument document;
     document.strokes = &strokes;
     document.regions = result.regions ? &*result.regions : nullptr;
@@ -226,16 +224,11 @@ void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run)
     if (result.regions && request.fill.kind != FillKind::none) {
       drawing.fills = fill_regions(scene, placement.view, *result.regions, lights, request.fill.kind);
     }
-    return written(drawing, plot, request.plotter, format, run, gray ? &*gray : nullptr);
+    return written(drawing, plot, request.plotter, format, files, run, gray ? &*gray : nullptr);
   });
   run.study = std::move(result.statistics);
-  timed(run.stages, "output", [&] { write_output(*request.output.file, bytes); });
-  report(request.run, run);
-}
-
-void report(const RunOptions& options, const RunReport& run) {
-  if (options.stats) std::fputs(report_text(run).c_str(), stderr);
-  if (!options.stats_json.empty()) write_output(options.stats_json, report_json(run));
+  timed(run.stages, "output", [&] { files.write(*request.output.file, std::move(bytes)); });
+  finish(request.run, run, files);
 }
 
 }  // namespace ligne

@@ -10,6 +10,7 @@
 #include "cli/output_options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/plotter_options.hpp"
+#include "cli/run_files.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stages.hpp"
 #include "cli/surface_axes.hpp"
@@ -46,10 +47,8 @@ struct SceneDrawing {
   HatchRequest hatch{};
 };
 
-/// Studies, draws and writes; then reports when the options ask for it. Throws UsageError, std::runtime_error.
-void draw_scene(const Scene& scene, const SceneDrawing& request, RunReport& run);
-
-/// Counts and times, where the options want them.
-void report(const RunOptions& options, const RunReport& run);
+/// Studies, draws and writes to `files`, which it completes; then reports when the options ask for it. Throws UsageError,
+/// std::runtime_error.
+void draw_scene(const Scene& scene, const SceneDrawing& request, RunFiles& files, RunReport& run);
 
 }  // namespace ligne

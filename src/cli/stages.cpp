@@ -1,6 +1,7 @@
 #include "cli/stages.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "cli/text.hpp"
@@ -45,6 +46,12 @@ std::string report_json(const RunReport& report) {
   for (const auto& [name, value] : report.study.seconds) json["seconds"][name] = value;
   for (const auto& [name, value] : report.stages.seconds) json["stages"][name] = value;
   return json.dump(2) + "\n";
+}
+
+void finish(const RunOptions& options, const RunReport& report, RunFiles& files) {
+  if (!options.stats_json.empty()) files.write(options.stats_json, report_json(report));
+  files.commit();
+  if (options.stats) std::fputs(report_text(report).c_str(), stderr);
 }
 
 }  // namespace ligne

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "cli/run_files.hpp"
+#include "cli/run_options.hpp"
 #include "drawing/statistics.hpp"
 
 namespace ligne {
@@ -31,6 +33,9 @@ struct RunReport {
 
 /// As a table for people.
 std::string report_text(const RunReport& report);
+
+/// The end of a run: writes its counts and times where the options want them, and puts all files in their places.
+void finish(const RunOptions& options, const RunReport& report, RunFiles& files);
 
 /// As JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "stages"}.
 std::string report_json(const RunReport& report);

@@ -11,7 +11,6 @@
 #include "cli/stages.hpp"
 #include "cli/surface_mesh.hpp"
 #include "cli/surface_samples.hpp"
-#include "plotting/output_file.hpp"
 #include "plotting/writers.hpp"
 #include "scene/height_filters.hpp"
 #include "visibility/horizon/horizon.hpp"
@@ -125,12 +124,12 @@ Drawing drawing_of(HorizonLines& lines) {
   return drawing;
 }
 
-void draw(const SurfaceOptions& options) {
+void draw(const SurfaceOptions& options, RunFiles& files) {
   const OutputFormat format = format_of(options.output);
-  const PlotterSetup plotter = plotter_setup(options.plotter, format);
+  const PlotterSetup plotter = plotter_setup(options.plotter, format, files);
   RunReport run;
   run.method = "horizon";
-  Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(options).front()); });
+  Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(options, files).front()); });
   HorizonRequest request;
   Surroundings around;
   timed(run.stages, "place", [&] {
@@ -164,9 +163,9 @@ void draw(const SurfaceOptions& options) {
   plot.pen_width_mm = options.page.pen_width_mm;
   plot.title = options.title;
   plot.dpi = options.dpi;
-  const std::string bytes = timed(run.stages, "write", [&] { return written(drawing, plot, plotter, format, run); });
-  timed(run.stages, "output", [&] { write_output(*options.output.file, bytes); });
-  report(options.run, run);
+  std::string bytes = timed(run.stages, "write", [&] { return written(drawing, plot, plotter, format, files, run); });
+  timed(run.stages, "output", [&] { files.write(*options.output.file, std::move(bytes)); });
+  finish(options.run, run, files);
 }
 
 }  // namespace
@@ -175,7 +174,12 @@ void setup_surface(CLI::App& app, SurfaceOptions& options) { add_surface_command
 
 void run_surface(const SurfaceOptions& options) {
   check(options);
-  run_with_threads(options.run, [&] { drawn_by_horizon(options) ? draw(options) : run_surface_mesh(options); });
+  RunFiles files;
+  files.will_write("--output", *options.output.file);
+  files.will_write("--preview", options.plotter.preview);
+  files.will_write("--stats-json", options.run.stats_json);
+  run_with_threads(options.run,
+                   [&] { drawn_by_horizon(options) ? draw(options, files) : run_surface_mesh(options, files); });
 }
 
 }  // namespace ligne

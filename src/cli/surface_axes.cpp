@@ -7,6 +7,7 @@
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
 #include "cli/text.hpp"
+#include "files/message_text.hpp"
 #include "view/axes_box.hpp"
 #include "visibility/tolerances.hpp"
 
@@ -50,7 +51,8 @@ double text_height_mm(const AxesOptions& options, const Page& page) {
 
 double parse_text_height(const std::string& text) {
   const double height = parse_length_mm(text);
-  if (!(height > 0 && height <= kHighestTextMm)) throw std::invalid_argument(text + " is not above 0 and at most 1000 mm");
+  if (!(height > 0 && height <= kHighestTextMm))
+    throw std::invalid_argument(printable(text) + " is not above 0 and at most 1000 mm");
   return height;
 }
 

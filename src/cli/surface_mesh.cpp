@@ -12,7 +12,6 @@
 #include "cli/scene_drawing.hpp"
 #include "cli/surface_samples.hpp"
 #include "cli/text.hpp"
-#include "plotting/output_file.hpp"
 #include "scene/crossing_edges.hpp"
 #include "scene/mesh_writer.hpp"
 #include "scene/surface_mesh.hpp"
@@ -95,8 +94,8 @@ struct Plot {
   std::optional<PlotBox> box;
 };
 
-Plot plot_of(const SurfaceOptions& options) {
-  const std::vector<SurfacePoints> surfaces = points_of(options);
+Plot plot_of(const SurfaceOptions& options, RunFiles& files) {
+  const std::vector<SurfacePoints> surfaces = points_of(options, files);
   std::vector<SurfaceMesh> meshes;
   for (const SurfacePoints& surface : surfaces) {
     meshes.push_back(make_surface_mesh(surface));
@@ -120,24 +119,24 @@ Plot plot_of(const SurfaceOptions& options) {
   return plot;
 }
 
-void write_mesh(const SurfaceOptions& options, const Scene& scene, RunReport& run) {
+void write_mesh(const SurfaceOptions& options, const Scene& scene, RunFiles& files, RunReport& run) {
   if (scene.faces.empty())
     throw InputError(place_of_warnings(options), "has no cell without a hole: there is no mesh to write");
-  const std::string text = timed(run.stages, "write", [&] {
+  std::string text = timed(run.stages, "write", [&] {
     return mesh_format_of(options.output) == MeshFormat::obj ? write_obj(scene) : write_ligne_scene(scene);
   });
-  timed(run.stages, "output", [&] { write_output(*options.output.file, text); });
-  report(options.run, run);
+  timed(run.stages, "output", [&] { files.write(*options.output.file, std::move(text)); });
+  finish(options.run, run, files);
 }
 
 }  // namespace
 
-void run_surface_mesh(const SurfaceOptions& options) {
+void run_surface_mesh(const SurfaceOptions& options, RunFiles& files) {
   RunReport run;
   PlotterSetup plotter;
-  if (!options.as_mesh) plotter = plotter_setup(options.plotter, format_of(options.output));
-  const Plot plot = timed(run.stages, "read", [&] { return plot_of(options); });
-  if (options.as_mesh) return write_mesh(options, plot.scene, run);
+  if (!options.as_mesh) plotter = plotter_setup(options.plotter, format_of(options.output), files);
+  const Plot plot = timed(run.stages, "read", [&] { return plot_of(options, files); });
+  if (options.as_mesh) return write_mesh(options, plot.scene, files, run);
 
   LineClasses classes;
   for (const LineClass c : {LineClass::horizon, LineClass::contour}) classes.add(c);
@@ -165,7 +164,7 @@ void run_surface_mesh(const SurfaceOptions& options) {
                        plotter,
                        {},
                        options.hatch};
-  draw_scene(plot.scene, drawing, run);
+  draw_scene(plot.scene, drawing, files, run);
 }
 
 }  // namespace ligne

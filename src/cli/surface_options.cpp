@@ -6,6 +6,7 @@
 
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
+#include "files/message_text.hpp"
 #include "scene/surface_points.hpp"
 #include "visibility/registry.hpp"
 
@@ -31,7 +32,7 @@ double parse_constant(const std::string& text) {
   } catch (const InputError& e) {
     throw std::invalid_argument(e.what());
   }
-  throw std::invalid_argument("\"" + text + "\" is not a finite number");
+  throw std::invalid_argument(shown(text, '"') + " is not a finite number");
 }
 
 /// "A:B", and what stands behind the second colon.
@@ -42,13 +43,13 @@ struct Ends {
 
 Ends parse_ends(const std::string& text, const std::string& form) {
   const std::size_t first = text.find(':');
-  if (first == std::string::npos) throw std::invalid_argument("\"" + text + "\" is not " + form);
+  if (first == std::string::npos) throw std::invalid_argument(shown(text, '"') + " is not " + form);
   const std::size_t second = text.find(':', first + 1);
   Ends ends{parse_constant(text.substr(0, first)), 0, {}};
   ends.to = parse_constant(text.substr(first + 1, second == std::string::npos ? second : second - first - 1));
   if (second != std::string::npos) ends.rest = text.substr(second + 1);
-  if (!(ends.from < ends.to)) throw std::invalid_argument("the range " + text + " does not ascend");
-  if (!std::isfinite(ends.to - ends.from)) throw std::invalid_argument("the range " + text + " is too large");
+  if (!(ends.from < ends.to)) throw std::invalid_argument("the range " + printable(text) + " does not ascend");
+  if (!std::isfinite(ends.to - ends.from)) throw std::invalid_argument("the range " + printable(text) + " is too large");
   return ends;
 }
 
@@ -62,7 +63,7 @@ CurveRange parse_range(const std::string& text) {
 
 std::array<double, 2> parse_heights(const std::string& text) {
   const Ends ends = parse_ends(text, "A:B");
-  if (ends.rest) throw std::invalid_argument("\"" + text + "\" is not A:B");
+  if (ends.rest) throw std::invalid_argument(shown(text, '"') + " is not A:B");
   return {ends.from, ends.to};
 }
 
@@ -100,8 +101,6 @@ void check_sources(const SurfaceOptions& options) {
   if (!grids && options.every)
     throw UsageError("--every", "goes with --grid; a formula has its number of curves in -x A:B:N");
   if (!grids) return;
-  refuse_input_as_output("--output", *options.output.file, options.grids);
-  if (!options.run.stats_json.empty()) refuse_input_as_output("--stats-json", options.run.stats_json, options.grids);
 }
 
 void add_parameter_range(CLI::App& app, const std::string& name, std::vector<CurveRange>& ranges, const std::string& help) {
@@ -133,7 +132,7 @@ void add_method_choice(CLI::App& app, SurfaceOptions& options) {
            if (text == "horizon" || text == "auto" || options.method) return;
            std::vector<std::string_view> names{"auto", "horizon"};
            for (const Method* method : all_methods()) names.push_back(method->traits().name);
-           throw UsageError("--method", "\"" + text + "\" is not one of " + list_of(names));
+           throw UsageError("--method", shown(text, '"') + " is not one of " + list_of(names));
          },
          "horizon, or a mesh method, see: ligne methods; auto: horizon where it can")
       ->type_name("NAME")
@@ -170,7 +169,8 @@ MeshFormat mesh_format_of(const OutputOptions& options) {
   }
   if (suffix == ".json") return MeshFormat::ligne_scene;
   if (suffix == ".obj") return MeshFormat::obj;
-  throw UsageError("--output", *options.file + " does not end in .json or .obj, which --as-mesh writes");
+  throw UsageError("--output",
+                   printable(*options.file, kLongestPath) + " does not end in .json or .obj, which --as-mesh writes");
 }
 
 std::string place_of_warnings(const SurfaceOptions& options) {
@@ -226,7 +226,6 @@ void check(const SurfaceOptions& options) {
     mesh_format_of(options.output);
   } else {
     format_of(options.output);
-    check(options.plotter, *options.output.file, options.grids);
   }
   check(options.page);
   if ((options.azimuth_degrees || options.elevation_degrees) && options.view_given) {

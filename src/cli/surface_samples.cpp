@@ -52,9 +52,11 @@ AxisWindow window_of(const std::optional<CurveRange>& range) {
   return range ? AxisWindow{range->from, range->to} : AxisWindow{};
 }
 
-Surface grid_surface(const SurfaceOptions& options, const std::string& file) {
+Surface grid_surface(const SurfaceOptions& options, const std::string& file, RunFiles& files) {
   Warnings warnings;
-  Surface surface{file, read_grid(file, warnings)};
+  InputFiles opened;
+  Surface surface{file, read_grid(file, warnings, &opened)};
+  files.were_read(opened);
   for (const auto& [kind, count] : warnings.counts()) {
     if (!options.run.quiet) warn(file, std::to_string(count) + " " + kind);
   }
@@ -94,9 +96,9 @@ void choose_curves(AnySurface& surface, const SurfaceOptions& options) {
 
 }  // namespace
 
-std::vector<Surface> surfaces_of(const SurfaceOptions& options) {
+std::vector<Surface> surfaces_of(const SurfaceOptions& options, RunFiles& files) {
   std::vector<Surface> grids;
-  for (const std::string& file : options.grids) grids.push_back(grid_surface(options, file));
+  for (const std::string& file : options.grids) grids.push_back(grid_surface(options, file, files));
   // What hides is fine in both directions, unless it is the curves alone.
   const bool by_curves = options.curves.hidden_by == HiddenBy::curves || options.curves.ridgeline;
   const CurveRange x_range = range_of(options.x, grids, &HeightSource::x),
@@ -117,10 +119,10 @@ std::vector<Surface> surfaces_of(const SurfaceOptions& options) {
   return surfaces;
 }
 
-std::vector<SurfacePoints> points_of(const SurfaceOptions& options) {
+std::vector<SurfacePoints> points_of(const SurfaceOptions& options, RunFiles& files) {
   std::vector<SurfacePoints> all;
   std::size_t samples = 0;
-  for (const Surface& surface : surfaces_of(options)) {
+  for (const Surface& surface : surfaces_of(options, files)) {
     take_samples(samples, surface.heights->x().size(), surface.heights->y().size(), surface.name);
     SurfacePoints& points = all.emplace_back(points_of(*surface.heights));
     points.name = surface.name;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/run_files.hpp"
 #include "cli/surface_options.hpp"
 #include "scene/height_source.hpp"
 #include "scene/surface_points.hpp"
@@ -20,10 +21,11 @@ struct Surface {
   bool from_formula = false;
 };
 
-/// The surfaces z = f(x, y): those of formulas, then those of grids. Throws UsageError, InputError.
-std::vector<Surface> surfaces_of(const SurfaceOptions& options);
+/// The surfaces z = f(x, y): those of formulas, then those of grids, of which it tells `files`. Throws UsageError,
+/// InputError.
+std::vector<Surface> surfaces_of(const SurfaceOptions& options, RunFiles& files);
 
 /// The samples of all surfaces, for meshes; z = f(x, y) before the parametric ones. Throws UsageError, InputError.
-std::vector<SurfacePoints> points_of(const SurfaceOptions& options);
+std::vector<SurfacePoints> points_of(const SurfaceOptions& options, RunFiles& files);
 
 }  // namespace ligne

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cstdio>
 
+#include "files/message_text.hpp"
+
 namespace ligne {
 namespace {
 
@@ -29,18 +31,8 @@ std::string rounded(double value, int digits) {
 
 std::string duration(double seconds) { return seconds < 1 ? print("%.2f ms", seconds * 1000) : print("%.2f s", seconds); }
 
-std::string one_line(std::string_view text) {
-  std::string line(text);
-  for (char& c : line) {
-    const auto u = static_cast<unsigned char>(c);
-    if (u < 0x20 || u == 0x7f) c = ' ';
-  }
-  while (!line.empty() && line.back() == ' ') line.pop_back();
-  return line;
-}
-
 void say(std::string_view text) {
-  const std::string line = "ligne: " + one_line(text) + "\n";
+  const std::string line = "ligne: " + message_line(text) + "\n";
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -15,10 +15,7 @@ std::string rounded(double value, int digits = 6);
 /// Seconds as "12.3 ms" or "4.56 s".
 std::string duration(double seconds);
 
-/// The text on one line: control characters become spaces.
-std::string one_line(std::string_view text);
-
-/// Writes "ligne: TEXT" and a line end to standard error.
+/// Writes "ligne: TEXT" and a line end to standard error: one line of bounded length, whatever the text holds.
 void say(std::string_view text);
 
 }  // namespace ligne

@@ -1,20 +1,13 @@
 #pragma once
-/// Errors and warnings about input.
+/// Warnings about input; errors come with them.
 
 #include <cstddef>
 #include <map>
-#include <stdexcept>
 #include <string>
-#include <utility>
+
+#include "files/input_error.hpp"
 
 namespace ligne {
-
-/// The input can not be used. what() is one line, "FILE[:LINE]: what is wrong and where".
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-  InputError(const std::string& place, const std::string& cause) : std::runtime_error(place + ": " + cause) {}
-};
 
 /// Things that were mended or left out while reading, counted by kind, so that a thousand of one kind are one line.
 class Warnings {

@@ -176,7 +176,9 @@ class Preparation {
     }
     if (c == ',' && open_.empty()) throw error("',' outside the arguments of a function");
     if (std::string_view("+-*/^<>?:,").find(c) == std::string_view::npos) {
-      throw error("character " + shown(rest.substr(0, 1)) + " has no meaning in a formula");
+      std::size_t end = 1;  // of the character in UTF-8
+      while (end < rest.size() && (static_cast<unsigned char>(rest[end]) & 0xc0) == 0x80) ++end;
+      throw error("character " + shown(rest.substr(0, end)) + " has no meaning in a formula");
     }
     take_operator(rest.substr(0, 1), 1);
   }

@@ -5,14 +5,13 @@
 #include <fstream>
 #include <utility>
 
+#include "files/message_text.hpp"
 #include "scene/diagnostics.hpp"
 
 namespace ligne {
 namespace {
 
 constexpr std::uint8_t kNotBase64 = 0xff;
-/// An uri in an error message is cut after that many bytes.
-constexpr std::size_t kShownUri = 80;
 
 constexpr std::array<std::uint8_t, 256> base64_table() {
   std::array<std::uint8_t, 256> table{};
@@ -52,13 +51,6 @@ bool stays_in_folder(const std::string& path) {
     if (part == "..") return false;
   }
   return true;
-}
-
-/// The uri as it may stand in one line of an error message.
-std::string shown(const std::string& uri) {
-  std::string out;
-  for (const char c : uri.substr(0, kShownUri)) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return "\"" + out + (uri.size() > kShownUri ? "...\"" : "\"");
 }
 
 }  // namespace
@@ -109,6 +101,16 @@ std::size_t GltfBuffers::bytes_read() const {
   return sum;
 }
 
+InputFiles GltfBuffers::files() const {
+  InputFiles files;
+  for (const GltfBufferEntry& entry : entries_) {
+    const std::string path = percent_decode(entry.uri);
+    if (entry.has_uri && !entry.uri.starts_with("data:") && stays_in_folder(path) && !folder_.empty())
+      files.push_back(folder_ / path);
+  }
+  return files;
+}
+
 std::vector<std::byte> GltfBuffers::read(std::size_t buffer) const {
   const GltfBufferEntry& entry = entries_[buffer];
   if (!entry.uri.starts_with("data:")) return read_file(buffer);
@@ -129,22 +131,22 @@ std::vector<std::byte> GltfBuffers::read(std::size_t buffer) const {
 std::vector<std::byte> GltfBuffers::read_file(std::size_t buffer) const {
   const GltfBufferEntry& entry = entries_[buffer];
   const std::string path = percent_decode(entry.uri);
-  if (!stays_in_folder(path)) fail(buffer, "uri " + shown(entry.uri) + " is not a file in the folder of the model");
-  if (folder_.empty()) fail(buffer, "uri " + shown(entry.uri) + " can not be read: the model has no folder");
+  if (!stays_in_folder(path)) fail(buffer, "uri " + shown(entry.uri, '"') + " is not a file in the folder of the model");
+  if (folder_.empty()) fail(buffer, "uri " + shown(entry.uri, '"') + " can not be read: the model has no folder");
   const std::filesystem::path file = folder_ / path;
   std::error_code error;
   // A pipe or a device would not end.
-  if (!std::filesystem::is_regular_file(file, error)) fail(buffer, "there is no file " + shown(entry.uri));
+  if (!std::filesystem::is_regular_file(file, error)) fail(buffer, "there is no file " + shown(entry.uri, '"'));
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) fail(buffer, "file " + shown(entry.uri) + " can not be read");
+  if (error) fail(buffer, "file " + shown(entry.uri, '"') + " can not be read");
   if (size < entry.byte_length) {
     fail(buffer, "byteLength " + std::to_string(entry.byte_length) + " is more than the " + std::to_string(size) +
-                     " bytes of file " + shown(entry.uri));
+                     " bytes of file " + shown(entry.uri, '"'));
   }
   std::vector<std::byte> bytes(entry.byte_length);
   std::ifstream stream(file, std::ios::binary);
   if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
-    fail(buffer, "file " + shown(entry.uri) + " can not be read");
+    fail(buffer, "file " + shown(entry.uri, '"') + " can not be read");
   }
   return bytes;
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/input_file.hpp"
 #include "scene/gltf_json.hpp"
 
 namespace ligne {
@@ -25,6 +26,9 @@ class GltfBuffers {
 
   /// All byteLength bytes of a buffer. Throws InputError.
   std::span<const std::byte> get(std::size_t buffer);
+
+  /// The files that buffers name, whether they are fetched or not.
+  InputFiles files() const;
 
   /// Size of the buffers fetched so far that stand in files of their own or in data uris.
   std::size_t bytes_read() const;

@@ -13,6 +13,7 @@
 
 #include "scene/diagnostics.hpp"
 #include "scene/gltf_extensions.hpp"
+#include "scene/json_place.hpp"
 #include "scene/text_lines.hpp"
 
 namespace ligne {
@@ -201,7 +202,7 @@ class Checker {
     for (const char* key : {"version", "minVersion"}) {
       const std::string version = asset.text(key);
       if (version.empty() && std::string_view(key) == "minVersion") continue;
-      if (!version.starts_with("2.")) asset.fail(std::string(key) + " \"" + printable(version) + "\" is not glTF 2");
+      if (!version.starts_with("2.")) asset.fail(std::string(key) + " " + shown(version, '"') + " is not glTF 2");
     }
   }
 
@@ -246,7 +247,7 @@ class Checker {
     json out{{"componentType", component_type(item)}, {"count", item.required_whole("count")}, {"type", item.text("type")}};
     constexpr std::array kTypes{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
     if (std::find(kTypes.begin(), kTypes.end(), out["type"]) == kTypes.end()) {
-      item.fail("type \"" + item.text("type") + "\" is not known");
+      item.fail("type " + shown(item.text("type"), '"') + " is not known");
     }
     if (const auto view = item.index("bufferView", views_)) out["bufferView"] = *view;
     out["byteOffset"] = item.whole("byteOffset").value_or(0);
@@ -331,12 +332,6 @@ class Checker {
   std::size_t scenes_ = 0, nodes_ = 0, meshes_ = 0, materials_ = 0, accessors_ = 0, views_ = 0, buffers_ = 0;
 };
 
-/// Line of a byte of the text, from 1 on.
-std::size_t line_of(std::string_view text, std::size_t byte) {
-  return 1 + static_cast<std::size_t>(
-                 std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size())), '\n'));
-}
-
 }  // namespace
 
 CheckedGltf check_gltf(std::string_view text, const std::string& name) {
@@ -345,10 +340,10 @@ CheckedGltf check_gltf(std::string_view text, const std::string& name) {
   try {
     root = json::parse(text);
   } catch (const json::parse_error& error) {
-    throw InputError(name + ":" + std::to_string(line_of(text, error.byte)),
+    throw InputError(name + ":" + std::to_string(line_of_byte(text, error.byte)),
                      "JSON: broken at byte " + std::to_string(error.byte));
   } catch (const json::exception&) {
-    throw InputError(name, "JSON: a number is too large");
+    throw InputError(name + ":" + std::to_string(line_of_number_out_of_range(text)), "JSON: a number is too large");
   }
   return Checker(root, name).run();
 }

@@ -264,6 +264,7 @@ Scene read_gltf(std::span<const std::byte> bytes, bool binary, const std::filesy
                 ReadReport& report, Warnings& warnings) {
   GltfDocument document = open_gltf(bytes, binary, folder, name);
   report.format = binary ? ModelFormat::glb : ModelFormat::gltf;
+  report.files = document.buffers.files();
   return Reader(document, warnings).run(report);
 }
 

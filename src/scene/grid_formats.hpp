@@ -10,15 +10,16 @@
 #include <string_view>
 #include <vector>
 
+#include "files/input_file.hpp"
 #include "scene/diagnostics.hpp"
 #include "scene/height_source.hpp"
 
 namespace ligne {
 
 /// Tells the format by content and reads. `name` stands in error messages. What only GDAL reads needs the file itself and is
-/// refused when `file` is empty.
+/// refused when `file` is empty; files beside it that were read too are added to `opened`.
 std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
-                                        const std::filesystem::path& file = {});
+                                        const std::filesystem::path& file = {}, InputFiles* opened = nullptr);
 
 /// A matrix of heights: a row a line, columns separated by commas, semicolons, tabs or blanks; or lines of x, y and z.
 std::unique_ptr<HeightSource> read_text_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
@@ -34,7 +35,8 @@ std::unique_ptr<HeightSource> read_pgm_grid(std::span<const std::byte> bytes, co
 std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
 
 /// What GDAL reads (GeoTIFF and many more): the first band. Without GDAL in the build an InputError says that it is needed.
-std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name);
+/// Adds what GDAL reads beside the file to `opened`.
+std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name, InputFiles& opened);
 
 /// Lines of x, y and z as they stand in the file.
 struct PointRows {

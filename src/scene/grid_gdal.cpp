@@ -3,6 +3,7 @@
 #ifdef LIGNE_HAVE_GDAL
 
 #include <cpl_error.h>
+#include <cpl_string.h>
 #include <gdal.h>
 
 #include <algorithm>
@@ -119,12 +120,16 @@ std::vector<double> middles(double origin, double step, int n) {
 
 }  // namespace
 
-std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name) {
+std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name,
+                                             InputFiles& opened) {
   if (file.empty()) throw InputError(name, "is a file for GDAL, which reads files only");
   const QuietErrors quiet;
   GDALAllRegister();
   Dataset dataset(GDALOpen(file.c_str(), GA_ReadOnly));
   if (!dataset) throw InputError(name, "can not be read by GDAL: " + QuietErrors::last());
+  char** const files = GDALGetFileList(dataset.get());
+  for (char** at = files; at && *at; ++at) opened.emplace_back(*at);
+  CSLDestroy(files);
   if (GDALGetRasterCount(dataset.get()) < 1) throw InputError(name, "has no raster band");
   const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
   if (GDALGetRasterCount(dataset.get()) >= 3 && GDALGetRasterColorInterpretation(band) == GCI_RedBand) {
@@ -158,7 +163,7 @@ std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, 
 
 namespace ligne {
 
-std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path&, const std::string& name) {
+std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path&, const std::string& name, InputFiles&) {
   throw InputError(name, "needs GDAL (a GeoTIFF, HDF5 or netCDF file), and this ligne is built without it");
 }
 

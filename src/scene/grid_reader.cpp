@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/file_bytes.hpp"
 #include "scene/grid_formats.hpp"
 #include "scene/held_heights.hpp"
 #include "scene/reader.hpp"
@@ -52,13 +51,15 @@ void refuse_models(std::span<const std::byte> bytes, const std::string& name) {
 
 }  // namespace
 
-std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings) {
+std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened) {
   const std::string name = file.string();
-  return read_grid(read_bytes(file, name), name, warnings, file);
+  InputFiles unasked;
+  InputFiles& files = opened ? *opened : unasked;
+  return read_grid(read_input(file, name, files), name, warnings, file, &files);
 }
 
 std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
-                                        const std::filesystem::path& file) {
+                                        const std::filesystem::path& file, InputFiles* opened) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (chars.empty()) throw InputError(name, "is empty");
   if (chars.starts_with("\x89PNG")) return read_png_grid(bytes, name, warnings);
@@ -66,7 +67,8 @@ std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const 
     if (kind == '2' || kind == '5') return read_pgm_grid(bytes, name, warnings);
     throw InputError(name, std::string("is a Netpbm picture P") + kind + "; heights need a grey one, P2 or P5");
   }
-  if (is_for_gdal(chars)) return read_gdal_grid(file, name);
+  InputFiles unasked;
+  if (is_for_gdal(chars)) return read_gdal_grid(file, name, opened ? *opened : unasked);
 
   refuse_models(bytes, name);
   const bool is_utf16 = chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF");

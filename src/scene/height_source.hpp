@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "files/input_file.hpp"
 #include "scene/diagnostics.hpp"
 
 namespace ligne {
@@ -39,6 +40,7 @@ std::unique_ptr<HeightSource> formula_heights(const std::string& formula, std::v
 /// Heights of a grid file: a CSV or TSV matrix, gnuplot blocks of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16 bits. Told
 /// apart by content. NODATA and NaN are holes; rows of pictures run from north (the largest y) to south. Throws
 /// InputError("FILE[:LINE]: cause").
-std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings);
+/// Adds the file, and others that were read with it, to `opened`.
+std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened = nullptr);
 
 }  // namespace ligne

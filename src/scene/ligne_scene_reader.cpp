@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/json_place.hpp"
 #include "scene/precision.hpp"
 #include "scene/scene_builder.hpp"
 #include "scene/text_lines.hpp"
@@ -20,6 +21,8 @@ using nlohmann::json;
 
 /// Deeper than any scene: objects[] faces[] details[] contour[] [] is nine levels.
 constexpr int kDeepestNesting = 32;
+/// The library's own words, which quote the file.
+constexpr std::size_t kLongestReason = 200;
 
 /// Parses JSON; refuses deep nesting and keys that an object has twice (of which the parser would keep the last in silence).
 json parse_json(std::string_view text, const std::string& name) {
@@ -37,14 +40,13 @@ json parse_json(std::string_view text, const std::string& name) {
   try {
     return json::parse(text, watch);
   } catch (const json::parse_error& e) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(e.byte, text.size()));
-    const auto line = static_cast<std::size_t>(1 + std::count(text.begin(), end, '\n'));
     // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ...": what follows the column.
     const std::string_view what = e.what();
     const std::size_t column = what.find(": ");
-    throw error_at_line(name, line, "not valid JSON: " + std::string(what.substr(column == what.npos ? 0 : column + 2)));
+    throw error_at_line(name, line_of_byte(text, e.byte),
+                        "not valid JSON: " + printable(what.substr(column == what.npos ? 0 : column + 2), kLongestReason));
   } catch (const json::exception&) {
-    throw InputError(name, "holds a number that is out of range");
+    throw error_at_line(name, line_of_number_out_of_range(text), "a number is out of range");
   }
 }
 

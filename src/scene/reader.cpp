@@ -8,7 +8,6 @@
 
 #include "scene/asc_reader.hpp"
 #include "scene/clean.hpp"
-#include "scene/file_bytes.hpp"
 #include "scene/gltf_reader.hpp"
 #include "scene/ligne_scene_reader.hpp"
 #include "scene/obj_reader.hpp"
@@ -24,13 +23,15 @@ namespace fs = std::filesystem;
 /// Products of five coordinates stay finite, which is more than any computation here multiplies; float32 files reach 3.4e38.
 constexpr double kLargestCoordinate = 0x1p200;
 
-/// Throws InputError when a finite coordinate is too large to compute with; those that are not finite are for the cleaning.
+/// Throws InputError when a coordinate is too large to compute with, or not finite: readers refuse what the file says, but
+/// the transforms of a glTF may lead there too.
 void check_size(const Scene& scene, const std::string& name) {
-  for (const Point3& p : scene.vertices) {
+  for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
+    const Point3& p = scene.vertices[v];
     for (int k = 0; k < 3; ++k) {
-      if (std::isfinite(p[k]) && std::abs(p[k]) > kLargestCoordinate) {
-        throw InputError(name, "holds a coordinate beyond 1.6e60, too large to compute with");
-      }
+      if (std::abs(p[k]) <= kLargestCoordinate) continue;
+      throw InputError(name, "vertex " + std::to_string(v) + " of " + std::to_string(scene.vertices.size()) +
+                                 ": a coordinate is beyond 1.6e60, too large to compute with");
     }
   }
 }
@@ -72,10 +73,13 @@ void append_zeros_left_out(std::vector<T>& values, std::size_t size, const std::
 
 Scene read_scene(const fs::path& file, const ReadOptions& options, Warnings& warnings, ReadReport* report) {
   const std::string name = file.string();
-  const std::vector<std::byte> bytes = read_bytes(file, name);
+  InputFiles opened;
+  const std::vector<std::byte> bytes = read_input(file, name, opened);
   const ModelFormat format = detect_format(bytes, file.extension().string(), name);
   const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
-  return read_scene(bytes, format, folder, name, options, warnings, report);
+  Scene scene = read_scene(bytes, format, folder, name, options, warnings, report);
+  if (report) report->files.insert(report->files.begin(), opened.begin(), opened.end());
+  return scene;
 }
 
 Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
@@ -85,6 +89,7 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs:
   counts = ReadReport{};
   counts.format = format;
   Scene scene = read_raw(bytes, format, folder, name, counts, warnings);
+  if (scene.faces.empty()) throw InputError(name, "holds no faces");
   check_size(scene, name);
   if (options.weld_distance > 0) weld_near_vertices(scene, options.weld_distance);
   finish_scene(scene, warnings);

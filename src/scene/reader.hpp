@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "files/input_file.hpp"
 #include "scene/diagnostics.hpp"
 #include "scene/scene.hpp"
 
@@ -28,6 +29,7 @@ struct ReadReport {
   std::size_t faces = 0;      ///< faces as stored, counted once per use
   std::size_t triangles = 0;  ///< after fan triangulation of every face as stored
   std::size_t vertices = 0;   ///< vertices as stored, before welding
+  InputFiles files;           ///< opened or named: the model itself, and the buffers of a glTF
 };
 
 /// Format of the bytes, by content; `suffix` (".obj", any case, may be empty) decides between formats without a mark of

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "files/message_text.hpp"
 #include "geometry/parallel.hpp"
 #include "scene/formula_evaluator.hpp"
 
@@ -64,7 +65,7 @@ SurfacePoints parametric_points(const std::array<std::string, 3>& formulas, cons
 }
 
 double constant_of(const std::string& formula) {
-  FormulaEvaluator evaluator(prepare_formula(formula, {{}, "\"" + formula + "\""}));
+  FormulaEvaluator evaluator(prepare_formula(formula, {{}, shown(formula, '"')}));
   return evaluator({});
 }
 

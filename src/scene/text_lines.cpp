@@ -96,20 +96,6 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
   return value;
 }
 
-std::string printable(std::string_view text, std::size_t longest) {
-  std::string out;
-  for (const char c : text.substr(0, longest)) {
-    const auto code = static_cast<unsigned char>(c);
-    out += code < 0x20 || code >= 0x7f ? '?' : c;
-  }
-  return text.size() > longest ? out.append("...") : out;
-}
-
-std::string shown(std::string_view text) {
-  std::string out(1, '\'');
-  return out.append(printable(text)).append(1, '\'');
-}
-
 InputError error_at_line(const std::string& name, std::size_t line, const std::string& cause) {
   return InputError(name + ":" + std::to_string(line), cause);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "files/message_text.hpp"
 #include "scene/diagnostics.hpp"
 
 namespace ligne {
@@ -43,11 +44,6 @@ bool starts_with_ignoring_case(std::string_view text, std::string_view beginning
 std::optional<double> number_in(std::string_view word);
 /// The value of a word that is a whole number and nothing else.
 std::optional<std::int64_t> parse_integer(std::string_view word);
-
-/// A piece of input as it can stand in an error line: of bounded length, whatever is not printable ASCII as '?'.
-std::string printable(std::string_view text, std::size_t longest = 40);
-/// The same in quotes.
-std::string shown(std::string_view text);
 
 /// "FILE:LINE: cause".
 InputError error_at_line(const std::string& name, std::size_t line, const std::string& cause);

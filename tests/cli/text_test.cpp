@@ -15,11 +15,6 @@ TEST(Text, NumbersForPeople) {
   EXPECT_EQ(duration(2.5), "2.50 s");
 }
 
-TEST(Text, OneLineKeepsUtf8AndDropsControls) {
-  EXPECT_EQ(one_line("a\nb\tc\r\n"), "a b c");
-  EXPECT_EQ(one_line("caf\xc3\xa9 \x1b[31m"), "caf\xc3\xa9  [31m");
-}
-
 TEST(Stages, AreTimedAndToldInOrder) {
   RunReport report;
   report.method = "appel";

@@ -1,3 +1,7 @@
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -76,6 +80,75 @@ TEST_F(OutputFile, FailuresNameTheFileAndTheCause) {
   EXPECT_NE(failure(folder_ / std::string(256, 'n')).find("File name too long"), std::string::npos);
   EXPECT_EQ(failure("/dev/full"), "/dev/full: No space left on device");
   EXPECT_EQ(files(), 0u) << "something was left over";
+}
+
+TEST_F(OutputFile, SeveralFilesComeTogether) {
+  write_output(folder_ / "a", "old");
+  {
+    OutputFiles given_up;
+    given_up.add(folder_ / "a", "new");
+    given_up.add(folder_ / "b", "new");
+    EXPECT_EQ(files(), 3u) << "beside their places";
+  }
+  EXPECT_EQ(files(), 1u) << "something was left over";
+  OutputFiles outputs;
+  outputs.add(folder_ / "a", "new");
+  outputs.add("/dev/full", "bytes");
+  EXPECT_THROW(outputs.commit(), std::runtime_error);
+  EXPECT_EQ(read(folder_ / "a"), "old");
+  OutputFiles both;
+  both.add(folder_ / "a", "new a");
+  both.add(folder_ / "b", "new b");
+  both.commit();
+  EXPECT_EQ(read(folder_ / "a") + read(folder_ / "b"), "new anew b");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
+}
+
+/// Sends the signal to a process that has files beside their places, set up by `before`; its status.
+int status_after(int signal, const fs::path& folder, void (*before)(int)) {
+  int ready[2];
+  EXPECT_EQ(::pipe(ready), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    before(signal);
+    OutputFiles outputs;
+    outputs.add(folder / "a", "bytes");
+    outputs.add(folder / "b", "bytes");
+    // Only the signal ends the pause: it is held back until then.
+    sigset_t held, before_it;
+    sigemptyset(&held);
+    sigaddset(&held, signal);
+    ::sigprocmask(SIG_BLOCK, &held, &before_it);
+    if (::write(ready[1], "", 1) == 1) ::sigsuspend(&before_it);
+    outputs.commit();
+    ::_exit(0);
+  }
+  char byte;
+  EXPECT_EQ(::read(ready[0], &byte, 1), 1);
+  ::kill(child, signal);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ::close(ready[0]);
+  ::close(ready[1]);
+  return status;
+}
+
+TEST_F(OutputFile, ASignalRemovesWhatStandsBesideItsPlaceAndEndsTheProcess) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const int status = status_after(signal, folder_, [](int s) { std::signal(s, SIG_DFL); });
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
+    EXPECT_EQ(files(), 0u);
+  }
+}
+
+TEST_F(OutputFile, HandlersOfTheProgramAroundStay) {
+  const int status = status_after(SIGTERM, folder_, [](int s) { std::signal(s, [](int) {}); });
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  EXPECT_EQ(read(folder_ / "b"), "bytes");
+  write_output(folder_ / "c", "bytes");
+  struct sigaction now {};
+  ASSERT_EQ(::sigaction(SIGTERM, nullptr, &now), 0);
+  EXPECT_EQ(now.sa_handler, SIG_DFL) << "and ours go";
 }
 
 }  // namespace

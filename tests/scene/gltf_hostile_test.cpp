@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(All, GltfUri,
 TEST(GltfHostile, MissingFile) {
   Builder b = square();
   b.root["buffers"].push_back({{"byteLength", 60}, {"uri", "absent\n.bin"}});
-  EXPECT_EQ(error_of(b.text(), false, testing::TempDir()), "M: buffer 0: there is no file \"absent?.bin\"");
+  EXPECT_EQ(error_of(b.text(), false, testing::TempDir()), "M: buffer 0: there is no file \"absent\\n.bin\"");
 }
 
 TEST(GltfHostile, FolderInsteadOfFile) {
@@ -221,7 +221,7 @@ TEST(GltfHostile, ManyInstancesOfALargeMesh) {
 
 TEST(GltfHostile, BrokenJson) {
   EXPECT_EQ(error_of("{\n\"asset\": nothing}"), "M:2: JSON: broken at byte 13");
-  EXPECT_EQ(error_of("{\"asset\": 1e999}"), "M: JSON: a number is too large");
+  EXPECT_EQ(error_of("{\"asset\": 1e999}"), "M:1: JSON: a number is too large");
   EXPECT_EQ(error_of("").substr(0, 9), "M:1: JSON");
   EXPECT_EQ(error_of("{\"a\": \"\xff\"}").substr(0, 9), "M:1: JSON");
 }

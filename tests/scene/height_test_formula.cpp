@@ -106,7 +106,7 @@ TEST(FormulaHeights, ErrorsNameTheColumn) {
   EXPECT_EQ(error("x (y)"), "formula:3: an operator is missing before '('");
   EXPECT_EQ(error("x = 3"), "formula:3: nothing can be assigned; == compares");
   EXPECT_EQ(error("x + \"abc\""), "formula:5: character '\"' has no meaning in a formula");
-  EXPECT_EQ(error("x\xC2\xB2"), "formula:2: character '?' has no meaning in a formula");
+  EXPECT_EQ(error("x\xC2\xB2"), "formula:2: character '\xC2\xB2' has no meaning in a formula");
   EXPECT_EQ(error("1e999"), "formula:1: '1e999' is out of the range of numbers");
   EXPECT_EQ(error("x + ."), "formula:5: '.' is not a number");
   EXPECT_EQ(error("(x + (y)"), "formula:1: '(' without its ')'");
@@ -121,7 +121,7 @@ TEST(FormulaHeights, ErrorsNameTheColumn) {
   EXPECT_EQ(error("x ? y"), "formula:6: '?' without its ':'");
   EXPECT_EQ(error("x : y"), "formula:5: ':' without its '?'");
   EXPECT_EQ(error("(x ? y) : 1"), "formula:12: parts of it do not belong together");
-  EXPECT_EQ(error(std::string("x\0y", 3)), "formula:2: character '?' has no meaning in a formula");
+  EXPECT_EQ(error(std::string("x\0y", 3)), "formula:2: character '\\x00' has no meaning in a formula");
 }
 
 TEST(FormulaHeights, HostileLengths) {

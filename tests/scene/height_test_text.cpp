@@ -53,7 +53,7 @@ TEST(TextGrid, Errors) {
   EXPECT_EQ(grid_error("1,2\n3,1e999\n"), "M:2: column 2: '1e999' is not a number");
   EXPECT_EQ(grid_error(std::string("1,2\n3,\0\n", 8)),
             "M: not a grid file that is known (matrix as text, gnuplot, ESRI ASCII grid, PGM, PNG, GeoTIFF)");
-  EXPECT_EQ(grid_error("1,2\n3,\x01\x80\n"), "M:2: column 2: '?\?' is not a number");
+  EXPECT_EQ(grid_error("1,2\n3,\x01\x80\n"), "M:2: column 2: '\\x01\\x80' is not a number");
   EXPECT_EQ(grid_error("\xFF\xFE"
                        "1"),
             "M: is UTF-16 text; UTF-8 is needed");

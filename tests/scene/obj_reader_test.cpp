@@ -121,7 +121,7 @@ TEST(ObjReader, ErrorsNameTheLine) {
   EXPECT_EQ(error(kSquare + std::string("f 1 2\0 3\n", 10)), "M:5: zero byte in a text file");
   EXPECT_EQ(error("v 0 0 " + std::string(100, 'x')),
             "M:1: '" + std::string(40, 'x') + "...' is not a coordinate of a vertex");
-  EXPECT_EQ(error("v 0 0 \x1b[2J"), "M:1: '?[2J' is not a coordinate of a vertex");
+  EXPECT_EQ(error("v 0 0 \x1b[2J"), "M:1: '\\x1b[2J' is not a coordinate of a vertex");
 }
 
 // The first error is the one that is told, and what follows is not read.

@@ -108,7 +108,8 @@ TEST_F(Files, NamesAndLinesStandInFront) {
 TEST_F(Files, CoordinatesTooLargeToComputeWith) {
   const std::string rest = " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   EXPECT_EQ(error(write("a.obj", "v 1e60" + rest)), "no error");
-  EXPECT_EQ(error(write("b.obj", "v -1e61" + rest)), ": holds a coordinate beyond 1.6e60, too large to compute with");
+  EXPECT_EQ(error(write("b.obj", "v -1e61" + rest)),
+            ": vertex 0 of 3: a coordinate is beyond 1.6e60, too large to compute with");
 }
 
 TEST_F(Files, ReadsWhatIsThere) {

@@ -1,0 +1,113 @@
+#include "files/input_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <iterator>
+#include <system_error>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace ligne {
+namespace {
+
+/// So long a pipe may be without anybody who writes to it: the two ends of a named one are opened by two programs.
+constexpr int kWaitForWriterMs = 1000;
+
+std::string cause_of(int error) { return std::generic_category().message(error); }
+
+std::string size_text(std::uintmax_t bytes) {
+  constexpr const char* kUnits[] = {" bytes", " KiB", " MiB", " GiB"};
+  std::size_t unit = 0;
+  for (; unit + 1 < std::size(kUnits) && bytes >= 1024 && bytes % 1024 == 0; bytes /= 1024) ++unit;
+  return std::to_string(bytes) + kUnits[unit];
+}
+
+/// A file that is open for reading.
+class OpenInput {
+ public:
+  OpenInput(const std::filesystem::path& file, const std::string& name) : name_(name) {
+    // Looked at before it is opened: to open a device can do something.
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) {
+      const bool absent = errno == ENOENT || errno == ENOTDIR;
+      throw InputError(name_, absent ? "there is no such file" : cause_of(errno));
+    }
+    if (S_ISDIR(status.st_mode)) throw InputError(name_, "is a directory, not a file");
+    if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
+      throw InputError(name_, "is a device or a socket, not a file");
+    // A pipe without a writer would hold up the opening.
+    descriptor_ = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (descriptor_ < 0) throw InputError(name_, "can not be opened for reading");
+    is_pipe_ = S_ISFIFO(status.st_mode);
+    if (!is_pipe_) size_ = static_cast<std::uintmax_t>(status.st_size);
+  }
+  ~OpenInput() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  OpenInput(const OpenInput&) = delete;
+  OpenInput& operator=(const OpenInput&) = delete;
+
+  /// As told; 0 where none is.
+  std::uintmax_t size() const { return size_; }
+
+  /// Fills the front of `to`; the number of bytes, 0 at the end of the file.
+  std::size_t read(std::span<std::byte> to) {
+    for (;;) {
+      const ssize_t n = ::read(descriptor_, to.data(), to.size());
+      if (n < 0 && errno == EAGAIN) {
+        wait(kForEver);  // somebody has it open for writing, and may take time
+      } else if (n < 0 && errno != EINTR) {
+        throw InputError(name_, "can not be read to its end: " + cause_of(errno));
+      } else if (n == 0 && is_pipe_ && !had_writer_) {
+        if (!wait(kWaitForWriterMs)) throw InputError(name_, "is a pipe to which nobody writes");
+      } else if (n >= 0) {
+        return static_cast<std::size_t>(n);
+      }
+    }
+  }
+
+ private:
+  static constexpr int kForEver = -1;
+
+  /// Waits until there is something to read, or the last writer is gone; false when the time is up.
+  bool wait(int milliseconds) {
+    pollfd end{descriptor_, POLLIN, 0};
+    const int ready = ::poll(&end, 1, milliseconds);
+    had_writer_ = had_writer_ || ready > 0;
+    return ready != 0;
+  }
+
+  const std::string& name_;
+  int descriptor_ = -1;
+  std::uintmax_t size_ = 0;
+  bool is_pipe_ = false, had_writer_ = false;
+};
+
+}  // namespace
+
+std::vector<std::byte> read_input(const std::filesystem::path& file, const std::string& name, InputFiles& opened,
+                                  std::uintmax_t most) {
+  OpenInput in(file, name);
+  opened.push_back(file);
+  const std::uintmax_t unsized = std::min(most, kLargestUnsized);
+  if (in.size() > most) throw InputError(name, "is larger than " + size_text(most));
+  std::vector<std::byte> bytes;
+  bytes.reserve(static_cast<std::size_t>(in.size()) + 1);
+  // Read in pieces: what stands in /proc or comes through a pipe has no size.
+  constexpr std::size_t kPiece = std::size_t{1} << 20;
+  for (std::size_t read = 1; read > 0;) {
+    const std::size_t begin = bytes.size();
+    if (begin > in.size() && begin > unsized) {
+      throw InputError(name, "is larger than " + size_text(unsized) + ", and no size is told before it is read");
+    }
+    bytes.resize(std::max(std::min(begin + kPiece, bytes.capacity()), begin + 1));
+    read = in.read(std::span(bytes).subspan(begin));
+    bytes.resize(begin + read);
+  }
+  return bytes;
+}
+
+}  // namespace ligne

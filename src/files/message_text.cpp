@@ -1,0 +1,92 @@
+#include "files/message_text.hpp"
+
+#include <cstdint>
+
+namespace ligne {
+namespace {
+
+constexpr std::string_view kCut = "...", kMiddleCut = " ... ";
+
+/// Whether a character beyond ASCII shows, and only itself: not the second row of controls, the line and paragraph
+/// separators, the marks that turn the direction of the text, nor what has no width.
+bool shows(std::uint32_t code) {
+  const auto within = [code](std::uint32_t low, std::uint32_t high) { return code >= low && code <= high; };
+  return !within(0x80, 0x9f) && !within(0x200b, 0x200f) && !within(0x2028, 0x202e) && !within(0x2060, 0x206f) &&
+         code != 0xfeff;
+}
+
+/// Bytes of the character in front when it can stand in a line as it is, else 0. `text` is not empty.
+std::size_t plain_character(std::string_view text) {
+  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  const std::size_t length = first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  if (first < 0xc2 || length == 0 || length > text.size()) return 0;
+  std::uint32_t code = first & (0xffu >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+    code = code << 6 | (byte(i) & 0x3fu);
+  }
+  // Written longer than need be, a half of a UTF-16 pair, or beyond Unicode.
+  if ((length == 3 && code < 0x800) || (length == 4 && (code < 0x10000 || code > 0x10ffff))) return 0;
+  if (code >= 0xd800 && code <= 0xdfff) return 0;
+  return shows(code) ? length : 0;
+}
+
+std::string escaped(char c) {
+  if (c == '\n') return "\\n";
+  if (c == '\r') return "\\r";
+  if (c == '\t') return "\\t";
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  const auto byte = static_cast<unsigned char>(c);
+  return {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15u]};
+}
+
+/// Calls put(piece) for one character after the other until it returns false.
+template <class Put>
+void for_each_character(std::string_view text, const Put& put) {
+  while (!text.empty()) {
+    const std::size_t length = plain_character(text);
+    if (!put(length > 0 ? std::string(text.substr(0, length)) : escaped(text[0]))) return;
+    text.remove_prefix(length > 0 ? length : 1);
+  }
+}
+
+/// As many whole characters from the end of a printable text as `most` bytes hold.
+std::string_view end_of(std::string_view text, std::size_t most) {
+  std::string_view end = text.substr(text.size() - most);
+  while (!end.empty() && (static_cast<unsigned char>(end.front()) & 0xc0) == 0x80) end.remove_prefix(1);
+  return end;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string out;
+  for_each_character(text, [&](const std::string& piece) {
+    const bool fits = out.size() + piece.size() <= longest;
+    out += fits ? std::string_view(piece) : kCut;
+    return fits;
+  });
+  return out;
+}
+
+std::string shown(std::string_view text, char quote) {
+  return std::string(1, quote).append(printable(text)).append(1, quote);
+}
+
+std::string message_line(std::string_view text, std::size_t longest) {
+  const std::size_t last = text.find_last_not_of(" \t\r\n");
+  text = text.substr(0, last == std::string_view::npos ? 0 : last + 1);
+  std::string line;
+  for_each_character(text, [&](const std::string& piece) {
+    line += piece;
+    return true;
+  });
+  if (line.size() <= longest) return line;
+  const std::size_t kept = longest - kMiddleCut.size(), behind = kept / 2;
+  const std::string front = printable(line, kept - behind);
+  return front.substr(0, front.size() - kCut.size()).append(kMiddleCut).append(end_of(line, behind));
+}
+
+}  // namespace ligne

@@ -1,0 +1,31 @@
+#pragma once
+/// Text from files and command lines as it can stand in a message: one line of bounded length, whatever it holds.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace ligne {
+
+/// Bytes of the longest message; with "ligne: " and the line end an error line stays below 500.
+inline constexpr std::size_t kLongestMessage = 490;
+
+/// Bytes that are shown of a piece of input.
+inline constexpr std::size_t kLongestShown = 40;
+
+/// Bytes that are shown of the name of a file, where it is not the place that a message begins with.
+inline constexpr std::size_t kLongestPath = 200;
+
+/// A piece of input for a message. Control characters, line ends of any kind, marks of direction and bytes that are not
+/// UTF-8 are escaped (\n, \x1b); what is longer than `longest` bytes then ends in "...". A text without such characters,
+/// and not too long, stays as it is.
+std::string printable(std::string_view text, std::size_t longest = kLongestShown);
+
+/// The same in quotes.
+std::string shown(std::string_view text, char quote = '\'');
+
+/// A whole message, escaped in the same way; one that is too long loses its middle, since it begins with the place and ends
+/// with the cause. White space at its end is left out.
+std::string message_line(std::string_view text, std::size_t longest = kLongestMessage);
+
+}  // namespace ligne
