@@ -209,11 +209,10 @@ class PlyReader {
           continue;
         }
         const PlyValue value = data_.take(element.properties[p].type);
+        if (!std::isfinite(value.number)) throw data_.error("a coordinate is not finite");
         position[static_cast<int>(axis)] = value.number;
-        if (std::isfinite(value.number)) {
-          largest_ = std::max(largest_, std::abs(value.number));
-          decimals_.add(value.digits, value.number);
-        }
+        largest_ = std::max(largest_, std::abs(value.number));
+        decimals_.add(value.digits, value.number);
       }
       data_.end_item();
       builder_.add_vertex(position);

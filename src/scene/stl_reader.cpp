@@ -138,7 +138,11 @@ Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name,
       Point3 position;
       for (int k = 0; k < 3; ++k, p += sizeof(float)) {
         position[k] = load_bytes<float>(p, std::endian::little);
-        if (std::isfinite(position[k])) largest = std::max(largest, std::abs(position[k]));
+        if (!std::isfinite(position[k])) {
+          throw InputError(name,
+                           "triangle " + std::to_string(i) + " of " + std::to_string(n) + ": a coordinate is not finite");
+        }
+        largest = std::max(largest, std::abs(position[k]));
       }
       corner = builder.add_vertex(position);
     }

@@ -89,15 +89,10 @@ TEST(StlReader, BinaryCountsThatLie) {
   EXPECT_EQ(error_of(read_stl_binary, binary("", 0, {})), "M: holds no faces");
 }
 
-TEST(StlReader, BinaryCoordinatesThatAreNotFiniteAreDroppedByTheCleaning) {
+TEST(StlReader, BinaryCoordinatesThatAreNotFiniteAreErrors) {
   std::vector<float> two = kTriangle;
   two.insert(two.end(), {0, 0, 0, NAN, 0, 0, 0, INFINITY, 0});
-  const std::string bytes = binary("", 2, two);
-  Warnings warnings;
-  const Scene scene = read_scene(bytes_of(bytes), ModelFormat::stl_binary, {}, "M", {}, warnings);
-  EXPECT_EQ(scene.faces.size(), 1u);
-  EXPECT_FALSE(warnings.counts().empty());
-  for (const Point3& p : scene.vertices) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
+  EXPECT_EQ(error_of(read_stl_binary, binary("", 2, two)), "M: triangle 1 of 2: a coordinate is not finite");
 }
 
 TEST(StlReader, ModelsOfOthers) {
