@@ -14,7 +14,12 @@ namespace {
 constexpr double kFinestStepMm = 1e-4, kCoarsestStepMm = 10;
 constexpr unsigned kMostPens = 1000, kMostPoints = 1'000'000;
 
-bool positive(double value) { return value > 0 && std::isfinite(value); }
+/// What a machine does, with room on both sides. Within these bounds no time, feed or coordinate overflows: a drawing has
+/// less than 2^32 points, none of them farther than kFarthestMm, and so takes less than 2 * 10^18 s, which 64 bits hold.
+constexpr double kSlowestMmPerS = 0.01, kFastestMmPerS = 10'000, kLongestLiftS = 600, kLongestChangeS = 86'400;
+constexpr double kLargestPaperMm = 100'000, kFarthestOriginMm = 1e6, kFarthestUnit = 1e10;
+
+bool is_paper_side(double mm) { return mm > 0 && mm <= kLargestPaperMm; }
 
 std::string required_text(const TomlTable& table, std::string_view key) {
   const auto value = table.text(key);
@@ -30,20 +35,68 @@ Rect read_limits(const TomlTable& table) {
   return limits;
 }
 
+bool is_within(Point2 p, double most) { return std::abs(p.x) <= most && std::abs(p.y) <= most; }
+
+/// What stands in braces is replaced: whatever is not known would reach the machine as it is.
+void check_placeholders(const TomlTable& table, std::string_view key, std::string_view command,
+                        std::span<const std::string_view> known) {
+  for (std::size_t at = command.find('{'); at != command.npos; at = command.find('{', at + 1)) {
+    const std::size_t end = std::min(command.find('}', at), command.size());
+    const std::string_view name = command.substr(at + 1, end - at - 1);
+    if (end < command.size() && std::ranges::find(known, name) != known.end()) continue;
+    std::string there;
+    for (const std::string_view one : known) there += (there.empty() ? "there is {" : ", {") + std::string(one) + "}";
+    table.fail(std::string(key) + ": {" + printable(name) + (end < command.size() ? "}" : "") + " is not known here; " +
+                   (there.empty() ? "there is nothing in braces" : there),
+               table.find(key));
+  }
+}
+
 DevicePaper read_paper(const TomlTable& table) {
   table.only({"name", "width", "height", "limits", "origin", "select", "note"});
   DevicePaper paper;
   paper.name = required_text(table, "name");
   paper.width_mm = table.number("width").value_or(0);
   paper.height_mm = table.number("height").value_or(0);
-  if (!positive(paper.width_mm) || !positive(paper.height_mm)) table.fail("width and height of a paper are above 0");
+  if (!is_paper_side(paper.width_mm) || !is_paper_side(paper.height_mm))
+    table.fail("width and height of a paper are above 0 and at most 100000 mm");
   paper.limits = read_limits(table);
-  if (!std::isfinite(paper.limits.width()) || !std::isfinite(paper.limits.height()))
-    table.fail("the limits of a paper are finite", table.find("limits"));
-  if (const auto origin = table.numbers("origin", 2)) paper.origin_mm = Point2{(*origin)[0], (*origin)[1]};
+  for (const Point2 corner : {paper.limits.min, paper.limits.max}) {
+    if (!is_within(corner, kFarthestUnit))
+      table.fail("the limits of a paper are not from -1e10 to 1e10 units", table.find("limits"));
+  }
+  if (const auto origin = table.numbers("origin", 2)) {
+    paper.origin_mm = Point2{(*origin)[0], (*origin)[1]};
+    if (!is_within(*paper.origin_mm, kFarthestOriginMm))
+      table.fail("the origin is farther than a kilometre away", table.find("origin"));
+  }
   paper.select = table.text("select").value_or("");
+  check_placeholders(table, "select", paper.select, {});
   paper.note = table.text("note").value_or("");
   return paper;
+}
+
+/// A command of a device file, and what may stand in braces in it; plot_writer.cpp replaces it.
+struct DeviceCommand {
+  std::string_view key;
+  std::array<std::string_view, 3> names{};
+};
+constexpr DeviceCommand kDeviceCommands[] = {{"begin", {"paper"}},
+                                             {"end"},
+                                             {"up"},
+                                             {"down", {"feed", "z_feed"}},
+                                             {"dot"},
+                                             {"pen_change", {"pen", "name"}},
+                                             {"travel", {"x", "y"}},
+                                             {"pen_select", {"pen", "width"}},
+                                             {"velocity", {"cm_per_s"}},
+                                             {"draw", {"x", "y", "feed"}}};
+
+std::span<const std::string_view> placeholders(const DeviceCommand& command, DeviceLanguage language) {
+  static constexpr std::string_view kPoints[] = {"points"};
+  if (command.key == "draw" && language == DeviceLanguage::hpgl) return kPoints;
+  const auto end = std::ranges::find(command.names, std::string_view{});
+  return {command.names.begin(), end};
 }
 
 DeviceLanguage read_language(const TomlTable& table) {
@@ -55,17 +108,16 @@ DeviceLanguage read_language(const TomlTable& table) {
 }
 
 void read_speeds(const TomlTable& table, Device& device) {
-  const auto read = [&](std::string_view key, double& target, bool may_be_zero) {
+  const auto read = [&](std::string_view key, double low, double high, const char* range) {
     const auto value = table.number(key);
     if (!value) table.fail("there is no " + std::string(key));
-    if (!std::isfinite(*value) || *value < 0 || (*value == 0 && !may_be_zero))
-      table.fail(std::string(key) + " is not above 0", table.find(key));
-    target = *value;
+    if (!(*value >= low && *value <= high)) table.fail(std::string(key) + " is not from " + range, table.find(key));
+    return *value;
   };
-  read("speed_down", device.down_mm_s, false);
-  read("speed_up", device.up_mm_s, false);
-  read("lift_seconds", device.lift_s, true);
-  read("pen_change_seconds", device.pen_change_s, true);
+  device.down_mm_s = read("speed_down", kSlowestMmPerS, kFastestMmPerS, "0.01 to 10000 mm/s");
+  device.up_mm_s = read("speed_up", kSlowestMmPerS, kFastestMmPerS, "0.01 to 10000 mm/s");
+  device.lift_s = read("lift_seconds", 0, kLongestLiftS, "0 to 600 s");
+  device.pen_change_s = read("pen_change_seconds", 0, kLongestChangeS, "0 to 86400 s");
 }
 
 void read_commands(const TomlTable& table, Device& device) {
@@ -80,6 +132,14 @@ void read_commands(const TomlTable& table, Device& device) {
   device.dot = table.text("dot").value_or("");
   device.velocity = table.text("velocity").value_or("");
   device.points_per_command = table.count("points_per_command", 0, kMostPoints).value_or(0);
+  for (const DeviceCommand& command : kDeviceCommands) {
+    const std::span<const std::string_view> known = placeholders(command, device.language);
+    if (const toml::node* node = table.find(command.key); node && node->is_array()) {
+      for (const std::string& line : table.texts(command.key)) check_placeholders(table, command.key, line, known);
+    } else {
+      check_placeholders(table, command.key, table.text(command.key).value_or(""), known);
+    }
+  }
   if (device.language == DeviceLanguage::svg) return;
   for (const std::string_view key : {"travel", "draw"}) required_text(table, key);
   if (device.language == DeviceLanguage::hpgl) {

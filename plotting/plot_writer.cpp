@@ -1,11 +1,13 @@
 /// HPGL and G-code: the same walk over the pens and their strokes, with the commands of the device. Coordinates are rounded
 /// to the device's units once, and points that fall into one unit are one point.
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>
 #include <utility>
 
+#include "files/message_text.hpp"
 #include "plotting/number_text.hpp"
 #include "plotting/plot_writers.hpp"
 
@@ -19,7 +21,7 @@ struct Unit {
 
 using Replacement = std::pair<std::string_view, std::string_view>;
 
-/// The text with {name} replaced; a name that is not among these stays.
+/// The text with {name} replaced; the reader of devices has refused other names.
 std::string filled(std::string_view text, std::initializer_list<Replacement> replacements) {
   std::string out;
   while (!text.empty()) {
@@ -105,12 +107,12 @@ class PlotWriter {
 
 void PlotWriter::begin_pen(const Pen& pen, bool first) {
   if (device_.pens > 0 && pen.number > device_.pens) {
-    throw std::runtime_error("device " + device_.name + " holds " + std::to_string(device_.pens) +
+    throw std::runtime_error("device " + printable(device_.name) + " holds " + std::to_string(device_.pens) +
                              " pens, and the drawing wants pen " + std::to_string(pen.number));
   }
   constexpr double kSecondsPerMinute = 60, kMmPerCm = 10, kPercent = 100;
   const double speed = device_.down_mm_s * pen.speed.value_or(100) / kPercent;
-  feed_ = number(speed * kSecondsPerMinute, 0);
+  feed_ = number(std::max(1.0, speed * kSecondsPerMinute), 0);  // a feed of 0 stops the machine
   const std::string pen_number = std::to_string(pen.number), name = comment(pen.name),
                     width = number(pen.width_mm.value_or(0), 2);
   if (!first || pen.pause) lines(device_.pen_change, {{"pen", pen_number}, {"name", name}});
