@@ -11,8 +11,16 @@ sources=("$root/src" "$root/plotting" "$root/cmake" "$root/CMakeLists.txt" "$roo
 # Nothing that the build reads is newer than the last build. A folder is newer when a file in it came or went.
 is_built() { [[ -x $program && -e $stamp && -z $(find "${sources[@]}" -newer "$stamp" -print -quit) ]]; }
 
+cannot_build() {
+  echo "ligne.sh: $folder: can not be written, and the program in it is $1; build it as somebody who may, or in a copy" >&2
+  exit 1
+}
+
 if ! is_built; then
-  mkdir -p "$folder"
+  state="not built"
+  [[ -x $program ]] && state="older than its sources"
+  # To make the folder and to write into it are two things that can be forbidden.
+  { mkdir -p "$folder" && : >>"$folder/.ligne-lock"; } 2>/dev/null || cannot_build "$state"
   (
     # Two runs at once build once.
     if command -v flock >/dev/null 2>&1; then
