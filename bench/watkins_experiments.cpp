@@ -12,7 +12,7 @@
 #include <string>
 
 #include "chart.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/tolerances.hpp"
 #include "visibility/watkins/line_study.hpp"

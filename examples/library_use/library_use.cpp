@@ -6,7 +6,7 @@
 #include "drawing/drawing.hpp"
 #include "plotting/output_file.hpp"
 #include "plotting/writers.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/registry.hpp"
 #include "visibility/tolerances.hpp"

@@ -6,7 +6,7 @@
 #include "drawing/drawing.hpp"
 #include "drawing/shading.hpp"
 #include "plotting/writers.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 #include "view/view.hpp"
 #include "visibility/method.hpp"
 

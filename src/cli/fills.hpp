@@ -8,7 +8,7 @@
 
 #include "drawing/drawing.hpp"
 #include "drawing/result_models.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 #include "view/view.hpp"
 
 namespace CLI {

@@ -9,8 +9,8 @@
 #include "drawing/result_models.hpp"
 #include "plotting/pens.hpp"
 #include "plotting/writers.hpp"
-#include "scene/scene.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/model/topology.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cli/run_files.hpp"
-#include "scene/reader.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/readers/reader.hpp"
 
 namespace CLI {
 class App;

@@ -13,7 +13,7 @@
 
 #include "drawing/stroke.hpp"
 #include "geometry/point.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace ligne {
 

@@ -16,7 +16,7 @@
 #include "cli/plotter_output.hpp"
 #include "cli/progress.hpp"
 #include "plotting/writers.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/details.hpp"
 #include "visibility/atherton_weiler/shadows.hpp"

@@ -15,7 +15,7 @@
 #include "cli/stages.hpp"
 #include "cli/surface_axes.hpp"
 #include "cli/view_options.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace ligne {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "drawing/stroke.hpp"
-#include "scene/scene.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/model/topology.hpp"
 #include "view/projected_scene.hpp"
 
 namespace ligne {

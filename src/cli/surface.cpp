@@ -12,7 +12,7 @@
 #include "cli/surface_mesh.hpp"
 #include "cli/surface_samples.hpp"
 #include "plotting/writers.hpp"
-#include "scene/height_filters.hpp"
+#include "scene/surfaces/height_filters.hpp"
 #include "visibility/horizon/horizon.hpp"
 
 namespace ligne {

@@ -12,9 +12,9 @@
 #include "cli/scene_drawing.hpp"
 #include "cli/surface_samples.hpp"
 #include "cli/text.hpp"
-#include "scene/crossing_edges.hpp"
-#include "scene/mesh_writer.hpp"
-#include "scene/surface_mesh.hpp"
+#include "scene/clean/crossing_edges.hpp"
+#include "scene/surfaces/mesh_writer.hpp"
+#include "scene/surfaces/surface_mesh.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {

@@ -7,7 +7,7 @@
 #include "cli/option_helpers.hpp"
 #include "cli/parse.hpp"
 #include "files/message_text.hpp"
-#include "scene/surface_points.hpp"
+#include "scene/surfaces/surface_points.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cli/models.hpp"
-#include "scene/height_filters.hpp"
+#include "scene/surfaces/height_filters.hpp"
 
 namespace ligne {
 namespace {

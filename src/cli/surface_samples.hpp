@@ -8,8 +8,8 @@
 
 #include "cli/run_files.hpp"
 #include "cli/surface_options.hpp"
-#include "scene/height_source.hpp"
-#include "scene/surface_points.hpp"
+#include "scene/surfaces/height_source.hpp"
+#include "scene/surfaces/surface_points.hpp"
 
 namespace ligne {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "geometry/point.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 #include "view/view.hpp"
 
 namespace CLI {

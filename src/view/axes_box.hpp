@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/point.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

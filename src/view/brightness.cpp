@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
 
 namespace ligne {
 

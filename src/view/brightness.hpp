@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drawing/stroke.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

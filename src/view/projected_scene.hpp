@@ -8,7 +8,7 @@
 
 #include "drawing/stroke.hpp"
 #include "geometry/lattice.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

@@ -7,7 +7,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "geometry/point.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace ligne {
 

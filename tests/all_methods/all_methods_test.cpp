@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/judge.hpp"
 #include "support/variants.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/judge.hpp"
 #include "visibility/registry.hpp"
 

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <utility>
 
-#include "scene/clean.hpp"
+#include "scene/clean/clean.hpp"
 #include "support/judge.hpp"
 #include "support/scene_parts.hpp"
 #include "support/variants.hpp"

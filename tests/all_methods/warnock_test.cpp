@@ -8,8 +8,8 @@
 #include <iostream>
 #include <random>
 
-#include "scene/clean.hpp"
-#include "scene/reader.hpp"
+#include "scene/clean/clean.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/judge.hpp"
 #include "support/scenes.hpp"
 #include "visibility/warnock/warnock.hpp"

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "drawing/drawing.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/atherton_weiler/details.hpp"

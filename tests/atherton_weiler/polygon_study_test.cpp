@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "scene/clean.hpp"
-#include "scene/reader.hpp"
+#include "scene/clean/clean.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/scene_parts.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"

@@ -11,7 +11,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "geometry/clip_contour_by_contour.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/judge.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"

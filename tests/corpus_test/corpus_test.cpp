@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 
 namespace ligne {
 namespace {

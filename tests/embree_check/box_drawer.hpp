@@ -5,7 +5,7 @@
 
 #include "drawing_file.hpp"
 #include "geometry/point.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace ligne::check {
 

@@ -7,7 +7,7 @@
 
 #include "geometry/point.hpp"
 #include "page_map.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace ligne::check {
 

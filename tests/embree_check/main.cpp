@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "check.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 
 namespace {
 

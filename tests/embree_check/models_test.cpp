@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "check.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 
 namespace ligne::check {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/clean.hpp"
+#include "scene/clean/clean.hpp"
 #include "support/judge.hpp"
 #include "support/scene_json.hpp"
 #include "support/scene_parts.hpp"

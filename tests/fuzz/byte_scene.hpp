@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 #include "support/standard_views.hpp"
 
 namespace ligne::test {

@@ -10,8 +10,8 @@
 
 #include "plotting/drawing_reader.hpp"
 #include "plotting/paths/optimize.hpp"
-#include "scene/grid_formats.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
+#include "scene/surfaces/grid_formats.hpp"
 
 namespace ligne {
 namespace {

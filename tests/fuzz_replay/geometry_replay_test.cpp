@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "byte_scene.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/scene_json.hpp"
 
 namespace ligne::test {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 
 namespace ligne::test {
 namespace {

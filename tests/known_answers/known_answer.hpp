@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "drawing/stroke.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 #include "view/view.hpp"
 
 namespace ligne::test {

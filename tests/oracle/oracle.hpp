@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace oracle {
 

@@ -11,7 +11,7 @@
 
 #include "cli/program.hpp"
 #include "picture/comparison.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 
 namespace ligne::test {
 namespace {

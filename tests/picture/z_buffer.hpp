@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace ligne::test {
 

@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
 
 namespace ligne::test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "geometry/parallel.hpp"
 #include "relations/relations.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/page_segments.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"

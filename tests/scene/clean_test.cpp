@@ -1,4 +1,4 @@
-#include "scene/clean.hpp"
+#include "scene/clean/clean.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Edges along which surfaces pass through each other.
 
-#include "scene/crossing_edges.hpp"
+#include "scene/clean/crossing_edges.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/surface_mesh.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
+#include "scene/surfaces/surface_mesh.hpp"
 
 namespace ligne {
 namespace {

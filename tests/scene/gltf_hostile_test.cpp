@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "gltf_builder.hpp"
-#include "scene/gltf_reader.hpp"
+#include "scene/readers/gltf_reader.hpp"
 
 namespace ligne {
 namespace {

@@ -7,8 +7,8 @@
 #include <glm/common.hpp>
 #include <iterator>
 
-#include "scene/clean.hpp"
-#include "scene/gltf_reader.hpp"
+#include "scene/clean/clean.hpp"
+#include "scene/readers/gltf_reader.hpp"
 
 namespace ligne {
 namespace {

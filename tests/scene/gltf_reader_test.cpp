@@ -1,4 +1,4 @@
-#include "scene/gltf_reader.hpp"
+#include "scene/readers/gltf_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "reader_tools.hpp"
-#include "scene/grid_formats.hpp"
+#include "scene/surfaces/grid_formats.hpp"
 
 namespace ligne::height_test {
 

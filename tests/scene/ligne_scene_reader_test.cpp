@@ -1,4 +1,4 @@
-#include "scene/ligne_scene_reader.hpp"
+#include "scene/readers/ligne_scene_reader.hpp"
 
 #include <cmath>
 

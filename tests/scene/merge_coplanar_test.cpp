@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "scene/clean.hpp"
+#include "scene/clean/clean.hpp"
 
 namespace ligne {
 namespace {

@@ -1,6 +1,6 @@
 // What belongs to no format of its own: telling formats apart, files that are none, several scenes in one, precision.
 
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 
 #include <unistd.h>
 
@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "reader_tools.hpp"
-#include "scene/precision.hpp"
-#include "scene/text_lines.hpp"
+#include "scene/model/precision.hpp"
+#include "scene/readers/text_lines.hpp"
 
 namespace ligne {
 namespace {

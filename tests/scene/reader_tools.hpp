@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 
 namespace ligne::reader_test {
 

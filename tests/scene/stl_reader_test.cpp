@@ -1,4 +1,4 @@
-#include "scene/stl_reader.hpp"
+#include "scene/readers/stl_reader.hpp"
 
 #include <cmath>
 #include <cstring>

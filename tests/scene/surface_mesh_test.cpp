@@ -1,6 +1,6 @@
 /// Surfaces as meshes.
 
-#include "scene/surface_mesh.hpp"
+#include "scene/surfaces/surface_mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@
 #include <glm/geometric.hpp>
 
 #include "height_tools.hpp"
-#include "scene/height_filters.hpp"
-#include "scene/mesh_writer.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
+#include "scene/surfaces/height_filters.hpp"
+#include "scene/surfaces/mesh_writer.hpp"
 
 namespace ligne {
 namespace {

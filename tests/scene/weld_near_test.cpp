@@ -1,4 +1,4 @@
-#include "scene/weld_near.hpp"
+#include "scene/clean/weld_near.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <utility>
 
-#include "scene/clean.hpp"
-#include "scene/topology.hpp"
+#include "scene/clean/clean.hpp"
+#include "scene/model/topology.hpp"
 
 namespace ligne {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/scenes.hpp"
 #include "visibility/watkins/line_study.hpp"
 

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace ligne::test {
 

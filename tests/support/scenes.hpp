@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "drawing/drawing.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
 #include "support/scene_parts.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/registry.hpp"

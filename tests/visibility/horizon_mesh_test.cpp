@@ -11,7 +11,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/horizon/horizon.hpp"
 #include "visibility/registry.hpp"

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "geometry/point.hpp"
-#include "scene/reader.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 

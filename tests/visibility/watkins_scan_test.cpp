@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/clean.hpp"
+#include "scene/clean/clean.hpp"
 #include "support/line_scans.hpp"
 #include "visibility/watkins/watkins.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "scene/clean.hpp"
+#include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
 #include "visibility/watkins/exact_study.hpp"
 

@@ -4,11 +4,11 @@
 #include <mutex>
 
 #include "geometry/parallel.hpp"
-#include "visibility/appel/cell_grid.hpp"
-#include "visibility/appel/intersections.hpp"
-#include "visibility/appel/visible_parts.hpp"
+#include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
+#include "visibility/common/intersections.hpp"
 #include "visibility/common/stroke_maker.hpp"
+#include "visibility/common/visible_parts.hpp"
 #include "visibility/tolerances.hpp"
 
 // Phases: (1) facets, (2) the screen grid with covers, (3) intersections that are not behind covers, (4) every line through

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "visibility/appel/intersections.hpp"
-#include "visibility/appel/visible_parts.hpp"
 #include "visibility/atherton_weiler/border_lines.hpp"
 #include "visibility/atherton_weiler/glass_lines.hpp"
 #include "visibility/atherton_weiler/polygon_study.hpp"
 #include "visibility/atherton_weiler/visible_faces.hpp"
 #include "visibility/common/clock.hpp"
+#include "visibility/common/intersections.hpp"
 #include "visibility/common/make_strokes.hpp"
 #include "visibility/common/stroke_maker.hpp"
+#include "visibility/common/visible_parts.hpp"
 #include "visibility/tolerances.hpp"
 
 // Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drawing/result_models.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 #include "view/view.hpp"
 
 namespace ligne::atherton_weiler {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/lattice.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
 #include "view/view.hpp"
 
 namespace ligne::atherton_weiler {

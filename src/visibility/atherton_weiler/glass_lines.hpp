@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "visibility/appel/cell_grid.hpp"
+#include "visibility/common/cell_grid.hpp"
 #include "visibility/common/open_parts.hpp"
 
 namespace ligne::atherton_weiler {

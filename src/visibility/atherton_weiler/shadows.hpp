@@ -7,7 +7,7 @@
 
 #include "drawing/result_models.hpp"
 #include "drawing/stroke.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
 #include "view/projected_scene.hpp"
 
 namespace ligne::atherton_weiler {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "drawing/result_models.hpp"
-#include "visibility/appel/cell_grid.hpp"
 #include "visibility/atherton_weiler/facet_clip.hpp"
+#include "visibility/common/cell_grid.hpp"
 
 namespace ligne::atherton_weiler {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/height_filters.hpp"
+#include "scene/surfaces/height_filters.hpp"
 #include "visibility/horizon/part_sweep.hpp"
 
 namespace ligne {

@@ -11,7 +11,7 @@
 
 #include "drawing/drawing.hpp"
 #include "drawing/statistics.hpp"
-#include "scene/height_source.hpp"
+#include "scene/surfaces/height_source.hpp"
 #include "view/view.hpp"
 #include "visibility/horizon/sight_line.hpp"
 

@@ -1,0 +1,50 @@
+#pragma once
+/// From the boundary edges of a planar region to contours, and contours without needless vertices.
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "scene/model/scene.hpp"
+
+namespace ligne {
+
+/// An edge of the boundary of a region; the region lies to its left.
+struct BoundaryEdge {
+  std::uint32_t from = 0, to = 0;
+  std::uint8_t flags = 0;  ///< CornerFlag
+};
+
+/// A closed contour: vertices, and the flags of the edge from each to the next.
+struct Contour {
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint8_t> flags;
+};
+
+/// A face of contours, the first outer, the others holes.
+struct MergedFace {
+  std::uint32_t material = 0;
+  bool merged = false;  ///< made of several faces
+  std::vector<Contour> contours;
+};
+
+/// The two model axes along which a plane is drawn, so that its normal points at the viewer.
+struct PlaneAxes {
+  int right = 0, up = 1;
+  static PlaneAxes facing(const Point3& normal);
+  Point2 operator()(const Point3& p) const { return {p[right], p[up]}; }
+};
+
+/// Walks the boundary of a region into contours that visit no vertex twice, and puts holes into the outer contours around
+/// them. As many edges must leave each vertex as come to it. Edges that run there and back vanish.
+std::vector<MergedFace> faces_of_boundary(const std::vector<Point3>& vertices, const PlaneAxes& axes,
+                                          std::vector<BoundaryEdge> edges);
+
+/// Whether a point lies inside of a contour (even-odd rule).
+bool is_inside(const std::vector<Point3>& vertices, const PlaneAxes& axes, const Contour& contour, Point2 p);
+
+/// Leaves out vertices in the middle of straight runs, where every contour that uses the vertex runs straight through it
+/// between the same two neighbours, and only in merged faces. `object` owns the vertices of `faces`.
+void straighten(const std::vector<Point3>& vertices, const Object& object, std::vector<MergedFace>& faces);
+
+}  // namespace ligne

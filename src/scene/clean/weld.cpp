@@ -1,0 +1,139 @@
+// Vertices are sorted stably into parts by the top bits of a hash of their position; every part then has a small hash table
+// of its own, open addressing, that fits the cache, and parts are independent of each other. Inside a part vertices come
+// in ascending order, so the first one of a position stands for the others whatever the number of threads.
+
+#include "scene/clean/weld.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "geometry/parallel.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr unsigned kPartBits = 7;
+constexpr std::size_t kParts = std::size_t{1} << kPartBits;
+/// Entries by which the memory is asked for in advance: the vertices of a part lie all over the scene.
+constexpr std::size_t kAhead = 16;
+/// Vertices that one task hashes and sorts into parts.
+constexpr std::size_t kBlock = std::size_t{1} << 15;
+
+/// Finalizer of SplitMix64 (Steele, Lea, Flood 2014): every input bit reaches every output bit.
+std::uint64_t mix(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/// Bits of x; those of +0 for -0.
+std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
+
+std::uint32_t hash(const Point3& p) {
+  // Odd multipliers keep the coordinates apart before one finalizer takes them all.
+  const std::uint64_t sum = bits(p.x) * 0x9e3779b97f4a7c15u + std::rotl(bits(p.y) * 0xc2b2ae3d27d4eb4fu, 21) +
+                            std::rotl(bits(p.z) * 0x165667b19e3779f9u, 42);
+  return static_cast<std::uint32_t>(mix(sum) >> 32);
+}
+
+bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+struct Entry {
+  std::uint32_t hash;
+  std::uint32_t vertex;
+};
+
+/// The vertices with finite positions, sorted by part, ascending inside a part.
+struct Parts {
+  std::vector<Entry> entries;
+  std::vector<std::size_t> begin;  ///< first entry of each part, and the end
+};
+
+Parts sort_into_parts(const std::vector<Point3>& vertices, std::vector<std::uint32_t>& first) {
+  const std::size_t n = vertices.size(), blocks = (n + kBlock - 1) / kBlock;
+  std::vector<std::uint32_t> hashes(n);
+  std::vector<std::size_t> place(blocks * kParts, 0);  // counts, then positions, per block and part
+  const auto of_block = [&](auto&& work) {
+    parallel_for(blocks, [&](std::size_t b) {
+      for (std::size_t i = b * kBlock, end = std::min(n, i + kBlock); i < end; ++i) work(i, &place[b * kParts]);
+    });
+  };
+  of_block([&](std::size_t i, std::size_t* count) {
+    if (!is_finite(vertices[i])) {
+      first[i] = kNone;
+      return;
+    }
+    first[i] = static_cast<std::uint32_t>(i);
+    hashes[i] = hash(vertices[i]);
+    ++count[hashes[i] >> (32 - kPartBits)];
+  });
+  Parts parts;
+  std::size_t sum = 0;
+  for (std::size_t p = 0; p < kParts; ++p) {
+    parts.begin.push_back(sum);
+    for (std::size_t b = 0; b < blocks; ++b) sum += std::exchange(place[b * kParts + p], sum);
+  }
+  parts.begin.push_back(sum);
+  parts.entries.resize(sum);
+  of_block([&](std::size_t i, std::size_t* position) {
+    if (first[i] == kNone) return;
+    parts.entries[position[hashes[i] >> (32 - kPartBits)]++] = {hashes[i], static_cast<std::uint32_t>(i)};
+  });
+  return parts;
+}
+
+/// Welds the vertices of one part; returns how many have found another that stands for them.
+std::size_t weld_part(const Scene& scene, std::span<const Entry> entries, std::vector<std::uint32_t>& first) {
+  constexpr Entry kFree{0, kNone};
+  const std::size_t size = std::bit_ceil(2 * entries.size() + 1);
+  const std::size_t mask = size - 1;
+  std::vector<Entry> table(size, kFree);
+  std::size_t repeated = 0, object = 0;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Entry& e = entries[i];
+    if (i + kAhead < entries.size()) {
+      __builtin_prefetch(&scene.vertices[entries[i + kAhead].vertex]);
+      __builtin_prefetch(&table[entries[i + kAhead].hash & mask]);
+    }
+    while (e.vertex >= scene.objects[object].vertex_end) ++object;
+    const std::uint32_t object_begin = scene.objects[object].vertex_begin;
+    for (std::size_t slot = e.hash & mask;; slot = (slot + 1) & mask) {
+      Entry& there = table[slot];
+      if (there.vertex == kNone) {
+        there = e;
+        break;
+      }
+      if (there.hash != e.hash || scene.vertices[there.vertex] != scene.vertices[e.vertex]) continue;
+      if (there.vertex < object_begin) {
+        there = e;  // the same position in an earlier object: nobody asks for that one again
+      } else {
+        first[e.vertex] = there.vertex;
+        ++repeated;
+      }
+      break;
+    }
+  }
+  return repeated;
+}
+
+}  // namespace
+
+Weld weld_vertices(const Scene& scene) {
+  Weld weld;
+  weld.first.resize(scene.vertices.size());
+  const Parts parts = sort_into_parts(scene.vertices, weld.first);
+  weld.not_finite = scene.vertices.size() - parts.entries.size();
+  std::vector<std::size_t> repeated(kParts, 0);
+  parallel_for(kParts, [&](std::size_t p) {
+    const std::span entries(parts.entries);
+    repeated[p] = weld_part(scene, entries.subspan(parts.begin[p], parts.begin[p + 1] - parts.begin[p]), weld.first);
+  });
+  weld.repeated = std::accumulate(repeated.begin(), repeated.end(), std::size_t{0});
+  return weld;
+}
+
+}  // namespace ligne

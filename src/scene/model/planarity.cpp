@@ -1,0 +1,65 @@
+#include "scene/model/planarity.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace ligne {
+namespace {
+
+constexpr double kSqrt3 = 1.7320508075688772;
+constexpr double kPlaneErrors = 8;  ///< see planarity_tolerance()
+constexpr double kLineErrors = 2;   ///< see straightness_tolerance()
+/// Roundings of one unit in the last place of the span, between the coordinates and a distance from a plane: differences,
+/// the two projections, the cross product and the dot product.
+constexpr double kArithmeticRoundings = 16;
+
+double arithmetic_error(double span) { return kArithmeticRoundings * std::numeric_limits<double>::epsilon() * span; }
+
+}  // namespace
+
+double SpanningPlane::distance(const Point3& q) const { return glm::dot(q - origin, normal); }
+
+SpanningPlane spanning_plane(std::span<const Point3> points) {
+  SpanningPlane plane;
+  if (points.empty()) return plane;
+  const Point3 a = points.front();
+  Point3 ab(0), ac(0);
+  double longest = 0;
+  for (const Point3& q : points) {
+    const double square = glm::dot(q - a, q - a);
+    if (square > longest) longest = square, ab = q - a;
+  }
+  plane.origin = a;
+  if (longest == 0) return plane;
+  plane.span = std::sqrt(longest);
+  const Point3 u = ab / plane.span;
+  double farthest = 0;
+  for (const Point3& q : points) {
+    // Gram-Schmidt, so that the error stays that of the coordinates however slender the polygon is.
+    const Point3 off = (q - a) - u * glm::dot(q - a, u);
+    const double square = glm::dot(off, off);
+    if (square > farthest) farthest = square, ac = off;
+  }
+  if (farthest > 0) plane.normal = glm::normalize(glm::cross(u, ac / std::sqrt(farthest)));
+  return plane;
+}
+
+double planarity_tolerance(double precision, double span) {
+  return kPlaneErrors * kSqrt3 * precision + arithmetic_error(span);
+}
+
+double straightness_tolerance(double precision, double span) {
+  return kLineErrors * kSqrt3 * precision + arithmetic_error(span);
+}
+
+Point3 area_vector(const std::vector<Point3>& vertices, std::span<const std::uint32_t> contour) {
+  const Point3 a = vertices[contour[0]];
+  Point3 sum(0);
+  for (std::size_t i = 1; i + 1 < contour.size(); ++i) {
+    sum += glm::cross(vertices[contour[i]] - a, vertices[contour[i + 1]] - a);
+  }
+  return 0.5 * sum;
+}
+
+}  // namespace ligne

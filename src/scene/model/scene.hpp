@@ -1,0 +1,68 @@
+#pragma once
+/// The description model: objects made of polygon faces with holes, materials, lights, details.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "scene/model/polygon_faces.hpp"
+
+namespace ligne {
+
+struct Material {
+  std::string name;
+  Point3 color{0.8, 0.8, 0.8};  ///< red, green, blue in [0, 1]
+  double opacity = 1;           ///< 0 transparent, 1 opaque
+};
+
+struct Light {
+  enum class Kind : std::uint8_t { parallel, point };
+  Kind kind = Kind::parallel;
+  Point3 vector{0, 0, -1};  ///< parallel: direction in which the light travels; point: position
+};
+
+/// A contour of another colour that lies on a face.
+struct Detail {
+  std::uint32_t face = 0;
+  std::uint32_t material = 0;
+  std::vector<Point3> contour;
+};
+
+/// A thing of its own: edges join faces of one object only, so that two solids that touch keep their own edges.
+/// An object owns a contiguous range of the scene's vertices and of its faces.
+struct Object {
+  std::string name;
+  std::uint32_t vertex_begin = 0, vertex_end = 0;
+  std::uint32_t face_begin = 0, face_end = 0;
+  /// Largest error of a coordinate as stored, in model units: half a unit in the last place of the file's number format at
+  /// the object's largest coordinate (float32, double, or decimal digits), carried through the node transforms.
+  double precision = 0;
+};
+
+enum class Axis : std::uint8_t { x, y, z };
+
+/// Per-corner flags: they speak of the edge from this corner to the next one of its contour.
+enum CornerFlag : std::uint8_t {
+  kCornerFileHidden = 1,  ///< the file marks this edge as not to be drawn (3D Studio AB BC CA = 0): class mesh
+  kCornerInner = 2,       ///< cut inside a polygon by triangulation: class mesh, never a crease
+  kCornerCurve = 4,       ///< part of an iso-curve: class horizon, whatever its faces
+  kCornerCrossing = 8,    ///< surfaces pass through each other along this edge: class intersection
+  kCornerContour = 16,    ///< part of a contour line: class contour, whatever its faces
+};
+
+/// A scene. Indices are into the arrays here. After finish_scene() (scene/clean.hpp) vertices of an object are distinct in
+/// position, every face is planar and has three or more distinct corners.
+struct Scene {
+  std::vector<Point3> vertices;  ///< model coordinates, model units
+  PolygonFaces faces;
+  std::vector<std::uint32_t> face_material;  ///< per face, or empty when every face has material 0
+  std::vector<std::uint8_t> corner_flags;    ///< CornerFlag per corner, or empty when no corner has any
+  std::vector<Object> objects;
+  std::vector<Material> materials;
+  std::vector<Light> lights;
+  std::vector<Detail> details;
+  Axis up_axis = Axis::z;
+};
+
+}  // namespace ligne

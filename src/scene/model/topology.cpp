@@ -1,0 +1,244 @@
+#include "scene/model/topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "geometry/parallel.hpp"
+#include "geometry/triangulate.hpp"
+
+// Edges are found by counting sort: every corner of a contour gives one half-edge, filed under the lower of its two
+// vertices; a bucket then holds the half-edges of one vertex (six on average) and is sorted by the other vertex.
+// Vertices are dealt out in ranges, and every range is filed by one thread that scans all corners: the order inside a
+// bucket is the order of the corners, whatever the number of threads.
+
+namespace ligne {
+namespace {
+
+constexpr std::uint32_t kReversed = 0x80000000u;  ///< the half-edge runs from the higher vertex to the lower
+
+struct HalfEdge {
+  std::uint32_t other = 0;           ///< the higher vertex
+  std::uint32_t face_and_direction;  ///< face, with kReversed where it applies
+  std::uint32_t face() const { return face_and_direction & ~kReversed; }
+};
+
+/// Calls visit(from, to, face, corner) for every directed edge of every contour.
+template <class Visit>
+void for_each_half_edge(const PolygonFaces& faces, Visit visit) {
+  if (faces.all_triangles()) {
+    const auto corners = faces.corners();
+    for (std::size_t f = 0, k = 0; k < corners.size(); ++f, k += 3) {
+      visit(corners[k], corners[k + 1], f, k);
+      visit(corners[k + 1], corners[k + 2], f, k + 1);
+      visit(corners[k + 2], corners[k], f, k + 2);
+    }
+    return;
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
+      const auto contour = faces.contour(f, c);
+      const std::size_t first = faces.corner_index(f, c);
+      for (std::size_t k = 0; k < contour.size(); ++k) {
+        visit(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1], f, first + k);
+      }
+    }
+  }
+}
+
+struct Buckets {
+  std::vector<std::uint32_t> begin;
+  std::vector<HalfEdge> half_edges;
+  std::vector<std::uint8_t> corner_flags;  ///< parallel to half_edges; empty when the scene has none
+};
+
+Buckets file_half_edges(const Scene& scene, std::size_t ranges) {
+  const std::size_t vertex_count = scene.vertices.size();
+  Buckets buckets;
+  buckets.begin.assign(vertex_count + 1, 0);
+  const auto range_begin = [&](std::size_t r) { return static_cast<std::uint32_t>(vertex_count * r / ranges); };
+  // begin[v + 1] counts, then becomes the end of bucket v while it is filled.
+  parallel_for(ranges, [&](std::size_t r) {
+    const std::uint32_t low = range_begin(r), count = range_begin(r + 1) - low;
+    for_each_half_edge(scene.faces, [&](std::uint32_t a, std::uint32_t b, std::size_t, std::size_t) {
+      const std::uint32_t lower = std::min(a, b);
+      if (lower - low < count) ++buckets.begin[lower + 1];
+    });
+  });
+  for (std::size_t v = 0; v < vertex_count; ++v) buckets.begin[v + 1] += buckets.begin[v];
+
+  const bool with_flags = !scene.corner_flags.empty();
+  buckets.half_edges.resize(buckets.begin[vertex_count]);
+  if (with_flags) buckets.corner_flags.resize(buckets.half_edges.size());
+  std::vector<std::uint32_t> next(buckets.begin.begin(), buckets.begin.end() - 1);
+  parallel_for(ranges, [&](std::size_t r) {
+    const std::uint32_t low = range_begin(r), count = range_begin(r + 1) - low;
+    for_each_half_edge(scene.faces, [&](std::uint32_t a, std::uint32_t b, std::size_t face, std::size_t corner) {
+      const std::uint32_t lower = std::min(a, b);
+      if (lower - low >= count) return;
+      const std::uint32_t slot = next[lower]++;
+      buckets.half_edges[slot] = {std::max(a, b), static_cast<std::uint32_t>(face) | (a > b ? kReversed : 0)};
+      if (with_flags) buckets.corner_flags[slot] = scene.corner_flags[corner];
+    });
+  });
+  return buckets;
+}
+
+/// Sorts the bucket [begin, end) by the other vertex, keeping the order of equals; flags move along.
+void sort_bucket(Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
+  auto& h = buckets.half_edges;
+  constexpr std::uint32_t kInsertionSortLimit = 32;
+  if (end - begin > kInsertionSortLimit) {  // the hub of a large fan
+    std::vector<std::pair<HalfEdge, std::uint8_t>> bucket;
+    for (std::uint32_t k = begin; k < end; ++k) {
+      bucket.emplace_back(h[k], buckets.corner_flags.empty() ? std::uint8_t{0} : buckets.corner_flags[k]);
+    }
+    std::stable_sort(bucket.begin(), bucket.end(),
+                     [](const auto& a, const auto& b) { return a.first.other < b.first.other; });
+    for (std::uint32_t k = begin; k < end; ++k) {
+      h[k] = bucket[k - begin].first;
+      if (!buckets.corner_flags.empty()) buckets.corner_flags[k] = bucket[k - begin].second;
+    }
+    return;
+  }
+  for (std::uint32_t i = begin + 1; i < end; ++i) {
+    for (std::uint32_t k = i; k > begin && h[k].other < h[k - 1].other; --k) {
+      std::swap(h[k], h[k - 1]);
+      if (!buckets.corner_flags.empty()) std::swap(buckets.corner_flags[k], buckets.corner_flags[k - 1]);
+    }
+  }
+}
+
+std::uint8_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
+  std::uint8_t flags = 0;
+  if (end - begin > 2) flags |= kEdgeManyFaces;
+  if (end - begin == 2) {
+    const HalfEdge a = buckets.half_edges[begin], b = buckets.half_edges[begin + 1];
+    // A seam: the contour of one face runs along it twice.
+    if (a.face() == b.face()) return kEdgeInner;
+    if ((a.face_and_direction & kReversed) == (b.face_and_direction & kReversed)) flags |= kEdgeUnlikeWound;
+  }
+  if (!buckets.corner_flags.empty()) {
+    std::uint8_t common = 0xff, any = 0;  // an edge is as the file says only when all faces on it say so
+    for (std::uint32_t k = begin; k < end; ++k) {
+      common &= buckets.corner_flags[k];
+      any |= buckets.corner_flags[k];
+    }
+    if (any & kCornerCurve) flags |= kEdgeCurve;
+    if (any & kCornerCrossing) flags |= kEdgeCrossing;
+    if (any & kCornerContour) flags |= kEdgeContour;
+    if (common & kCornerFileHidden) flags |= kEdgeFileHidden;
+    if (common & kCornerInner) flags |= kEdgeInner;
+  }
+  return flags;
+}
+
+void find_edges(const Scene& scene, Topology& topology) {
+  const std::size_t vertex_count = scene.vertices.size();
+  if (vertex_count == 0) return;
+  constexpr std::size_t kCornersPerRange = 200'000;
+  const std::size_t ranges = std::clamp<std::size_t>(scene.faces.corners().size() / kCornersPerRange, 1, 4);
+  Buckets buckets = file_half_edges(scene, ranges);
+
+  // Runs of equal half-edges are edges: sort and count them per block of vertices, then write every block at its place.
+  constexpr std::size_t kVerticesPerBlock = 16'384;
+  const std::size_t blocks = (vertex_count + kVerticesPerBlock - 1) / kVerticesPerBlock;
+  const auto for_each_edge_of_block = [&](std::size_t block, auto visit) {
+    const std::size_t last = std::min(vertex_count, (block + 1) * kVerticesPerBlock);
+    for (std::size_t v = block * kVerticesPerBlock; v < last; ++v) {
+      for (std::uint32_t k = buckets.begin[v]; k < buckets.begin[v + 1];) {
+        std::uint32_t end = k + 1;
+        while (end < buckets.begin[v + 1] && buckets.half_edges[end].other == buckets.half_edges[k].other) ++end;
+        visit(static_cast<std::uint32_t>(v), k, end);
+        k = end;
+      }
+    }
+  };
+  std::vector<std::size_t> first_edge(blocks + 1, 0);
+  parallel_for(blocks, [&](std::size_t block) {
+    const std::size_t last = std::min(vertex_count, (block + 1) * kVerticesPerBlock);
+    for (std::size_t v = block * kVerticesPerBlock; v < last; ++v) {
+      sort_bucket(buckets, buckets.begin[v], buckets.begin[v + 1]);
+    }
+    std::size_t count = 0;
+    for_each_edge_of_block(block, [&](std::uint32_t, std::uint32_t, std::uint32_t) { ++count; });
+    first_edge[block + 1] = count;
+  });
+  for (std::size_t b = 0; b < blocks; ++b) first_edge[b + 1] += first_edge[b];
+  topology.edges.resize(first_edge[blocks]);
+  topology.edge_flags.resize(first_edge[blocks]);
+  parallel_for(blocks, [&](std::size_t block) {
+    std::size_t e = first_edge[block];
+    for_each_edge_of_block(block, [&](std::uint32_t v, std::uint32_t begin, std::uint32_t end) {
+      const auto& h = buckets.half_edges;
+      topology.edges[e] = {v, h[begin].other, h[begin].face(), end - begin > 1 ? h[begin + 1].face() : kNone};
+      topology.edge_flags[e] = flags_of_edge(buckets, begin, end);
+      ++e;
+    });
+  });
+}
+
+/// The two coordinates in which the polygon is largest, in an order that keeps its winding.
+Point2 flatten(const Point3& p, const Point3& normal) {
+  const Point3 a = glm::abs(normal);
+  if (a.x >= a.y && a.x >= a.z) return normal.x > 0 ? Point2{p.y, p.z} : Point2{p.z, p.y};
+  if (a.y >= a.z) return normal.y > 0 ? Point2{p.z, p.x} : Point2{p.x, p.z};
+  return normal.z > 0 ? Point2{p.x, p.y} : Point2{p.y, p.x};
+}
+
+void triangulate_face(const Scene& scene, std::uint32_t face, std::vector<Triangle>& out) {
+  const PolygonFaces& faces = scene.faces;
+  const auto outer = faces.contour(face, 0);
+  if (faces.contour_count(face) == 1 && outer.size() == 3) {
+    out.push_back({{outer[0], outer[1], outer[2]}, face});
+    return;
+  }
+  const Point3 normal = face_normal(scene, face);
+  std::vector<Point2> points;
+  std::vector<std::uint32_t> vertices, contour_end;
+  for (std::size_t c = 0; c < faces.contour_count(face); ++c) {
+    for (const std::uint32_t v : faces.contour(face, c)) {
+      points.push_back(flatten(scene.vertices[v], normal));
+      vertices.push_back(v);
+    }
+    contour_end.push_back(static_cast<std::uint32_t>(points.size()));
+  }
+  for (const auto& t : triangulate(points, contour_end)) {
+    out.push_back({{vertices[t[0]], vertices[t[1]], vertices[t[2]]}, face});
+  }
+}
+
+}  // namespace
+
+Point3 face_normal(const Scene& scene, std::uint32_t face) {
+  const auto contour = scene.faces.contour(face, 0);
+  const Point3 origin = scene.vertices[contour[0]];
+  Point3 sum{0, 0, 0};
+  for (std::size_t k = 1; k + 1 < contour.size(); ++k) {
+    sum += glm::cross(scene.vertices[contour[k]] - origin, scene.vertices[contour[k + 1]] - origin);
+  }
+  const double length = glm::length(sum);
+  return length > 0 ? sum / length : Point3{0, 0, 0};
+}
+
+Topology build_topology(const Scene& scene) {
+  Topology topology;
+  find_edges(scene, topology);
+  const std::size_t n = scene.faces.size();
+  if (scene.faces.all_triangles()) {
+    topology.triangles.resize(n);
+    const auto corners = scene.faces.corners();
+    parallel_blocks(n, 65'536, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        topology.triangles[f] = {{corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]}, static_cast<std::uint32_t>(f)};
+      }
+    });
+  } else {
+    topology.triangles.reserve(n * 2);
+    for (std::uint32_t f = 0; f < n; ++f) triangulate_face(scene, f, topology.triangles);
+  }
+  return topology;
+}
+
+}  // namespace ligne

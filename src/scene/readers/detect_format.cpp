@@ -1,0 +1,145 @@
+// The order of the questions: files with a mark of their own (GLB, PLY, JSON, images and archives); binary STL, whose size
+// must agree with its count; text by what its first lines say; and last the suffix.
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "scene/readers/reader.hpp"
+#include "scene/readers/stl_reader.hpp"
+#include "scene/readers/text_lines.hpp"
+
+namespace ligne {
+namespace {
+
+/// As much of a text as is looked at: enough to get past long comments at the head.
+constexpr std::size_t kLookedAt = 65536;
+
+std::string_view as_chars(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// What a file that is no model is, by its first bytes.
+std::optional<std::string_view> known_stranger(std::string_view bytes) {
+  struct Mark {
+    std::string_view begin, what;
+  };
+  static constexpr std::array kMarks{Mark{"\x89PNG", "a PNG image"},      Mark{"\xFF\xD8\xFF", "a JPEG image"},
+                                     Mark{"GIF8", "a GIF image"},         Mark{"II*", "a TIFF image"},
+                                     Mark{{"MM\0*", 4}, "a TIFF image"},  Mark{"%PDF", "a PDF document"},
+                                     Mark{"PK\x03\x04", "a ZIP archive"}, Mark{"\x1F\x8B", "a gzip archive"},
+                                     Mark{"<?xml", "an XML file"},        Mark{"<svg", "an SVG drawing"}};
+  for (const Mark& mark : kMarks) {
+    if (bytes.starts_with(mark.begin)) return mark.what;
+  }
+  return {};
+}
+
+/// The text from its first character that is neither white space nor part of a byte order mark.
+std::string_view without_leading_space(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::size_t begin = text.find_first_not_of(" \t\v\f\r\n");
+  return begin == std::string_view::npos ? std::string_view{} : text.substr(begin);
+}
+
+/// True when the outermost JSON object has the key.
+bool has_top_level_key(std::string_view json, std::string_view key) {
+  int depth = 0;
+  std::size_t string_begin = 0;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (c == '{' || c == '[') ++depth;
+    if (c == '}' || c == ']') --depth;
+    if (c != '"') continue;
+    string_begin = i + 1;
+    for (++i; i < json.size() && json[i] != '"'; ++i) i += json[i] == '\\';
+    if (depth != 1 || i >= json.size() || json.substr(string_begin, i - string_begin) != key) continue;
+    if (without_leading_space(json.substr(i + 1)).starts_with(':')) return true;
+  }
+  return false;
+}
+
+bool is_esri_grid(std::string_view text) {
+  std::string_view rest = text.substr(0, text.find_first_of("\r\n"));
+  const std::string_view word = take_word(rest);
+  return (equal_ignoring_case(word, "ncols") || equal_ignoring_case(word, "nrows")) && parse_integer(take_word(rest));
+}
+
+/// A statement that only OBJ has: "v 1 2 3", or "f 1/1 2/2 3/3", or mtllib.
+bool is_obj_statement(std::string_view line) {
+  const std::string_view keyword = take_word(line);
+  if (keyword == "mtllib") return true;
+  if (keyword != "v" && keyword != "f") return false;
+  for (int k = 0; k < 3; ++k) {
+    const std::string_view word = take_word(line);
+    if (!number_in(keyword == "v" ? word : word.substr(0, word.find('/')))) return false;
+  }
+  return true;
+}
+
+std::optional<ModelFormat> text_format(std::string_view text) {
+  const std::string_view head = text.substr(0, kLookedAt);
+  if (starts_with_ignoring_case(head, "solid") && head.find_first_of(" \t\r\n", 5) == 5) return ModelFormat::stl_ascii;
+  LineReader lines(head);
+  for (std::string_view line; lines.next(line);) {
+    line = trimmed(line);
+    if (starts_with_ignoring_case(line, "Named object:") || starts_with_ignoring_case(line, "Ambient light color:")) {
+      return ModelFormat::asc_3d_studio;
+    }
+    if (is_obj_statement(line)) return ModelFormat::obj;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view to_string(ModelFormat format) {
+  switch (format) {
+    case ModelFormat::gltf:
+      return "glTF";
+    case ModelFormat::glb:
+      return "glTF binary";
+    case ModelFormat::obj:
+      return "OBJ";
+    case ModelFormat::stl_ascii:
+      return "STL";
+    case ModelFormat::stl_binary:
+      return "STL binary";
+    case ModelFormat::ply:
+      return "PLY";
+    case ModelFormat::asc_3d_studio:
+      return "3D Studio ASCII";
+    case ModelFormat::ligne_scene:
+      break;
+  }
+  return "ligne scene";
+}
+
+ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suffix, const std::string& name) {
+  const std::string_view chars = as_chars(bytes);
+  if (chars.empty()) throw InputError(name, "is empty");
+  if (chars.starts_with("glTF")) return ModelFormat::glb;
+  if (const auto stranger = known_stranger(chars)) throw InputError(name, "is " + std::string(*stranger) + ", not a model");
+  const std::string_view text = without_leading_space(chars);
+  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return ModelFormat::ply;
+  if (is_binary_stl(bytes) && stl_triangle_count(bytes) > 0) return ModelFormat::stl_binary;
+  if (chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF"))
+    throw InputError(name, "is UTF-16 text; UTF-8 is needed");
+
+  const bool is_binary = chars.substr(0, kLookedAt).find('\0') != std::string_view::npos;
+  if (!is_binary) {
+    if (text.empty()) throw InputError(name, "holds nothing but white space");
+    if (text[0] == '{') {
+      const bool own = has_top_level_key(text, "format") && !has_top_level_key(text, "asset");
+      return own ? ModelFormat::ligne_scene : ModelFormat::gltf;
+    }
+    if (is_esri_grid(text)) throw InputError(name, "is an ESRI ASCII grid; draw it with: ligne surface --grid");
+    if (const auto format = text_format(text)) return *format;
+  }
+  if (equal_ignoring_case(suffix, ".stl")) return is_binary ? ModelFormat::stl_binary : ModelFormat::stl_ascii;
+  if (!is_binary && equal_ignoring_case(suffix, ".obj")) return ModelFormat::obj;
+  if (!is_binary && equal_ignoring_case(suffix, ".gltf")) return ModelFormat::gltf;
+  throw InputError(name, "not a model file that is known (glTF, OBJ, STL, PLY, 3D Studio ASCII, ligne scene)");
+}
+
+}  // namespace ligne

@@ -1,0 +1,30 @@
+#pragma once
+/// A glTF file taken apart: tinygltf's model and the bytes of the buffers.
+
+#include <tiny_gltf.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "scene/readers/gltf_buffers.hpp"
+
+namespace ligne {
+
+struct GltfDocument {
+  std::string name;       ///< stands in error messages
+  tinygltf::Model model;  ///< geometry and materials alone, checked (see gltf_json.hpp); its buffers are empty
+  GltfBuffers buffers;
+  std::size_t file_bytes;  ///< size of the file itself
+
+  /// Size of everything that was read so far: the file, and the buffers that were asked for.
+  std::size_t bytes_read() const { return file_bytes + buffers.bytes_read(); }
+  [[noreturn]] void fail(const std::string& place, const std::string& cause) const;
+};
+
+/// Opens a file. `bytes` must outlive the document: the binary chunk of a GLB is not copied. Throws InputError.
+GltfDocument open_gltf(std::span<const std::byte> bytes, bool binary, const std::filesystem::path& folder,
+                       const std::string& name);
+
+}  // namespace ligne

@@ -1,0 +1,26 @@
+#pragma once
+/// The node hierarchy of a glTF file.
+
+#include <cstddef>
+#include <glm/mat4x4.hpp>
+#include <vector>
+
+#include "scene/readers/gltf_document.hpp"
+
+namespace ligne {
+
+/// A mesh as it stands in the world.
+struct GltfInstance {
+  std::size_t node = 0;
+  std::size_t mesh = 0;
+  glm::dmat4 to_world{1};
+};
+
+/// The nodes with a mesh of the default scene, or below all root nodes when the file names no scene, parents before
+/// children. Throws InputError when the nodes are not a strict tree.
+std::vector<GltfInstance> list_instances(const GltfDocument& document);
+
+/// Largest stretch of a direction by the linear part of a transform: its largest singular value.
+double largest_stretch(const glm::dmat4& m);
+
+}  // namespace ligne

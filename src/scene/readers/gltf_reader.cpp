@@ -1,0 +1,271 @@
+// The order of work: the document is opened and checked; the node tree gives the instances of meshes; a first pass over
+// them opens their accessors and counts, so that what the scene will need is known, and refused, before it is
+// allocated; a second pass converts positions and indices straight into the scene.
+
+#include "scene/readers/gltf_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "scene/readers/gltf_accessor.hpp"
+#include "scene/readers/gltf_document.hpp"
+#include "scene/readers/gltf_draco.hpp"
+#include "scene/readers/gltf_extensions.hpp"
+#include "scene/readers/gltf_nodes.hpp"
+
+namespace ligne {
+namespace {
+
+/// Triangles, and vertices, to which a small file may grow by using its meshes many times: above that a file has no more
+/// than it has bytes.
+constexpr std::size_t kMaxInstanced = std::size_t{1} << 25;
+/// Bits of a float32 significand, the hidden one counted.
+constexpr int kFloatDigits = std::numeric_limits<float>::digits;
+/// Roundings of a coordinate in a 4 x 4 transform: products and sums, once per level of a node tree that is not deep.
+constexpr double kTransformRoundings = 4;
+
+/// A primitive whose data are known to be there.
+struct Primitive {
+  std::size_t position_accessor = 0;
+  GltfAccessor positions;               ///< unused with Draco
+  std::optional<GltfAccessor> indices;  ///< without: the positions in their order
+  const DracoMesh* draco = nullptr;
+  int mode = TINYGLTF_MODE_TRIANGLES;
+  int material = -1;
+
+  std::size_t vertex_count() const { return draco ? draco->positions.size() : positions.count(); }
+  std::size_t corner_count() const { return draco ? draco->corners.size() : indices ? indices->count() : positions.count(); }
+  std::size_t triangle_count() const {
+    const std::size_t n = corner_count();
+    if (draco || mode == TINYGLTF_MODE_TRIANGLES) return n / 3;
+    return n < 3 ? 0 : n - 2;
+  }
+};
+
+class Reader {
+ public:
+  Reader(GltfDocument& document, Warnings& warnings) : document_(document), model_(document.model), warnings_(warnings) {}
+
+  Scene run(ReadReport& report) {
+    const std::vector<GltfInstance> instances = list_instances(document_);
+    meshes_.resize(model_.meshes.size());
+    count(instances);
+    scene_.up_axis = Axis::y;
+    scene_.objects.reserve(instances.size());
+    scene_.vertices.reserve(vertices_);
+    scene_.faces.reserve_corners(3 * triangles_);
+    for (const GltfInstance& instance : instances) add_object(instance);
+    write_materials();
+    report.faces = report.triangles = triangles_;
+    report.vertices = vertices_;
+    return std::move(scene_);
+  }
+
+ private:
+  // ---- first pass
+
+  void count(const std::vector<GltfInstance>& instances) {
+    for (const GltfInstance& instance : instances) {
+      const auto& primitives = open_mesh(instance.mesh);
+      std::size_t last_positions = kNone;
+      for (const Primitive& p : primitives) {
+        triangles_ += p.triangle_count();
+        // Primitives in a row often share their positions.
+        if (p.draco || p.position_accessor != last_positions) vertices_ += p.vertex_count();
+        last_positions = p.draco ? kNone : p.position_accessor;
+      }
+      primitives_ += primitives.size();
+      const std::size_t limit = std::max(kMaxInstanced, document_.bytes_read());
+      if (triangles_ > limit || vertices_ > limit || primitives_ > limit) {
+        document_.fail("node " + std::to_string(instance.node),
+                       "meshes used many times come to more than " + std::to_string(limit) + " triangles or vertices");
+      }
+      if (model_.nodes[instance.node].skin >= 0)
+        warnings_.add("skinned meshes taken as they are stored, without their skeleton");
+    }
+    if (vertices_ >= kNone || triangles_ >= kNone / 3) document_.fail("scene", "too many vertices or triangles");
+  }
+
+  const std::vector<Primitive>& open_mesh(std::size_t mesh) {
+    if (!meshes_[mesh]) {
+      meshes_[mesh].emplace();
+      for (const tinygltf::Primitive& from : model_.meshes[mesh].primitives) {
+        if (from.mode < TINYGLTF_MODE_TRIANGLES) {
+          warnings_.add("glTF primitives of points or lines left out");
+        } else if (!from.attributes.contains("POSITION")) {
+          warnings_.add("glTF primitives without positions left out");
+        } else {
+          meshes_[mesh]->push_back(open_primitive(from));
+        }
+      }
+    }
+    return *meshes_[mesh];
+  }
+
+  Primitive open_primitive(const tinygltf::Primitive& from) {
+    Primitive p;
+    p.mode = from.mode;
+    p.material = from.material;
+    p.position_accessor = static_cast<std::size_t>(from.attributes.at("POSITION"));
+    const auto draco = from.extensions.find(kDracoExtension);
+    if (draco != from.extensions.end()) {
+      p.draco = &decode(draco->second);
+      return p;
+    }
+    p.positions = position_accessor(document_, p.position_accessor);
+    const auto indices = from.attributes.find(kGltfIndices);
+    if (indices != from.attributes.end()) p.indices = index_accessor(document_, static_cast<std::size_t>(indices->second));
+    if (p.mode == TINYGLTF_MODE_TRIANGLES && p.corner_count() % 3 != 0) {
+      document_.fail(p.indices ? p.indices->place : p.positions.place,
+                     "its " + std::to_string(p.corner_count()) + " corners are not whole triangles");
+    }
+    return p;
+  }
+
+  const DracoMesh& decode(const tinygltf::Value& extension) {
+    const std::pair key{extension.Get("bufferView").Get<int>(), extension.Get("attributes").Get("POSITION").Get<int>()};
+    const auto [entry, is_new] = draco_.try_emplace(key);
+    if (is_new) {
+      const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(key.first)];
+      const auto bytes =
+          document_.buffers.get(static_cast<std::size_t>(view.buffer)).subspan(view.byteOffset, view.byteLength);
+      entry->second = decode_draco(bytes, key.second, document_.name, "bufferView " + std::to_string(key.first));
+    }
+    return entry->second;
+  }
+
+  // ---- second pass
+
+  void add_object(const GltfInstance& instance) {
+    const glm::dmat4& m = instance.to_world;
+    const bool mirrored = glm::determinant(glm::dmat3(m)) < 0;
+    Object object;
+    object.name = model_.nodes[instance.node].name;
+    if (object.name.empty()) object.name = model_.meshes[instance.mesh].name;
+    object.vertex_begin = static_cast<std::uint32_t>(scene_.vertices.size());
+    object.face_begin = static_cast<std::uint32_t>(scene_.faces.size());
+    double largest_float = 0;
+    std::size_t last_positions = kNone;
+    std::uint32_t first_vertex = 0;
+    for (const Primitive& p : *meshes_[instance.mesh]) {
+      if (p.draco || p.position_accessor != last_positions) {
+        first_vertex = static_cast<std::uint32_t>(scene_.vertices.size());
+        const double largest = add_positions(p, m);
+        if (p.draco || p.positions.is_float()) largest_float = std::max(largest_float, largest);
+      }
+      last_positions = p.draco ? kNone : p.position_accessor;
+      add_triangles(p, first_vertex, mirrored);
+      materials_.emplace_back(p.material, p.triangle_count());
+    }
+    object.vertex_end = static_cast<std::uint32_t>(scene_.vertices.size());
+    object.face_end = static_cast<std::uint32_t>(scene_.faces.size());
+    object.precision = precision(object, m, largest_float);
+    scene_.objects.push_back(std::move(object));
+  }
+
+  double add_positions(const Primitive& p, const glm::dmat4& m) {
+    const std::size_t first = scene_.vertices.size();
+    scene_.vertices.resize(first + p.vertex_count());
+    const auto out = std::span(scene_.vertices).subspan(first);
+    if (!p.draco) return read_positions(document_, p.positions, m, out);
+    std::transform(p.draco->positions.begin(), p.draco->positions.end(), out.begin(),
+                   [&](const Point3& q) { return m == glm::dmat4(1) ? q : Point3(m * glm::dvec4(q, 1)); });
+    return p.draco->largest;
+  }
+
+  void add_triangles(const Primitive& p, std::uint32_t first_vertex, bool mirrored) {
+    const std::size_t n = p.triangle_count();
+    const std::span<std::uint32_t> corners = scene_.faces.append_triangles(n);
+    if (p.draco || p.mode == TINYGLTF_MODE_TRIANGLES) {
+      write_corners(p, first_vertex, corners);
+    } else {
+      std::vector<std::uint32_t> run(p.corner_count());
+      write_corners(p, first_vertex, run);
+      const bool strip = p.mode == TINYGLTF_MODE_TRIANGLE_STRIP;
+      for (std::size_t i = 0; i < n; ++i) {
+        // glTF 2.0, section 3.7.2.1: every second triangle of a strip is turned round; a fan turns about its first corner.
+        corners[3 * i] = strip ? run[i] : run[i + 1];
+        corners[3 * i + 1] = strip ? run[i + 1 + i % 2] : run[i + 2];
+        corners[3 * i + 2] = strip ? run[i + 2 - i % 2] : run[0];
+      }
+    }
+    if (!mirrored) return;
+    for (std::size_t i = 0; i < n; ++i) std::swap(corners[3 * i + 1], corners[3 * i + 2]);
+  }
+
+  void write_corners(const Primitive& p, std::uint32_t first_vertex, std::span<std::uint32_t> out) const {
+    if (p.draco) {
+      std::transform(p.draco->corners.begin(), p.draco->corners.end(), out.begin(),
+                     [&](std::uint32_t v) { return first_vertex + v; });
+    } else if (p.indices) {
+      read_indices(document_, *p.indices, static_cast<std::uint32_t>(p.vertex_count()), first_vertex, out);
+    } else {
+      for (std::size_t i = 0; i < out.size(); ++i) out[i] = first_vertex + static_cast<std::uint32_t>(i);
+    }
+  }
+
+  /// Half a unit in the last place of the largest float32, carried through the transform, and what the transform itself
+  /// rounds. Integers are exact before it.
+  double precision(const Object& object, const glm::dmat4& m, double largest_float) const {
+    const double stored = largest_float > 0 ? std::ldexp(1.0, std::ilogb(largest_float) - kFloatDigits) : 0;
+    if (m == glm::dmat4(1)) return stored;
+    double largest = 0;
+    for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
+      const Point3 p = glm::abs(scene_.vertices[v]);
+      largest = std::max({largest, p.x, p.y, p.z});
+    }
+    const double sum = stored * largest_stretch(m) + kTransformRoundings * std::numeric_limits<double>::epsilon() * largest;
+    return std::isfinite(sum) ? sum : 0;
+  }
+
+  void write_materials() {
+    for (const tinygltf::Material& from : model_.materials) {
+      Material material;
+      material.name = from.name;
+      const std::vector<double>& c = from.pbrMetallicRoughness.baseColorFactor;
+      material.color = glm::clamp(Point3(c[0], c[1], c[2]), 0.0, 1.0);
+      // Only BLEND makes a face transparent: OPAQUE ignores the alpha value, MASK compares it (section 3.9.4).
+      if (from.alphaMode == "BLEND") material.opacity = std::clamp(c[3], 0.0, 1.0);
+      scene_.materials.push_back(std::move(material));
+    }
+    const auto number_of = [&](int material) {
+      return static_cast<std::uint32_t>(material >= 0 ? static_cast<std::size_t>(material) : model_.materials.size());
+    };
+    bool some = false, unnamed = false;
+    for (const auto& [material, faces] : materials_) {
+      some = some || number_of(material) != 0;
+      unnamed = unnamed || material < 0;
+    }
+    if (unnamed) scene_.materials.emplace_back();
+    if (!some) return;
+    scene_.face_material.reserve(triangles_);
+    for (const auto& [material, faces] : materials_) {
+      scene_.face_material.insert(scene_.face_material.end(), faces, number_of(material));
+    }
+  }
+
+  GltfDocument& document_;
+  const tinygltf::Model& model_;
+  Warnings& warnings_;
+  Scene scene_;
+  std::vector<std::optional<std::vector<Primitive>>> meshes_;
+  std::map<std::pair<int, int>, DracoMesh> draco_;      ///< by bufferView and id of the positions
+  std::vector<std::pair<int, std::size_t>> materials_;  ///< material (-1: none) and number of faces, in order
+  std::size_t vertices_ = 0, triangles_ = 0, primitives_ = 0;
+};
+
+}  // namespace
+
+Scene read_gltf(std::span<const std::byte> bytes, bool binary, const std::filesystem::path& folder, const std::string& name,
+                ReadReport& report, Warnings& warnings) {
+  GltfDocument document = open_gltf(bytes, binary, folder, name);
+  report.format = binary ? ModelFormat::glb : ModelFormat::gltf;
+  report.files = document.buffers.files();
+  return Reader(document, warnings).run(report);
+}
+
+}  // namespace ligne

@@ -1,0 +1,47 @@
+#pragma once
+/// The header of a PLY file (G. Turk, "The PLY Polygon File Format", 1994).
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/model/diagnostics.hpp"
+
+namespace ligne {
+
+enum class PlyEncoding : std::uint8_t { ascii, little_endian, big_endian };
+enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+std::size_t byte_size(PlyType type);
+constexpr bool is_float(PlyType type) { return type >= PlyType::float32; }
+
+struct PlyProperty {
+  std::string name;
+  PlyType type = PlyType::float32;
+  bool is_list = false;
+  PlyType count_type = PlyType::uint8;  ///< of a list's length
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+
+  /// Index of the first property of one of the names, or properties.size().
+  std::size_t find(std::initializer_list<const char*> names) const;
+};
+
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::ascii;
+  std::vector<PlyElement> elements;
+  std::size_t bytes = 0;  ///< where the data begin
+  std::size_t lines = 0;  ///< lines of the header, so that the first line of data is lines + 1
+};
+
+/// Throws InputError, with the line. Lines end as the line 'ply' does.
+PlyHeader read_ply_header(std::span<const std::byte> bytes, const std::string& name);
+
+}  // namespace ligne

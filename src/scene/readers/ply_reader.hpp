@@ -1,0 +1,17 @@
+#pragma once
+/// Reader of PLY, text and binary.
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "scene/readers/reader.hpp"
+
+namespace ligne {
+
+/// Reads the elements `vertex` (x, y, z of any type) and `face` (list vertex_indices or vertex_index) as one object; faces
+/// may have any number of corners, other elements and properties are passed over. z up; not cleaned yet. Throws
+/// InputError, with the line for text.
+Scene read_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings);
+
+}  // namespace ligne

@@ -1,0 +1,146 @@
+#include "scene/readers/reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "scene/clean/clean.hpp"
+#include "scene/clean/weld_near.hpp"
+#include "scene/readers/asc_reader.hpp"
+#include "scene/readers/gltf_reader.hpp"
+#include "scene/readers/ligne_scene_reader.hpp"
+#include "scene/readers/obj_reader.hpp"
+#include "scene/readers/ply_reader.hpp"
+#include "scene/readers/stl_reader.hpp"
+
+namespace ligne {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Products of five coordinates stay finite, which is more than any computation here multiplies; float32 files reach 3.4e38.
+constexpr double kLargestCoordinate = 0x1p200;
+
+/// Throws InputError when a coordinate is too large to compute with, or not finite: readers refuse what the file says, but
+/// the transforms of a glTF may lead there too.
+void check_size(const Scene& scene, const std::string& name) {
+  for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
+    const Point3& p = scene.vertices[v];
+    for (int k = 0; k < 3; ++k) {
+      if (std::abs(p[k]) <= kLargestCoordinate) continue;
+      throw InputError(name, "vertex " + std::to_string(v) + " of " + std::to_string(scene.vertices.size()) +
+                                 ": a coordinate is beyond 1.6e60, too large to compute with");
+    }
+  }
+}
+
+Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
+               ReadReport& report, Warnings& warnings) {
+  switch (format) {
+    case ModelFormat::gltf:
+      return read_gltf(bytes, false, folder, name, report, warnings);
+    case ModelFormat::glb:
+      return read_gltf(bytes, true, folder, name, report, warnings);
+    case ModelFormat::obj:
+      return read_obj(bytes, name, report, warnings);
+    case ModelFormat::stl_ascii:
+      return read_stl_ascii(bytes, name, report, warnings);
+    case ModelFormat::stl_binary:
+      return read_stl_binary(bytes, name, report, warnings);
+    case ModelFormat::ply:
+      return read_ply(bytes, name, report, warnings);
+    case ModelFormat::asc_3d_studio:
+      return read_asc(bytes, name, report, warnings);
+    case ModelFormat::ligne_scene:
+      break;
+  }
+  return read_ligne_scene(bytes, name, report, warnings);
+}
+
+/// Puts `extra` behind `values`, each plus `offset`. An empty list stands for as many zeros as its size says.
+template <typename T>
+void append_zeros_left_out(std::vector<T>& values, std::size_t size, const std::vector<T>& extra, std::size_t extra_size,
+                           T offset) {
+  if (values.empty() && extra.empty() && offset == T{0}) return;
+  values.resize(size, T{0});
+  for (const T value : extra) values.push_back(static_cast<T>(value + offset));
+  values.resize(size + extra_size, offset);
+}
+
+}  // namespace
+
+Scene read_scene(const fs::path& file, const ReadOptions& options, Warnings& warnings, ReadReport* report) {
+  const std::string name = file.string();
+  InputFiles opened;
+  const std::vector<std::byte> bytes = read_input(file, name, opened);
+  const ModelFormat format = detect_format(bytes, file.extension().string(), name);
+  const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
+  Scene scene = read_scene(bytes, format, folder, name, options, warnings, report);
+  if (report) report->files.insert(report->files.begin(), opened.begin(), opened.end());
+  return scene;
+}
+
+Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
+                 const ReadOptions& options, Warnings& warnings, ReadReport* report) {
+  ReadReport own_report;
+  ReadReport& counts = report ? *report : own_report;
+  counts = ReadReport{};
+  counts.format = format;
+  Scene scene = read_raw(bytes, format, folder, name, counts, warnings);
+  if (scene.faces.empty()) throw InputError(name, "holds no faces");
+  check_size(scene, name);
+  if (options.weld_distance > 0) weld_near_vertices(scene, options.weld_distance);
+  finish_scene(scene, warnings);
+  if (options.merge_coplanar) merge_coplanar_faces(scene);
+  return scene;
+}
+
+void append_scene(Scene& a, Scene&& b) {
+  if (a.objects.empty() && a.vertices.empty() && a.faces.empty()) {
+    a = std::move(b);
+    return;
+  }
+  const std::size_t faces_a = a.faces.size(), corners_a = a.faces.corners().size();
+  if (a.vertices.size() + b.vertices.size() >= kNone || corners_a + b.faces.corners().size() >= kNone) {
+    throw InputError("the models together hold more than 4294967294 vertices or corners");
+  }
+  const auto vertices = static_cast<std::uint32_t>(a.vertices.size()), faces = static_cast<std::uint32_t>(faces_a);
+  // Faces without a material name of their own have material 0, which must be there when another scene's follow.
+  if (a.materials.empty()) a.materials.emplace_back();
+  if (b.materials.empty()) b.materials.emplace_back();
+  const auto materials = static_cast<std::uint32_t>(a.materials.size());
+
+  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
+  std::vector<std::uint32_t> contour;
+  for (std::size_t f = 0; f < b.faces.size(); ++f) {
+    for (std::size_t c = 0; c < b.faces.contour_count(f); ++c) {
+      const auto corners = b.faces.contour(f, c);
+      contour.assign(corners.begin(), corners.end());
+      for (std::uint32_t& v : contour) v += vertices;
+      if (c == 0)
+        a.faces.add_face(contour);
+      else
+        a.faces.add_hole(contour);
+    }
+  }
+  append_zeros_left_out(a.face_material, faces_a, b.face_material, b.faces.size(), materials);
+  append_zeros_left_out(a.corner_flags, corners_a, b.corner_flags, b.faces.corners().size(), std::uint8_t{0});
+  for (Object& object : b.objects) {
+    object.vertex_begin += vertices;
+    object.vertex_end += vertices;
+    object.face_begin += faces;
+    object.face_end += faces;
+    a.objects.push_back(std::move(object));
+  }
+  for (Detail& detail : b.details) {
+    detail.face += faces;
+    detail.material += materials;
+    a.details.push_back(std::move(detail));
+  }
+  std::move(b.materials.begin(), b.materials.end(), std::back_inserter(a.materials));
+  a.lights.insert(a.lights.end(), b.lights.begin(), b.lights.end());
+}
+
+}  // namespace ligne

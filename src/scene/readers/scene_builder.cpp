@@ -1,0 +1,93 @@
+#include "scene/readers/scene_builder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace ligne {
+namespace {
+
+std::uint32_t checked_index(std::size_t n, const std::string& name) {
+  if (n >= kNone) throw InputError(name, "holds more than 4294967294 vertices or corners");
+  return static_cast<std::uint32_t>(n);
+}
+
+}  // namespace
+
+void SceneBuilder::begin_object(std::string name) {
+  object_ = Object{};
+  object_.name = std::move(name);
+  object_.vertex_begin = static_cast<std::uint32_t>(scene_.vertices.size());
+  object_.face_begin = static_cast<std::uint32_t>(scene_.faces.size());
+}
+
+void SceneBuilder::end_object(double precision) {
+  object_.vertex_end = static_cast<std::uint32_t>(scene_.vertices.size());
+  object_.face_end = static_cast<std::uint32_t>(scene_.faces.size());
+  object_.precision = precision;
+  if (object_.face_begin == object_.face_end) {
+    scene_.vertices.resize(object_.vertex_begin);
+    return;
+  }
+  scene_.objects.push_back(std::move(object_));
+}
+
+std::uint32_t SceneBuilder::add_vertex(Point3 position) {
+  const std::uint32_t index = checked_index(scene_.vertices.size(), name_);
+  scene_.vertices.push_back(position);
+  return index;
+}
+
+std::uint32_t SceneBuilder::add_face(std::span<const std::uint32_t> outer) {
+  checked_index(scene_.faces.corners().size() + outer.size(), name_);
+  const auto face = static_cast<std::uint32_t>(scene_.faces.size());
+  scene_.faces.add_face(outer);
+  scene_.face_material.push_back(material_);
+  if (!scene_.corner_flags.empty()) scene_.corner_flags.resize(scene_.faces.corners().size(), 0);
+  ++report_.faces;
+  report_.triangles += outer.size() - 2;
+  return face;
+}
+
+void SceneBuilder::add_hole(std::span<const std::uint32_t> hole) {
+  checked_index(scene_.faces.corners().size() + hole.size(), name_);
+  scene_.faces.add_hole(hole);
+  if (!scene_.corner_flags.empty()) scene_.corner_flags.resize(scene_.faces.corners().size(), 0);
+  report_.triangles += hole.size() + 2;  // a hole adds its corners and the two ends of its bridge once more
+}
+
+void SceneBuilder::set_corner_flags(std::span<const std::uint8_t> flags) {
+  if (scene_.corner_flags.empty()) {
+    if (std::all_of(flags.begin(), flags.end(), [](std::uint8_t f) { return f == 0; })) return;
+    scene_.corner_flags.resize(scene_.faces.corners().size(), 0);
+  }
+  std::copy(flags.rbegin(), flags.rend(), scene_.corner_flags.rbegin());
+}
+
+void SceneBuilder::use_material(const std::string& name) {
+  const auto [entry, is_new] = material_index_.try_emplace(name, static_cast<std::uint32_t>(scene_.materials.size()));
+  if (is_new) {
+    Material material;
+    material.name = name;
+    scene_.materials.push_back(std::move(material));
+  }
+  material_ = entry->second;
+}
+
+Scene SceneBuilder::finish(Axis up_axis) {
+  if (scene_.faces.empty()) throw InputError(name_, "holds no faces");
+  auto& used = scene_.face_material;
+  if (std::find(used.begin(), used.end(), kNone) != used.end()) {
+    const auto plain = static_cast<std::uint32_t>(scene_.materials.size());
+    scene_.materials.emplace_back();
+    std::replace(used.begin(), used.end(), kNone, plain);
+  }
+  if (std::all_of(used.begin(), used.end(), [](std::uint32_t m) { return m == 0; })) {
+    used.clear();
+    used.shrink_to_fit();
+  }
+  scene_.faces.shrink_to_fit();
+  scene_.up_axis = up_axis;
+  return std::move(scene_);
+}
+
+}  // namespace ligne

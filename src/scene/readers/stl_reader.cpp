@@ -1,0 +1,156 @@
+// Our own: the libraries of Debian 12 were tried and none fits. assimp 5.2.5 stores coordinates as float32, accepts nan and
+// text without its end, names no lines, and lengthens the start of every run by 2.6 ms. CGAL's reader (LGPL) gives one soup
+// for all solids and no line. admesh is GPL. draco reads binary STL only, as float32. libigl is not packaged.
+
+#include "scene/readers/stl_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "scene/model/precision.hpp"
+#include "scene/readers/load_bytes.hpp"
+#include "scene/readers/scene_builder.hpp"
+#include "scene/readers/text_lines.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 80, kPreambleBytes = 84, kTriangleBytes = 50, kNormalBytes = 12;
+
+/// The text as words; line ends are white space, except that names run to the end of their line.
+class Words {
+ public:
+  Words(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+
+  /// The next word; empty at the end of the file.
+  std::string_view take() {
+    for (;;) {
+      const std::string_view word = take_word(line_);
+      if (!word.empty() || !lines_.next(line_)) return word;
+    }
+  }
+  std::string_view take_rest_of_line() {
+    const std::string_view rest = trimmed(line_);
+    line_ = {};
+    return rest;
+  }
+  void expect(std::string_view keyword, const char* where) {
+    const std::string_view word = take();
+    if (equal_ignoring_case(word, keyword)) return;
+    if (word.empty()) throw error(std::string("the file ends ") + where + "; expected '" + std::string(keyword) + "'");
+    throw error("expected '" + std::string(keyword) + "' " + where + ", found " + shown(word));
+  }
+  InputError error(const std::string& cause) const {
+    return error_at_line(name_, std::max<std::size_t>(lines_.number(), 1), cause);
+  }
+
+ private:
+  LineReader lines_;
+  const std::string& name_;
+  std::string_view line_;
+};
+
+Point3 take_vertex(Words& words, DecimalPrecision& precision) {
+  words.expect("vertex", "in a facet");
+  Point3 p;
+  for (int k = 0; k < 3; ++k) {
+    const std::string_view word = words.take();
+    if (word.empty()) throw words.error("the file ends in a vertex");
+    const std::optional<double> value = number_in(word);
+    if (!value) throw words.error(shown(word) + " is not a coordinate of a vertex");
+    precision.add(word, *value);
+    p[k] = *value;
+  }
+  return p;
+}
+
+/// Reads a facet after its first word.
+void read_facet(Words& words, SceneBuilder& builder, DecimalPrecision& precision) {
+  // The normal follows from the vertices, and files are careless with it ("nan", missing): whatever stands before
+  // "outer" is left out, a few words at most.
+  constexpr int kMostNormalWords = 4;
+  std::string_view word = words.take();
+  for (int n = 0; n < kMostNormalWords && !word.empty() && !equal_ignoring_case(word, "outer"); ++n) word = words.take();
+  if (word.empty()) throw words.error("the file ends in a facet");
+  if (!equal_ignoring_case(word, "outer")) throw words.error("expected 'outer loop' in a facet, found " + shown(word));
+  words.expect("loop", "after 'outer'");
+  std::array<std::uint32_t, 3> corners{};
+  for (std::uint32_t& corner : corners) corner = builder.add_vertex(take_vertex(words, precision));
+  words.expect("endloop", "after the three vertices of a facet");
+  words.expect("endfacet", "after a facet's loop");
+  builder.add_face(corners);
+}
+
+}  // namespace
+
+std::size_t stl_triangle_count(std::span<const std::byte> bytes) {
+  return bytes.size() < kPreambleBytes ? 0 : load_bytes<std::uint32_t>(bytes.data() + kHeaderBytes, std::endian::little);
+}
+
+bool is_binary_stl(std::span<const std::byte> bytes) {
+  return bytes.size() >= kPreambleBytes && bytes.size() == kPreambleBytes + kTriangleBytes * stl_triangle_count(bytes);
+}
+
+Scene read_stl_ascii(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings&) {
+  Words words(as_text(bytes, name), name);
+  SceneBuilder builder(name, report);
+  for (;;) {
+    const std::string_view begin = words.take();
+    if (begin.empty()) break;
+    if (!equal_ignoring_case(begin, "solid")) throw words.error("expected 'solid', found " + shown(begin));
+    builder.begin_object(std::string(words.take_rest_of_line()));
+    DecimalPrecision precision;
+    for (;;) {
+      const std::string_view word = words.take();
+      if (word.empty()) throw words.error("the file ends in a solid; expected 'facet' or 'endsolid'");
+      if (equal_ignoring_case(word, "endsolid")) break;
+      if (!equal_ignoring_case(word, "facet")) throw words.error("expected 'facet' or 'endsolid', found " + shown(word));
+      read_facet(words, builder, precision);
+    }
+    words.take_rest_of_line();
+    builder.end_object(precision.value());
+  }
+  report.vertices += 3 * report.faces;
+  return builder.finish(Axis::z);
+}
+
+Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings&) {
+  if (bytes.size() < kPreambleBytes) {
+    throw InputError(name, "binary STL of " + std::to_string(bytes.size()) + " bytes, shorter than its header of 84");
+  }
+  const std::size_t n = stl_triangle_count(bytes);
+  if (!is_binary_stl(bytes)) {
+    throw InputError(name, "binary STL names " + std::to_string(n) + " triangles, which need " +
+                               std::to_string(kPreambleBytes + kTriangleBytes * n) + " bytes, but the file has " +
+                               std::to_string(bytes.size()));
+  }
+  SceneBuilder builder(name, report);
+  builder.begin_object("");
+  builder.scene().vertices.reserve(3 * n);
+  builder.scene().face_material.reserve(n);
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::byte* p = bytes.data() + kPreambleBytes + kTriangleBytes * i + kNormalBytes;
+    std::array<std::uint32_t, 3> corners{};
+    for (std::uint32_t& corner : corners) {
+      Point3 position;
+      for (int k = 0; k < 3; ++k, p += sizeof(float)) {
+        position[k] = load_bytes<float>(p, std::endian::little);
+        if (!std::isfinite(position[k])) {
+          throw InputError(name,
+                           "triangle " + std::to_string(i) + " of " + std::to_string(n) + ": a coordinate is not finite");
+        }
+        largest = std::max(largest, std::abs(position[k]));
+      }
+      corner = builder.add_vertex(position);
+    }
+    builder.add_face(corners);
+  }
+  builder.end_object(half_ulp_float32(largest));
+  report.vertices += 3 * n;
+  return builder.finish(Axis::z);
+}
+
+}  // namespace ligne

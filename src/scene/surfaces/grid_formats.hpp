@@ -1,0 +1,56 @@
+#pragma once
+/// The readers of grid files, one per format. All of them throw InputError("NAME[:LINE]: cause").
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/input_file.hpp"
+#include "scene/model/diagnostics.hpp"
+#include "scene/surfaces/height_source.hpp"
+
+namespace ligne {
+
+/// Tells the format by content and reads. `name` stands in error messages. What only GDAL reads needs the file itself and is
+/// refused when `file` is empty; files beside it that were read too are added to `opened`.
+std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                        const std::filesystem::path& file = {}, InputFiles* opened = nullptr);
+
+/// A matrix of heights: a row a line, columns separated by commas, semicolons, tabs or blanks; or lines of x, y and z.
+std::unique_ptr<HeightSource> read_text_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
+
+/// A text that begins with a key of the header of an ESRI ASCII grid.
+bool is_esri_grid(std::string_view text);
+std::unique_ptr<HeightSource> read_esri_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
+
+/// Netpbm's grey maps, P2 and P5.
+std::unique_ptr<HeightSource> read_pgm_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
+
+/// PNG of one channel, 8 or 16 bits.
+std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
+
+/// What GDAL reads (GeoTIFF and many more): the first band. Without GDAL in the build an InputError says that it is needed.
+/// Adds what GDAL reads beside the file to `opened`.
+std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name, InputFiles& opened);
+
+/// Lines of x, y and z as they stand in the file.
+struct PointRows {
+  std::vector<double> values;             ///< x, y, z of every line
+  std::vector<std::size_t> lines;         ///< their numbers
+  std::vector<std::size_t> block_begins;  ///< the first row of every block of lines; blank lines stand between the blocks
+};
+/// Heights over the positions of the file. Blocks are of one x or of one y each.
+std::unique_ptr<HeightSource> grid_of_points(PointRows rows, const std::string& name);
+/// Makes blocks where no blank line does: true, and `rows` has them, when each x or y comes with the same positions of the
+/// other.
+bool find_blocks(PointRows& rows);
+
+/// The height that a word of a text stands for: a number, or NaN for "nan", "na", "inf" and "?"; nothing for other words.
+std::optional<double> height_in(std::string_view word);
+
+}  // namespace ligne

@@ -1,0 +1,118 @@
+// The order of the questions: files with a mark of their own (PNG, PGM, TIFF and others for GDAL), models that are no grids,
+// and then text.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "scene/readers/reader.hpp"
+#include "scene/readers/text_lines.hpp"
+#include "scene/surfaces/grid_formats.hpp"
+#include "scene/surfaces/held_heights.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// As much of a file as is looked at for bytes that no text has.
+constexpr std::size_t kLookedAt = 65536;
+
+/// A Netpbm picture: 'P', a digit, white space. Returns the digit, 0 for other files.
+char netpbm_kind(std::string_view chars) {
+  const bool is_netpbm = chars.size() >= 3 && chars[0] == 'P' && chars[1] >= '1' && chars[1] <= '7' &&
+                         (is_blank(chars[2]) || chars[2] == '\n' || chars[2] == '\r' || chars[2] == '#');
+  return is_netpbm ? chars[1] : '\0';
+}
+
+/// TIFF in both byte orders and sizes, HDF5 and netCDF.
+bool is_for_gdal(std::string_view chars) {
+  static constexpr std::array<std::string_view, 7> kMarks{std::string_view("II*\0", 4),
+                                                          std::string_view("MM\0*", 4),
+                                                          std::string_view("II+\0", 4),
+                                                          std::string_view("MM\0+", 4),
+                                                          "\x89HDF",
+                                                          "CDF\x01",
+                                                          "CDF\x02"};
+  return std::any_of(kMarks.begin(), kMarks.end(), [&](std::string_view mark) { return chars.starts_with(mark); });
+}
+
+/// Throws InputError when the bytes are a model, or a file of another known kind.
+void refuse_models(std::span<const std::byte> bytes, const std::string& name) {
+  std::string format;
+  try {
+    format = to_string(detect_format(bytes, "", name));
+  } catch (const InputError&) {
+    return;  // not a model
+  }
+  throw InputError(name, "is a model (" + format + "), not a grid of heights; draw it with: ligne draw");
+}
+
+}  // namespace
+
+std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened) {
+  const std::string name = file.string();
+  InputFiles unasked;
+  InputFiles& files = opened ? *opened : unasked;
+  return read_grid(read_input(file, name, files), name, warnings, file, &files);
+}
+
+std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                        const std::filesystem::path& file, InputFiles* opened) {
+  const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (chars.empty()) throw InputError(name, "is empty");
+  if (chars.starts_with("\x89PNG")) return read_png_grid(bytes, name, warnings);
+  if (const char kind = netpbm_kind(chars)) {
+    if (kind == '2' || kind == '5') return read_pgm_grid(bytes, name, warnings);
+    throw InputError(name, std::string("is a Netpbm picture P") + kind + "; heights need a grey one, P2 or P5");
+  }
+  InputFiles unasked;
+  if (is_for_gdal(chars)) return read_gdal_grid(file, name, opened ? *opened : unasked);
+
+  refuse_models(bytes, name);
+  const bool is_utf16 = chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF");
+  if (!is_utf16 && chars.substr(0, kLookedAt).find('\0') != std::string_view::npos) {
+    throw InputError(name, "not a grid file that is known (matrix as text, gnuplot, ESRI ASCII grid, PGM, PNG, GeoTIFF)");
+  }
+  return is_esri_grid(as_text(bytes, name)) ? read_esri_grid(bytes, name, warnings) : read_text_grid(bytes, name, warnings);
+}
+
+std::optional<double> height_in(std::string_view word) {
+  if (const std::optional<double> value = number_in(word)) return value;
+  std::string_view bare = word;
+  if (bare.starts_with('-') || bare.starts_with('+')) bare.remove_prefix(1);
+  for (const std::string_view hole : {"nan", "inf", "infinity"}) {
+    if (equal_ignoring_case(bare, hole)) return kNaN;
+  }
+  if (equal_ignoring_case(word, "na") || word == "?") return kNaN;
+  return {};
+}
+
+std::vector<double> counted_positions(std::size_t n) {
+  std::vector<double> positions(n);
+  for (std::size_t i = 0; i < n; ++i) positions[i] = static_cast<double>(i);
+  return positions;
+}
+
+void check_counts(std::size_t columns, std::size_t rows, const std::string& name) {
+  if (columns >= 2 && rows >= 2) return;
+  const auto counted = [](std::size_t n, const std::string& what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  throw InputError(
+      name, "has " + counted(columns, "column") + " and " + counted(rows, "row") + "; a grid has two of each or more");
+}
+
+void check_positions(std::span<const double> positions, const char* axis, const std::string& name) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (!std::isfinite(positions[i]))
+      throw InputError(name, std::string("has a position ") + axis + " that is no finite number");
+    if (i > 0 && !(positions[i - 1] < positions[i])) {
+      throw InputError(name, std::string("positions ") + axis + " do not ascend: number " + std::to_string(i + 1) +
+                                 " is not above the one before it");
+    }
+  }
+}
+
+}  // namespace ligne

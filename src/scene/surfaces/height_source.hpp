@@ -1,0 +1,46 @@
+#pragma once
+/// Surfaces z = f(x, y): heights over a grid of sample positions.
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "files/input_file.hpp"
+#include "scene/model/diagnostics.hpp"
+
+namespace ligne {
+
+/// Heights over the positions x[i], y[j], given row by row, so that a large grid need not be held as a whole.
+class HeightSource {
+ public:
+  virtual ~HeightSource() = default;
+
+  /// Sample positions in model units, ascending, two or more each.
+  const std::vector<double>& x() const { return x_; }
+  const std::vector<double>& y() const { return y_; }
+
+  /// z[i] becomes the height at (x[i], y[j]), NaN where there is none; z.size() == x().size(). Any order of rows; from
+  /// several threads at a time.
+  virtual void read_row(std::size_t j, std::span<double> z) const = 0;
+
+ protected:
+  HeightSource(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y_(std::move(y)) {}
+
+ private:
+  std::vector<double> x_, y_;
+};
+
+/// Heights of a formula in x and y (also r and theta, the polar coordinates; pi, e). A place where it is not a finite number
+/// is a hole. Throws InputError that names the column of a mistake: "formula:COLUMN: cause".
+std::unique_ptr<HeightSource> formula_heights(const std::string& formula, std::vector<double> x, std::vector<double> y);
+
+/// Heights of a grid file: a CSV or TSV matrix, gnuplot blocks of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16 bits. Told
+/// apart by content. NODATA and NaN are holes; rows of pictures run from north (the largest y) to south. Throws
+/// InputError("FILE[:LINE]: cause").
+/// Adds the file, and others that were read with it, to `opened`.
+std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened = nullptr);
+
+}  // namespace ligne

@@ -1,0 +1,72 @@
+#pragma once
+/// Heights that are held in memory, in the order and of the type in which the file has them.
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/model/diagnostics.hpp"
+#include "scene/surfaces/height_source.hpp"
+
+namespace ligne {
+
+/// Where the height over x[i], y[j] stands: samples[begin + i * step_x + j * step_y].
+struct SampleOrder {
+  std::ptrdiff_t begin = 0, step_x = 1, step_y = 0;
+
+  /// Rows one behind another; the first is that of the smallest y, or of the largest.
+  static SampleOrder first_row_lowest(std::size_t columns) { return {0, 1, static_cast<std::ptrdiff_t>(columns)}; }
+  static SampleOrder first_row_highest(std::size_t columns, std::size_t rows) {
+    const auto step = static_cast<std::ptrdiff_t>(columns);
+    return {(static_cast<std::ptrdiff_t>(rows) - 1) * step, 1, -step};
+  }
+};
+
+template <typename Sample>
+class HeldHeights : public HeightSource {
+ public:
+  HeldHeights(std::vector<double> x, std::vector<double> y, std::vector<Sample> samples, SampleOrder order)
+      : HeightSource(std::move(x), std::move(y)), samples_(std::move(samples)), order_(order) {}
+
+  void read_row(std::size_t j, std::span<double> z) const override {
+    std::ptrdiff_t at = order_.begin + static_cast<std::ptrdiff_t>(j) * order_.step_y;
+    for (double& height : z) {
+      height = static_cast<double>(samples_[static_cast<std::size_t>(at)]);
+      at += order_.step_x;
+    }
+  }
+
+ private:
+  std::vector<Sample> samples_;
+  SampleOrder order_;
+};
+
+/// 0, 1, 2 ...
+std::vector<double> counted_positions(std::size_t n);
+
+/// Throws InputError unless there are two columns and two rows or more.
+void check_counts(std::size_t columns, std::size_t rows, const std::string& name);
+/// Throws InputError unless the positions are finite and ascend.
+void check_positions(std::span<const double> positions, const char* axis, const std::string& name);
+
+/// The heights, after these checks, and that one height is none of NaN.
+template <typename Sample>
+std::unique_ptr<HeightSource> held_heights(std::vector<double> x, std::vector<double> y, std::vector<Sample> samples,
+                                           SampleOrder order, const std::string& name) {
+  check_counts(x.size(), y.size(), name);
+  check_positions(x, "x", name);
+  check_positions(y, "y", name);
+  bool has_height = false;
+  for (const Sample sample : samples) {
+    has_height = !std::isnan(static_cast<double>(sample));
+    if (has_height) break;
+  }
+  if (!has_height) throw InputError(name, "holds no height, only places without one (NODATA)");
+  return std::make_unique<HeldHeights<Sample>>(std::move(x), std::move(y), std::move(samples), order);
+}
+
+}  // namespace ligne

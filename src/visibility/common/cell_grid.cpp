@@ -1,0 +1,388 @@
+#include "visibility/common/cell_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/parallel.hpp"
+
+namespace ligne::appel {
+namespace {
+
+// Adjustable parameters.
+constexpr std::size_t kLeafFacets = 24;      ///< a list longer than this is split if large facets may cover children
+constexpr std::size_t kCrowdedFacets = 256;  ///< a list longer than this is split anyway
+constexpr double kLargeBreadth = 0.6;        ///< facets broader than so many sides of the cell are large
+constexpr double kLargePart = 0.25;          ///< what part of the list must be large facets
+constexpr double kSizeFactor = 1.5;          ///< side of a top-level cell over the mean extent of a facet
+constexpr double kCellsPerFacet = 1.0;       ///< at most so many top-level cells
+constexpr double kMinCells = 256;
+constexpr double kSmallestCell = 64;  ///< steps; smaller cells are not split
+constexpr double kGain = 0.7;         ///< see progress() in split()
+constexpr std::size_t kBlock = 65'536;
+
+struct CellRange {
+  std::uint16_t column0, column1, row0, row1;
+};
+
+/// A facet's sides and depth as functions of the page point: E(x, y) = ex x + ey y + e, z = zx x + zy y + z.
+struct FacetFunctions {
+  double ex[3], ey[3], e[3];
+  double zx, zy, z;
+  double slack;  ///< of depths computed with them
+
+  FacetFunctions(const Facet& f, const ProjectedVertex* vertices) {
+    const ProjectedVertex* p[3] = {&vertices[f.v[0]], &vertices[f.v[1]], &vertices[f.v[2]]};
+    for (int i = 0; i < 3; ++i) {
+      const LatticePoint a = p[i]->p, b = p[(i + 1) % 3]->p;
+      ex[i] = -(double(b.y) - a.y);
+      ey[i] = double(b.x) - a.x;
+      e[i] = -(ex[i] * a.x + ey[i] * a.y);
+    }
+    const double area = orientation(p[0]->p, p[1]->p, p[2]->p);
+    const double dz1 = p[1]->z - p[0]->z, dz2 = p[2]->z - p[0]->z;
+    // side 0 runs p0 -> p1, side 2 runs p2 -> p0
+    zx = (ex[2] * dz1 + ex[0] * dz2) / area;
+    zy = (ey[2] * dz1 + ey[0] * dz2) / area;
+    z = p[0]->z - zx * p[0]->p.x - zy * p[0]->p.y;
+    slack = f.touch;
+  }
+};
+
+enum class Meeting { apart, meets, covers };
+
+/// Facet against the square with a margin; for `meets` and `covers` the facet's depths over the square.
+Meeting meet(const FacetFunctions& g, const Facet& f, const CellSquare& square, double margin, double& z_near,
+             double& z_far) {
+  const double half = square.size / 2, x = square.x + half, y = square.y + half, reach = half + margin;
+  bool covers = true;
+  for (int i = 0; i < 3; ++i) {
+    const double centre = g.ex[i] * x + g.ey[i] * y + g.e[i];
+    const double radius = (std::abs(g.ex[i]) + std::abs(g.ey[i])) * reach;
+    if (centre + radius < 0) return Meeting::apart;
+    if (centre - radius <= 0) covers = false;
+  }
+  const double z = g.zx * x + g.zy * y + g.z, dz = (std::abs(g.zx) + std::abs(g.zy)) * reach + g.slack;
+  z_near = std::max<double>(f.z_near, z - dz);
+  z_far = std::min<double>(f.z_far, z + dz);
+  return covers ? Meeting::covers : Meeting::meets;
+}
+
+struct PageBox {
+  double left, right, top, bottom;
+};
+
+PageBox page_box(const Facet& f, const ProjectedVertex* vertices) {
+  const LatticePoint a = vertices[f.v[0]].p, b = vertices[f.v[1]].p, c = vertices[f.v[2]].p;
+  const auto [left, right] = std::minmax({a.x, b.x, c.x});
+  const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
+  return {double(left), double(right), double(top), double(bottom)};
+}
+
+/// About the smallest height of a facet over a side: what tells whether it can cover a cell, however long it is.
+double breadth(const Facet& f, const ProjectedVertex* vertices) {
+  return orientation(vertices[f.v[0]].p, vertices[f.v[1]].p, vertices[f.v[2]].p) / f.size;
+}
+
+void sort_by_depth(CellFacet* begin, CellFacet* end) {
+  std::sort(begin, end, [](const CellFacet& a, const CellFacet& b) {
+    return a.z_near != b.z_near ? a.z_near < b.z_near : a.facet < b.facet;
+  });
+}
+
+}  // namespace
+
+struct CellGrid::Build {
+  const ProjectedScene& scene;
+  const std::vector<Facet>& facets;
+  const Options& options;
+  CellGrid& grid;
+  std::vector<CellRange> ranges;     ///< per facet, margin included
+  std::vector<std::uint8_t> wanted;  ///< per top-level cell, when only some are filled
+
+  bool hides(const Facet& f) const {
+    return !options.see_through || scene.face_is_transparent.empty() || !scene.face_is_transparent[f.face];
+  }
+  bool choose_cells();
+  void find_ranges();
+  void mark_wanted();
+  void find_covers();
+  void fill();
+  bool worth_splitting(const CellFacet* list, std::size_t n, double size) const;
+  void split_overfull();
+  void finish_list(CellFacet* list, std::size_t n, const CellSquare& square) const;
+  void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
+             std::uint32_t arena_index);
+
+  /// Rows are dealt out in bands, each filled by one task that scans all facets: lists keep the order of the facets.
+  template <class Work>
+  void for_each_band(Work work) const {
+    const int bands = std::clamp(static_cast<int>(facets.size() / kBlock), 1, 4);
+    parallel_for(static_cast<std::size_t>(bands), [&](std::size_t band) {
+      const int b = static_cast<int>(band);
+      work(grid.rows_ * b / bands, grid.rows_ * (b + 1) / bands);
+    });
+  }
+  /// Calls visit(facet, cell, meeting, z_near, z_far) for all cells in rows [row0, row1) that facets meet.
+  template <class Visit>
+  void for_each_meeting(int row0, int row1, bool large_only, Visit visit) const;
+};
+
+bool CellGrid::Build::choose_cells() {
+  double extent = 0;
+  double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300;
+  for (const Facet& f : facets) {
+    const PageBox box = page_box(f, scene.vertices.data());
+    extent += (box.right - box.left) + (box.bottom - box.top);
+    x0 = std::min(x0, box.left);
+    x1 = std::max(x1, box.right);
+    y0 = std::min(y0, box.top);
+    y1 = std::max(y1, box.bottom);
+  }
+  if (facets.empty()) return false;
+  const double n = static_cast<double>(facets.size());
+  const double width = x1 - x0 + 1, height = y1 - y0 + 1;
+  double size = kSizeFactor * extent / (2 * n);
+  size = std::max(size, std::sqrt(width * height / std::max(kMinCells, kCellsPerFacet * n)));
+  size = std::max(size, std::max(width, height) / 4096);
+  size = std::min(size, std::sqrt(width * height / kMinCells));
+  size = std::max({size, kSmallestCell, std::max(width, height) / 4096});
+  // A whole number of steps, so that cell borders are exact.
+  grid.size_ = std::ceil(size);
+  grid.x_ = x0;
+  grid.y_ = y0;
+  grid.columns_ = static_cast<int>(width / grid.size_) + 1;
+  grid.rows_ = static_cast<int>(height / grid.size_) + 1;
+  return true;
+}
+
+void CellGrid::Build::find_ranges() {
+  ranges.resize(facets.size());
+  const double inverse = 1 / grid.size_, margin = options.margin_steps;
+  const auto clamped = [](double v, int n) { return static_cast<std::uint16_t>(v < 0 ? 0 : v >= n ? n - 1 : v); };
+  const std::size_t blocks = (facets.size() + kBlock - 1) / kBlock;
+  parallel_for(blocks, [&](std::size_t block) {
+    const std::size_t last = std::min(facets.size(), (block + 1) * kBlock);
+    for (std::size_t i = block * kBlock; i < last; ++i) {
+      const auto [left, right, top, bottom] = page_box(facets[i], scene.vertices.data());
+      ranges[i] = {clamped((left - margin - grid.x_) * inverse, grid.columns_),
+                   clamped((right + margin - grid.x_) * inverse, grid.columns_),
+                   clamped((top - margin - grid.y_) * inverse, grid.rows_),
+                   clamped((bottom + margin - grid.y_) * inverse, grid.rows_)};
+    }
+  });
+}
+
+void CellGrid::Build::mark_wanted() {
+  if (!options.only_along) return;
+  wanted.assign(grid.cells_.size(), 0);
+  for (const ProjectedEdge& edge : *options.only_along) {
+    const PageLine line(scene.vertices[edge.v0], scene.vertices[edge.v1], kNone, kNone);
+    grid.for_each_leaf(line, [&](const Cell& cell, const CellSquare&, double, double) {
+      wanted[static_cast<std::size_t>(&cell - grid.cells_.data())] = 1;
+    });
+  }
+}
+
+template <class Visit>
+void CellGrid::Build::for_each_meeting(int row0, int row1, bool large_only, Visit visit) const {
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const CellRange r = ranges[i];
+    if (r.row1 < row0 || r.row0 >= row1) continue;
+    const int columns = r.column1 - r.column0 + 1, rows = r.row1 - r.row0 + 1;
+    if (large_only && (columns < 3 || rows < 3)) continue;
+    const Facet& f = facets[i];
+    const int first = std::max<int>(r.row0, row0), last = std::min<int>(r.row1, row1 - 1);
+    if (columns == 1 || rows == 1 || columns * rows <= 4) {
+      for (int row = first; row <= last; ++row) {
+        for (int column = r.column0; column <= r.column1; ++column) {
+          const std::size_t cell = static_cast<std::size_t>(row) * grid.columns_ + column;
+          if (!wanted.empty() && !wanted[cell]) continue;
+          visit(i, cell, Meeting::meets, f.z_near, f.z_far);
+        }
+      }
+      continue;
+    }
+    const FacetFunctions g(f, scene.vertices.data());
+    for (int row = first; row <= last; ++row) {
+      for (int column = r.column0; column <= r.column1; ++column) {
+        const std::size_t cell = static_cast<std::size_t>(row) * grid.columns_ + column;
+        if (!wanted.empty() && !wanted[cell]) continue;
+        double z_near = 0, z_far = 0;
+        const Meeting m = meet(g, f, grid.top_square(cell), options.margin_steps, z_near, z_far);
+        if (m != Meeting::apart) visit(i, cell, m, z_near, z_far);
+      }
+    }
+  }
+}
+
+void CellGrid::Build::find_covers() {
+  for_each_band([&](int row0, int row1) {
+    for_each_meeting(row0, row1, true, [&](std::size_t i, std::size_t cell, Meeting m, double, double z_far) {
+      if (m != Meeting::covers || !hides(facets[i])) return;
+      float& cover = grid.cells_[cell].cover;
+      cover = std::min(cover, round_up(z_far + facets[i].touch));
+    });
+  });
+}
+
+void CellGrid::Build::fill() {
+  const auto kept = [&](std::size_t cell, double z_near) {
+    return !options.drop_hidden || !(z_near > grid.cells_[cell].cover);
+  };
+  for_each_band([&](int row0, int row1) {
+    for_each_meeting(row0, row1, false, [&](std::size_t, std::size_t cell, Meeting, double z_near, double) {
+      if (kept(cell, z_near)) ++grid.cells_[cell].count;
+    });
+  });
+  std::uint32_t begin = 0;
+  for (Cell& cell : grid.cells_) {
+    cell.begin = begin;
+    begin += cell.count;
+    cell.count = 0;
+  }
+  auto& list = grid.arenas_[0].list;
+  list.resize(begin);
+  for_each_band([&](int row0, int row1) {
+    for_each_meeting(row0, row1, false, [&](std::size_t i, std::size_t cell, Meeting, double z_near, double) {
+      if (!kept(cell, z_near)) return;
+      Cell& c = grid.cells_[cell];
+      list[c.begin + c.count++] = {static_cast<std::uint32_t>(i), round_down(z_near), {}};
+    });
+  });
+}
+
+/// Facets broader than children of the cell cover some of them and hide what is behind; a crowd of small ones is only
+/// spread.
+bool CellGrid::Build::worth_splitting(const CellFacet* list, std::size_t n, double size) const {
+  if (n <= kLeafFacets || size < kSplitSide * kSmallestCell) return false;
+  if (n > kCrowdedFacets) return true;
+  if (!options.drop_hidden) return false;
+  std::size_t large = 0;
+  for (std::size_t i = 0; i < n; ++i) large += breadth(facets[list[i].facet], scene.vertices.data()) > kLargeBreadth * size;
+  return static_cast<double>(large) > kLargePart * static_cast<double>(n);
+}
+
+void CellGrid::Build::split_overfull() {
+  // A fixed number of arenas, so that the structure does not depend on the number of threads.
+  constexpr std::size_t kArenas = 64;
+  grid.arenas_.resize(kArenas + 1);
+  const std::size_t n = grid.cells_.size();
+  parallel_for(kArenas, [&](std::size_t k) {
+    Arena& arena = grid.arenas_[k + 1];
+    std::vector<CellFacet> inherited;
+    for (std::size_t i = n * k / kArenas; i < n * (k + 1) / kArenas; ++i) {
+      Cell& cell = grid.cells_[i];
+      CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
+      if (!worth_splitting(list, cell.count, grid.size_)) {
+        finish_list(list, cell.count, grid.top_square(i));
+        continue;
+      }
+      inherited.assign(list, list + cell.count);
+      split(cell, grid.top_square(i), inherited, arena, static_cast<std::uint32_t>(k + 1));
+    }
+  });
+}
+
+void CellGrid::Build::finish_list(CellFacet* list, std::size_t n, const CellSquare& square) const {
+  sort_by_depth(list, list + n);
+  const double margin = options.margin_steps;
+  for (std::size_t i = 0; i < n; ++i) {
+    const PageBox b = page_box(facets[list[i].facet], scene.vertices.data());
+    list[i].box = square.box(b.left - margin, b.right + margin, b.top - margin, b.bottom + margin);
+  }
+}
+
+void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
+                            std::uint32_t arena_index) {
+  constexpr int kChildren = kSplitSide * kSplitSide;
+  const double size = square.size / kSplitSide;
+  std::vector<CellFacet> lists[kChildren];
+  float covers[kChildren];
+  std::fill_n(covers, kChildren, cell.cover);
+  // Nearest first: covers are found before what they hide.
+  sort_by_depth(inherited.data(), inherited.data() + inherited.size());
+  for (const CellFacet& entry : inherited) {
+    const Facet& f = facets[entry.facet];
+    const PageBox box = page_box(f, scene.vertices.data());
+    const auto child_at = [&](double v) { return v < 0 ? 0 : v >= kSplitSide ? kSplitSide - 1 : static_cast<int>(v); };
+    const int left = child_at((box.left - options.margin_steps - square.x) / size);
+    const int right = child_at((box.right + options.margin_steps - square.x) / size);
+    const int top = child_at((box.top - options.margin_steps - square.y) / size);
+    const int bottom = child_at((box.bottom + options.margin_steps - square.y) / size);
+    const FacetFunctions g(f, scene.vertices.data());
+    for (int k = top * kSplitSide + left; k <= bottom * kSplitSide + right; ++k) {
+      if (k % kSplitSide < left || k % kSplitSide > right) continue;
+      if (options.drop_hidden && entry.z_near > covers[k]) continue;
+      const CellSquare child{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
+      double z_near = 0, z_far = 0;
+      const Meeting m = meet(g, f, child, options.margin_steps, z_near, z_far);
+      if (m == Meeting::apart || (options.drop_hidden && z_near > covers[k])) continue;
+      lists[k].push_back({entry.facet, round_down(z_near), {}});
+      if (m == Meeting::covers && hides(f)) covers[k] = std::min(covers[k], round_up(z_far + f.touch));
+    }
+  }
+  std::size_t total = 0;
+  for (int k = 0; k < kChildren; ++k) {
+    if (options.drop_hidden) std::erase_if(lists[k], [&](const CellFacet& c) { return c.z_near > covers[k]; });
+    total += lists[k].size();
+  }
+  // A line through the cell meets kSplitSide children. A child is split again if the children of this cell save work for
+  // such a line, or if its own list is shorter than its parent's was: where many sides lie along one line no split helps.
+  const double parent = kGain * static_cast<double>(inherited.size());
+  const bool all_gain = static_cast<double>(total) < parent * kSplitSide;
+  const auto progress = [&](std::size_t n) { return all_gain || static_cast<double>(n) < parent; };
+  const auto first = static_cast<std::uint32_t>(arena.children.size());
+  arena.children.resize(first + kChildren);
+  inherited.clear();
+  cell.begin = first;
+  cell.count = Cell::kSplit;
+  cell.arena = arena_index;
+  for (int k = 0; k < kChildren; ++k) {
+    Cell child;
+    child.cover = covers[k];
+    child.arena = arena_index;
+    const CellSquare child_square{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
+    if (progress(lists[k].size()) && worth_splitting(lists[k].data(), lists[k].size(), size)) {
+      split(child, child_square, lists[k], arena, arena_index);
+    } else {
+      child.begin = static_cast<std::uint32_t>(arena.list.size());
+      child.count = static_cast<std::uint32_t>(lists[k].size());
+      finish_list(lists[k].data(), lists[k].size(), child_square);
+      arena.list.insert(arena.list.end(), lists[k].begin(), lists[k].end());
+    }
+    arena.children[first + k] = child;
+    std::vector<CellFacet>().swap(lists[k]);
+  }
+}
+
+CellGrid::CellGrid(const ProjectedScene& scene, const std::vector<Facet>& facets, const Options& options) {
+  complete_ = !options.drop_hidden && !options.only_along;
+  Build build{scene, facets, options, *this, {}, {}};
+  arenas_.resize(1);
+  if (!build.choose_cells()) {
+    cells_.resize(1);
+    return;
+  }
+  cells_.resize(static_cast<std::size_t>(columns_) * rows_);
+  build.find_ranges();
+  build.mark_wanted();
+  build.find_covers();
+  build.fill();
+  build.split_overfull();
+}
+
+std::size_t CellGrid::entry_count() const {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    for_each_leaf_of(i, [&](const Cell& cell, const CellSquare&) { n += cell.count; });
+  }
+  return n;
+}
+
+std::size_t CellGrid::leaf_count() const {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < cells_.size(); ++i) for_each_leaf_of(i, [&](const Cell&, const CellSquare&) { ++n; });
+  return n;
+}
+
+}  // namespace ligne::appel

@@ -1,0 +1,42 @@
+#include "visibility/common/visible_parts.hpp"
+
+#include <algorithm>
+
+namespace ligne::appel {
+
+std::vector<LinePart>& VisibleParts::find(const PageLine& line) {
+  parts_.clear();
+  near_side_ = false;
+  grid_.for_each_leaf(line, [&](const Cell& cell, const CellSquare& square, double from, double to) {
+    ++counts_.leaves;
+    if (cell.cover < line.z(from) && cell.cover < line.z(to)) {
+      ++counts_.covered;
+      return;
+    }
+    search_leaf(line, cell, square, from, to);
+  });
+  return parts_;
+}
+
+void VisibleParts::search_leaf(const PageLine& line, const Cell& cell, const CellSquare& square, double from, double to) {
+  open_.reset(from, to);
+  const double z_far = std::max(line.z(from), line.z(to));
+  const double x0 = line.p0.x + from * line.dx, x1 = line.p0.x + to * line.dx;
+  const double y0 = line.p0.y + from * line.dy, y1 = line.p0.y + to * line.dy;
+  const CellBox box = square.box(std::min(x0, x1), std::max(x0, x1), std::min(y0, y1), std::max(y0, y1));
+  const CellFacet* entry = grid_.list(cell);
+  const CellFacet* const end = entry + cell.count;
+  for (; entry != end && entry->z_near <= z_far; ++entry) {
+    if (!entry->box.meets(box)) continue;
+    const Facet& facet = facets_[entry->facet];
+    if (facet.face == line.face0 || facet.face == line.face1) continue;
+    ++counts_.facet_tests;
+    const HiddenInterval hidden =
+        hidden_interval(line, facet, vertices_, open_.from(), open_.to(), coincidence_steps_, near_side_);
+    open_.take(hidden);
+    if (open_.empty()) return;
+  }
+  for (const LinePart& part : open_.finish()) append_part(parts_, part);
+}
+
+}  // namespace ligne::appel
