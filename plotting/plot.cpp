@@ -11,12 +11,6 @@
 namespace ligne {
 namespace {
 
-void append(Polylines& to, const Polylines& from) {
-  const auto shift = static_cast<std::uint32_t>(to.points.size());
-  to.points.insert(to.points.end(), from.points.begin(), from.points.end());
-  for (std::size_t i = 1; i < from.begin.size(); ++i) to.begin.push_back(from.begin[i] + shift);
-}
-
 /// Lines of one style.
 struct StyledLines {
   std::vector<double> dashes_mm;

@@ -1,12 +1,12 @@
 #include "cli/devices.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
-#include "cli/text.hpp"
+#include "cli/options.hpp"
+#include "files/message_text.hpp"
 #include "plotting/device.hpp"
 #include "plotting/output_file.hpp"
 
@@ -76,9 +76,9 @@ nlohmann::ordered_json json_of(const Device& device) {
 }  // namespace
 
 void setup_devices(CLI::App& app, DevicesOptions& options) {
-  CLI::App* command = app.add_subcommand("devices", "Plotters: language, papers, limits, speed");
-  command->add_flag("--json", options.json, "as JSON");
-  command->footer("Example:\n  ligne devices --json");
+  CLI::App* command =
+      add_command(app, "devices", "Plotters: language, papers, limits, speed", "Example:\n  ligne devices --json");
+  OptionGroup(*command, "Options").add_flag("--json", options.json, "as JSON");
 }
 
 void run_devices(const DevicesOptions& options) {

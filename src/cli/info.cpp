@@ -7,14 +7,18 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/culling.hpp"
+#include "cli/messages.hpp"
 #include "cli/methods.hpp"
-#include "cli/option_helpers.hpp"
-#include "cli/placement.hpp"
-#include "cli/scene_facts.hpp"
-#include "cli/stages.hpp"
-#include "cli/text.hpp"
+#include "cli/options.hpp"
+#include "cli/page_options.hpp"
+#include "cli/parse.hpp"
+#include "cli/view_options.hpp"
 #include "files/message_text.hpp"
+#include "geometry/parallel.hpp"
+#include "picture/culling.hpp"
+#include "picture/draw_scene.hpp"
+#include "picture/placement.hpp"
+#include "picture/scene_facts.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -230,7 +234,7 @@ void inform(const InfoOptions& options) {
   files.will_write("--stats-json", options.run.stats_json);
   Info info;
   RunReport run;
-  info.method = &method_of(options.method);
+  info.method = &method_of(PictureRequest{.lines = options.lines});
   settings_of(options.method, *info.method);
   info.models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet, files); });
   const Scene& scene = info.models.scene;
@@ -239,13 +243,16 @@ void inform(const InfoOptions& options) {
   info.scene = scene_facts(scene, topology);
   timed(run.stages, "project", [&] {
     info.placement = place(scene, camera_of(options.view, scene), options.page);
-    const EdgeSelection all{parse_edges("all"), options.method.crease_degrees};
+    const EdgeSelection all{parse_edges("all"), options.lines.crease_degrees};
     ProjectedScene projected = project(scene, topology, info.placement.view, all);
-    if (options.method.cull) {
-      info.culled = cull_back_faces(scene, topology, projected, options.model.files.front(), options.run.quiet);
+    if (options.lines.cull) {
+      info.culled = cull_back_faces(scene, topology, projected, run);
     }
     info.view = view_facts(scene, projected);
   });
+  if (!options.run.quiet) {
+    for (const RunWarning& w : run.warnings) warn(options.model.files.front(), w.text);
+  }
   const bool json = options.json || options.output.format.has_value();
   files.write(output, json ? json_of(info) : text_of(info));
   finish(options.run, run, files);
@@ -254,20 +261,21 @@ void inform(const InfoOptions& options) {
 }  // namespace
 
 void setup_info(CLI::App& app, InfoOptions& options) {
-  CLI::App* info = app.add_subcommand("info", "What a scene contains, and what that means for each method");
-  add_model_options(*info, options.model);
-  info->add_flag("--json", options.json, "as JSON")->group("Output");
-  add_view_options(*info, options.view);
-  add_method_options(*info, options.method);
-  add_page_options(*info, options.page);
-  add_output_options(*info, options.output, "json (default: text)");
-  add_run_options(*info, options.run);
-  info->footer("Examples:\n  ligne info gearbox.obj\n  ligne info flange.glb --view top --json -o flange.json");
+  CLI::App& info =
+      *add_command(app, "info", "What a scene contains, and what that means for each method",
+                   "Examples:\n  ligne info gearbox.obj\n  ligne info flange.glb --view top --json -o flange.json");
+  add_model_options(info, options.model);
+  OptionGroup(info, "Output").add_flag("--json", options.json, "as JSON");
+  add_view_options(info, options.view);
+  add_line_options(info, options.lines, options.method);
+  add_page_options(info, options.page);
+  add_output_options(info, options.output, "json (default: text)");
+  add_run_options(info, options.run);
 }
 
 void run_info(const InfoOptions& options) {
   check(options);
-  run_with_threads(options.run, [&] { inform(options); });
+  run_with_threads(options.run.threads, [&] { inform(options); });
 }
 
 }  // namespace ligne

@@ -2,19 +2,18 @@
 /// ligne info: what a scene contains, and what that means for each method.
 
 #include "cli/method_options.hpp"
-#include "cli/models.hpp"
+#include "cli/model_options.hpp"
 #include "cli/output_options.hpp"
-#include "cli/page_options.hpp"
 #include "cli/run_options.hpp"
-#include "cli/view_options.hpp"
 
 namespace ligne {
 
 struct InfoOptions {
-  ModelOptions model;
-  ViewOptions view;
-  MethodOptions method;
-  PageOptions page;
+  ModelRequest model;
+  ViewRequest view;
+  LineRequest lines;
+  MethodChoice method;
+  PageRequest page;
   OutputOptions output;  ///< default: text to standard output
   RunOptions run;
   bool json = false;
@@ -22,7 +21,7 @@ struct InfoOptions {
 
 void setup_info(CLI::App& app, InfoOptions& options);
 
-/// Throws UsageError, InputError, std::runtime_error.
+/// Throws UsageError, RequestError, InputError, std::runtime_error.
 void run_info(const InfoOptions& options);
 
 }  // namespace ligne

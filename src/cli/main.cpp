@@ -13,10 +13,11 @@
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
 #include "cli/info.hpp"
+#include "cli/messages.hpp"
 #include "cli/methods.hpp"
 #include "cli/plot.hpp"
 #include "cli/surface.hpp"
-#include "cli/text.hpp"
+#include "picture/errors.hpp"
 #include "plotting/output_file.hpp"
 
 namespace ligne {
@@ -104,6 +105,9 @@ int main(int argc, char** argv) {
     return ligne::run(argc, argv);
   } catch (const ligne::UsageError& e) {
     ligne::say(e.what());
+    return ligne::kUsage;
+  } catch (const ligne::RequestError& e) {
+    ligne::say((e.field().empty() ? "" : "--") + std::string(e.what()));
     return ligne::kUsage;
   } catch (const std::bad_alloc&) {
     ligne::say("there is not enough memory");

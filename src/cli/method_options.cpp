@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/option_helpers.hpp"
+#include "cli/options.hpp"
 #include "cli/parse.hpp"
 #include "files/message_text.hpp"
 #include "visibility/registry.hpp"
@@ -28,7 +28,8 @@ unsigned parse_value(const std::string& text, const MethodParameter& parameter) 
 }
 
 /// One option for each name, whatever the number of methods that have it.
-void add_parameters(CLI::App& app, MethodOptions& options) {
+void add_parameters(CLI::App& app, MethodChoice& choice) {
+  OptionGroup group(app, "Methods");
   std::vector<std::string_view> names;
   for (const Method* owner : all_methods()) {
     for (const MethodParameter& parameter : owner->traits().parameters) {
@@ -40,57 +41,45 @@ void add_parameters(CLI::App& app, MethodOptions& options) {
           if (p.name == parameter.name) owners += (owners.empty() ? "" : ", ") + std::string(method->traits().name);
         }
       }
-      app.add_option_function<std::string>(
-             "--" + std::string(parameter.name),
-             [&options, &parameter](const std::string& text) { options.given.emplace_back(&parameter, text); },
-             owners + ": " + std::string(parameter.meaning))
-          ->type_name(std::string(parameter.kind))
-          ->default_str(std::string(parameter.standard))
-          ->group("Methods");
+      const auto note = [&choice, &parameter](const std::string& text) { choice.parameters.emplace_back(&parameter, text); };
+      group
+          .add_text("--" + std::string(parameter.name), std::string(parameter.kind), note,
+                    owners + ": " + std::string(parameter.meaning))
+          .standard(std::string(parameter.standard));
     }
   }
 }
 
 }  // namespace
 
-void add_method_options(CLI::App& app, MethodOptions& options) {
-  options.edges = parse_edges("feature");
-  CLI::Option* method =
-      add_parsed(app, "--method", "NAME", options.method, parse_method, "visibility method, see: ligne methods")
-          ->default_str("auto");
-  const auto parse_given_edges = [&options](const std::string& text) {
-    options.edges_given = true;
+HiddenLines parse_hidden(const std::string& text) { return static_cast<HiddenLines>(parse_choice(text, kHiddenLinesNames)); }
+
+void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice) {
+  OptionGroup group(app, "Lines");
+  group.add("--method", "NAME", request.method, parse_method, "visibility method, see: ligne methods").standard("auto");
+  const auto parse_given_edges = [&choice](const std::string& text) {
+    choice.edges_given = true;
     return parse_edges(text);
   };
-  CLI::Option* edges =
-      add_parsed(app, "--edges", "LIST", options.edges, parse_given_edges,
-                 "of outline,crease,border,intersection,mesh,shadow; feature: the first four; all: all of the model")
-          ->default_str("feature");
-  CLI::Option* crease = add_parsed(
-                            app, "--crease", "DEG", options.crease_degrees,
-                            [](const std::string& text) { return parse_within(text, 0, 180, "degrees"); },
-                            "angle between normals above which an edge is a crease")
-                            ->default_str("30");
-  CLI::Option* hidden =
-      add_parsed(
-          app, "--hidden", "HOW", options.hidden,
-          [](const std::string& text) { return static_cast<HiddenLines>(parse_choice(text, kHiddenLinesNames)); },
-          "hidden lines in a layer of their own: none dashed solid")
-          ->default_str("none");
-  CLI::Option* cull = app.add_flag("--cull", options.cull, "leave out back faces of closed, consistently wound objects");
-  for (CLI::Option* option : {method, edges, crease, hidden, cull}) option->group("Lines");
-  add_parameters(app, options);
+  group
+      .add("--edges", "LIST", request.classes, parse_given_edges,
+           "of outline,crease,border,intersection,mesh,shadow; feature: the first four; all: all of the model")
+      .standard("feature");
+  group
+      .add(
+          "--crease", "DEG", request.crease_degrees,
+          [](const std::string& text) { return parse_within(text, 0, 180, "degrees"); },
+          "angle between normals above which an edge is a crease")
+      .standard("30");
+  group.add("--hidden", "HOW", request.hidden, parse_hidden, "hidden lines in a layer of their own: none dashed solid")
+      .standard("none");
+  group.add_flag("--cull", request.cull, "leave out back faces of closed, consistently wound objects");
+  add_parameters(app, choice);
 }
 
-const Method& method_of(const MethodOptions& options) {
-  const Method* method = options.method ? options.method : find_method("auto");
-  if (!method) throw UsageError("--method", "there is no default method");
-  return *method;
-}
-
-MethodSettings settings_of(const MethodOptions& options, const Method& method) {
+MethodSettings settings_of(const MethodChoice& choice, const Method& method) {
   MethodSettings settings;
-  for (const auto& [parameter, text] : options.given) {
+  for (const auto& [parameter, text] : choice.parameters) {
     const std::string_view name = parameter->name;
     const std::string option = "--" + std::string(name);
     const auto own = method.traits().parameters;

@@ -1,9 +1,9 @@
 #include "cli/methods.hpp"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "cli/options.hpp"
 #include "plotting/output_file.hpp"
 #include "visibility/registry.hpp"
 
@@ -74,9 +74,9 @@ std::vector<std::string> product_names(std::uint8_t products) {
 std::string precision_name(const MethodTraits& traits) { return traits.exact ? "exact" : "resolution-limited"; }
 
 void setup_methods(CLI::App& app, MethodsOptions& options) {
-  CLI::App* methods = app.add_subcommand("methods", "Visibility methods: what each produces, exact or not, paper");
-  methods->add_flag("--json", options.json, "as JSON");
-  methods->footer("Example:\n  ligne methods --json");
+  CLI::App* methods = add_command(app, "methods", "Visibility methods: what each produces, exact or not, paper",
+                                  "Example:\n  ligne methods --json");
+  OptionGroup(*methods, "Options").add_flag("--json", options.json, "as JSON");
 }
 
 void run_methods(const MethodsOptions& options) {

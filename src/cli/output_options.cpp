@@ -1,21 +1,34 @@
 #include "cli/output_options.hpp"
 
-#include <stdexcept>
-
-#include "cli/option_helpers.hpp"
+#include "cli/options.hpp"
+#include "cli/parse.hpp"
 
 namespace ligne {
+namespace {
+
+constexpr double kLowestDpi = 1, kHighestDpi = 9600;
+
+}  // namespace
 
 void add_output_options(CLI::App& app, OutputOptions& options, const std::string& formats) {
-  CLI::Option* file = add_parsed(
-      app, "-o,--output", "FILE", options.file,
-      [](const std::string& text) {
-        if (text.empty()) throw std::invalid_argument("the name of the file is empty");
-        return text;
-      },
-      "file to write; - is standard output");
-  CLI::Option* format = add_parsed(app, "--format", "NAME", options.format, parse_format, formats);
-  for (CLI::Option* option : {file, format}) option->group("Output");
+  OptionGroup group(app, "Output");
+  group.add("-o,--output", "FILE", options.file, parse_file_name, "file to write; - is standard output");
+  group.add("--format", "NAME", options.format, parse_format, formats);
+}
+
+void add_dpi_option(CLI::App& app, double& dpi) {
+  OptionGroup(app, "Output")
+      .add(
+          "--dpi", "N", dpi,
+          [](const std::string& text) { return parse_within(text, kLowestDpi, kHighestDpi, "dots per inch"); },
+          "resolution of a PNG")
+      .standard("150");
+}
+
+void add_title_option(CLI::App& app, std::string& title, const std::string& help) {
+  OptionGroup(app, "Output")
+      .add(
+          "--title", "TEXT", title, [](const std::string& text) { return text; }, help);
 }
 
 OutputFormat format_of(const OutputOptions& options) {

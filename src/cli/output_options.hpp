@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/parse.hpp"
+#include "picture/requests.hpp"
 
 namespace CLI {
 class App;
@@ -20,6 +20,12 @@ struct OutputOptions {
 /// Adds -o and --format. `formats` is the help text of the latter: what there is, and the default.
 void add_output_options(CLI::App& app, OutputOptions& options,
                         const std::string& formats = "svg pdf png json hpgl gcode (default: by the suffix)");
+
+/// Adds --dpi.
+void add_dpi_option(CLI::App& app, double& dpi);
+
+/// Adds --title.
+void add_title_option(CLI::App& app, std::string& title, const std::string& help);
 
 /// The format: as given, else by the suffix of the file. Throws UsageError when it can not be known.
 OutputFormat format_of(const OutputOptions& options);

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "cli/text.hpp"
 #include "files/message_text.hpp"
 
 namespace ligne {
@@ -180,6 +179,11 @@ OutputFormat format_of_suffix(const std::filesystem::path& file) {
     if (suffix == other) return format;
   }
   fail(file.string(), "does not end in .svg, .pdf, .png, .json, .hpgl, .plt, .gcode or .nc, and there is no --format");
+}
+
+std::string parse_file_name(const std::string& text) {
+  if (text.empty()) throw std::invalid_argument("the name of the file is empty");
+  return text;
 }
 
 }  // namespace ligne

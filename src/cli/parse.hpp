@@ -13,6 +13,7 @@
 
 #include "drawing/stroke.hpp"
 #include "geometry/point.hpp"
+#include "picture/requests.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {
@@ -52,13 +53,13 @@ std::optional<double> parse_scale(std::string_view text);
 /// Length of a model unit in mm: "mm", "cm", "m", "in", or a number of mm.
 double parse_unit_mm(std::string_view text);
 
-enum class OutputFormat { svg, pdf, png, json, hpgl, gcode };
-inline constexpr std::string_view kOutputFormatNames[] = {"svg", "pdf", "png", "json", "hpgl", "gcode"};
-
 OutputFormat parse_format(std::string_view text);
 
 /// Format by the suffix of the file, any case.
 OutputFormat format_of_suffix(const std::filesystem::path& file);
+
+/// The name of a file, not empty.
+std::string parse_file_name(const std::string& text);
 
 /// The names as a phrase, "a, b or c".
 std::string list_of(std::span<const std::string_view> names);

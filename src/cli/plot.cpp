@@ -4,22 +4,20 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/models.hpp"
-#include "cli/option_helpers.hpp"
+#include "cli/messages.hpp"
+#include "cli/options.hpp"
+#include "cli/page_options.hpp"
 #include "cli/parse.hpp"
-#include "cli/plotter_output.hpp"
-#include "cli/scene_drawing.hpp"
-#include "cli/stages.hpp"
-#include "cli/text.hpp"
 #include "files/message_text.hpp"
+#include "geometry/parallel.hpp"
+#include "picture/placement.hpp"
+#include "picture/write_picture.hpp"
 #include "plotting/drawing_reader.hpp"
 #include "plotting/plot.hpp"
 #include "plotting/stroke_text.hpp"
 
 namespace ligne {
 namespace {
-
-constexpr double kWidestPenMm = 50, kLowestDpi = 1, kHighestDpi = 9600;
 
 /// A larger file is refused before it is read: a drawing of it would have hundreds of millions of points.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
@@ -54,7 +52,7 @@ double place(const PlotCommandOptions& options, ReadDrawing& read) {
   Page page = own;
   const Rect ink = ink_of(read.drawing);
   if (options.page) {
-    PageOptions wanted;
+    PageRequest wanted;
     wanted.size = *options.page;
     wanted.landscape = options.landscape;
     wanted.portrait = options.portrait;
@@ -129,9 +127,10 @@ void plot(const PlotCommandOptions& options) {
   files.will_write("--stats-json", options.run.stats_json);
   const OutputFormat format = format_of(options.output);
   if (format == OutputFormat::json) throw UsageError("--format", "plot writes svg, pdf, png, hpgl or gcode");
-  PlotterSetup setup = plotter_setup(options.plotter, format, files);
-  if (!setup.by_pens() && !setup.options.optimize) setup.options.optimize = Optimize::join;
   RunReport run;
+  PlotterRequest plotter = plotter_request(options.plotter.choice, format, run.files);
+  files.were_read(run.files);
+  if (!plotter.by_pens() && !plotter.optimize) plotter.optimize = Optimize::join;
   const ReadDrawing read = timed(run.stages, "read", [&] { return placed_drawing(options, files); });
   PlotOptions style;
   style.page = read.page;
@@ -139,45 +138,35 @@ void plot(const PlotCommandOptions& options) {
   style.hidden_solid = read.dashes_cut;
   style.dpi = options.dpi;
   style.style = [&](const std::string& layer) { return style_of_layer(layer, options.pen_width_mm, style.hidden_solid); };
-  std::string bytes = timed(run.stages, "write", [&] { return written(read.drawing, style, setup, format, files, run); });
-  timed(run.stages, "output", [&] { files.write(*options.output.file, std::move(bytes)); });
-  finish(options.run, run, files);
+  Picture picture = timed(run.stages, "write", [&] { return write_picture(read.drawing, style, plotter, format, run); });
+  deliver(std::move(picture), *options.output.file, options.plotter.preview, options.drawing, options.run, run, files);
 }
 
 void add_placing_options(CLI::App& app, PlotCommandOptions& options) {
-  CLI::Option* page =
-      add_parsed(
-          app, "--page", "SIZE", options.page, [](const std::string& t) { return std::optional(parse_page_size(t)); },
-          "A0 to A6, letter, legal, tabloid, or WxH; the drawing's own page comes into its middle")
-          ->default_str("the drawing's");
-  CLI::Option* landscape = app.add_flag("--landscape", options.landscape, "page lies on its long side");
-  CLI::Option* portrait = app.add_flag("--portrait", options.portrait, "page stands on its short side");
-  CLI::Option* margin =
-      add_parsed(
-          app, "--margin", "LEN", options.margin_mm, [](const std::string& t) { return parse_length_mm(t); },
+  OptionGroup group(app, "Page");
+  group
+      .add("--page", "SIZE", options.page, parse_page_size,
+           "A0 to A6, letter, legal, tabloid, or WxH; the drawing's own page comes into its middle")
+      .standard("the drawing's");
+  const Option landscape = group.add_flag("--landscape", options.landscape, "page lies on its long side");
+  const Option portrait = group.add_flag("--portrait", options.portrait, "page stands on its short side");
+  group
+      .add(
+          "--margin", "LEN", options.margin_mm, [](const std::string& t) { return parse_length_mm(t); },
           "empty rim of the page when the drawing is to fit")
-          ->default_str("10mm");
-  CLI::Option* pen = add_parsed(
-                         app, "--pen-width", "LEN", options.pen_width_mm,
-                         [](const std::string& t) {
-                           const double width = parse_length_mm(t);
-                           if (!(width > 0 && width <= kWidestPenMm))
-                             throw std::invalid_argument(printable(t) + " is not above 0 and at most 50 mm");
-                           return width;
-                         },
-                         "width of the lines, where no pen has its own")
-                         ->default_str("0.35mm");
-  CLI::Option* scale = add_parsed(
-                           app, "--scale", "fit|N:M", options.scale,
-                           [&options](const std::string& t) {
-                             const std::optional<double> ratio = parse_scale(t);
-                             options.fit = !ratio;
-                             return ratio.value_or(1);
-                           },
-                           "true to scale, larger or smaller, or what is drawn fills the page")
-                           ->default_str("1:1");
-  landscape->excludes(portrait);
-  for (CLI::Option* option : {page, landscape, portrait, margin, pen, scale}) option->group("Page");
+      .standard("10mm");
+  group.add("--pen-width", "LEN", options.pen_width_mm, parse_pen_width, "width of the lines, where no pen has its own")
+      .standard("0.35mm");
+  const auto parse_scale_or_fit = [&options](const std::string& t) {
+    const std::optional<double> ratio = parse_scale(t);
+    options.fit = !ratio;
+    return ratio.value_or(1);
+  };
+  group
+      .add("--scale", "fit|N:M", options.scale, parse_scale_or_fit,
+           "true to scale, larger or smaller, or what is drawn fills the page")
+      .standard("1:1");
+  landscape.excludes({portrait});
 }
 
 std::set<std::string> parse_skip(const std::string& text) {
@@ -195,33 +184,26 @@ std::set<std::string> parse_skip(const std::string& text) {
 }  // namespace
 
 void setup_plot(CLI::App& app, PlotCommandOptions& options) {
-  CLI::App* plot = app.add_subcommand("plot", "A drawing (JSON or SVG) made ready for pens and plotters");
-  plot->add_option("DRAWING", options.drawing, "ligne-drawing JSON, or an SVG of strokes")->required()->type_name("");
-  add_parsed(*plot, "--skip", "LIST", options.skip, parse_skip,
-             "what of an SVG may be left out: text, image, fill, clip-path, ...")
-      ->group("Input");
-  add_parsed(
-      *plot, "--fill", "HOW", options.fills,
-      [](const std::string& text) { return static_cast<FillReading::How>(parse_choice(text, kFillReadingNames)); },
-      "filled areas of an SVG: refuse; outline, their contours; hatch, strokes inside too")
-      ->default_str("refuse")
-      ->group("Input");
-  add_placing_options(*plot, options);
-  add_output_options(*plot, options.output, "svg pdf png hpgl gcode (default: by the suffix)");
-  add_parsed(
-      *plot, "--dpi", "N", options.dpi,
-      [](const std::string& text) { return parse_within(text, kLowestDpi, kHighestDpi, "dots per inch"); },
-      "resolution of a PNG")
-      ->default_str("150")
-      ->group("Output");
-  add_plotter_options(*plot, options.plotter);
-  add_run_options(*plot, options.run);
-  plot->footer(kExamples);
+  CLI::App& plot = *add_command(app, "plot", "A drawing (JSON or SVG) made ready for pens and plotters", kExamples);
+  add_argument(plot, "DRAWING", options.drawing, "ligne-drawing JSON, or an SVG of strokes");
+  OptionGroup input(plot, "Input");
+  input.add("--skip", "LIST", options.skip, parse_skip, "what of an SVG may be left out: text, image, fill, clip-path, ...");
+  input
+      .add(
+          "--fill", "HOW", options.fills,
+          [](const std::string& text) { return static_cast<FillReading::How>(parse_choice(text, kFillReadingNames)); },
+          "filled areas of an SVG: refuse; outline, their contours; hatch, strokes inside too")
+      .standard("refuse");
+  add_placing_options(plot, options);
+  add_output_options(plot, options.output, "svg pdf png hpgl gcode (default: by the suffix)");
+  add_dpi_option(plot, options.dpi);
+  add_plotter_options(plot, options.plotter);
+  add_run_options(plot, options.run);
 }
 
 void run_plot(const PlotCommandOptions& options) {
   format_of(options.output);
-  run_with_threads(options.run, [&] { plot(options); });
+  run_with_threads(options.run.threads, [&] { plot(options); });
 }
 
 }  // namespace ligne

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "cli/output_options.hpp"
-#include "cli/page_options.hpp"
 #include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
 #include "plotting/drawing_reader.hpp"

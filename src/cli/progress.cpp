@@ -31,12 +31,21 @@ ProgressBar::ProgressBar(const RunOptions& options) {
   }
 }
 
-ProgressBar::~ProgressBar() {
+ProgressBar::~ProgressBar() { wipe(); }
+
+void ProgressBar::wipe() {
   if (drawn_) std::fputs("\r\x1b[K", stderr);
+  drawn_ = false;
+}
+
+std::function<void(double)> ProgressBar::callback() {
+  if (!wanted_) return {};
+  return [this](double fraction) { update(fraction); };
 }
 
 void ProgressBar::update(double fraction) {
-  if (!wanted_ || !std::isfinite(fraction)) return;
+  if (!std::isfinite(fraction)) return;
+  if (fraction >= 1) return wipe();
   const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100);
   if (percent == percent_ || std::chrono::steady_clock::now() < show_from_) return;
   percent_ = percent;

@@ -2,6 +2,7 @@
 /// A progress bar on standard error.
 
 #include <chrono>
+#include <functional>
 
 #include "cli/run_options.hpp"
 
@@ -16,12 +17,14 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Whether there is anybody to show it to.
-  bool wanted() const { return wanted_; }
-  /// To be called from one thread at a time, fraction in [0, 1].
-  void update(double fraction);
+  /// What shows the fraction done, in [0, 1], and wipes the bar at 1; to be called from one thread at a time. Empty where
+  /// there is nobody to show it to.
+  std::function<void(double)> callback();
 
  private:
+  void update(double fraction);
+  void wipe();
+
   bool wanted_ = false;
   bool drawn_ = false;
   int percent_ = -1;

@@ -1,10 +1,11 @@
 #include "cli/run_options.hpp"
 
-#include <stdexcept>
+#include <cstdio>
+#include <utility>
 
-#include "cli/option_helpers.hpp"
+#include "cli/messages.hpp"
+#include "cli/options.hpp"
 #include "cli/parse.hpp"
-#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -14,29 +15,37 @@ constexpr unsigned kMostThreads = 1024;
 }  // namespace
 
 void add_run_options(CLI::App& app, RunOptions& options) {
-  CLI::Option* threads = add_parsed(
-      app, "--threads", "N", options.threads, [](const std::string& text) { return parse_count(text, 1, kMostThreads); },
+  OptionGroup group(app, "Work");
+  group.add(
+      "--threads", "N", options.threads, [](const std::string& text) { return parse_count(text, 1, kMostThreads); },
       "number of threads (default: all cores)");
-  CLI::Option* stats = app.add_flag("--stats", options.stats, "counts and times of the method, to standard error");
-  CLI::Option* stats_json = add_parsed(
-      app, "--stats-json", "FILE", options.stats_json,
-      [](const std::string& text) {
-        if (text.empty()) throw std::invalid_argument("the name of the file is empty");
-        return text;
-      },
-      "the same as JSON, to a file");
-  CLI::Option* progress =
-      add_parsed(
-          app, "--progress", "WHEN", options.progress,
+  group.add_flag("--stats", options.stats, "counts and times of the method, to standard error");
+  group.add("--stats-json", "FILE", options.stats_json, parse_file_name, "the same as JSON, to a file");
+  group
+      .add(
+          "--progress", "WHEN", options.progress,
           [](const std::string& text) { return static_cast<ShowProgress>(parse_choice(text, kShowProgressNames)); },
           "auto always never; auto: long work on a terminal")
-          ->default_str("auto");
-  CLI::Option* quiet = app.add_flag("-q,--quiet", options.quiet, "no warnings, no progress");
-  for (CLI::Option* option : {threads, stats, stats_json, progress, quiet}) option->group("Work");
+      .standard("auto");
+  group.add_flag("-q,--quiet", options.quiet, "no warnings, no progress");
 }
 
-void run_with_threads(const RunOptions& options, const std::function<void()>& work) {
-  run_with_threads(options.threads, work);
+void deliver(Picture picture, const std::string& output, const std::string& preview, const std::string& place,
+             const RunOptions& options, RunReport& report, RunFiles& files) {
+  files.were_read(report.files);
+  if (!options.quiet) {
+    for (const RunWarning& w : report.warnings) warn(w.place.empty() ? place : w.place, w.text);
+  }
+  std::fputs(picture.plotter_report.c_str(), stderr);
+  if (!preview.empty()) files.write(preview, std::move(picture.preview));
+  timed(report.stages, "output", [&] { files.write(output, std::move(picture.bytes)); });
+  finish(options, report, files);
+}
+
+void finish(const RunOptions& options, const RunReport& report, RunFiles& files) {
+  if (!options.stats_json.empty()) files.write(options.stats_json, report_json(report));
+  files.commit();
+  if (options.stats) std::fputs(report_text(report).c_str(), stderr);
 }
 
 }  // namespace ligne

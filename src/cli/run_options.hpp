@@ -1,9 +1,12 @@
 #pragma once
 /// Options that say how the program behaves while it works.
 
-#include <functional>
 #include <string>
 #include <string_view>
+
+#include "cli/run_files.hpp"
+#include "picture/run_report.hpp"
+#include "picture/write_picture.hpp"
 
 namespace CLI {
 class App;
@@ -24,7 +27,12 @@ struct RunOptions {
 
 void add_run_options(CLI::App& app, RunOptions& options);
 
-/// Calls `work` with the number of threads asked for.
-void run_with_threads(const RunOptions& options, const std::function<void()>& work);
+/// Hands over a picture: its file, the preview beside it, and what was asked for on standard error. `place` stands at the
+/// head of warnings that name no file.
+void deliver(Picture picture, const std::string& output, const std::string& preview, const std::string& place,
+             const RunOptions& options, RunReport& report, RunFiles& files);
+
+/// The end of a run: writes its counts and times where the options want them, and puts all files in their places.
+void finish(const RunOptions& options, const RunReport& report, RunFiles& files);
 
 }  // namespace ligne

@@ -7,7 +7,7 @@ namespace ligne {
 
 void setup_surface(CLI::App& app, SurfaceOptions& options);
 
-/// Throws UsageError, InputError, std::runtime_error.
+/// Throws UsageError, RequestError, InputError, std::runtime_error.
 void run_surface(const SurfaceOptions& options);
 
 }  // namespace ligne

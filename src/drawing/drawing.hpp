@@ -22,7 +22,19 @@ struct Polylines {
   std::span<const Point2> operator[](std::size_t i) const {
     return {points.data() + begin[i], points.data() + begin[i + 1]};
   }
+
+  void add(std::span<const Point2> line) {
+    points.insert(points.end(), line.begin(), line.end());
+    begin.push_back(static_cast<std::uint32_t>(points.size()));
+  }
 };
+
+/// Puts the polylines of `from` behind those of `to`.
+inline void append(Polylines& to, const Polylines& from) {
+  const auto shift = static_cast<std::uint32_t>(to.points.size());
+  to.points.insert(to.points.end(), from.points.begin(), from.points.end());
+  for (std::size_t i = 1; i < from.begin.size(); ++i) to.begin.push_back(from.begin[i] + shift);
+}
 
 /// Layers of strokes, in the order in which they are painted: hidden strokes, those seen through transparent faces, then the
 /// classes, the strongest last.

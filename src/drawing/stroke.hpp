@@ -33,6 +33,9 @@ struct LineClasses {
   std::uint16_t bits = 0;
   bool has(LineClass c) const { return (bits >> static_cast<unsigned>(c)) & 1u; }
   void add(LineClass c) { bits = static_cast<std::uint16_t>(bits | (1u << static_cast<unsigned>(c))); }
+
+  /// What is drawn when nothing is said: outlines, borders, intersections and creases.
+  static LineClasses features() { return {0b1111}; }
 };
 
 /// A straight piece of one source edge, visible or hidden as a whole.

@@ -1,5 +1,9 @@
 #include "files/message_text.hpp"
 
+#include <array>
+#include <charconv>
+#include <cstdio>
+
 #include <cstdint>
 
 namespace ligne {
@@ -87,6 +91,28 @@ std::string message_line(std::string_view text, std::size_t longest) {
   const std::size_t kept = longest - kMiddleCut.size(), behind = kept / 2;
   const std::string front = printable(line, kept - behind);
   return front.substr(0, front.size() - kCut.size()).append(kMiddleCut).append(end_of(line, behind));
+}
+
+std::string shortest(double value) {
+  std::array<char, 64> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), end};
+}
+
+std::string rounded(double value, int digits) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
+  return buffer.data();
+}
+
+std::string duration(double seconds) {
+  std::array<char, 64> buffer{};
+  if (seconds < 1) {
+    std::snprintf(buffer.data(), buffer.size(), "%.2f ms", seconds * 1000);
+  } else {
+    std::snprintf(buffer.data(), buffer.size(), "%.2f s", seconds);
+  }
+  return buffer.data();
 }
 
 }  // namespace ligne

@@ -28,4 +28,13 @@ std::string shown(std::string_view text, char quote = '\'');
 /// with the cause. White space at its end is left out.
 std::string message_line(std::string_view text, std::size_t longest = kLongestMessage);
 
+/// The shortest decimal number that reads back as the same double.
+std::string shortest(double value);
+
+/// The number with `digits` digits that count: for people, not for programs.
+std::string rounded(double value, int digits = 6);
+
+/// Seconds as "12.3 ms" or "4.56 s".
+std::string duration(double seconds);
+
 }  // namespace ligne

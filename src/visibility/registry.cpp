@@ -26,4 +26,19 @@ const Method* find_method(std::string_view name) {
   return nullptr;
 }
 
+const Method& region_method() {
+  for (const Method* method : all_methods()) {
+    if (method->traits().products & kRegions) return *method;
+  }
+  return *all_methods().front();
+}
+
+std::string methods_with(std::uint8_t products) {
+  std::string names;
+  for (const Method* method : all_methods()) {
+    if (method->traits().products & products) names += (names.empty() ? "" : ", ") + std::string(method->traits().name);
+  }
+  return names;
+}
+
 }  // namespace ligne

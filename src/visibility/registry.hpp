@@ -1,7 +1,9 @@
 #pragma once
 /// The one list of visibility methods.
 
+#include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "visibility/method.hpp"
@@ -13,5 +15,11 @@ std::span<const Method* const> all_methods();
 
 /// The method of that name, or nullptr. "auto" is the default method.
 const Method* find_method(std::string_view name);
+
+/// The first method that produces regions: what draws fills, hatching and shadows when no method is named.
+const Method& region_method();
+
+/// The names of the methods that produce one of the products, "a, b".
+std::string methods_with(std::uint8_t products);
 
 }  // namespace ligne

@@ -8,11 +8,11 @@
 #include <map>
 
 #include "drawing/drawing.hpp"
+#include "picture/details.hpp"
+#include "picture/shadows.hpp"
 #include "scene/readers/reader.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
-#include "visibility/atherton_weiler/details.hpp"
-#include "visibility/atherton_weiler/shadows.hpp"
 #include "visibility/tolerances.hpp"
 
 namespace ligne {
@@ -55,7 +55,7 @@ struct Seen {
   /// Areas of a face's regions by the lights that reach them.
   std::map<std::uint32_t, double> lit(std::uint32_t face, const std::vector<Light>& lights) const {
     std::map<std::uint32_t, double> areas;
-    for (const Region& r : atherton_weiler::cast_shadows(scene, topology, view, lights, regions).regions) {
+    for (const Region& r : cast_shadows(scene, topology, view, lights, regions).regions) {
       if (r.face == face) areas[r.lights] += area(r);
     }
     return areas;
@@ -64,7 +64,7 @@ struct Seen {
   /// Lengths of the borders of shadows that are drawn, by level.
   std::map<unsigned, double> shadow_lines(const std::vector<Light>& lights) const {
     StrokeModel model = strokes;
-    add_shadow_strokes(scene, view, atherton_weiler::cast_shadows(scene, topology, view, lights, regions).borders, model);
+    add_shadow_strokes(scene, view, cast_shadows(scene, topology, view, lights, regions).borders, model);
     remove_coincident_strokes(model, 0.001);
     return lengths(model, [](const Stroke& s) { return s.line_class == LineClass::shadow; });
   }
@@ -138,8 +138,7 @@ TEST(Shadows, NoSliversAlongTheBordersOfFaces) {
     const double dx = 3 * x / 1.1, dy = 3 * 1.02 / 1.1;  // the shadow is (2, 3) to (5, 6), moved by this
     const double from = std::max(2 + dx, (3 + dy) / kSlope), to = std::min(5 + dx, (6 + dy) / kSlope);
     double sum = 0;
-    for (const Region& r :
-         atherton_weiler::cast_shadows(seen.scene, seen.topology, seen.view, lights, seen.regions).regions) {
+    for (const Region& r : cast_shadows(seen.scene, seen.topology, seen.view, lights, seen.regions).regions) {
       if (r.lights == 0 && r.face < 2) sum += perimeter(r);
     }
     EXPECT_NEAR(sum, 4 * 3 + 2 * std::hypot(1, kSlope) * (to - from), kLength) << x;
@@ -151,8 +150,7 @@ TEST(Shadows, TransparentFacesWeakenTheLight) {
   // square (18, 12) to (20, 16).
   const Seen seen("shadow_glass.json", "top");
   std::map<std::pair<std::uint32_t, double>, double> areas;  // by face and share
-  for (const Region& r :
-       atherton_weiler::cast_shadows(seen.scene, seen.topology, seen.view, seen.scene.lights, seen.regions).regions) {
+  for (const Region& r : cast_shadows(seen.scene, seen.topology, seen.view, seen.scene.lights, seen.regions).regions) {
     const double share = r.lights == 0 ? 0 : r.light_shares.empty() ? 1 : r.light_shares[0];
     areas[{r.face, std::round(share * 1000) / 1000}] += area(r);
   }
@@ -241,7 +239,7 @@ TEST(Details, AreClippedWithTheirFace) {
   // from x = 5..6 beside it nothing.
   const Seen seen("details.json", "front");
   double painted = 0, all = 0;
-  for (const Region& r : atherton_weiler::cut_details(seen.scene, seen.view, seen.regions)) {
+  for (const Region& r : cut_details(seen.scene, seen.view, seen.regions)) {
     if (r.face != 0) continue;
     all += area(r);
     if (r.material == 1) painted += area(r);

@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "cli/errors.hpp"
 #include "cli/page_options.hpp"
+#include "picture/errors.hpp"
+#include "picture/placement.hpp"
 
 namespace ligne {
 namespace {
@@ -11,7 +12,7 @@ constexpr Rect kWide{{0, 0}, {40, 10}}, kTall{{0, 0}, {10, 40}}, kSquare{{0, 0},
 bool lies(const Page& page) { return page.width_mm > page.height_mm; }
 
 TEST(PageOrientation, FollowsThePicture) {
-  const PageOptions options;
+  const PageRequest options;
   EXPECT_TRUE(lies(page_for(options, kWide)));
   EXPECT_FALSE(lies(page_for(options, kTall)));
   EXPECT_FALSE(lies(page_for(options, kSquare)));
@@ -22,7 +23,7 @@ TEST(PageOrientation, FollowsThePicture) {
 }
 
 TEST(PageOrientation, IsAsAskedFor) {
-  PageOptions options;
+  PageRequest options;
   options.landscape = true;
   EXPECT_TRUE(lies(page_for(options, kTall)));
   options = {};
@@ -47,16 +48,16 @@ TEST(PageSize, NamesTurnAndSizesStay) {
 }
 
 TEST(PageMargin, MustLeaveSomething) {
-  PageOptions options;
+  PageRequest options;
   options.margin_mm = 104.9;
   EXPECT_NO_THROW(check(options));
   EXPECT_EQ(page_for(options, kTall).margin_mm, 104.9);
   options.margin_mm = 105;
-  EXPECT_THROW(check(options), UsageError);
+  EXPECT_THROW(check(options), RequestError);
 }
 
 TEST(PageScale, UnitAndRatioMultiply) {
-  PageOptions options;
+  PageRequest options;
   EXPECT_FALSE(options.page_mm_per_unit());
   options.scale = 0.02;
   options.unit_mm = 1000;

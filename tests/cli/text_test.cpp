@@ -1,8 +1,8 @@
-#include "cli/text.hpp"
+#include "files/message_text.hpp"
 
 #include <gtest/gtest.h>
 
-#include "cli/stages.hpp"
+#include "picture/run_report.hpp"
 
 namespace ligne {
 namespace {

@@ -1,0 +1,20 @@
+#pragma once
+/// Options of axes and texts round a plot.
+
+#include <string>
+
+#include "picture/requests.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ligne {
+
+/// `style`: what stands behind --axes as written; empty: not given, "true": the flag alone.
+void add_axes_options(CLI::App& app, AxesChoice& choice, std::string& style);
+
+/// Puts the style into the choice. Throws UsageError for one that there is not, and for names without axes.
+void check_axes(AxesChoice& choice, const std::string& style);
+
+}  // namespace ligne

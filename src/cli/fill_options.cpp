@@ -1,0 +1,21 @@
+#include "cli/fill_options.hpp"
+
+#include "cli/options.hpp"
+#include "cli/parse.hpp"
+
+namespace ligne {
+
+void add_fill_options(CLI::App& app, FillRequest& request) {
+  OptionGroup group(app, "Fills");
+  group
+      .add(
+          "--fill", "HOW", request.kind,
+          [](const std::string& text) { return static_cast<FillKind>(parse_choice(text, kFillNames)); },
+          "fill visible faces with colour: none material shade; by a method that gives regions")
+      .standard("none");
+  group.add_repeatable(
+      "--light", "X,Y,Z", [&request](const std::string& text) { request.lights.push_back(parse_vector(text)); },
+      "parallel light that travels in this direction and casts shadows; repeatable");
+}
+
+}  // namespace ligne

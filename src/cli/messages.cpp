@@ -1,0 +1,20 @@
+#include "cli/messages.hpp"
+
+#include <cstdio>
+
+#include "files/message_text.hpp"
+
+namespace ligne {
+
+void say(std::string_view text) {
+  const std::string line = "ligne: " + message_line(text) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+void warn(const std::string& place, const std::string& text) { say(place + ": warning: " + text); }
+
+void warn(const std::string& place, const Warnings& warnings) {
+  for (const auto& [kind, count] : warnings.counts()) warn(place, std::to_string(count) + " " + kind);
+}
+
+}  // namespace ligne

@@ -1,0 +1,19 @@
+#pragma once
+/// The models of a command line.
+
+#include "cli/run_files.hpp"
+#include "picture/models.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ligne {
+
+void add_model_options(CLI::App& app, ModelRequest& request);
+
+/// Reads all files, and notes them in `files`. Unless `quiet`, writes a line for each kind of warning. Throws InputError,
+/// UsageError.
+LoadedModels load_models(const ModelRequest& request, bool quiet, RunFiles& files);
+
+}  // namespace ligne

@@ -1,0 +1,343 @@
+#include "picture/hatching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <tuple>
+
+#include <glm/geometric.hpp>
+
+#include "picture/errors.hpp"
+#include "picture/fills.hpp"
+#include "plotting/hatch.hpp"
+#include "view/brightness.hpp"
+#include "view/projected_scene.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable.
+constexpr double kSpacingPens = 4;   ///< distance of the closest strokes in pen widths
+constexpr double kBrightest = 0.92;  ///< continuous: what gets more light is left white
+constexpr double kFaceStep = 7.5;    ///< directions of faces, degrees
+/// Materials in their order: degrees added to the direction of the strokes.
+constexpr double kMaterialTurns[] = {0, 90, 135, 45, 22.5, 112.5, 67.5, 157.5};
+constexpr double kMostLines = 5e6;  ///< of a cover
+
+/// How a face is hatched: its strokes in words of plotting/hatch.hpp, and their direction.
+struct FaceHatch {
+  double degrees = 0;
+  SurfaceHatch strokes{0, kRowCycle, 0, 0};
+  bool cross = false;
+};
+
+/// Degrees in [0, 180): strokes have no sense.
+double half_turn(double degrees) {
+  const double rest = std::fmod(degrees, 180);
+  return rest < 0 ? rest + 180 : rest;
+}
+
+/// Decides how faces are hatched, and collects the layers that they need.
+class Hatching {
+ public:
+  explicit Hatching(const HatchScene& hatch)
+      : hatch_(hatch), light_(hatch.prepared.scene, hatch.prepared.view().camera, hatch.prepared.lights) {
+    const double pen = layer_pen(0, "");
+    const double spacing = hatch.request().spacing_mm.value_or(kSpacingPens * pen);
+    line_mm_ = cover_line_mm(spacing, pen);
+    if (std::hypot(hatch.plot.page.width_mm, hatch.plot.page.height_mm) / line_mm_ > kMostLines) {
+      throw RequestError("hatch-spacing", "the strokes are too close: more than a million on the page");
+    }
+    closest_ = static_cast<unsigned>(std::lround(spacing / line_mm_));
+    if (hatch.request().direction.by_face) find_directions();
+  }
+
+  double line_mm() const { return line_mm_; }
+
+  /// `region`: what is known beyond the face, or nullptr.
+  FaceHatch of(std::uint32_t face, const Region* region);
+  void space_evenly(std::vector<FaceHatch>& faces) const;
+
+  /// Adds the strokes of one direction.
+  void add(const HatchFrame& frame, std::span<const CoverRun> cover, std::span<const SurfaceHatch> surfaces) {
+    std::vector<double> pens;
+    std::vector<Polylines> lines(layers_.size());
+    for (const Layer& layer : layers_) pens.push_back(layer_pen(layer.shade, layer.material));
+    hatch_cover(frame, line_mm_, cover, surfaces, pens, lines);
+    for (std::size_t i = 0; i < layers_.size(); ++i) append(layers_[i].lines, lines[i]);
+  }
+
+  std::vector<Layer> take() {
+    std::erase_if(layers_, [](const Layer& layer) { return layer.lines.size() == 0; });
+    return std::move(layers_);
+  }
+
+ private:
+  /// Width of the pen that draws such a layer.
+  double layer_pen(unsigned shade, const std::string& material) const {
+    const double usual = hatch_.plot.style_of("hatch").width_mm;
+    const double width = hatch_.pens().empty()
+                             ? usual
+                             : hatch_.pens().pen(hatch_.pens().pen_of("hatch", material, shade)).width_mm.value_or(usual);
+    if (!(width > 0)) throw RequestError("hatch", "the pen has no width");
+    return width;
+  }
+
+  std::uint32_t layer_of(unsigned shade, const std::string& material);
+  void find_directions();
+
+  const HatchScene& hatch_;
+  FaceLight light_;
+  double line_mm_ = 0;
+  unsigned closest_ = 1;
+  std::vector<double> patch_degrees_;  ///< where the direction is by face
+  std::vector<Layer> layers_;
+};
+
+/// The layer's number. Shades and materials are told apart only when pens are.
+std::uint32_t Hatching::layer_of(unsigned shade, const std::string& material) {
+  const unsigned by_shade = hatch_.pens().pen_of_shade.empty() ? 0 : shade;
+  const std::string by_material = hatch_.pens().pen_of_material.empty() ? std::string() : material;
+  for (std::uint32_t i = 0; i < layers_.size(); ++i) {
+    if (layers_[i].shade == by_shade && layers_[i].material == by_material) return i;
+  }
+  layers_.push_back({"hatch", {}, by_material, by_shade});
+  return static_cast<std::uint32_t>(layers_.size() - 1);
+}
+
+/// The direction on the page of the level lines of each patch, in steps; that of the request where the patch is level, or
+/// seen along them. A patch that is curved has that of the mean of what looks at the viewer.
+void Hatching::find_directions() {
+  const Scene& scene = hatch_.prepared.scene;
+  const Camera& camera = hatch_.prepared.view().camera;
+  struct Mean {
+    Point3 normal{0, 0, 0}, at{0, 0, 0};
+    double weight = 0;
+  };
+  std::vector<Mean> means(hatch_.patches.count);
+  for (std::uint32_t face = 0; face < scene.faces.size(); ++face) {
+    const auto contour = scene.faces.contour(face, 0);
+    Point3 area{0, 0, 0};
+    for (std::size_t i = 1; i + 1 < contour.size(); ++i) {
+      area += glm::cross(scene.vertices[contour[i]] - scene.vertices[contour[0]],
+                         scene.vertices[contour[i + 1]] - scene.vertices[contour[0]]);
+    }
+    const Point3 point = scene.vertices[contour[0]];
+    const Point3 sight = camera.perspective ? glm::normalize(point - camera.eye) : camera.forward;
+    const double seen = std::abs(glm::dot(area, sight));
+    Mean& mean = means[hatch_.patches.of_face[face]];
+    if (glm::dot(area, sight) > 0) area = -area;
+    mean.normal += area * seen;  // what is seen edge on counts little
+    mean.at += point * seen;
+    mean.weight += seen;
+  }
+  Point3 up{0, 0, 0};
+  up[static_cast<int>(scene.up_axis)] = 1;
+  constexpr double kLevel = 1e-3;  // sine of the slope below which a face counts as level
+  for (const Mean& mean : means) {
+    double degrees = hatch_.request().direction.degrees;
+    const double length = glm::length(mean.normal);
+    const Point3 level = length > 0 ? glm::cross(mean.normal / length, up) : Point3{0, 0, 0};
+    const Point3 at = camera_coordinates(camera, mean.weight > 0 ? mean.at / mean.weight : camera.eye);
+    Point2 seen{glm::dot(level, camera.right), glm::dot(level, camera.down)};
+    if (camera.perspective && at.z > 0) seen -= Point2{at.x, at.y} * (glm::dot(level, camera.forward) / at.z);
+    if (glm::length(level) > kLevel && glm::length(seen) > kLevel) {
+      degrees = kFaceStep * std::round(std::atan2(-seen.y, seen.x) * 180 / std::numbers::pi / kFaceStep);
+    }
+    patch_degrees_.push_back(degrees);
+  }
+}
+
+FaceHatch Hatching::of(std::uint32_t face, const Region* region) {
+  const HatchRequest& request = hatch_.request();
+  const Scene& scene = hatch_.prepared.scene;
+  const std::uint32_t patch = hatch_.patches.of_face[face];
+  FaceHatch how{request.direction.by_face ? patch_degrees_[patch] : request.direction.degrees,
+                {closest_, kRowCycle, patch, 0},
+                request.cross};
+  const Material material = region ? material_of(scene, *region) : material_of(scene, face);
+  unsigned shade = 1;
+  if (request.kind == HatchKind::shade) {
+    const std::uint32_t reached = region ? region->lights : 0xffffffffu;
+    const double light = std::clamp(
+        light_.of(face, reached, region ? std::span<const double>(region->light_shares) : std::span<const double>()), 0.0,
+        1.0);
+    const unsigned shades = request.levels == 0 ? kMostShades : request.levels;
+    shade = 1 + std::min(shades - 1, static_cast<unsigned>(light * shades));
+    how.strokes.rows = request.levels > 0   ? kRowCycle >> (shade - 1)
+                       : light > kBrightest ? 0
+                                            : static_cast<std::uint32_t>(std::ceil((1 - light) * kRowCycle));
+    how.cross = how.cross || (!hatch_.prepared.lights.empty() && reached == 0);
+  } else if (request.kind == HatchKind::material) {
+    const std::uint32_t own = scene.face_material.empty() ? 0 : scene.face_material[face];
+    const std::uint32_t number = region && region->material < scene.materials.size() ? region->material : own;
+    how.degrees += kMaterialTurns[number % std::size(kMaterialTurns)];
+    const double luminance = glm::dot(material.color, Point3{0.2126, 0.7152, 0.0722});  // ITU-R BT.709
+    shade = 1 + static_cast<unsigned>(std::clamp(luminance, 0.0, 0.99) * kMostShades);
+    how.strokes.every = closest_ * shade;
+  }
+  how.degrees = half_turn(how.degrees);
+  how.strokes.layer = layer_of(shade, material.name);
+  return how;
+}
+
+/// Where all of a patch is of one shade, as flat faces are, its rows get one distance instead of some of a cycle.
+void Hatching::space_evenly(std::vector<FaceHatch>& faces) const {
+  constexpr std::uint32_t kMixed = 0xffffffffu;
+  std::map<std::uint32_t, std::uint32_t> rows_of_patch;
+  for (const FaceHatch& face : faces) {
+    if (face.strokes.every == 0) continue;
+    const auto [entry, added] = rows_of_patch.emplace(face.strokes.group, face.strokes.rows);
+    if (!added && entry->second != face.strokes.rows) entry->second = kMixed;
+  }
+  for (FaceHatch& face : faces) {
+    if (face.strokes.every == 0) continue;
+    const std::uint32_t rows = rows_of_patch[face.strokes.group];
+    if (rows == kMixed || rows == 0) continue;
+    face.strokes.every = static_cast<std::uint32_t>(std::lround(static_cast<double>(face.strokes.every) * kRowCycle / rows));
+    face.strokes.rows = kRowCycle;
+  }
+}
+
+/// All directions in which something is hatched, each with what is.
+std::map<double, std::vector<SurfaceHatch>> by_direction(std::span<const FaceHatch> faces) {
+  std::map<double, std::vector<SurfaceHatch>> directions;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (faces[i].strokes.every == 0) continue;
+    for (const double degrees : {faces[i].degrees, half_turn(faces[i].degrees + 90)}) {
+      if (degrees != faces[i].degrees && !faces[i].cross) continue;
+      std::vector<SurfaceHatch>& surfaces = directions[degrees];
+      surfaces.resize(faces.size());
+      surfaces[i] = faces[i].strokes;
+    }
+  }
+  return directions;
+}
+
+/// The page as the strokes see it.
+Rect turned(const Rect& window, const HatchFrame& frame) {
+  Rect box;
+  for (const Point2 p : {window.min, window.max, Point2{window.min.x, window.max.y}, Point2{window.max.x, window.min.y}})
+    box.extend(frame.to_frame(p));
+  return box;
+}
+
+/// The view with the page turned so that the strokes run from left to right; `box` is what of it is seen, in the strokes'
+/// frame, and comes to lie at (0, 0).
+View turned_view(const Scene& scene, const View& view, const HatchFrame& frame, const Rect& box) {
+  Camera camera = view.camera;
+  camera.right = view.camera.right * frame.along().x + view.camera.down * frame.along().y;
+  camera.down = view.camera.right * frame.across().x + view.camera.down * frame.across().y;
+  // The field of view of the turned camera holds that of the other one.
+  const double half = std::tan(camera.fov_degrees * std::numbers::pi / 360) * std::hypot(1.0, camera.aspect);
+  camera.fov_degrees = std::atan(half) * 360 / std::numbers::pi;
+  camera.aspect = 1;
+  const Rect page{{0, 0}, box.max - box.min};
+  const View first = make_view(scene, camera, {{{0, 0}, {0, 0}}}, page, view.scale);
+  const Point2 shift = -box.min - first.offset;
+  return make_view(scene, camera, {{shift, shift}}, page, view.scale);
+}
+
+/// Cuts runs down to the window.
+void cut_to(const Rect& window, const HatchFrame& frame, double line_mm, std::vector<CoverRun>& cover) {
+  const std::vector<std::vector<Point2>> sheet{
+      {window.min, {window.max.x, window.min.y}, window.max, {window.min.x, window.max.y}}};
+  std::vector<CoverRun> lines;
+  add_cover(sheet, 0, frame, line_mm, lines);
+  std::map<std::int32_t, const CoverRun*> line_of;
+  for (const CoverRun& line : lines) line_of[line.line] = &line;
+  std::erase_if(cover, [&](CoverRun& run) {
+    const auto line = line_of.find(run.line);
+    if (line == line_of.end()) return true;
+    run.from = std::max(run.from, line->second->from);
+    run.to = std::min(run.to, line->second->to);
+    return !(run.from < run.to);
+  });
+}
+
+/// What the method's scan lines along the strokes see of the faces, in runs along the lines of the frame.
+std::vector<CoverRun> seen_runs(const PreparedScene& prepared, const HatchFrame& frame, double line_mm) {
+  const Rect box = turned(prepared.view().window, frame);
+  if (box.empty()) return {};
+  const View view = turned_view(prepared.scene, prepared.view(), frame, box);
+  ProjectedScene projected = project(prepared.scene, prepared.topology, view, {});
+  if (prepared.back_faces.faces > 0) cull(projected, prepared.back_faces);
+  const auto first = static_cast<std::int32_t>(std::ceil(box.min.y / line_mm)),
+             last = static_cast<std::int32_t>(std::floor(box.max.y / line_mm));
+  if (last < first) return {};
+  StudyOptions options;
+  options.settings = prepared.request.lines.settings;
+  options.wanted = kSpans;
+  options.span_lines = SpanLines{first * line_mm + view.offset.y, line_mm, static_cast<std::uint32_t>(last - first + 1)};
+  const VisibilityResult result = prepared.method.study(projected, options);
+  std::vector<CoverRun> runs;
+  if (result.spans) {
+    for (const Span& span : result.spans->spans) {
+      runs.push_back(
+          {first + static_cast<std::int32_t>(span.line), span.x_from - view.offset.x, span.x_to - view.offset.x, span.face});
+    }
+  }
+  cut_to(prepared.view().window, frame, line_mm, runs);
+  return runs;
+}
+
+}  // namespace
+
+HatchScene hatch_scene(const PreparedScene& prepared, const PlotOptions& plot) {
+  HatchScene hatch{prepared, plot, {}};
+  if (hatch.request().asked()) {
+    hatch.patches = hatch_patches(prepared.scene, prepared.topology, prepared.request.lines.crease_degrees);
+  }
+  return hatch;
+}
+
+void refuse_hatching(std::string_view method) {
+  throw RequestError("hatch", "method " + std::string(method) + " gives neither regions nor spans; regions: " +
+                                  methods_with(kRegions) + "; spans: " + methods_with(kSpans));
+}
+
+bool hatches_regions(const PictureRequest& request, const Method& method) {
+  return request.hatch.asked() && (method.traits().products & kRegions);
+}
+
+std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Region>& regions, RunReport& run) {
+  if (!hatches_regions(hatch.prepared.request, hatch.prepared.method)) return {};
+  return timed(run.stages, "hatch", [&] {
+    Hatching hatching(hatch);
+    std::vector<FaceHatch> faces;
+    for (const Region& region : regions) {
+      faces.push_back(region.level > 0 ? FaceHatch{} : hatching.of(region.face, &region));
+    }
+    hatching.space_evenly(faces);
+    for (const auto& [degrees, surfaces] : by_direction(faces)) {
+      const HatchFrame frame(hatch.prepared.view().offset, degrees);
+      std::vector<CoverRun> cover;
+      for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+        if (surfaces[i].every > 0) add_cover(regions[i].contours, i, frame, hatching.line_mm(), cover);
+      }
+      hatching.add(frame, cover, surfaces);
+    }
+    return hatching.take();
+  });
+}
+
+std::vector<Layer> hatch_spans(const HatchScene& hatch, RunReport& run) {
+  const PreparedScene& prepared = hatch.prepared;
+  if (!hatch.request().asked() || hatches_regions(prepared.request, prepared.method)) return {};
+  return timed(run.stages, "hatch", [&] {
+    Hatching hatching(hatch);
+    std::vector<FaceHatch> faces;
+    for (std::uint32_t face = 0; face < prepared.scene.faces.size(); ++face) faces.push_back(hatching.of(face, nullptr));
+    hatching.space_evenly(faces);
+    for (const auto& [degrees, surfaces] : by_direction(faces)) {
+      const HatchFrame frame(prepared.view().offset, degrees);
+      hatching.add(frame, seen_runs(prepared, frame, hatching.line_mm()), surfaces);
+    }
+    return hatching.take();
+  });
+}
+
+}  // namespace ligne

@@ -1,0 +1,94 @@
+#include "picture/placement.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "files/message_text.hpp"
+#include "picture/errors.hpp"
+
+namespace ligne {
+namespace {
+
+/// Slack for the rounding of the picture's size: the micrometre to which a drawing is right.
+constexpr double kSlackMm = 1e-3;
+
+Page turned(Page page) {
+  std::swap(page.width_mm, page.height_mm);
+  return page;
+}
+
+/// Scale at which the extent fills the drawable part of the page.
+double fitting_scale(const Page& page, const Rect& extent) {
+  if (extent.empty()) return 0;
+  constexpr double unbounded = std::numeric_limits<double>::infinity();
+  const Rect area = page.drawable();
+  const double across = extent.width() > 0 ? area.width() / extent.width() : unbounded;
+  const double down = extent.height() > 0 ? area.height() / extent.height() : unbounded;
+  return std::min(across, down);
+}
+
+}  // namespace
+
+bool Placement::larger_than_page() const {
+  return !picture.empty() && (picture.width() > page.width_mm + kSlackMm || picture.height() > page.height_mm + kSlackMm);
+}
+
+void check(const PageRequest& request) {
+  Page page = request.size.page;
+  page.margin_mm = request.margin_mm;
+  if (!(page.drawable().width() > 0 && page.drawable().height() > 0)) {
+    throw RequestError("margin", shortest(request.margin_mm) + " mm leaves nothing of a page of " + shortest(page.width_mm) +
+                                     " x " + shortest(page.height_mm) + " mm");
+  }
+}
+
+Camera camera_of(const ViewRequest& request, const Scene& scene) {
+  CameraRequest camera;
+  if (request.named_view) camera.named_view = *request.named_view;
+  camera.direction = request.direction;
+  camera.eye = request.eye;
+  camera.target = request.target;
+  camera.fov_degrees = request.fov_degrees;
+  camera.up = request.up;
+  camera.up_axis = request.up_axis.value_or(scene.up_axis);
+  try {
+    return make_camera(camera, scene);
+  } catch (const std::invalid_argument& e) {
+    throw RequestError("", e.what());
+  }
+}
+
+Page page_for(const PageRequest& request, const Rect& extent) {
+  Page page = request.size.page;
+  page.margin_mm = request.margin_mm;
+  const bool lies = page.width_mm > page.height_mm;
+  if (request.landscape) return lies ? page : turned(page);
+  if (request.portrait) return lies ? turned(page) : page;
+  if (request.size.explicit_size) return page;
+  return fitting_scale(turned(page), extent) > fitting_scale(page, extent) ? turned(page) : page;
+}
+
+Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Room& room) {
+  const Rect extent = projected_extent(scene, camera);
+  Placement placement;
+  placement.page = page_for(request, extent);
+  Rect area = placement.page.drawable();
+  area.min += Point2(room.left, room.top);
+  area.max -= Point2(room.right, room.bottom);
+  if (!(area.width() > 0 && area.height() > 0)) {
+    throw RequestError("page", "numbers and names of the axes leave nothing of a page of " +
+                                   shortest(placement.page.width_mm) + " x " + shortest(placement.page.height_mm) +
+                                   " mm; --text-height makes them smaller");
+  }
+  placement.view = make_view(scene, camera, {area}, placement.page.sheet(), request.page_mm_per_unit());
+  if (!extent.empty()) {
+    const Point2 size = Point2(extent.width(), extent.height()) * placement.view.scale;
+    const Point2 centre = (area.min + area.max) * 0.5;
+    placement.picture = {centre - size * 0.5, centre + size * 0.5};
+  }
+  return placement;
+}
+
+}  // namespace ligne

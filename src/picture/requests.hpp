@@ -1,0 +1,152 @@
+#pragma once
+/// What a picture is to be: plain values, with the defaults of the command line. Lengths are in mm, angles in degrees.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawing/stroke.hpp"
+#include "geometry/point.hpp"
+#include "plotting/device.hpp"
+#include "plotting/page.hpp"
+#include "plotting/paths/optimize.hpp"
+#include "plotting/pens.hpp"
+#include "plotting/stroke_text.hpp"
+#include "scene/model/scene.hpp"
+#include "view/axes_layout.hpp"
+#include "visibility/method_parameters.hpp"
+
+namespace ligne {
+
+class Method;
+
+/// From where the scene is seen.
+struct ViewRequest {
+  std::optional<std::string> named_view;  ///< one of kNamedViews; without it, a direction or an eye: "iso"
+  std::optional<Point3> direction;        ///< line of sight, from the viewer into the scene: parallel projection
+  std::optional<Point3> eye;              ///< perspective
+  std::optional<Point3> target;           ///< default: the centre of the scene's bounding box
+  double fov_degrees = 35;                ///< vertical angle of view
+  std::optional<Point3> up;               ///< default: the up axis
+  std::optional<Axis> up_axis;            ///< default: the scene's
+};
+
+/// A page as written on the command line.
+struct PageSize {
+  Page page;
+  bool explicit_size = false;  ///< WxH: its orientation is meant as written
+};
+
+/// Where on which page the picture lies.
+struct PageRequest {
+  PageSize size;
+  bool landscape = false, portrait = false;  ///< neither: as the picture becomes larger
+  double margin_mm = 10;
+  double pen_width_mm = 0.35;
+  std::optional<double> scale;  ///< page length per true length; nothing: fit
+  double unit_mm = 1;           ///< true length of one model unit
+
+  /// Page mm per model unit, or nothing when the picture is to fit.
+  std::optional<double> page_mm_per_unit() const { return scale ? std::optional(*scale * unit_mm) : std::nullopt; }
+};
+
+enum class HiddenLines { none, dashed, solid };
+inline constexpr std::string_view kHiddenLinesNames[] = {"none", "dashed", "solid"};
+
+/// Which lines are drawn, and how they are found.
+struct LineRequest {
+  const Method* method = nullptr;  ///< nullptr: the default method, for regions the first that gives them
+  MethodSettings settings;         ///< of the method's own parameters
+  LineClasses classes = LineClasses::features();
+  double crease_degrees = 30;
+  HiddenLines hidden = HiddenLines::none;
+  bool cull = false;  ///< leave out back faces of closed, consistently wound objects
+};
+
+enum class FillKind : std::uint8_t { none, material, shade };
+inline constexpr std::string_view kFillNames[] = {"none", "material", "shade"};
+
+/// Visible faces as areas of colour, and light.
+struct FillRequest {
+  FillKind kind = FillKind::none;
+  std::vector<Point3> lights;  ///< directions in which parallel light travels; empty: the lights of the scene
+
+  bool asked() const { return kind != FillKind::none || !lights.empty(); }
+};
+
+enum class HatchKind : std::uint8_t { none, shade, material, plain };
+inline constexpr std::string_view kHatchNames[] = {"none", "shade", "material", "plain"};
+
+/// Degrees of darkness, as many as [Boulle1980] has at most.
+inline constexpr unsigned kMostShades = 4;
+
+/// Direction of the strokes: fixed, or on every face along its level lines.
+struct HatchDirection {
+  bool by_face = false;
+  double degrees = 45;  ///< counter-clockwise as seen; of level faces too
+};
+
+/// Visible faces as strokes.
+struct HatchRequest {
+  HatchKind kind = HatchKind::none;
+  std::optional<double> spacing_mm{};  ///< of the closest strokes; nothing: by the width of the pen
+  HatchDirection direction{};
+  bool cross = false;
+  unsigned levels = kMostShades;  ///< 0: continuous
+
+  bool asked() const { return kind != HatchKind::none; }
+};
+
+/// Axes and a title round the picture of what is plotted.
+struct AxesChoice {
+  std::optional<AxesStyle> style;  ///< nothing: no axes
+  std::array<std::optional<std::string>, 3> names;
+  TextStyle text = TextStyle::font;
+  std::optional<double> text_height_mm;
+};
+
+/// Pens and plotter.
+struct PlotterRequest {
+  std::optional<Optimize> optimize;  ///< nothing: full for pens; other drawings stay as they are made
+  JoinTolerances tolerances;
+  bool report = false, preview = false;  ///< wanted beside the file (Picture)
+  bool fit_device = false;
+  std::shared_ptr<const Device> device;  ///< nullptr: an SVG or PDF for no device
+  PenTable pens;
+
+  /// The drawing is dealt out to pens.
+  bool by_pens() const { return device || !pens.empty(); }
+  Optimize path_work() const { return optimize.value_or(by_pens() ? Optimize::full : Optimize::off); }
+};
+
+enum class OutputFormat { svg, pdf, png, json, hpgl, gcode };
+inline constexpr std::string_view kOutputFormatNames[] = {"svg", "pdf", "png", "json", "hpgl", "gcode"};
+
+/// The file.
+struct OutputRequest {
+  OutputFormat format = OutputFormat::svg;
+  double dpi = 150;   ///< PNG
+  std::string title;  ///< of the document, may be empty
+};
+
+/// A whole picture of a scene.
+struct PictureRequest {
+  ViewRequest view{};
+  LineRequest lines{};
+  PageRequest page{};
+  FillRequest fill{};
+  HatchRequest hatch{};
+  bool gray_faces = false;  ///< PNG: faces in gray, lit from the eye, by a method that gives spans
+  AxesChoice axes{};
+  PlotterRequest plotter{};
+  OutputRequest output{};
+  std::string heading{};                   ///< title above the picture on the page, may be empty
+  std::function<void(double)> progress{};  ///< called with the fraction of the study done, from one thread at a time
+};
+
+}  // namespace ligne

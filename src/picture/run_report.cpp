@@ -1,0 +1,50 @@
+#include "picture/run_report.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "files/message_text.hpp"
+
+namespace ligne {
+namespace {
+
+std::string line(const std::string& name, std::size_t width, const std::string& value) {
+  return "  " + name + std::string(width - name.size() + 2, ' ') + value + "\n";
+}
+
+}  // namespace
+
+std::string report_text(const RunReport& report) {
+  std::size_t width = 0;
+  for (const auto& [name, value] : report.study.counts) width = std::max(width, name.size());
+  for (const auto& [name, value] : report.study.seconds) width = std::max(width, name.size());
+  for (const auto& [name, value] : report.stages.seconds) width = std::max(width, name.size());
+
+  std::string text;
+  if (!report.method.empty()) text += "method " + report.method + "\n";
+  for (const auto& [name, value] : report.study.counts) text += line(name, width, std::to_string(value));
+  for (const auto& [name, value] : report.study.seconds) text += line(name, width, duration(value));
+  text += "stages\n";
+  double total = 0;
+  for (const auto& [name, value] : report.stages.seconds) {
+    text += line(name, width, duration(value));
+    total += value;
+  }
+  return text + line("total", std::max<std::size_t>(width, 5), duration(total));
+}
+
+std::string report_json(const RunReport& report) {
+  nlohmann::ordered_json json;
+  json["format"] = "ligne-stats";
+  json["version"] = 1;
+  json["method"] = report.method;
+  json["counts"] = nlohmann::ordered_json::object();
+  json["seconds"] = nlohmann::ordered_json::object();
+  json["stages"] = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : report.study.counts) json["counts"][name] = value;
+  for (const auto& [name, value] : report.study.seconds) json["seconds"][name] = value;
+  for (const auto& [name, value] : report.stages.seconds) json["stages"][name] = value;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace ligne

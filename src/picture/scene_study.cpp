@@ -1,0 +1,107 @@
+#include "picture/scene_study.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "picture/culling.hpp"
+#include "picture/errors.hpp"
+#include "picture/hatching.hpp"
+#include "picture/lighting.hpp"
+#include "visibility/registry.hpp"
+#include "visibility/tolerances.hpp"
+
+namespace ligne {
+namespace {
+
+/// Products that the picture is made of; a JSON drawing holds all that there are.
+std::uint8_t wanted_products(const PictureRequest& request, const Method& method) {
+  if (request.output.format == OutputFormat::json) return 0xff;
+  std::uint8_t wanted = kStrokes;
+  if (request.gray_faces) wanted |= kSpans;
+  if (wants_regions(request, method)) wanted |= kRegions;
+  return wanted;
+}
+
+/// What a surface hides of the axes is not drawn, not even where hidden lines are.
+void remove_hidden_axes(StrokeModel& model) {
+  std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
+}
+
+void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement, RunReport& run) {
+  const bool nothing = std::none_of(strokes.strokes.begin(), strokes.strokes.end(),
+                                    [](const Stroke& s) { return s.line_class != LineClass::axes; });
+  if (nothing) {
+    run.warn("nothing to draw is in view: the drawing is empty");
+  } else if (placement.larger_than_page()) {
+    run.warn("the picture is larger than the page: what lies outside is left out");
+  }
+}
+
+}  // namespace
+
+const Method& method_of(const PictureRequest& request) {
+  if (request.lines.method) return *request.lines.method;
+  const bool regions = request.fill.asked() || request.hatch.asked() || request.lines.classes.has(LineClass::shadow);
+  if (regions) return region_method();
+  const Method* method = find_method("auto");
+  if (!method) throw RequestError("method", "there is no default method");
+  return *method;
+}
+
+bool wants_regions(const PictureRequest& request, const Method& method) {
+  return request.fill.asked() || hatches_regions(request, method) || request.lines.classes.has(LineClass::shadow);
+}
+
+SourceEdge SceneStudy::source(const Scene& scene, std::uint32_t number) const {
+  const StrokeModel& strokes = *result.strokes;
+  if (number >= strokes.edge_count) return strokes.intersections.at(number - strokes.edge_count);
+  const Edge& edge = edges.at(number);
+  return {{scene.vertices[edge.v0], scene.vertices[edge.v1]}, {edge.face0, edge.face1}, false};
+}
+
+PreparedScene prepare(const Scene& scene, const PictureRequest& request, const std::optional<PlotBox>& box, RunReport& run) {
+  PreparedScene prepared{scene, request, method_of(request), {}, {}, {}, {}, {}};
+  run.method = prepared.method.traits().name;
+  prepared.topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
+  timed(run.stages, "project", [&] {
+    prepared.around =
+        place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
+    prepared.projected =
+        project(scene, prepared.topology, prepared.view(), {request.lines.classes, request.lines.crease_degrees});
+    if (request.lines.cull) {
+      prepared.back_faces = cull_back_faces(scene, prepared.topology, prepared.projected, run);
+    }
+    add_lines(prepared.projected, all_lines(prepared.around), LineClass::axes);
+  });
+  prepared.lights = lights_of(request, scene);
+  return prepared;
+}
+
+SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, bool keep_edges, RunReport& run) {
+  const PictureRequest& request = prepared.request;
+  SceneStudy found;
+  if (keep_edges) found.edges = std::move(prepared.topology.edges);
+  prepared.topology = {};
+
+  found.result = timed(run.stages, "study", [&] {
+    StudyOptions options;
+    options.hidden_strokes = request.lines.hidden != HiddenLines::none;
+    options.span_lines = span_lines;
+    options.settings = request.lines.settings;
+    options.wanted = wanted_products(request, prepared.method);
+    options.progress = request.progress;
+    return prepared.method.study(prepared.projected, options);
+  });
+  if (!found.result.strokes) {
+    throw RequestError("method", std::string(prepared.method.traits().name) + " does not produce lines");
+  }
+  remove_hidden_axes(*found.result.strokes);
+  light_regions(prepared, found.result, run);
+  warn_of_empty_or_cut(*found.result.strokes, prepared.around.placement, run);
+  timed(run.stages, "drawing",
+        [&] { remove_coincident_strokes(*found.result.strokes, coincidence_mm(prepared.projected)); });
+  run.study = found.result.statistics;
+  return found;
+}
+
+}  // namespace ligne

@@ -1,0 +1,55 @@
+#pragma once
+/// What of a scene is seen, and where on the page: the part of a picture that knows nothing of pens and files.
+
+#include <optional>
+#include <vector>
+
+#include "picture/axes.hpp"
+#include "picture/requests.hpp"
+#include "picture/run_report.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/model/topology.hpp"
+#include "view/cull.hpp"
+#include "view/projected_scene.hpp"
+#include "visibility/method.hpp"
+
+namespace ligne {
+
+/// A scene made ready for a study.
+struct PreparedScene {
+  const Scene& scene;
+  const PictureRequest& request;
+  const Method& method;
+  Topology topology;
+  Surroundings around;  ///< with the place of the picture on the page
+  ProjectedScene projected;
+  BackFaces back_faces;       ///< left out of `projected`
+  std::vector<Light> lights;  ///< that cast shadows
+
+  const View& view() const { return around.placement.view; }
+};
+
+/// What was found. Every stroke is there once, and regions carry details and light.
+struct SceneStudy {
+  VisibilityResult result;
+  std::vector<Edge> edges;  ///< of the scene, where `keep_edges` asks for them
+
+  /// The source of a stroke: an edge of the scene, an intersection or the border of a shadow.
+  SourceEdge source(const Scene& scene, std::uint32_t number) const;
+};
+
+/// The method that draws the picture: the one asked for; else, for fills, hatching and shadows, the first that gives
+/// regions; else the default one. Throws RequestError.
+const Method& method_of(const PictureRequest& request);
+
+/// The picture needs regions of its method.
+bool wants_regions(const PictureRequest& request, const Method& method);
+
+/// Topology, camera, place on the page, projection, culling. `box`: what axes measure. Throws RequestError.
+PreparedScene prepare(const Scene& scene, const PictureRequest& request, const std::optional<PlotBox>& box, RunReport& run);
+
+/// The method's study, with details and light on its regions. Empties `prepared.topology`, whose memory the study needs.
+/// `span_lines`: where spans are wanted. Throws RequestError.
+SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, bool keep_edges, RunReport& run);
+
+}  // namespace ligne

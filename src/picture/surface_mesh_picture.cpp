@@ -1,0 +1,151 @@
+#include "picture/surface_mesh_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "files/message_text.hpp"
+#include "picture/draw_scene.hpp"
+#include "picture/errors.hpp"
+#include "picture/surface_samples.hpp"
+#include "scene/clean/crossing_edges.hpp"
+#include "scene/surfaces/mesh_writer.hpp"
+#include "scene/surfaces/surface_mesh.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+/// How far below the lowest height the base lies when nothing is said, as a part of the range of heights.
+constexpr double kBaseDepth = 0.05;
+
+/// Degrees: surfaces turn over their cells by less, and by more into their skirts. Creases are not drawn; hatching ends
+/// there.
+constexpr double kCrease = 75;
+
+/// 1 where a surface is parametric.
+double z_scale_of(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
+                  const std::vector<SurfaceMesh>& meshes) {
+  if (request.z_scale) return *request.z_scale;
+  const auto range = height_range(meshes);
+  if (!range || !request.parametric.empty()) return 1;
+  double low_x = surfaces[0].points.front().x, high_x = low_x, low_y = surfaces[0].points.front().y, high_y = low_y;
+  for (const SurfacePoints& surface : surfaces) {
+    low_x = std::min(low_x, surface.points.front().x);
+    low_y = std::min(low_y, surface.points.front().y);
+    high_x = std::max(high_x, surface.points.back().x);
+    high_y = std::max(high_y, surface.points.back().y);
+  }
+  return z_scale_of(request, std::max(high_x - low_x, high_y - low_y), (*range)[1] - (*range)[0]);
+}
+
+std::optional<double> base_of(const SurfaceRequest& request, const std::vector<SurfaceMesh>& meshes) {
+  const auto range = height_range(meshes);
+  if (!request.skirt || !range) return std::nullopt;
+  const double lowest = (*range)[0], height = (*range)[1] - lowest;
+  if (!request.skirt_base) return lowest - kBaseDepth * height;
+  if (*request.skirt_base > lowest) {
+    throw RequestError("skirt", shortest(*request.skirt_base) + " is above the lowest height, " + shortest(lowest));
+  }
+  return request.skirt_base;
+}
+
+/// One surface z = f(x, y) can not penetrate itself.
+bool may_cross(const SurfaceRequest& request) {
+  return request.formulas.size() + request.grids.size() > 1 || !request.parametric.empty();
+}
+
+/// What all surfaces take together, with the base; nothing where there are none. Of z = f(x, y) it is the ground of all
+/// samples, whether there is a height or not.
+std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes,
+                              std::optional<double> base) {
+  const auto range = height_range(meshes);
+  if (!range) return std::nullopt;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  AxesBox box{{kInfinity, kInfinity, (*range)[0]}, {-kInfinity, -kInfinity, (*range)[1]}};
+  if (base) box.low.z = std::min(box.low.z, *base);
+  const auto extend = [&](const Point3& p) {
+    for (int k = 0; k < 2; ++k) {
+      box.low[k] = std::min(box.low[k], p[k]);
+      box.high[k] = std::max(box.high[k], p[k]);
+    }
+  };
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!surfaces[i].parametric) {
+      extend(surfaces[i].points.front());
+      extend(surfaces[i].points.back());
+      continue;
+    }
+    for (const auto& triangle : meshes[i].triangles) {
+      for (const std::uint32_t v : triangle) extend(meshes[i].vertices[v]);
+    }
+  }
+  return box;
+}
+
+struct MeshPlot {
+  Scene scene;
+  std::optional<PlotBox> box;
+};
+
+/// `with_lines`: cut along the contour lines, and with its crossings marked.
+MeshPlot make_meshes(const SurfaceRequest& request, bool with_lines, RunReport& run) {
+  const std::vector<SurfacePoints> surfaces = points_of(request, run);
+  std::vector<SurfaceMesh> meshes;
+  for (const SurfacePoints& surface : surfaces) {
+    meshes.push_back(make_surface_mesh(surface));
+    if (request.z_range) clip_heights(meshes.back(), (*request.z_range)[0], (*request.z_range)[1]);
+  }
+  const double z_scale = z_scale_of(request, surfaces, meshes);
+  const std::optional<double> base = base_of(request, meshes);
+  MeshPlot plot;
+  if (const auto box = box_of(surfaces, meshes, base)) plot.box = PlotBox{*box, z_scale};
+  if (const auto range = height_range(meshes); range && with_lines) {
+    const std::vector<double> levels = contour_levels(request.curves, (*range)[0], (*range)[1]);
+    for (SurfaceMesh& mesh : meshes) cut_contours(mesh, levels);
+  }
+  plot.scene = surface_scene(meshes, z_scale, base);
+  Scene& scene = plot.scene;
+  if (may_cross(request) && with_lines) {
+    double precision = 0;
+    for (const Object& object : scene.objects) precision = std::max(precision, object.precision);
+    mark_crossing_edges(scene, precision);
+  }
+  return plot;
+}
+
+LineClasses classes_of(const SurfaceRequest& request) {
+  LineClasses classes;
+  for (const LineClass c : {LineClass::horizon, LineClass::contour}) classes.add(c);
+  if (request.curves.outline.value_or(true)) {
+    for (const LineClass c : {LineClass::outline, LineClass::border}) classes.add(c);
+  }
+  if (may_cross(request)) classes.add(LineClass::intersection);
+  return classes;
+}
+
+}  // namespace
+
+Picture draw_surface_mesh(const SurfaceRequest& request, RunReport& run) {
+  const MeshPlot plot = timed(run.stages, "read", [&] { return make_meshes(request, true, run); });
+  PictureRequest picture = request.picture;
+  picture.view = view_of(request);
+  picture.lines.classes = classes_of(request);
+  picture.lines.crease_degrees = kCrease;
+  if (picture.output.format != OutputFormat::json) picture.heading = picture.output.title;
+  return draw_scene(plot.scene, picture, run, plot.box);
+}
+
+std::string write_surface_mesh(const SurfaceRequest& request, MeshFormat format, RunReport& run) {
+  const MeshPlot plot = timed(run.stages, "read", [&] { return make_meshes(request, false, run); });
+  if (plot.scene.faces.empty()) {
+    throw InputError(place_of_warnings(request), "has no cell without a hole: there is no mesh to write");
+  }
+  return timed(run.stages, "write",
+               [&] { return format == MeshFormat::obj ? write_obj(plot.scene) : write_ligne_scene(plot.scene); });
+}
+
+}  // namespace ligne

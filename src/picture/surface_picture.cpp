@@ -1,0 +1,157 @@
+#include "picture/surface_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "picture/axes.hpp"
+#include "picture/surface_mesh_picture.hpp"
+#include "picture/surface_samples.hpp"
+#include "plotting/writers.hpp"
+#include "scene/surfaces/height_filters.hpp"
+#include "visibility/horizon/horizon.hpp"
+
+namespace ligne {
+namespace {
+
+double z_scale_of(const SurfaceRequest& request, const HeightSource& heights, const HeightSurvey& survey) {
+  if (request.z_scale) return *request.z_scale;
+  if (survey.empty()) return 1;
+  const double side = std::max(heights.x().back() - heights.x().front(), heights.y().back() - heights.y().front());
+  return z_scale_of(request, side, survey.high - survey.low);
+}
+
+/// Adds the ground at a height.
+void add_rectangle(Scene& scene, const HeightSource& heights, double z) {
+  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+  for (const double y : {heights.y().front(), heights.y().back()}) {
+    for (const double x : {heights.x().front(), heights.x().back()}) scene.vertices.push_back({x, y, z});
+  }
+  scene.faces.add_triangle(first, first + 1, first + 2);
+  scene.faces.add_triangle(first + 1, first + 3, first + 2);
+}
+
+/// What the horizon draws of a surface, and where.
+struct HorizonRequest {
+  HorizonOptions options;
+  Camera camera;
+  Scene extent;          ///< what the page must hold
+  HeightSurvey heights;  ///< what a box round it spans, before scaling
+};
+
+/// A ridgeline plot is as high as this part of its width, and seen as high as its rows are lifted.
+constexpr double kRidgelineHeight = 1.2;
+const Point3 kRidgelineSight{0, 1, -1};
+
+/// Changes the heights into those of a ridgeline plot, where one is wanted.
+HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface) {
+  HorizonRequest request;
+  HorizonOptions& horizon = request.options;
+  horizon.x_stride = surface.x_stride;
+  horizon.y_stride = surface.y_stride;
+  if (surfaces.pixel_columns) horizon.resolution = *surfaces.pixel_columns;
+  horizon.underside = surfaces.curves.underside;
+  horizon.hidden_by = surfaces.curves.hidden_by;
+  horizon.outline = surfaces.curves.outline.value_or(horizon.hidden_by == HiddenBy::surface);
+
+  HeightSurvey found = survey(*surface.heights);
+  horizon.holes = found.holes;
+  ViewRequest view = view_of(surfaces);
+  if (surfaces.curves.ridgeline) {
+    const double rows = surfaces.curves.ridgeline_overlap * static_cast<double>(std::max<std::size_t>(surface.y_stride, 1));
+    surface.heights = ridgeline_heights(std::move(surface.heights), found.low, found.high, rows, kRidgelineHeight);
+    found = survey(*surface.heights);
+    view.direction = kRidgelineSight;
+    horizon.hidden_by = HiddenBy::curves;
+    horizon.underside = Underside::none;
+    horizon.outline = false;
+  } else {
+    horizon.z_scale = z_scale_of(surfaces, *surface.heights, found);
+  }
+
+  const HeightSource& heights = *surface.heights;
+  request.camera = camera_of(view, box_of(heights, found, horizon.z_scale));
+  request.extent = stand_in(heights, horizon.z_scale, request.camera);
+  request.heights = found;
+  if (found.empty()) return request;
+  horizon.contours = contour_levels(surfaces.curves, found.low, found.high);
+  horizon.contours_on_surface = surfaces.curves.contours || surfaces.curves.contour_step;
+  if (surfaces.curves.contours_base) {
+    horizon.contour_base = contour_base_of(surfaces.curves, found.low, found.high);
+    add_rectangle(request.extent, heights, *horizon.contour_base * horizon.z_scale);
+    request.heights.low = std::min(found.low, *horizon.contour_base);
+    request.heights.high = std::max(found.high, *horizon.contour_base);
+  }
+  return request;
+}
+
+std::optional<PlotBox> plot_box(const HeightSource& heights, const HeightSurvey& found, double z_scale) {
+  if (found.empty()) return std::nullopt;
+  return PlotBox{
+      {{heights.x().front(), heights.y().front(), found.low}, {heights.x().back(), heights.y().back(), found.high}},
+      z_scale};
+}
+
+/// What the study saw of the axes' lines.
+Polylines axes_of(const HorizonLines& lines, const Surroundings& around) {
+  std::vector<std::vector<VisibleInterval>> seen(lines.back_lines.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (const horizon::Span& span : lines.back_lines[i]) seen[i].push_back({span.from, span.to});
+  }
+  return lines_of_axes(around, seen);
+}
+
+Drawing drawing_of(HorizonLines& lines) {
+  Drawing drawing;
+  const auto add = [&](const char* layer, Polylines& polylines) {
+    if (polylines.size() > 0) drawing.layers.push_back({layer, std::move(polylines)});
+  };
+  add("contour-base", lines.base_contours);
+  add("underside", lines.underside);
+  add("horizon", lines.curves);
+  add("contour", lines.contours);
+  add("border", lines.border);
+  add("outline", lines.outline);
+  return drawing;
+}
+
+void warn_of_empty_or_cut(const Drawing& drawing, const Placement& placement, RunReport& run) {
+  if (drawing.layers.empty()) {
+    run.warn("nothing to draw is in view: the drawing is empty");
+  } else if (placement.larger_than_page()) {
+    run.warn("the picture is larger than the page: what lies outside is left out");
+  }
+}
+
+Picture draw_horizon(const SurfaceRequest& request, RunReport& run) {
+  const PictureRequest& picture = request.picture;
+  run.method = "horizon";
+  Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(request, run).front()); });
+  HorizonRequest horizon;
+  Surroundings around;
+  timed(run.stages, "place", [&] {
+    horizon = horizon_request(request, surface);
+    around = place_with_axes(plot_box(*surface.heights, horizon.heights, horizon.options.z_scale), horizon.extent,
+                             horizon.camera, picture.page, picture.axes, picture.output.title);
+    horizon.options.back_lines = back_lines(around);
+    horizon.options.progress = picture.progress;
+  });
+  HorizonLines lines;
+  timed(run.stages, "study",
+        [&] { lines = horizon_lines(*surface.heights, around.placement.view, horizon.options, run.study); });
+  Drawing drawing = drawing_of(lines);
+  warn_of_empty_or_cut(drawing, around.placement, run);
+  if (Polylines axes = axes_of(lines, around); axes.size() > 0) drawing.layers.push_back({"axes", std::move(axes)});
+  add_surroundings(drawing, around, picture.axes, run);
+  return timed(run.stages, "write", [&] {
+    return write_picture(drawing, plot_options(picture, around.placement.page), picture.plotter, picture.output.format, run);
+  });
+}
+
+}  // namespace
+
+Picture draw_surface(const SurfaceRequest& request, RunReport& run) {
+  return drawn_by_horizon(request) ? draw_horizon(request, run) : draw_surface_mesh(request, run);
+}
+
+}  // namespace ligne

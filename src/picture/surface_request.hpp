@@ -1,0 +1,84 @@
+#pragma once
+/// What a picture of surfaces is to be: plain values, with the defaults of the command line.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "picture/requests.hpp"
+#include "visibility/horizon/horizon.hpp"
+
+namespace ligne {
+
+/// A range of a variable and its number of curves.
+struct CurveRange {
+  double from = -5, to = 5;
+  std::optional<unsigned> curves;
+};
+
+enum class CurveFamilies { x, y, xy, none };
+inline constexpr std::string_view kCurveFamilyNames[] = {"x", "y", "xy", "none"};
+
+/// Lines beside plain curves, and what hides.
+struct CurveRequest {
+  std::optional<unsigned> contours;    ///< number of contour lines
+  std::optional<double> contour_step;  ///< or their distance in height
+  bool contours_base = false;
+  std::optional<double> contour_base;  ///< height of the plane; nothing: a good deal below the lowest height
+  std::optional<bool> outline;         ///< nothing: yes, unless curves hide
+  Underside underside = Underside::same;
+  HiddenBy hidden_by = HiddenBy::surface;
+  bool ridgeline = false;
+  double ridgeline_overlap = 6;  ///< range of heights in distances of rows
+};
+
+/// Surfaces z = f(x, y) and parametric ones. Of `picture` the line classes and the crease angle are not looked at.
+struct SurfaceRequest {
+  std::vector<std::string> formulas, grids;
+  std::vector<std::array<std::string, 3>> parametric;  ///< formulas of x, y and z in u and v
+  std::optional<CurveRange> x, y;
+  std::vector<CurveRange> u, v;  ///< of the parametric surfaces in their order; the last serves for all that follow
+  std::optional<unsigned> samples;
+  std::optional<unsigned> every;  ///< grid: a curve at every so many samples
+  CurveFamilies lines = CurveFamilies::xy;
+  /// Where the viewer stands, in degrees, when `picture.view` names no view; defaults -60 and 30.
+  std::optional<double> azimuth_degrees, elevation_degrees;
+  std::optional<double> z_scale;  ///< nothing: heights take half of the larger side of the ground
+  bool log_z = false;
+  std::optional<std::array<double, 2>> z_range;
+  bool skirt = false;
+  std::optional<double> skirt_base;       ///< height; nothing: a little below the lowest
+  std::optional<unsigned> pixel_columns;  ///< the horizon as an array of so many pixels; nothing: exact
+  CurveRequest curves;
+  PictureRequest picture;
+};
+
+/// What only meshes can draw of the request, as a word for messages; empty where the floating horizon can draw it all.
+std::string needs_mesh(const SurfaceRequest& request);
+
+/// What only the floating horizon can draw, as the name of an option; or nothing.
+std::string needs_horizon(const SurfaceRequest& request);
+
+/// Whether the floating horizon draws it: one surface z = f(x, y) without anything that only meshes can do, and no mesh
+/// method is asked for.
+bool drawn_by_horizon(const SurfaceRequest& request);
+
+/// The view, the two angles as a direction.
+ViewRequest view_of(const SurfaceRequest& request);
+
+/// What warnings are about: the only grid, or "surface".
+std::string place_of_warnings(const SurfaceRequest& request);
+
+/// Heights of the contour lines between `low` and `high`, ascending. Throws RequestError when they are too many.
+std::vector<double> contour_levels(const CurveRequest& request, double low, double high);
+
+/// Height of the plane of the contours at the base.
+double contour_base_of(const CurveRequest& request, double low, double high);
+
+/// The factor by which heights that range over `height` take half of the larger `side` of the ground, where the request has
+/// none; 1 where that is no finite number above zero.
+double z_scale_of(const SurfaceRequest& request, double side, double height);
+
+}  // namespace ligne

@@ -1,0 +1,145 @@
+#include "picture/surface_samples.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "scene/surfaces/height_filters.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr unsigned kCurves = 40;
+/// Samples between two neighbouring curves when nothing is said: smooth, but no more than a thousand along a curve for its
+/// own sake.
+constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000;
+
+/// Up to so many samples of a formula are held (32 MB), since a picture asks for each several times; more are computed anew.
+constexpr std::size_t kHeldSamples = std::size_t{1} << 22;
+
+/// Positions of the samples, and every how many there is a curve.
+struct Positions {
+  std::vector<double> at;
+  std::size_t stride = 1;
+};
+
+/// `crossed`: whether curves run along this axis and need samples between those of the other family.
+Positions positions(const CurveRange& range, bool crossed, const std::optional<unsigned>& samples) {
+  const unsigned intervals = range.curves.value_or(kCurves) - 1;
+  Positions result;
+  if (crossed && samples) {
+    result.stride = std::max(1u, (*samples - 1 + intervals - 1) / intervals);
+  } else if (crossed) {
+    result.stride = std::clamp(kSamplesAlong / intervals, 1u, kSamplesBetween);
+  }
+  const std::size_t n = result.stride * intervals;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(n);
+    result.at.push_back(i == n ? range.to : range.from + t * (range.to - range.from));
+  }
+  return result;
+}
+
+bool x_curves(const SurfaceRequest& request) {
+  return (request.lines == CurveFamilies::x || request.lines == CurveFamilies::xy) && !request.curves.ridgeline;
+}
+bool y_curves(const SurfaceRequest& request) {
+  return request.lines == CurveFamilies::y || request.lines == CurveFamilies::xy || request.curves.ridgeline;
+}
+
+AxisWindow window_of(const std::optional<CurveRange>& range) {
+  return range ? AxisWindow{range->from, range->to} : AxisWindow{};
+}
+
+Surface grid_surface(const SurfaceRequest& request, const std::string& file, RunReport& run) {
+  Warnings warnings;
+  Surface surface{file, read_grid(file, warnings, &run.files)};
+  for (const auto& [kind, count] : warnings.counts()) {
+    run.warnings.push_back({file, std::to_string(count) + " " + kind});
+  }
+  if (request.x || request.y) {
+    surface.heights = window_heights(std::move(surface.heights), window_of(request.x), window_of(request.y), file);
+  }
+  surface.x_stride = surface.y_stride = request.every.value_or(1);
+  return surface;
+}
+
+/// The range of a formula's variable: as given, else that of the grids, else the default.
+CurveRange range_of(const std::optional<CurveRange>& given, const std::vector<Surface>& grids,
+                    const std::vector<double>& (HeightSource::*axis)() const) {
+  CurveRange range = given.value_or(CurveRange{});
+  if (given || grids.empty()) return range;
+  range.from = ((*grids.front().heights).*axis)().front();
+  range.to = ((*grids.front().heights).*axis)().back();
+  for (const Surface& grid : grids) {
+    range.from = std::min(range.from, ((*grid.heights).*axis)().front());
+    range.to = std::max(range.to, ((*grid.heights).*axis)().back());
+  }
+  return range;
+}
+
+/// The range of a parameter of the k-th parametric surface.
+CurveRange parameter_range(const std::vector<CurveRange>& given, std::size_t k) {
+  if (given.empty()) return {0, 2 * std::numbers::pi, {}};
+  return given[std::min(k, given.size() - 1)];
+}
+
+/// Leaves out the families of curves that are not wanted.
+template <class AnySurface>
+void choose_curves(AnySurface& surface, const SurfaceRequest& request) {
+  if (!x_curves(request)) surface.x_stride = 0;
+  if (!y_curves(request)) surface.y_stride = 0;
+}
+
+}  // namespace
+
+std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) {
+  std::vector<Surface> grids;
+  for (const std::string& file : request.grids) grids.push_back(grid_surface(request, file, run));
+  // What hides is fine in both directions, unless it is the curves alone.
+  const bool by_curves = request.curves.hidden_by == HiddenBy::curves || request.curves.ridgeline;
+  const CurveRange x_range = range_of(request.x, grids, &HeightSource::x),
+                   y_range = range_of(request.y, grids, &HeightSource::y);
+  std::vector<Surface> surfaces;
+  for (const std::string& formula : request.formulas) {
+    Positions x = positions(x_range, !by_curves || y_curves(request), request.samples);
+    Positions y = positions(y_range, !by_curves || x_curves(request), request.samples);
+    Surface& surface = surfaces.emplace_back(Surface{formula, nullptr, x.stride, y.stride, true});
+    surface.heights = formula_heights(formula, std::move(x.at), std::move(y.at));
+    if (surface.heights->x().size() * surface.heights->y().size() <= kHeldSamples) surface.heights = held(*surface.heights);
+  }
+  for (Surface& grid : grids) surfaces.push_back(std::move(grid));
+  for (Surface& surface : surfaces) {
+    if (request.log_z) surface.heights = log_heights(std::move(surface.heights));
+    choose_curves(surface, request);
+  }
+  return surfaces;
+}
+
+std::vector<SurfacePoints> points_of(const SurfaceRequest& request, RunReport& run) {
+  std::vector<SurfacePoints> all;
+  std::size_t samples = 0;
+  for (const Surface& surface : surfaces_of(request, run)) {
+    take_samples(samples, surface.heights->x().size(), surface.heights->y().size(), surface.name);
+    SurfacePoints& points = all.emplace_back(points_of(*surface.heights));
+    points.name = surface.name;
+    points.x_stride = surface.x_stride;
+    points.y_stride = surface.y_stride;
+    points.from_formula = surface.from_formula;
+  }
+  for (std::size_t k = 0; k < request.parametric.size(); ++k) {
+    const std::array<std::string, 3>& formulas = request.parametric[k];
+    const Positions u = positions(parameter_range(request.u, k), true, request.samples);
+    const Positions v = positions(parameter_range(request.v, k), true, request.samples);
+    const std::string name = formulas[0] + "; " + formulas[1] + "; " + formulas[2];
+    take_samples(samples, u.at.size(), v.at.size(), name);
+    SurfacePoints& points = all.emplace_back(parametric_points(formulas, u.at, v.at));
+    points.name = name;
+    points.x_stride = u.stride;
+    points.y_stride = v.stride;
+    choose_curves(points, request);
+  }
+  return all;
+}
+
+}  // namespace ligne

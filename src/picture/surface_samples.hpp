@@ -1,0 +1,30 @@
+#pragma once
+/// From the request for a surface to its samples.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "picture/run_report.hpp"
+#include "picture/surface_request.hpp"
+#include "scene/surfaces/height_source.hpp"
+#include "scene/surfaces/surface_points.hpp"
+
+namespace ligne {
+
+/// Heights, and every how many samples there is a curve (HorizonOptions).
+struct Surface {
+  std::string name;  ///< the formula, or the file
+  std::unique_ptr<HeightSource> heights;
+  std::size_t x_stride = 1, y_stride = 1;
+  bool from_formula = false;
+};
+
+/// The surfaces z = f(x, y): those of formulas, then those of grids. Throws RequestError, InputError.
+std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run);
+
+/// The samples of all surfaces, for meshes; z = f(x, y) before the parametric ones. Throws RequestError, InputError.
+std::vector<SurfacePoints> points_of(const SurfaceRequest& request, RunReport& run);
+
+}  // namespace ligne

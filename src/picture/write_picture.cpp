@@ -1,0 +1,134 @@
+#include "picture/write_picture.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "files/message_text.hpp"
+#include "plotting/plot_writers.hpp"
+
+namespace ligne {
+namespace {
+
+std::string written_as(OutputFormat format, const Drawing& drawing, const PlotOptions& style, const GrayPicture* under) {
+  return format == OutputFormat::pdf   ? write_pdf(drawing, style)
+         : format == OutputFormat::png ? write_png(drawing, style, under)
+                                       : write_svg(drawing, style);
+}
+
+std::string padded(std::string text, std::size_t width) {
+  return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
+
+std::string metres(double mm) {
+  constexpr double kMmPerMetre = 1000;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f m", mm / kMmPerMetre);
+  return text;
+}
+
+/// The speeds and times of a device are bounded so that these seconds fit (plotting/device_reader.cpp).
+std::string minutes(double seconds) {
+  const auto whole = std::llround(seconds);
+  char text[64];
+  std::snprintf(text, sizeof text, "%lld:%02lld min", whole / 60, whole % 60);
+  return text;
+}
+
+struct ReportRow {
+  const char* name;
+  PathLengths lengths;
+  std::size_t pens;
+};
+
+std::string report_of(const ReportRow& before, const ReportRow& after, const Device* device) {
+  constexpr std::size_t kColumn = 12;
+  std::string text = padded("", 8);
+  for (const char* head : {"strokes", "down", "up", "lifts"}) text += padded(head, kColumn);
+  if (device) text += padded("time", kColumn) + "  (" + printable(device->name) + ")";
+  text += "\n";
+  for (const ReportRow* row : {&before, &after}) {
+    std::string name = row->name;
+    name.resize(8, ' ');
+    text += name + padded(std::to_string(row->lengths.strokes), kColumn) + padded(metres(row->lengths.down_mm), kColumn) +
+            padded(metres(row->lengths.up_mm), kColumn) + padded(std::to_string(row->lengths.strokes), kColumn);
+    if (device) text += padded(minutes(plot_seconds(*device, row->lengths, row->pens)), kColumn);
+    text += "\n";
+  }
+  return text;
+}
+
+Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
+                        RunReport& run, const GrayPicture* under) {
+  const PathOptions paths{plotter.path_work(), plotter.tolerances, {}};
+  if (paths.optimize == Optimize::off && !plotter.report && !plotter.preview) {
+    return {written_as(format, drawing, style, under)};
+  }
+  const Drawing better = timed(run.stages, "paths", [&] { return optimize_layers(drawing, paths); });
+  Picture picture;
+  if (plotter.report) {
+    picture.plotter_report =
+        report_of({"before", measure(drawing, {}, false), 0}, {"after", measure(better, {}, false), 0}, nullptr);
+  }
+  if (plotter.preview) {
+    const PlotRequest request{style, {}, true, {Optimize::off, {}, {}}};
+    picture.preview = write_preview(deal_to_pens(better, request), {}, false);
+  }
+  picture.bytes = written_as(format, better, style, under);
+  return picture;
+}
+
+Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
+                      RunReport& run, const GrayPicture* under) {
+  const Device* device = plotter.device.get();
+  PlotRequest request{
+      style, plotter.pens, device && device->language == DeviceLanguage::svg, {plotter.path_work(), plotter.tolerances, {}}};
+  const Plot before = deal_to_pens(drawing, request);
+  std::optional<DeviceFrame> frame;
+  OrderOptions& order = request.paths.order;
+  if (device) {
+    frame = place_on_device(*device, style.page, ink_of(before), plotter.fit_device);
+    order.home = frame->to_page({0, 0});
+    order.returns = device->returns;
+  }
+  Plot plot = timed(run.stages, "paths", [&] { return make_plot(drawing, request); });
+  Picture picture;
+  if (plotter.report) {
+    picture.plotter_report = report_of({"before", measure(before, order.home, order.returns), before.pens.size()},
+                                       {"after", measure(plot, order.home, order.returns), plot.pens.size()}, device);
+  }
+  if (plotter.preview) picture.preview = write_preview(plot, order.home, order.returns);
+  if (format == OutputFormat::hpgl || format == OutputFormat::gcode) {
+    picture.bytes = write_plot(plot, *device, *frame);
+    return picture;
+  }
+  if (frame && plotter.fit_device) {
+    for (PenLines& pen : plot.pens) {
+      for (Point2& p : pen.lines.points) p = frame->fitted(p);
+    }
+  }
+  PlotOptions by_pen = style;
+  by_pen.style = styles_of(plot);
+  picture.bytes = written_as(format, drawing_of(plot), by_pen, under);
+  return picture;
+}
+
+}  // namespace
+
+PlotOptions plot_options(const PictureRequest& request, const Page& page) {
+  PlotOptions plot;
+  plot.page = page;
+  plot.pen_width_mm = request.page.pen_width_mm;
+  plot.hidden_solid = request.lines.hidden == HiddenLines::solid;
+  plot.title = request.output.title;
+  plot.dpi = request.output.dpi;
+  return plot;
+}
+
+Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
+                      RunReport& run, const GrayPicture* under) {
+  return plotter.by_pens() ? write_by_pens(drawing, style, plotter, format, run, under)
+                           : write_by_layers(drawing, style, plotter, format, run, under);
+}
+
+}  // namespace ligne

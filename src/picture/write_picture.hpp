@@ -1,0 +1,27 @@
+#pragma once
+/// From a drawing to the bytes of a file.
+
+#include <string>
+
+#include "drawing/drawing.hpp"
+#include "picture/requests.hpp"
+#include "picture/run_report.hpp"
+#include "plotting/writers.hpp"
+
+namespace ligne {
+
+/// The bytes of a file, and what was asked for beside it.
+struct Picture {
+  std::string bytes;
+  std::string preview{};         ///< SVG of the pen's way, where PlotterRequest::preview asks for it
+  std::string plotter_report{};  ///< table of strokes, lengths and times, where PlotterRequest::report asks for it
+};
+
+/// The style of the lines of a picture on a page.
+PlotOptions plot_options(const PictureRequest& request, const Page& page);
+
+/// SVG, PDF, PNG, HPGL or G-code. Adds the time of the path work to `run`. `under` is a picture below the lines of a PNG.
+Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
+                      RunReport& run, const GrayPicture* under = nullptr);
+
+}  // namespace ligne
