@@ -31,6 +31,12 @@ poppler-utils        cmd:pdftotext                   an independent reader of ou
 hp2xx                cmd:hp2xx                       an independent reader of our HPGL
 libpolyclipping-dev  hdr:polyclipping/clipper.hpp    an independent clipper of polygons
 '
+readonly check_packages='
+clang-format         cmd:clang-format                format of the sources
+clang-tidy           cmd:clang-tidy                  mistakes and needless copies
+python3              cmd:python3                     checks of the documentation
+patch                cmd:patch                       planted faults
+'
 
 # True when the probe (cmd:, pc:, hdr: or font:) finds its thing.
 is_there() {
