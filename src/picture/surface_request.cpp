@@ -1,8 +1,8 @@
 #include "picture/surface_request.hpp"
 
 #include <cmath>
-#include <numbers>
 
+#include "geometry/degrees.hpp"
 #include "picture/errors.hpp"
 
 namespace ligne {
@@ -41,14 +41,11 @@ ViewRequest view_of(const SurfaceRequest& request) {
   ViewRequest view = request.picture.view;
   view.up_axis = view.up_axis.value_or(Axis::z);
   if (view.named_view || view.direction || view.eye) return view;
-  const double degree = std::acos(-1.0) / 180;
-  const double azimuth = request.azimuth_degrees.value_or(kAzimuth) * degree;
-  const double elevation = request.elevation_degrees.value_or(kElevation) * degree;
-  view.direction =
-      Point3{-std::cos(azimuth) * std::cos(elevation), -std::sin(azimuth) * std::cos(elevation), -std::sin(elevation)};
+  const auto [sin_azimuth, cos_azimuth] = sine_cosine_degrees(request.azimuth_degrees.value_or(kAzimuth));
+  const auto [sin_elevation, cos_elevation] = sine_cosine_degrees(request.elevation_degrees.value_or(kElevation));
+  view.direction = Point3{-cos_azimuth * cos_elevation, -sin_azimuth * cos_elevation, -sin_elevation};
   // Straight from above and below the azimuth says which way is up on the page.
-  const double side = std::sin(elevation);
-  if (!view.up && std::abs(side) == 1) view.up = Point3{-std::cos(azimuth) * side, -std::sin(azimuth) * side, 0};
+  if (!view.up && cos_elevation == 0) view.up = Point3{-cos_azimuth * sin_elevation, -sin_azimuth * sin_elevation, 0};
   return view;
 }
 
