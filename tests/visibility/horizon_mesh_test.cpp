@@ -15,6 +15,7 @@
 #include "view/projected_scene.hpp"
 #include "visibility/horizon/horizon.hpp"
 #include "visibility/registry.hpp"
+#include "visibility/tolerances.hpp"
 
 namespace ligne::test {
 namespace {
@@ -80,13 +81,15 @@ struct Lengths {
   double curves = 0, outline = 0;
 };
 
-Lengths by_mesh(const Scene& scene, const View& view) {
+/// `lines_once`: with lines that lie on each other drawn as one.
+Lengths by_mesh(const Scene& scene, const View& view, bool lines_once) {
   const Topology topology = build_topology(scene);
   EdgeSelection selection;
   for (std::size_t k = 0; k < kLineClassCount; ++k) selection.classes.add(static_cast<LineClass>(k));
   ProjectedScene projected = project(scene, topology, view, selection);
   projected.with_intersections = false;
-  const VisibilityResult result = find_method("appel")->study(projected, {});
+  VisibilityResult result = find_method("appel")->study(projected, {});
+  if (lines_once) remove_coincident_strokes(*result.strokes, coincidence_mm(projected));
   Lengths found;
   // A mesh counts faces within a micrometre of edge on as turned neither way; the horizon goes by the sign alone.
   const auto looks_up = [&](std::uint32_t face) {
@@ -135,7 +138,7 @@ const std::vector<Surface>& surfaces() {
 }
 
 void compare(const Surface& surface, const CameraRequest& request, std::size_t n, const std::string& place,
-             double tolerance = 1e-5) {
+             double tolerance = 1e-5, bool lines_once = false) {
   const FunctionHeights heights(surface.f, positions(n), positions(n + 7));
   const Camera camera = make_camera(request, box_of(heights, survey(heights), 1));
   const View view = make_view(stand_in(heights, 1, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
@@ -143,7 +146,7 @@ void compare(const Surface& surface, const CameraRequest& request, std::size_t n
   options.outline = true;
   Statistics statistics;
   const HorizonLines lines = horizon_lines(heights, view, options, statistics);
-  const Lengths mesh = by_mesh(mesh_of(heights), view);
+  const Lengths mesh = by_mesh(mesh_of(heights), view, lines_once);
   const std::string where = std::string(surface.name) + ", " + place;
   // Pieces shorter than a quarter micrometre are dropped by each in its own way; the mesh lies on a lattice of 8 nm.
   EXPECT_NEAR(length(lines.curves), mesh.curves, tolerance * mesh.curves) << where;
@@ -197,7 +200,10 @@ TEST(HorizonAndMesh, AgreeAlongTheAxes) {
          {Point3{0, 1, -0.4}, Point3{-1, 0, -0.4}, Point3{0, 0, -1}, Point3{1, 1, -1}, Point3{1, -1, -0.5}}) {
       CameraRequest request;
       request.direction = direction;
-      compare(surface, request, 24, "direction " + std::to_string(direction.x) + " " + std::to_string(direction.y));
+      // Upright curves fold on the page; the horizon draws none twice.
+      const bool upright = direction.x == 0 || direction.y == 0;
+      compare(surface, request, 24, "direction " + std::to_string(direction.x) + " " + std::to_string(direction.y), 1e-5,
+              upright);
     }
   }
 }

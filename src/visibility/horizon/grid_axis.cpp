@@ -48,8 +48,10 @@ std::vector<GridAxis::Part> GridAxis::parts(double forward) const {
   if (*eye_ <= at.front()) return {away(1)};
   if (*eye_ >= at.back()) return {away(-1)};
   const auto here = std::lower_bound(at.begin(), at.end(), *eye_) - at.begin();
-  Part up{{ascending.begin() + here, ascending.end()}, 1},
-      down{{ascending.begin(), ascending.begin() + here + 1}, -1, false};
+  const std::size_t beyond = fraction[static_cast<std::size_t>(here)] > 0 ? 0 : 1;
+  const auto extra = static_cast<std::ptrdiff_t>(beyond);
+  Part up{{ascending.begin() + here - extra, ascending.end()}, 1, beyond},
+      down{{ascending.begin(), ascending.begin() + here + 1 + extra}, -1, beyond};
   std::reverse(down.order.begin(), down.order.end());
   return {up, down};
 }

@@ -19,14 +19,20 @@ struct GridAxis {
   std::vector<double> fraction;     ///< of the way to the next sample; 0 at samples
   std::vector<bool> drawn;          ///< whether there is a curve
 
-  /// Positions from the nearest to the farthest; `sign` tells the direction away from the viewer.
+  /// Positions from the nearest to the farthest; `sign` tells the direction away from the viewer. The part begins with
+  /// order[begin]: where that is a sample below the eye, the one before it belongs to the other part, and tells what the
+  /// surface does beyond.
   struct Part {
     std::vector<std::size_t> order;
     double sign;
-    bool first_is_drawn = true;  ///< false where another part draws the curve at its first position
+    std::size_t begin = 0;
+    std::size_t size() const { return order.size() - begin; }
   };
   /// Two parts where the eye lies inside, else one. Without an eye `forward` is the line of sight along the axis.
   std::vector<Part> parts(double forward) const;
+
+  /// The eye's place: where it is over a sample but for a rounding, the sample's.
+  std::optional<double> eye() const { return eye_; }
 
  private:
   std::optional<double> eye_;

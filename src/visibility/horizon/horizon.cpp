@@ -1,10 +1,12 @@
 #include "visibility/horizon/horizon.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "scene/surfaces/height_filters.hpp"
 #include "visibility/horizon/part_sweep.hpp"
+#include "visibility/tolerances.hpp"
 
 namespace ligne {
 namespace horizon {
@@ -24,18 +26,27 @@ std::pair<double, double> u_range(const Camera& camera, const Sight& sight, cons
   return range;
 }
 
+/// The view with its eye over the samples that it is over but for a rounding.
+View with_eye_over(const View& view, int column, const GridAxis& x, int row, const GridAxis& y) {
+  View study = view;
+  if (x.eye()) study.camera.eye[column] = *x.eye();
+  if (y.eye()) study.camera.eye[row] = *y.eye();
+  return study;
+}
+
 template <class Horizon>
 HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View& view, const HorizonOptions& options,
                        Statistics& statistics) {
-  const Camera& camera = view.camera;
-  const auto eye = [&](int axis) { return camera.perspective ? std::optional(camera.eye[axis]) : std::nullopt; };
+  const auto eye = [&](int axis) { return view.camera.perspective ? std::optional(view.camera.eye[axis]) : std::nullopt; };
   const int column = transposed ? 1 : 0, row = 1 - column;
   const GridAxis x(heights.x(), transposed ? options.y_stride : options.x_stride, eye(column));
   const GridAxis y(heights.y(), transposed ? options.x_stride : options.y_stride, eye(row));
+  const View study = with_eye_over(view, column, x, row, y);
+  const Camera& camera = study.camera;
   const auto parts_x = x.parts(camera.forward[column]), parts_y = y.parts(camera.forward[row]);
 
   const Chains none(view.window);
-  LineStore store{{}, none, none, none, none};
+  LineStore store{{}, none, none, none, none, {}, {}};
   store.lines.back_lines.resize(options.back_lines.size());
   const double all_rows = static_cast<double>(parts_x.size() * y.at.size());
   double done = 0;
@@ -48,7 +59,7 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
     for (const GridAxis::Part& px : parts_x) {
       const std::size_t cells = options.resolution ? options.resolution : x.at.size() + y.at.size();
       const auto range = u_range(camera, Sight(camera, px.sign, py.sign), x, y, transposed);
-      PartSweep<Horizon> sweep({heights, x, y, px, py, transposed}, view, options, range, cells, store);
+      PartSweep<Horizon> sweep({heights, x, y, px, py, transposed}, study, options, range, cells, store);
       sweep.run(progress);
       segments += sweep.segments;
     }
@@ -82,23 +93,43 @@ bool needs_coverage(const HeightSource& heights, const Camera& camera, const Hor
          eye.y < heights.y().back();
 }
 
+/// The view to be studied. Where a row or a column is narrower on the page than lines that are one, it is seen end on: then
+/// the study looks along it exactly, so that all of it lies on one upright line and its order is that of the sights. The
+/// page keeps the view as it is.
+View along_axis_if_nearly(const HeightSource& heights, const View& view) {
+  View study = view;
+  Point3& forward = study.camera.forward;
+  const double level = std::hypot(forward.x, forward.y);
+  if (view.camera.perspective || level == 0) return study;
+  const auto width_mm = [&](double across, const std::vector<double>& at) {
+    return std::abs(across) / level * (at.back() - at.front()) * view.scale;
+  };
+  if (width_mm(forward.y, heights.x()) <= kLeastPartMm) {
+    forward = {std::copysign(level, forward.x), 0, forward.z};
+  } else if (width_mm(forward.x, heights.y()) <= kLeastPartMm) {
+    forward = {0, std::copysign(level, forward.y), forward.z};
+  }
+  return study;
+}
+
 }  // namespace
 
 HorizonLines horizon_lines(const HeightSource& heights, const View& view, const HorizonOptions& options,
                            Statistics& statistics) {
   using namespace horizon;
+  const View study = along_axis_if_nearly(heights, view);
   const bool by_curves = options.hidden_by == HiddenBy::curves;
   const auto sweep = [&](const HeightSource& source, bool transposed) {
-    if (options.resolution) return sweep_all<TwoHorizons<PixelEnvelope>>(source, transposed, view, options, statistics);
+    if (options.resolution) return sweep_all<TwoHorizons<PixelEnvelope>>(source, transposed, study, options, statistics);
     // Curves that hide cover nothing: the classical method has no answer to holes.
-    if (!by_curves && (needs_coverage(heights, view.camera, options) || options.holes.value_or(survey(heights).holes))) {
-      return sweep_all<GeneralHorizon>(source, transposed, view, options, statistics);
+    if (!by_curves && (needs_coverage(heights, study.camera, options) || options.holes.value_or(survey(heights).holes))) {
+      return sweep_all<GeneralHorizon>(source, transposed, study, options, statistics);
     }
-    return sweep_all<TwoHorizons<ExactEnvelope>>(source, transposed, view, options, statistics);
+    return sweep_all<TwoHorizons<ExactEnvelope>>(source, transposed, study, options, statistics);
   };
   // Columns may lie along the sights, since a strip knows the cells on both sides of them; rows may not.
-  const Point3& forward = view.camera.forward;
-  if (!view.camera.perspective && forward.y == 0 && forward.x != 0) return sweep(*transposed(heights), true);
+  const Point3& forward = study.camera.forward;
+  if (!study.camera.perspective && forward.y == 0 && forward.x != 0) return sweep(*transposed(heights), true);
   return sweep(heights, false);
 }
 

@@ -8,6 +8,7 @@
 #include "visibility/horizon/coverage.hpp"
 #include "visibility/horizon/envelope.hpp"
 #include "visibility/horizon/sight_line.hpp"
+#include "visibility/horizon/upright_lines.hpp"
 
 namespace ligne::horizon {
 
@@ -21,6 +22,14 @@ enum class Against : std::uint8_t { upper, lower, both };
 /// Which banks of an upright line are looked at. It is hidden where all of them are covered; curves that hide have no banks.
 enum class Banks : std::uint8_t { left, right, both, none };
 
+/// What is seen of an upright line up to an end but for a rounding is seen to the very end, so that it goes on in the next
+/// line.
+inline void reach_ends(const Line& line, double least, std::vector<Span>& seen) {
+  if (seen.empty()) return;
+  if (seen.front().from - line.v0 <= least) seen.front().from = line.v0;
+  if (line.v1 - seen.back().to <= least) seen.back().to = line.v1;
+}
+
 /// An upper and a lower horizon, functions of u: for surfaces without holes.
 template <class Envelope>
 class TwoHorizons {
@@ -28,14 +37,21 @@ class TwoHorizons {
   static constexpr bool kCovers = false;
 
   TwoHorizons(double u_min, double u_max, std::size_t cells)
-      : upright_(kUprightPart * (u_max - u_min)), upper_(u_min, u_max, cells), lower_(u_min, u_max, cells) {}
+      : upright_(kUprightPart * (u_max - u_min)),
+        upper_(u_min, u_max, cells),
+        lower_(u_min, u_max, cells),
+        upright_lines_(u_min, u_max, cells, upright_) {}
 
-  /// The fractions in space of a segment that are seen; valid until the next call.
+  /// The fractions in space of a segment that are seen, and that are to be drawn: of an upright one those on which nothing
+  /// has been drawn yet. Valid until the next call.
   const std::vector<Span>& seen(const SightPoint& a, const SightPoint& b, Against against, Banks banks) {
     const SightLine sight(a, b, upright_);
     seen_.clear();
     if (sight.upright()) {
-      seen_upright(sight.line(), a.v(), banks);
+      // Between two closed banks the horizons rise and fall with what is seen, and nothing is seen twice.
+      const bool open = seen_upright(sight.line(), a.v(), banks);
+      if (open) upright_lines_.draw(sight.line().u0, seen_);
+      reach_ends(sight.line(), upright_, seen_);
     } else if (against == Against::upper) {
       upper_.find_above(sight.line(), seen_);
     } else if (against == Against::lower) {
@@ -60,6 +76,8 @@ class TwoHorizons {
     if (lower) lower_.raise(sight.upside_down(), above_);
   }
 
+  UprightLines& upright_lines() { return upright_lines_; }
+
  private:
   /// What is above or below, the two put together.
   void join() {
@@ -75,13 +93,16 @@ class TwoHorizons {
     }
   }
 
-  /// `nearest`: the height of the line's nearer end, through which the surface passes on both banks.
-  void seen_upright(const Line& line, double nearest, Banks banks) {
+  /// `nearest`: the height of the line's nearer end, through which the surface passes on both banks. Whether a bank is open:
+  /// there is no horizon, or nobody has looked.
+  bool seen_upright(const Line& line, double nearest, Banks banks) {
     const double u = line.u0;
     double high = upper_.height(u), low = -lower_.height(u);
+    bool open = true;
     if (banks == Banks::both) {
       high = std::min(upper_.height_beside(u, -1), upper_.height_beside(u, 1));
       low = -std::min(lower_.height_beside(u, -1), lower_.height_beside(u, 1));
+      open = high == kNothing || low == -kNothing;
     } else if (banks != Banks::none) {
       const int side = banks == Banks::left ? -1 : 1;
       high = upper_.height_beside(u, side);
@@ -91,17 +112,19 @@ class TwoHorizons {
       high = std::max(high, nearest);
       low = std::min(low, nearest);
     }
-    if (!(line.v0 < line.v1)) return;
+    if (!(line.v0 < line.v1)) return open;
     if (!(high >= low)) {  // there is no horizon here yet
       seen_.push_back({line.v0, line.v1});
-      return;
+      return open;
     }
     if (line.v0 < low) seen_.push_back({line.v0, std::min(low, line.v1)});
     if (high < line.v1) seen_.push_back({std::max(high, line.v0), line.v1});
+    return open;
   }
 
   double upright_;
   Envelope upper_, lower_;
+  UprightLines upright_lines_;
   std::vector<Span> above_, below_, seen_;
 };
 
@@ -111,7 +134,9 @@ class GeneralHorizon {
   static constexpr bool kCovers = true;
 
   GeneralHorizon(double u_min, double u_max, std::size_t cells)
-      : upright_(kUprightPart * (u_max - u_min)), coverage_(u_min, u_max, cells) {}
+      : upright_(kUprightPart * (u_max - u_min)),
+        coverage_(u_min, u_max, cells),
+        upright_lines_(u_min, u_max, cells, upright_) {}
 
   const std::vector<Span>& seen(const SightPoint& a, const SightPoint& b, Against, Banks banks) {
     const SightLine sight(a, b, upright_);
@@ -121,6 +146,8 @@ class GeneralHorizon {
       coverage_.find_uncovered(line, seen_);
     } else if (line.v0 < line.v1) {
       seen_upright(line, banks);
+      upright_lines_.draw(line.u0, seen_);
+      reach_ends(line, upright_, seen_);
     }
     sight.to_space(seen_);
     return seen_;
@@ -129,6 +156,8 @@ class GeneralHorizon {
   void cover(const SightPoint& a, const SightPoint& b, const SightPoint& c) {
     coverage_.cover({{{a.u(), a.v()}, {b.u(), b.v()}, {c.u(), c.v()}}});
   }
+
+  UprightLines& upright_lines() { return upright_lines_; }
 
  private:
   void seen_upright(const Line& line, Banks banks) {
@@ -148,15 +177,12 @@ class GeneralHorizon {
         }
       }
     }
-    const double least = coverage_.least();
-    Coverage::append_uncovered(line.v0, line.v1, least, hidden, seen_);
-    if (seen_.empty()) return;
-    if (seen_.front().from - line.v0 <= least) seen_.front().from = line.v0;
-    if (line.v1 - seen_.back().to <= least) seen_.back().to = line.v1;
+    Coverage::append_uncovered(line.v0, line.v1, coverage_.least(), hidden, seen_);
   }
 
   double upright_;
   Coverage coverage_;
+  UprightLines upright_lines_;
   std::vector<Span> seen_;
 };
 

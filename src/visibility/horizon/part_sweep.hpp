@@ -25,23 +25,18 @@
 #include <vector>
 
 #include "geometry/parallel.hpp"
-#include "visibility/horizon/chains.hpp"
 #include "visibility/horizon/curve_tracker.hpp"
 #include "visibility/horizon/eye.hpp"
+#include "visibility/horizon/facing.hpp"
 #include "visibility/horizon/grid_axis.hpp"
 #include "visibility/horizon/horizon.hpp"
 #include "visibility/horizon/horizons.hpp"
+#include "visibility/horizon/line_store.hpp"
 
 namespace ligne::horizon {
 
 /// Rows that are read at a time, by all threads.
 inline constexpr std::size_t kRowsAtATime = 64;
-
-/// Where the sweep puts what is seen.
-struct LineStore {
-  HorizonLines lines;
-  Chains outline, border, contours, base_contours;
-};
 
 template <class Horizon>
 class PartSweep {
@@ -65,6 +60,7 @@ class PartSweep {
         transposed_(grid.transposed),
         anti_(grid.columns.sign == grid.rows.sign),
         eye_(view, Sight(view.camera, grid.columns.sign, grid.rows.sign)),
+        picture_(view.camera.perspective ? 0 : u_range.second - u_range.first),
         horizon_(u_range.first, u_range.second, cells),
         store_(store),
         column_curves_(columns_.order.size()) {
@@ -81,6 +77,7 @@ class PartSweep {
     std::vector<Sample> before, row;
     std::vector<Facings> strip, next;
     const std::size_t n = rows_.order.size();
+    share_lines_ahead([](std::vector<Span>& here, std::vector<Span>& shared) { here = std::move(shared); });
     for (std::size_t first = 0; first < n; first += kRowsAtATime) {
       const std::size_t count = std::min(kRowsAtATime, n - first);
       parallel_for(count, [&](std::size_t k) { read(rows_.order[first + k], rows[k]); });
@@ -101,6 +98,7 @@ class PartSweep {
     if (n >= 2) study(before, row, strip, next, n - 1);
     for (CurveTracker& curve : column_curves_) curve.end();
     find_back_lines();
+    share_lines_ahead([](std::vector<Span>& here, std::vector<Span>& shared) { shared = std::move(here); });
   }
 
   std::size_t segments = 0;
@@ -138,10 +136,8 @@ class PartSweep {
 
   /// Facing of the triangle a, b, c, counter-clockwise in columns and rows.
   std::int8_t facing(const Sample& a, const Sample& b, const Sample& c) const {
-    const SightPoint &p = a.seen, &q = b.seen, &r = c.seen;
-    const double det = p.w * (q.x * r.y - q.y * r.x) + q.w * (r.x * p.y - r.y * p.x) + r.w * (p.x * q.y - p.y * q.x);
-    const double turned = columns_.sign * rows_.sign * (transposed_ ? -det : det);
-    return static_cast<std::int8_t>((turned > 0) - (turned < 0));
+    const std::int8_t turned = facing_of(a.seen, b.seen, c.seen, picture_);
+    return columns_.sign * rows_.sign * (transposed_ ? -1 : 1) > 0 ? turned : static_cast<std::int8_t>(-turned);
   }
 
   void find_facings(const std::vector<Sample>& before, const std::vector<Sample>& row, std::vector<Facings>& facings) const {
@@ -153,35 +149,56 @@ class PartSweep {
     }
   }
 
-  /// The strip before row r: its cells, its columns' pieces, and row r; row 0 too when r is 1.
-  void study(const std::vector<Sample>& before, const std::vector<Sample>& row, const std::vector<Facings>& strip,
+  /// Calls share(spans drawn here, spans of all parts) for the curves straight before the eye: each part sees one bank of
+  /// them, and where two parts meet v is the same for both.
+  template <class Share>
+  void share_lines_ahead(Share share) {
+    const auto at = [&](std::size_t column, std::size_t row) {
+      const Point3 p = placed(x_.at[columns_.order[column]], y_.at[rows_.order[row]], 0);
+      return eye_.sample(p).seen.u();
+    };
+    UprightLines& lines = horizon_.upright_lines();
+    if (columns_.begin > 0)
+      share(lines.drawn_at(at(columns_.begin, rows_.order.size() - 1)), store_.column_ahead[rows_.sign > 0]);
+    if (rows_.begin > 0)
+      share(lines.drawn_at(at(columns_.order.size() - 1, rows_.begin)), store_.row_ahead[columns_.sign > 0]);
+  }
+
+  /// The strip before row r: its cells, its columns' pieces, and row r; the part's first row too when r is the second.
+  void study(const std::vector<Sample>& nearer_row, const std::vector<Sample>& row, const std::vector<Facings>& strip,
              const std::vector<Facings>& next, std::size_t r) {
+    if (r <= rows_.begin) {
+      strip_beyond_ = strip;
+      return;
+    }
     CurveTracker first_row, this_row;
-    const bool first_drawn = rows_.first_is_drawn && y_.drawn[rows_.order[0]], row_drawn = y_.drawn[rows_.order[r]];
-    const std::size_t columns = row.size();
-    const std::int8_t before_columns = begins_at_rim(columns_, x_) ? kNoFace : kOtherPart;
-    const std::int8_t before_rows = begins_at_rim(rows_, y_) ? kNoFace : kOtherPart;
-    for (std::size_t c = 0; c < columns; ++c) {
-      const bool column_drawn = x_.drawn[columns_.order[c]] && (c > 0 || columns_.first_is_drawn);
+    const bool first_drawn = y_.drawn[rows_.order[rows_.begin]], row_drawn = y_.drawn[rows_.order[r]];
+    const std::size_t columns = row.size(), begin = columns_.begin;
+    const std::int8_t before_columns = begin > 0 ? far_column(strip[begin]) : before(columns_, x_);
+    for (std::size_t c = begin; c < columns; ++c) {
+      const bool column_drawn = x_.drawn[columns_.order[c]];
       const std::int8_t behind = c + 1 < columns ? near_column(strip[c + 1]) : kNoFace;
-      if (c == 0) {
-        edge(before[0], row[0], before_columns, behind, column_drawn ? &column_curves_[0] : nullptr);
+      if (c == begin) {
+        edge(nearer_row[c], row[c], before_columns, behind, column_drawn ? &column_curves_[c] : nullptr, begin > 0);
         continue;
       }
       const Facings& cell = strip[c];
-      if (r == 1) edge(before[c - 1], before[c], before_rows, cell.first, first_drawn ? &first_row : nullptr, &row[c]);
+      if (r == rows_.begin + 1) {
+        edge(nearer_row[c - 1], nearer_row[c], rows_.begin > 0 ? strip_beyond_[c].second : before(rows_, y_), cell.first,
+             first_drawn ? &first_row : nullptr, rows_.begin > 0);
+      }
       const auto far_column_edge = [&] {
-        edge(before[c], row[c], far_column(cell), behind, column_drawn ? &column_curves_[c] : nullptr);
+        edge(nearer_row[c], row[c], far_column(cell), behind, column_drawn ? &column_curves_[c] : nullptr);
       };
       const auto far_row_edge = [&] {
-        edge(row[c - 1], row[c], cell.second, next[c].first, row_drawn ? &this_row : nullptr, &before[c]);
+        edge(row[c - 1], row[c], cell.second, next[c].first, row_drawn ? &this_row : nullptr);
       };
       if (!cell.any()) {
         far_column_edge();
         far_row_edge();
         continue;
       }
-      const Sample &n = before[c - 1], &p = before[c], &q = row[c - 1], &f = row[c];
+      const Sample &n = nearer_row[c - 1], &p = nearer_row[c], &q = row[c - 1], &f = row[c];
       if (anti_) {
         contents(n, p, q, cell.first);
         edge(p, q, cell.first, cell.second, nullptr);
@@ -212,8 +229,9 @@ class PartSweep {
     this_row.end();
   }
 
-  static bool begins_at_rim(const GridAxis::Part& part, const GridAxis& axis) {
-    return part.order.front() == 0 || part.order.front() + 1 == axis.at.size();
+  /// What is before the first position of a part that nothing is known of beyond.
+  static std::int8_t before(const GridAxis::Part& part, const GridAxis& axis) {
+    return part.order.front() == 0 || part.order.front() + 1 == axis.at.size() ? kNoFace : kOtherPart;
   }
 
   /// Whether sights cross the diagonal n - f from the side of p to the side of q.
@@ -224,17 +242,17 @@ class PartSweep {
     return std::abs(sight[column] * diagonal[row]) <= std::abs(sight[row] * diagonal[column]);
   }
 
-  /// An edge between the nearer and the farther of its faces; `curve` when it is drawn as part of a curve. Of an edge of a
-  /// row straight before the eye only the bank of `bank` has been taken as far as the edge goes.
+  /// An edge between the nearer and the farther of its faces; `curve` when it is drawn as part of a curve. Of an edge
+  /// straight before the eye (`ahead`), where two parts meet, each looks at its own bank.
   void edge(const Sample& a, const Sample& b, std::int8_t nearer, std::int8_t farther, CurveTracker* curve,
-            const Sample* bank = nullptr) {
+            bool ahead = false) {
     if (!is_face(nearer) && !is_face(farther)) {
       if (curve) curve->interrupt();
       return;
     }
     const bool by_curves = options_.hidden_by == HiddenBy::curves;
     const bool rim = nearer == kNoFace || farther == kNoFace;
-    const bool folded = is_face(nearer) && is_face(farther) && (nearer > 0) != (farther > 0);
+    const bool folded = is_face(nearer) && is_face(farther) && nearer != farther;
     const bool outlined = (folded || rim) && !curve && options_.outline;
     bool upper = by_curves && curve, lower = upper && options_.underside != Underside::none;
     if (!Horizon::kCovers && !by_curves) {
@@ -247,19 +265,19 @@ class PartSweep {
       if (curve) curve->interrupt();
       return;
     }
-    if (curve || outlined) {
-      const std::int8_t facing = is_face(nearer) ? nearer : farther;
+    const std::int8_t facing = is_face(nearer) ? nearer : farther;
+    const bool left_out = curve && facing < 0 && options_.underside == Underside::none && !by_curves;
+    if (left_out) curve->interrupt();
+    if ((curve && !left_out) || outlined) {
       Against against = !is_face(nearer) || nearer == 0 ? Against::both : nearer > 0 ? Against::upper : Against::lower;
       if (by_curves) against = lower ? Against::both : Against::upper;
       ++segments;
       Banks banks = by_curves ? Banks::none : Banks::both;
-      if (bank && !by_curves) banks = bank->seen.u() < a.seen.u() ? Banks::left : Banks::right;
+      if (ahead && !by_curves) banks = a.seen.u() > 0 ? Banks::left : Banks::right;  // the part lies at |u| < 1
       const std::vector<Span>& seen = horizon_.seen(part->a, part->b, against, banks);
       if (outlined) {
         eye_.give(a, b, *part, seen,
                   [&](double t0, double t1) { add_to(rim ? store_.border : store_.outline, a, b, t0, t1); });
-      } else if (facing < 0 && options_.underside == Underside::none && !by_curves) {
-        curve->interrupt();
       } else {
         Polylines& lines =
             facing < 0 && options_.underside == Underside::apart ? store_.lines.underside : store_.lines.curves;
@@ -269,6 +287,9 @@ class PartSweep {
     }
     if constexpr (!Horizon::kCovers) {
       if (upper || lower) horizon_.raise(part->a, part->b, upper, lower);
+    } else if (nearer == 0 || farther == 0) {
+      // The other sides of a triangle that is seen edge on lie on this line: they are asked for before it is added.
+      horizon_.cover(part->a, part->b, part->b);
     }
   }
 
@@ -363,10 +384,12 @@ class PartSweep {
   bool transposed_;
   bool anti_;  ///< the diagonal runs from column to column against the rows
   Eye eye_;
+  double picture_;  ///< its width; 0 in perspective
   Horizon horizon_;
   LineStore& store_;
   std::vector<CurveTracker> column_curves_;
-  std::vector<double> levels_;  ///< of contours, scaled
+  std::vector<Facings> strip_beyond_;  ///< before the part's first row, where another part begins
+  std::vector<double> levels_;         ///< of contours, scaled
 };
 
 }  // namespace ligne::horizon

@@ -1,0 +1,31 @@
+#pragma once
+/// Which side of a triangle is seen.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "visibility/horizon/level.hpp"
+#include "visibility/horizon/sight.hpp"
+
+namespace ligne::horizon {
+
+/// 1: the corners turn counter-clockwise for the viewer, -1: clockwise, 0: the triangle is seen edge on, that is, it is no
+/// thicker on the drawing plane than heights that are level; a rounding must not tell its sides apart. `picture` is the
+/// picture's width in parallel projection, nothing in perspective, where the corners' distance stands for it. The points may
+/// lie behind the eye.
+inline std::int8_t facing_of(const SightPoint& p, const SightPoint& q, const SightPoint& r, double picture) {
+  const double det = p.w * (q.x * r.y - q.y * r.x) + q.w * (r.x * p.y - r.y * p.x) + r.w * (p.x * q.y - p.y * q.x);
+  // The determinant is thickness times side, in perspective times the square of the distance.
+  const double side = std::max({std::abs(q.x - p.x), std::abs(q.y - p.y), std::abs(q.w - p.w), std::abs(r.x - p.x),
+                                std::abs(r.y - p.y), std::abs(r.w - p.w)});
+  double size = picture;
+  if (size == 0) {
+    const double distance = std::max({std::abs(p.w), std::abs(q.w), std::abs(r.w), std::abs(p.x), std::abs(p.y)});
+    size = distance * distance;
+  }
+  if (std::abs(det) <= kLevelPart * size * side) return 0;
+  return det > 0 ? 1 : -1;
+}
+
+}  // namespace ligne::horizon

@@ -1,0 +1,37 @@
+#pragma once
+/// What has been drawn of upright lines. In a view along an axis a whole curve, and every rim behind a hole, lies on one
+/// upright line of the picture: what is seen of it twice is drawn once.
+
+#include <cstddef>
+#include <vector>
+
+#include "visibility/horizon/columns.hpp"
+#include "visibility/horizon/envelope.hpp"
+
+namespace ligne::horizon {
+
+class UprightLines {
+ public:
+  /// For lines at u in [u_min, u_max]. Lines no farther apart than `least` are one; parts no longer are rounding.
+  UprightLines(double u_min, double u_max, std::size_t cells, double least)
+      : columns_(u_min, u_max, cells), least_(least), cells_(columns_.count()) {}
+
+  /// Takes away from `spans` (of v, ascending) what has been drawn at u, and remembers the rest as drawn.
+  void draw(double u, std::vector<Span>& spans);
+
+  /// What has been drawn at u: ascending, none touching another.
+  std::vector<Span>& drawn_at(double u);
+
+ private:
+  struct Upright {
+    double u;
+    std::vector<Span> drawn;
+  };
+
+  Columns columns_;
+  double least_;
+  std::vector<std::vector<Upright>> cells_;
+  std::vector<Span> open_;  ///< scratch
+};
+
+}  // namespace ligne::horizon
