@@ -7,7 +7,8 @@ BackFaces cull_back_faces(const Scene& scene, const Topology& topology, Projecte
   cull(projected, back_faces);
   if (back_faces.kept_objects > 0) {
     run.warn(std::to_string(back_faces.kept_objects) + " of " + std::to_string(back_faces.objects) +
-             " objects keep their back faces: they are not closed and consistently wound, or have the eye among them");
+             " objects keep their back faces, or some of them: they are not closed and consistently wound, touch or "
+             "penetrate themselves, are transparent, or have the eye among them");
   }
   return back_faces;
 }

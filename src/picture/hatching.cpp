@@ -264,7 +264,7 @@ std::vector<CoverRun> seen_runs(const PreparedScene& prepared, const HatchFrame&
   if (box.empty()) return {};
   const View view = turned_view(prepared.scene, prepared.view(), frame, box);
   ProjectedScene projected = project(prepared.scene, prepared.topology, view, {});
-  if (prepared.back_faces.faces > 0) cull(projected, prepared.back_faces);
+  cull(projected, prepared.back_faces);
   const auto first = static_cast<std::int32_t>(std::ceil(box.min.y / line_mm)),
              last = static_cast<std::int32_t>(std::floor(box.max.y / line_mm));
   if (last < first) return {};

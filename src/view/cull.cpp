@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/disjoint_sets.hpp"
+#include "scene/model/self_contact.hpp"
 #include "view/edge_classes.hpp"
 
 namespace ligne {
@@ -45,23 +46,32 @@ class Finder {
         topology_(topology),
         view_(view),
         facings_(face_facings(scene, view.camera)),
-        shells_(scene.faces.size()) {}
+        sets_(scene.faces.size()) {}
 
   BackFaces find() {
     BackFaces result;
     result.culled.assign(scene_.faces.size(), 0);
+    shell_of_face_.assign(scene_.faces.size(), kNone);
+    std::vector<const Object*> solids;
     for (const Object& object : scene_.objects) {
       if (object.face_begin == object.face_end) continue;
       ++result.objects;
-      if (!viewed_from_outside(object) || !solid(object) || !orient(object)) {
+      if (viewed_from_outside(object) && solid(object) && orient(object)) {
+        solids.push_back(&object);
+      } else {
         ++result.kept_objects;
-        continue;
       }
-      for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-        const int outward = volumes_[shells_.find(f) - object.face_begin].sign(object.precision);
-        result.culled[f] = facings_[f] * outward < 0;
+    }
+    keep_shells_that_show_more();
+    for (const Object* object : solids) {
+      bool keeps = false;
+      for (std::uint32_t f = object->face_begin; f < object->face_end; ++f) {
+        const Shell& shell = shells_[shell_of_face_[f]];
+        keeps = keeps || shell.kept;
+        result.culled[f] = !shell.kept && facings_[f] * shell.outward < 0;
         result.faces += result.culled[f];
       }
+      result.kept_objects += keeps;
     }
     return result;
   }
@@ -88,12 +98,12 @@ class Finder {
     for (auto edge = first; edge != edges.end() && edge->v0 < object.vertex_end; ++edge) {
       const std::uint8_t flags = topology_.edge_flags[static_cast<std::size_t>(edge - edges.begin())];
       if (edge->face1 == kNone || (flags & (kEdgeManyFaces | kEdgeUnlikeWound))) return false;
-      shells_.join(edge->face0, edge->face1);
+      sets_.join(edge->face0, edge->face1);
     }
     return true;
   }
 
-  /// Measures the volumes of the object's shells; false when the sign of one is not certain.
+  /// Measures the volumes of the object's shells, and numbers them; false when the sign of one is not certain.
   bool orient(const Object& object) {
     const Point3 origin = scene_.vertices[object.vertex_begin];
     volumes_.assign(object.face_end - object.face_begin, {});
@@ -103,24 +113,59 @@ class Finder {
     for (auto t = first; t != triangles.end() && t->face < object.face_end; ++t) {
       const Point3 a = scene_.vertices[t->v[0]] - origin, b = scene_.vertices[t->v[1]] - origin,
                    c = scene_.vertices[t->v[2]] - origin;
-      Volume& volume = volumes_[shells_.find(t->face) - object.face_begin];
+      Volume& volume = volumes_[sets_.find(t->face) - object.face_begin];
       volume.six_times += glm::dot(a, glm::cross(b, c));
       volume.terms_size += glm::length(a) * glm::length(b) * glm::length(c);
       volume.area += glm::length(glm::cross(b - a, c - a));
       ++volume.terms;
     }
+    const auto sign_of = [&](std::uint32_t face) { return volumes_[face - object.face_begin].sign(object.precision); };
     for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-      if (shells_.find(f) == f && volumes_[f - object.face_begin].sign(object.precision) == 0) return false;
+      if (sets_.find(f) == f && sign_of(f) == 0) return false;
+    }
+    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+      const std::uint32_t lowest = sets_.find(f);
+      if (lowest == f) {
+        shell_of_face_[f] = static_cast<std::uint32_t>(shells_.size());
+        shells_.push_back({sign_of(f)});
+      } else {
+        shell_of_face_[f] = shell_of_face_[lowest];
+      }
     }
     return true;
   }
+
+  /// Marks the shells one sees through, or that touch or penetrate themselves.
+  void keep_shells_that_show_more() {
+    const std::vector<std::uint8_t> transparent = transparent_faces(scene_);
+    for (std::size_t f = 0; f < transparent.size(); ++f) {
+      if (transparent[f] && shell_of_face_[f] != kNone) shells_[shell_of_face_[f]].kept = true;
+    }
+    std::vector<std::uint32_t> shell_of_triangle;
+    shell_of_triangle.reserve(topology_.triangles.size());
+    for (const Triangle& t : topology_.triangles) {
+      const std::uint32_t shell = shell_of_face_[t.face];
+      shell_of_triangle.push_back(shell == kNone || shells_[shell].kept ? kNone : shell);
+    }
+    const std::vector<std::uint8_t> contacts = find_self_contacts(scene_.vertices, topology_.triangles, shell_of_triangle,
+                                                                  static_cast<std::uint32_t>(shells_.size()));
+    for (std::size_t s = 0; s < shells_.size(); ++s) shells_[s].kept = shells_[s].kept || contacts[s];
+  }
+
+  /// Of a solid.
+  struct Shell {
+    int outward;        ///< -1 when its faces are wound inwards
+    bool kept = false;  ///< with its back faces
+  };
 
   const Scene& scene_;
   const Topology& topology_;
   const View& view_;
   std::vector<std::int8_t> facings_;
-  DisjointSets shells_;
-  std::vector<Volume> volumes_;  ///< of the object at hand, at the place of the shell's lowest face
+  DisjointSets sets_;                         ///< faces that hang together
+  std::vector<Volume> volumes_;               ///< of the object at hand, at the place of the shell's lowest face
+  std::vector<Shell> shells_;                 ///< of all solids
+  std::vector<std::uint32_t> shell_of_face_;  ///< kNone: of no solid
 };
 
 }  // namespace
@@ -130,6 +175,7 @@ BackFaces find_back_faces(const Scene& scene, const Topology& topology, const Vi
 }
 
 void cull(ProjectedScene& projected, const BackFaces& back_faces) {
+  if (back_faces.faces == 0) return;
   const auto culled = [&](std::uint32_t face) { return face != kNone && back_faces.culled[face]; };
   std::erase_if(projected.triangles, [&](const Triangle& t) { return culled(t.face); });
   std::size_t kept = 0;

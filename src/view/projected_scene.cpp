@@ -156,8 +156,6 @@ void select_edges(const Scene& scene, const Topology& topology, const Camera& ca
 
 }  // namespace
 
-namespace {
-
 std::vector<std::uint8_t> transparent_faces(const Scene& scene) {
   const auto transparent = [&](std::uint32_t material) {
     return material < scene.materials.size() && scene.materials[material].opacity < 1;
@@ -170,8 +168,6 @@ std::vector<std::uint8_t> transparent_faces(const Scene& scene) {
     result[f] = transparent(scene.face_material.empty() ? 0 : scene.face_material[f]);
   return result;
 }
-
-}  // namespace
 
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection) {
   ProjectedScene out;

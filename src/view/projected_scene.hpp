@@ -64,6 +64,9 @@ struct ProjectedScene {
 /// Projects, clips to the view's window and near plane, snaps to the lattice, and classifies the edges.
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection);
 
+/// Per face of the scene 1 when its material is transparent, else 0; empty when there is no such material.
+std::vector<std::uint8_t> transparent_faces(const Scene& scene);
+
 /// Adds lines in model space that are edges of no face: candidates of class `line_class`, whose sources are numbered from
 /// `source_count` upwards, in their order. What is out of view is left out.
 void add_lines(ProjectedScene& projected, std::span<const std::array<Point3, 2>> lines, LineClass line_class);

@@ -109,6 +109,39 @@ TEST(Cull, ShellsWithoutVolumeKeepTheirFaces) {
   EXPECT_EQ(back_faces(thin).kept_objects, 1u) << "the coordinates' error can turn it inside out";
 }
 
+TEST(Cull, ShellsThatPenetrateThemselvesKeepTheirFaces) {
+  // A box whose floor is dented through its roof, and a box beside it in the same object.
+  Scene dented = box();
+  dented.faces = {};
+  for (const std::uint32_t f : {1u, 2u, 3u, 4u, 5u}) dented.faces.add_face(box().faces.contour(f, 0));
+  dented.vertices.push_back({4, 5, 8});
+  for (const auto& [a, b] : {std::array{0u, 2u}, std::array{2u, 3u}, std::array{3u, 1u}, std::array{1u, 0u}}) {
+    dented.faces.add_triangle(a, b, 8);
+  }
+  dented.objects[0].vertex_end = 9;
+  dented.objects[0].face_end = 9;
+  add_box(dented, {20, 0, 0}, {5, 5, 5});
+  EXPECT_EQ(back_faces(as_one_object(dented)).kept_objects, 0u) << "the dent ends below the roof";
+  dented.vertices[8].z = 12;
+  const BackFaces through = back_faces(as_one_object(dented));
+  EXPECT_EQ(through.kept_objects, 1u);
+  EXPECT_EQ(through.culled, (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0}));
+  dented.vertices[8].z = 10;
+  EXPECT_EQ(back_faces(as_one_object(dented)).kept_objects, 1u) << "it touches the roof";
+}
+
+TEST(Cull, TransparentShellsKeepTheirFaces) {
+  Scene scene = box();
+  add_box(scene, {2, 2, 2}, {5, 5, 5});
+  scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
+  scene.face_material = {1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(back_faces(scene).culled, (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0}))
+      << "the opaque box has an opaque face of its own before each of its back faces, wherever it stands";
+  EXPECT_EQ(back_faces(scene).kept_objects, 1u);
+  scene.face_material = {0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(back_faces(scene).kept_objects, 1u) << "a glass lid";
+}
+
 TEST(Cull, NothingIsLeftOutAroundTheEye) {
   Scene scene = box();
   add_box(scene, {40, 0, 0}, {10, 10, 10});

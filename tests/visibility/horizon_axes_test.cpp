@@ -14,7 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/surface_mesh.hpp"
-#include "scene/topology.hpp"
+#include "scene/model/topology.hpp"
 #include "support/page_segments.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/horizon/horizon.hpp"

@@ -7,6 +7,14 @@ TRIANGLE = [(0, 0), (12, 0), (6, 10)]
 PENTAGON = [polar(10, k / 5 + 1 / 20, 4) for k in range(5)]
 HEXAGON = [(8, 0), (4, 7), (-4, 7), (-8, 0), (-4, -7), (4, -7)]
 
+# In 64ths: a ball of a tip, five rings of eight and another tip, its corners pulled in and out.
+CRUMPLED = [(0, 0, -64), (15, 0, -30), (-3, 7, -4), (0, -15, -55), (-23, 23, -69), (-11, 0, -34), (-23, -17, -55), (0, -32, -55),
+            (23, -23, -55), (55, 0, -32), (39, 39, -32), (0, 55, -32), (-39, 28, -32), (-40, 0, -32),
+            (-39, -39, -44), (0, -73, -46), (39, -39, 11), (43, 0, 0), (45, 45, 0), (0, 69, 0), (-45, 45, 0),
+            (-13, 0, 0), (-45, -42, 0), (0, -15, 0), (45, -45, 0), (55, 0, 14), (0, 39, 32), (0, 55, 21),
+            (-2, 39, 32), (-34, 0, 47), (-14, -21, -15), (0, -71, 30), (39, -16, 32), (32, 0, 55), (23, 23, 64),
+            (0, 32, 55), (-32, 23, 73), (4, 0, 55), (-23, 8, 55), (0, 3, 33), (23, -23, 55), (0, 0, 64)]
+
 
 def penetration():
     yield Scene("two_prisms_penetrating", "two square prisms cross in a right angle and penetrate",
@@ -43,6 +51,32 @@ def penetration():
     yield Scene("lattice_of_bars_merged", "bars in two directions cross and penetrate in one plane",
                 *[box((4 * i, -2, 0), (4 * i + 1, 18, 1), "bar") for i in range(5)],
                 *[box((-2, 4 * i, 0), (19, 4 * i + 1, 1), "bar") for i in range(5)])
+    yield Scene("dent_through_the_roof", "a box whose floor is dented so far that the dent comes out of its roof, inside out", dented_box())
+    yield Scene("crumpled_ball", "a closed ball that penetrates itself in many places, and is inside out in some", crumpled_ball())
+
+
+def dented_box():
+    x0, x1, y0, y1, top = 0, 8, 0, 8, 4
+    low, high = [(x0, y0, 0), (x1, y0, 0), (x1, y1, 0), (x0, y1, 0)], [(x0, y0, top), (x1, y0, top), (x1, y1, top), (x0, y1, top)]
+    mesh = Mesh("dented box", solid=True).face(high)
+    for i in range(4):
+        k = (i + 1) % 4
+        mesh.face([low[i], low[k], high[k], high[i]]).face([low[k], low[i], (3, 5, 8)])
+    return mesh
+
+
+def crumpled_ball():
+    corner = [tuple(c / 64 for c in p) for p in CRUMPLED]
+    rings = [range(1 + 8 * i, 9 + 8 * i) for i in range(5)]
+    mesh = Mesh("crumpled ball", solid=True)
+    for i in range(8):
+        k = (i + 1) % 8
+        mesh.face([corner[0], corner[rings[0][k]], corner[rings[0][i]]])
+        for low, high in zip(rings, rings[1:]):
+            a, b, c, d = corner[low[i]], corner[low[k]], corner[high[k]], corner[high[i]]
+            mesh.face([a, b, c]).face([a, c, d])
+        mesh.face([corner[rings[4][i]], corner[rings[4][k]], corner[41]])
+    return mesh
 
 
 def lattice():

@@ -1,0 +1,171 @@
+#include "scene/model/self_contact.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <glm/common.hpp>
+#include <memory>
+#include <utility>
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+
+#include "scene/model/triangle_contact.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable.
+constexpr std::size_t kLeaf = 6;        ///< triangles at most in a leaf of the tree
+constexpr std::size_t kGrain = 16'384;  ///< triangles of a task
+
+struct Box {
+  Point3 low, high;
+  bool meets(const Box& o) const {
+    return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y && low.z <= o.high.z &&
+           o.low.z <= high.z;
+  }
+};
+
+/// The tree of one surface. Its nodes stand as in a heap: the children of node i are 2 i + 1 and 2 i + 2.
+class SelfSearch {
+ public:
+  SelfSearch(std::span<const Point3> vertices, std::span<const Triangle> triangles, std::span<std::uint32_t> items)
+      : vertices_(vertices), triangles_(triangles), items_(items) {
+    std::size_t nodes = 1;
+    for (std::size_t n = items.size(); n > kLeaf; n -= n / 2) nodes = 2 * nodes + 1;
+    boxes_.resize(nodes);
+    build({0, 0, items.size()});
+  }
+
+  bool run() {
+    within({0, 0, items_.size()});
+    return found_;
+  }
+
+ private:
+  struct Node {
+    std::size_t number, begin, end;
+    std::size_t size() const { return end - begin; }
+    bool leaf() const { return size() <= kLeaf; }
+    Node first() const { return {2 * number + 1, begin, begin + size() / 2}; }
+    Node second() const { return {2 * number + 2, begin + size() / 2, end}; }
+  };
+
+  Box box_of(std::uint32_t triangle) const {
+    const auto& v = triangles_[triangle].v;
+    const Point3 &a = vertices_[v[0]], &b = vertices_[v[1]], &c = vertices_[v[2]];
+    return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+  }
+
+  template <class First, class Second>
+  static void both(std::size_t size, First first, Second second) {
+    if (size > kGrain) {
+      tbb::parallel_invoke(first, second);
+    } else {
+      first();
+      second();
+    }
+  }
+
+  void build(const Node& node) {
+    Box box = box_of(items_[node.begin]);
+    for (std::size_t i = node.begin + 1; i < node.end; ++i) {
+      const Box b = box_of(items_[i]);
+      box = {glm::min(box.low, b.low), glm::max(box.high, b.high)};
+    }
+    boxes_[node.number] = box;
+    if (node.leaf()) return;
+    const Point3 size = box.high - box.low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const auto place = [&](std::uint32_t t) {
+      const auto& v = triangles_[t].v;
+      return vertices_[v[0]][axis] + vertices_[v[1]][axis] + vertices_[v[2]][axis];
+    };
+    const auto items = items_.begin();
+    std::nth_element(items + static_cast<std::ptrdiff_t>(node.begin),
+                     items + static_cast<std::ptrdiff_t>(node.second().begin), items + static_cast<std::ptrdiff_t>(node.end),
+                     [&](std::uint32_t a, std::uint32_t b) { return std::pair(place(a), a) < std::pair(place(b), b); });
+    both(
+        node.size(), [&] { build(node.first()); }, [&] { build(node.second()); });
+  }
+
+  /// All pairs within the node.
+  void within(const Node& node) {
+    if (found_) return;
+    if (node.leaf()) {
+      for (std::size_t i = node.begin; i < node.end; ++i) {
+        for (std::size_t k = i + 1; k < node.end; ++k) test(items_[i], items_[k]);
+      }
+      return;
+    }
+    both(
+        node.size(), [&] { within(node.first()); }, [&] { within(node.second()); });
+    between(node.first(), node.second());
+  }
+
+  /// All pairs of one in each node.
+  void between(const Node& a, const Node& b) {
+    if (found_ || !boxes_[a.number].meets(boxes_[b.number])) return;
+    if (a.leaf() && b.leaf()) {
+      for (std::size_t i = a.begin; i < a.end; ++i) {
+        for (std::size_t k = b.begin; k < b.end; ++k) test(items_[i], items_[k]);
+      }
+    } else if (b.leaf() || (!a.leaf() && a.size() >= b.size())) {
+      both(
+          a.size(), [&] { between(a.first(), b); }, [&] { between(a.second(), b); });
+    } else {
+      both(
+          b.size(), [&] { between(a, b.first()); }, [&] { between(a, b.second()); });
+    }
+  }
+
+  void test(std::uint32_t first, std::uint32_t second) {
+    const Triangle &t = triangles_[first], &u = triangles_[second];
+    if (t.face == u.face || !box_of(first).meets(box_of(second))) return;
+    // The common vertices come to stand first.
+    std::array<std::uint32_t, 3> tv = t.v, uv = u.v;
+    int shared = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (int k = shared; k < 3; ++k) {
+        if (tv[i] != uv[k]) continue;
+        std::swap(tv[i], tv[shared]);
+        std::swap(uv[k], uv[shared]);
+        ++shared;
+        break;
+      }
+    }
+    const Corners3 a{vertices_[tv[0]], vertices_[tv[1]], vertices_[tv[2]]};
+    const Corners3 b{vertices_[uv[0]], vertices_[uv[1]], vertices_[uv[2]]};
+    if (!are_apart(a, b, shared) && !has_no_area(a) && !has_no_area(b)) found_ = true;
+  }
+
+  std::span<const Point3> vertices_;
+  std::span<const Triangle> triangles_;
+  std::span<std::uint32_t> items_;  ///< triangles, in the order of the tree
+  std::vector<Box> boxes_;
+  std::atomic<bool> found_ = false;  ///< ends the search: one contact is as good as many
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> find_self_contacts(std::span<const Point3> vertices, std::span<const Triangle> triangles,
+                                             std::span<const std::uint32_t> surface, std::uint32_t surface_count) {
+  std::vector<std::size_t> begin(std::size_t{surface_count} + 1, 0);
+  for (const std::uint32_t s : surface) {
+    if (s != kNone) ++begin[s + 1];
+  }
+  for (std::size_t s = 0; s < surface_count; ++s) begin[s + 1] += begin[s];
+  std::vector<std::uint32_t> items(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (surface[t] != kNone) items[next[surface[t]]++] = static_cast<std::uint32_t>(t);
+  }
+  std::vector<std::uint8_t> result(surface_count, 0);
+  tbb::parallel_for(std::size_t{0}, std::size_t{surface_count}, [&](std::size_t s) {
+    const auto own = std::span(items).subspan(begin[s], begin[s + 1] - begin[s]);
+    if (!own.empty()) result[s] = SelfSearch(vertices, triangles, own).run();
+  });
+  return result;
+}
+
+}  // namespace ligne
