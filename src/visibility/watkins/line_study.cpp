@@ -52,7 +52,7 @@ LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count) {
 LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                std::span<const SweepLine> lines, const LineGrid& grid, const LineStudyOptions& options) {
   constexpr std::uint32_t kGroups = 32, kFewestLines = 16;
-  const ScanScene scan_scene = make_scan_scene(scene, facets, lines, grid);
+  const ScanScene scan_scene = make_scan_scene(scene, facets, lines, grid, options.coincidence_steps);
   const std::uint32_t size =
       options.group > 0 ? options.group : std::max(kFewestLines, (grid.count + kGroups - 1) / kGroups);
   const std::uint32_t groups = (grid.count + size - 1) / size;

@@ -38,14 +38,18 @@ std::vector<GridPlane> planes_of(const ProjectedScene& scene, const LineGrid& gr
 }  // namespace
 
 ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
-                          const LineGrid& grid) {
+                          const LineGrid& grid, double thin_steps) {
   ScanScene result;
   result.grid = grid;
   for (const Triangle& t : scene.triangles) result.face_count = std::max(result.face_count, t.face + 1);
   result.planes = planes_of(scene, grid, result.face_count);
   result.of_faces = FacetsOfFaces(facets, result.face_count);
   result.touch.assign(result.face_count, 0);
-  for (const Facet& f : facets) result.touch[f.face] = std::max(result.touch[f.face], double(f.touch));
+  for (const Facet& f : facets) {
+    const auto& v = scene.vertices;
+    const double area = orientation(v[f.v[0]].p, v[f.v[1]].p, v[f.v[2]].p);
+    if (area > thin_steps * f.size) result.touch[f.face] = std::max(result.touch[f.face], double(f.touch));
+  }
 
   // Lines that are edges of the scene end at its vertices, the others at vertices of their own.
   std::vector<ProjectedVertex> vertices = scene.vertices;
