@@ -4,8 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
-#include <tuple>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -40,14 +41,25 @@ double half_turn(double degrees) {
   return rest < 0 ? rest + 180 : rest;
 }
 
+bool hatched_in(const FaceHatch& face, double degrees) {
+  return face.strokes.every > 0 && (face.degrees == degrees || (face.cross && half_turn(face.degrees + 90) == degrees));
+}
+
+/// What is seen of the surfaces that are hatched in one direction.
+struct DirectionCover {
+  double degrees;
+  HatchFrame frame;
+  std::vector<CoverRun> cover;
+};
+
 /// Decides how faces are hatched, and collects the layers that they need.
 class Hatching {
  public:
   explicit Hatching(const HatchScene& hatch)
       : hatch_(hatch), light_(hatch.prepared.scene, hatch.prepared.view().camera, hatch.prepared.lights) {
-    const double pen = layer_pen(0, "");
-    const double spacing = hatch.request().spacing_mm.value_or(kSpacingPens * pen);
-    line_mm_ = cover_line_mm(spacing, pen);
+    pen_mm_ = layer_pen(0, "");
+    const double spacing = hatch.request().spacing_mm.value_or(kSpacingPens * pen_mm_);
+    line_mm_ = cover_line_mm(spacing, pen_mm_);
     if (std::hypot(hatch.plot.page.width_mm, hatch.plot.page.height_mm) / line_mm_ > kMostLines) {
       throw RequestError("hatch-spacing", "the strokes are too close: more than a million on the page");
     }
@@ -59,16 +71,7 @@ class Hatching {
 
   /// `region`: what is known beyond the face, or nullptr.
   FaceHatch of(std::uint32_t face, const Region* region);
-  void space_evenly(std::vector<FaceHatch>& faces) const;
-
-  /// Adds the strokes of one direction.
-  void add(const HatchFrame& frame, std::span<const CoverRun> cover, std::span<const SurfaceHatch> surfaces) {
-    std::vector<double> pens;
-    std::vector<Polylines> lines(layers_.size());
-    for (const Layer& layer : layers_) pens.push_back(layer_pen(layer.shade, layer.material));
-    hatch_cover(frame, line_mm_, cover, surfaces, pens, lines);
-    for (std::size_t i = 0; i < layers_.size(); ++i) append(layers_[i].lines, lines[i]);
-  }
+  void add(std::vector<FaceHatch>& faces, std::span<const DirectionCover> covers);
 
   std::vector<Layer> take() {
     std::erase_if(layers_, [](const Layer& layer) { return layer.lines.size() == 0; });
@@ -88,10 +91,12 @@ class Hatching {
 
   std::uint32_t layer_of(unsigned shade, const std::string& material);
   void find_directions();
+  void space_evenly(std::vector<FaceHatch>& faces, std::span<const DirectionCover> covers) const;
+  void add(const HatchFrame& frame, std::span<const CoverRun> cover, std::span<const SurfaceHatch> surfaces);
 
   const HatchScene& hatch_;
   FaceLight light_;
-  double line_mm_ = 0;
+  double line_mm_ = 0, pen_mm_ = 0;
   unsigned closest_ = 1;
   std::vector<double> patch_degrees_;  ///< where the direction is by face
   std::vector<Layer> layers_;
@@ -184,35 +189,57 @@ FaceHatch Hatching::of(std::uint32_t face, const Region* region) {
   return how;
 }
 
-/// Where all of a patch is of one shade, as flat faces are, its rows get one distance instead of some of a cycle.
-void Hatching::space_evenly(std::vector<FaceHatch>& faces) const {
+/// Where all that is seen of a patch is of one shade, as flat faces are, its rows get one distance instead of some of a
+/// cycle. Faces too narrow for a stroke do not count: whether they are seen at all, a method may round.
+void Hatching::space_evenly(std::vector<FaceHatch>& faces, std::span<const DirectionCover> covers) const {
   constexpr std::uint32_t kMixed = 0xffffffffu;
   std::map<std::uint32_t, std::uint32_t> rows_of_patch;
-  for (const FaceHatch& face : faces) {
-    if (face.strokes.every == 0) continue;
-    const auto [entry, added] = rows_of_patch.emplace(face.strokes.group, face.strokes.rows);
-    if (!added && entry->second != face.strokes.rows) entry->second = kMixed;
+  for (const DirectionCover& direction : covers) {
+    for (const CoverRun& run : direction.cover) {
+      if (run.to - run.from < pen_mm_) continue;
+      const SurfaceHatch& strokes = faces[run.surface].strokes;
+      const auto [entry, added] = rows_of_patch.emplace(strokes.group, strokes.rows);
+      if (!added && entry->second != strokes.rows) entry->second = kMixed;
+    }
   }
   for (FaceHatch& face : faces) {
-    if (face.strokes.every == 0) continue;
-    const std::uint32_t rows = rows_of_patch[face.strokes.group];
-    if (rows == kMixed || rows == 0) continue;
+    const auto entry = rows_of_patch.find(face.strokes.group);
+    if (face.strokes.every == 0 || entry == rows_of_patch.end()) continue;
+    const std::uint32_t rows = entry->second;
+    if (rows == kMixed || rows == 0 || rows != face.strokes.rows) continue;
     face.strokes.every = static_cast<std::uint32_t>(std::lround(static_cast<double>(face.strokes.every) * kRowCycle / rows));
     face.strokes.rows = kRowCycle;
   }
 }
 
-/// All directions in which something is hatched, each with what is.
-std::map<double, std::vector<SurfaceHatch>> by_direction(std::span<const FaceHatch> faces) {
-  std::map<double, std::vector<SurfaceHatch>> directions;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (faces[i].strokes.every == 0) continue;
-    for (const double degrees : {faces[i].degrees, half_turn(faces[i].degrees + 90)}) {
-      if (degrees != faces[i].degrees && !faces[i].cross) continue;
-      std::vector<SurfaceHatch>& surfaces = directions[degrees];
-      surfaces.resize(faces.size());
-      surfaces[i] = faces[i].strokes;
+void Hatching::add(const HatchFrame& frame, std::span<const CoverRun> cover, std::span<const SurfaceHatch> surfaces) {
+  std::vector<double> pens;
+  std::vector<Polylines> lines(layers_.size());
+  for (const Layer& layer : layers_) pens.push_back(layer_pen(layer.shade, layer.material));
+  hatch_cover(frame, line_mm_, cover, surfaces, pens, lines);
+  for (std::size_t i = 0; i < layers_.size(); ++i) append(layers_[i].lines, lines[i]);
+}
+
+/// Adds the strokes of all directions.
+void Hatching::add(std::vector<FaceHatch>& faces, std::span<const DirectionCover> covers) {
+  space_evenly(faces, covers);
+  std::vector<SurfaceHatch> surfaces;
+  for (const DirectionCover& direction : covers) {
+    surfaces.assign(faces.size(), {});
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (hatched_in(faces[i], direction.degrees)) surfaces[i] = faces[i].strokes;
     }
+    add(direction.frame, direction.cover, surfaces);
+  }
+}
+
+/// All directions in which something is hatched.
+std::set<double> directions_of(std::span<const FaceHatch> faces) {
+  std::set<double> directions;
+  for (const FaceHatch& face : faces) {
+    if (face.strokes.every == 0) continue;
+    directions.insert(face.degrees);
+    if (face.cross) directions.insert(half_turn(face.degrees + 90));
   }
   return directions;
 }
@@ -258,30 +285,31 @@ void cut_to(const Rect& window, const HatchFrame& frame, double line_mm, std::ve
   });
 }
 
-/// What the method's scan lines along the strokes see of the faces, in runs along the lines of the frame.
-std::vector<CoverRun> seen_runs(const PreparedScene& prepared, const HatchFrame& frame, double line_mm) {
-  const Rect box = turned(prepared.view().window, frame);
-  if (box.empty()) return {};
-  const View view = turned_view(prepared.scene, prepared.view(), frame, box);
+/// What the method's scan lines along the strokes see of the faces that are hatched in that direction.
+DirectionCover seen_in_direction(const PreparedScene& prepared, std::span<const FaceHatch> faces, double degrees,
+                                 double line_mm) {
+  DirectionCover direction{degrees, HatchFrame(prepared.view().offset, degrees), {}};
+  const Rect box = turned(prepared.view().window, direction.frame);
+  if (box.empty()) return direction;
+  const View view = turned_view(prepared.scene, prepared.view(), direction.frame, box);
   ProjectedScene projected = project(prepared.scene, prepared.topology, view, {});
   cull(projected, prepared.back_faces);
   const auto first = static_cast<std::int32_t>(std::ceil(box.min.y / line_mm)),
              last = static_cast<std::int32_t>(std::floor(box.max.y / line_mm));
-  if (last < first) return {};
+  if (last < first) return direction;
   StudyOptions options;
   options.settings = prepared.request.lines.settings;
   options.wanted = kSpans;
   options.span_lines = SpanLines{first * line_mm + view.offset.y, line_mm, static_cast<std::uint32_t>(last - first + 1)};
   const VisibilityResult result = prepared.method.study(projected, options);
-  std::vector<CoverRun> runs;
-  if (result.spans) {
-    for (const Span& span : result.spans->spans) {
-      runs.push_back(
-          {first + static_cast<std::int32_t>(span.line), span.x_from - view.offset.x, span.x_to - view.offset.x, span.face});
-    }
+  if (!result.spans) return direction;
+  for (const Span& span : result.spans->spans) {
+    if (!hatched_in(faces[span.face], degrees)) continue;
+    direction.cover.push_back(
+        {first + static_cast<std::int32_t>(span.line), span.x_from - view.offset.x, span.x_to - view.offset.x, span.face});
   }
-  cut_to(prepared.view().window, frame, line_mm, runs);
-  return runs;
+  cut_to(prepared.view().window, direction.frame, line_mm, direction.cover);
+  return direction;
 }
 
 }  // namespace
@@ -311,15 +339,16 @@ std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Regi
     for (const Region& region : regions) {
       faces.push_back(region.level > 0 ? FaceHatch{} : hatching.of(region.face, &region));
     }
-    hatching.space_evenly(faces);
-    for (const auto& [degrees, surfaces] : by_direction(faces)) {
-      const HatchFrame frame(hatch.prepared.view().offset, degrees);
-      std::vector<CoverRun> cover;
-      for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
-        if (surfaces[i].every > 0) add_cover(regions[i].contours, i, frame, hatching.line_mm(), cover);
+    std::vector<DirectionCover> covers;
+    for (const double degrees : directions_of(faces)) {
+      DirectionCover& direction =
+          covers.emplace_back(DirectionCover{degrees, HatchFrame(hatch.prepared.view().offset, degrees), {}});
+      for (std::uint32_t i = 0; i < faces.size(); ++i) {
+        if (!hatched_in(faces[i], degrees)) continue;
+        add_cover(regions[i].contours, i, direction.frame, hatching.line_mm(), direction.cover);
       }
-      hatching.add(frame, cover, surfaces);
     }
+    hatching.add(faces, covers);
     return hatching.take();
   });
 }
@@ -331,11 +360,11 @@ std::vector<Layer> hatch_spans(const HatchScene& hatch, RunReport& run) {
     Hatching hatching(hatch);
     std::vector<FaceHatch> faces;
     for (std::uint32_t face = 0; face < prepared.scene.faces.size(); ++face) faces.push_back(hatching.of(face, nullptr));
-    hatching.space_evenly(faces);
-    for (const auto& [degrees, surfaces] : by_direction(faces)) {
-      const HatchFrame frame(prepared.view().offset, degrees);
-      hatching.add(frame, seen_runs(prepared, frame, hatching.line_mm()), surfaces);
+    std::vector<DirectionCover> covers;
+    for (const double degrees : directions_of(faces)) {
+      covers.push_back(seen_in_direction(prepared, faces, degrees, hatching.line_mm()));
     }
+    hatching.add(faces, covers);
     return hatching.take();
   });
 }

@@ -125,12 +125,11 @@ TEST_F(DrawTest, FacesInGray) {
               png({"--view", "trimetric"}));  // seen along its diagonal a cube is as bright as paper
 }
 
-/// The same interface whatever is hatched: regions of two methods, spans of a third. What they draw is the same up to the
-/// roundings of the methods.
-TEST_F(DrawTest, HatchingIsTheSameByEveryMethod) {
-  const auto length_of = [&](std::vector<std::string> more) {
-    std::vector<std::string> arguments{"draw",    "cube.obj", "-o", "hatched.svg", "--report",
-                                       "--edges", "border",   "-q", "--hatch"};
+class HatchTest : public DrawTest {
+ protected:
+  /// What is drawn without lines, mm on the page.
+  double hatched_mm(const std::string& model, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"draw", model, "-o", "hatched.svg", "--report", "--edges", "border", "-q", "--hatch"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -139,7 +138,13 @@ TEST_F(DrawTest, HatchingIsTheSameByEveryMethod) {
     EXPECT_EQ(std::sscanf(outcome.err.substr(outcome.err.find("before")).c_str(), "before %*d %lf", &down), 1)
         << outcome.err;
     return down;
-  };
+  }
+};
+
+/// The same interface whatever is hatched: regions of two methods, spans of a third. What they draw is the same up to the
+/// roundings of the methods.
+TEST_F(HatchTest, IsTheSameByEveryMethod) {
+  const auto length_of = [&](const std::vector<std::string>& more) { return hatched_mm("cube.obj", more); };
   const std::vector<std::vector<std::string>> ways{
       {"shade", "--view", "trimetric"},
       {"plain", "--hatch-spacing", "3mm", "--hatch-cross", "--view", "trimetric"},
@@ -157,6 +162,31 @@ TEST_F(DrawTest, HatchingIsTheSameByEveryMethod) {
   }
   EXPECT_NEAR(length_of({"plain", "--hatch-spacing", "3mm", "--view", "trimetric"}), lengths[1] / 2, 0.1 * lengths[1]);
   EXPECT_GT(length_of({"shade", "--hatch-levels", "1", "--view", "trimetric"}), lengths[0]);
+}
+
+TEST_F(HatchTest, IsTheSameByEveryMethodBesideWallsSeenEdgeOn) {
+  const std::string cells = LIGNE_SOURCE_DIR "/tests/cli/scenes/voronoi_cells.json";
+  const double wanted =
+      hatched_mm(cells, {"shade", "--view", "top", "--hatch-angle", "face", "--method", "atherton-weiler"});
+  for (const char* spans : {"stack", "merge", "box", "point"}) {
+    EXPECT_NEAR(hatched_mm(cells, {"shade", "--view", "top", "--hatch-angle", "face", "--method", "watkins", "--span-method",
+                                   spans}),
+                wanted, 0.1)
+        << spans;
+  }
+}
+
+/// Whether rows are spaced evenly depends on what is seen of a smooth surface, not on what the method knows of the rest.
+TEST_F(HatchTest, ContinuousShadesAreTheSameByEveryMethod) {
+  const std::string shell = LIGNE_SOURCE_DIR "/tests/cli/scenes/open_shell.json";
+  for (const char* view : {"top", "front", "left", "iso"}) {
+    const auto length_by = [&](const char* method) {
+      return hatched_mm(shell, {"shade", "--view", view, "--hatch-levels", "continuous", "--method", method});
+    };
+    const double wanted = length_by("atherton-weiler");
+    EXPECT_NEAR(length_by("warnock"), wanted, 0.1) << view;
+    EXPECT_NEAR(length_by("watkins"), wanted, 0.1) << view;
+  }
 }
 
 TEST_F(DrawTest, PensByShade) {
