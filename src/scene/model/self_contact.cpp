@@ -1,11 +1,13 @@
 #include "scene/model/self_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <glm/common.hpp>
-#include <memory>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 
@@ -18,23 +20,48 @@ namespace {
 constexpr std::size_t kLeaf = 6;        ///< triangles at most in a leaf of the tree
 constexpr std::size_t kGrain = 16'384;  ///< triangles of a task
 
+using Corner = std::array<float, 3>;
+
+/// In single precision, rounded outwards.
 struct Box {
-  Point3 low, high;
+  Corner low, high;
+
   bool meets(const Box& o) const {
-    return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y && low.z <= o.high.z &&
-           o.low.z <= high.z;
+    return low[0] <= o.high[0] && o.low[0] <= high[0] && low[1] <= o.high[1] && o.low[1] <= high[1] && low[2] <= o.high[2] &&
+           o.low[2] <= high[2];
   }
+  void extend(const Box& o) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], o.low[i]);
+      high[i] = std::max(high[i], o.high[i]);
+    }
+  }
+};
+
+float rounded_down(double v) {
+  const auto f = static_cast<float>(v);
+  return double(f) > v ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+}
+float rounded_up(double v) { return -rounded_down(-v); }
+
+/// A triangle with its box.
+struct Item {
+  Box box;
+  std::uint32_t triangle;
 };
 
 /// The tree of one surface. Its nodes stand as in a heap: the children of node i are 2 i + 1 and 2 i + 2.
 class SelfSearch {
  public:
-  SelfSearch(std::span<const Point3> vertices, std::span<const Triangle> triangles, std::span<std::uint32_t> items)
-      : vertices_(vertices), triangles_(triangles), items_(items) {
+  SelfSearch(std::span<const Point3> vertices, std::span<const Triangle> triangles, std::span<const std::uint32_t> own)
+      : vertices_(vertices), triangles_(triangles), items_(own.size()) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, own.size(), kGrain), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) items_[i] = {box_of(own[i]), own[i]};
+    });
     std::size_t nodes = 1;
-    for (std::size_t n = items.size(); n > kLeaf; n -= n / 2) nodes = 2 * nodes + 1;
+    for (std::size_t n = own.size(); n > kLeaf; n -= n / 2) nodes = 2 * nodes + 1;
     boxes_.resize(nodes);
-    build({0, 0, items.size()});
+    build({0, 0, own.size()});
   }
 
   bool run() {
@@ -54,7 +81,12 @@ class SelfSearch {
   Box box_of(std::uint32_t triangle) const {
     const auto& v = triangles_[triangle].v;
     const Point3 &a = vertices_[v[0]], &b = vertices_[v[1]], &c = vertices_[v[2]];
-    return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+    Box box;
+    for (int i = 0; i < 3; ++i) {
+      box.low[static_cast<std::size_t>(i)] = rounded_down(std::min({a[i], b[i], c[i]}));
+      box.high[static_cast<std::size_t>(i)] = rounded_up(std::max({a[i], b[i], c[i]}));
+    }
+    return box;
   }
 
   template <class First, class Second>
@@ -68,23 +100,17 @@ class SelfSearch {
   }
 
   void build(const Node& node) {
-    Box box = box_of(items_[node.begin]);
-    for (std::size_t i = node.begin + 1; i < node.end; ++i) {
-      const Box b = box_of(items_[i]);
-      box = {glm::min(box.low, b.low), glm::max(box.high, b.high)};
-    }
+    Box box = items_[node.begin].box;
+    for (std::size_t i = node.begin + 1; i < node.end; ++i) box.extend(items_[i].box);
     boxes_[node.number] = box;
     if (node.leaf()) return;
-    const Point3 size = box.high - box.low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const auto place = [&](std::uint32_t t) {
-      const auto& v = triangles_[t].v;
-      return vertices_[v[0]][axis] + vertices_[v[1]][axis] + vertices_[v[2]][axis];
-    };
-    const auto items = items_.begin();
-    std::nth_element(items + static_cast<std::ptrdiff_t>(node.begin),
-                     items + static_cast<std::ptrdiff_t>(node.second().begin), items + static_cast<std::ptrdiff_t>(node.end),
-                     [&](std::uint32_t a, std::uint32_t b) { return std::pair(place(a), a) < std::pair(place(b), b); });
+    const auto size = [&](std::size_t i) { return box.high[i] - box.low[i]; };
+    const std::size_t axis = size(0) >= size(1) && size(0) >= size(2) ? 0 : size(1) >= size(2) ? 1 : 2;
+    const auto at = [&](std::size_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(node.begin), at(node.second().begin), at(node.end), [axis](const Item& a, const Item& b) {
+      const float p = a.box.low[axis] + a.box.high[axis], q = b.box.low[axis] + b.box.high[axis];
+      return p != q ? p < q : a.triangle < b.triangle;
+    });
     both(
         node.size(), [&] { build(node.first()); }, [&] { build(node.second()); });
   }
@@ -119,9 +145,10 @@ class SelfSearch {
     }
   }
 
-  void test(std::uint32_t first, std::uint32_t second) {
-    const Triangle &t = triangles_[first], &u = triangles_[second];
-    if (t.face == u.face || !box_of(first).meets(box_of(second))) return;
+  void test(const Item& first, const Item& second) {
+    if (!first.box.meets(second.box)) return;
+    const Triangle &t = triangles_[first.triangle], &u = triangles_[second.triangle];
+    if (t.face == u.face) return;
     // The common vertices come to stand first.
     std::array<std::uint32_t, 3> tv = t.v, uv = u.v;
     int shared = 0;
@@ -141,7 +168,7 @@ class SelfSearch {
 
   std::span<const Point3> vertices_;
   std::span<const Triangle> triangles_;
-  std::span<std::uint32_t> items_;  ///< triangles, in the order of the tree
+  std::vector<Item> items_;  ///< in the order of the tree
   std::vector<Box> boxes_;
   std::atomic<bool> found_ = false;  ///< ends the search: one contact is as good as many
 };
