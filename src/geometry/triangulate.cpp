@@ -54,6 +54,9 @@ class EarCutter {
     return std::move(triangles_);
   }
 
+  /// Whether everything was cut.
+  bool whole() const { return whole_; }
+
  private:
   Point2 at(Index node) const { return p_[nodes_[node].position]; }
   int turn(Index node) const { return orientation_sign(at(nodes_[node].prev), at(node), at(nodes_[node].next)); }
@@ -111,6 +114,7 @@ class EarCutter {
       add_bridge(m, v);
       return;
     }
+    whole_ = false;
   }
 
   /// v -> w becomes v -> m -> (hole) -> m' -> v' -> w.
@@ -220,7 +224,10 @@ class EarCutter {
       } else if (++failures <= left) {
         b = next;
       } else {
-        if (rule == Rule::any) return;  // only reflex corners are left: contours that cross
+        if (rule == Rule::any) {  // only reflex corners are left: contours that cross
+          whole_ = false;
+          return;
+        }
         rule = rule == Rule::strict ? Rule::touching : Rule::any;
         failures = 0;
       }
@@ -233,6 +240,7 @@ class EarCutter {
   std::vector<Index> joined_;  ///< nodes of the rings to cut
   std::vector<Index> reflex_;  ///< of the ring being cut, by position
   std::vector<Triple> triangles_;
+  bool whole_ = true;
 };
 
 /// +1 or -1 when the contour is strictly convex and goes round once, in that direction; otherwise 0.
@@ -265,8 +273,9 @@ std::vector<Point2> in_exact_range(std::span<const Point2> points) {
 
 }  // namespace
 
-std::vector<Triple> triangulate(std::span<const Point2> points, std::span<const std::uint32_t> contour_end) {
+std::vector<Triple> triangulate(std::span<const Point2> points, std::span<const std::uint32_t> contour_end, bool* whole) {
   std::vector<Triple> triangles;
+  if (whole) *whole = true;
   if (contour_end.empty() || contour_end[0] < 3) return triangles;
   const bool finite =
       std::all_of(points.begin(), points.end(), [](Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
@@ -279,7 +288,9 @@ std::vector<Triple> triangulate(std::span<const Point2> points, std::span<const 
     return triangles;
   }
   const LinkedContours links = link_contours(scaled, contour_end);
-  triangles = EarCutter(links).cut();
+  EarCutter cutter(links);
+  triangles = cutter.cut();
+  if (whole) *whole = cutter.whole();
   const bool clockwise = contour_sign(outer) < 0;
   for (Triple& t : triangles) {
     t = {links.source[t[0]], links.source[t[1]], links.source[t[2]]};

@@ -16,10 +16,13 @@ namespace ligne {
 /// contour i. The first contour is the outer one, the others are holes; either winding is accepted. Contours may touch
 /// themselves and each other at corners and along edges.
 ///
-/// Returns triples of indices into `points`, wound as the outer contour is. Contours that cross give triangles that cover
-/// the polygon as well as they can; there is no error. Triangles without area are left out.
-/// Method: holes are joined to the outer contour by bridges, then ears are cut (Meisters 1975; bridges after Eberly 2002).
+/// Returns triples of indices into `points`, wound as the outer contour is. Triangles without area are left out. Contours
+/// that cross give triangles that cover the polygon as well as they can; there is no error. `whole`, when not null, tells
+/// whether something was left: if true, a point lies in as many triangles as the outer contour winds round it, less the
+/// holes that do, and never in a negative number (so what is covered is right by the nonzero rule); if false, a part wound
+/// the other way round, or a hole outside, was not cut. Method: holes are joined to the outer contour by bridges, then ears
+/// are cut (Meisters 1975; bridges after Eberly 2002).
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Point2> points,
-                                                      std::span<const std::uint32_t> contour_end);
+                                                      std::span<const std::uint32_t> contour_end, bool* whole = nullptr);
 
 }  // namespace ligne

@@ -197,6 +197,31 @@ TEST(FinishScene, NonPlanarFacesAreCut) {
   EXPECT_EQ(hidden, 1);
 }
 
+/// A slanted plane; `points` in it.
+Points slanted(const std::vector<std::array<double, 2>>& points) {
+  Points result;
+  for (const auto& [x, y] : points) result.emplace_back(x, y, x / 2 + y / 4);
+  return result;
+}
+
+TEST(FinishScene, CountsFacesThatLoseAreaWhereTheirContourCrosses) {
+  const auto lost = [](const std::vector<std::array<double, 2>>& points) {
+    Scene scene;
+    Corners corners;
+    for (std::uint32_t i = 0; i < points.size(); ++i) corners.push_back(i);
+    add_object(scene, slanted(points), {corners, {0, 1, 2}});
+    return clean(std::move(scene)).count("faces whose contours cross, or with holes outside, are not filled as a whole");
+  };
+  EXPECT_EQ(lost({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), 1u) << "a bow tie of two equal halves";
+  EXPECT_EQ(lost({{0, 0}, {4, 3}, {4, 0}, {0, 5}}), 1u) << "and of unequal ones";
+  EXPECT_EQ(lost({{0, 6}, {4, -5}, {-6, 2}, {6, 2}, {-4, -5}}), 1u) << "a pentagram";
+  EXPECT_EQ(lost({{0, 0}, {4, 0}, {4, 4}, {0, 4}}), 0u);
+  EXPECT_EQ(lost({{0, 0}, {4, 0}, {1, 1}, {0, 4}}), 0u) << "concave";
+  EXPECT_EQ(lost({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}), 0u) << "a bow tie whose halves touch";
+  EXPECT_EQ(lost({{0, 0}, {4, 0}, {4, 4}, {4, 0}}), 0u) << "a spike has no area to lose";
+  EXPECT_EQ(lost({{0, 0}, {1, 0}, {2, 0}, {3, 0}}), 0u) << "nothing at all";
+}
+
 TEST(FinishScene, NonPlanarFaceWithHole) {
   // A square bent along its diagonal, with a square hole, wound as the outer contour and against it.
   for (const bool same : {false, true}) {

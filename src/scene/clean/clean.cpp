@@ -21,6 +21,7 @@ constexpr char kDegenerate[] = "faces with fewer than three distinct vertices dr
 constexpr char kNotFinite[] = "faces with vertices that are not finite dropped";
 constexpr char kHole[] = "holes with fewer than three distinct vertices dropped";
 constexpr char kNotPlanar[] = "faces that are not planar cut into triangles";
+constexpr char kCrossing[] = "faces whose contours cross, or with holes outside, are not filled as a whole";
 constexpr char kNoArea[] = "faces that are not planar and have no area dropped";
 
 /// Triangles that one task visits.
@@ -171,8 +172,11 @@ class PolygonCleaner {
   void write_face(std::uint32_t f, double precision) {
     if (is_planar(scene_.vertices, face_, precision)) {
       add(face_);
+      if (!is_covered(scene_.vertices, face_)) warnings_.add(kCrossing);
     } else {
-      const std::vector<CutTriangle> triangles = cut_into_triangles(scene_.vertices, face_);
+      bool covered = true;
+      const std::vector<CutTriangle> triangles = cut_into_triangles(scene_.vertices, face_, covered);
+      if (!covered) warnings_.add(kCrossing);
       if (triangles.empty()) {
         ++dropped_.no_area;
         return;

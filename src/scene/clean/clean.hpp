@@ -8,9 +8,9 @@ namespace ligne {
 
 /// Welds the vertices of each object that have equal positions, drops faces that have fewer than three distinct vertices
 /// (and repeated corners, and contours that collapse), triangulates faces that are not planar within the precision of
-/// their object, and drops vertices that are not finite together with their faces. Everything dropped or mended is
-/// counted in `warnings`. Faces without area whose vertices differ are kept: they hide nothing, but they join their
-/// neighbours.
+/// their object, says which faces lose area because their contours cross, and drops vertices that are not finite together
+/// with their faces. Everything dropped or mended is counted in `warnings`. Faces without area whose vertices differ are
+/// kept: they hide nothing, but they join their neighbours.
 void finish_scene(Scene& scene, Warnings& warnings);
 
 /// Puts coplanar neighbouring faces of one object and material together into polygons with holes.

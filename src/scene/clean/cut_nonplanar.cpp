@@ -51,7 +51,16 @@ bool is_planar(const std::vector<Point3>& vertices, const LooseFace& face, doubl
                      [&](const Point3& p) { return std::abs(plane.distance(p)) <= tolerance; });
 }
 
-std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices, const LooseFace& face) {
+bool is_covered(const std::vector<Point3>& vertices, const LooseFace& face) {
+  if (face.corners.size() == 3) return true;
+  // Not along the area vector: parts wound against each other can leave none.
+  const std::vector<Point3> points = corner_points(vertices, face);
+  bool covered = true;
+  triangulate(project(points, spanning_plane(points).normal), face.contour_end, &covered);
+  return covered;
+}
+
+std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices, const LooseFace& face, bool& covered) {
   const std::vector<Point3> points = corner_points(vertices, face);
   Point3 normal = area_vector(vertices, std::span(face.corners).first(face.contour_end[0]));
   if (normal == Point3(0)) normal = spanning_plane(points).normal;
@@ -63,7 +72,7 @@ std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices,
     return kCornerInner;
   };
   std::vector<CutTriangle> triangles;
-  for (const auto& [a, b, c] : triangulate(project(points, normal), face.contour_end)) {
+  for (const auto& [a, b, c] : triangulate(project(points, normal), face.contour_end, &covered)) {
     const auto& v = face.corners;
     if (v[a] == v[b] || v[b] == v[c] || v[c] == v[a]) continue;
     triangles.push_back({{v[a], v[b], v[c]}, {flags_of_edge(a, b), flags_of_edge(b, c), flags_of_edge(c, a)}});

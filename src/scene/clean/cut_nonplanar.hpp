@@ -25,8 +25,12 @@ struct CutTriangle {
 /// (planarity_tolerance()). A triangle always does.
 bool is_planar(const std::vector<Point3>& vertices, const LooseFace& face, double precision);
 
+/// Whether the triangles of a planar face cover all of it: false when its contours cross so that a part is lost.
+bool is_covered(const std::vector<Point3>& vertices, const LooseFace& face);
+
 /// Cuts the face into triangles, wound as its outer contour is, in its projection along the dominant axis of its area
 /// vector. Edges that the face did not have carry kCornerInner. Nothing comes back when the projection has no area.
-std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices, const LooseFace& face);
+/// `covered` tells whether the triangles cover all of the projection, as is_covered() does.
+std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices, const LooseFace& face, bool& covered);
 
 }  // namespace ligne
