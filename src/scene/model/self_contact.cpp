@@ -17,7 +17,7 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-constexpr std::size_t kLeaf = 6;        ///< triangles at most in a leaf of the tree
+constexpr std::size_t kLeaf = 4;        ///< triangles at most in a leaf of the tree
 constexpr std::size_t kGrain = 16'384;  ///< triangles of a task
 
 using Corner = std::array<float, 3>;
