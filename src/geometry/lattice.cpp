@@ -11,12 +11,13 @@ constexpr double kLeastExtentMm = 1e-9;
 
 }  // namespace
 
-Lattice Lattice::covering(const Rect& page_mm) {
+Lattice Lattice::covering(const Rect& page_mm, int margin_steps) {
   Lattice lattice;
   if (page_mm.empty()) return lattice;
   const double half = std::max({page_mm.width(), page_mm.height(), kLeastExtentMm}) / 2;
-  // One step of slack on every side keeps rounded coordinates inside the limit.
-  const int exponent = static_cast<int>(std::ceil(std::log2(half / (kLatticeLimit - 2))));
+  // One step of slack on every side keeps rounded coordinates inside the limit, another one the origin, which is rounded
+  // too.
+  const int exponent = static_cast<int>(std::ceil(std::log2(half / (kLatticeLimit - 2 - margin_steps))));
   lattice.step_mm = std::ldexp(1.0, exponent);
   const Point2 centre = (page_mm.min + page_mm.max) * 0.5;
   lattice.origin_mm = {std::round(centre.x / lattice.step_mm) * lattice.step_mm,

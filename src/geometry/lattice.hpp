@@ -37,8 +37,9 @@ struct Lattice {
   Point2 origin_mm{0, 0};  ///< page position of lattice point (0, 0); a whole number of steps
   double step_mm = 1;      ///< a power of two
 
-  /// The finest lattice that holds the rectangle. Rectangles without area are welcome; an empty one gives a step of 1 mm.
-  static Lattice covering(const Rect& page_mm);
+  /// The finest lattice that holds the rectangle and `margin_steps` of its steps round it. Rectangles without area are
+  /// welcome; an empty one gives a step of 1 mm.
+  static Lattice covering(const Rect& page_mm, int margin_steps = 0);
 
   /// Nearest lattice point; coordinates outside the limit are clamped to it.
   LatticePoint snap(Point2 mm) const;

@@ -68,8 +68,8 @@ std::optional<AxisEdge> candidate(const BoxEdge& edge, const AxesBox& box, const
     const HomogeneousPoint h = interpolate(a, b, t);
     return Point2(h.x / h.w, h.y / h.w);
   };
-  if ((*part)[0] > 0) found.a = at((*part)[0]);
-  if ((*part)[1] < 1) found.b = at((*part)[1]);
+  if (part->cut[0]) found.a = at(part->range[0]);
+  if (part->cut[1]) found.b = at(part->range[1]);
   return glm::distance(found.a, found.b) >= shortest ? std::optional(found) : std::nullopt;
 }
 

@@ -17,15 +17,15 @@ Polylines axis_lines(std::span<const AxisLine> lines, const View& view, const Li
   }
 
   StrokeModel model;
-  model.lattice = Lattice::covering(view.window);
+  model.lattice = page_lattice(view);
   model.edge_count = static_cast<std::uint32_t>(lines.size());
-  const ClipVolume volume{view.window, view.near_distance};
+  const ClipVolume volume = line_volume(view, model.lattice);
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
     const HomogeneousPoint a = to_homogeneous(view, lines[i].a), b = to_homogeneous(view, lines[i].b);
     const auto inside = clip_segment(a, b, volume);
     if (!inside) continue;
     for (const VisibleInterval& part : visible[i]) {
-      const double from = std::max(part.from, (*inside)[0]), to = std::min(part.to, (*inside)[1]);
+      const double from = std::max(part.from, inside->range[0]), to = std::min(part.to, inside->range[1]);
       if (!(from < to)) continue;
       const HomogeneousPoint p = interpolate(a, b, from), q = interpolate(a, b, to);
       Stroke stroke;

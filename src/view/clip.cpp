@@ -4,6 +4,24 @@
 #include <tuple>
 
 namespace ligne {
+namespace {
+
+/// What rounds to the border of the window lies on it.
+constexpr double kLineMarginSteps = 0.5;
+
+ClipVolume widened(const View& view, double margin_mm) {
+  return {{view.window.min - Point2(margin_mm), view.window.max + Point2(margin_mm)}, view.near_distance};
+}
+
+}  // namespace
+
+ClipVolume line_volume(const View& view, const Lattice& lattice) {
+  return widened(view, kLineMarginSteps * lattice.step_mm);
+}
+
+ClipVolume face_volume(const View& view, const Lattice& lattice) {
+  return widened(view, kWindowMarginSteps * lattice.step_mm);
+}
 
 HomogeneousPoint interpolate(const HomogeneousPoint& a, const HomogeneousPoint& b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z), a.w + t * (b.w - a.w)};
@@ -27,17 +45,17 @@ void clip_contour(std::vector<HomogeneousPoint>& contour, const ClipVolume& volu
   }
 }
 
-std::optional<std::array<double, 2>> clip_segment(const HomogeneousPoint& a, const HomogeneousPoint& b,
-                                                  const ClipVolume& volume) {
-  double from = 0, to = 1;
+std::optional<SegmentPart> clip_segment(const HomogeneousPoint& a, const HomogeneousPoint& b, const ClipVolume& volume) {
+  SegmentPart part;
+  auto& [from, to] = part.range;
   for (int plane = 0; plane < ClipVolume::kPlanes; ++plane) {
     const double da = volume.distance(plane, a), db = volume.distance(plane, b);
     if (da < 0 && db < 0) return std::nullopt;
-    if (da < 0) from = std::max(from, da / (da - db));
-    if (db < 0) to = std::min(to, da / (da - db));
+    if (da < 0) from = std::max(from, da / (da - db)), part.cut[0] = true;
+    if (db < 0) to = std::min(to, da / (da - db)), part.cut[1] = true;
   }
   if (!(from < to)) return std::nullopt;
-  return std::array<double, 2>{from, to};
+  return part;
 }
 
 }  // namespace ligne

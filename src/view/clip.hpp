@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/lattice.hpp"
 #include "geometry/point.hpp"
 #include "view/view.hpp"
 
@@ -39,13 +40,31 @@ struct ClipVolume {
   }
 };
 
+/// What of lines is drawn: the window, and what the lattice rounds onto its border. So a line along the border, or a vertex
+/// on it, is in view whatever the last digits of its projection.
+ClipVolume line_volume(const View& view, const Lattice& lattice);
+
+/// What of faces is studied: kWindowMarginSteps more than the window, so that a line along the window's border has on both
+/// of its banks what covers it.
+ClipVolume face_volume(const View& view, const Lattice& lattice);
+
 /// Clips a convex contour in place; what is left has no corner when nothing is inside.
 void clip_contour(std::vector<HomogeneousPoint>& contour, const ClipVolume& volume);
 
-/// The part of the segment a, b inside, as parameters of a + t (b - a), 0 <= t <= 1, or nothing. Since the coordinates are
-/// homogeneous, t is also the parameter on the edge in model space.
-std::optional<std::array<double, 2>> clip_segment(const HomogeneousPoint& a, const HomogeneousPoint& b,
-                                                  const ClipVolume& volume);
+/// The part of a segment a, b that is inside.
+struct SegmentPart {
+  /// Parameters of a + t (b - a), 0 <= t <= 1. Since the coordinates are homogeneous, t is also the parameter on the edge in
+  /// model space.
+  std::array<double, 2> range{0, 1};
+  /// Per end: it is a point of the volume's border, because the segment's own end lies outside. The parameter does not tell:
+  /// where an end is outside by a rounding only, the parameter of the cut may be rounded to 0 or 1.
+  std::array<bool, 2> cut{false, false};
+
+  bool whole() const { return !cut[0] && !cut[1]; }
+};
+
+/// The part inside, or nothing. An end is cut when and only when the volume does not contain it.
+std::optional<SegmentPart> clip_segment(const HomogeneousPoint& a, const HomogeneousPoint& b, const ClipVolume& volume);
 
 /// a + t (b - a).
 HomogeneousPoint interpolate(const HomogeneousPoint& a, const HomogeneousPoint& b, double t);

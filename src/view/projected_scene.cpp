@@ -9,6 +9,7 @@
 #include "geometry/parallel.hpp"
 #include "view/clip.hpp"
 #include "view/edge_classes.hpp"
+#include "view/edge_on.hpp"
 #include "view/spatial_order.hpp"
 
 namespace ligne {
@@ -30,19 +31,27 @@ ProjectedVertex to_vertex(const HomogeneousPoint& p, const Lattice& lattice) {
   return {lattice.snap({p.x / p.w, p.y / p.w}), p.z / p.w};
 }
 
-/// Projects all vertices; returns whether every one lies in the view volume. Those that do not are left for the clipping.
-bool project_vertices(const Scene& scene, const View& view, const ClipVolume& volume, ProjectedScene& out) {
+/// What of lines and of faces is kept; the first lies inside the second.
+struct Volumes {
+  ClipVolume lines, faces;
+};
+
+Volumes volumes_of(const ProjectedScene& scene) {
+  return {line_volume(scene.view, scene.lattice), face_volume(scene.view, scene.lattice)};
+}
+
+/// Projects the vertices that corners of faces or ends of lines can stay; returns whether all can stay both. Those that can
+/// not are left for the clipping.
+bool project_vertices(const Scene& scene, const View& view, const Volumes& volumes, ProjectedScene& out) {
   std::atomic<bool> all_inside{true};
   out.vertices.resize(scene.vertices.size());
   parallel_blocks(out.vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     bool inside = true;
     for (std::size_t i = begin; i < end; ++i) {
       const HomogeneousPoint p = to_homogeneous(view, scene.vertices[i]);
-      if (volume.contains(p)) {
-        out.vertices[i] = to_vertex(p, out.lattice);
-      } else {
-        inside = false;
-      }
+      const bool in_lines = volumes.lines.contains(p);
+      if (in_lines || volumes.faces.contains(p)) out.vertices[i] = to_vertex(p, out.lattice);
+      inside = inside && in_lines;
     }
     if (!inside) all_inside = false;
   });
@@ -52,12 +61,12 @@ bool project_vertices(const Scene& scene, const View& view, const ClipVolume& vo
 /// Clips triangles and candidate edges that leave the view volume.
 class Clipper {
  public:
-  Clipper(const Scene& scene, const View& view, const ClipVolume& volume, ProjectedScene& out)
-      : scene_(scene), view_(view), volume_(volume), out_(out) {
+  Clipper(const Scene& scene, const View& view, const Volumes& volumes, ProjectedScene& out)
+      : scene_(scene), view_(view), volumes_(volumes), out_(out) {
     inside_.resize(scene.vertices.size());
     parallel_blocks(inside_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        inside_[i] = volume_.contains(to_homogeneous(view_, scene_.vertices[i]));
+        inside_[i] = volumes_.faces.contains(to_homogeneous(view_, scene_.vertices[i]));
       }
     });
   }
@@ -74,7 +83,7 @@ class Clipper {
       }
       contour.clear();
       for (const std::uint32_t v : t.v) contour.push_back(to_homogeneous(view_, scene_.vertices[v]));
-      clip_contour(contour, volume_);
+      clip_contour(contour, volumes_.faces);
       if (contour.size() < 3) continue;
       corners.clear();
       for (const HomogeneousPoint& p : contour) corners.push_back(corner(p, t));
@@ -88,20 +97,15 @@ class Clipper {
     out_.edge_parts.reserve(out_.edges.size());
     std::size_t kept = 0;
     for (const ProjectedEdge& edge : out_.edges) {
-      if (inside_[edge.v0] && inside_[edge.v1]) {
-        out_.edges[kept++] = edge;
-        out_.edge_parts.push_back({0, 1});
-        continue;
-      }
       const HomogeneousPoint a = to_homogeneous(view_, scene_.vertices[edge.v0]);
       const HomogeneousPoint b = to_homogeneous(view_, scene_.vertices[edge.v1]);
-      const auto part = clip_segment(a, b, volume_);
+      const auto part = clip_segment(a, b, volumes_.lines);
       if (!part) continue;
       ProjectedEdge clipped = edge;
-      if ((*part)[0] > 0) clipped.v0 = add_vertex(interpolate(a, b, (*part)[0]));
-      if ((*part)[1] < 1) clipped.v1 = add_vertex(interpolate(a, b, (*part)[1]));
+      if (part->cut[0]) clipped.v0 = add_vertex(interpolate(a, b, part->range[0]));
+      if (part->cut[1]) clipped.v1 = add_vertex(interpolate(a, b, part->range[1]));
       out_.edges[kept++] = clipped;
-      out_.edge_parts.push_back(*part);
+      out_.edge_parts.push_back(part->range);
     }
     out_.edges.resize(kept);
   }
@@ -135,9 +139,9 @@ class Clipper {
 
   const Scene& scene_;
   const View& view_;
-  const ClipVolume& volume_;
+  const Volumes& volumes_;
   ProjectedScene& out_;
-  std::vector<std::uint8_t> inside_;
+  std::vector<std::uint8_t> inside_;                                   ///< the volume of faces
   std::unordered_map<Coordinates, std::uint32_t, Hash> cut_vertices_;  ///< of the object at hand
 };
 
@@ -172,17 +176,18 @@ std::vector<std::uint8_t> transparent_faces(const Scene& scene) {
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection) {
   ProjectedScene out;
   out.view = view;
-  out.lattice = Lattice::covering(view.window);
+  out.lattice = page_lattice(view);
   out.source_count = static_cast<std::uint32_t>(topology.edges.size());
   out.with_intersections = selection.classes.has(LineClass::intersection);
   out.input_error_mm = input_error_mm(scene, view);
   out.face_is_transparent = transparent_faces(scene);
+  out.face_is_edge_on = faces_seen_edge_on(scene, topology, view.camera);
   select_edges(scene, topology, view.camera, selection, out);
-  const ClipVolume volume{view.window, view.near_distance};
-  if (project_vertices(scene, view, volume, out)) {
+  const Volumes volumes = volumes_of(out);
+  if (project_vertices(scene, view, volumes, out)) {
     out.triangles = topology.triangles;
   } else {
-    Clipper clipper(scene, view, volume, out);
+    Clipper clipper(scene, view, volumes, out);
     clipper.clip_triangles(topology.triangles);
     clipper.clip_edges();
   }
@@ -191,7 +196,7 @@ ProjectedScene project(const Scene& scene, const Topology& topology, const View&
 }
 
 void add_lines(ProjectedScene& projected, std::span<const std::array<Point3, 2>> lines, LineClass line_class) {
-  const ClipVolume volume{projected.view.window, projected.view.near_distance};
+  const ClipVolume volume = line_volume(projected.view, projected.lattice);
   const auto add_vertex = [&](const HomogeneousPoint& p) {
     projected.vertices.push_back(to_vertex(p, projected.lattice));
     return static_cast<std::uint32_t>(projected.vertices.size() - 1);
@@ -201,12 +206,11 @@ void add_lines(ProjectedScene& projected, std::span<const std::array<Point3, 2>>
     const HomogeneousPoint a = to_homogeneous(projected.view, line[0]), b = to_homogeneous(projected.view, line[1]);
     const auto part = clip_segment(a, b, volume);
     if (!part) continue;
-    const bool clipped = (*part)[0] > 0 || (*part)[1] < 1;
-    if (clipped && projected.edge_parts.empty()) projected.edge_parts.assign(projected.edges.size(), {0, 1});
-    const std::uint32_t v0 = add_vertex((*part)[0] > 0 ? interpolate(a, b, (*part)[0]) : a);
-    const std::uint32_t v1 = add_vertex((*part)[1] < 1 ? interpolate(a, b, (*part)[1]) : b);
+    if (!part->whole() && projected.edge_parts.empty()) projected.edge_parts.assign(projected.edges.size(), {0, 1});
+    const std::uint32_t v0 = add_vertex(part->cut[0] ? interpolate(a, b, part->range[0]) : a);
+    const std::uint32_t v1 = add_vertex(part->cut[1] ? interpolate(a, b, part->range[1]) : b);
     projected.edges.push_back({v0, v1, kNone, kNone, source, line_class});
-    if (clipped || !projected.edge_parts.empty()) projected.edge_parts.push_back(*part);
+    if (!part->whole() || !projected.edge_parts.empty()) projected.edge_parts.push_back(part->range);
   }
 }
 

@@ -42,8 +42,8 @@ struct ProjectedScene {
   Lattice lattice;
   View view;
   std::vector<ProjectedVertex> vertices;
-  std::vector<Triangle> triangles;   ///< what is inside the view volume; vertex indices are those of `vertices`
-  std::vector<ProjectedEdge> edges;  ///< candidates of the selected classes
+  std::vector<Triangle> triangles;   ///< what is inside the volume of faces; vertex indices are those of `vertices`
+  std::vector<ProjectedEdge> edges;  ///< candidates of the selected classes, clipped to the volume of lines (clip.hpp)
   /// Where edges were clipped: per candidate edge the part of its source edge that is inside. Empty when nothing was.
   std::vector<std::array<double, 2>> edge_parts;
   std::uint32_t source_count = 0;   ///< number of edges of the topology, and of lines beside them
@@ -51,6 +51,11 @@ struct ProjectedScene {
   /// Per face of the scene: 1 when what is behind is seen through it, kClearFace when it is seen but is not even in the way.
   /// Empty when all faces are opaque. Methods that know no transparency take every face for opaque.
   std::vector<std::uint8_t> face_is_transparent;
+  /// Per face of the scene: 1 when it is seen edge on (edge_on.hpp). Its triangles hide nothing, also where the rounding to
+  /// the lattice gives them an area. Empty when no face is.
+  std::vector<std::uint8_t> face_is_edge_on;
+  bool is_edge_on(const Triangle& t) const { return !face_is_edge_on.empty() && face_is_edge_on[t.face]; }
+
   /// Error of the input's own coordinates in page mm at the target plane: surfaces closer than this touch.
   double input_error_mm = 0;
 
@@ -61,7 +66,8 @@ struct ProjectedScene {
   }
 };
 
-/// Projects, clips to the view's window and near plane, snaps to the lattice, and classifies the edges.
+/// Projects, clips lines to the view's window and near plane and faces to a little more (clip.hpp), snaps to the lattice,
+/// and classifies the edges.
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection);
 
 /// Per face of the scene 1 when its material is transparent, else 0; empty when there is no such material.

@@ -6,6 +6,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "geometry/lattice.hpp"
 #include "geometry/point.hpp"
 #include "scene/model/scene.hpp"
 
@@ -60,6 +61,14 @@ struct View {
   Rect window;               ///< page mm; what lies outside is clipped away
   double near_distance = 0;  ///< perspective: w of the near plane, > 0
 };
+
+/// Faces are studied so far beyond the window. More than the two steps by which a line that is drawn may lie outside (half a
+/// step, and what it is rounded by); half a micrometre on A0, so that what is made of faces exceeds the window by less than
+/// a drawing may be off.
+inline constexpr int kWindowMarginSteps = 16;
+
+/// The lattice of the view's page: it holds the window and the margin of faces round it.
+inline Lattice page_lattice(const View& view) { return Lattice::covering(view.window, kWindowMarginSteps); }
 
 /// A point before the division by w; see View::model_to_page.
 struct HomogeneousPoint {

@@ -46,6 +46,7 @@ double twice_area_mm(const std::vector<Region>& regions) {
 double covered(const ProjectedScene& scene) {
   std::vector<ContourFace> faces;
   for (const Triangle& t : scene.triangles) {
+    if (scene.is_edge_on(t)) continue;
     const std::vector<std::vector<LatticePoint>> contour{
         {scene.vertices[t.v[0]].p, scene.vertices[t.v[1]].p, scene.vertices[t.v[2]].p}};
     if (orientation(contour[0][0], contour[0][1], contour[0][2]) == 0) continue;

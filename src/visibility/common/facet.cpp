@@ -48,9 +48,9 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps) {
     for (std::size_t i = block * kBlock; i < last; ++i) {
       const Triangle& t = scene.triangles[i];
       const ProjectedVertex& a = scene.vertices[t.v[0]];
-      ProjectedVertex b = scene.vertices[t.v[1]];
-      ProjectedVertex c = scene.vertices[t.v[2]];
-      double area = orientation(a.p, b.p, c.p);
+      const ProjectedVertex& b = scene.vertices[t.v[1]];
+      const ProjectedVertex& c = scene.vertices[t.v[2]];
+      const double area = scene.is_edge_on(t) ? 0 : orientation(a.p, b.p, c.p);
       const double abx = double(b.p.x) - a.p.x, aby = double(b.p.y) - a.p.y;
       const double acx = double(c.p.x) - a.p.x, acy = double(c.p.y) - a.p.y;
       const double length = std::max(

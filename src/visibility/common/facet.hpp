@@ -26,8 +26,9 @@ struct Facet {
 /// See docs/numerics.md, "Touching".
 double touch_tolerance(const ProjectedScene& scene, double gradient, double z_near);
 
-/// The facets of the triangles that have area on the lattice; and which faces have a triangle that is seen edge on (its
-/// height on the page is below `thin_steps`), whose edges therefore lie on each other.
+/// The facets of the triangles that have area on the page, which is that on the lattice unless the face is seen edge on; and
+/// which faces have a triangle that is seen edge on (its height on the page is below `thin_steps`), whose edges therefore
+/// lie on each other.
 struct Facets {
   std::vector<Facet> facets;
   std::vector<std::uint8_t> face_is_thin;

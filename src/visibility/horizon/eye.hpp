@@ -80,7 +80,7 @@ class Eye {
     if (!a.inside || !b.inside) {
       const auto clipped = clip_segment(a.page, b.page, volume_);
       if (!clipped) return;
-      inside = *clipped;
+      inside = clipped->range;
     }
     const double extent = part.to - part.from;
     for (const Span& s : seen) {

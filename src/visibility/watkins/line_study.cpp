@@ -17,9 +17,13 @@ class Collector final : public LineListener {
     if (tracker_) tracker_->line(scan, line, studied);
     if (!collect_) return;
     const LineGrid& grid = scan.scene().grid;
-    const auto mm = [&](double u) { return scene_.lattice.origin_mm.x + grid.x(u) * scene_.lattice.step_mm; };
+    const Rect& window = scene_.view.window;  // faces go on a little beyond it
+    const auto mm = [&](double u) {
+      return std::clamp(scene_.lattice.origin_mm.x + grid.x(u) * scene_.lattice.step_mm, window.min.x, window.max.x);
+    };
     for (const LineSpan& s : scan.spans()) {
-      if (s.u0 < s.u1) spans.push_back({line, mm(s.u0), mm(s.u1), s.face});
+      const double from = mm(s.u0), to = mm(s.u1);
+      if (from < to) spans.push_back({line, from, to, s.face});
     }
   }
   void ended(const LineScan& scan, std::uint32_t slot) override {

@@ -20,6 +20,7 @@ std::vector<GridPlane> planes_of(const ProjectedScene& scene, const LineGrid& gr
   std::vector<GridPlane> planes(face_count);
   std::vector<double> largest(face_count, 0);
   for (const Triangle& t : scene.triangles) {
+    if (scene.is_edge_on(t)) continue;
     const ProjectedVertex &a = scene.vertices[t.v[0]], &b = scene.vertices[t.v[1]], &c = scene.vertices[t.v[2]];
     const double area = orientation(a.p, b.p, c.p);
     if (std::abs(area) <= largest[t.face]) continue;
@@ -68,6 +69,7 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
   std::vector<std::uint32_t> begin(vertices.size() + 1, 0);
   const auto for_each_use = [&](const auto& use) {
     for (const Triangle& t : scene.triangles) {
+      if (scene.is_edge_on(t)) continue;
       for (int k = 0; k < 3; ++k) use(t.v[k], t.v[(k + 1) % 3], false, t.face);
     }
     for (std::uint32_t i = 0; i < lines.size(); ++i) use(line_ends[i][0], line_ends[i][1], true, i);

@@ -1,0 +1,79 @@
+#include "view/edge_on.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "geometry/parallel.hpp"
+
+namespace ligne {
+namespace {
+
+/// An eye on a face, and a line of sight along it, are themselves the result of a handful of double operations on
+/// coordinates as large as the largest.
+constexpr double kSightRounding = 0x1p-50;
+/// Roundings of the mixed product: three differences, two products and a difference, and a sum of three products.
+constexpr double kMixedProductRounding = 0x1p-50;
+constexpr std::size_t kGrain = 16'384;
+
+double sum_of_sizes(const Point3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// Sum of the sizes of the products in (a x b) . c.
+double product_sizes(const Point3& a, const Point3& b, const Point3& c) {
+  const Point3 p = glm::abs(a), q = glm::abs(b), s = glm::abs(c);
+  return (p.y * q.z + p.z * q.y) * s.x + (p.z * q.x + p.x * q.z) * s.y + (p.x * q.y + p.y * q.x) * s.z;
+}
+
+/// Is the triangle seen edge on? See the header for `precision`, e, and `rounding`, d.
+bool seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Camera& camera, double precision,
+                  double rounding) {
+  const Point3 pq = q - p, pr = r - p, normal = glm::cross(pq, pr);
+  const Point3 sight = camera.perspective ? p - camera.eye : camera.forward;
+  const double product = std::abs(glm::dot(normal, sight)) - kMixedProductRounding * product_sizes(pq, pr, sight);
+  if (!camera.perspective) {
+    const auto moved = [&](const Point3& side) { return sum_of_sizes(glm::cross(sight, side)); };
+    return product <= rounding * (moved(pq) + moved(pr) + moved(r - q));
+  }
+  const Point3 b = q - camera.eye, c = r - camera.eye;
+  const auto moved = [&](const Point3& v, const Point3& w) { return sum_of_sizes(glm::cross(v, w)); };
+  return product <= precision * sum_of_sizes(normal) + rounding * (moved(b, c) + moved(c, sight) + moved(sight, b));
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera) {
+  double largest = sum_of_sizes(camera.eye);
+  for (const Point3& v : scene.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const double rounding = kSightRounding * largest;
+  // A face is seen edge on when all its triangles are.
+  const std::vector<Triangle>& triangles = topology.triangles;
+  std::vector<std::uint8_t> edge_on(triangles.size());
+  std::atomic<bool> any{false};
+  parallel_blocks(triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    std::size_t object =
+        static_cast<std::size_t>(std::partition_point(scene.objects.begin(), scene.objects.end(),
+                                                      [&](const Object& o) { return o.face_end <= triangles[begin].face; }) -
+                                 scene.objects.begin());
+    bool found = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Triangle& t = triangles[i];
+      while (t.face >= scene.objects[object].face_end) ++object;
+      const Point3 &p = scene.vertices[t.v[0]], &q = scene.vertices[t.v[1]], &r = scene.vertices[t.v[2]];
+      edge_on[i] = seen_edge_on(p, q, r, camera, scene.objects[object].precision, rounding);
+      found = found || edge_on[i];
+    }
+    if (found) any = true;
+  });
+  if (!any) return {};
+  std::vector<std::uint8_t> result(scene.faces.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const bool first_of_face = i == 0 || triangles[i - 1].face != triangles[i].face;
+    std::uint8_t& of_face = result[triangles[i].face];
+    of_face = edge_on[i] && (first_of_face || of_face);
+  }
+  return std::find(result.begin(), result.end(), 1) == result.end() ? std::vector<std::uint8_t>{} : result;
+}
+
+}  // namespace ligne

@@ -1,0 +1,235 @@
+// From the scene to the projected scene: every end of a line where its source edge says, whatever is cut away; lines on the
+// border of the window; faces seen edge on.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "scene/model/topology.hpp"
+#include "support/scene_parts.hpp"
+#include "support/scenes.hpp"
+#include "view/clip.hpp"
+#include "view/edge_on.hpp"
+#include "view/projected_scene.hpp"
+
+namespace ligne::test {
+namespace {
+
+const Rect kSheet{{0, 0}, {297, 210}};
+const Frame kFrame{{{10, 10}, {287, 200}}};
+
+Point2 page_point(const View& view, const Point3& p) {
+  const glm::dvec4 h = view.model_to_page * glm::dvec4(p, 1);
+  return {h.x / h.w, h.y / h.w};
+}
+
+/// How far the ends of a projected line lie from those of its part of the source edge, in steps: half a step in each
+/// direction, but for what the parameter rounds.
+double farthest_end(const ProjectedScene& projected, std::size_t line, const Point3& a, const Point3& b) {
+  const ProjectedEdge& edge = projected.edges[line];
+  const auto part = projected.edge_parts.empty() ? std::array<double, 2>{0, 1} : projected.edge_parts[line];
+  double farthest = 0;
+  for (const bool last : {false, true}) {
+    const Point2 drawn = projected.lattice.to_mm(projected.vertices[last ? edge.v1 : edge.v0].p);
+    const Point2 true_place = page_point(projected.view, a + part[last] * (b - a));
+    farthest = std::max(farthest, glm::distance(drawn, true_place) / projected.lattice.step_mm);
+  }
+  return farthest;
+}
+constexpr double kFarthestSteps = 1;
+
+struct Projected {
+  Topology topology;
+  ProjectedScene scene;
+};
+
+Projected project_all(const Scene& scene, const CameraRequest& request) {
+  Projected result{build_topology(scene), {}};
+  const View view = make_view(scene, make_camera(request, scene), kFrame, kSheet);
+  result.scene = project(scene, result.topology, view, {classes("all"), 30});
+  return result;
+}
+
+/// A box at whole numbers, from eyes at whole numbers round it and in it: with a field of view of 90 degrees its vertices
+/// lie on the border to the last digit, on one side of it or on the other.
+TEST(Projection, EndsOfLinesLieWhereTheirEdgesSay) {
+  Scene scene;
+  add_box(scene, {1, -3, 1}, {5, 3, 8});
+  int on_border = 0;
+  for (int x = -2; x <= 8; x += 2) {
+    for (int y = -9; y <= 5; ++y) {
+      for (int z = 0; z <= 10; ++z) {
+        for (const Point3& way : {Point3{0, 8, 0}, Point3{0, 0, -4}, Point3{3, 0, 0}, Point3{1, 2, 2}}) {
+          for (const double fov : {90.0, 53.0}) {
+            const Point3 eye{double(x), double(y), double(z)};
+            const Projected p = project_all(scene, from_eye(eye, eye + way, fov));
+            for (std::size_t i = 0; i < p.scene.edges.size(); ++i) {
+              const Edge& edge = p.topology.edges[p.scene.edges[i].source];
+              const double steps = farthest_end(p.scene, i, scene.vertices[edge.v0], scene.vertices[edge.v1]);
+              ASSERT_LE(steps, kFarthestSteps) << "eye " << x << ',' << y << ',' << z << " way " << way.x << ',' << way.y
+                                               << ',' << way.z << " fov " << fov << " edge " << p.scene.edges[i].source;
+            }
+            for (const Point3& v : scene.vertices) {
+              const HomogeneousPoint h = to_homogeneous(p.scene.view, v);
+              if (h.w <= 0) continue;
+              on_border += std::abs(h.y / h.w - p.scene.view.window.min.y) < 1e-9;
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(on_border, 100);  // what the test is for happens
+}
+
+TEST(Projection, LinesOfNoFaceLieWhereTheyAre) {
+  Scene scene;
+  add_box(scene, {1, -3, 1}, {5, 3, 8});
+  for (int y = -9; y <= 5; ++y) {
+    const Point3 eye{0, double(y), 4};
+    Projected p = project_all(scene, from_eye(eye, eye + Point3{0, 8, 0}, 90));
+    const std::size_t before = p.scene.edges.size();
+    std::vector<std::array<Point3, 2>> lines;
+    for (const Edge& edge : p.topology.edges) lines.push_back({scene.vertices[edge.v0], scene.vertices[edge.v1]});
+    const std::uint32_t first = p.scene.source_count;
+    add_lines(p.scene, lines, LineClass::axes);
+    ASSERT_EQ(p.scene.edges.size(), 2 * before);
+    for (std::size_t i = before; i < p.scene.edges.size(); ++i) {
+      const auto& line = lines[p.scene.edges[i].source - first];
+      ASSERT_LE(farthest_end(p.scene, i, line[0], line[1]), kFarthestSteps) << "eye 0," << y << ",4";
+    }
+  }
+}
+
+TEST(ClipSegment, SaysWhichEndsAreCut) {
+  const ClipVolume volume{{{0, 0}, {100, 100}}, 0.5};
+  const auto both = clip_segment({-10, 50, 0, 1}, {110, 50, 0, 1}, volume);
+  ASSERT_TRUE(both);
+  EXPECT_TRUE(both->cut[0] && both->cut[1]);
+  const auto whole = clip_segment({0, 0, 0, 1}, {100, 100, 0, 1}, volume);
+  ASSERT_TRUE(whole);
+  EXPECT_TRUE(whole->whole());
+  EXPECT_EQ(whole->range, (std::array<double, 2>{0, 1}));
+  EXPECT_FALSE(clip_segment({-3, 50, 0, 1}, {-1, 50, 0, 1}, volume));
+  EXPECT_FALSE(clip_segment({-1, 50, 0, 1}, {0, 50, 0, 1}, volume));  // one point of the border
+}
+
+TEST(ClipSegment, AnEndOutsideByTheLastDigitIsCutThoughItsParameterIsOne) {
+  const ClipVolume volume{{{-100, -100}, {100, 100}}, 0.5};
+  const double outside = std::nextafter(100.0, 200.0);
+  const auto part = clip_segment({-90, 0, 0, 1}, {outside, 0, 0, 1}, volume);
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->range[1], 1);
+  EXPECT_FALSE(part->cut[0]);
+  EXPECT_TRUE(part->cut[1]);
+  const auto back = clip_segment({outside, 0, 0, 1}, {-90, 0, 0, 1}, volume);
+  ASSERT_TRUE(back);
+  EXPECT_TRUE(back->cut[0]);
+  EXPECT_FALSE(back->cut[1]);
+}
+
+/// A line along the border of the sheet is in view, wherever its last digits put it, and a face that goes on beyond the
+/// sheet covers both of its banks.
+TEST(Projection, LinesAlongTheSheetsBorderHaveFaceOnBothBanks) {
+  Scene scene;
+  add_face(scene, {{{-100, -100, 10}, {100, -100, 10}, {100, 100, 10}, {-100, 100, 10}}});
+  for (const double off : {-1e-9, 0.0, 1e-9}) {
+    const double x = 50 + off;
+    add_face(scene, {{{-x, -30, 0}, {x, -30, 0}, {x, 30, 0}, {-x, 30, 0}}});
+  }
+  CameraRequest top;
+  top.named_view = "top";
+  const Rect sheet{{0, 0}, {100, 100}};
+  const View view = make_view(scene, make_camera(top, scene), {sheet}, sheet, 1.0);
+  const Topology topology = build_topology(scene);
+  const ProjectedScene projected = project(scene, topology, view, {classes("all"), 30});
+  EXPECT_EQ(projected.edges.size(), 12u);  // those of the small plates; the large one's lie outside
+  double least = 1e9, most = -1e9, lines = 0;
+  for (const Triangle& t : projected.triangles) {
+    for (const std::uint32_t v : t.v) {
+      least = std::min(least, projected.lattice.to_mm(projected.vertices[v].p).x);
+      most = std::max(most, projected.lattice.to_mm(projected.vertices[v].p).x);
+    }
+  }
+  for (const ProjectedEdge& e : projected.edges) {
+    for (const std::uint32_t v : {e.v0, e.v1}) {
+      lines = std::max(lines, std::abs(projected.lattice.to_mm(projected.vertices[v].p).x - 50));
+    }
+  }
+  const double step = projected.lattice.step_mm;
+  EXPECT_LE(lines, 50 + step);
+  EXPECT_LT(least, -2 * step);
+  EXPECT_GT(most, 100 + 2 * step);
+  EXPECT_GT(least, -1e-3);  // but by less than a drawing may be off
+  EXPECT_LT(most, 100 + 1e-3);
+  for (const char* method : {"appel", "warnock", "watkins", "atherton-weiler"}) {
+    const VisibilityResult result = find_method(method)->study(projected, {});
+    EXPECT_TRUE(result.strokes->strokes.empty()) << method;
+  }
+}
+
+/// Three plates that meet in one edge, one of them with the eye on it.
+Scene book() {
+  Scene scene;
+  begin_object(scene);
+  const Point3 up{0, 0, 3}, a{0.7725729189911219, 1.8239641859906681, 0}, b{-0.9316515903678265, 1.6136678894694236, 0},
+      c{0.47014470878097625, -1.5997425130494345, 0};
+  scene.vertices = {{0, 0, 0}, up, a + up, a, b + up, b, c + up, c};
+  for (const std::array<std::uint32_t, 4>& corners :
+       {std::array<std::uint32_t, 4>{0, 1, 2, 3}, {5, 4, 1, 0}, {0, 1, 6, 7}}) {
+    scene.faces.add_face(corners);
+  }
+  end_object(scene);
+  return scene;
+}
+
+TEST(EdgeOn, AFaceWithTheEyeOnItHidesNothing) {
+  const Scene scene = book();
+  const Point3 eye{0.1922756744317828, -0.6542487129363209, 1.154344595871148},
+      target{-0.9316515903678265, 1.6136678894694236, 3.0};
+  const CameraRequest request = from_eye(eye, target, 170);
+  const Projected p = project_all(scene, request);
+  EXPECT_EQ(p.scene.face_is_edge_on, (std::vector<std::uint8_t>{0, 0, 1}));
+  for (const char* method : {"appel", "warnock", "watkins", "atherton-weiler"}) {
+    const VisibilityResult result = find_method(method)->study(p.scene, {});
+    double seam_mm = 0;  // the edge that all three have
+    for (const Stroke& s : result.strokes->strokes) {
+      const Edge& edge = p.topology.edges[s.source];
+      if (edge.v0 == 0 && edge.v1 == 1) seam_mm += glm::distance(p.scene.lattice.to_mm(s.from), p.scene.lattice.to_mm(s.to));
+    }
+    EXPECT_GT(seam_mm, 10) << method;
+  }
+}
+
+TEST(EdgeOn, IsToldToTheLastDigitsOnly) {
+  const Scene scene = book();
+  const Topology topology = build_topology(scene);
+  const auto edge_on = [&](const CameraRequest& request) {
+    return faces_seen_edge_on(scene, topology, make_camera(request, scene));
+  };
+  EXPECT_TRUE(edge_on(from_eye({5, -6, 4}, {0, 0, 1})).empty());
+  const Point3 on_face{0.1922756744317828, -0.6542487129363209, 1.154344595871148};
+  const Point3 beside = on_face + Point3{1e-12, 0, 0};
+  EXPECT_FALSE(edge_on(from_eye(on_face, {0, 0, 0})).empty());
+  EXPECT_TRUE(edge_on(from_eye(beside, {0, 0, 0})).empty());
+  // In parallel projection along a face, and a little beside it.
+  EXPECT_EQ(edge_on(along(scene.vertices[3] + Point3{0, 0, -7})), (std::vector<std::uint8_t>{1, 0, 0}));
+  EXPECT_TRUE(edge_on(along(scene.vertices[3] + Point3{1e-12, 0, -7})).empty());
+}
+
+/// Coordinates that are not known better than a micrometre: an eye nearer to the plane is on it.
+TEST(EdgeOn, IsToldToThePrecisionOfTheInput) {
+  Scene scene = book();
+  scene.objects[0].precision = 1e-3;
+  const Topology topology = build_topology(scene);
+  const Point3 beside = Point3{0.1922756744317828, -0.6542487129363209, 1.154344595871148} + Point3{5e-4, 0, 0};
+  EXPECT_EQ(faces_seen_edge_on(scene, topology, make_camera(from_eye(beside, {0, 0, 0}), scene)),
+            (std::vector<std::uint8_t>{0, 0, 1}));
+}
+
+}  // namespace
+}  // namespace ligne::test
