@@ -2,27 +2,28 @@
 
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "geometry/clip_contour_by_contour.hpp"
+#include "picture/face_carrier.hpp"
 #include "picture/region_faces.hpp"
 
 namespace ligne {
 namespace {
 
+/// What of the detail is in view; nothing when it is not.
 std::optional<ContourFace> on_page(const Detail& detail, const View& view, const Lattice& lattice) {
-  std::vector<std::vector<LatticePoint>> contours(1);
-  for (const Point3& p : detail.contour) {
-    const HomogeneousPoint h = to_homogeneous(view, p);
-    if (view.camera.perspective && !(h.w > view.near_distance)) return std::nullopt;
-    contours[0].push_back(lattice.snap({h.x / h.w, h.y / h.w}));
-  }
+  std::vector<HomogeneousPoint> contour;
+  for (const Point3& p : detail.contour) contour.push_back(to_homogeneous(view, p));
+  const std::vector<std::vector<LatticePoint>> contours{points_in_view(std::move(contour), view, lattice)};
+  if (contours[0].size() < 3) return std::nullopt;
   return make_contour_face(contours);
 }
 
 }  // namespace
 
 std::vector<Region> cut_details(const Scene& scene, const View& view, std::vector<Region> regions) {
-  const Lattice lattice = Lattice::covering(view.window);
+  const Lattice lattice = page_lattice(view);
   for (const Detail& detail : scene.details) {
     const std::optional<ContourFace> clip = on_page(detail, view, lattice);
     if (!clip) continue;

@@ -2,8 +2,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "view/clip.hpp"
 
 namespace ligne {
+
+std::vector<LatticePoint> points_in_view(std::vector<HomogeneousPoint> contour, const View& view, const Lattice& lattice) {
+  const ClipVolume volume = face_volume(view, lattice);
+  if (!std::all_of(contour.begin(), contour.end(), [&](const HomogeneousPoint& p) { return volume.contains(p); })) {
+    clip_contour(contour, volume);
+  }
+  std::vector<LatticePoint> points;
+  for (const HomogeneousPoint& p : contour) points.push_back(lattice.snap({p.x / p.w, p.y / p.w}));
+  return points;
+}
+
+bool carry(const View& from, const std::vector<Point2>& contour_mm, const FacePlane& plane, const View& to,
+           const Lattice& lattice, std::vector<LatticePoint>& out) {
+  std::vector<HomogeneousPoint> contour;
+  for (const Point2& p : contour_mm) {
+    Point3 on_face;
+    if (!point_on_face(from, p, plane, on_face)) return false;
+    contour.push_back(to_homogeneous(to, on_face));
+  }
+  out = points_in_view(std::move(contour), to, lattice);
+  return true;
+}
 
 FaceBorder::FaceBorder(const Scene& scene, std::uint32_t face, const View& view, const Lattice& lattice, double near_mm)
     : near_(near_mm / lattice.step_mm) {

@@ -35,17 +35,14 @@ inline bool point_on_face(const View& view, Point2 page_mm, const FacePlane& pla
   return true;
 }
 
-/// Where a point of the face's plane lies on another page. False when it can not be drawn: the sight runs along the face, or
-/// it is not in front of the other viewer.
-inline bool carry(const View& from, Point2 page_mm, const FacePlane& plane, const View& to, const Lattice& lattice,
-                  LatticePoint& out) {
-  Point3 p;
-  if (!point_on_face(from, page_mm, plane, p)) return false;
-  const HomogeneousPoint h = to_homogeneous(to, p);
-  if (!(h.w > to.near_distance * (to.camera.perspective ? 1 : 0))) return false;
-  out = lattice.snap({h.x / h.w, h.y / h.w});
-  return true;
-}
+/// The corners on the page of what of a contour is in view; none when nothing is. The contour may be concave: its pieces in
+/// view are then joined along the border of the view, there and back.
+std::vector<LatticePoint> points_in_view(std::vector<HomogeneousPoint> contour, const View& view, const Lattice& lattice);
+
+/// Where a contour on the face's plane lies on another page, as far as it is in view there. False when it can not be drawn,
+/// since the sight runs along the face.
+bool carry(const View& from, const std::vector<Point2>& contour_mm, const FacePlane& plane, const View& to,
+           const Lattice& lattice, std::vector<LatticePoint>& out);
 
 /// The border of a face on a page. What another view sees of the face ends there too, but carried over it is rounded
 /// otherwise, and slivers would be left between the two. So what runs along the border is moved beyond it, where the face

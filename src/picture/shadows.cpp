@@ -113,10 +113,14 @@ void add_lit(const Scene& scene, const Topology& topology, const View& view, con
     std::vector<std::vector<LatticePoint>> contours;
     bool drawn = true;
     for (const std::vector<Point2>& contour : region.contours) {
-      auto& points = contours.emplace_back(contour.size());
-      for (std::size_t i = 0; i < contour.size(); ++i)
-        drawn = drawn && carry(light_view, contour[i], plane, view, lattice, points[i]);
-      if (drawn) border.move_beyond(points);
+      std::vector<LatticePoint> points;
+      drawn = drawn && carry(light_view, contour, plane, view, lattice, points);
+      if (points.size() < 3) {
+        drawn = drawn && !contours.empty();  // without the outer contour there is nothing
+        continue;
+      }
+      border.move_beyond(points);
+      contours.push_back(std::move(points));
     }
     if (!drawn) continue;
     if (lit[region.face].size() <= region.level) lit[region.face].resize(region.level + 1);
@@ -228,7 +232,7 @@ class ShadowCut {
 
 CastShadows cast_shadows(const Scene& scene, const Topology& topology, const View& view, std::span<const Light> lights,
                          const std::vector<Region>& regions) {
-  const Lattice lattice = Lattice::covering(view.window);
+  const Lattice lattice = page_lattice(view);
   const std::vector<double> opacities = opacities_of(scene);
   const std::size_t light_count = std::min(lights.size(), kMostLights);
   CastShadows all{regions, {}};

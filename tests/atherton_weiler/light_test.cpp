@@ -36,13 +36,13 @@ struct Seen {
   std::vector<Region> regions;
   StrokeModel strokes;
 
-  Seen(const char* name, const char* from) {
+  Seen(const char* name, const char* from, const Rect& window = {{0, 0}, {200, 200}}) {
     Warnings warnings;
     scene = read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/atherton_weiler/scenes" / name, {}, warnings);
     topology = build_topology(scene);
     CameraRequest request;
     request.named_view = from;
-    view = make_view(scene, make_camera(request, scene), {{{0, 0}, {200, 200}}}, {{0, 0}, {200, 200}}, 1);
+    view = make_view(scene, make_camera(request, scene), {{{0, 0}, {200, 200}}}, window, 1);
     EdgeSelection selection;
     for (std::size_t c = 0; c < kEdgeClassCount; ++c) selection.classes.add(static_cast<LineClass>(c));
     const ProjectedScene projected = project(scene, topology, view, selection);
@@ -231,6 +231,42 @@ TEST(Transparency, LinesAreSeenThroughToAnyDepth) {
   ASSERT_EQ(drawing.layers.size(), 2u);
   EXPECT_EQ(drawing.layers[0].name, "behind-glass");
   EXPECT_EQ(drawing.layers[1].name, "border");
+}
+
+TEST(Shadows, OfWhatGoesOnBeyondTheSheet) {
+  // A floor that is a square on its tip, ten from the centre to each corner, all in the light; the sheet is the 3 x 3 in its
+  // middle.
+  const Seen seen("lit_floor.json", "top", {{98.5, 98.5}, {101.5, 101.5}});
+  const auto floor = seen.lit(0, seen.scene.lights);
+  EXPECT_NEAR(floor.at(1), 9, kArea);
+  EXPECT_EQ(floor.size(), 1u);
+}
+
+TEST(Details, AreCutAtTheSheet) {
+  // Above z = 7: of the first detail the two horns beside the notch, 2.25 x 3 / 2 each; of the second 3.5 up to z = 8 and 4
+  // above it.
+  const Seen seen("details.json", "front", {{0, 0}, {200, 99}});
+  double painted = 0, all = 0;
+  for (const Region& r : cut_details(seen.scene, seen.view, seen.regions)) {
+    if (r.face != 0) continue;
+    all += area(r);
+    if (r.material == 1) painted += area(r);
+  }
+  // Faces go on a little beyond the sheet (kWindowMarginSteps), along 16 mm.
+  const double beyond = 16 * kWindowMarginSteps * page_lattice(seen.view).step_mm;
+  EXPECT_NEAR(painted, 2 * 2.25 * 3 / 2 + 3.5 + 4, kArea + beyond);
+  EXPECT_NEAR(all, 16 * 5, kArea + beyond);
+}
+
+TEST(Details, AreCutAtASmallSheet) {
+  // The sheet is x = 9 to 10, z = 7 to 8: of the first detail what is to the left of the notch, which is at x = 10.25 at
+  // z = 7 and at x = 9.5 at z = 8. Its corners lie far outside.
+  const Seen seen("details.json", "front", {{101, 98}, {102, 99}});
+  double painted = 0;
+  for (const Region& r : cut_details(seen.scene, seen.view, seen.regions)) {
+    if (r.face == 0 && r.material == 1) painted += area(r);
+  }
+  EXPECT_NEAR(painted, 1 - 0.5 * (2.0 / 3) / 2, kArea);
 }
 
 TEST(Details, AreClippedWithTheirFace) {
