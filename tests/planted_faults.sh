@@ -29,6 +29,7 @@ programs_of() {
     clip_*) echo clip_test clip_clipper_test "$(programs_of weiler_)" ;;
     horizon_*) echo visibility_test cli_program_test ;;
     plot_*) echo plotting_test cli_program_test ;;
+    view_*) echo view_test all_methods_test random_scenes_test ;;
     *) echo visibility_test known_answers_test all_methods_test geometry_replay_test random_scenes_test relations_test picture_test \
          embree_models_test ;;
   esac
@@ -66,8 +67,8 @@ filter_of() {
     *) echo '*' ;;
   esac
 }
-# Two random scenes of each kind and share: 192, of 2000.
-export LIGNE_RANDOM_SCENES=96
+# Two random scenes of each kind and share: 320, of 3000.
+export LIGNE_RANDOM_SCENES=160
 
 # The copy is brought up to date without touching what has not changed, so that it is not compiled again.
 mkdir -p "$tree" "$logs"

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <random>
 #include <span>
 #include <sstream>
@@ -51,18 +53,29 @@ std::string json_of(const Scene& scene) {
   return out.str();
 }
 
-/// What the methods do wrong in one of the standard views of the scene, in words; empty when nothing.
-std::string faults_in(Scene scene, const std::string& name, std::size_t view) {
+/// The view of a scene, which may lose faces.
+using ViewOf = std::function<StandardView(const Scene&)>;
+
+/// One of the standard views or of those with vertices on the border.
+ViewOf standard_view(std::size_t number) {
+  return [number](const Scene& scene) {
+    auto views = standard_views(scene);
+    for (StandardView& view : border_views(scene)) views.push_back(std::move(view));
+    return views[number % views.size()];
+  };
+}
+
+/// What the methods do wrong in the view, in words; empty when nothing. Of their other variants one is asked.
+std::string faults_in(Scene scene, const std::string& name, const ViewOf& view, std::size_t number) {
   Warnings warnings;
   finish_scene(scene, warnings);
   if (scene.faces.size() == 0) return "";
-  const auto views = standard_views(scene);
-  const JudgedView judged(scene, name, views[view % views.size()]);
+  const JudgedView judged(scene, name, view(scene));
   std::string faults;
   // Every method, and one by one the ways that its options let it work.
   const std::vector<Variant> all = variants();
   for (const Variant& variant : all) {
-    if (!variant.is_default && &variant != &all[view % all.size()]) continue;
+    if (!variant.is_default && &variant != &all[number % all.size()]) continue;
     for (const char* edges : {"all", "feature"}) {
       const std::string of_variant = judged.judge(*variant.method, edges, variant.settings).faults;
       if (!of_variant.empty()) faults += variant.name + '\n' + of_variant;
@@ -89,14 +102,13 @@ Scene without_face(const Scene& scene, std::uint32_t left_out) {
   return rest;
 }
 
-/// Judges the scene in one of the standard views after the other. A scene that fails loses the faces that it fails without,
-/// and is written down.
-void expect_agreement(Scene scene, const std::string& name, std::size_t view) {
-  std::string faults = faults_in(scene, name, view);
+/// Judges the scene. One that fails loses the faces that it fails without, and is written down.
+void expect_agreement(Scene scene, const std::string& name, const ViewOf& view, std::size_t number) {
+  std::string faults = faults_in(scene, name, view, number);
   if (faults.empty()) return;
   for (std::uint32_t f = 0; f < scene.faces.size();) {
     const Scene smaller = without_face(scene, f);
-    const std::string still = faults_in(smaller, name, view);
+    const std::string still = faults_in(smaller, name, view, number);
     if (still.empty()) {
       ++f;
     } else {
@@ -109,26 +121,35 @@ void expect_agreement(Scene scene, const std::string& name, std::size_t view) {
   ADD_FAILURE() << faults << "\nThe scene, made as small as it fails, is in " << file;
 }
 
-/// Scenes in all: LIGNE_RANDOM_SCENES, or 2000.
+/// Scenes in all: LIGNE_RANDOM_SCENES, or 3000.
 unsigned scene_count() {
   const char* wanted = std::getenv("LIGNE_RANDOM_SCENES");
-  return wanted ? static_cast<unsigned>(std::strtoul(wanted, nullptr, 10)) : 2000;
+  return wanted ? static_cast<unsigned>(std::strtoul(wanted, nullptr, 10)) : 3000;
 }
 
 constexpr unsigned kShares = 16;
-constexpr unsigned kKinds = 6;
+constexpr unsigned kKinds = 10;
 
-/// Runs build(random, scene) for all seeds of a share of the work, and judges.
+/// Runs build(random, seed, scene) for all seeds of a share of the work, and judges.
 class RandomScenes : public testing::TestWithParam<unsigned> {
  protected:
   template <class Build>
   void run(const std::string& kind, Build build) {
+    run_with_views(kind, [&](std::mt19937& random, unsigned seed, Scene& scene) {
+      build(random, seed, scene);
+      return standard_view(seed);
+    });
+  }
+
+  /// The same; build gives the view too.
+  template <class Build>
+  void run_with_views(const std::string& kind, Build build) {
     const unsigned share = scene_count() / (kShares * kKinds) + 1;
     for (unsigned seed = GetParam() * share; seed < (GetParam() + 1) * share && !HasFailure(); ++seed) {
       std::mt19937 random(seed);
       Scene scene;
-      build(random, seed, scene);
-      expect_agreement(std::move(scene), kind + "_" + std::to_string(seed), seed);
+      const ViewOf view = build(random, seed, scene);
+      expect_agreement(std::move(scene), kind + "_" + std::to_string(seed), view, seed);
     }
   }
 };
@@ -216,6 +237,106 @@ TEST_P(RandomScenes, BoxesThatTouch) {
       const Point3 corner = whole(place);
       add_box(scene, corner, whole(size), basis);
     }
+  });
+}
+
+/// Boxes and plates on whole numbers, whole or turned.
+void add_boxes_and_plates(std::mt19937& random, Scene& scene, const Basis& basis) {
+  std::uniform_int_distribution<int> place(0, 3), size(1, 3);
+  const auto whole = [&](auto& d) {
+    const double x = d(random), y = d(random), z = d(random);
+    return Point3{x, y, z};
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Point3 corner = whole(place);
+    add_box(scene, corner, whole(size), basis);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Point3 corner = whole(place), sides = whole(size);
+    const auto at = [&](double x, double y) {
+      Point3 p = corner;
+      p[i] += x * sides.x;
+      p[(i + 1) % 3] += y * sides.y;
+      return basis[0] * p.x + basis[1] * p.y + basis[2] * p.z;
+    };
+    add_face(scene, {{at(0, 0), at(1, 0), at(1, 1), at(0, 1)}});
+  }
+}
+
+constexpr std::array kFieldsOfView{90, 120, 150, 170};
+
+/// The eye on a vertex, on an edge, on a face, and inside a box.
+TEST_P(RandomScenes, EyesOnTheScene) {
+  run_with_views("eye_on_scene", [](std::mt19937& random, unsigned seed, Scene& scene) -> ViewOf {
+    std::uniform_real_distribution<double> angle(-3, 3), part(0.1, 0.9);
+    const double a = angle(random), b = angle(random), c = angle(random);
+    add_boxes_and_plates(random, scene, seed % 2 == 0 ? kUpright : rotation(a, b, c));
+    std::uniform_int_distribution<std::uint32_t> face(0, static_cast<std::uint32_t>(scene.faces.size()) - 1);
+    std::uniform_int_distribution<std::size_t> vertex(0, scene.vertices.size() - 1);
+    const auto contour = scene.faces.contour(face(random), 0);
+    const Point3 p = scene.vertices[contour[0]], q = scene.vertices[contour[1]], r = scene.vertices[contour[3]];
+    const double s = part(random), t = part(random);
+    const Object& box = scene.objects[seed % 3];
+    const Point3 low = scene.vertices[box.vertex_begin], high = scene.vertices[box.vertex_end - 1];
+    const std::array<Point3, 4> eyes{p, p + s * (q - p), p + s * (q - p) + t * (r - p), low + s * (high - low)};
+    const Point3 eye = eyes[seed / 2 % eyes.size()];
+    Point3 target = scene.vertices[vertex(random)];
+    if (target == eye) target.x += 1;
+    return [view = perspective_view("eye_on_scene", scene, eye, target, kFieldsOfView[seed / 8 % kFieldsOfView.size()])](
+               const Scene&) { return view; };
+  });
+}
+
+/// Leaves that have one edge in common, turned, with the eye on one of them: it is seen edge on, and the common edge is its
+/// own.
+TEST_P(RandomScenes, EyesOnTheLeavesOfABook) {
+  run_with_views("book", [](std::mt19937& random, unsigned seed, Scene& scene) -> ViewOf {
+    std::uniform_real_distribution<double> angle(-3, 3), part(0.1, 0.9), width(1, 3);
+    const double a = angle(random), b = angle(random), c = angle(random);
+    const Basis basis = seed % 2 == 0 ? kUpright : rotation(a, b, c);
+    const auto at = [&](double x, double y, double z) { return basis[0] * x + basis[1] * y + basis[2] * z; };
+    const std::uint32_t leaves = 3 + seed / 2 % 3;
+    begin_object(scene);
+    scene.vertices = {at(0, 0, 0), at(0, 0, 3)};
+    for (std::uint32_t i = 0; i < leaves; ++i) {
+      const double direction = angle(random), w = width(random);
+      const auto v = static_cast<std::uint32_t>(scene.vertices.size());
+      scene.vertices.push_back(at(w * std::cos(direction), w * std::sin(direction), 3));
+      scene.vertices.push_back(at(w * std::cos(direction), w * std::sin(direction), 0));
+      scene.faces.add_face(std::array<std::uint32_t, 4>{0, 1, v, v + 1});
+    }
+    end_object(scene);
+    std::uniform_int_distribution<std::uint32_t> leaf(0, leaves - 1);
+    const Point3 bottom = scene.vertices[0], top = scene.vertices[1], outer = scene.vertices[3 + 2 * leaf(random)];
+    const double s = part(random), t = part(random);
+    const Point3 eye = bottom + s * (top - bottom) + t * (outer - bottom);
+    const Point3 target = scene.vertices[2 + 2 * leaf(random)];
+    return [view = perspective_view("book", scene, eye, target, kFieldsOfView[seed / 6 % kFieldsOfView.size()])](
+               const Scene&) { return view; };
+  });
+}
+
+/// Eyes and targets on whole numbers, many along an axis: with 90 degrees the border of the field of view goes through
+/// vertices and along edges.
+TEST_P(RandomScenes, WholeNumbersInAFieldOf90Degrees) {
+  run_with_views("fov_90", [](std::mt19937& random, unsigned seed, Scene& scene) -> ViewOf {
+    add_boxes_and_plates(random, scene, kUpright);
+    std::uniform_int_distribution<int> place(-2, 8), distance(1, 8), axis(0, 2);
+    const double x = place(random), y = place(random), z = place(random);
+    const Point3 eye{x, y, z};
+    Point3 target = eye;
+    target[axis(random)] += seed % 3 == 0 ? -distance(random) : distance(random);
+    if (seed % 4 == 3) target[axis(random)] += distance(random);
+    if (target == eye) target.y += 1;
+    return [view = perspective_view("fov_90", scene, eye, target, 90)](const Scene&) { return view; };
+  });
+}
+
+/// The sheet, or the field of view, ends at edges and vertices.
+TEST_P(RandomScenes, Borders) {
+  run_with_views("borders", [](std::mt19937& random, unsigned seed, Scene& scene) -> ViewOf {
+    add_boxes_and_plates(random, scene, kUpright);
+    return [seed](const Scene& s) { return border_views(s)[seed % 3]; };
   });
 }
 

@@ -170,7 +170,7 @@ StandardView along_vector(ByteStream& bytes) {
   Point3 d = bytes.vector(-3, 3);
   if (d == Point3(0)) d = {0, 1, 0};
   char options[96];
-  std::snprintf(options, sizeof options, "--direction=%g,%g,%g", d.x, d.y, d.z);
+  std::snprintf(options, sizeof options, "--direction=%g,%g,%g --landscape", d.x, d.y, d.z);
   StandardView view{"along a vector", {}, options};
   view.camera.direction = d;
   return view;
@@ -183,8 +183,8 @@ StandardView from_point(ByteStream& bytes) {
   constexpr std::array kAngles{35, 60, 90};
   const int fov = kAngles[static_cast<std::size_t>(bytes.below(3))];
   char options[160];
-  std::snprintf(options, sizeof options, "--eye=%g,%g,%g --target=%g,%g,%g --fov=%d", eye.x, eye.y, eye.z, target.x,
-                target.y, target.z, fov);
+  std::snprintf(options, sizeof options, "--eye=%g,%g,%g --target=%g,%g,%g --fov=%d --landscape", eye.x, eye.y, eye.z,
+                target.x, target.y, target.z, fov);
   StandardView view{"from a point", {}, options};
   view.camera.eye = eye;
   view.camera.target = target;

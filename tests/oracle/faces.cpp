@@ -69,7 +69,7 @@ void Box::add(const PagePoint& p) {
   z0 = std::min(z0, lower(p.z)), z1 = std::max(z1, upper(p.z));
 }
 
-std::vector<Face> make_faces(const ligne::Scene& scene, const Projection& projection) {
+std::vector<Face> make_faces(const ligne::Scene& scene, const Projection& projection, double input_error) {
   std::vector<Face> faces(scene.faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     Face& face = faces[f];
@@ -77,7 +77,7 @@ std::vector<Face> make_faces(const ligne::Scene& scene, const Projection& projec
     if (face.flat) continue;
     set_facing(face, scene, f, projection);
     bool edge_on = false;
-    face.plane = projection.page_plane(face.normal, face.centre, edge_on);
+    face.plane = projection.page_plane(face.normal, face.centre, input_error, edge_on);
     if (edge_on) continue;
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       const Contour contour = behind_near_plane(contour_of(scene, f, c, projection), projection);

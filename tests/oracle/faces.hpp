@@ -36,7 +36,8 @@ struct Face {
   double slack_mm = 0;  ///< how far in depth the corners are off the plane
 };
 
-std::vector<Face> make_faces(const ligne::Scene& scene, const Projection& projection);
+/// Faces whose plane is nearer to the eye than `input_error`, in model units, are seen edge on.
+std::vector<Face> make_faces(const ligne::Scene& scene, const Projection& projection, double input_error);
 
 /// Edges by object and position, classes included.
 std::vector<Edge> make_edges(const ligne::Scene& scene, const std::vector<Face>& faces, double crease_degrees);

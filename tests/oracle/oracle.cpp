@@ -80,7 +80,7 @@ double input_error(const ligne::Scene& scene) {
 Oracle::State::State(const ligne::Scene& scene, const View& v, double crease_degrees)
     : view(v),
       projection(v),
-      faces(make_faces(scene, projection)),
+      faces(make_faces(scene, projection, input_error(scene))),
       edges(make_edges(scene, faces, crease_degrees)),
       touch_distance(kTouchPart * size_of(scene)),
       input_error_mm(v.scale * input_error(scene)) {
@@ -109,8 +109,8 @@ std::optional<std::array<double, 2>> Oracle::State::part_in_view(const Vector3& 
   };
   const auto weight = [&](const SightPoint& p) { return projection.perspective() ? to_double(p.f) : 1; };
   if (projection.perspective()) clip(to_double(pa.f - projection.near()), to_double(pb.f - projection.near()));
-  const double x0 = projection.x_of(view.window.min.x), x1 = projection.x_of(view.window.max.x);
-  const double y0 = projection.y_of(view.window.min.y), y1 = projection.y_of(view.window.max.y);
+  const double x0 = projection.x_of(view.window.min.x - kMicrometre), x1 = projection.x_of(view.window.max.x + kMicrometre);
+  const double y0 = projection.y_of(view.window.min.y - kMicrometre), y1 = projection.y_of(view.window.max.y + kMicrometre);
   clip(to_double(pa.x) - x0 * weight(pa), to_double(pb.x) - x0 * weight(pb));
   clip(x1 * weight(pa) - to_double(pa.x), x1 * weight(pb) - to_double(pb.x));
   clip(to_double(pa.y) - y0 * weight(pa), to_double(pb.y) - y0 * weight(pb));
@@ -163,6 +163,32 @@ std::vector<Part> Oracle::State::judge(const Line& line, const Vector3& a, const
 
 namespace {
 
+/// The part of the page segment that lies inside the window and not within a micrometre of its border; empty when from > to.
+std::array<double, 2> part_surely_in_view(Point2 a, Point2 b, const ligne::Rect& window) {
+  double from = 0, to = 1;
+  const auto clip = [&](double value_a, double value_b) {
+    if (value_a < 0 && value_b < 0) to = -1;
+    if (value_a < 0 && value_b >= 0) from = std::max(from, value_a / (value_a - value_b));
+    if (value_a >= 0 && value_b < 0) to = std::min(to, value_a / (value_a - value_b));
+  };
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = window.min[axis] + kMicrometre, high = window.max[axis] - kMicrometre;
+    clip(a[axis] - low, b[axis] - low);
+    clip(high - a[axis], high - b[axis]);
+  }
+  return {from, to};
+}
+
+/// Calls give(tau0, tau1, at_border) for the pieces of [tau0, tau1] inside and outside of the part surely in view.
+template <class Give>
+void split_at_border(double tau0, double tau1, const std::array<double, 2>& in_view, Give give) {
+  const double from = std::clamp(in_view[0], tau0, tau1), to = std::clamp(in_view[1], from, tau1);
+  if (in_view[0] > in_view[1]) return give(tau0, tau1, true);
+  if (tau0 < from) give(tau0, from, true);
+  if (from < to) give(from, to, false);
+  if (to < tau1) give(to, tau1, true);
+}
+
 /// The visibility of the segment from a to b in the model.
 std::vector<Interval> visibility(const Oracle::State& state, const Vector3& a, const Vector3& b,
                                  std::span<const std::uint32_t> own_faces) {
@@ -177,10 +203,14 @@ std::vector<Interval> visibility(const Oracle::State& state, const Vector3& a, c
     return from + (to - from) * tau * w0 / ((1 - tau) * w1 + tau * w0);
   };
   const Point2 from = projection.page_mm(line.a), to = projection.page_mm(line.b);
+  const std::array<double, 2> surely = part_surely_in_view(from, to, state.view.window);
   std::vector<Interval> result;
   for (const Part& p : state.judge(line, a, b, own_faces)) {
-    result.push_back({parameter(p.tau0), parameter(p.tau1), from + p.tau0 * (to - from), from + p.tau1 * (to - from),
-                      p.answer, p.exactly_hidden});
+    split_at_border(p.tau0, p.tau1, surely, [&](double tau0, double tau1, bool at_border) {
+      const bool open = at_border && p.answer == Answer::visible;
+      result.push_back({parameter(tau0), parameter(tau1), from + tau0 * (to - from), from + tau1 * (to - from),
+                        open ? Answer::undecided : p.answer, p.exactly_hidden, at_border});
+    });
   }
   return result;
 }

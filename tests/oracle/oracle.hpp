@@ -6,16 +6,18 @@
 /// so that no rounding of a camera comes between them.
 ///
 /// The rule. A point P of an edge E is hidden when both of its banks, the page just left and just right of E, are covered by
-/// faces in front of P, whatever faces. Faces without area on the page hide nothing; neither does a face of which E is a
+/// faces in front of P, whatever faces. Faces without area on the page hide nothing, among them those in whose plane the eye
+/// lies to the error of the input; neither does a face of which E is a
 /// side, nor one in whose plane E lies (both ends within 2^-44 of the scene's size).
 ///
 /// The three answers. A drawing owes a micrometre, so what turns over within a micrometre is `undecided`:
 ///   hidden   faces that are in front of P by more than delta cover the whole cross-section through P, that is the page from
 ///            one micrometre to the left to one micrometre to the right;
 ///   visible  no face that is in front of P, or less than delta behind it, covers anything of the cross-section.
-/// Within a micrometre of places where sides cross the edge nothing is asked: that is undecided too.
-/// delta = 1 um (1 + g) + 2 e m (m + g) + s, g the gradient of the face's depth, e the error of the input on the page, m the
-/// magnification at P, s how far the face's own corners are off its plane.
+/// Within a micrometre of places where sides cross the edge nothing is asked: that is undecided too. Within a micrometre of
+/// the window's border a line may be in view or not: what is not hidden there is undecided. delta = 1 um (1 + g) + 2 e m (m
+/// + g) + s, g the gradient of the face's depth, e the error of the input on the page, m the magnification at P, s how far
+/// the face's own corners are off its plane.
 
 #include <cstdint>
 #include <memory>
@@ -40,7 +42,7 @@ struct View {
   Point3 up{0, 0, 1};                      ///< not parallel to the line of sight
   double scale = 1;                        ///< page mm per model unit (in perspective: on the target's plane)
   Point2 offset{0, 0};                     ///< where the line of sight through the eye meets the page
-  ligne::Rect window{{0, 0}, {297, 210}};  ///< edges are cut at its sides
+  ligne::Rect window{{0, 0}, {297, 210}};  ///< edges are cut a micrometre outside its sides, faces are not
 };
 
 enum class Answer : std::uint8_t { visible, hidden, undecided };
@@ -54,6 +56,7 @@ struct Interval {
   Point2 from{0, 0}, to{0, 0};  ///< the same on the page, mm
   Answer answer = Answer::undecided;
   bool exactly_hidden = false;  ///< by the exact rule, without tolerances
+  bool at_border = false;       ///< within a micrometre of the window's border, or beyond it
 };
 
 /// An edge of the scene.
@@ -95,8 +98,8 @@ class Oracle {
   std::span<const Edge> edges() const;
   std::span<const Intersection> intersections() const;
 
-  /// What of the edge is seen: the parts of it inside the window and before the near plane (a thousandth of the target's
-  /// distance), in order. Empty when nothing of it is in view or it is seen end on.
+  /// What of the edge is seen: the parts of it inside the window, or a micrometre beside it, and before the near plane (a
+  /// thousandth of the target's distance), in order. Empty when nothing of it is in view or it is seen end on.
   std::vector<Interval> visible_intervals(std::size_t edge) const;
   /// The same for an intersection.
   std::vector<Interval> intersection_intervals(std::size_t intersection) const;

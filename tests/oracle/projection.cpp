@@ -40,10 +40,10 @@ PagePoint Projection::page_point(const SightPoint& p) const {
 
 // Any d is X right / |right|^2 + Y down / |down|^2 + F forward / |forward|^2. Put into normal . d = h this is the plane in
 // X, Y and F; in perspective everything is then divided by F.
-PagePlane Projection::page_plane(const Vector3& normal, const Vector3& on_plane, bool& edge_on) const {
+PagePlane Projection::page_plane(const Vector3& normal, const Vector3& on_plane, double eye_error, bool& edge_on) const {
   const Exact h = dot(normal, on_plane - eye_);
   const Exact nx = dot(normal, right_) / right2_, ny = dot(normal, down_) / down2_, nf = dot(normal, forward_) / forward2_;
-  edge_on = perspective_ ? h == 0 : nf == 0;
+  edge_on = perspective_ ? h * h <= Exact(eye_error) * Exact(eye_error) * dot(normal, normal) : nf == 0;
   if (edge_on) return {};
   if (perspective_) return {-nf / h, -nx / h, -ny / h};
   return {h / nf, -nx / nf, -ny / nf};

@@ -39,8 +39,9 @@ class Projection {
   /// Requires a point that is not too near.
   PagePoint page_point(const SightPoint& p) const;
 
-  /// The plane through `on_plane` with the normal; `edge_on` when the page sees a line of it, and then nothing is returned.
-  PagePlane page_plane(const Vector3& normal, const Vector3& on_plane, bool& edge_on) const;
+  /// The plane through `on_plane` with the normal; `edge_on` when the page sees a line of it, and then nothing is returned:
+  /// in perspective when the eye is not farther from it than `eye_error`, in model units.
+  PagePlane page_plane(const Vector3& normal, const Vector3& on_plane, double eye_error, bool& edge_on) const;
 
   /// The model point that is drawn at the page point.
   Vector3 model_point(const PagePoint& p) const;

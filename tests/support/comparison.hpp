@@ -24,9 +24,10 @@ struct Candidate {
   bool intersection = false;
   bool proper = true;  ///< an intersection that must be drawn
   EdgeClass line_class = EdgeClass::undecided;
-  Segment whole;  ///< the part in view
+  Segment whole;  ///< the part in view, with what lies at the window's border
   std::vector<oracle::Interval> intervals;
   std::string words;
+  Segment in_view{};  ///< of `whole` what is surely in view; of no length when nothing is
 };
 
 /// A part of what two faces have in common, however short.
@@ -167,7 +168,7 @@ class Comparison {
   void uncovered() {
     for (const Candidate& c : candidates_) {
       if (!wanted(c)) continue;
-      const auto open = open_parts(c.whole, strokes_, tolerance_, [](const Stroke&) { return true; });
+      const auto open = open_parts(c.in_view, strokes_, tolerance_, [](const Stroke&) { return true; });
       for (const Segment& s : open) add(verdict_.uncovered, s, c.words);
     }
   }

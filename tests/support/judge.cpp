@@ -7,14 +7,16 @@
 
 #include "drawing/drawing.hpp"
 #include "support/comparison.hpp"
+#include "support/stroke_places.hpp"
 #include "visibility/tolerances.hpp"
 
 namespace ligne::test {
 namespace {
 
-const Rect kSheet{{0, 0}, {297, 210}};
-const Frame kFrame{{{10, 10}, {287, 200}}};
 constexpr double kCreaseDegrees = 30;
+/// The end of a line that gave way is put onto the other one: within the tolerance across, and as far along.
+constexpr double kEndsOfTwo = 1.5;
+
 std::string words(const char* what, const Point3& a, const Point3& b) {
   char buffer[256];
   std::snprintf(buffer, sizeof buffer, "%s (%.9g, %.9g, %.9g) - (%.9g, %.9g, %.9g)", what, a.x, a.y, a.z, b.x, b.y, b.z);
@@ -91,7 +93,8 @@ JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView&
       standard_(standard),
       accuracy_mm_(accuracy_mm),
       topology_(build_topology(scene)),
-      view_(make_view(scene, make_camera(standard.camera, scene), kFrame, kSheet)),
+      view_(make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
+                      standard.sheet.scale)),
       oracle_(std::make_unique<oracle::Oracle>(scene, smaller(oracle_view(standard.camera, view_), accuracy_mm / kOracleMm),
                                                kCreaseDegrees)),
       lines_(std::make_unique<Lines>()) {
@@ -106,6 +109,12 @@ JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView&
   const auto add_candidate = [&](Candidate candidate) {
     if (candidate.intervals.empty()) return false;
     candidate.whole = {candidate.intervals.front().from, candidate.intervals.back().to};
+    bool first = true;
+    for (const oracle::Interval& i : candidate.intervals) {
+      if (i.at_border) continue;
+      candidate.in_view = {first ? i.from : candidate.in_view.from, i.to};
+      first = false;
+    }
     lines_->candidates.push_back(std::move(candidate));
     return true;
   };
@@ -152,6 +161,7 @@ std::string report(const Verdict& verdict) {
   add_fault("missing", verdict.missing);
   add_fault("drawn twice", verdict.twice);
   add_fault("neither visible nor hidden", verdict.uncovered);
+  add_fault("beside its place", verdict.misplaced);
   add_fault("wrong class", verdict.wrong_class);
   return text;
 }
@@ -190,10 +200,12 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
       return verdict;
     }
     StrokeModel& model = *result.strokes;
+    Verdict drawing;
+    drawing.misplaced = misplaced(model, scene_, topology_, view_, 0);
     remove_coincident_strokes(model, coincidence);
+    keep_worse(drawing.misplaced, misplaced(model, scene_, topology_, view_, kEndsOfTwo * coincidence));
     // A little less than the tolerance: what lies just at it may be told either way.
     constexpr double kInside = 0.9;
-    Verdict drawing;
     Comparison comparison(model, lines_->candidates, all, tolerance, kInside * coincidence, drawing);
     for (const DrawnStroke& s : comparison.strokes()) {
       if (!s.stroke->visible) continue;
@@ -214,10 +226,12 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
     keep_worse(verdict.missing, drawing.missing);
     keep_worse(verdict.twice, drawing.twice);
     keep_worse(verdict.uncovered, drawing.uncovered);
+    keep_worse(verdict.misplaced, drawing.misplaced);
     keep_worse(verdict.wrong_class, drawing.wrong_class);
   }
   for (const Candidate& c : lines_->candidates) {
     for (const oracle::Interval& i : c.intervals) {
+      if (i.at_border) continue;
       verdict.line_mm += segment(i).length();
       if (i.answer == Answer::undecided) verdict.undecided_mm += segment(i).length();
     }
@@ -226,7 +240,7 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
   if (!verdict.faults.empty()) {
     verdict.faults = name_ + ", view " + standard_.name + ", method " + std::string(traits.name) + ", edges " + edges +
                      "\n" + verdict.faults + "  ligne draw tests/corpus/" + name_ + ".json " + standard_.options +
-                     " --landscape --method " + std::string(traits.name) + " --edges " + edges + " -o x.svg\n";
+                     " --method " + std::string(traits.name) + " --edges " + edges + " -o x.svg\n";
   }
   return verdict;
 }

@@ -26,8 +26,9 @@ struct Verdict {
   Fault missing;            ///< what the oracle says is visible and no visible stroke covers
   Fault twice;              ///< visible strokes that lie on each other
   Fault uncovered;          ///< parts of candidate edges that neither visible nor hidden strokes cover
+  Fault misplaced;          ///< ends of strokes that are not where their source edge has that parameter
   Fault wrong_class;        ///< strokes of another class than the oracle's, or of none that was asked for
-  double line_mm = 0;       ///< length of all candidate lines on the page
+  double line_mm = 0;       ///< length of all candidate lines on the page, but for what lies at the window's border
   double undecided_mm = 0;  ///< of them: where the oracle does not decide
 
   /// All faults that are longer than a drawing may be off, in words; empty when there is none.
@@ -35,7 +36,7 @@ struct Verdict {
   bool passes() const { return faults.empty(); }
 };
 
-/// A scene in one view on an A4 sheet, with the oracle's answers. These are found once, for all methods.
+/// A scene in one view on a sheet, with the oracle's answers. These are found once, for all methods.
 class JudgedView {
  public:
   /// `name` is the corpus scene's, "tests/corpus/NAME.json"; it stands in the command that shows a fault. For methods that

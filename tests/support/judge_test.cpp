@@ -101,6 +101,15 @@ TEST(Judge, FindsLostHiddenStrokes) {
   EXPECT_EQ(verdict.missing.length_mm, 0);
 }
 
+TEST(Judge, FindsStrokesBesideTheirPlaces) {
+  const Verdict verdict = judged(SpoiltMethod([](StrokeModel& m) {
+    for (Stroke& s : m.strokes) s.t_to = (s.t_from + 999 * s.t_to) / 1000;  // the points stay
+  }));
+  EXPECT_GT(verdict.misplaced.worst_mm, 0.05);
+  EXPECT_EQ(verdict.missing.length_mm, 0);
+  EXPECT_NE(verdict.faults.find("beside its place"), std::string::npos);
+}
+
 TEST(Judge, FindsWrongClasses) {
   const SpoiltMethod method([](StrokeModel& m) {
     for (Stroke& s : m.strokes) {
