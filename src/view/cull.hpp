@@ -21,8 +21,8 @@ namespace ligne {
 /// - objects that are no solids, those with a shell whose volume drowns in the error of its coordinates, and those whose
 ///   bounding box has the eye in it, or comes so near that the near plane could cut them open;
 /// - shells with a transparent face: one sees the back faces through it;
-/// - shells that touch or penetrate themselves (scene/model/self_contact.hpp): what has turned inside out there shows its back
-/// faces.
+/// - shells that touch or penetrate themselves (scene/model/self_contact.hpp): what has turned inside out there shows its
+/// back faces.
 struct BackFaces {
   std::vector<std::uint8_t> culled;  ///< per face of the scene: 1 when it is left out
   std::size_t faces = 0;             ///< how many are left out

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "scene/clean.hpp"
-#include "scene/reader.hpp"
+#include "scene/clean/clean.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/comparison.hpp"
 #include "support/scenes.hpp"
 #include "view/cull.hpp"

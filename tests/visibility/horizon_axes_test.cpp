@@ -13,8 +13,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/surface_mesh.hpp"
 #include "scene/model/topology.hpp"
+#include "scene/surfaces/surface_mesh.hpp"
 #include "support/page_segments.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/horizon/horizon.hpp"

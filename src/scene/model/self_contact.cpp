@@ -7,10 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
-
+#include "geometry/parallel.hpp"
 #include "scene/model/triangle_contact.hpp"
 
 namespace ligne {
@@ -55,8 +52,8 @@ class SelfSearch {
  public:
   SelfSearch(std::span<const Point3> vertices, std::span<const Triangle> triangles, std::span<const std::uint32_t> own)
       : vertices_(vertices), triangles_(triangles), items_(own.size()) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, own.size(), kGrain), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) items_[i] = {box_of(own[i]), own[i]};
+    parallel_blocks(own.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) items_[i] = {box_of(own[i]), own[i]};
     });
     std::size_t nodes = 1;
     for (std::size_t n = own.size(); n > kLeaf; n -= n / 2) nodes = 2 * nodes + 1;
@@ -92,7 +89,7 @@ class SelfSearch {
   template <class First, class Second>
   static void both(std::size_t size, First first, Second second) {
     if (size > kGrain) {
-      tbb::parallel_invoke(first, second);
+      parallel_tasks(2, [&](std::size_t half) { half == 0 ? first() : second(); });
     } else {
       first();
       second();
@@ -188,7 +185,7 @@ std::vector<std::uint8_t> find_self_contacts(std::span<const Point3> vertices, s
     if (surface[t] != kNone) items[next[surface[t]]++] = static_cast<std::uint32_t>(t);
   }
   std::vector<std::uint8_t> result(surface_count, 0);
-  tbb::parallel_for(std::size_t{0}, std::size_t{surface_count}, [&](std::size_t s) {
+  parallel_for(surface_count, [&](std::size_t s) {
     const auto own = std::span(items).subspan(begin[s], begin[s + 1] - begin[s]);
     if (!own.empty()) result[s] = SelfSearch(vertices, triangles, own).run();
   });
