@@ -101,10 +101,10 @@ void add_lit(const Scene& scene, const Topology& topology, const View& view, con
     if (seen.face_is_transparent[f] && opacity_of(scene, f) != opacity) seen.face_is_transparent[f] = kClearFace;
   }
   const Facets facets = make_facets(seen, coincidence_mm(seen) / seen.lattice.step_mm);
-  appel::CellGrid::Options grid_options;
+  CellGrid::Options grid_options;
   grid_options.margin_steps = coincidence_mm(seen) / seen.lattice.step_mm + 1;
   grid_options.see_through = true;
-  const appel::CellGrid grid(seen, facets.facets, grid_options);
+  const CellGrid grid(seen, facets.facets, grid_options);
   const atherton_weiler::VisibleFaces visible = atherton_weiler::find_visible_faces(seen, facets.facets, grid, {});
   for (const Region& region : visible.regions) {
     const FacePlane plane = plane_of(scene, region.face);

@@ -1,6 +1,6 @@
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 
-#include <algorithm>
+#include <memory>
 
 #include "visibility/atherton_weiler/border_lines.hpp"
 #include "visibility/atherton_weiler/glass_lines.hpp"
@@ -8,8 +8,7 @@
 #include "visibility/atherton_weiler/visible_faces.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/intersections.hpp"
-#include "visibility/common/make_strokes.hpp"
-#include "visibility/common/stroke_maker.hpp"
+#include "visibility/common/line_strokes.hpp"
 #include "visibility/common/visible_parts.hpp"
 #include "visibility/tolerances.hpp"
 
@@ -24,7 +23,7 @@ using namespace atherton_weiler;
 /// Finds the visible parts of lines; one for each task.
 class LineSearch {
  public:
-  LineSearch(const ProjectedScene& scene, const Facets& facets, const appel::CellGrid& grid, double coincidence_steps)
+  LineSearch(const ProjectedScene& scene, const Facets& facets, const CellGrid& grid, double coincidence_steps)
       : has_glass_(!scene.face_is_transparent.empty()),
         opaque_(scene, facets.facets, grid, coincidence_steps),
         glass_(scene, facets.facets, grid, coincidence_steps) {}
@@ -33,7 +32,7 @@ class LineSearch {
 
  private:
   bool has_glass_;
-  appel::VisibleParts opaque_;
+  VisibleParts opaque_;
   GlassLines glass_;
 };
 
@@ -83,16 +82,15 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
   Statistics& statistics = result.statistics;
   const double step = scene.lattice.step_mm;
   const double coincidence_steps = coincidence_mm(scene) / step;
-  const double least = kLeastPartMm / step;
   Clock clock;
 
   // 1. Facets and cells.
   const Facets facets = make_facets(scene, coincidence_steps);
-  appel::CellGrid::Options grid_options;
+  CellGrid::Options grid_options;
   grid_options.margin_steps = coincidence_steps + 1;
   grid_options.drop_hidden = !(options.hidden_strokes && scene.with_intersections);
   grid_options.see_through = true;
-  const appel::CellGrid grid(scene, facets.facets, grid_options);
+  const CellGrid grid(scene, facets.facets, grid_options);
   statistics.time("grid", clock.lap());
 
   // 2. Visible faces.
@@ -104,43 +102,30 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
   statistics.time("faces", clock.lap());
 
   // 3. Lines.
-  StrokeModel model;
-  model.lattice = scene.lattice;
-  model.edge_count = scene.source_count;
   const BorderLines borders(scene, facets, visible);
-  const StrokeMaker maker(scene, options.hidden_strokes);
-  make_strokes(scene.edges.size(), model.strokes, [&] {
-    return [&, search = LineSearch(scene, facets, grid, coincidence_steps), parts = std::vector<LinePart>()](
-               std::size_t i, std::vector<Stroke>& out) mutable {
-      const ProjectedEdge& edge = scene.edges[i];
-      const ProjectedVertex &a = scene.vertices[edge.v0], &b = scene.vertices[edge.v1];
-      if (a.p == b.p) return;  // seen end on
-      const PageLine line(a, b, edge.face0, edge.face1);
+  LineStrokes strokes(scene, facets, options.hidden_strokes, kLeastPartMm / step);
+  const auto make_search = [&] { return std::make_shared<LineSearch>(scene, facets, grid, coincidence_steps); };
+  strokes.add_edges([&]() -> LineVisibility {
+    return [&borders, search = make_search()](std::size_t i, const PageLine& line, std::vector<LinePart>& parts) {
       if (borders.needs_study(i)) {
-        parts = search.find(line);
+        parts = search->find(line);
       } else {
         parts.assign(borders.parts(i).begin(), borders.parts(i).end());
       }
-      drop_short_parts(parts, page_length(line), least);
-      const auto range = scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i];
-      maker.add(line, parts, range, edge.source, edge.line_class, true, out);
+      return true;
     };
   });
   std::vector<Intersection> intersections;
   if (scene.with_intersections) {
-    intersections = appel::find_intersections(scene, facets.facets, grid, grid_options.margin_steps);
+    intersections = find_intersections(scene, facets.facets, grid, grid_options.margin_steps);
   }
-  make_strokes(intersections.size(), model.strokes, [&] {
-    return [&, search = LineSearch(scene, facets, grid, coincidence_steps)](std::size_t i,
-                                                                            std::vector<Stroke>& out) mutable {
-      const Intersection& s = intersections[i];
-      const PageLine line(s.from, s.to, s.face0, s.face1);
-      std::vector<LinePart>& parts = search.find(line);
-      drop_short_parts(parts, page_length(line), least);
-      maker.add(line, parts, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, true, out);
+  strokes.add_intersections(intersections, [&]() -> LineVisibility {
+    return [search = make_search()](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
+      parts = search->find(line);
+      return true;
     };
   });
-  number_intersections(scene, intersections, model);
+  result.strokes = strokes.take();
   statistics.time("lines", clock.lap());
 
   std::size_t studied = 0;
@@ -153,9 +138,8 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
   }
   statistics.count("regions", visible.regions.size());
   statistics.count("lines beside borders", studied);
-  statistics.count("strokes", model.strokes.size());
+  statistics.count("strokes", result.strokes->strokes.size());
   if (options.wanted & kRegions) result.regions = std::move(visible.regions);
-  result.strokes = std::move(model);
   return result;
 }
 

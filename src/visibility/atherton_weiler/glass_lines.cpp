@@ -4,11 +4,6 @@
 
 namespace ligne::atherton_weiler {
 
-using appel::Cell;
-using appel::CellBox;
-using appel::CellFacet;
-using appel::CellSquare;
-
 std::vector<LinePart>& GlassLines::find(const PageLine& line) {
   parts_.clear();
   grid_.for_each_leaf(line, [&](const Cell& cell, const CellSquare& square, double from, double to) {

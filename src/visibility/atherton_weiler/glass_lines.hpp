@@ -8,12 +8,11 @@
 
 namespace ligne::atherton_weiler {
 
-/// Like appel::VisibleParts, but a transparent face hides nothing: what is behind it is seen at a higher level. Working
+/// Like VisibleParts, but a transparent face hides nothing: what is behind it is seen at a higher level. Working
 /// memory that is kept from line to line. The grid is one through which transparent faces are seen.
 class GlassLines {
  public:
-  GlassLines(const ProjectedScene& scene, const std::vector<Facet>& facets, const appel::CellGrid& grid,
-             double coincidence_steps)
+  GlassLines(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double coincidence_steps)
       : scene_(scene), facets_(facets.data()), grid_(grid), coincidence_steps_(coincidence_steps) {}
 
   /// The visible parts of the line with their levels, in order, disjoint. A point is seen on the bank on which less is in
@@ -28,11 +27,11 @@ class GlassLines {
     int hidden_left, hidden_right;
   };
 
-  void search_leaf(const PageLine& line, const appel::Cell& cell, const appel::CellSquare& square, double from, double to);
+  void search_leaf(const PageLine& line, const Cell& cell, const CellSquare& square, double from, double to);
 
   const ProjectedScene& scene_;
   const Facet* facets_;
-  const appel::CellGrid& grid_;
+  const CellGrid& grid_;
   double coincidence_steps_;
   std::vector<Event> events_;
   std::vector<LinePart> parts_;

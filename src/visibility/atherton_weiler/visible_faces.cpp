@@ -17,12 +17,6 @@
 namespace ligne::atherton_weiler {
 namespace {
 
-using appel::Cell;
-using appel::CellBox;
-using appel::CellFacet;
-using appel::CellGrid;
-using appel::CellSquare;
-
 /// Facets by face, in the order of the first facet of each: neighbours on the page stay neighbours.
 struct FacesOfFacets {
   std::vector<std::uint32_t> facets;

@@ -49,7 +49,7 @@ void add_regions(const Lattice& lattice, std::uint32_t face, std::uint32_t level
                  bool several_pieces, VisibleFaces& out);
 
 /// `grid` lists the facets of the scene. `progress` may be empty.
-VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const appel::CellGrid& grid,
+VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
                                 const std::function<void(double)>& progress);
 
 }  // namespace ligne::atherton_weiler

@@ -5,7 +5,7 @@
 
 #include "geometry/parallel.hpp"
 
-namespace ligne::appel {
+namespace ligne {
 namespace {
 
 // Adjustable parameters.
@@ -385,4 +385,4 @@ std::size_t CellGrid::leaf_count() const {
   return n;
 }
 
-}  // namespace ligne::appel
+}  // namespace ligne

@@ -16,7 +16,7 @@
 #include "visibility/common/facet.hpp"
 #include "visibility/common/hidden_interval.hpp"
 
-namespace ligne::appel {
+namespace ligne {
 
 /// A rectangle inside a cell in 128ths of the cell's side, rounded outwards: four seven-bit numbers in one word, so that
 /// two boxes are compared by one subtraction.
@@ -233,4 +233,4 @@ void CellGrid::visit_leaves_in(const CellSquare& root, double size, int columns,
   }
 }
 
-}  // namespace ligne::appel
+}  // namespace ligne

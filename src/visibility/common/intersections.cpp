@@ -8,7 +8,7 @@
 
 // Per leaf all pairs of facets that may meet in depth and on the page are tested.
 
-namespace ligne::appel {
+namespace ligne {
 namespace {
 
 bool seen_in(const PageSegment& s, const CellSquare& square, double margin, float cover) {
@@ -78,4 +78,4 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
   return all.finish(kLeastPartMm / scene.lattice.step_mm);
 }
 
-}  // namespace ligne::appel
+}  // namespace ligne

@@ -6,11 +6,11 @@
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/penetration.hpp"
 
-namespace ligne::appel {
+namespace ligne {
 
 /// All segments of penetrating facets that are not wholly behind the covers of the cells they run through; see
 /// PenetrationSearch::finish.
 std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                              const CellGrid& grid, double margin_steps);
 
-}  // namespace ligne::appel
+}  // namespace ligne

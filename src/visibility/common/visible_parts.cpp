@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ligne::appel {
+namespace ligne {
 
 std::vector<LinePart>& VisibleParts::find(const PageLine& line) {
   parts_.clear();
@@ -39,4 +39,4 @@ void VisibleParts::search_leaf(const PageLine& line, const Cell& cell, const Cel
   for (const LinePart& part : open_.finish()) append_part(parts_, part);
 }
 
-}  // namespace ligne::appel
+}  // namespace ligne

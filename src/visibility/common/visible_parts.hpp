@@ -1,12 +1,13 @@
 #pragma once
 /// The visible parts of one line: what is left of it when every facet in front has taken its interval.
 
+#include <mutex>
 #include <vector>
 
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/open_parts.hpp"
 
-namespace ligne::appel {
+namespace ligne {
 
 /// Counts for the statistics.
 struct TestCounts {
@@ -20,18 +21,36 @@ struct TestCounts {
   }
 };
 
+/// Counts of all threads.
+struct TestTotals {
+  std::mutex mutex;
+  TestCounts counts;
+};
+
 /// Working memory that is kept from line to line.
 class VisibleParts {
  public:
-  VisibleParts(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double coincidence_steps)
-      : vertices_(scene.vertices.data()), facets_(facets.data()), grid_(grid), coincidence_steps_(coincidence_steps) {}
+  /// `totals` gets the counts in the end; none where nobody asks for them.
+  VisibleParts(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double coincidence_steps,
+               TestTotals* totals = nullptr)
+      : vertices_(scene.vertices.data()),
+        facets_(facets.data()),
+        grid_(grid),
+        coincidence_steps_(coincidence_steps),
+        totals_(totals) {}
+  VisibleParts(const VisibleParts&) = delete;
+  VisibleParts& operator=(const VisibleParts&) = delete;
+  ~VisibleParts() {
+    if (!totals_) return;
+    const std::lock_guard lock(totals_->mutex);
+    totals_->counts += counts_;
+  }
 
   /// Finds the visible parts of the line, in order, disjoint; parts that touch are one. They are the caller's to change
-  /// until the next call. Afterwards near_side() tells
-  /// whether a side of a facet in front of the line or level with it lies along the line.
+  /// until the next call. Afterwards near_side()
+  /// says whether a side of a facet in front of the line or level with it lies along the line.
   std::vector<LinePart>& find(const PageLine& line);
   bool near_side() const { return near_side_; }
-  const TestCounts& counts() const { return counts_; }
 
  private:
   void search_leaf(const PageLine& line, const Cell& cell, const CellSquare& square, double from, double to);
@@ -40,10 +59,11 @@ class VisibleParts {
   const Facet* facets_;
   const CellGrid& grid_;
   double coincidence_steps_;
+  TestTotals* totals_;
   bool near_side_ = false;
   std::vector<LinePart> parts_;  ///< found so far, along the whole line
   OpenParts open_;               ///< not yet hidden, in the leaf at hand
   TestCounts counts_;
 };
 
-}  // namespace ligne::appel
+}  // namespace ligne

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <optional>
 
-#include "geometry/parallel.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/common/stroke_maker.hpp"
+#include "visibility/common/line_strokes.hpp"
 #include "visibility/tolerances.hpp"
 #include "visibility/warnock/control.hpp"
 #include "visibility/warnock/initial_window.hpp"
@@ -70,45 +71,21 @@ PartsByLine by_line(const std::vector<FoundPart>& found, std::size_t lines) {
   return result;
 }
 
-/// Where a line comes from.
-struct Origin {
-  std::uint32_t source;
-  LineClass line_class;
-  std::array<double, 2> range;  ///< part of the source edge
-  bool may_coincide;            ///< whatever lies near
-};
-
-/// Appends the strokes of all lines, in their order.
-template <class OriginOf>
-void make_strokes(const ProjectedScene& scene, const std::vector<PageLine>& lines, const std::vector<FoundPart>& found,
-                  bool hidden_too, const OriginOf& origin_of, std::vector<Stroke>& strokes) {
-  const PartsByLine sorted = by_line(found, lines.size());
-  const StrokeMaker maker(scene, hidden_too);
-  const double least = kLeastPartMm / scene.lattice.step_mm;
-  constexpr std::size_t kBlock = 4096;
-  const std::size_t blocks = (lines.size() + kBlock - 1) / kBlock;
-  std::vector<std::vector<Stroke>> made(blocks);
-  parallel_for(blocks, [&](std::size_t block) {
-    std::vector<FoundPart> of_line;
-    std::vector<LinePart> parts;
-    for (std::size_t i = block * kBlock; i < std::min(lines.size(), (block + 1) * kBlock); ++i) {
-      if (lines[i].p0 == lines[i].p1) continue;  // seen end on
-      of_line.assign(sorted.parts.begin() + static_cast<std::ptrdiff_t>(sorted.first[i]),
-                     sorted.parts.begin() + static_cast<std::ptrdiff_t>(sorted.first[i + 1]));
-      std::sort(of_line.begin(), of_line.end(),
-                [](const FoundPart& a, const FoundPart& b) { return a.part.from < b.part.from; });
-      parts.clear();
-      bool near_side = false;
-      for (const FoundPart& p : of_line) {
-        append_part(parts, p.part);
-        near_side |= p.near_side;
-      }
-      drop_short_parts(parts, page_length(lines[i]), least);
-      const Origin o = origin_of(i);
-      maker.add(lines[i], parts, o.range, o.source, o.line_class, near_side || o.may_coincide, made[block]);
-    }
-  });
-  for (const std::vector<Stroke>& m : made) strokes.insert(strokes.end(), m.begin(), m.end());
+/// Puts the parts together that windows found of each line.
+LineVisibility parts_of_lines(const PartsByLine& sorted) {
+  return
+      [&sorted, of_line = std::vector<FoundPart>()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
+        of_line.assign(sorted.parts.begin() + static_cast<std::ptrdiff_t>(sorted.first[i]),
+                       sorted.parts.begin() + static_cast<std::ptrdiff_t>(sorted.first[i + 1]));
+        std::sort(of_line.begin(), of_line.end(),
+                  [](const FoundPart& a, const FoundPart& b) { return a.part.from < b.part.from; });
+        bool near_side = false;
+        for (const FoundPart& p : of_line) {
+          append_part(parts, p.part);
+          near_side |= p.near_side;
+        }
+        return near_side;
+      };
 }
 
 std::vector<Piece> whole_lines(const std::vector<PageLine>& lines) {
@@ -119,7 +96,7 @@ std::vector<Piece> whole_lines(const std::vector<PageLine>& lines) {
   return pieces;
 }
 
-void tell(const Counts& c, Statistics& s) {
+void report(const Counts& c, Statistics& s) {
   s.count("windows studied", c.windows);
   s.count("windows divided", c.divided);
   s.count("windows with nothing to draw", c.empty);
@@ -141,11 +118,48 @@ void tell(const Counts& c, Statistics& s) {
 }
 
 /// Times in the modules, summed over the threads.
-void tell_times(const Counts& c, Statistics& s) {
+void report_times(const Counts& c, Statistics& s) {
   s.time("analysis, all threads", c.analysis_seconds);
   s.time("understanding, all threads", c.understanding_seconds);
   s.time("drawing, all threads", c.solution_seconds);
   s.time("areas, all threads", c.area_seconds);
+}
+
+/// How windows are studied.
+Rules rules_of(const ProjectedScene& scene, const StudyOptions& options, const InitialWindow& first) {
+  const double step = scene.lattice.step_mm;
+  const auto resolution = options.settings.find("resolution");
+  Rules rules;
+  rules.coincidence_steps = coincidence_mm(scene) / step;
+  rules.margin_steps = rules.coincidence_steps + 1;
+  rules.split = options.settings.choice("warnock-split", SplitChoice::centre);
+  if (resolution) rules.limit = std::max(1.0, std::ceil(longer_side_mm(scene) / *resolution / step * first.frame.unit()));
+  rules.find_pairs = scene.with_intersections || (options.wanted & kRegions);
+  rules.drop_hidden = !(options.hidden_strokes && scene.with_intersections);
+  rules.show_windows = options.settings.find("show").has_value();
+  return rules;
+}
+
+/// The progress of a part of the study, as one of the whole.
+std::function<void(double)> part_of_progress(const StudyOptions& options, double from, double to) {
+  if (!options.progress) return {};
+  return [&options, from, to](double part) { options.progress(from + part * (to - from)); };
+}
+
+std::vector<PageLine> edge_lines(const ProjectedScene& scene) {
+  std::vector<PageLine> lines;
+  lines.reserve(scene.edges.size());
+  for (const ProjectedEdge& e : scene.edges) {
+    lines.emplace_back(scene.vertices[e.v0], scene.vertices[e.v1], e.face0, e.face1);
+  }
+  return lines;
+}
+
+std::vector<PageLine> intersection_lines(const std::vector<Intersection>& intersections) {
+  std::vector<PageLine> lines;
+  lines.reserve(intersections.size());
+  for (const Intersection& x : intersections) lines.emplace_back(x.from, x.to, x.face0, x.face1);
+  return lines;
 }
 
 std::vector<std::vector<Point2>> page_lines(const std::vector<WindowCut>& cuts, const WindowFrame& frame,
@@ -178,91 +192,60 @@ const MethodTraits& WarnockMethod::traits() const {
 VisibilityResult WarnockMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
   VisibilityResult result;
   Statistics& statistics = result.statistics;
-  StrokeModel model;
-  model.lattice = scene.lattice;
-  model.edge_count = scene.source_count;
   const double step = scene.lattice.step_mm;
-  const auto resolution = options.settings.find("resolution");
+  const bool regions = (options.wanted & kRegions) != 0;
   Clock clock;
 
   // 1. Faces by depth.
-  Rules rules;
-  rules.coincidence_steps = coincidence_mm(scene) / step;
-  rules.margin_steps = rules.coincidence_steps + 1;
   const InitialWindow first = initial_window(scene, options.settings.choice("warnock-window", WindowChoice::bounding));
+  const Rules rules = rules_of(scene, options, first);
   const Facets facets = make_facets(scene, rules.coincidence_steps);
   const FaceTable table = make_faces(scene, facets.facets, first.frame);
-  rules.split = options.settings.choice("warnock-split", SplitChoice::centre);
-  if (resolution) rules.limit = std::max(1.0, std::ceil(longer_side_mm(scene) / *resolution / step * first.frame.unit()));
-  const bool regions = (options.wanted & kRegions) != 0;
-  rules.find_pairs = scene.with_intersections || regions;
-  rules.drop_hidden = !(options.hidden_strokes && scene.with_intersections);
-  rules.show_windows = options.settings.find("show").has_value();
   statistics.time("faces", clock.lap());
 
   // 2. Windows with the candidate edges.
-  const bool twice = rules.find_pairs;
-  const auto report = [&](double from, double to) {
-    return options.progress ? std::function<void(double)>(
-                                  [&options, from, to](double part) { options.progress(from + part * (to - from)); })
-                            : std::function<void(double)>();
-  };
-  std::vector<PageLine> lines;
-  lines.reserve(scene.edges.size());
-  for (const ProjectedEdge& e : scene.edges)
-    lines.emplace_back(scene.vertices[e.v0], scene.vertices[e.v1], e.face0, e.face1);
-  Outcome of_edges = Control(table, lines, rules).study(first.window, whole_lines(lines), report(0, twice ? 0.5 : 1));
-  const auto thin = [&](std::uint32_t f) { return f < facets.face_is_thin.size() && facets.face_is_thin[f]; };
-  make_strokes(
-      scene, lines, of_edges.parts, options.hidden_strokes,
-      [&](std::size_t i) {
-        const ProjectedEdge& e = scene.edges[i];
-        return Origin{e.source, e.line_class, scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i],
-                      thin(e.face0) || thin(e.face1)};
-      },
-      model.strokes);
+  const double half = rules.find_pairs ? 0.5 : 1;
+  const std::vector<PageLine> lines = edge_lines(scene);
+  Outcome of_edges =
+      Control(table, lines, rules).study(first.window, whole_lines(lines), part_of_progress(options, 0, half));
+  LineStrokes strokes(scene, facets, options.hidden_strokes, kLeastPartMm / step);
+  const PartsByLine edge_parts = by_line(of_edges.parts, lines.size());
+  strokes.add_edges([&] { return parts_of_lines(edge_parts); });
   statistics.time("windows", clock.lap());
 
   // 3. Windows with the intersections.
   std::vector<Intersection> intersections;
   if (rules.find_pairs) intersections = of_edges.pairs.finish(kLeastPartMm / step);
-  Counts of_intersections;
+  std::optional<Outcome> of_intersections;
   if (!intersections.empty() || regions) {
     Rules second = rules;
     second.find_pairs = second.show_windows = false;
     second.areas = regions;
-    std::vector<PageLine> crossings;
-    crossings.reserve(intersections.size());
-    for (const Intersection& x : intersections) crossings.emplace_back(x.from, x.to, x.face0, x.face1);
-    Outcome outcome = Control(table, crossings, second).study(first.window, whole_lines(crossings), report(0.5, 1));
-    of_intersections = outcome.counts;
+    const std::vector<PageLine> crossings = intersection_lines(intersections);
+    of_intersections.emplace(
+        Control(table, crossings, second).study(first.window, whole_lines(crossings), part_of_progress(options, half, 1)));
     if (scene.with_intersections) {
-      make_strokes(
-          scene, crossings, outcome.parts, options.hidden_strokes,
-          [&](std::size_t i) {
-            return Origin{scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, {0, 1}, true};
-          },
-          model.strokes);
-      number_intersections(scene, intersections, model);
+      const PartsByLine crossing_parts = by_line(of_intersections->parts, crossings.size());
+      strokes.add_intersections(intersections, [&] { return parts_of_lines(crossing_parts); });
     }
     statistics.time("windows of intersections", clock.lap());
-    if (regions) {
-      result.regions = make_regions(outcome.areas, first.frame, scene.lattice, kLeastPartMm / step);
-      statistics.time("regions", clock.lap());
-    }
+  }
+  result.strokes = strokes.take();
+  if (regions) {
+    result.regions = make_regions(of_intersections->areas, first.frame, scene.lattice, kLeastPartMm / step);
+    statistics.time("regions", clock.lap());
   }
 
   statistics.count("faces", table.faces.size());
   statistics.count("facets", facets.facets.size());
   statistics.count("candidate edges", scene.edges.size());
-  tell(of_edges.counts, statistics);
+  report(of_edges.counts, statistics);
   statistics.count("intersection segments tested", intersections.size());
-  statistics.count("windows studied for intersections and areas", of_intersections.windows);
-  statistics.count("strokes", model.strokes.size());
+  statistics.count("windows studied for intersections and areas", of_intersections ? of_intersections->counts.windows : 0);
+  statistics.count("strokes", result.strokes->strokes.size());
   if (result.regions) statistics.count("regions", result.regions->size());
-  tell_times(of_edges.counts, statistics);
+  report_times(of_edges.counts, statistics);
   result.debug = page_lines(of_edges.cuts, first.frame, scene.lattice);
-  result.strokes = std::move(model);
   return result;
 }
 

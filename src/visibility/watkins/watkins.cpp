@@ -5,8 +5,7 @@
 
 #include "geometry/parallel.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/common/make_strokes.hpp"
-#include "visibility/common/stroke_maker.hpp"
+#include "visibility/common/line_strokes.hpp"
 #include "visibility/tolerances.hpp"
 #include "visibility/watkins/exact_study.hpp"
 #include "visibility/watkins/line_study.hpp"
@@ -95,11 +94,170 @@ void leave_out_hidden(const ProjectedScene& scene, const CoverGrid& covers, std:
   });
 }
 
-/// What the study of the lines found, in either precision.
-struct Found {
-  FoundIntervals edges, intersections;
-  std::vector<std::uint8_t> near;  ///< by edge; empty: any may have another one on it
+/// A study, phase by phase.
+class WatkinsStudy {
+ public:
+  WatkinsStudy(const ProjectedScene& scene, const StudyOptions& options)
+      : scene_(scene),
+        options_(options),
+        step_(scene.lattice.step_mm),
+        line_count_(options.settings.find("lines").value_or(kMostLines + 1)),
+        exact_(line_count_ > kMostLines) {
+    exact_options_.kind = options.settings.choice("span-method", SpanMethodKind::stack);
+    exact_options_.coincidence_steps = coincidence_mm(scene) / step_;
+    exact_options_.penetrations = finds_intersections();
+    exact_options_.progress = options.progress;
+    by_lines_.scan.kind = exact_options_.kind;
+    by_lines_.coincidence_steps = exact_options_.coincidence_steps;
+  }
+
+  VisibilityResult run();
+
+ private:
+  bool finds_intersections() const { return scene_.with_intersections || !exact_ || options_.span_lines; }
+  void make_lines();
+  void leave_out_what_is_hidden();
+  void study_edges();
+  void study_intersections();
+  void study_lines();
+  void make_spans();
+  void make_strokes();
+  std::vector<SweepLine> all_lines() const {
+    std::vector<SweepLine> all = lines_;
+    all.insert(all.end(), crossed_.begin(), crossed_.end());
+    return all;
+  }
+
+  const ProjectedScene& scene_;
+  const StudyOptions& options_;
+  const double step_;
+  const unsigned line_count_;
+  const bool exact_;  ///< at every event, not by a number of lines
+  ExactOptions exact_options_;
+  LineStudyOptions by_lines_;
+  Clock clock_;
+
+  Facets facets_;
+  std::vector<SweepLine> lines_;    ///< the candidate edges
+  std::vector<SweepLine> crossed_;  ///< the intersections
+  std::optional<CoverGrid> covers_;
+  std::vector<Intersection> intersections_;
+  /// Of edges, and behind them, by a number of lines, of intersections; in the exact study these have their own.
+  FoundIntervals found_, found_of_intersections_;
+  std::vector<std::uint8_t> near_;  ///< by edge: another line may lie on it; empty: any may
+  ExactCounts counts_;
+  VisibilityResult result_;
 };
+
+// 1. Facets.
+void WatkinsStudy::make_lines() {
+  facets_ = make_facets(scene_, exact_options_.coincidence_steps);
+  result_.statistics.count("facets", facets_.facets.size());
+  result_.statistics.count("candidate edges", scene_.edges.size());
+  lines_.reserve(scene_.edges.size());
+  for (const ProjectedEdge& e : scene_.edges) {
+    lines_.push_back({scene_.vertices[e.v0], scene_.vertices[e.v1], e.face0, e.face1});
+  }
+  result_.statistics.time("facets", clock_.lap());
+}
+
+// 2. What is surely hidden. Hidden intersections can only be found among all facets.
+void WatkinsStudy::leave_out_what_is_hidden() {
+  if (!(options_.hidden_strokes && scene_.with_intersections)) {
+    covers_.emplace(scene_.vertices, facets_.facets, exact_options_.coincidence_steps + 1);
+    exact_options_.covers = &*covers_;
+    leave_out_hidden(scene_, *covers_, facets_.facets, lines_);
+    result_.statistics.count("facets before all covers", facets_.facets.size());
+  }
+  result_.statistics.time("covers", clock_.lap());
+}
+
+// 3. Edges, and pairs that penetrate.
+void WatkinsStudy::study_edges() {
+  const std::span<const SweepLine> studied = exact_ ? std::span<const SweepLine>(lines_) : std::span<const SweepLine>{};
+  ExactResult first = study_exactly(scene_.vertices, facets_.facets, studied, exact_options_);
+  counts_ += first.counts;
+  found_ = std::move(first.found);
+  near_ = std::move(first.near);
+  if (finds_intersections()) {
+    intersections_ = take_intersections(first, scene_.vertices, facets_.facets, kLeastPartMm / step_);
+  }
+  for (const Intersection& i : intersections_) crossed_.push_back({i.from, i.to, i.face0, i.face1});
+  result_.statistics.count("intersection segments", intersections_.size());
+  result_.statistics.time("edges", clock_.lap());
+}
+
+// 4. Intersections.
+void WatkinsStudy::study_intersections() {
+  if (scene_.with_intersections && !intersections_.empty()) {
+    exact_options_.penetrations = false;
+    exact_options_.progress = {};
+    ExactResult r = study_exactly(scene_.vertices, facets_.facets, crossed_, exact_options_);
+    counts_ += r.counts;
+    found_of_intersections_ = std::move(r.found);
+  }
+  report(counts_, result_.statistics);
+}
+
+// 4. By lines, edges and intersections at once.
+void WatkinsStudy::study_lines() {
+  by_lines_.collect_spans = (options_.wanted & kSpans) != 0 && !options_.span_lines;
+  LineStudyResult r = study_by_lines(scene_, facets_.facets, all_lines(), grid_of_lines(scene_, line_count_), by_lines_);
+  report(r, result_.statistics);
+  found_ = std::move(r.found);
+  near_.clear();
+  if (!by_lines_.collect_spans) return;
+  const double spacing = scene_.view.window.height() / line_count_;
+  result_.spans = SpanModel{{scene_.view.window.min.y + spacing / 2, spacing, line_count_}, std::move(r.spans)};
+}
+
+// 5. Spans.
+void WatkinsStudy::make_spans() {
+  if (!options_.span_lines) return;
+  by_lines_.track = false;
+  by_lines_.collect_spans = true;
+  const LineGrid lines = grid_of(scene_, *options_.span_lines);
+  result_.spans =
+      SpanModel{*options_.span_lines, study_by_lines(scene_, facets_.facets, all_lines(), lines, by_lines_).spans};
+  result_.statistics.time("spans", clock_.lap());
+}
+
+// 6. Strokes.
+void WatkinsStudy::make_strokes() {
+  // By lines what is shorter than the distance of two lines is below the resolution.
+  const double least = kLeastPartMm / step_;
+  const double shortest = exact_ ? least : std::max(least, grid_of_lines(scene_, line_count_).spacing);
+  LineStrokes strokes(scene_, facets_, options_.hidden_strokes, shortest);
+  strokes.add_edges([&]() -> LineVisibility {
+    return [this, open = OpenParts()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
+      if (!lines_[i].behind) parts = found_.visible_parts(i, open);
+      return near_.empty() || near_[i];
+    };
+  });
+  if (scene_.with_intersections) {
+    strokes.add_intersections(intersections_, [&]() -> LineVisibility {
+      return [this, open = OpenParts()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
+        parts = exact_ ? found_of_intersections_.visible_parts(i, open) : found_.visible_parts(lines_.size() + i, open);
+        return true;
+      };
+    });
+  }
+  result_.strokes = strokes.take();
+  result_.statistics.time("strokes", clock_.lap());
+  result_.statistics.count("strokes", result_.strokes->strokes.size());
+}
+
+VisibilityResult WatkinsStudy::run() {
+  make_lines();
+  leave_out_what_is_hidden();
+  study_edges();
+  exact_ ? study_intersections() : study_lines();
+  result_.statistics.time("lines", clock_.lap());
+  make_spans();
+  if (result_.spans) result_.statistics.count("spans", result_.spans->spans.size());
+  make_strokes();
+  return std::move(result_);
+}
 
 }  // namespace
 
@@ -117,134 +275,7 @@ const MethodTraits& WatkinsMethod::traits() const {
 }
 
 VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
-  VisibilityResult result;
-  Statistics& statistics = result.statistics;
-  StrokeModel model;
-  model.lattice = scene.lattice;
-  model.edge_count = scene.source_count;
-  const double step = scene.lattice.step_mm, least = kLeastPartMm / step;
-  const unsigned line_count = options.settings.find("lines").value_or(kMostLines + 1);
-  const bool exact = line_count > kMostLines;
-  const bool find_intersections = scene.with_intersections || !exact || options.span_lines;
-  Clock clock;
-
-  // 1. Facets.
-  ExactOptions exact_options;
-  exact_options.kind = options.settings.choice("span-method", SpanMethodKind::stack);
-  exact_options.coincidence_steps = coincidence_mm(scene) / step;
-  exact_options.penetrations = find_intersections;
-  exact_options.progress = options.progress;
-  Facets facets = make_facets(scene, exact_options.coincidence_steps);
-  statistics.count("facets", facets.facets.size());
-  statistics.count("candidate edges", scene.edges.size());
-  std::vector<SweepLine> lines;
-  lines.reserve(scene.edges.size());
-  for (const ProjectedEdge& e : scene.edges) lines.push_back({scene.vertices[e.v0], scene.vertices[e.v1], e.face0, e.face1});
-  statistics.time("facets", clock.lap());
-
-  // 2. What is surely hidden. Hidden intersections can only be found among all facets.
-  std::optional<CoverGrid> covers;
-  if (!(options.hidden_strokes && scene.with_intersections)) {
-    covers.emplace(scene.vertices, facets.facets, exact_options.coincidence_steps + 1);
-    exact_options.covers = &*covers;
-    leave_out_hidden(scene, *covers, facets.facets, lines);
-    statistics.count("facets before all covers", facets.facets.size());
-  }
-  statistics.time("covers", clock.lap());
-
-  // 3. Edges, and pairs that penetrate.
-  ExactCounts counts;
-  Found found;
-  std::vector<Intersection> intersections;
-  ExactResult first = study_exactly(scene.vertices, facets.facets,
-                                    exact ? std::span<const SweepLine>(lines) : std::span<const SweepLine>{}, exact_options);
-  counts += first.counts;
-  found.edges = std::move(first.found);
-  found.near = std::move(first.near);
-  if (find_intersections) intersections = take_intersections(first, scene.vertices, facets.facets, least);
-  statistics.count("intersection segments", intersections.size());
-  statistics.time("edges", clock.lap());
-
-  // 4. Intersections; by lines, edges too.
-  std::vector<SweepLine> crossed;
-  for (const Intersection& i : intersections) crossed.push_back({i.from, i.to, i.face0, i.face1});
-  std::vector<SweepLine> all_lines = lines;
-  all_lines.insert(all_lines.end(), crossed.begin(), crossed.end());
-  LineStudyOptions by_lines;
-  by_lines.scan.kind = exact_options.kind;
-  by_lines.coincidence_steps = exact_options.coincidence_steps;
-  if (exact && scene.with_intersections && !intersections.empty()) {
-    exact_options.penetrations = false;
-    exact_options.progress = {};
-    ExactResult r = study_exactly(scene.vertices, facets.facets, crossed, exact_options);
-    counts += r.counts;
-    found.intersections = std::move(r.found);
-  }
-  if (exact) {
-    report(counts, statistics);
-  } else {
-    by_lines.collect_spans = (options.wanted & kSpans) != 0 && !options.span_lines;
-    LineStudyResult r = study_by_lines(scene, facets.facets, all_lines, grid_of_lines(scene, line_count), by_lines);
-    report(r, statistics);
-    found.edges = std::move(r.found);
-    found.near.clear();
-    const double spacing = scene.view.window.height() / line_count;
-    if (by_lines.collect_spans)
-      result.spans = SpanModel{{scene.view.window.min.y + spacing / 2, spacing, line_count}, std::move(r.spans)};
-  }
-  statistics.time("lines", clock.lap());
-
-  // 5. Spans.
-  if (options.span_lines) {
-    by_lines.track = false;
-    by_lines.collect_spans = true;
-    result.spans =
-        SpanModel{*options.span_lines,
-                  study_by_lines(scene, facets.facets, all_lines, grid_of(scene, *options.span_lines), by_lines).spans};
-    statistics.time("spans", clock.lap());
-  }
-  if (!scene.with_intersections) {  // they have served
-    intersections.clear();
-    crossed.clear();
-  }
-  if (result.spans) statistics.count("spans", result.spans->spans.size());
-
-  // 6. Strokes.
-  // By lines what is shorter than the distance of two lines is below the resolution.
-  const double shortest = exact ? least : std::max(least, grid_of_lines(scene, line_count).spacing);
-  const StrokeMaker maker(scene, options.hidden_strokes);
-  const auto add = [&](const SweepLine& l, const std::vector<LinePart>& visible, std::array<double, 2> range,
-                       std::uint32_t source, LineClass line_class, bool may_coincide, std::vector<Stroke>& out) {
-    const PageLine line(l.from, l.to, l.face0, l.face1);
-    std::vector<LinePart> parts;
-    if (!l.behind) parts = visible;
-    drop_short_parts(parts, page_length(line), shortest);
-    maker.add(line, parts, range, source, line_class, may_coincide, out);
-  };
-  const auto add_edge = [&](std::size_t i, OpenParts& open, std::vector<Stroke>& out) {
-    if (lines[i].from.p == lines[i].to.p) return;  // seen end on
-    const ProjectedEdge& edge = scene.edges[i];
-    const auto thin = [&](std::uint32_t f) { return f < facets.face_is_thin.size() && facets.face_is_thin[f]; };
-    const auto range = scene.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene.edge_parts[i];
-    const bool may_coincide = found.near.empty() || found.near[i] || thin(edge.face0) || thin(edge.face1);
-    add(lines[i], found.edges.visible_parts(i, open), range, edge.source, edge.line_class, may_coincide, out);
-  };
-  const auto add_intersection = [&](std::size_t i, OpenParts& open, std::vector<Stroke>& out) {
-    const std::vector<LinePart>& parts =
-        exact ? found.intersections.visible_parts(i, open) : found.edges.visible_parts(lines.size() + i, open);
-    add(crossed[i], parts, {0, 1}, scene.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, true, out);
-  };
-  make_strokes(lines.size(), model.strokes, [&] {
-    return [&, open = OpenParts()](std::size_t i, std::vector<Stroke>& out) mutable { add_edge(i, open, out); };
-  });
-  make_strokes(crossed.size(), model.strokes, [&] {
-    return [&, open = OpenParts()](std::size_t i, std::vector<Stroke>& out) mutable { add_intersection(i, open, out); };
-  });
-  number_intersections(scene, intersections, model);
-  statistics.time("strokes", clock.lap());
-  statistics.count("strokes", model.strokes.size());
-  result.strokes = std::move(model);
-  return result;
+  return WatkinsStudy(scene, options).run();
 }
 
 }  // namespace ligne
