@@ -1,4 +1,4 @@
-// The experiments of the thesis on scan lines (2.3.3 to 2.3.5), made again: tables as Markdown on standard output, charts
+// The experiments of [Boulle1980] on scan lines (2.3.3 to 2.3.5), made again: tables as Markdown on standard output, charts
 // into a folder.
 //
 //   ligne_watkins_experiments FOLDER [MODEL...]

@@ -1,6 +1,6 @@
 /// Hatching, in the frame of the strokes:
 ///
-/// 1. Runs of the cover that touch are joined, line by line. What is left is the area, seen on lines that are at most a
+/// 1. Runs that touch are joined, line by line. What is left is the area, seen on lines that are at most a
 /// sixth of the pen apart.
 /// 2. The area is made narrower by half a pen: a point stays when a shape about it that surrounds the pen's tip stays inside
 /// on all lines that it meets. A corner that points along the
@@ -294,14 +294,14 @@ Point2 HatchFrame::to_frame(Point2 page) const {
 }
 Point2 HatchFrame::to_page(Point2 frame) const { return origin_ + along_ * frame.x + across_ * frame.y; }
 
-double cover_line_mm(double spacing_mm, double pen_mm) {
+double hatch_line_mm(double spacing_mm, double pen_mm) {
   if (!(spacing_mm > 0) || !(pen_mm > 0)) throw std::invalid_argument("spacing and pen width of a hatch are above zero");
   const double wanted = std::max(pen_mm, kFinestPenMm) / kLinesPerPen;
   return spacing_mm / std::max(1.0, std::ceil(spacing_mm / wanted));
 }
 
-void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm,
-               std::vector<CoverRun>& cover, bool even_odd) {
+void add_runs(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm,
+              std::vector<SurfaceRun>& runs, bool even_odd) {
   double low = 1e300, high = -1e300;
   std::vector<std::vector<Point2>> turned(contours.size());
   for (std::size_t c = 0; c < contours.size(); ++c) {
@@ -341,17 +341,17 @@ void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surf
     winding = i > 0 && crossings[i - 1].line != crossings[i].line ? crossings[i].turn : winding + crossings[i].turn;
     if (crossings[i].line != crossings[i + 1].line || !(crossings[i].u < crossings[i + 1].u)) continue;
     if (even_odd ? winding % 2 != 0 : winding != 0)
-      cover.push_back({crossings[i].line, crossings[i].u, crossings[i + 1].u, surface});
+      runs.push_back({crossings[i].line, crossings[i].u, crossings[i + 1].u, surface});
   }
 }
 
-void hatch_cover(const HatchFrame& frame, double line_mm, std::span<const CoverRun> cover,
-                 std::span<const SurfaceHatch> surfaces, std::span<const double> pen_mm, std::span<Polylines> layers) {
+void hatch_runs(const HatchFrame& frame, double line_mm, std::span<const SurfaceRun> runs,
+                std::span<const SurfaceHatch> surfaces, std::span<const double> pen_mm, std::span<Polylines> layers) {
   if (!(line_mm > 0) || std::any_of(pen_mm.begin(), pen_mm.end(), [](double pen) { return !(pen > 0); })) {
     throw std::invalid_argument("spacing and pen width of a hatch are above zero");
   }
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<GroupRun>> groups;
-  for (const CoverRun& run : cover) {
+  for (const SurfaceRun& run : runs) {
     const SurfaceHatch& how = surfaces[run.surface];
     if (how.every > 0) groups[{how.group, how.every}].push_back({run.line, run.from, run.to, how.rows, how.layer});
   }
@@ -367,7 +367,7 @@ void hatch_cover(const HatchFrame& frame, double line_mm, std::span<const CoverR
 }
 
 Polylines hatch(std::span<const std::vector<Point2>> contours, const HatchOptions& options) {
-  const double line_mm = cover_line_mm(options.spacing_mm, options.pen_width_mm);
+  const double line_mm = hatch_line_mm(options.spacing_mm, options.pen_width_mm);
   Polylines out;
   for (const double turn : {0.0, 90.0}) {
     if (turn > 0 && !options.cross) break;
@@ -381,10 +381,10 @@ Polylines hatch(std::span<const std::vector<Point2>> contours, const HatchOption
     }
     if (high - low > kMostHatchRows * options.spacing_mm)
       throw std::invalid_argument("a hatch has more than a million rows");
-    std::vector<CoverRun> cover;
-    add_cover(contours, 0, frame, line_mm, cover, options.even_odd);
+    std::vector<SurfaceRun> runs;
+    add_runs(contours, 0, frame, line_mm, runs, options.even_odd);
     const SurfaceHatch how{static_cast<std::uint32_t>(std::lround(options.spacing_mm / line_mm)), kRowCycle, 0, 0};
-    hatch_cover(frame, line_mm, cover, {&how, 1}, {&options.pen_width_mm, 1}, {&out, 1});
+    hatch_runs(frame, line_mm, runs, {&how, 1}, {&options.pen_width_mm, 1}, {&out, 1});
   }
   return out;
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Areas filled with strokes. There is one engine for regions and for scan lines: both are told as runs on lines that lie
-/// closely side by side along the strokes, a *cover*.
+/// Areas filled with strokes. There is one engine for regions and for scan lines: both are given as runs on lines that lie
+/// closely side by side along the strokes, in *runs*.
 
 #include <cstdint>
 #include <span>
@@ -26,7 +26,7 @@ class HatchFrame {
 };
 
 /// A part of a line under which a surface is seen. Line i lies at v = i x line_mm.
-struct CoverRun {
+struct SurfaceRun {
   std::int32_t line = 0;
   double from = 0, to = 0;  ///< u
   std::uint32_t surface = 0;
@@ -44,28 +44,28 @@ struct SurfaceHatch {
   std::uint32_t layer = 0;         ///< of the strokes
 };
 
-/// Distance of the lines of a cover for rows at this spacing: a whole part of it, and at most a sixth of the pen (of a tenth
-/// of a millimetre, where the pen is finer).
-double cover_line_mm(double spacing_mm, double pen_mm);
+/// Distance of the lines of the runs for rows at this spacing: a whole part of it, and at most a sixth of the pen (of a
+/// tenth of a millimetre, where the pen is finer).
+double hatch_line_mm(double spacing_mm, double pen_mm);
 
 /// Cuts an area, its contours in any order, into runs; appends them. Inside is what an odd number of contours surrounds, or,
 /// if not `even_odd`, what they wind round.
-void add_cover(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm,
-               std::vector<CoverRun>& cover, bool even_odd = true);
+void add_runs(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm,
+              std::vector<SurfaceRun>& runs, bool even_odd = true);
 
 /// Strokes for surfaces. Those of one group and one `every` are joined before they are hatched, so that borders between them
 /// lift no pen. Strokes and their round ends stay inside, half a pen from the rim. They run to and fro; the end of one is
 /// tied to the beginning of the next where the way between them along the rim is short. `surfaces` is indexed by
-/// CoverRun::surface, `pen_mm` by layer; the strokes are appended to `layers`, page mm. The cover comes in any order, and
+/// SurfaceRun::surface, `pen_mm` by layer; the strokes are appended to `layers`, page mm. The runs come in any order, and
 /// surfaces may overlap. Throws std::invalid_argument for a pen or a distance that is not above zero.
-void hatch_cover(const HatchFrame& frame, double line_mm, std::span<const CoverRun> cover,
-                 std::span<const SurfaceHatch> surfaces, std::span<const double> pen_mm, std::span<Polylines> layers);
+void hatch_runs(const HatchFrame& frame, double line_mm, std::span<const SurfaceRun> runs,
+                std::span<const SurfaceHatch> surfaces, std::span<const double> pen_mm, std::span<Polylines> layers);
 
 struct HatchOptions {
   double spacing_mm = 1;      ///< between the middles of neighbouring strokes
   double angle_degrees = 45;  ///< of the strokes, counter-clockwise as seen
   double pen_width_mm = 0.35;
-  bool even_odd = true;  ///< see add_cover
+  bool even_odd = true;  ///< see add_runs
   bool cross = false;    ///< a second family at right angles
   Point2 origin{0,
                 0};  ///< a stroke would run through this point: areas with one origin have hatches that continue each other

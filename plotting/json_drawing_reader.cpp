@@ -67,8 +67,8 @@ class DrawingReader {
     if (points == stroke.end() || !points->is_array() || points->size() < 2) fail_stroke("has no two points");
     const auto level = stroke.find("level");
     if (level != stroke.end() && !level->is_number_unsigned()) fail_stroke("its level is not a whole number");
-    const bool through_glass = level != stroke.end() && level->get<std::uint64_t>() > 0;
-    Polylines& lines = layer_of(line_class->get_ref<const std::string&>(), visible->get<bool>(), through_glass);
+    const bool through_transparent = level != stroke.end() && level->get<std::uint64_t>() > 0;
+    Polylines& lines = layer_of(line_class->get_ref<const std::string&>(), visible->get<bool>(), through_transparent);
     for (const json& p : *points) {
       if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
         fail_stroke("a point is not two numbers");
@@ -81,10 +81,10 @@ class DrawingReader {
     ++count_;
   }
 
-  Polylines& layer_of(const std::string& line_class, bool visible, bool through_glass) {
+  Polylines& layer_of(const std::string& line_class, bool visible, bool through_transparent) {
     for (std::size_t c = 0; c < kLineClassCount; ++c) {
       if (kLineClassNames[c] == line_class)
-        return layers_[stroke_layer(static_cast<LineClass>(c), visible, through_glass)].lines;
+        return layers_[stroke_layer(static_cast<LineClass>(c), visible, through_transparent)].lines;
     }
     fail_stroke("there is no class of that name");
   }

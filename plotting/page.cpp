@@ -40,7 +40,7 @@ struct LayerPen {
 constexpr LayerPen kLayerPens[] = {{"intersection", 0.7}, {"crease", 0.7}, {"mesh", 0.5},  {"hidden", 0.5},
                                    {"axes", 0.7},         {"text", 0.7},   {"debug", 0.5}, {"hatch", 0.5},
                                    {"behind-glass", 0.5}, {"shadow", 0.5}};
-constexpr std::array<double, 3> kDebugColor{0.8, 0, 0}, kGlassColor{0.5, 0.5, 0.5};
+constexpr std::array<double, 3> kDebugColor{0.8, 0, 0}, kTransparentColor{0.5, 0.5, 0.5};
 
 /// A number and the unit behind it, which may be empty.
 std::pair<double, std::string_view> split_unit(std::string_view text) {
@@ -115,7 +115,7 @@ LineStyle layer_style(std::string_view layer, double pen_width_mm, bool hidden_s
     if (pen.layer == layer) style.width_mm = pen.width * pen_width_mm;
   }
   if (layer == "debug") style.color = kDebugColor;
-  if (layer == "behind-glass") style.color = kGlassColor;
+  if (layer == "behind-glass") style.color = kTransparentColor;
   if (layer == "hidden" && !hidden_solid) style.dashes_mm = {kDash * style.width_mm, kGap * style.width_mm};
   return style;
 }

@@ -173,7 +173,7 @@ void SvgReader::walk(const pugi::xml_node& node, const Context& around) {
   }
 }
 
-/// A nested svg, or a symbol whose size its <use> tells.
+/// A nested svg, or a symbol whose size its <use> gives.
 void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const pugi::xml_node& size) {
   if (local_name(node) == "svg") {
     context.to_mm = context.to_mm *

@@ -86,7 +86,7 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   options.spacing_mm = kFillSpacing * fills_.pen_width_mm;
   options.even_odd = style.fill_even_odd;
   // What the engine has to do grows with how often the contours cross its lines.
-  const double line_mm = cover_line_mm(options.spacing_mm, options.pen_width_mm);
+  const double line_mm = hatch_line_mm(options.spacing_mm, options.pen_width_mm);
   for (std::size_t i = 0; i < contours.size(); ++i) {
     for (std::size_t k = 1; k < contours[i].size(); ++k)
       fill_work_ += 1 + glm::distance(contours[i][k - 1], contours[i][k]) / line_mm;

@@ -25,7 +25,7 @@ class Outline {
   void line_to(Point2 p);
   void quadratic_to(Point2 control, Point2 p);
   void cubic_to(Point2 control1, Point2 control2, Point2 p);
-  /// An arc as the path data of SVG tell it (SVG 1.1, F.6).
+  /// An arc as the path data of SVG give it (SVG 1.1, F.6).
   void arc_to(double rx, double ry, double rotation_degrees, bool large, bool sweep, Point2 p);
   /// Ellipse about a centre, from the angle over so many radians; its first point is where the pen is.
   void arc(Point2 center, double rx, double ry, double rotation, double from, double sweep);

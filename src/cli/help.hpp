@@ -8,7 +8,7 @@
 
 namespace ligne {
 
-/// "--fov DEG [35]   what it means": the default in brackets, nothing about what goes with what (the errors tell that).
+/// "--fov DEG [35]   what it means": the default in brackets, nothing about what goes with what (the errors say that).
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter() { column_width(30); }

@@ -65,7 +65,7 @@ std::string closedness(const ObjectFacts& object) {
          " edges of more than two faces";
 }
 
-/// What the scene means for a method, as far as its traits tell.
+/// What the scene means for a method, as far as its traits say.
 std::string meaning(const MethodTraits& traits) {
   std::string text = precision_name(traits);
   text += traits.penetration ? "; faces that penetrate each other are drawn right"

@@ -1,6 +1,6 @@
 /// Strokes that lie on each other: one stands for all.
 ///
-/// Strokes are taken in the order of their precedence and held against those that stand already. Where one of these has
+/// Strokes are taken in the order of their precedence and compared with those that stand already. Where one of these has
 /// precedence the new stroke loses the common interval, and what is left of it is tried again. Otherwise the new stroke
 /// stands, and those that it precedes after all (depth decides in the middle of the common interval, which the order by
 /// whole strokes can only guess) lose theirs and are tried again. So nothing that stands coincides with anything else
@@ -235,7 +235,7 @@ class MarkedSquares {
       everywhere_ = everywhere_ || too_large;
     }
   }
-  /// May the stroke lie on one of those marked? True where that would take long to tell.
+  /// May the stroke lie on one of those marked? True where that would take long to decide.
   bool near(const Stroke& s) const {
     return everywhere_ || for_each_square(s, [&](std::size_t k) { return marks_[k] != 0; });
   }

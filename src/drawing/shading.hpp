@@ -1,5 +1,5 @@
 #pragma once
-/// From spans to pictures: gray pixels (thesis 2.3.2.1, figure 2.29). Hatching is in plotting/hatch.hpp.
+/// From spans to pictures: gray pixels ([Boulle1980] 2.3.2.1, figure 2.29). Hatching is in plotting/hatch.hpp.
 
 #include <cstdint>
 #include <vector>

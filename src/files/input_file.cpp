@@ -50,7 +50,7 @@ class OpenInput {
   OpenInput(const OpenInput&) = delete;
   OpenInput& operator=(const OpenInput&) = delete;
 
-  /// As told; 0 where none is.
+  /// As the file system says; 0 where it has none.
   std::uintmax_t size() const { return size_; }
 
   /// Fills the front of `to`; the number of bytes, 0 at the end of the file.

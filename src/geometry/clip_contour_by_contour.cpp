@@ -11,11 +11,11 @@ namespace {
 /// Collects the parts of one edge after the other that border a set of points.
 class BorderCollector {
  public:
-  /// The part from-to of the edge has the set on its left, on its right, on both banks or on none. `goes_on`: it continues
+  /// The part from-to of the edge has the set on its left, on its right, on both sides or on none. `continues`: it continues
   /// the part given before, and nothing ends there.
-  void part(const ContourEdge& edge, SegmentParameter from, SegmentParameter to, bool left, bool right, bool goes_on) {
+  void part(const ContourEdge& edge, SegmentParameter from, SegmentParameter to, bool left, bool right, bool continues) {
     if (left == right) return;
-    if (goes_on && !edges_.empty() && edges_.back().reversed == right && edges_.back().segment == edge.segment &&
+    if (continues && !edges_.empty() && edges_.back().reversed == right && edges_.back().segment == edge.segment &&
         compare(edges_.back().to, from) == 0) {
       edges_.back().to = to;
     } else {
@@ -62,7 +62,7 @@ ClipResult clip_contour_by_contour(std::span<const ContourFace> subject, std::sp
     const ContourEdge edge = overlay.edge(i);
     if (i >= subject_edges && !box.meets(edge)) continue;  // results lie within the subject
     overlay.for_each_part(
-        i, edge.from, edge.to, [&](SegmentParameter from, SegmentParameter to, const Banks& b, bool corner) {
+        i, edge.from, edge.to, [&](SegmentParameter from, SegmentParameter to, const EdgeSides& b, bool corner) {
           inside.part(edge, from, to, b.left[0] > 0 && b.left[1] > 0, b.right[0] > 0 && b.right[1] > 0, !corner);
           outside.part(edge, from, to, b.left[0] > 0 && b.left[1] <= 0, b.right[0] > 0 && b.right[1] <= 0, !corner);
         });

@@ -4,8 +4,8 @@
 /// P. Atherton, K. Weiler, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977; contours of any form, with
 /// holes. The papers walk from intersection to intersection and change over to the other contour there; where corners lie on
 /// edges or edges on edges the walk needs cases, and each case a rule. Here nothing is walked before everything is known:
-/// every edge of both faces is cut into parts on whose two banks nothing changes, a part belongs to the border of a result
-/// when the result lies on one of its banks and not on the other, and the parts found are linked. See
+/// every edge of both faces is cut into parts on whose two sides nothing changes, a part belongs to the border of a result
+/// when the result lies on one of its sides and not on the other, and the parts found are linked. See
 /// geometry/edge_overlay.hpp for the singular cases.
 
 #include <span>

@@ -50,7 +50,7 @@ ContourFace make_contour_face(std::span<const std::vector<LatticePoint>> contour
 /// are faces of their own. Runs on one source that follow each other are one edge, but where other contours touch it.
 /// Contours without area are left out.
 ///
-/// With `closed` contours stay closed exactly, not only on the fine lattice: runs shorter than that can tell, which are
+/// With `closed` contours stay closed exactly, not only on the fine lattice: runs shorter than that can resolve, which are
 /// otherwise left out, are kept in a contour that passes there, begin() and end() the same. For faces that will be clipped
 /// again: lines along their edges may pass through the gap. And of edges that lie on each other the first one is kept,
 /// otherwise that of the lowest source.

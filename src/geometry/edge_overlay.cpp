@@ -45,8 +45,8 @@ void EdgeOverlay::add_ends(const LatticeSegment& line, const ContourEdge& edge, 
   }
 }
 
-Banks EdgeOverlay::start(std::size_t i, SegmentParameter from, SegmentParameter to) {
-  Banks banks;
+EdgeSides EdgeOverlay::start(std::size_t i, SegmentParameter from, SegmentParameter to) {
+  EdgeSides sides;
   events_.clear();
   const LatticeSegment line = edges_[i].edge.segment;
   for (std::size_t k = 0; k < edges_.size(); ++k) {
@@ -66,14 +66,14 @@ Banks EdgeOverlay::start(std::size_t i, SegmentParameter from, SegmentParameter 
     if ((first < 0) != (last < 0)) event.right = first < 0 ? -1 : 1;
     event.t = crossing(line, e.segment);
     if (compare(event.t, from) <= 0) {
-      banks.left[event.set] += event.left;
-      banks.right[event.set] += event.right;
+      sides.left[event.set] += event.left;
+      sides.right[event.set] += event.right;
     } else if (compare(event.t, to) < 0) {
       events_.push_back(event);
     }
   }
   std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) { return compare(a.t, b.t) < 0; });
-  return banks;
+  return sides;
 }
 
 }  // namespace ligne

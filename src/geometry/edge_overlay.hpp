@@ -17,8 +17,8 @@
 
 namespace ligne {
 
-/// Windings of the sets, up to three, on the two banks of a part of an edge, in the direction of its segment.
-struct Banks {
+/// Windings of the sets, up to three, on the two sides of a part of an edge, in the direction of its segment.
+struct EdgeSides {
   std::array<std::int32_t, 3> left{}, right{};
 };
 
@@ -32,26 +32,26 @@ class EdgeOverlay {
   std::size_t size() const { return edges_.size(); }
   const ContourEdge& edge(std::size_t i) const { return edges_[i].edge; }
 
-  /// Calls visit(from, to, banks, corner) for the parts of edge i between `from` and `to` on its segment, in order, without
+  /// Calls visit(from, to, sides, corner) for the parts of edge i between `from` and `to` on its segment, in order, without
   /// gaps. Nothing changes within a part. `corner`: at `from` there may be a corner of a border that goes on along the edge:
   /// other edges end or meet there, or begin to run along it. A place where one edge passes through is no such corner.
   template <class Visit>
   void for_each_part(std::size_t i, SegmentParameter from, SegmentParameter to, Visit visit) {
-    Banks banks = start(i, from, to);
+    EdgeSides sides = start(i, from, to);
     bool corner = true;
     for (std::size_t k = 0; k < events_.size();) {
       const SegmentParameter t = events_[k].t;
-      visit(from, t, banks, corner);
+      visit(from, t, sides, corner);
       const std::size_t first = k;
       corner = false;
       for (; k < events_.size() && compare(events_[k].t, t) == 0; ++k) {
-        banks.left[events_[k].set] += events_[k].left;
-        banks.right[events_[k].set] += events_[k].right;
+        sides.left[events_[k].set] += events_[k].left;
+        sides.right[events_[k].set] += events_[k].right;
         corner |= k > first || !events_[k].passes;
       }
       from = t;
     }
-    visit(from, to, banks, corner);
+    visit(from, to, sides, corner);
   }
 
  private:
@@ -68,7 +68,7 @@ class EdgeOverlay {
   };
 
   /// Fills events_ with what changes between from and to, in order; gives what holds at `from`.
-  Banks start(std::size_t i, SegmentParameter from, SegmentParameter to);
+  EdgeSides start(std::size_t i, SegmentParameter from, SegmentParameter to);
 
   void add_ends(const LatticeSegment& line, const ContourEdge& edge, SegmentParameter from, SegmentParameter to);
 

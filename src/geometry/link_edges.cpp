@@ -201,7 +201,7 @@ void Linker::trace(std::uint32_t first) {
   for (const std::uint32_t run : path_) place_[begin_corner(run)] = kNowhere;
 }
 
-bool goes_on(const ContourEdge& a, const ContourEdge& b) {
+bool continues(const ContourEdge& a, const ContourEdge& b) {
   return a.source == b.source && a.segment == b.segment && a.reversed == b.reversed &&
          (a.reversed ? compare(a.from, b.to) == 0 : compare(a.to, b.from) == 0);
 }
@@ -218,14 +218,14 @@ void Linker::add_loop(std::span<const std::uint32_t> runs) {
   Loop loop;
   loop.edges.reserve(runs.size());
   for (const std::uint32_t run : runs) {
-    if (!loop.edges.empty() && !shared_corner(run) && goes_on(loop.edges.back(), edge(run))) {
+    if (!loop.edges.empty() && !shared_corner(run) && continues(loop.edges.back(), edge(run))) {
       extend(loop.edges.back(), edge(run));
     } else {
       loop.edges.push_back(edge(run));
       loop.corners.push_back(runs_[run].begin);
     }
   }
-  if (loop.edges.size() > 1 && !shared_corner(runs.front()) && goes_on(loop.edges.back(), loop.edges.front())) {
+  if (loop.edges.size() > 1 && !shared_corner(runs.front()) && continues(loop.edges.back(), loop.edges.front())) {
     extend(loop.edges.back(), loop.edges.front());
     loop.edges.erase(loop.edges.begin());
     loop.corners.erase(loop.corners.begin());

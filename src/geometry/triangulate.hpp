@@ -17,7 +17,7 @@ namespace ligne {
 /// themselves and each other at corners and along edges.
 ///
 /// Returns triples of indices into `points`, wound as the outer contour is. Triangles without area are left out. Contours
-/// that cross give triangles that cover the polygon as well as they can; there is no error. `whole`, when not null, tells
+/// that cross give triangles that cover the polygon as well as they can; there is no error. `whole`, when not null, says
 /// whether something was left: if true, a point lies in as many triangles as the outer contour winds round it, less the
 /// holes that do, and never in a negative number (so what is covered is right by the nonzero rule); if false, a part wound
 /// the other way round, or a hole outside, was not cut. Method: holes are joined to the outer contour by bridges, then ears

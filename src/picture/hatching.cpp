@@ -26,7 +26,7 @@ constexpr double kBrightest = 0.92;  ///< continuous: what gets more light is le
 constexpr double kFaceStep = 7.5;    ///< directions of faces, degrees
 /// Materials in their order: degrees added to the direction of the strokes.
 constexpr double kMaterialTurns[] = {0, 90, 135, 45, 22.5, 112.5, 67.5, 157.5};
-constexpr double kMostLines = 5e6;  ///< of a cover
+constexpr double kMostLines = 5e6;  ///< of runs
 
 /// How a face is hatched: its strokes in words of plotting/hatch.hpp, and their direction.
 struct FaceHatch {
@@ -46,10 +46,10 @@ bool hatched_in(const FaceHatch& face, double degrees) {
 }
 
 /// What is seen of the surfaces that are hatched in one direction.
-struct DirectionCover {
+struct DirectionRuns {
   double degrees;
   HatchFrame frame;
-  std::vector<CoverRun> cover;
+  std::vector<SurfaceRun> runs;
 };
 
 /// Decides how faces are hatched, and collects the layers that they need.
@@ -59,7 +59,7 @@ class Hatching {
       : hatch_(hatch), light_(hatch.prepared.scene, hatch.prepared.view().camera, hatch.prepared.lights) {
     pen_mm_ = layer_pen(0, "");
     const double spacing = hatch.request().spacing_mm.value_or(kSpacingPens * pen_mm_);
-    line_mm_ = cover_line_mm(spacing, pen_mm_);
+    line_mm_ = hatch_line_mm(spacing, pen_mm_);
     if (std::hypot(hatch.plot.page.width_mm, hatch.plot.page.height_mm) / line_mm_ > kMostLines) {
       throw RequestError("hatch-spacing", "the strokes are too close: more than a million on the page");
     }
@@ -71,7 +71,7 @@ class Hatching {
 
   /// `region`: what is known beyond the face, or nullptr.
   FaceHatch of(std::uint32_t face, const Region* region);
-  void add(std::vector<FaceHatch>& faces, std::span<const DirectionCover> covers);
+  void add(std::vector<FaceHatch>& faces, std::span<const DirectionRuns> directions);
 
   std::vector<Layer> take() {
     std::erase_if(layers_, [](const Layer& layer) { return layer.lines.size() == 0; });
@@ -91,8 +91,8 @@ class Hatching {
 
   std::uint32_t layer_of(unsigned shade, const std::string& material);
   void find_directions();
-  void space_evenly(std::vector<FaceHatch>& faces, std::span<const DirectionCover> covers) const;
-  void add(const HatchFrame& frame, std::span<const CoverRun> cover, std::span<const SurfaceHatch> surfaces);
+  void space_evenly(std::vector<FaceHatch>& faces, std::span<const DirectionRuns> directions) const;
+  void add(const HatchFrame& frame, std::span<const SurfaceRun> runs, std::span<const SurfaceHatch> surfaces);
 
   const HatchScene& hatch_;
   FaceLight light_;
@@ -102,7 +102,7 @@ class Hatching {
   std::vector<Layer> layers_;
 };
 
-/// The layer's number. Shades and materials are told apart only when pens are.
+/// The layer's number. Shades and materials are distinguished only when pens are.
 std::uint32_t Hatching::layer_of(unsigned shade, const std::string& material) {
   const unsigned by_shade = hatch_.pens().pen_of_shade.empty() ? 0 : shade;
   const std::string by_material = hatch_.pens().pen_of_material.empty() ? std::string() : material;
@@ -191,11 +191,11 @@ FaceHatch Hatching::of(std::uint32_t face, const Region* region) {
 
 /// Where all that is seen of a patch is of one shade, as flat faces are, its rows get one distance instead of some of a
 /// cycle. Faces too narrow for a stroke do not count: whether they are seen at all, a method may round.
-void Hatching::space_evenly(std::vector<FaceHatch>& faces, std::span<const DirectionCover> covers) const {
+void Hatching::space_evenly(std::vector<FaceHatch>& faces, std::span<const DirectionRuns> directions) const {
   constexpr std::uint32_t kMixed = 0xffffffffu;
   std::map<std::uint32_t, std::uint32_t> rows_of_patch;
-  for (const DirectionCover& direction : covers) {
-    for (const CoverRun& run : direction.cover) {
+  for (const DirectionRuns& direction : directions) {
+    for (const SurfaceRun& run : direction.runs) {
       if (run.to - run.from < pen_mm_) continue;
       const SurfaceHatch& strokes = faces[run.surface].strokes;
       const auto [entry, added] = rows_of_patch.emplace(strokes.group, strokes.rows);
@@ -212,24 +212,24 @@ void Hatching::space_evenly(std::vector<FaceHatch>& faces, std::span<const Direc
   }
 }
 
-void Hatching::add(const HatchFrame& frame, std::span<const CoverRun> cover, std::span<const SurfaceHatch> surfaces) {
+void Hatching::add(const HatchFrame& frame, std::span<const SurfaceRun> runs, std::span<const SurfaceHatch> surfaces) {
   std::vector<double> pens;
   std::vector<Polylines> lines(layers_.size());
   for (const Layer& layer : layers_) pens.push_back(layer_pen(layer.shade, layer.material));
-  hatch_cover(frame, line_mm_, cover, surfaces, pens, lines);
+  hatch_runs(frame, line_mm_, runs, surfaces, pens, lines);
   for (std::size_t i = 0; i < layers_.size(); ++i) append(layers_[i].lines, lines[i]);
 }
 
 /// Adds the strokes of all directions.
-void Hatching::add(std::vector<FaceHatch>& faces, std::span<const DirectionCover> covers) {
-  space_evenly(faces, covers);
+void Hatching::add(std::vector<FaceHatch>& faces, std::span<const DirectionRuns> directions) {
+  space_evenly(faces, directions);
   std::vector<SurfaceHatch> surfaces;
-  for (const DirectionCover& direction : covers) {
+  for (const DirectionRuns& direction : directions) {
     surfaces.assign(faces.size(), {});
     for (std::size_t i = 0; i < faces.size(); ++i) {
       if (hatched_in(faces[i], direction.degrees)) surfaces[i] = faces[i].strokes;
     }
-    add(direction.frame, direction.cover, surfaces);
+    add(direction.frame, direction.runs, surfaces);
   }
 }
 
@@ -269,14 +269,14 @@ View turned_view(const Scene& scene, const View& view, const HatchFrame& frame, 
 }
 
 /// Cuts runs down to the window.
-void cut_to(const Rect& window, const HatchFrame& frame, double line_mm, std::vector<CoverRun>& cover) {
+void cut_to(const Rect& window, const HatchFrame& frame, double line_mm, std::vector<SurfaceRun>& runs) {
   const std::vector<std::vector<Point2>> sheet{
       {window.min, {window.max.x, window.min.y}, window.max, {window.min.x, window.max.y}}};
-  std::vector<CoverRun> lines;
-  add_cover(sheet, 0, frame, line_mm, lines);
-  std::map<std::int32_t, const CoverRun*> line_of;
-  for (const CoverRun& line : lines) line_of[line.line] = &line;
-  std::erase_if(cover, [&](CoverRun& run) {
+  std::vector<SurfaceRun> lines;
+  add_runs(sheet, 0, frame, line_mm, lines);
+  std::map<std::int32_t, const SurfaceRun*> line_of;
+  for (const SurfaceRun& line : lines) line_of[line.line] = &line;
+  std::erase_if(runs, [&](SurfaceRun& run) {
     const auto line = line_of.find(run.line);
     if (line == line_of.end()) return true;
     run.from = std::max(run.from, line->second->from);
@@ -286,9 +286,9 @@ void cut_to(const Rect& window, const HatchFrame& frame, double line_mm, std::ve
 }
 
 /// What the method's scan lines along the strokes see of the faces that are hatched in that direction.
-DirectionCover seen_in_direction(const PreparedScene& prepared, std::span<const FaceHatch> faces, double degrees,
-                                 double line_mm) {
-  DirectionCover direction{degrees, HatchFrame(prepared.view().offset, degrees), {}};
+DirectionRuns seen_in_direction(const PreparedScene& prepared, std::span<const FaceHatch> faces, double degrees,
+                                double line_mm) {
+  DirectionRuns direction{degrees, HatchFrame(prepared.view().offset, degrees), {}};
   const Rect box = turned(prepared.view().window, direction.frame);
   if (box.empty()) return direction;
   const View view = turned_view(prepared.scene, prepared.view(), direction.frame, box);
@@ -305,10 +305,10 @@ DirectionCover seen_in_direction(const PreparedScene& prepared, std::span<const 
   if (!result.spans) return direction;
   for (const Span& span : result.spans->spans) {
     if (!hatched_in(faces[span.face], degrees)) continue;
-    direction.cover.push_back(
+    direction.runs.push_back(
         {first + static_cast<std::int32_t>(span.line), span.x_from - view.offset.x, span.x_to - view.offset.x, span.face});
   }
-  cut_to(prepared.view().window, direction.frame, line_mm, direction.cover);
+  cut_to(prepared.view().window, direction.frame, line_mm, direction.runs);
   return direction;
 }
 
@@ -339,16 +339,16 @@ std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Regi
     for (const Region& region : regions) {
       faces.push_back(region.level > 0 ? FaceHatch{} : hatching.of(region.face, &region));
     }
-    std::vector<DirectionCover> covers;
+    std::vector<DirectionRuns> directions;
     for (const double degrees : directions_of(faces)) {
-      DirectionCover& direction =
-          covers.emplace_back(DirectionCover{degrees, HatchFrame(hatch.prepared.view().offset, degrees), {}});
+      DirectionRuns& direction =
+          directions.emplace_back(DirectionRuns{degrees, HatchFrame(hatch.prepared.view().offset, degrees), {}});
       for (std::uint32_t i = 0; i < faces.size(); ++i) {
         if (!hatched_in(faces[i], degrees)) continue;
-        add_cover(regions[i].contours, i, direction.frame, hatching.line_mm(), direction.cover);
+        add_runs(regions[i].contours, i, direction.frame, hatching.line_mm(), direction.runs);
       }
     }
-    hatching.add(faces, covers);
+    hatching.add(faces, directions);
     return hatching.take();
   });
 }
@@ -360,11 +360,11 @@ std::vector<Layer> hatch_spans(const HatchScene& hatch, RunReport& run) {
     Hatching hatching(hatch);
     std::vector<FaceHatch> faces;
     for (std::uint32_t face = 0; face < prepared.scene.faces.size(); ++face) faces.push_back(hatching.of(face, nullptr));
-    std::vector<DirectionCover> covers;
+    std::vector<DirectionRuns> directions;
     for (const double degrees : directions_of(faces)) {
-      covers.push_back(seen_in_direction(prepared, faces, degrees, hatching.line_mm()));
+      directions.push_back(seen_in_direction(prepared, faces, degrees, hatching.line_mm()));
     }
-    hatching.add(faces, covers);
+    hatching.add(faces, directions);
     return hatching.take();
   });
 }

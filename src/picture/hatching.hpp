@@ -31,7 +31,7 @@ HatchScene hatch_scene(const PreparedScene& prepared, const PlotOptions& plot);
 bool hatches_regions(const PictureRequest& request, const Method& method);
 
 /// Hatches regions that are seen directly. What no light reaches is hatched across too. Layers "hatch": one, or one for each
-/// shade or material that pens are told apart by; none where regions are not hatched. Throws RequestError.
+/// shade or material that pens are chosen by; none where regions are not hatched. Throws RequestError.
 std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Region>& regions, RunReport& run);
 
 /// Hatches the spans that a method gives, on scan lines that run along the strokes: the scene is studied once for every

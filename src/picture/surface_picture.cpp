@@ -71,7 +71,7 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface)
 
   const HeightSource& heights = *surface.heights;
   request.camera = camera_of(view, box_of(heights, found, horizon.z_scale));
-  request.extent = stand_in(heights, horizon.z_scale, request.camera);
+  request.extent = extent_scene(heights, horizon.z_scale, request.camera);
   request.heights = found;
   if (found.empty()) return request;
   horizon.contours = contour_levels(surfaces.curves, found.low, found.high);

@@ -56,7 +56,7 @@ struct SegmentPart {
   /// Parameters of a + t (b - a), 0 <= t <= 1. Since the coordinates are homogeneous, t is also the parameter on the edge in
   /// model space.
   std::array<double, 2> range{0, 1};
-  /// Per end: it is a point of the volume's border, because the segment's own end lies outside. The parameter does not tell:
+  /// Per end: it is a point of the volume's border, because the segment's own end lies outside. The parameter does not say:
   /// where an end is outside by a rounding only, the parameter of the cut may be rounded to 0 or 1.
   std::array<bool, 2> cut{false, false};
 

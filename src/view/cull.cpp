@@ -17,7 +17,7 @@ namespace {
 constexpr double kHalfUlp = 0x1p-53;
 constexpr double kRoundingsOfProduct = 12;
 
-/// Six times the volume within a shell, by the divergence theorem, with what it takes to tell its sign.
+/// Six times the volume within a shell, by the divergence theorem, with what decides its sign.
 struct Volume {
   double six_times = 0;
   double terms_size = 0;  ///< sum of the sizes of the terms before they cancel

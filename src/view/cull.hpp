@@ -13,8 +13,8 @@ namespace ligne {
 ///
 /// A solid here is an object that is closed (every edge has two faces) and consistently wound. It falls into shells, sets of
 /// faces that hang together by edges; which side of a shell is outside is decided by the sign of its volume, so that solids
-/// wound inwards and cavities are told right. From outside a shell that does not penetrate itself, a ray meets a face that
-/// looks at the viewer before it meets any that looks away. Where that face is opaque, the latter hide nothing and show
+/// wound inwards and cavities are oriented right. From outside a shell that does not penetrate itself, a ray meets a face
+/// that looks at the viewer before it meets any that looks away. Where that face is opaque, the latter hide nothing and show
 /// nothing, whatever else, transparent or not, stands before or in the shell. Faces seen edge on stay.
 ///
 /// All faces are kept by

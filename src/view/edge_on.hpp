@@ -10,7 +10,7 @@
 
 namespace ligne {
 
-/// Per face 1 when it is seen edge on, as far as can be told; empty when no face is.
+/// Per face 1 when it is seen edge on, as far as that is certain; empty when no face is.
 ///
 /// Decided in model space, before anything is rounded to the page: there the corners of such a face, near the eye magnified
 /// a thousand times, are no longer in a line. With the corners p, q, r of a triangle relative to the eye the mixed product

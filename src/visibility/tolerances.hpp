@@ -5,7 +5,7 @@
 
 namespace ligne {
 
-/// A drawing owes its coordinates to one micrometre. Differences below a quarter of it are nobody's business: lines so close
+/// A drawing owes its coordinates to one micrometre. Differences below a quarter of it are noise: lines so close
 /// are one line, and a piece of a line so short, cut off by a crossing, is dropped.
 inline constexpr double kLeastPartMm = 0.00025;
 

@@ -205,7 +205,8 @@ TEST(Transparency, LevelsAreListedToAnyDepth) {
 }
 
 TEST(Transparency, OneTriangleOfGlassHidesNothing) {
-  // The glass has legs of 24. It covers the wall, 8 x 8, of which sixteen triangles with legs of 1 hide half a unit each.
+  // The transparent faces has legs of 24. It covers the wall, 8 x 8, of which sixteen triangles with legs of 1 hide half a
+  // unit each.
   const Seen seen("glass_triangle.json", "front");
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
   for (const Region& r : seen.regions) areas[{r.face, r.level}] += area(r);

@@ -1,5 +1,5 @@
 // The classical study by its own figures: zones, slabs, wrong sorts and bodies of scenes that were made to show them, levels
-// behind glass; and crowds of boxes by both studies.
+// behind transparent faces; and crowds of boxes by both studies.
 
 #include <gtest/gtest.h>
 
@@ -154,7 +154,7 @@ TEST(PolygonStudy, AHoleIsInTheRegionRightRoundIt) {
   }
 }
 
-/// Turned boxes, each in a cell of its own, every fourth of glass: over a face lie more sides than are laid over it at a
+/// Turned boxes, each in a cell of its own, every fourth transparent: over a face lie more sides than are laid over it at a
 /// time.
 TEST(PolygonStudy, CrowdsAreTheSame) {
   for (unsigned seed = 0; seed < 3; ++seed) {

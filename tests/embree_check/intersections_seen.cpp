@@ -38,14 +38,14 @@ class Search {
       }
     }
     const CheckedFace &a = scene_.faces[at_p->face], &b = scene_.faces[at_q->face];
-    if (!goes_on(at_p->face, p) || !goes_on(at_q->face, q)) return std::nullopt;
+    if (!continues(at_p->face, p) || !continues(at_q->face, q)) return std::nullopt;
     if (!comes_apart(a, b, p)) return std::nullopt;
     return SeenCrossing{p, at_p->point, {at_p->face, at_q->face}, options_.seen_step_mm * kLengthPerCrossing};
   }
 
  private:
   /// Whether all sides of the face are well away from the page point.
-  bool goes_on(std::uint32_t face, Point2 p) const {
+  bool continues(std::uint32_t face, Point2 p) const {
     for (std::size_t c = 0; c < scene_.contours->contour_count(face); ++c) {
       const auto contour = scene_.contours->contour(face, c);
       for (std::size_t k = 0; k < contour.size(); ++k) {

@@ -1,5 +1,5 @@
-// The clip on faces that are worked out by hand: the configurations of the thesis, section 3.2.3.4, and every singular case
-// by name.
+// The clip on faces that are worked out by hand: the configurations of [Boulle1980], section 3.2.3.4, and every singular
+// case by name.
 
 #include <gtest/gtest.h>
 

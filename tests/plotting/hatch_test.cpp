@@ -47,7 +47,7 @@ bool inside(Point2 p, const Contours& contours) {
   return in;
 }
 
-/// A corner that points along the strokes between two lines of the cover is not seen: one of a right angle comes nearer by
+/// A corner that points along the strokes between two lines of the runs is not seen: one of a right angle comes nearer by
 /// half the distance of the lines at most.
 constexpr double kUnseenPens = 0.5 / 6;
 
@@ -133,18 +133,18 @@ TEST(Hatch, NeighboursShareTheirRows) {
 /// Side by side: the left half with all rows, the right half with some of them.
 struct TwoSurfaces {
   HatchFrame frame{{0, 0}, 0};
-  double line_mm = cover_line_mm(1, 0.4);
-  std::vector<CoverRun> cover;
-  std::vector<SurfaceHatch> surfaces{{static_cast<std::uint32_t>(std::lround(1 / cover_line_mm(1, 0.4))), kRowCycle, 0, 0},
-                                     {static_cast<std::uint32_t>(std::lround(1 / cover_line_mm(1, 0.4))), kRowCycle, 0, 0}};
+  double line_mm = hatch_line_mm(1, 0.4);
+  std::vector<SurfaceRun> runs;
+  std::vector<SurfaceHatch> surfaces{{static_cast<std::uint32_t>(std::lround(1 / hatch_line_mm(1, 0.4))), kRowCycle, 0, 0},
+                                     {static_cast<std::uint32_t>(std::lround(1 / hatch_line_mm(1, 0.4))), kRowCycle, 0, 0}};
   std::vector<double> pens{0.4};
   std::vector<Polylines> layers{1};
 
   TwoSurfaces() {
-    add_cover(Contours{{{0, 0}, {20, 0}, {20, 32.5}, {0, 32.5}}}, 0, frame, line_mm, cover);
-    add_cover(Contours{{{20, 0}, {40, 0}, {40, 32.5}, {20, 32.5}}}, 1, frame, line_mm, cover);
+    add_runs(Contours{{{0, 0}, {20, 0}, {20, 32.5}, {0, 32.5}}}, 0, frame, line_mm, runs);
+    add_runs(Contours{{{20, 0}, {40, 0}, {40, 32.5}, {20, 32.5}}}, 1, frame, line_mm, runs);
   }
-  void run() { hatch_cover(frame, line_mm, cover, surfaces, pens, layers); }
+  void run() { hatch_runs(frame, line_mm, runs, surfaces, pens, layers); }
   /// How many strokes run through (x, y), pieces of ties left out.
   int rows_at(double x, std::size_t layer = 0) const {
     int count = 0;
@@ -238,17 +238,17 @@ TEST(Hatch, CornersBetweenNeighboursMakeNoGaps) {
   // A fan of triangles about a point, in coordinates that have no short binary form.
   const std::vector<Point2> rim = circle({20.1, 19.7}, 15.3, 37);
   const HatchFrame frame({0, 0}, 27);
-  const double line_mm = cover_line_mm(0.9, 0.3);
-  std::vector<CoverRun> cover;
+  const double line_mm = hatch_line_mm(0.9, 0.3);
+  std::vector<SurfaceRun> runs;
   for (std::size_t i = 0; i < rim.size(); ++i) {
-    add_cover(Contours{{{20.1, 19.7}, rim[i], rim[(i + 1) % rim.size()]}}, static_cast<std::uint32_t>(i), frame, line_mm,
-              cover);
+    add_runs(Contours{{{20.1, 19.7}, rim[i], rim[(i + 1) % rim.size()]}}, static_cast<std::uint32_t>(i), frame, line_mm,
+             runs);
   }
   const std::vector<SurfaceHatch> surfaces(rim.size(),
                                            {static_cast<std::uint32_t>(std::lround(0.9 / line_mm)), kRowCycle, 0, 0});
   std::vector<double> pens{0.3};
   std::vector<Polylines> layers(1);
-  hatch_cover(frame, line_mm, cover, surfaces, pens, layers);
+  hatch_runs(frame, line_mm, runs, surfaces, pens, layers);
   HatchOptions whole;
   whole.spacing_mm = 0.9;
   whole.angle_degrees = 27;

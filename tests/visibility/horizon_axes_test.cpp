@@ -184,7 +184,7 @@ double missing(const Segments& segments, const Segments& others, std::string& wo
 void compare(const HeightSource& heights, const CameraRequest& request, const HorizonOptions& options,
              const std::string& where) {
   const Camera camera = make_camera(request, box_of(heights, survey(heights), 1));
-  const View view = make_view(stand_in(heights, 1, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+  const View view = make_view(extent_scene(heights, 1, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
   const Segments horizon = by_horizon(heights, view, options), mesh = by_mesh(heights, view, options);
   std::string worst;
   EXPECT_LT(missing(mesh, horizon, worst), 0.01) << where << ": the horizon leaves out " << worst;

@@ -75,7 +75,7 @@ class Scenery {
  public:
   Scenery(const Heights& heights, const CameraRequest& request) : triangles_(triangles_of(heights)) {
     const Camera camera = make_camera(request, box_of(heights, survey(heights), 1));
-    view_ = make_view(stand_in(heights, 1, camera), camera, {{{10, 10}, {287, 200}}}, {{-500, -500}, {800, 800}});
+    view_ = make_view(extent_scene(heights, 1, camera), camera, {{{10, 10}, {287, 200}}}, {{-500, -500}, {800, 800}});
   }
   const View& view() const { return view_; }
   Point2 page(const Point3& p) const {

@@ -141,7 +141,7 @@ void compare(const Surface& surface, const CameraRequest& request, std::size_t n
              double tolerance = 1e-5, bool lines_once = false) {
   const FunctionHeights heights(surface.f, positions(n), positions(n + 7));
   const Camera camera = make_camera(request, box_of(heights, survey(heights), 1));
-  const View view = make_view(stand_in(heights, 1, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+  const View view = make_view(extent_scene(heights, 1, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
   HorizonOptions options;
   options.outline = true;
   Statistics statistics;

@@ -51,7 +51,7 @@ struct Drawn {
 
 View view_of(const HeightSource& source, const CameraRequest& request, double z_scale) {
   const Camera camera = make_camera(request, box_of(source, survey(source), z_scale));
-  return make_view(stand_in(source, z_scale, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+  return make_view(extent_scene(source, z_scale, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
 }
 
 Drawn drawn(const HeightSource& source, const CameraRequest& request, HorizonOptions options = {}) {

@@ -144,7 +144,7 @@ TEST(WarnockAnalysis, SurroundersAreInheritedAndWhatTheyHideIsNotStudied) {
   ASSERT_EQ(lists.elements.size(), 2u);
   EXPECT_EQ(table.faces[lists.elements[0].face].face, before);
   EXPECT_EQ(table.faces[lists.elements[1].face].face, cover);
-  EXPECT_NEAR(lists.cover, 1, 1e-3);
+  EXPECT_NEAR(lists.occluder_depth, 1, 1e-3);
   EXPECT_EQ(counts.not_studied, 1u) << "the face behind";
   counts = {};
   const auto children =

@@ -1,4 +1,4 @@
-// The module of control of the method warnock: the first window, divisions, and the findings of the thesis.
+// The module of control of the method warnock: the first window, divisions, and the findings of [Boulle1980].
 
 #include <gtest/gtest.h>
 

@@ -150,14 +150,14 @@ TEST(WarnockUnderstanding, SingleIntersectorThroughTheCoverFails) {
   EXPECT_EQ(understand(s.situation), Understood::no);
 }
 
-// The thesis's case 3: the planes change places at the corners of the window, the faces do not where the intersector is.
+// [Boulle1980]'s case 3: the planes change places at the corners of the window, the faces do not where the intersector is.
 TEST(WarnockUnderstanding, DepthIsComparedWhereTheIntersectorIs) {
   Stage stage;
   add_cover(stage, 3);
   stage.add({{-500, -500, 1}, {-100, -500, 2.5}, {-100, 500, 2.5}, {-500, 500, 1}});  // at x = 1000 its plane is at 6.6
   Seen s(stage);
   ASSERT_EQ(s.intersectors().size(), 1u);
-  EXPECT_EQ(s.situation.compare(*s.intersectors()[0], *s.covers.front).order, DepthOrder::before);
+  EXPECT_EQ(s.situation.compare(*s.intersectors()[0], *s.covers.front).order, DepthOrder::first);
   EXPECT_EQ(understand(s.situation), Understood::single_intersector);
 }
 
@@ -168,7 +168,7 @@ TEST(WarnockUnderstanding, DepthIsComparedOverTheContour) {
   stage.add({{-500, -500, 1}, {500, -500, 2.9}, {-500, 500, 2.9}});  // the fourth corner of its box is at 4.8
   Seen s(stage);
   ASSERT_EQ(s.intersectors().size(), 1u);
-  EXPECT_EQ(s.situation.compare(*s.intersectors()[0], *s.covers.front).order, DepthOrder::before);
+  EXPECT_EQ(s.situation.compare(*s.intersectors()[0], *s.covers.front).order, DepthOrder::first);
   EXPECT_GT(s.depth.clipped, 0u);
 }
 

@@ -39,8 +39,8 @@ double length(const std::vector<Span>& spans) {
 
 class WatkinsCoherence : public testing::TestWithParam<const char*> {};
 
-/// The thesis proposes to pass over changes among hidden elements and never tested it. Here: the spans are those of a study
-/// of every line.
+/// [Boulle1980] proposes to pass over changes among hidden elements and never tested it. Here: the spans are those of a
+/// study of every line.
 TEST_P(WatkinsCoherence, LinesPassedOverHaveTheSpansOfAStudy) {
   const PreparedScan p(corpus_scene(GetParam()), kOdd);
   const LineStudyResult every = p.study(1024, kEveryLine), coherent = p.study(1024, kCoherent),

@@ -143,7 +143,8 @@ TYPED_TEST(WatkinsSpans, ThreePenetrateInOnePlace) {
   for (const SpanMethodKind kind : kKinds) expect_right(segments, spans(kind, segments), 1e-9, "three");
 }
 
-/// A screen segment hides everything: the box method sees that at once, the stack goes through all (thesis, end of 2.3.3.4).
+/// A screen segment hides everything: the box method sees that at once, the stack goes through all ([Boulle1980] end
+/// of 2.3.3.4).
 TYPED_TEST(WatkinsSpans, ScreenSegmentIsTheBoxMethodsBest) {
   Segments<TypeParam> segments{{0, 1000, -1, -1, 0}};
   for (int i = 0; i < 100; ++i) {
@@ -190,7 +191,7 @@ TYPED_TEST(WatkinsSpans, CountsAreTheMethodsOwn) {
 /// Says of any two segments that the one of the higher number is in front.
 class HigherFirst final : public PairOrders {
  public:
-  PairOrder of(std::uint32_t a, std::uint32_t b) override { return a > b ? PairOrder::first : PairOrder::second; }
+  DepthOrder of(std::uint32_t a, std::uint32_t b) override { return a > b ? DepthOrder::first : DepthOrder::second; }
 };
 
 /// Where segments touch, their pair says who is in front, whatever the depths, in all methods; where they do not, the depths

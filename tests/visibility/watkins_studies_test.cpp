@@ -88,10 +88,10 @@ struct TwoPlates {
     facets = make_facets(projected, coincidence_mm(projected) / projected.lattice.step_mm);
   }
 
-  PairOrder order(std::uint32_t a, std::uint32_t b) const {
+  DepthOrder order(std::uint32_t a, std::uint32_t b) const {
     const FacetsOfFaces of_faces(facets.facets, 2);
     FaceOrders orders(projected.vertices, facets.facets, of_faces);
-    const PairOrder first = orders.of(a, b);
+    const DepthOrder first = orders.of(a, b);
     EXPECT_EQ(orders.of(a, b), first) << "remembered";
     EXPECT_EQ(orders.pairs(), 1u);
     return first;
@@ -99,16 +99,16 @@ struct TwoPlates {
 };
 
 TEST(WatkinsStudies, OrderOfAPairIsThatOfItsWholeOverlap) {
-  const auto expect = [](const TwoPlates& plates, PairOrder zero_one, PairOrder one_zero) {
+  const auto expect = [](const TwoPlates& plates, DepthOrder zero_one, DepthOrder one_zero) {
     EXPECT_EQ(plates.order(0, 1), zero_one);
     EXPECT_EQ(plates.order(1, 0), one_zero);
   };
-  expect(TwoPlates({0, 0, 0, 0}), PairOrder::first, PairOrder::second);  // touch all over: the lower number
-  expect(TwoPlates({1e-12, -1e-12, -1e-12, 1e-12}), PairOrder::first, PairOrder::second);  // but for roundings
-  expect(TwoPlates({0, 1, 1, 0}), PairOrder::second,
-         PairOrder::first);  // touch along a line: the second is higher elsewhere
-  expect(TwoPlates({0, -1, -1, 0}), PairOrder::first, PairOrder::second);
-  expect(TwoPlates({-1, 1, 1, -1}), PairOrder::by_depth, PairOrder::by_depth);  // pass through each other
+  expect(TwoPlates({0, 0, 0, 0}), DepthOrder::first, DepthOrder::second);  // touch all over: the lower number
+  expect(TwoPlates({1e-12, -1e-12, -1e-12, 1e-12}), DepthOrder::first, DepthOrder::second);  // but for roundings
+  expect(TwoPlates({0, 1, 1, 0}), DepthOrder::second,
+         DepthOrder::first);  // touch along a line: the second is higher elsewhere
+  expect(TwoPlates({0, -1, -1, 0}), DepthOrder::first, DepthOrder::second);
+  expect(TwoPlates({-1, 1, 1, -1}), DepthOrder::crossing, DepthOrder::crossing);  // pass through each other
 }
 
 }  // namespace

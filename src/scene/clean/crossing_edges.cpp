@@ -1,6 +1,6 @@
 // Candidates are the edges at a vertex that several objects have, or that more faces meet at than at a vertex of one sheet.
 // Their sides (an edge of a triangle, and the direction in which the triangle leaves it) are sorted by edge; at each edge
-// the sides of an object are put together into sheets, and the sheets held against each other.
+// the sides of an object are put together into sheets, and the sheets compared with each other.
 
 #include "scene/clean/crossing_edges.hpp"
 

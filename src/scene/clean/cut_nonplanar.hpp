@@ -30,7 +30,7 @@ bool is_covered(const std::vector<Point3>& vertices, const LooseFace& face);
 
 /// Cuts the face into triangles, wound as its outer contour is, in its projection along the dominant axis of its area
 /// vector. Edges that the face did not have carry kCornerInner. Nothing comes back when the projection has no area.
-/// `covered` tells whether the triangles cover all of the projection, as is_covered() does.
+/// `covered` says whether the triangles cover all of the projection, as is_covered() does.
 std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices, const LooseFace& face, bool& covered);
 
 }  // namespace ligne

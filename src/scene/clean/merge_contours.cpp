@@ -93,7 +93,7 @@ double signed_area(const std::vector<Point3>& vertices, const PlaneAxes& axes, c
   return sum / 2;
 }
 
-/// A point of a hole that tells whether an outer contour goes around it: a vertex that the two do not share, or the middle
+/// A point of a hole that decides whether an outer contour goes around it: a vertex that the two do not share, or the middle
 /// of an edge.
 Point2 probe(const std::vector<Point3>& vertices, const PlaneAxes& axes, const Contour& hole, const Contour& outer) {
   std::vector<std::uint32_t> shared = outer.corners;

@@ -37,7 +37,7 @@ class ObjectMerger {
     }
   }
 
-  /// The new faces. new_face(f) tells afterwards where face f went.
+  /// The new faces. new_face(f) says afterwards where face f went.
   std::vector<MergedFace> run() {
     pair_corners();
     grow_regions();

@@ -42,7 +42,7 @@ class Straightener {
     }
   }
 
-  /// Whether q lies on the chord from a to b, as far as the precision of the coordinates tells.
+  /// Whether q lies on the chord from a to b, within the precision of the coordinates.
   bool is_on_chord(std::uint32_t a, std::uint32_t q, std::uint32_t b) const {
     const Point3 chord = vertices_[b] - vertices_[a], to_q = vertices_[q] - vertices_[a];
     const double length = glm::length(chord);

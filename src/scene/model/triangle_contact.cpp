@@ -4,7 +4,7 @@
 //   plane of a triangle                     signs of plane_side()
 //   plane through an edge and a side        the same: a line that has a side of a triangle on its left and another one on
 //                                           its right passes the triangle by
-//   line in a projection along an axis      orientation_sign(), which is exact; this tells coplanar triangles apart
+//   line in a projection along an axis      orientation_sign(), which is exact; this distinguishes coplanar triangles
 //
 // So "apart" is always a proof, and where signs are not certain the answer is "not apart".
 

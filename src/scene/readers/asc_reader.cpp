@@ -1,5 +1,5 @@
 // The format has no written standard; what is read here is what 3D Studio R2 to R4 write. Every line stands for itself, and
-// the headings tell what the lines below them are:
+// the headings say what the lines below them are:
 //
 //   Named object: "Box"                      then one of:
 //     Tri-mesh, Vertices: 8 Faces: 12        mesh

@@ -1,5 +1,5 @@
 #pragma once
-/// Reading of model files. The format is told by content first, by suffix only where content does not decide.
+/// Reading of model files. The format is decided by content first, by suffix only where content does not decide.
 
 #include <cstddef>
 #include <filesystem>

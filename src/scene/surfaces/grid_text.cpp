@@ -1,5 +1,5 @@
-// A line is a row. The first row tells the separator and the number of columns. Lines of three numbers can also be x, y and
-// z (grid_points.cpp): they are when blank lines stand between blocks of them, and when they form a grid without.
+// A line is a row. The first row decides the separator and the number of columns. Lines of three numbers can also be x, y
+// and z (grid_points.cpp): they are when blank lines stand between blocks of them, and when they form a grid without.
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-// Heights are told as ranks: 2 i at level i, 2 i - 1 between the levels i - 1 and i. A vertex has one rank for all of its
+// Heights are given as ranks: 2 i at level i, 2 i - 1 between the levels i - 1 and i. A vertex has one rank for all of its
 // triangles, so that neighbours cut their common edge at the same levels. A triangle is cut from below upwards; what is left
 // above a level is the next one's convex polygon.
 

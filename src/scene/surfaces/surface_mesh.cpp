@@ -112,7 +112,7 @@ class CellCutter {
   std::uint8_t column_flags(std::size_t i) const {
     return is_curve(i, surface_.columns, surface_.x_stride) ? kCornerCurve : 0;
   }
-  /// The flag when the neighbour, told as to Outside, is outside.
+  /// The flag when the neighbour, numbered as for Outside, is outside.
   std::uint8_t rim(std::size_t i, std::size_t j, std::uint8_t flag) const { return outside_(i, j) ? flag : 0; }
   void add(std::array<std::uint32_t, 3> corners, std::array<std::uint8_t, 3> flags) {
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "visibility/atherton_weiler/border_lines.hpp"
-#include "visibility/atherton_weiler/glass_lines.hpp"
 #include "visibility/atherton_weiler/polygon_study.hpp"
+#include "visibility/atherton_weiler/transparent_lines.hpp"
 #include "visibility/atherton_weiler/visible_faces.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/intersections.hpp"
@@ -13,7 +13,7 @@
 #include "visibility/tolerances.hpp"
 
 // Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that
-// borders do not tell. See docs/methods/atherton-weiler.md.
+// borders do not give. See docs/methods/atherton-weiler.md.
 
 namespace ligne {
 namespace {
@@ -24,16 +24,18 @@ using namespace atherton_weiler;
 class LineSearch {
  public:
   LineSearch(const ProjectedScene& scene, const Facets& facets, const CellGrid& grid, double coincidence_steps)
-      : has_glass_(!scene.face_is_transparent.empty()),
+      : has_transparent_(!scene.face_is_transparent.empty()),
         opaque_(scene, facets.facets, grid, coincidence_steps),
-        glass_(scene, facets.facets, grid, coincidence_steps) {}
+        transparent_(scene, facets.facets, grid, coincidence_steps) {}
 
-  std::vector<LinePart>& find(const PageLine& line) { return has_glass_ ? glass_.find(line) : opaque_.find(line); }
+  std::vector<LinePart>& find(const PageLine& line) {
+    return has_transparent_ ? transparent_.find(line) : opaque_.find(line);
+  }
 
  private:
-  bool has_glass_;
+  bool has_transparent_;
   VisibleParts opaque_;
-  GlassLines glass_;
+  TransparentLines transparent_;
 };
 
 enum class Study : std::uint8_t { faces, polygons, silhouettes };
@@ -62,6 +64,14 @@ void report(const PolygonCounts& counts, Statistics& statistics) {
   statistics.count("deepest recursion", counts.deepest);
 }
 
+CellGrid::Options grid_options(double coincidence_steps, bool hidden_intersections) {
+  CellGrid::Options options;
+  options.margin_steps = coincidence_steps + 1;
+  options.drop_hidden = !hidden_intersections;
+  options.see_through = true;
+  return options;
+}
+
 }  // namespace
 
 const MethodTraits& AthertonWeilerMethod::traits() const {
@@ -86,11 +96,8 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
 
   // 1. Facets and cells.
   const Facets facets = make_facets(scene, coincidence_steps);
-  CellGrid::Options grid_options;
-  grid_options.margin_steps = coincidence_steps + 1;
-  grid_options.drop_hidden = !(options.hidden_strokes && scene.with_intersections);
-  grid_options.see_through = true;
-  const CellGrid grid(scene, facets.facets, grid_options);
+  const CellGrid::Options of_grid = grid_options(coincidence_steps, options.hidden_strokes && scene.with_intersections);
+  const CellGrid grid(scene, facets.facets, of_grid);
   statistics.time("grid", clock.lap());
 
   // 2. Visible faces.
@@ -117,7 +124,7 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
   });
   std::vector<Intersection> intersections;
   if (scene.with_intersections) {
-    intersections = find_intersections(scene, facets.facets, grid, grid_options.margin_steps);
+    intersections = find_intersections(scene, facets.facets, grid, of_grid.margin_steps);
   }
   strokes.add_intersections(intersections, [&]() -> LineVisibility {
     return [search = make_search()](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {

@@ -80,7 +80,7 @@ BorderLines::BorderLines(const ProjectedScene& scene, const Facets& facets, cons
     const Facet& f = facets.facets[side / 3];
     return std::pair(f.v[side % 3], f.v[(side % 3 + 1) % 3]);
   };
-  // An edge is told by borders when each of its faces has a facet on it that touches nothing.
+  // An edge is known from borders when each of its faces has a facet on it that touches nothing.
   needs_study_.assign(scene.edges.size(), 1);
   for (std::uint32_t f = 0; f < facets.facets.size(); ++f) {
     for (unsigned k = 0; k < 3; ++k) {

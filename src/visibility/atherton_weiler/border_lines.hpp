@@ -20,7 +20,7 @@ class BorderLines {
   std::span<const LinePart> parts(std::size_t edge) const {
     return std::span(parts_).subspan(begin_[edge], begin_[edge + 1] - begin_[edge]);
   }
-  /// Whether borders do not tell all of the edge: a face of it has no area on the page, or touches another face somewhere,
+  /// Whether borders do not give all of the edge: a face of it has no area on the page, or touches another face somewhere,
   /// which takes what lies on it, but does not hide its lines.
   bool needs_study(std::size_t edge) const { return needs_study_[edge] != 0; }
 

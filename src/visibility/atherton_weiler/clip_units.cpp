@@ -33,8 +33,8 @@ class UnitMaker {
     for (const UnitFace& face : faces) {
       for (const std::uint32_t f : face.facets) {
         const Facet& facet = facets_[f];
-        unit.z_near = std::min(unit.z_near, double(facet.z_near) - facet.touch);
-        unit.z_far = std::max(unit.z_far, double(facet.z_far) + facet.touch);
+        unit.z_near = std::min(unit.z_near, double(facet.z_near) - facet.depth_tolerance);
+        unit.z_far = std::max(unit.z_far, double(facet.z_far) + facet.depth_tolerance);
       }
     }
     unit.transparent = !scene_.face_is_transparent.empty() && scene_.face_is_transparent[faces[0].face] != 0;
@@ -61,8 +61,8 @@ Side side_of(const ProjectedScene& scene, const Facet& f, const std::vector<std:
     const ProjectedVertex& p = scene.vertices[v];
     const double plane_z =
         (orientation(b.p, c.p, p.p) * a.z + orientation(c.p, a.p, p.p) * b.z + orientation(a.p, b.p, p.p) * c.z) / area;
-    before |= p.z < plane_z - f.touch;
-    behind |= p.z > plane_z + f.touch;
+    before |= p.z < plane_z - f.depth_tolerance;
+    behind |= p.z > plane_z + f.depth_tolerance;
   }
   return before && behind ? Side::neither : before ? Side::back : Side::front;
 }

@@ -39,7 +39,7 @@ struct ClipUnit {
   std::vector<UnitFace> faces;       ///< one, or the front faces of a convex body
   std::vector<ContourFace> outline;  ///< all of them together: the silhouette
   PageBox box;
-  double z_near = 0, z_far = 0;  ///< depths, each widened by the touching tolerance
+  double z_near = 0, z_far = 0;  ///< depths, each widened by the depth tolerance
   bool transparent = false;
   bool body = false;
 };
@@ -47,7 +47,7 @@ struct ClipUnit {
 /// The units of a scene, by their lowest facet. Facets are those of the scene. With `silhouettes` the front faces of every
 /// convex closed body of opaque faces are one unit, and its back faces none: nothing of them is seen. A body is what hangs
 /// together by vertices. It is closed when every side of its triangles has one other triangle, and convex when none of its
-/// vertices is in front of the plane of a front face, or behind that of a back face, by more than the touching tolerance.
+/// vertices is in front of the plane of a front face, or behind that of a back face, by more than the depth tolerance.
 /// Where rounding to the lattice lets its front faces overlap, or its back faces look out, it is taken apart.
 std::vector<ClipUnit> clip_units(const ProjectedScene& scene, const std::vector<Facet>& facets, bool silhouettes);
 

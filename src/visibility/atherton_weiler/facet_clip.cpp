@@ -286,17 +286,17 @@ void FacetClip::borders_in(const Window& window, std::span<const Number> list, b
                     cut_range(edge.segment.a.y, edge.segment.dy(), window.y0, window.y1, from, to))) {
       continue;
     }
-    const auto add = [&](std::int32_t k, SegmentParameter f, SegmentParameter t, bool reversed, bool goes_on) {
+    const auto add = [&](std::int32_t k, SegmentParameter f, SegmentParameter t, bool reversed, bool continues) {
       if (k == kUnseen) return;
       std::vector<ContourEdge>& out = level(static_cast<std::size_t>(k));
-      if (goes_on && !out.empty() && out.back().source == edge.source && out.back().segment == edge.segment &&
+      if (continues && !out.empty() && out.back().source == edge.source && out.back().segment == edge.segment &&
           out.back().reversed == reversed && compare(out.back().to, f) == 0) {
         out.back().to = t;
       } else {
         out.push_back({edge.segment, f, t, edge.source, reversed});
       }
     };
-    overlay_.for_each_part(i, from, to, [&](SegmentParameter f, SegmentParameter t, const Banks& b, bool corner) {
+    overlay_.for_each_part(i, from, to, [&](SegmentParameter f, SegmentParameter t, const EdgeSides& b, bool corner) {
       const std::int32_t left = level_of(b.left), right = level_of(b.right);
       if (left == right) return;
       add(left, f, t, false, !corner);

@@ -121,14 +121,15 @@ void ZoneStudy::study(std::vector<Polygon>& list, std::vector<std::uint32_t> cha
       ++counts.clips;
       if (parts.inside.empty()) continue;
       const bool passed = std::find(chain.begin(), chain.end(), subject.unit) != chain.end();
-      const UnitOrder order = passed || subject.slab > clip.slab ? UnitOrder::first : orders_.order(clip.unit, subject.unit);
-      if (order == UnitOrder::mixed) {
+      const DepthOrder order =
+          passed || subject.slab > clip.slab ? DepthOrder::first : orders_.order(clip.unit, subject.unit);
+      if (order == DepthOrder::crossing) {
         ClipResult cut =
             clip_contour_by_contour(parts.inside, orders_.front_parts(clip.unit, subject.unit, box_of(parts.inside)), true);
         counts.splits += !cut.inside.empty() && !cut.outside.empty();
         if (!cut.inside.empty()) nearer.push_back(like(subject, std::move(cut.inside)));
         if (transparent && !cut.outside.empty()) behind.push_back(like(subject, std::move(cut.outside)));
-      } else if (order == UnitOrder::second) {
+      } else if (order == DepthOrder::second) {
         nearer.push_back(like(subject, std::move(parts.inside)));
       } else if (transparent) {
         behind.push_back(like(subject, std::move(parts.inside)));

@@ -1,5 +1,5 @@
 #pragma once
-/// Sides that two clip faces have in common, one on each bank. They bound nothing of the two together: how often all clip
+/// Sides that two clip faces have in common, one on each side. They bound nothing of the two together: how often all clip
 /// faces wind round a place is the same without them. So a surface of many facets is laid over a subject as one face, by its
 /// rim.
 
@@ -19,7 +19,7 @@ class SharedSides {
   /// Clip faces are added with the numbers 0, 1, 2, ... Transparent ones and others are not brought together.
   void add(const ClipPart& clip, bool transparent);
 
-  /// The clip face on the other bank of a side of a clip face, or kNone. Each side is brought together with one other at
+  /// The clip face on the other side of a side of a clip face, or kNone. Each side is brought together with one other at
   /// most.
   std::uint32_t partner(std::uint32_t clip, std::uint32_t side) const { return partner_[kMostSides * clip + side]; }
 

@@ -15,8 +15,8 @@ int common_corners(const Facet& a, const Facet& b) {
   return n;
 }
 
-UnitOrder turned(UnitOrder order) {
-  return order == UnitOrder::first ? UnitOrder::second : order == UnitOrder::second ? UnitOrder::first : order;
+DepthOrder turned(DepthOrder order) {
+  return order == DepthOrder::first ? DepthOrder::second : order == DepthOrder::second ? DepthOrder::first : order;
 }
 
 }  // namespace
@@ -45,27 +45,27 @@ void UnitOrders::for_each_pair(std::uint32_t a, std::uint32_t b, const PageBox& 
   }
 }
 
-UnitOrder UnitOrders::order(std::uint32_t a, std::uint32_t b) {
+DepthOrder UnitOrders::order(std::uint32_t a, std::uint32_t b) {
   if (a > b) return turned(order(b, a));
-  const auto [entry, is_new] = known_.try_emplace(std::uint64_t{a} << 32 | b, UnitOrder::first);
+  const auto [entry, is_new] = known_.try_emplace(std::uint64_t{a} << 32 | b, DepthOrder::first);
   if (!is_new) return entry->second;
   bool first = false, second = false;
   for_each_pair(a, b, common(units_[a].box, units_[b].box), [&](std::uint32_t fa, std::uint32_t fb, const FacetOrder& o) {
-    if (o.order == Order::apart) return;
-    first |= o.order != Order::second;
-    second |= o.order != Order::first;
-    if (o.tie || (o.touch && common_corners(facets_[fa], facets_[fb]) < 2)) touches_[fa] = touches_[fb] = 1;
+    if (o.order == DepthOrder::apart) return;
+    first |= o.order != DepthOrder::second;
+    second |= o.order != DepthOrder::first;
+    if (o.tie || (o.touching && common_corners(facets_[fa], facets_[fb]) < 2)) touches_[fa] = touches_[fb] = 1;
   });
-  entry->second = first && second ? UnitOrder::mixed : second ? UnitOrder::second : UnitOrder::first;
+  entry->second = first && second ? DepthOrder::crossing : second ? DepthOrder::second : DepthOrder::first;
   return entry->second;
 }
 
 std::vector<ContourFace> UnitOrders::front_parts(std::uint32_t a, std::uint32_t b, const PageBox& within) const {
   std::vector<ContourFace> parts;
   for_each_pair(a, b, within, [&](std::uint32_t fa, std::uint32_t fb, const FacetOrder& o) {
-    if (o.order == Order::apart || o.order == Order::first) return;
+    if (o.order == DepthOrder::apart || o.order == DepthOrder::first) return;
     ClipPart front = whole_facet(facets_, scene_.vertices, fb);
-    if (o.order == Order::cut) front = left_of(front, {o.cut.b, o.cut.a});
+    if (o.order == DepthOrder::crossing) front = left_of(front, {o.cut.b, o.cut.a});
     if (front.count == 0) return;
     ClipResult both = clip_contour_by_contour(std::vector{front.face()},
                                               std::vector{whole_facet(facets_, scene_.vertices, fa).face()}, true);

@@ -8,8 +8,6 @@
 
 namespace ligne::atherton_weiler {
 
-enum class UnitOrder : std::uint8_t { first, second, mixed };
-
 /// For one task.
 class UnitOrders {
  public:
@@ -19,7 +17,7 @@ class UnitOrders {
       : scene_(scene), facets_(facets), units_(units), touches_(touches) {}
 
   /// Of two units that have a place of the page in common.
-  UnitOrder order(std::uint32_t a, std::uint32_t b);
+  DepthOrder order(std::uint32_t a, std::uint32_t b);
 
   /// Where they have mixed order, because they pass through each other or one is no plane: the parts of b that are in front
   /// of a, those that meet the rectangle.
@@ -33,7 +31,7 @@ class UnitOrders {
   const std::vector<Facet>& facets_;
   const std::vector<ClipUnit>& units_;
   std::vector<std::uint8_t>& touches_;
-  std::unordered_map<std::uint64_t, UnitOrder> known_;  ///< by the numbers of two units, the lower first
+  std::unordered_map<std::uint64_t, DepthOrder> known_;  ///< by the numbers of two units, the lower first
 };
 
 }  // namespace ligne::atherton_weiler

@@ -157,8 +157,8 @@ int common_corners(const Facet& a, const Facet& b) {
 /// The part of facet a in front of facet b.
 ClipPart part_in_front(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a,
                        const FacetOrder& a_b) {
-  if (a_b.order == Order::cut) return left_of(whole_facet(facets, vertices, a), a_b.cut);
-  return a_b.order == Order::first ? whole_facet(facets, vertices, a) : ClipPart{};
+  if (a_b.order == DepthOrder::crossing) return left_of(whole_facet(facets, vertices, a), a_b.cut);
+  return a_b.order == DepthOrder::first ? whole_facet(facets, vertices, a) : ClipPart{};
 }
 
 /// Three facets through one line have three cuts that should be one line, but each is rounded by itself. Between them a may
@@ -169,14 +169,14 @@ std::vector<ContourFace> Worker::rings(std::uint32_t a, const Near& g) const {
   std::vector<ContourFace> places;
   if (facets_[g.facet].face < facets_[a].face) return places;
   for (const Near& h : near_) {
-    if (h.order.order == Order::second || facets_[h.facet].face < facets_[a].face ||
+    if (h.order.order == DepthOrder::second || facets_[h.facet].face < facets_[a].face ||
         facets_[h.facet].face == facets_[g.facet].face)
       continue;
     const FacetOrder h_g = order_of(facets_, scene_.vertices, h.facet, g.facet);
-    if (!h_g.touch || h_g.order == Order::apart || h_g.order == Order::second) continue;
+    if (!h_g.touching || h_g.order == DepthOrder::apart || h_g.order == DepthOrder::second) continue;
     const ClipPart h_before_g = part_in_front(facets_, scene_.vertices, h.facet, h_g);
     ClipPart h_behind_a = whole_facet(facets_, scene_.vertices, h.facet);
-    if (h.order.order == Order::cut) h_behind_a = left_of(h_behind_a, h.order.cut);
+    if (h.order.order == DepthOrder::crossing) h_behind_a = left_of(h_behind_a, h.order.cut);
     if (h_before_g.count == 0 || h_behind_a.count == 0) continue;
     ClipResult both = clip_contour_by_contour(h_before_g.face(), h_behind_a.face());
     std::move(both.inside.begin(), both.inside.end(), std::back_inserter(places));
@@ -190,22 +190,22 @@ std::uint32_t Worker::compare(std::uint32_t facet, std::uint32_t other, StudyCou
   const Facet &f = facets_[facet], &g = facets_[other];
   if (g.face == f.face || clear(g.face)) return kNothing;
   const FacetOrder order = order_of(facets_, scene_.vertices, facet, other);
-  if (order.order == Order::apart) return kNothing;
+  if (order.order == DepthOrder::apart) return kNothing;
   ++counts.compared;
-  if (order.tie || (order.touch && common_corners(f, g) < 2)) touches_[facet] = 1;
+  if (order.tie || (order.touching && common_corners(f, g) < 2)) touches_[facet] = 1;
   counts.ties += order.tie;
-  const bool near = order.touch && (order.order == Order::cut || order.tie || common_corners(f, g) == 0);
+  const bool near = order.touching && (order.order == DepthOrder::crossing || order.tie || common_corners(f, g) == 0);
   if (near) near_.push_back({other, order, {}});
-  if (order.order == Order::first) {
+  if (order.order == DepthOrder::first) {
     counts.wrong_sorts += g.z_near < f.z_near;
     return kNothing;
   }
   ClipPart part = whole_facet(facets_, scene_.vertices, other);
-  if (order.order == Order::cut) {
+  if (order.order == DepthOrder::crossing) {
     ++counts.cuts;
     part = left_of(part, {order.cut.b, order.cut.a});
     if (part.count == 0) return kNothing;
-  } else if (!order.touch && !transparent(g.face) && covered_by(facet, other)) {
+  } else if (!order.touching && !transparent(g.face) && covered_by(facet, other)) {
     return kCovers;
   }
   if (near) {

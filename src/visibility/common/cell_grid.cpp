@@ -44,7 +44,7 @@ struct FacetFunctions {
     zx = (ex[2] * dz1 + ex[0] * dz2) / area;
     zy = (ey[2] * dz1 + ey[0] * dz2) / area;
     z = p[0]->z - zx * p[0]->p.x - zy * p[0]->p.y;
-    slack = f.touch;
+    slack = f.depth_tolerance;
   }
 };
 
@@ -78,7 +78,7 @@ PageBox page_box(const Facet& f, const ProjectedVertex* vertices) {
   return {double(left), double(right), double(top), double(bottom)};
 }
 
-/// About the smallest height of a facet over a side: what tells whether it can cover a cell, however long it is.
+/// About the smallest height of a facet over a side: it decides whether the facet can cover a cell, however long it is.
 double breadth(const Facet& f, const ProjectedVertex* vertices) {
   return orientation(vertices[f.v[0]].p, vertices[f.v[1]].p, vertices[f.v[2]].p) / f.size;
 }
@@ -105,7 +105,7 @@ struct CellGrid::Build {
   bool choose_cells();
   void find_ranges();
   void mark_wanted();
-  void find_covers();
+  void find_occluders();
   void fill();
   bool worth_splitting(const CellFacet* list, std::size_t n, double size) const;
   void split_overfull();
@@ -215,19 +215,19 @@ void CellGrid::Build::for_each_meeting(int row0, int row1, bool large_only, Visi
   }
 }
 
-void CellGrid::Build::find_covers() {
+void CellGrid::Build::find_occluders() {
   for_each_band([&](int row0, int row1) {
     for_each_meeting(row0, row1, true, [&](std::size_t i, std::size_t cell, Meeting m, double, double z_far) {
       if (m != Meeting::covers || !hides(facets[i])) return;
-      float& cover = grid.cells_[cell].cover;
-      cover = std::min(cover, round_up(z_far + facets[i].touch));
+      float& cover = grid.cells_[cell].occluder_depth;
+      cover = std::min(cover, round_up(z_far + facets[i].depth_tolerance));
     });
   });
 }
 
 void CellGrid::Build::fill() {
   const auto kept = [&](std::size_t cell, double z_near) {
-    return !options.drop_hidden || !(z_near > grid.cells_[cell].cover);
+    return !options.drop_hidden || !(z_near > grid.cells_[cell].occluder_depth);
   };
   for_each_band([&](int row0, int row1) {
     for_each_meeting(row0, row1, false, [&](std::size_t, std::size_t cell, Meeting, double z_near, double) {
@@ -298,7 +298,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
   const double size = square.size / kSplitSide;
   std::vector<CellFacet> lists[kChildren];
   float covers[kChildren];
-  std::fill_n(covers, kChildren, cell.cover);
+  std::fill_n(covers, kChildren, cell.occluder_depth);
   // Nearest first: covers are found before what they hide.
   sort_by_depth(inherited.data(), inherited.data() + inherited.size());
   for (const CellFacet& entry : inherited) {
@@ -318,7 +318,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
       const Meeting m = meet(g, f, child, options.margin_steps, z_near, z_far);
       if (m == Meeting::apart || (options.drop_hidden && z_near > covers[k])) continue;
       lists[k].push_back({entry.facet, round_down(z_near), {}});
-      if (m == Meeting::covers && hides(f)) covers[k] = std::min(covers[k], round_up(z_far + f.touch));
+      if (m == Meeting::covers && hides(f)) covers[k] = std::min(covers[k], round_up(z_far + f.depth_tolerance));
     }
   }
   std::size_t total = 0;
@@ -339,7 +339,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
   cell.arena = arena_index;
   for (int k = 0; k < kChildren; ++k) {
     Cell child;
-    child.cover = covers[k];
+    child.occluder_depth = covers[k];
     child.arena = arena_index;
     const CellSquare child_square{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
     if (progress(lists[k].size()) && worth_splitting(lists[k].data(), lists[k].size(), size)) {
@@ -366,7 +366,7 @@ CellGrid::CellGrid(const ProjectedScene& scene, const std::vector<Facet>& facets
   cells_.resize(static_cast<std::size_t>(columns_) * rows_);
   build.find_ranges();
   build.mark_wanted();
-  build.find_covers();
+  build.find_occluders();
   build.fill();
   build.split_overfull();
 }

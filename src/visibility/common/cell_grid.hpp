@@ -4,7 +4,7 @@
 /// A uniform grid over the page whose overfull cells are split into 4 x 4 children, again and again. Every cell knows the
 /// depth of the nearest facet that covers it whole (its cover); what lies behind the cover is not listed, and a line behind
 /// it needs no further test. Cells are listed with a margin around them, so that a line that runs along the border of a
-/// cell meets in that cell all facets on both of its banks.
+/// cell meets in that cell all facets on both of its sides.
 ///
 /// Invariants: a facet whose projection comes within `margin` of a cell is in the list of every leaf there, unless it is
 /// behind the leaf's cover. Lists are ordered by z_near. A child's cover is not behind its parent's.
@@ -67,7 +67,7 @@ struct Cell {
   static constexpr std::uint32_t kSplit = 0xffffffffu;
   std::uint32_t begin = 0;  ///< first entry of the list, or first child, in the arena
   std::uint32_t count = 0;  ///< length of the list, or kSplit
-  float cover = std::numeric_limits<float>::infinity();
+  float occluder_depth = std::numeric_limits<float>::infinity();
   std::uint32_t arena = 0;
 };
 
@@ -173,7 +173,7 @@ void CellGrid::walk(const PageLine& line, double x, double y, double size, int c
       const Cell& cell = cells[static_cast<std::size_t>(row) * columns + column];
       const CellSquare square{x + column * size, y + row * size, size};
       if (cell.count == Cell::kSplit) {
-        if (cell.cover < line.z(t) && cell.cover < line.z(next)) {
+        if (cell.occluder_depth < line.z(t) && cell.occluder_depth < line.z(next)) {
           visit(cell, square, t, next);
         } else {
           walk(line, square.x, square.y, size / kSplitSide, kSplitSide, kSplitSide,

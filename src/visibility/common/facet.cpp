@@ -24,7 +24,7 @@ float round_up(double v) {
   return double(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
 }
 
-double touch_tolerance(const ProjectedScene& scene, double gradient, double z_near) {
+double depth_tolerance_mm(const ProjectedScene& scene, double gradient, double z_near) {
   const double magnification = scene.magnification(z_near);
   const double error_mm = scene.input_error_mm * magnification;
   const double steps = 1 + 2 * error_mm / scene.lattice.step_mm;
@@ -68,7 +68,7 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps) {
       const double z_near = std::min({a.z, b.z, c.z});
       f.z_near = round_down(z_near);
       f.z_far = round_up(std::max({a.z, b.z, c.z}));
-      f.touch = round_up(touch_tolerance(scene, gradient, z_near));
+      f.depth_tolerance = round_up(depth_tolerance_mm(scene, gradient, z_near));
       f.size = round_up(length);
     }
     kept[block + 1] = out - block * kBlock;

@@ -14,17 +14,17 @@ namespace ligne {
 
 /// A triangle that hides.
 struct Facet {
-  std::uint32_t v[3];   ///< projected vertices, positively turned
-  std::uint32_t face;   ///< face of the scene
-  float z_near, z_far;  ///< bounds of its depth, rounded outwards
-  float touch;          ///< surfaces within this depth of it touch it; see touch_tolerance()
-  float size;           ///< largest |dx| + |dy| of its sides, rounded up
+  std::uint32_t v[3];     ///< projected vertices, positively turned
+  std::uint32_t face;     ///< face of the scene
+  float z_near, z_far;    ///< bounds of its depth, rounded outwards
+  float depth_tolerance;  ///< surfaces within this depth of it touch it; see depth_tolerance_mm()
+  float size;             ///< largest |dx| + |dy| of its sides, rounded up
 };
 
 /// Depth within which something touches a facet of the given depth gradient (absolute values summed, mm per step).
 /// The lattice moves a facet and an edge by at most half a step each in x and in y; the input's own error moves both too.
 /// See docs/numerics.md, "Touching".
-double touch_tolerance(const ProjectedScene& scene, double gradient, double z_near);
+double depth_tolerance_mm(const ProjectedScene& scene, double gradient, double z_near);
 
 /// The facets of the triangles that have area on the page, which is that on the lattice unless the face is seen edge on; and
 /// which faces have a triangle that is seen edge on (its height on the page is below `thin_steps`), whose edges therefore

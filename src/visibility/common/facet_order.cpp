@@ -101,13 +101,13 @@ bool find_cut(const Overlap& o, LatticeSegment& cut) {
 FacetOrder ordered(const Facet& fa, const Facet& fb, const Corners& a, const Corners& b) {
   FacetOrder result;
   if (apart(a, b) || apart(b, a)) return result;
-  const double touch = double(fa.touch) + double(fb.touch);
+  const double touch = double(fa.depth_tolerance) + double(fb.depth_tolerance);
   if (double(fa.z_far) + touch < fb.z_near) {
-    result.order = Order::first;
+    result.order = DepthOrder::first;
     return result;
   }
   if (double(fb.z_far) + touch < fa.z_near) {
-    result.order = Order::second;
+    result.order = DepthOrder::second;
     return result;
   }
   const Plane plane_a(a), plane_b(b);
@@ -122,14 +122,14 @@ FacetOrder ordered(const Facet& fa, const Facet& fb, const Corners& a, const Cor
     high = std::max(high, p.d);
     least = std::min(least, std::abs(p.d));
   }
-  result.touch = least <= touch;
+  result.touching = least <= touch;
   if (-low <= touch && high <= touch) {
     result.tie = true;
-    result.order = fa.face < fb.face ? Order::first : Order::second;
+    result.order = fa.face < fb.face ? DepthOrder::first : DepthOrder::second;
   } else if (-low > touch && high > touch && find_cut(overlap, result.cut)) {
-    result.order = Order::cut;
+    result.order = DepthOrder::crossing;
   } else {
-    result.order = high < -low ? Order::first : Order::second;
+    result.order = high < -low ? DepthOrder::first : DepthOrder::second;
   }
   return result;
 }
@@ -141,10 +141,10 @@ FacetOrder order_of(const std::vector<Facet>& facets, const std::vector<Projecte
   const Corners ca = corners_of(facets[a], vertices), cb = corners_of(facets[b], vertices);
   if (a < b) return ordered(facets[a], facets[b], ca, cb);
   FacetOrder result = ordered(facets[b], facets[a], cb, ca);
-  if (result.order == Order::first) {
-    result.order = Order::second;
-  } else if (result.order == Order::second) {
-    result.order = Order::first;
+  if (result.order == DepthOrder::first) {
+    result.order = DepthOrder::second;
+  } else if (result.order == DepthOrder::second) {
+    result.order = DepthOrder::first;
   }
   std::swap(result.cut.a, result.cut.b);
   return result;

@@ -7,22 +7,16 @@
 #include <vector>
 
 #include "geometry/exact_segment.hpp"
+#include "visibility/common/depth_order.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne {
 
-enum class Order : std::uint8_t {
-  apart,   ///< no inner point of the page in common
-  first,   ///< the first is in front wherever they overlap
-  second,  ///< the second is
-  cut,     ///< they pass through each other: the first is in front to the left of the cut, the second to the right
-};
-
 struct FacetOrder {
-  Order order = Order::apart;
-  bool touch = false;    ///< somewhere over the overlap they are within their tolerances of each other
-  bool tie = false;      ///< everywhere: they coincide, and the face of the lower number is taken for the one in front
-  LatticeSegment cut{};  ///< two lattice points of the common line
+  DepthOrder order = DepthOrder::apart;
+  bool touching = false;  ///< somewhere over the overlap they are within their tolerances of each other
+  bool tie = false;       ///< everywhere: they coincide, and the face of the lower number is taken for the one in front
+  LatticeSegment cut{};   ///< two lattice points of the common line
 };
 
 /// The answer depends on the two facets alone and not on their order: order_of(b, a) is order_of(a, b) with the roles

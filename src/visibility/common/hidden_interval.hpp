@@ -31,17 +31,17 @@ struct PageLine {
   double z(double t) const { return z0 + t * (z1 - z0); }
 };
 
-/// What a facet does to a line. A facet whose side runs exactly along the line covers only one bank of it: a point of a line
-/// is hidden when both of its banks are covered, so that an edge behind the common side of two faces is hidden, and one
+/// What a facet does to a line. A facet whose side runs exactly along the line covers only one side of it: a point of a line
+/// is hidden when both of its sides are covered, so that an edge behind the common side of two faces is hidden, and one
 /// behind the rim of the outermost face is not (it lies on the rim, and is drawn once).
-enum class Bank : std::uint8_t { none, both, left, right };
+enum class HiddenSides : std::uint8_t { none, both, left, right };
 
 struct HiddenInterval {
   double from = 0, to = 0;
-  Bank bank = Bank::none;
+  HiddenSides sides = HiddenSides::none;
 };
 
-/// The part of [from, to] on which the facet lies strictly in front of the line, by more than its touching tolerance
+/// The part of [from, to] on which the facet lies strictly in front of the line, by more than its depth tolerance
 /// somewhere. The ends at which the line enters or leaves the facet are quotients of exact determinants: two facets on one
 /// side give the same end to the last bit.
 /// `near_side` is set when a side of the facet lies along the line within `coincidence_steps`.
@@ -55,7 +55,7 @@ inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, 
   const double x[3] = {double(a.p.x) - line.p0.x, double(b.p.x) - line.p0.x, double(c.p.x) - line.p0.x};
   const double y[3] = {double(a.p.y) - line.p0.y, double(b.p.y) - line.p0.y, double(c.p.y) - line.p0.y};
   const double f[3] = {line.dx * y[0] - line.dy * x[0], line.dx * y[1] - line.dy * x[1], line.dx * y[2] - line.dy * x[2]};
-  // A facet with no corner on one bank of the line, and at most one corner on it, is beside it. Before it is dismissed: may
+  // A facet with no corner on one side of the line, and at most one corner on it, is beside it. Before it is dismissed: may
   // a side of it lie along the line? A corner is |f| / |d| from the line, the line at most |f| / |side| from a side.
   const double close = coincidence_steps * std::max<double>(line.size, facet.size);
   const double lowest = std::min({f[0], f[1], f[2]}), highest = std::max({f[0], f[1], f[2]});
@@ -69,7 +69,7 @@ inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, 
   }
 
   // The ends of the line against the sides: E_i(p0) = corner_i x corner_(i+1), E_i(p0) - E_i(p1) = f_(i+1) - f_i.
-  Bank bank = Bank::both;
+  HiddenSides sides = HiddenSides::both;
   double e0[3], fall[3];
   for (int i = 0; i < 3; ++i) {
     const int k = i == 2 ? 0 : i + 1;
@@ -84,7 +84,7 @@ inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, 
     }
     if (q0 <= 0 && q1 <= 0) {
       if (q0 < 0 || q1 < 0) return {};
-      bank = (x[k] - x[i]) * line.dx + (y[k] - y[i]) * line.dy > 0 ? Bank::left : Bank::right;
+      sides = (x[k] - x[i]) * line.dx + (y[k] - y[i]) * line.dy > 0 ? HiddenSides::left : HiddenSides::right;
     } else if (q0 < 0) {
       from = std::max(from, q0 / q0_q1);
     } else if (q1 < 0) {
@@ -99,14 +99,14 @@ inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, 
     return line.z(t) - (w0 * a.z + w1 * b.z + w2 * c.z) / area;
   };
   const double d_from = behind(from), d_to = behind(to);
-  const double touch = facet.touch;
-  if (d_from <= touch && d_to <= touch) return {};
-  if (d_from < -touch) {
+  const double tolerance = facet.depth_tolerance;
+  if (d_from <= tolerance && d_to <= tolerance) return {};
+  if (d_from < -tolerance) {
     from += (to - from) * (d_from / (d_from - d_to));
-  } else if (d_to < -touch) {
+  } else if (d_to < -tolerance) {
     to = from + (to - from) * (d_from / (d_from - d_to));
   }
-  return {from, to, bank};
+  return {from, to, sides};
 }
 
 }  // namespace ligne

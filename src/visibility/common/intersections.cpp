@@ -33,7 +33,9 @@ class LeafSearch {
     for (std::uint32_t i = 0; i < cell.count; ++i) {
       items_.push_back({found.place(list[i].facet), list[i].z_near, facets_[list[i].facet].z_far, list[i].box});
     }
-    const auto wanted = [&](const PageSegment& s) { return grid_.complete() || seen_in(s, square, margin_, cell.cover); };
+    const auto wanted = [&](const PageSegment& s) {
+      return grid_.complete() || seen_in(s, square, margin_, cell.occluder_depth);
+    };
     for (std::size_t i = 0; i < items_.size(); ++i) {
       const Item& a = items_[i];
       for (std::size_t k = i + 1; k < items_.size(); ++k) {

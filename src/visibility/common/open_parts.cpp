@@ -25,7 +25,7 @@ void OpenParts::take_one_sided() {
   };
   std::vector<Event> events;
   for (const HiddenInterval& h : one_sided_) {
-    const bool left = h.bank == Bank::left;
+    const bool left = h.sides == HiddenSides::left;
     events.push_back({h.from, left ? 1 : 0, left ? 0 : 1});
     events.push_back({h.to, left ? -1 : 0, left ? 0 : -1});
   }
@@ -48,12 +48,12 @@ void drop_short_parts(std::vector<LinePart>& parts, double length, double least)
   }
   std::size_t n = 0;
   for (const LinePart& p : parts) {
-    const bool goes_on = n > 0 && (p.from - parts[n - 1].to) * length <= least;
-    if (goes_on && (parts[n - 1].level == p.level || (p.to - p.from) * length <= least)) {
+    const bool continues = n > 0 && (p.from - parts[n - 1].to) * length <= least;
+    if (continues && (parts[n - 1].level == p.level || (p.to - p.from) * length <= least)) {
       parts[n - 1].to = p.to;
       continue;
     }
-    if (goes_on) parts[n - 1].to = p.from;
+    if (continues) parts[n - 1].to = p.from;
     parts[n++] = p;
   }
   parts.resize(n);

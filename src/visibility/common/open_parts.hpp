@@ -27,9 +27,9 @@ class OpenParts {
   bool empty() const { return open_.empty(); }
 
   void take(const HiddenInterval& hidden) {
-    if (hidden.bank == Bank::both) {
+    if (hidden.sides == HiddenSides::both) {
       take(hidden.from, hidden.to);
-    } else if (hidden.bank != Bank::none) {
+    } else if (hidden.sides != HiddenSides::none) {
       one_sided_.push_back(hidden);
     }
   }
@@ -45,7 +45,7 @@ class OpenParts {
   void take_one_sided();
 
   std::vector<LinePart> open_, spare_;
-  std::vector<HiddenInterval> one_sided_;  ///< intervals that cover one bank
+  std::vector<HiddenInterval> one_sided_;  ///< intervals that cover one side
 };
 
 /// Appends a part; one of the same level that begins where the last one ends continues it.

@@ -23,8 +23,8 @@ Corners corners_of(const Facet& f, const std::vector<ProjectedVertex>& vertices)
 }  // namespace
 
 /// Heights of the other's corners over the plane of `plane` (positive: farther from the viewer), times its area; those
-/// within the touching tolerance are zero. `touch` is owed half to the corners of the facet and half to the point that is
-/// held against them, for a point over the facet. Outside of it the plane is extrapolated: its depth is the sum of the
+/// within the depth tolerance are zero. `touch` is owed half to the corners of the facet and half to the point that is
+/// compared with them, for a point over the facet. Outside of it the plane is extrapolated: its depth is the sum of the
 /// corners' depths with weights w_i / area, some of them negative, so the errors of the corners count with |w_i| / area.
 struct PenetrationSearch::Heights {
   std::array<double, 3> h;
@@ -124,8 +124,8 @@ void drop_specks(std::vector<Intersection>& segments, double least) {
     if (!is_short(s)) ends.insert(ends.end(), {s.from.p, s.to.p});
   }
   std::sort(ends.begin(), ends.end(), less);
-  const auto goes_on = [&](const LatticePoint& p) { return std::binary_search(ends.begin(), ends.end(), p, less); };
-  std::erase_if(segments, [&](const Intersection& s) { return is_short(s) && !(goes_on(s.from.p) && goes_on(s.to.p)); });
+  const auto continues = [&](const LatticePoint& p) { return std::binary_search(ends.begin(), ends.end(), p, less); };
+  std::erase_if(segments, [&](const Intersection& s) { return is_short(s) && !(continues(s.from.p) && continues(s.to.p)); });
 }
 
 }  // namespace
@@ -141,10 +141,10 @@ std::optional<PenetrationSearch::Found> PenetrationSearch::segment_of(const Plac
   const Facet &fa = (*facets_)[a.id], &fb = (*facets_)[b.id];
   const Corners ca = corners_of(fa, *vertices_);
   const Corners cb = corners_of(fb, *vertices_);
-  const Heights b_over_a = Heights::over(ca, fa.touch, cb);
+  const Heights b_over_a = Heights::over(ca, fa.depth_tolerance, cb);
   if (b_over_a.on + b_over_a.above == 3 && b_over_a.on < 2) return std::nullopt;
   if (b_over_a.on + b_over_a.below == 3 && b_over_a.on < 2) return std::nullopt;
-  const Heights a_over_b = Heights::over(cb, fb.touch, ca);
+  const Heights a_over_b = Heights::over(cb, fb.depth_tolerance, ca);
   const bool b_along = b_over_a.on == 2, a_along = a_over_b.on == 2;
   if (b_along && a_along) {
     add_side_on_side(a, a_over_b, b, b_over_a);
@@ -246,7 +246,7 @@ std::vector<Intersection> PenetrationSearch::finish(double least_steps) {
   for (const Pair& pair : pairs_) {
     const Facet &fa = (*facets_)[pair.a], &fb = (*facets_)[pair.b];
     const Corners a = corners_of(fa, *vertices_), b = corners_of(fb, *vertices_);
-    const auto segment = common_segment(a, b, Heights::over(a, fa.touch, b).h);
+    const auto segment = common_segment(a, b, Heights::over(a, fa.depth_tolerance, b).h);
     if (!segment) continue;
     const Intersection i{rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face),
                          std::max(fa.face, fb.face)};

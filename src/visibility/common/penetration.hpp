@@ -1,7 +1,7 @@
 #pragma once
 /// Where facets pass through each other: pairs are tested wherever two facets may meet, put together, and only then cut.
 ///
-/// A pair is tested by the sides of its corners: above or below the other's plane, or on it within the touching tolerance.
+/// A pair is tested by the sides of its corners: above or below the other's plane, or on it within the depth tolerance.
 /// "On" counts as above, so that a segment through a common corner of two facets is found once.
 
 #include <array>

@@ -9,7 +9,7 @@ std::vector<LinePart>& VisibleParts::find(const PageLine& line) {
   near_side_ = false;
   grid_.for_each_leaf(line, [&](const Cell& cell, const CellSquare& square, double from, double to) {
     ++counts_.leaves;
-    if (cell.cover < line.z(from) && cell.cover < line.z(to)) {
+    if (cell.occluder_depth < line.z(from) && cell.occluder_depth < line.z(to)) {
       ++counts_.covered;
       return;
     }

@@ -28,7 +28,7 @@ class Coverage {
   void find_uncovered(const Line& line, std::vector<Span>& uncovered);
 
   /// The same for an upright line from (u, v0) to (u, v1), v0 < v1, looking at what covers its left (side < 0) or right
-  /// bank; appends to `covered` spans of v, in any order.
+  /// side; appends to `covered` spans of v, in any order.
   void find_covered_beside(double u, double v0, double v1, int side, std::vector<Span>& covered) const;
 
   /// What `covered`, which it sorts, leaves of [from, to], but for parts no longer than `least`; a span continues the last

@@ -15,24 +15,24 @@ class CurveTracker {
   /// The part from t0 to t1 of the segment a, b in space is seen; it belongs to `lines`. Parts come in order along the
   /// curve.
   void add(const HomogeneousPoint& a, const HomogeneousPoint& b, double t0, double t1, Polylines& lines) {
-    if (!(goes_on_ && t0 == 0 && lines_ == &lines)) {
+    if (!(continues_ && t0 == 0 && lines_ == &lines)) {
       end();
       lines_ = &lines;
       points_.push_back(at(a, b, t0));
     }
     points_.push_back(at(a, b, t1));
-    goes_on_ = false;
+    continues_ = false;
     reached_end_ = t1 == 1;
   }
 
   /// The next parts are of the segment behind this one.
   void next_segment() {
-    goes_on_ = reached_end_;
+    continues_ = reached_end_;
     reached_end_ = false;
   }
 
   /// Nothing of a segment is seen.
-  void interrupt() { goes_on_ = reached_end_ = false; }
+  void interrupt() { continues_ = reached_end_ = false; }
 
   /// Gives the stretch away.
   void end() {
@@ -54,7 +54,7 @@ class CurveTracker {
  private:
   Polylines* lines_ = nullptr;
   std::vector<Point2> points_;
-  bool goes_on_ = false, reached_end_ = false;
+  bool continues_ = false, reached_end_ = false;
 };
 
 }  // namespace ligne::horizon

@@ -11,7 +11,7 @@
 namespace ligne::horizon {
 
 /// 1: the corners turn counter-clockwise for the viewer, -1: clockwise, 0: the triangle is seen edge on, that is, it is no
-/// thicker on the drawing plane than heights that are level; a rounding must not tell its sides apart. `picture` is the
+/// thicker on the drawing plane than heights that are level; a rounding must not separate its sides. `picture` is the
 /// picture's width in parallel projection, nothing in perspective, where the corners' distance stands for it. The points may
 /// lie behind the eye.
 inline std::int8_t facing_of(const SightPoint& p, const SightPoint& q, const SightPoint& r, double picture) {

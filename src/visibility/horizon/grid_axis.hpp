@@ -19,8 +19,8 @@ struct GridAxis {
   std::vector<double> fraction;     ///< of the way to the next sample; 0 at samples
   std::vector<bool> drawn;          ///< whether there is a curve
 
-  /// Positions from the nearest to the farthest; `sign` tells the direction away from the viewer. The part begins with
-  /// order[begin]: where that is a sample below the eye, the one before it belongs to the other part, and tells what the
+  /// Positions from the nearest to the farthest; `sign` gives the direction away from the viewer. The part begins with
+  /// order[begin]: where that is a sample below the eye, the one before it belongs to the other part, and says what the
   /// surface does beyond.
   struct Part {
     std::vector<std::size_t> order;

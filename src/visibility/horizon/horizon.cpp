@@ -85,7 +85,7 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
 namespace {
 
 /// Lines that lie off the surface, where the eye is over the grid: the surface reaches down to the point below the eye, and
-/// no edge tells the lower horizon so.
+/// no edge informs the lower horizon of it.
 bool needs_coverage(const HeightSource& heights, const Camera& camera, const HorizonOptions& options) {
   if (!camera.perspective || (options.back_lines.empty() && !options.contour_base)) return false;
   const Point3& eye = camera.eye;

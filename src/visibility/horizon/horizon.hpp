@@ -70,6 +70,6 @@ HeightSurvey survey(const HeightSource& heights);
 /// A scene of a few faces that takes the same place in the picture as the surface does, to place the camera and the page
 /// with: the corners of the bounding box, or the extreme samples for this camera.
 Scene box_of(const HeightSource& heights, const HeightSurvey& survey, double z_scale);
-Scene stand_in(const HeightSource& heights, double z_scale, const Camera& camera);
+Scene extent_scene(const HeightSource& heights, double z_scale, const Camera& camera);
 
 }  // namespace ligne

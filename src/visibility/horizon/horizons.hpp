@@ -19,8 +19,8 @@ inline constexpr double kUprightPart = 0x1p-42;
 /// the line of sight shows itself above its nearer parts only.
 enum class Against : std::uint8_t { upper, lower, both };
 
-/// Which banks of an upright line are looked at. It is hidden where all of them are covered; curves that hide have no banks.
-enum class Banks : std::uint8_t { left, right, both, none };
+/// Which sides of an upright line are looked at. It is hidden where all of them are covered; curves that hide have no sides.
+enum class LineSides : std::uint8_t { left, right, both, none };
 
 /// What is seen of an upright line up to an end but for a rounding is seen to the very end, so that it goes on in the next
 /// line.
@@ -44,12 +44,12 @@ class TwoHorizons {
 
   /// The fractions in space of a segment that are seen, and that are to be drawn: of an upright one those on which nothing
   /// has been drawn yet. Valid until the next call.
-  const std::vector<Span>& seen(const SightPoint& a, const SightPoint& b, Against against, Banks banks) {
+  const std::vector<Span>& seen(const SightPoint& a, const SightPoint& b, Against against, LineSides sides) {
     const SightLine sight(a, b, upright_);
     seen_.clear();
     if (sight.upright()) {
-      // Between two closed banks the horizons rise and fall with what is seen, and nothing is seen twice.
-      const bool open = seen_upright(sight.line(), a.v(), banks);
+      // Between two closed sides the horizons rise and fall with what is seen, and nothing is seen twice.
+      const bool open = seen_upright(sight.line(), a.v(), sides);
       if (open) upright_lines_.draw(sight.line().u0, seen_);
       reach_ends(sight.line(), upright_, seen_);
     } else if (against == Against::upper) {
@@ -93,22 +93,22 @@ class TwoHorizons {
     }
   }
 
-  /// `nearest`: the height of the line's nearer end, through which the surface passes on both banks. Whether a bank is open:
+  /// `nearest`: the height of the line's nearer end, through which the surface passes on both sides. Whether a side is open:
   /// there is no horizon, or nobody has looked.
-  bool seen_upright(const Line& line, double nearest, Banks banks) {
+  bool seen_upright(const Line& line, double nearest, LineSides sides) {
     const double u = line.u0;
     double high = upper_.height(u), low = -lower_.height(u);
     bool open = true;
-    if (banks == Banks::both) {
+    if (sides == LineSides::both) {
       high = std::min(upper_.height_beside(u, -1), upper_.height_beside(u, 1));
       low = -std::min(lower_.height_beside(u, -1), lower_.height_beside(u, 1));
       open = high == kNothing || low == -kNothing;
-    } else if (banks != Banks::none) {
-      const int side = banks == Banks::left ? -1 : 1;
+    } else if (sides != LineSides::none) {
+      const int side = sides == LineSides::left ? -1 : 1;
       high = upper_.height_beside(u, side);
       low = -lower_.height_beside(u, side);
     }
-    if (banks != Banks::none) {
+    if (sides != LineSides::none) {
       high = std::max(high, nearest);
       low = std::min(low, nearest);
     }
@@ -138,14 +138,14 @@ class GeneralHorizon {
         coverage_(u_min, u_max, cells),
         upright_lines_(u_min, u_max, cells, upright_) {}
 
-  const std::vector<Span>& seen(const SightPoint& a, const SightPoint& b, Against, Banks banks) {
+  const std::vector<Span>& seen(const SightPoint& a, const SightPoint& b, Against, LineSides sides) {
     const SightLine sight(a, b, upright_);
     const Line& line = sight.line();
     seen_.clear();
     if (!sight.upright()) {
       coverage_.find_uncovered(line, seen_);
     } else if (line.v0 < line.v1) {
-      seen_upright(line, banks);
+      seen_upright(line, sides);
       upright_lines_.draw(line.u0, seen_);
       reach_ends(line, upright_, seen_);
     }
@@ -160,15 +160,15 @@ class GeneralHorizon {
   UprightLines& upright_lines() { return upright_lines_; }
 
  private:
-  void seen_upright(const Line& line, Banks banks) {
+  void seen_upright(const Line& line, LineSides sides) {
     std::array<std::vector<Span>, 2> covered;  // left, right
     for (const int k : {0, 1}) {
-      if (banks != (k == 0 ? Banks::right : Banks::left))
+      if (sides != (k == 0 ? LineSides::right : LineSides::left))
         coverage_.find_covered_beside(line.u0, line.v0, line.v1, k == 0 ? -1 : 1, covered[k]);
     }
     std::vector<Span> hidden;
-    if (banks == Banks::left || banks == Banks::right) {
-      hidden = covered[banks == Banks::left ? 0 : 1];
+    if (sides == LineSides::left || sides == LineSides::right) {
+      hidden = covered[sides == LineSides::left ? 0 : 1];
     } else {
       for (const Span& a : covered[0]) {
         for (const Span& b : covered[1]) {

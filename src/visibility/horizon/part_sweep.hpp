@@ -149,7 +149,7 @@ class PartSweep {
     }
   }
 
-  /// Calls share(spans drawn here, spans of all parts) for the curves straight before the eye: each part sees one bank of
+  /// Calls share(spans drawn here, spans of all parts) for the curves straight before the eye: each part sees one side of
   /// them, and where two parts meet v is the same for both.
   template <class Share>
   void share_lines_ahead(Share share) {
@@ -243,7 +243,7 @@ class PartSweep {
   }
 
   /// An edge between the nearer and the farther of its faces; `curve` when it is drawn as part of a curve. Of an edge
-  /// straight before the eye (`ahead`), where two parts meet, each looks at its own bank.
+  /// straight before the eye (`ahead`), where two parts meet, each looks at its own side.
   void edge(const Sample& a, const Sample& b, std::int8_t nearer, std::int8_t farther, CurveTracker* curve,
             bool ahead = false) {
     if (!is_face(nearer) && !is_face(farther)) {
@@ -272,9 +272,9 @@ class PartSweep {
       Against against = !is_face(nearer) || nearer == 0 ? Against::both : nearer > 0 ? Against::upper : Against::lower;
       if (by_curves) against = lower ? Against::both : Against::upper;
       ++segments;
-      Banks banks = by_curves ? Banks::none : Banks::both;
-      if (ahead && !by_curves) banks = a.seen.u() > 0 ? Banks::left : Banks::right;  // the part lies at |u| < 1
-      const std::vector<Span>& seen = horizon_.seen(part->a, part->b, against, banks);
+      LineSides sides = by_curves ? LineSides::none : LineSides::both;
+      if (ahead && !by_curves) sides = a.seen.u() > 0 ? LineSides::left : LineSides::right;  // the part lies at |u| < 1
+      const std::vector<Span>& seen = horizon_.seen(part->a, part->b, against, sides);
       if (outlined) {
         eye_.give(a, b, *part, seen,
                   [&](double t0, double t1) { add_to(rim ? store_.border : store_.outline, a, b, t0, t1); });
@@ -321,13 +321,13 @@ class PartSweep {
       if (n < 2) continue;
       if (away(ends[1]) < away(ends[0])) std::swap(ends[0], ends[1]);
       if (options_.contours_on_surface && facing != 0) {
-        contour(ends, facing > 0 ? Against::upper : Against::lower, Banks::both, store_.contours);
+        contour(ends, facing > 0 ? Against::upper : Against::lower, LineSides::both, store_.contours);
       }
       if (options_.contour_base) {
         // What lies below the surface here can not be seen above what is nearer.
         const double base = *options_.contour_base * options_.z_scale;
         for (Point3& end : ends) end.z = base;
-        contour(ends, base < *level ? Against::lower : Against::upper, Banks::none, store_.base_contours);
+        contour(ends, base < *level ? Against::lower : Against::upper, LineSides::none, store_.base_contours);
       }
     }
   }
@@ -339,11 +339,11 @@ class PartSweep {
   }
 
   /// `ends`: the nearer one first.
-  void contour(const std::array<Point3, 2>& ends, Against against, Banks banks, Chains& chains) {
+  void contour(const std::array<Point3, 2>& ends, Against against, LineSides sides, Chains& chains) {
     const Sample a = eye_.sample(ends[0]), b = eye_.sample(ends[1]);
     const auto part = eye_.part_in_front(a, b);
     if (part)
-      eye_.give(a, b, *part, horizon_.seen(part->a, part->b, against, banks),
+      eye_.give(a, b, *part, horizon_.seen(part->a, part->b, against, sides),
                 [&](double t0, double t1) { add_to(chains, a, b, t0, t1); });
   }
 
@@ -366,7 +366,7 @@ class PartSweep {
       const auto part = eye_.part_in_front(a, b, from, to);
       if (!part) continue;
       auto& seen = store_.lines.back_lines[i];
-      eye_.give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, Banks::none), [&](double t0, double t1) {
+      eye_.give(a, b, *part, horizon_.seen(part->a, part->b, Against::both, LineSides::none), [&](double t0, double t1) {
         seen.push_back({t0, t1});
       });
     }

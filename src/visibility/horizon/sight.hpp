@@ -1,5 +1,5 @@
 #pragma once
-/// The plane on which curves are held against the horizon.
+/// The plane on which curves are compared with the horizon.
 
 #include <glm/geometric.hpp>
 

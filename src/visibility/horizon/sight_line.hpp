@@ -1,5 +1,5 @@
 #pragma once
-/// A segment as it is held against a horizon: from left to right, with the way back to fractions in space.
+/// A segment as it is compared with a horizon: from left to right, with the way back to fractions in space.
 
 #include <algorithm>
 #include <cmath>

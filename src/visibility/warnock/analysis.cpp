@@ -34,7 +34,7 @@ Relation relation_to(const FaceTable& table, const Face& face, const Window& win
     side = i;
     return Relation::intersector;
   }
-  // No side meets the window: any point of it tells.
+  // No side meets the window: any point of it decides.
   const FramePoint corner{window.u0, window.v0};
   int turns = 0;
   for (const Side& s : sides) turns += winding(table.at(s.v0), table.at(s.v1), corner);
@@ -50,7 +50,7 @@ void Analysis::add(Element element, const Window& larger, Lists& lists, Analysis
     return;
   } else if (element.box.inside(larger)) {
     ++counts.inside;
-    if (!drop_hidden_ || element.near <= lists.cover) lists.elements.push_back(element);
+    if (!drop_hidden_ || element.near <= lists.occluder_depth) lists.elements.push_back(element);
     return;
   } else {
     element.relation = relation_to(table_, table_.faces[element.face], larger, element.side, counts);
@@ -59,14 +59,15 @@ void Analysis::add(Element element, const Window& larger, Lists& lists, Analysis
   const Face& face = table_.faces[element.face];
   const DepthRange depths = face.depths_over(larger);
   element.near = std::max(element.near, round_down(depths.near));
-  if (drop_hidden_ && element.near > lists.cover) return;
+  if (drop_hidden_ && element.near > lists.occluder_depth) return;
   lists.elements.push_back(element);
-  if (element.relation == Relation::surrounder) lists.cover = std::min(lists.cover, round_up(depths.far + face.slack));
+  if (element.relation == Relation::surrounder)
+    lists.occluder_depth = std::min(lists.occluder_depth, round_up(depths.far + face.slack));
 }
 
 /// What was listed before its cover was found.
 void Analysis::finish(Lists& lists) const {
-  if (drop_hidden_) std::erase_if(lists.elements, [&](const Element& e) { return e.near > lists.cover; });
+  if (drop_hidden_) std::erase_if(lists.elements, [&](const Element& e) { return e.near > lists.occluder_depth; });
 }
 
 Lists Analysis::begin(const Window& window, AnalysisCounts& counts) const {
@@ -77,7 +78,7 @@ Lists Analysis::begin(const Window& window, AnalysisCounts& counts) const {
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t f = table_.by_depth[i];
     const Face& face = table_.faces[f];
-    if (drop_hidden_ && face.z_near > lists.cover) {
+    if (drop_hidden_ && face.z_near > lists.occluder_depth) {
       counts.not_studied += n - i;
       break;
     }
@@ -95,7 +96,7 @@ std::array<Lists, 4> Analysis::children(const Lists& parent, const std::array<Wi
   std::array<bool, 4> open{};
   int left = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    lists[k].cover = parent.cover;
+    lists[k].occluder_depth = parent.occluder_depth;
     larger[k] = windows[k].grown(margin_);
     open[k] = !windows[k].empty();
     left += open[k];
@@ -105,7 +106,8 @@ std::array<Lists, 4> Analysis::children(const Lists& parent, const std::array<Wi
     for (std::size_t k = 0; k < 4; ++k) {
       if (!open[k]) continue;
       // The list is in the order of the faces' own z_near, of which element.near is at least as far.
-      if (drop_hidden_ && element.near > lists[k].cover && table_.faces[element.face].z_near > lists[k].cover) {
+      if (drop_hidden_ && element.near > lists[k].occluder_depth &&
+          table_.faces[element.face].z_near > lists[k].occluder_depth) {
         counts.not_studied += parent.elements.size() - i;
         open[k] = false;
         --left;

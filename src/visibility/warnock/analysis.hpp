@@ -37,7 +37,7 @@ struct Element {
 /// is seen.
 struct Lists {
   std::vector<Element> elements;
-  float cover = std::numeric_limits<float>::infinity();
+  float occluder_depth = std::numeric_limits<float>::infinity();
 };
 
 struct AnalysisCounts {
@@ -59,8 +59,8 @@ Relation relation_to(const FaceTable& table, const Face& face, const Window& win
 
 class Analysis {
  public:
-  /// `drop_hidden`: faces behind a cover are left out. `margin` in frame units: faces are held against windows that are so
-  /// much larger, so that a line along the border of a window finds there the faces on both of its banks.
+  /// `drop_hidden`: faces behind a cover are left out. `margin` in frame units: faces are compared with windows that are so
+  /// much larger, so that a line along the border of a window finds there the faces on both of its sides.
   Analysis(const FaceTable& table, double margin, bool drop_hidden)
       : table_(table), margin_(margin), drop_hidden_(drop_hidden) {}
 

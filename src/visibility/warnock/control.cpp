@@ -227,7 +227,7 @@ void Control::split(const Window& window, const Division& division, const Lists&
     Lists& own_lists = child_lists[k];
     // Pieces behind the cover are hidden.
     std::erase_if(parts[k], [&](const Piece& p) {
-      return lines_[p.line].z(p.from) > own_lists.cover && lines_[p.line].z(p.to) > own_lists.cover;
+      return lines_[p.line].z(p.from) > own_lists.occluder_depth && lines_[p.line].z(p.to) > own_lists.occluder_depth;
     });
     const bool shorter =
         static_cast<double>(own_lists.elements.size()) < kStall * static_cast<double>(lists.elements.size());
@@ -261,7 +261,8 @@ void Control::draw(const Window& window, const Lists& lists, const std::vector<P
     task.solution.load(lists, window);
     task.solution.draw_lines(pieces, out.parts);
     if (pairs)
-      task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(), out.pairs);
+      task.solution.find_pairs(window, rules_.drop_hidden ? lists.occluder_depth : std::numeric_limits<float>::infinity(),
+                               out.pairs);
   }
   out.counts.solution_seconds += clock.lap();
   if (!rules_.areas) return;
@@ -279,7 +280,7 @@ void Control::draw_at_limit(const Window& window, const Lists& lists, const std:
   task.solution.load(lists, window);
   task.solution.draw_by_middle(pieces, task.outcome.parts);
   if (rules_.find_pairs) {
-    task.solution.find_pairs(window, rules_.drop_hidden ? lists.cover : std::numeric_limits<float>::infinity(),
+    task.solution.find_pairs(window, rules_.drop_hidden ? lists.occluder_depth : std::numeric_limits<float>::infinity(),
                              task.outcome.pairs);
   }
   task.outcome.counts.solution_seconds += clock.lap();

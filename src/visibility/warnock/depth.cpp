@@ -30,8 +30,8 @@ class Gap {
     if (lowest_ > highest_) return {};
     const bool behind = highest_ > tolerance_, before = lowest_ < -tolerance_;
     const DepthOrder order = behind && before ? DepthOrder::crossing
-                             : behind         ? DepthOrder::behind
-                             : before         ? DepthOrder::before
+                             : behind         ? DepthOrder::second
+                             : before         ? DepthOrder::first
                                               : DepthOrder::level;
     return {order, lowest_ > tolerance_ || highest_ < -tolerance_};
   }

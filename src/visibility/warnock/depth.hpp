@@ -1,27 +1,21 @@
 #pragma once
 /// Tests of depth over a window.
 ///
-/// The thesis compares the planes of two faces at the four corners of the window, and concludes that they penetrate when
+/// [Boulle1980] compares the planes of two faces at the four corners of the window, and concludes that they penetrate when
 /// they change places there (its case 3). That is wrong where a face ends before the planes cross; it then took the window
 /// round the intersector instead. Here a face is compared where it is: first over the common part of the window and of the
 /// box round the face, which decides most pairs, then at the corners of its contour cut by the window, where the difference
 /// of two planes has its extremes.
 
+#include "visibility/common/depth_order.hpp"
 #include "visibility/warnock/analysis.hpp"
 
 namespace ligne::warnock {
 
-/// One face to another face.
-enum class DepthOrder : std::uint8_t {
-  before,    ///< nowhere behind it by more than the tolerance, somewhere before it by more
-  behind,    ///< nowhere before it by more, somewhere behind it by more
-  level,     ///< within the tolerance of it all over
-  crossing,  ///< before it here, behind it there
-  apart,     ///< it has no part in the window
-};
-
 /// Whether it is behind by more than the tolerance all over; what touches anywhere is not.
 struct DepthComparison {
+  /// One face, the first, to another. `first`: nowhere behind it by more than the tolerance, somewhere before it by more;
+  /// `second`: the other way round; `apart`: it has no part in the window.
   DepthOrder order = DepthOrder::apart;
   bool clear = false;  ///< nowhere within the tolerance
 };

@@ -67,7 +67,7 @@ void set_plane(const FaceTable& table, Face& face) {
       largest_area = area;
       largest = &f;
     }
-    touch = std::max(touch, f.touch);
+    touch = std::max(touch, f.depth_tolerance);
     face.z_near = std::min(face.z_near, f.z_near);
     face.z_far = std::max(face.z_far, f.z_far);
     for (const std::uint32_t v : f.v) {

@@ -27,7 +27,7 @@ struct Face {
   std::uint32_t facet_begin = 0, facet_end = 0;  ///< in FaceTable::facet_order
   std::uint32_t side_begin = 0, side_end = 0;    ///< in FaceTable::sides
   float z_near = 0, z_far = 0;                   ///< of all its corners
-  float slack = 0;                               ///< touching tolerance, and how far its facets are off its plane
+  float slack = 0;                               ///< depth tolerance, and how far its facets are off its plane
   FramePoint base;                               ///< a point of the plane, its depth there, and the gradient by frame unit
   double base_z = 0, gu = 0, gv = 0;
   Window box;  ///< of its projection

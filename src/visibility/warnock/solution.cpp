@@ -46,7 +46,7 @@ bool Solution::visit_hidden(const Piece& piece, bool& near_side, Visit visit) {
     if (facet.face == line.face0 || facet.face == line.face1) continue;
     ++counts_.line_facet_tests;
     HiddenInterval hidden = hidden_interval(line, facet, table_.vertices->data(), 0, 1, coincidence_steps_, near_side);
-    if (hidden.bank == Bank::none) continue;
+    if (hidden.sides == HiddenSides::none) continue;
     hidden.from = std::max(hidden.from, piece.from);
     hidden.to = std::min(hidden.to, piece.to);
     if (hidden.from < hidden.to && visit(hidden)) return true;
@@ -73,8 +73,8 @@ void Solution::draw_by_middle(std::span<const Piece> pieces, std::vector<FoundPa
     bool left = false, right = false, near_side = false;
     const bool hidden = visit_hidden(piece, near_side, [&](const HiddenInterval& h) {
       if (middle < h.from || middle >= h.to) return false;
-      left |= h.bank != Bank::right;
-      right |= h.bank != Bank::left;
+      left |= h.sides != HiddenSides::right;
+      right |= h.sides != HiddenSides::left;
       return left && right;
     });
     if (!hidden) out.push_back({piece.line, near_side, {piece.from, piece.to}});

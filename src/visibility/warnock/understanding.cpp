@@ -7,7 +7,7 @@ namespace {
 
 // Adjustable parameters.
 constexpr std::size_t kMostSeen = 12;    ///< so many seen intersectors are never understood
-constexpr std::size_t kMostFacets = 16;  ///< of an intersector that is held against another on the page
+constexpr std::size_t kMostFacets = 16;  ///< of an intersector that is compared with another on the page
 
 /// Calls visit(p, q) for the sides of the face that meet the inner window, until it returns false; false when it did.
 template <class Visit>
@@ -75,14 +75,14 @@ Covers study_surrounders(const Situation& s) {
       continue;
     }
     const DepthOrder to_front = s.compare(p, *covers.front).order;
-    if (to_front == DepthOrder::behind || to_front == DepthOrder::level) continue;
+    if (to_front == DepthOrder::second || to_front == DepthOrder::level) continue;
     if (!covers.other) {
-      (to_front == DepthOrder::before ? covers.front : covers.other) = &p;
+      (to_front == DepthOrder::first ? covers.front : covers.other) = &p;
       continue;
     }
     const DepthOrder to_other = s.compare(p, *covers.other).order;
-    if (to_other == DepthOrder::behind || to_other == DepthOrder::level) continue;
-    if (to_front == DepthOrder::before && to_other == DepthOrder::before) {
+    if (to_other == DepthOrder::second || to_other == DepthOrder::level) continue;
+    if (to_front == DepthOrder::first && to_other == DepthOrder::first) {
       covers = {&p, nullptr, false};
     } else {
       return {nullptr, nullptr, true};
@@ -98,7 +98,7 @@ std::optional<std::vector<const Placed*>> seen_intersectors(const Situation& s, 
     if (cover) {
       const DepthOrder order = s.compare(p, *cover).order;
       if (order == DepthOrder::crossing) return std::nullopt;
-      if (order == DepthOrder::behind || order == DepthOrder::apart) continue;
+      if (order == DepthOrder::second || order == DepthOrder::apart) continue;
     }
     seen.push_back(&p);
     if (seen.size() > kMostSeen) return std::nullopt;
@@ -111,7 +111,7 @@ bool surrounder_before_everything(const Situation& s, const Covers& covers) {
   return std::all_of(s.placed.begin(), s.placed.end(), [&](const Placed& p) {
     if (&p == covers.front) return true;
     const DepthComparison c = s.compare(p, *covers.front);
-    return c.order == DepthOrder::apart || (c.order == DepthOrder::behind && c.clear);
+    return c.order == DepthOrder::apart || (c.order == DepthOrder::second && c.clear);
   });
 }
 
@@ -121,7 +121,7 @@ bool penetrating_surrounders_before_everything(const Situation& s, const Covers&
     if (&p == covers.front || &p == covers.other) return true;
     const auto hidden_by = [&](const Placed& cover) {
       const DepthComparison c = s.compare(p, cover);
-      return c.order == DepthOrder::apart || (c.order == DepthOrder::behind && c.clear);
+      return c.order == DepthOrder::apart || (c.order == DepthOrder::second && c.clear);
     };
     return hidden_by(*covers.front) || hidden_by(*covers.other);
   });
@@ -131,7 +131,7 @@ bool seen_edges_in_one_line(const Situation& s, std::span<const Placed* const> s
   bool first = true;
   FramePoint from, to;
   // Bit 1: the face lies to the left of the line, bit 2: to the right.
-  std::vector<int> banks(seen.size(), 0);
+  std::vector<int> sides(seen.size(), 0);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const bool in_line = all_sides(s, *seen[i], [&](FramePoint p, FramePoint q) {
       if (first) {
@@ -140,14 +140,14 @@ bool seen_edges_in_one_line(const Situation& s, std::span<const Placed* const> s
         to = q;
       }
       if (turn(from, to, p) != 0 || turn(from, to, q) != 0) return false;
-      banks[i] |= (q.u - p.u) * (to.u - from.u) + (q.v - p.v) * (to.v - from.v) > 0 ? 1 : 2;
+      sides[i] |= (q.u - p.u) * (to.u - from.u) + (q.v - p.v) * (to.v - from.v) > 0 ? 1 : 2;
       return true;
     });
     if (!in_line) return false;
   }
   for (std::size_t i = 0; i < seen.size(); ++i) {
     for (std::size_t k = i + 1; k < seen.size(); ++k) {
-      if ((banks[i] & banks[k]) != 0 && s.compare(*seen[i], *seen[k]).order == DepthOrder::crossing) return false;
+      if ((sides[i] & sides[k]) != 0 && s.compare(*seen[i], *seen[k]).order == DepthOrder::crossing) return false;
     }
   }
   return true;

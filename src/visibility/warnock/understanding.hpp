@@ -66,7 +66,7 @@ std::optional<std::vector<const Placed*>> seen_intersectors(const Situation& s, 
 bool surrounder_before_everything(const Situation& s, const Covers& covers);
 /// 2. Two covers cross, and everything else lies clearly behind one of them.
 bool penetrating_surrounders_before_everything(const Situation& s, const Covers& covers);
-/// 3. All sides of the seen intersectors lie in one line of the page, and those on one bank of it do not cross.
+/// 3. All sides of the seen intersectors lie in one line of the page, and those on one side of it do not cross.
 bool seen_edges_in_one_line(const Situation& s, std::span<const Placed* const> seen);
 /// 4. One intersector is seen.
 bool single_intersector(std::span<const Placed* const> seen);

@@ -2,7 +2,7 @@
 /// Edges and areas by subdivision of the picture.
 ///
 /// After J. E. Warnock, "A hidden surface algorithm for computer generated halftone pictures", 1969, in the version for
-/// edges of the thesis among this project's sources (chapter 2.2). docs/methods/warnock.md.
+/// edges of [Boulle1980] among this project's sources (chapter 2.2). docs/methods/warnock.md.
 
 #include "visibility/method.hpp"
 

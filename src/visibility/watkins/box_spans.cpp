@@ -4,10 +4,10 @@
 
 #include "visibility/watkins/span_method.hpp"
 
-// Span method `box` (thesis 2.3.3.3, Boîte, after Romney, Watkins and Evans 1969): Warnock's division on a line. A part of
-// the line is analysed against a box around the segments met so far; when the situation is understood it is shown, otherwise
-// the part is divided at an end of a segment, where two penetrate, or in the middle. Three modules, as in the thesis:
-// analysis, decision, control.
+// Span method `box` ([Boulle1980] 2.3.3.3, Boîte, after Romney, Watkins and Evans 1969): Warnock's division on a line. A
+// part of the line is analysed against a box around the segments met so far; when the situation is understood it is shown,
+// otherwise the part is divided at an end of a segment, where two penetrate, or in the middle. Three modules, as in
+// [Boulle1980]: analysis, decision, control.
 //
 // Of several ends inside a part the one nearest to its middle divides it, so that n segments side by side take n log n; and
 // segments that the analysis has seen to be hidden are not handed down.
@@ -82,11 +82,11 @@ class BoxMethod final : public SpanMethod<X> {
           start(box, index, l, r, zl, zr);
           return;
         }
-        if (seen.order == DepthOrder::first_then_second || seen.order == DepthOrder::second_then_first) {
+        if (seen.order == DepthOrder::crossing) {
           box.cut = seen.x;
           if (c0 == a && c1 == b) {
             box.crossing = true;
-            const bool t_first = seen.order == DepthOrder::first_then_second;
+            const bool t_first = seen.first_begins;
             box.other = t_first ? index : box.segment;
             box.segment = t_first ? box.segment : index;
           }
@@ -94,7 +94,7 @@ class BoxMethod final : public SpanMethod<X> {
       }
     } else {
       ++this->counts_.depth_tests;
-      if (covers && std::max(s.z(box.x0), s.z(box.x1)) + s.touch <= box.near) {
+      if (covers && std::max(s.z(box.x0), s.z(box.x1)) + s.depth_tolerance <= box.near) {
         lists_.resize(kept_begin);
         lists_.push_back(index);
         start(box, index, l, r, zl, zr);
@@ -115,7 +115,7 @@ class BoxMethod final : public SpanMethod<X> {
     }
     box.x0 = std::min(box.x0, l);
     box.x1 = std::max(box.x1, r);
-    box.near = std::min(box.near, std::min(zl, zr) - s.touch);
+    box.near = std::min(box.near, std::min(zl, zr) - s.depth_tolerance);
   }
 
   void start(Box& box, std::uint32_t index, double l, double r, double zl, double zr) {
@@ -124,7 +124,7 @@ class BoxMethod final : public SpanMethod<X> {
     box.segment = index;
     box.x0 = l;
     box.x1 = r;
-    box.near = std::min(zl, zr) - segments_[index].touch;
+    box.near = std::min(zl, zr) - segments_[index].depth_tolerance;
   }
 
   void decide(const Box& box, double a, double b, std::size_t kept_begin, std::vector<VisibleSpan>& out) {

@@ -66,8 +66,8 @@ void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t l
     bool left = false, right = false;
     for (const HiddenInterval& h : track.hidden) {
       if (h.from > t || h.to < t) continue;
-      left |= h.bank != Bank::right;
-      right |= h.bank != Bank::left;
+      left |= h.sides != HiddenSides::right;
+      right |= h.sides != HiddenSides::left;
     }
     const State now = left && right ? State::hidden : State::visible;
     if (now != track.state && track.state != State::unknown)
@@ -77,10 +77,10 @@ void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t l
       if (track.state == State::unknown && edge.v_top > line - 1.0)
         track.t = comes_before(l.from.p, l.to.p) ? 0 : 1;  // from its top on
       if (track.state != State::visible && track.t >= 0)
-        track.hidden.push_back({std::min(track.t, t), std::max(track.t, t), Bank::both});
+        track.hidden.push_back({std::min(track.t, t), std::max(track.t, t), HiddenSides::both});
       if (edge.v_bottom <= line + 1.0) {  // and to its bottom
         const double end = comes_before(l.from.p, l.to.p) ? 1 : 0;
-        track.hidden.push_back({std::min(t, end), std::max(t, end), Bank::both});
+        track.hidden.push_back({std::min(t, end), std::max(t, end), HiddenSides::both});
       }
     }
     track.state = now;
@@ -131,7 +131,7 @@ void EdgeTracker::hold_against(std::uint32_t index, Track& track, std::uint32_t 
   for (const std::uint32_t f : of_faces_.of(face)) {
     ++counts_.facet_tests;
     const HiddenInterval h = hidden_interval(line, facets_[f], vertices_.data(), 0, 1, coincidence_steps_, near_side);
-    if (h.bank != Bank::none) track.hidden.push_back(h);
+    if (h.sides != HiddenSides::none) track.hidden.push_back(h);
   }
 }
 

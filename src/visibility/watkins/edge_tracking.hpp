@@ -1,14 +1,14 @@
 #pragma once
-/// Visible edges tracked from line to line (thesis 2.3.4, after Archuleta 1972).
+/// Visible edges tracked from line to line ([Boulle1980] 2.3.4, after Archuleta 1972).
 ///
-/// On every studied line the spans tell for each candidate line where it stands: visible on this line (state 2), visible on
-/// the line before (1), invisible (0). The thesis draws from the line on which state 2 began to the last one on which it
+/// On every studied line the spans say for each candidate line where it stands: visible on this line (state 2), visible on
+/// the line before (1), invisible (0). [Boulle1980] draws from the line on which state 2 began to the last one on which it
 /// held, so a stroke ends at a line. Here the face that a span shows in front of an edge is kept, and what it hides of the
 /// edge is computed by the exact operation (common/hidden_interval.hpp): strokes begin and end where they truly do, and the
 /// lines limit only which faces are found.
 ///
-/// An edge is held against the faces of all spans that it may pass on its way from the line before to the line after: a flat
-/// edge passes many. An edge that no line meets, horizontal or between two lines, is held against the spans of both.
+/// An edge is compared with the faces of all spans that it may pass on its way from the line before to the line after: a
+/// flat edge passes many. An edge that no line meets, horizontal or between two lines, is compared with the spans of both.
 
 #include <cstdint>
 #include <span>

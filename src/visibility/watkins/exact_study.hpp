@@ -13,8 +13,8 @@ namespace ligne::watkins {
 struct ExactOptions {
   SpanMethodKind kind = SpanMethodKind::stack;
   double coincidence_steps = 0;
-  bool penetrations = false;          ///< look for pairs of facets that penetrate
-  const CoverGrid* covers = nullptr;  ///< of what lies behind them, no penetrations
+  bool penetrations = false;             ///< look for pairs of facets that penetrate
+  const OccluderGrid* covers = nullptr;  ///< of what lies behind them, no penetrations
   std::function<void(double)> progress{};
 };
 

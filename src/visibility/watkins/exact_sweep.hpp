@@ -40,8 +40,8 @@ struct Finding {
 
 class ExactSweep {
  public:
-  /// `pairs` is told where facets begin to overlap; it may be null. Edges no farther apart than `near_steps` may lie on each
-  /// other.
+  /// `pairs` is called where facets begin to overlap; it may be null. Edges no farther apart than `near_steps` may lie on
+  /// each other.
   ExactSweep(const SweepScene& scene, StretchStudy& study, double near_steps, PairFinder* pairs)
       : scene_(scene), study_(study), near_steps_(near_steps), pairs_(pairs) {}
 

@@ -15,14 +15,14 @@ FacetsOfFaces::FacetsOfFaces(const std::vector<Facet>& facets, std::uint32_t fac
   for (std::uint32_t i = 0; i < facets.size(); ++i) list[next[facets[i].face]++] = i;
 }
 
-PairOrder FaceOrders::of(std::uint32_t a, std::uint32_t b) {
-  if (a == b) return PairOrder::by_depth;
+DepthOrder FaceOrders::of(std::uint32_t a, std::uint32_t b) {
+  if (a == b) return DepthOrder::crossing;
   const std::uint32_t low = std::min(a, b), high = std::max(a, b);
-  const auto [place, fresh] = known_.try_emplace((std::uint64_t{low} << 32) | high, PairOrder::by_depth);
+  const auto [place, fresh] = known_.try_emplace((std::uint64_t{low} << 32) | high, DepthOrder::crossing);
   if (fresh) place->second = decide(low, high);
-  const PairOrder order = place->second;
-  if (a == low || order == PairOrder::by_depth) return order;
-  return order == PairOrder::first ? PairOrder::second : PairOrder::first;
+  const DepthOrder order = place->second;
+  if (a == low || order == DepthOrder::crossing) return order;
+  return order == DepthOrder::first ? DepthOrder::second : DepthOrder::first;
 }
 
 void FaceOrders::extents_of(std::uint32_t face, std::vector<Extent>& extents) const {
@@ -38,7 +38,7 @@ void FaceOrders::extents_of(std::uint32_t face, std::vector<Extent>& extents) co
 }
 
 /// All facets of the one against those of the other that lie beside them, from left to right; a < b.
-PairOrder FaceOrders::decide(std::uint32_t a, std::uint32_t b) {
+DepthOrder FaceOrders::decide(std::uint32_t a, std::uint32_t b) {
   extents_of(a, extents_a_);
   extents_of(b, extents_b_);
   open_.clear();
@@ -51,13 +51,13 @@ PairOrder FaceOrders::decide(std::uint32_t a, std::uint32_t b) {
     for (const Extent& o : open_) {
       if (o.x0 >= e.x1 || o.y1 <= e.y0 || o.y0 >= e.y1) continue;
       const FacetOrder order = order_of(facets_, vertices_, e.facet, o.facet);
-      if (order.order == Order::cut) return PairOrder::by_depth;
-      if (order.order == Order::apart || order.tie) continue;
-      (order.order == Order::first ? a_in_front : b_in_front) = true;
-      if (a_in_front && b_in_front) return PairOrder::by_depth;
+      if (order.order == DepthOrder::crossing) return DepthOrder::crossing;
+      if (order.order == DepthOrder::apart || order.tie) continue;
+      (order.order == DepthOrder::first ? a_in_front : b_in_front) = true;
+      if (a_in_front && b_in_front) return DepthOrder::crossing;
     }
   }
-  return b_in_front ? PairOrder::second : PairOrder::first;
+  return b_in_front ? DepthOrder::second : DepthOrder::first;
 }
 
 }  // namespace ligne::watkins

@@ -4,7 +4,7 @@
 ///
 /// Depths of faces that touch are equal but for roundings, and on every scan line for other ones. Were they compared line by
 /// line, the two would change places from line to line, and each time look as if they penetrated. So where the depths on a
-/// line are within the touching tolerance (docs/numerics.md) the pair is asked instead: if the two touch all over, the face
+/// line are within the depth tolerance (docs/numerics.md) the pair is asked instead: if the two touch all over, the face
 /// of the lower number is in front everywhere; if one is in front somewhere and behind nowhere, it is in front also where
 /// they touch. Only faces that pass through each other by more than the tolerance are left to their depths.
 
@@ -34,7 +34,7 @@ class FaceOrders {
       : vertices_(vertices), facets_(facets), of_faces_(of_faces) {}
 
   /// The answer depends on the two faces alone: of(b, a) is of(a, b) with the roles exchanged.
-  PairOrder of(std::uint32_t a, std::uint32_t b);
+  DepthOrder of(std::uint32_t a, std::uint32_t b);
 
   std::size_t pairs() const { return known_.size(); }  ///< that were asked for
 
@@ -44,14 +44,14 @@ class FaceOrders {
     std::uint32_t facet;
   };
 
-  PairOrder decide(std::uint32_t a, std::uint32_t b);
+  DepthOrder decide(std::uint32_t a, std::uint32_t b);
   void extents_of(std::uint32_t face, std::vector<Extent>& extents) const;
 
   const std::vector<ProjectedVertex>& vertices_;
   const std::vector<Facet>& facets_;
   const FacetsOfFaces& of_faces_;
-  std::unordered_map<std::uint64_t, PairOrder> known_;  ///< by the lower number and the higher one; looked up only
-  std::vector<Extent> extents_a_, extents_b_, open_;    ///< working memory of decide()
+  std::unordered_map<std::uint64_t, DepthOrder> known_;  ///< by the lower number and the higher one; looked up only
+  std::vector<Extent> extents_a_, extents_b_, open_;     ///< working memory of decide()
 };
 
 }  // namespace ligne::watkins

@@ -2,7 +2,7 @@
 
 #include "visibility/watkins/line_scan.hpp"
 
-// What changes from one line to the next, and whether it can be seen (thesis 2.3.5.5, figure 2.59).
+// What changes from one line to the next, and whether it can be seen ([Boulle1980] 2.3.5.5, figure 2.59).
 
 namespace ligne::watkins {
 
@@ -72,18 +72,18 @@ void LineScan::link_chains() {
     // Of a hidden line's next one nothing is known.
     const bool known = scene_.lines_of(scene_.edges[to.edge]).empty() || from.boundary;
     if (!known || !same_faces(from.edge, to.edge)) return;
-    from.goes_on = entered[0];
+    from.continues = entered[0];
     to.entered = false;
     to.boundary = from.boundary;
     to.before = from.before;
     to.after = from.after;
-    if (to.before != kNone) spans_[to.before].right = from.goes_on;
-    if (to.after != kNone) spans_[to.after].left = from.goes_on;
+    if (to.before != kNone) spans_[to.before].right = from.continues;
+    if (to.after != kNone) spans_[to.after].left = from.continues;
     ++counts_.passed_chains;
     any = true;
   });
   if (!any) return;
-  std::erase_if(ended_, [this](std::uint32_t slot) { return slots_[slot].goes_on != kNone; });
+  std::erase_if(ended_, [this](std::uint32_t slot) { return slots_[slot].continues != kNone; });
   std::erase_if(entered_, [this](std::uint32_t slot) { return !slots_[slot].entered; });
 }
 

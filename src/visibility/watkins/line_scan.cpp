@@ -122,7 +122,7 @@ bool LineScan::take_line(std::uint32_t line) {
   if (options_.recognise && !must_study_) link_chains();
   std::erase_if(order_, [&](std::uint32_t& slot) {
     if (slots_[slot].track.last != line) return false;
-    slot = slots_[slot].goes_on;
+    slot = slots_[slot].continues;
     return slot == kNone;
   });
   const bool first = must_study_, exchanged = sort(line);
@@ -175,7 +175,7 @@ bool LineScan::sort(std::uint32_t line) {
   return matters;
 }
 
-/// Where an edge enters on another one, on this very line, nothing tells on which side of it it belongs. It is put on the
+/// Where an edge enters on another one, on this very line, nothing says on which side of it it belongs. It is put on the
 /// side that it leaves: if the two part, they change places on the next line, like any others.
 void LineScan::put_apart() {
   for (std::size_t i = 1; i < order_.size(); ++i) {
@@ -212,7 +212,7 @@ void LineScan::collect_segments(std::vector<ScanSegment<X>>& segments) {
     for (const std::uint32_t face : scene_.faces_of(scene_.edges[a.edge])) {
       if (open_[face] == 0) {
         segments.push_back({coordinate(a.u), coordinate(a.u), a.track.z, a.track.z, static_cast<std::uint32_t>(ends_.size()),
-                            scene_.touch[face]});
+                            scene_.depth_tolerance[face]});
         ends_.push_back({slot, slot, a.u, a.u, face});
         open_[face] = static_cast<std::uint32_t>(ends_.size());
       } else {

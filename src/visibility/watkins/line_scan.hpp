@@ -1,6 +1,6 @@
 #pragma once
 /// The scan by lines: which edges a line meets, what is seen on it, and which lines need no study at all
-/// (thesis 2.3.2, 2.3.5).
+/// ([Boulle1980] 2.3.2, 2.3.5).
 ///
 /// Invariants, on every line after it was taken: the active list is ordered by u; the spans are those that a full study of
 /// the line would give (their ends follow the edges that bound them); an edge is marked as a boundary exactly when it bounds
@@ -55,7 +55,7 @@ struct ActiveEdge {
   bool boundary = false;                ///< bounds a span
   bool entered = false;                 ///< on this line
   std::uint32_t before = 0, after = 0;  ///< of a boundary: the spans left and right of it, or kNone
-  std::uint32_t goes_on = 0;            ///< slot of the edge in which it goes on, when it has ended; or kNone
+  std::uint32_t continues = 0;          ///< slot of the edge in which it goes on, when it has ended; or kNone
 };
 
 /// A run on which one face is seen, between two active edges.
@@ -121,7 +121,7 @@ class LineScan : private PairOrders {
   void place_spans(const std::vector<VisibleSpan>& found);
   std::uint32_t boundary_between(const VisibleSpan& left, const VisibleSpan& right);
   std::uint32_t penetration_edge(const VisibleSpan& left, const VisibleSpan& right);
-  PairOrder of(std::uint32_t a, std::uint32_t b) override {
+  DepthOrder of(std::uint32_t a, std::uint32_t b) override {
     return face_orders_.of(ends_[a].face, ends_[b].face);
   }  ///< of segments
   std::uint32_t make_slot(std::uint32_t edge, const EdgeTrack& track);

@@ -2,9 +2,9 @@
 
 #include "visibility/watkins/span_method.hpp"
 
-// Span method `merge` (thesis 2.3.3.1, Fusion, after Lucas 1977). Invariant: the visible list, ordered by x, holds the
+// Span method `merge` ([Boulle1980] 2.3.3.1, Fusion, after Lucas 1977). Invariant: the visible list, ordered by x, holds the
 // nearest of the segments taken so far, pieces that touch or leave gaps (the background), never overlap. Each further
-// segment is held against the pieces that it overlaps: test IS cuts both to the common run, test PRO tells who is seen
+// segment is compared with the pieces that it overlaps: test IS cuts both to the common run, test PRO decides which is seen
 // there.
 
 namespace ligne::watkins {
@@ -54,8 +54,8 @@ class MergeMethod final : public SpanMethod<X> {
     // Pieces wholly to the left. What lay left of one segment lies left of all that begin farther right: segments that come
     // sorted go on from there, others begin anew.
     ++this->counts_.comparisons;
-    const bool goes_on = passed_ != kEnd && pieces_[passed_].x1 <= x;
-    std::uint32_t before = goes_on ? passed_ : kEnd, piece = goes_on ? pieces_[passed_].next : head_;
+    const bool continues = passed_ != kEnd && pieces_[passed_].x1 <= x;
+    std::uint32_t before = continues ? passed_ : kEnd, piece = continues ? pieces_[passed_].next : head_;
     while (piece != kEnd && (++this->counts_.comparisons, pieces_[piece].x1 <= x)) {
       before = piece;
       piece = pieces_[piece].next;
@@ -88,7 +88,7 @@ class MergeMethod final : public SpanMethod<X> {
       if (seen.order == DepthOrder::second) {
         before = insert(before, x, to, index);
       } else {
-        const bool old_first = seen.order == DepthOrder::first_then_second;
+        const bool old_first = seen.first_begins;
         before = insert(before, x, seen.x, old_first ? old.segment : index);
         before = insert(before, seen.x, to, old_first ? index : old.segment);
       }

@@ -24,7 +24,7 @@ void PairFinder::at_crossing(std::span<const std::uint32_t> left, std::span<cons
 void PairFinder::test(std::uint32_t f, std::uint32_t g) {
   const Facet &a = facets_[f], &b = facets_[g];
   if (f == g || a.face == b.face || a.z_near > b.z_far || b.z_near > a.z_far) return;
-  const auto wanted = [this](const PageSegment& s) { return !covers_ || !covers_->hides(s); };
+  const auto wanted = [this](const PageSegment& s) { return !occluders_ || !occluders_->hides(s); };
   search_.test(search_.place(std::min(f, g)), search_.place(std::max(f, g)), wanted);
 }
 

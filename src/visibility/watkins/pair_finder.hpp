@@ -2,14 +2,14 @@
 /// Pairs of facets that may penetrate, found where the scan first meets both.
 ///
 /// Two facets that overlap on the page begin to do so, in the order of the scan, at a point of one of them or where two of
-/// their sides cross. There and only there they are held against each other.
+/// their sides cross. There and only there they are compared with each other.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "visibility/common/penetration.hpp"
-#include "visibility/watkins/cover_grid.hpp"
+#include "visibility/watkins/occluder_grid.hpp"
 #include "visibility/watkins/sweep_status.hpp"
 
 namespace ligne::watkins {
@@ -17,8 +17,8 @@ namespace ligne::watkins {
 class PairFinder {
  public:
   /// What lies behind `covers`, which may be null, is not wanted.
-  PairFinder(const std::vector<Facet>& facets, PenetrationSearch& search, const CoverGrid* covers)
-      : facets_(facets), search_(search), covers_(covers) {}
+  PairFinder(const std::vector<Facet>& facets, PenetrationSearch& search, const OccluderGrid* covers)
+      : facets_(facets), search_(search), occluders_(covers) {}
 
   /// At a point: the facets that have a corner or a side there against all over a gap below it.
   void at_point(std::span<const std::uint32_t> touched, const Cover& cover);
@@ -31,7 +31,7 @@ class PairFinder {
 
   const std::vector<Facet>& facets_;
   PenetrationSearch& search_;
-  const CoverGrid* covers_;
+  const OccluderGrid* occluders_;
 };
 
 }  // namespace ligne::watkins

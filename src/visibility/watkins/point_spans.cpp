@@ -4,11 +4,11 @@
 
 #include "visibility/watkins/span_method.hpp"
 
-// Span method `point` (thesis 2.3.2.6, point par point, after Lucas 1977): depth and segment are kept for every cell of the
-// line, and every segment is held against all cells that it covers. On whole coordinates a cell is the run between two
-// neighbouring whole numbers, and depth is compared at its middle: where segments penetrate, the place is that of the cell.
-// On real coordinates there is no such grid; the cells are the runs between neighbouring ends of segments, and where the
-// depth changes order inside a cell, it is cut at the crossing.
+// Span method `point` ([Boulle1980] 2.3.2.6, point par point, after Lucas 1977): depth and segment are kept for every cell
+// of the line, and every segment is compared with all cells that it covers. On whole coordinates a cell is the run between
+// two neighbouring whole numbers, and depth is compared at its middle: where segments penetrate, the place is that of the
+// cell. On real coordinates there is no such grid; the cells are the runs between neighbouring ends of segments, and where
+// the depth changes order inside a cell, it is cut at the crossing.
 
 namespace ligne::watkins {
 namespace {
@@ -90,14 +90,14 @@ class PointMethod final : public SpanMethod<X> {
           continue;
         }
         const DepthComparison seen = compare_depths(segments_[best], s, x, b, this->counts_, this->pairs_);
-        if (seen.order == DepthOrder::second || seen.order == DepthOrder::second_then_first) best = i;
+        if (!seen.begins_with_first()) best = i;
       }
       if (best == kNobody) return;
       for (std::uint32_t i = 0; i < segments_.size(); ++i) {
         const ScanSegment<X>& s = segments_[i];
         if (i == best || double(s.x0) > a || double(s.x1) < b) continue;
         const DepthComparison seen = compare_depths(segments_[best], s, x, b, this->counts_, this->pairs_);
-        if (seen.order == DepthOrder::first_then_second) turn = std::min(turn, seen.x);
+        if (seen.turns_to_second()) turn = std::min(turn, seen.x);
       }
       this->give(x, turn, best, out);
       x = turn;

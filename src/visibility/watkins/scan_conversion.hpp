@@ -1,5 +1,5 @@
 #pragma once
-/// Scan conversion of any polygon, holes and all (thesis 2.3.2.2 and 2.3.2.4; lecture, 5.1).
+/// Scan conversion of any polygon, holes and all ([Boulle1980] 2.3.2.2 and 2.3.2.4; lecture, 5.1).
 ///
 /// Notation: grid units. Scan line i is v = i; u is measured in the same unit along the line. An edge is met by the lines
 /// with v_top <= i < v_bottom, so of two edges that meet at a point on a line one is counted, at a peak two or none, and
@@ -35,7 +35,7 @@ struct GridPoint {
 };
 
 /// An edge as the lines meet it, updated by two additions a line. The accumulators are real whatever the coordinates: a
-/// whole u that were itself updated by a rounded step would stand still where the edge is steep (thesis, figure 2.38).
+/// whole u that were itself updated by a rounded step would stand still where the edge is steep ([Boulle1980] figure 2.38).
 struct EdgeTrack {
   double u = 0, z = 0;                ///< on the line at hand
   double du = 0, dz = 0;              ///< from line to line

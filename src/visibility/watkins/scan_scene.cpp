@@ -45,11 +45,12 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
   for (const Triangle& t : scene.triangles) result.face_count = std::max(result.face_count, t.face + 1);
   result.planes = planes_of(scene, grid, result.face_count);
   result.of_faces = FacetsOfFaces(facets, result.face_count);
-  result.touch.assign(result.face_count, 0);
+  result.depth_tolerance.assign(result.face_count, 0);
   for (const Facet& f : facets) {
     const auto& v = scene.vertices;
     const double area = orientation(v[f.v[0]].p, v[f.v[1]].p, v[f.v[2]].p);
-    if (area > thin_steps * f.size) result.touch[f.face] = std::max(result.touch[f.face], double(f.touch));
+    if (area > thin_steps * f.size)
+      result.depth_tolerance[f.face] = std::max(result.depth_tolerance[f.face], double(f.depth_tolerance));
   }
 
   // Lines that are edges of the scene end at its vertices, the others at vertices of their own.

@@ -36,7 +36,7 @@ struct ScanScene {
       first_of_line;  ///< by line, and two more: edges that begin at line i; behind the last line lie those that begin below
   std::vector<std::uint32_t> edge_faces, edge_lines;
   std::vector<GridPlane> planes;  ///< by face
-  std::vector<double> touch;      ///< by face: largest of its facets that are not seen edge on
+  std::vector<double> depth_tolerance;      ///< by face: largest of its facets that are not seen edge on
   FacetsOfFaces of_faces;
   std::uint32_t face_count = 0;
 
@@ -51,7 +51,7 @@ struct ScanScene {
 /// `lines` are those of the scene's candidate edges, in order, and behind them such as have ends of their own
 /// (intersections). Faces without facets (behind covers, edge on) are bounded by their edges all the same.
 ///
-/// Facets whose height on the page is below `thin_steps` have no touching tolerance here. Theirs is the depth of whole
+/// Facets whose height on the page is below `thin_steps` have no depth tolerance here. Theirs is the depth of whole
 /// bodies: faces far before and far behind would touch them alike, and which of three is in front would go round in a
 /// circle. As narrow as they are, their depths alone may decide.
 ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines,

@@ -1,8 +1,9 @@
 #pragma once
-/// Which segment is nearest along one scan line: the four span methods of the thesis (2.3.2.6, 2.3.3) behind one interface.
+/// Which segment is nearest along one scan line: the four span methods of [Boulle1980] (2.3.2.6, 2.3.3) behind one
+/// interface.
 ///
 /// Notation: a scan plane cuts every face in segments. A segment runs from (x0, z0) to (x1, z1), x0 <= x1; depth is linear
-/// over it and smaller is nearer. X is double (real coordinates) or std::int32_t (whole ones, as in the thesis's screen).
+/// over it and smaller is nearer. X is double (real coordinates) or std::int32_t (whole ones, as in [Boulle1980]'s screen).
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "visibility/common/depth_order.hpp"
+
 namespace ligne::watkins {
 
 template <class X>
@@ -21,7 +24,7 @@ struct ScanSegment {
   X x0, x1;
   double z0, z1;
   std::uint32_t face;
-  double touch = 0;  ///< what is within this depth of it touches it
+  double depth_tolerance = 0;  ///< what is within this depth of it touches it
 
   /// Depth at x; the ends give their own depth to the last bit.
   double z(double x) const {
@@ -39,10 +42,10 @@ struct VisibleSpan {
   std::uint32_t segment;  ///< index among the segments studied
 };
 
-/// What a study costs, as the thesis counts it. `total()` is the sum over which methods are compared.
+/// What a study costs, as [Boulle1980] counts it. `total()` is the sum over which methods are compared.
 struct SpanCounts {
   std::uint64_t comparisons = 0;   ///< of abscissas
-  std::uint64_t depth_tests = 0;   ///< depths held against each other
+  std::uint64_t depth_tests = 0;   ///< depths compared with each other
   std::uint64_t penetrations = 0;  ///< places computed where two segments cross
   std::uint64_t insertions = 0;    ///< pieces put into the visible list (merge)
   std::uint64_t pushes = 0;        ///< (stack)
@@ -61,15 +64,12 @@ struct SpanCounts {
 enum class SpanMethodKind : std::uint8_t { merge, stack, box, point };
 inline constexpr std::array<std::string_view, 4> kSpanMethodNames{"merge", "stack", "box", "point"};
 
-/// Who is in front of the other where two segments touch, whatever their depths there say.
-enum class PairOrder : std::uint8_t { first, second, by_depth };
-
-/// Knows that for the faces of two segments, the same on every line, so that the roundings of depths change nothing from
-/// line to line.
+/// Knows which of two segments that touch is in front, by their faces, and the same on every line, so that the roundings of
+/// depths change nothing from line to line. `crossing`: their depths decide.
 class PairOrders {
  public:
   virtual ~PairOrders() = default;
-  virtual PairOrder of(std::uint32_t a, std::uint32_t b) = 0;
+  virtual DepthOrder of(std::uint32_t a, std::uint32_t b) = 0;
 };
 
 /// The full key of 2.3.3.1: x of the left end, then depth there, then slope; what is nearer comes first. The methods need
@@ -131,14 +131,16 @@ std::unique_ptr<SpanMethod<X>> make_point_method();
 inline constexpr double kSameDepth = 0x1p-30;
 
 /// How two segments lie to each other on [x0, x1], which both span.
-enum class DepthOrder : std::uint8_t { first, second, first_then_second, second_then_first };
-
 struct DepthComparison {
-  DepthOrder order;
-  double x;  ///< where they cross, for the last two
+  DepthOrder order;           ///< first, second or crossing
+  bool first_begins = false;  ///< where they cross: the first is in front before, the second behind
+  double x = 0;               ///< where they cross
+
+  bool begins_with_first() const { return order == DepthOrder::first || (order == DepthOrder::crossing && first_begins); }
+  bool turns_to_second() const { return order == DepthOrder::crossing && first_begins; }
 };
 
-/// The test PRO of the thesis (figure 2.44): two depth tests, and a division only when the segments cross strictly inside.
+/// The test PRO of [Boulle1980] (figure 2.44): two depth tests, and a division only when the segments cross strictly inside.
 /// Equal depths all along count as `first`. Where the two touch, `pairs` is asked, which may be null.
 template <class X>
 DepthComparison compare_depths(const ScanSegment<X>& a, const ScanSegment<X>& b, double x0, double x1, SpanCounts& counts,
@@ -149,18 +151,19 @@ DepthComparison compare_depths(const ScanSegment<X>& a, const ScanSegment<X>& b,
     return std::abs(d) <= kSameDepth * (std::abs(za) + std::abs(zb)) ? 0.0 : d;
   };
   const double d0 = difference(x0), d1 = difference(x1);
-  if (pairs && std::min(std::abs(d0), std::abs(d1)) <= a.touch + b.touch) {
-    const PairOrder order = pairs->of(a.face, b.face);
-    if (order != PairOrder::by_depth) return {order == PairOrder::first ? DepthOrder::first : DepthOrder::second, x0};
+  if (pairs && std::min(std::abs(d0), std::abs(d1)) <= a.depth_tolerance + b.depth_tolerance) {
+    const DepthOrder order = pairs->of(a.face, b.face);
+    if (order != DepthOrder::crossing)
+      return {order == DepthOrder::first ? DepthOrder::first : DepthOrder::second, false, x0};
   }
-  if (d0 <= 0 && d1 <= 0) return {DepthOrder::first, x0};
-  if (d0 >= 0 && d1 >= 0) return {DepthOrder::second, x0};
+  if (d0 <= 0 && d1 <= 0) return {DepthOrder::first, false, x0};
+  if (d0 >= 0 && d1 >= 0) return {DepthOrder::second, false, x0};
   ++counts.penetrations;
   const double x = x0 + (x1 - x0) * (d0 / (d0 - d1));
   // Rounded onto an end: the order over the whole run is that of the other end.
-  if (!(x > x0)) return {d1 < 0 ? DepthOrder::first : DepthOrder::second, x0};
-  if (!(x < x1)) return {d0 < 0 ? DepthOrder::first : DepthOrder::second, x0};
-  return {d0 < 0 ? DepthOrder::first_then_second : DepthOrder::second_then_first, x};
+  if (!(x > x0)) return {d1 < 0 ? DepthOrder::first : DepthOrder::second, false, x0};
+  if (!(x < x1)) return {d0 < 0 ? DepthOrder::first : DepthOrder::second, false, x0};
+  return {DepthOrder::crossing, d0 < 0, x};
 }
 
 }  // namespace ligne::watkins

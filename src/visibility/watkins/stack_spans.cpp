@@ -3,11 +3,11 @@
 
 #include "visibility/watkins/span_method.hpp"
 
-// Span method `stack` (thesis 2.3.3.2, Pile, after Hamlin and Gear 1977). The line is walked from left to right over the
-// ends of segments. Invariant: `current_` is the nearest of the segments over the run that comes next, up to `turn_` at
+// Span method `stack` ([Boulle1980] 2.3.3.2, Pile, after Hamlin and Gear 1977). The line is walked from left to right over
+// the ends of segments. Invariant: `current_` is the nearest of the segments over the run that comes next, up to `turn_` at
 // least; all others that have begun and not ended lie on the stack, in any order, and so may some that have ended.
 //
-// The thesis pops until it finds a segment that has not ended, which takes for granted that the stack is ordered by depth.
+// [Boulle1980] pops until it finds a segment that has not ended, which takes for granted that the stack is ordered by depth.
 // It is not: what begins behind the current segment is pushed on top of what lies nearer. So the stack is searched for the
 // nearest, and ended segments are taken out on the way. Where the current segment is going to be penetrated is found in the
 // same search (2.3.3.2, "Cas des faces pénétrantes"): two depth tests where one would do without penetration.
@@ -94,20 +94,13 @@ class StackMethod final : public SpanMethod<X> {
     const double to = std::min(double(a.x1), double(b.x1));
     const DepthComparison seen = compare_depths(a, b, x, to, this->counts_, this->pairs_);
     ++this->counts_.pushes;
-    switch (seen.order) {
-      case DepthOrder::first:
-        stack_.push_back(segment);
-        break;
-      case DepthOrder::first_then_second:
-        stack_.push_back(segment);
-        note(seen.x, segment);
-        break;
-      case DepthOrder::second:
-      case DepthOrder::second_then_first:
-        stack_.push_back(current_);
-        current_ = segment;
-        look_ahead(x);
-        break;
+    if (seen.begins_with_first()) {
+      stack_.push_back(segment);
+      if (seen.turns_to_second()) note(seen.x, segment);
+    } else {
+      stack_.push_back(current_);
+      current_ = segment;
+      look_ahead(x);
     }
   }
 
@@ -132,7 +125,7 @@ class StackMethod final : public SpanMethod<X> {
       if (std::min(b.z0, b.z1) < std::max(a.z0, a.z1)) {
         const DepthComparison seen =
             compare_depths(a, b, x, std::min(double(a.x1), double(b.x1)), this->counts_, this->pairs_);
-        if (seen.order == DepthOrder::first_then_second) note(seen.x, stack_[i]);
+        if (seen.turns_to_second()) note(seen.x, stack_[i]);
       }
       ++i;
     }
@@ -160,7 +153,7 @@ class StackMethod final : public SpanMethod<X> {
 
   bool nearer(const ScanSegment<X>& a, const ScanSegment<X>& b, double x) {
     const DepthComparison seen = compare_depths(a, b, x, std::min(double(a.x1), double(b.x1)), this->counts_, this->pairs_);
-    return seen.order == DepthOrder::first || seen.order == DepthOrder::first_then_second;
+    return seen.begins_with_first();
   }
 
   /// The last one takes the place of what goes. remove() while searching for the best: `best` is below i, so it stays.

@@ -10,13 +10,13 @@ namespace {
 /// same.
 constexpr double kSamePlaceSteps = 0x1p-10;
 
-/// Whether both banks of [t0, t1] are known to be hidden, each by one interval.
+/// Whether both sides of [t0, t1] are known to be hidden, each by one interval.
 bool hidden_all_along(const LineState& state, double t0, double t1, double slack) {
   bool left = false, right = false;
   for (const HiddenInterval& h : state.hidden) {
     if (h.from > t0 + slack || h.to < t1 - slack) continue;
-    left |= h.bank != Bank::right;
-    right |= h.bank != Bank::left;
+    left |= h.sides != HiddenSides::right;
+    right |= h.sides != HiddenSides::left;
     if (left && right) return true;
   }
   return false;
@@ -125,7 +125,7 @@ void StretchStudy::test(const PageLine& line, std::uint32_t facet, LineState& st
   state.tested.push_back(facet);
   const HiddenInterval h =
       hidden_interval(line, facets_[facet], vertices_.data(), 0, 1, coincidence_steps_, state.near_side);
-  if (h.bank != Bank::none) state.hidden.push_back(h);
+  if (h.sides != HiddenSides::none) state.hidden.push_back(h);
 }
 
 double StretchStudy::depth(const Facet& facet, double x, double y) const {

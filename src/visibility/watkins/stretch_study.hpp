@@ -1,8 +1,8 @@
 #pragma once
 /// What is seen of one line between two places where it meets other edges.
 ///
-/// Between such places the facets over the two banks of the line are the same all along, so one small scan line across it,
-/// in the middle, tells by a span method which of them is in front. What that facet hides of the line is then computed by
+/// Between such places the facets over the two sides of the line are the same all along, so one small scan line across it,
+/// in the middle, decides by a span method which of them is in front. What that facet hides of the line is then computed by
 /// the exact operation that all methods share (common/hidden_interval.hpp), over the whole line at once: its ends are the
 /// same to the last bit wherever and however often the line is studied. Only what the proposed facets leave open is asked of
 /// the others. So a span method decides how much is computed, never what comes out.
@@ -21,7 +21,7 @@ namespace ligne::watkins {
 
 /// What is known of a line so far.
 struct LineState {
-  std::vector<std::uint32_t> tested;   ///< facets held against it
+  std::vector<std::uint32_t> tested;   ///< facets compared with it
   std::vector<HiddenInterval> hidden;  ///< what they hide of it
   bool near_side = false;              ///< a side of one of them, or of a neighbour in the active list, lies along it
 
@@ -47,7 +47,7 @@ class StretchStudy {
                std::span<const SweepLine> lines, double coincidence_steps, SpanMethodKind kind);
 
   /// The stretch from page position (x0, y0) to (x1, y1), in steps, both on the line; `left` and `right` are the facets over
-  /// its banks.
+  /// its sides.
   void study(std::uint32_t line, LineState& state, double x0, double y0, double x1, double y1, const Cover& left,
              const Cover& right);
 
@@ -58,7 +58,7 @@ class StretchStudy {
   /// A facet that may hide the stretch.
   struct Candidate {
     std::uint32_t facet;
-    bool left, right;  ///< banks that it is over
+    bool left, right;  ///< sides that it is over
   };
 
   void add_candidates(const PageLine& line, const LineState& state, double z_far, const Cover& cover, bool left);

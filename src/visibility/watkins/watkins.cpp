@@ -79,7 +79,7 @@ LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines) {
 }
 
 /// Takes facets that lie behind covers out of the list, and marks lines that do.
-void leave_out_hidden(const ProjectedScene& scene, const CoverGrid& covers, std::vector<Facet>& facets,
+void leave_out_hidden(const ProjectedScene& scene, const OccluderGrid& covers, std::vector<Facet>& facets,
                       std::vector<SweepLine>& lines) {
   std::vector<std::uint8_t> hidden(facets.size());
   parallel_for(facets.size(), [&](std::size_t i) { hidden[i] = covers.hides(facets[i], scene.vertices); });
@@ -140,7 +140,7 @@ class WatkinsStudy {
   Facets facets_;
   std::vector<SweepLine> lines_;    ///< the candidate edges
   std::vector<SweepLine> crossed_;  ///< the intersections
-  std::optional<CoverGrid> covers_;
+  std::optional<OccluderGrid> occluders_;
   std::vector<Intersection> intersections_;
   /// Of edges, and behind them, by a number of lines, of intersections; in the exact study these have their own.
   FoundIntervals found_, found_of_intersections_;
@@ -164,9 +164,9 @@ void WatkinsStudy::make_lines() {
 // 2. What is surely hidden. Hidden intersections can only be found among all facets.
 void WatkinsStudy::leave_out_what_is_hidden() {
   if (!(options_.hidden_strokes && scene_.with_intersections)) {
-    covers_.emplace(scene_.vertices, facets_.facets, exact_options_.coincidence_steps + 1);
-    exact_options_.covers = &*covers_;
-    leave_out_hidden(scene_, *covers_, facets_.facets, lines_);
+    occluders_.emplace(scene_.vertices, facets_.facets, exact_options_.coincidence_steps + 1);
+    exact_options_.covers = &*occluders_;
+    leave_out_hidden(scene_, *occluders_, facets_.facets, lines_);
     result_.statistics.count("facets before all covers", facets_.facets.size());
   }
   result_.statistics.time("covers", clock_.lap());
@@ -264,7 +264,7 @@ VisibilityResult WatkinsStudy::run() {
 const MethodTraits& WatkinsMethod::traits() const {
   static const MethodTraits traits{
       "watkins",
-      "scan lines: the nearest face by spans, visible edges tracked from stop to stop",
+      "scan lines: the nearest face by spans, visible edges tracked between events",
       kStrokes | kSpans,
       true,
       true,

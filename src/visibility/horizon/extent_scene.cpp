@@ -90,8 +90,8 @@ Scene box_of(const HeightSource& heights, const HeightSurvey& survey, double z_s
                    {heights.x().back(), heights.y().back(), survey.high * z_scale}});
 }
 
-Scene stand_in(const HeightSource& heights, double z_scale, const Camera& camera) {
-  // In perspective what leaves the field of view fills it; a pyramid's corners tell that as well as all samples would.
+Scene extent_scene(const HeightSource& heights, double z_scale, const Camera& camera) {
+  // In perspective what leaves the field of view fills it; a pyramid's corners show that as well as all samples would.
   const double half_height = std::tan(camera.fov_degrees * 3.14159265358979323846 / 360),
                half_width = half_height * camera.aspect;
   Extremes extremes;

@@ -1,10 +1,10 @@
-#include "visibility/atherton_weiler/glass_lines.hpp"
+#include "visibility/atherton_weiler/transparent_lines.hpp"
 
 #include <algorithm>
 
 namespace ligne::atherton_weiler {
 
-std::vector<LinePart>& GlassLines::find(const PageLine& line) {
+std::vector<LinePart>& TransparentLines::find(const PageLine& line) {
   parts_.clear();
   grid_.for_each_leaf(line, [&](const Cell& cell, const CellSquare& square, double from, double to) {
     search_leaf(line, cell, square, from, to);
@@ -12,8 +12,9 @@ std::vector<LinePart>& GlassLines::find(const PageLine& line) {
   return parts_;
 }
 
-void GlassLines::search_leaf(const PageLine& line, const Cell& cell, const CellSquare& square, double from, double to) {
-  if (cell.cover < line.z(from) && cell.cover < line.z(to)) return;
+void TransparentLines::search_leaf(const PageLine& line, const Cell& cell, const CellSquare& square, double from,
+                                   double to) {
+  if (cell.occluder_depth < line.z(from) && cell.occluder_depth < line.z(to)) return;
   events_.assign({{from, 0, 0, 0, 0}, {to, 0, 0, 0, 0}});
   const double z_far = std::max(line.z(from), line.z(to));
   const double x0 = line.p0.x + from * line.dx, x1 = line.p0.x + to * line.dx, y0 = line.p0.y + from * line.dy,
@@ -27,11 +28,11 @@ void GlassLines::search_leaf(const PageLine& line, const Cell& cell, const CellS
     bool near_side = false;
     const HiddenInterval hidden =
         hidden_interval(line, facet, scene_.vertices.data(), from, to, coincidence_steps_, near_side);
-    if (hidden.bank == Bank::none) continue;
-    const int left = hidden.bank != Bank::right, right = hidden.bank != Bank::left;
-    const bool glass = scene_.face_is_transparent[facet.face] != 0;
-    events_.push_back({hidden.from, glass * left, glass * right, !glass * left, !glass * right});
-    events_.push_back({hidden.to, -glass * left, -glass * right, -!glass * left, -!glass * right});
+    if (hidden.sides == HiddenSides::none) continue;
+    const int left = hidden.sides != HiddenSides::right, right = hidden.sides != HiddenSides::left;
+    const bool transparent = scene_.face_is_transparent[facet.face] != 0;
+    events_.push_back({hidden.from, transparent * left, transparent * right, !transparent * left, !transparent * right});
+    events_.push_back({hidden.to, -transparent * left, -transparent * right, -!transparent * left, -!transparent * right});
   }
   std::stable_sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) { return a.t < b.t; });
   int left = 0, right = 0, hidden_left = 0, hidden_right = 0;

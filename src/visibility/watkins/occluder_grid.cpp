@@ -1,4 +1,4 @@
-#include "visibility/watkins/cover_grid.hpp"
+#include "visibility/watkins/occluder_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,8 @@ constexpr double kFewestCells = 64, kMostCells = 1024;  // along the longer side
 
 }  // namespace
 
-CoverGrid::CoverGrid(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, double margin_steps)
+OccluderGrid::OccluderGrid(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
+                           double margin_steps)
     : margin_(margin_steps) {
   Rect box;
   double sum = 0;
@@ -45,15 +46,15 @@ CoverGrid::CoverGrid(const std::vector<ProjectedVertex>& vertices, const std::ve
   });
 }
 
-std::uint32_t CoverGrid::column(double x) const {
+std::uint32_t OccluderGrid::column(double x) const {
   return static_cast<std::uint32_t>(std::clamp((x - x_) / size_, 0.0, double(columns_ - 1)));
 }
-std::uint32_t CoverGrid::row(double y) const {
+std::uint32_t OccluderGrid::row(double y) const {
   return static_cast<std::uint32_t>(std::clamp((y - y_) / size_, 0.0, double(rows_ - 1)));
 }
 
 /// Puts the facet's depth into the cells that lie in it with their margin. The smallest stays, whoever comes first.
-void CoverGrid::add(const Facet& facet, const std::vector<ProjectedVertex>& vertices) {
+void OccluderGrid::add(const Facet& facet, const std::vector<ProjectedVertex>& vertices) {
   const ProjectedVertex* const p[3] = {&vertices[facet.v[0]], &vertices[facet.v[1]], &vertices[facet.v[2]]};
   // E_i(q) = e_i + ex_i x + ey_i y is positive inside; over a cell it is lowest at one corner.
   double e[3], ex[3], ey[3];
@@ -68,7 +69,7 @@ void CoverGrid::add(const Facet& facet, const std::vector<ProjectedVertex>& vert
   // z(q) = (E_1 z_0 + E_2 z_1 + E_0 z_2) / area
   const double zx = (ex[1] * p[0]->z + ex[2] * p[1]->z + ex[0] * p[2]->z) / area;
   const double zy = (ey[1] * p[0]->z + ey[2] * p[1]->z + ey[0] * p[2]->z) / area;
-  const double deeper = (std::abs(zx) + std::abs(zy)) * reach + facet.touch;
+  const double deeper = (std::abs(zx) + std::abs(zy)) * reach + facet.depth_tolerance;
   const auto [y_low, y_high] = std::minmax({p[0]->p.y, p[1]->p.y, p[2]->p.y});
   const std::uint32_t last = row(y_high);
   for (std::uint32_t r = row(y_low); r <= last; ++r) {
@@ -98,7 +99,7 @@ void CoverGrid::add(const Facet& facet, const std::vector<ProjectedVertex>& vert
   }
 }
 
-bool CoverGrid::hides(double x0, double y0, double x1, double y1, double z_near) const {
+bool OccluderGrid::hides(double x0, double y0, double x1, double y1, double z_near) const {
   if (empty_) return false;
   const std::uint32_t c0 = column(x0 - margin_), c1 = column(x1 + margin_), r0 = row(y0 - margin_), r1 = row(y1 + margin_);
   for (std::uint32_t r = r0; r <= r1; ++r) {
@@ -109,15 +110,15 @@ bool CoverGrid::hides(double x0, double y0, double x1, double y1, double z_near)
   return true;
 }
 
-bool CoverGrid::hides(const Facet& facet, const std::vector<ProjectedVertex>& vertices) const {
+bool OccluderGrid::hides(const Facet& facet, const std::vector<ProjectedVertex>& vertices) const {
   const LatticePoint a = vertices[facet.v[0]].p, b = vertices[facet.v[1]].p, c = vertices[facet.v[2]].p;
   const auto [x0, x1] = std::minmax({a.x, b.x, c.x});
   const auto [y0, y1] = std::minmax({a.y, b.y, c.y});
-  return hides(x0, y0, x1, y1, double(facet.z_near) - facet.touch);
+  return hides(x0, y0, x1, y1, double(facet.z_near) - facet.depth_tolerance);
 }
 
 /// Row of cells by row of cells, with the nearest depth of the part that runs through each.
-bool CoverGrid::hides(const PageSegment& s) const {
+bool OccluderGrid::hides(const PageSegment& s) const {
   if (empty_) return false;
   const double y0 = std::min(s.from.y, s.to.y), y1 = std::max(s.from.y, s.to.y);
   const std::uint32_t r0 = row(y0 - margin_), r1 = row(y1 + margin_);

@@ -1,5 +1,5 @@
-// Lines behind glass against another method on other scenes: what is seen at all is what is seen when the transparent faces
-// are taken away, and what is seen directly is what is seen when they are opaque.
+// Lines behind transparent faces against another method on other scenes: what is seen at all is what is seen when the
+// transparent faces are taken away, and what is seen directly is what is seen when they are opaque.
 
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ void expect_levels(const StrokeModel& model, const ProjectedScene& scene) {
     if (glm::distance(from, to) * model.lattice.step_mm < 1) continue;
     const auto edge =
         std::find_if(scene.edges.begin(), scene.edges.end(), [&](const ProjectedEdge& e) { return e.source == s.source; });
-    unsigned glass = 0, opaque = 0;
+    unsigned transparent = 0, opaque = 0;
     for (const Triangle& t : scene.triangles) {
       if (t.face == edge->face0 || t.face == edge->face1) continue;
       double weight[3], area = 0, z = 0;
@@ -81,14 +81,14 @@ void expect_levels(const StrokeModel& model, const ProjectedScene& scene) {
       }
       for (int k = 0; k < 3; ++k) z += weight[k] / area * scene.vertices[t.v[k]].z;
       const bool inside = std::all_of(weight, weight + 3, [&](double w) { return w / area > 0; });
-      if (inside && z < (double(s.z_from) + s.z_to) / 2) ++(scene.face_is_transparent[t.face] ? glass : opaque);
+      if (inside && z < (double(s.z_from) + s.z_to) / 2) ++(scene.face_is_transparent[t.face] ? transparent : opaque);
     }
-    EXPECT_EQ(s.level, glass) << "edge " << s.source;
+    EXPECT_EQ(s.level, transparent) << "edge " << s.source;
     EXPECT_EQ(opaque, 0u) << "edge " << s.source;
   }
 }
 
-TEST(GlassLines, AreThoseWithoutTheGlassAndThoseInFrontOfIt) {
+TEST(TransparentLines, AreThoseWithoutTheGlassAndThoseInFrontOfIt) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = boxes_of_glass(seed);

@@ -10,17 +10,18 @@ namespace ligne::atherton_weiler {
 
 /// Like VisibleParts, but a transparent face hides nothing: what is behind it is seen at a higher level. Working
 /// memory that is kept from line to line. The grid is one through which transparent faces are seen.
-class GlassLines {
+class TransparentLines {
  public:
-  GlassLines(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double coincidence_steps)
+  TransparentLines(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
+                   double coincidence_steps)
       : scene_(scene), facets_(facets.data()), grid_(grid), coincidence_steps_(coincidence_steps) {}
 
-  /// The visible parts of the line with their levels, in order, disjoint. A point is seen on the bank on which less is in
+  /// The visible parts of the line with their levels, in order, disjoint. A point is seen on the side on which less is in
   /// front of it. The parts are the caller's to change until the next call.
   std::vector<LinePart>& find(const PageLine& line);
 
  private:
-  /// Something begins or ends to be in front of a bank, or of both.
+  /// Something begins or ends to be in front of a side, or of both.
   struct Event {
     double t;
     int left, right;  ///< transparent facets, +1 or -1

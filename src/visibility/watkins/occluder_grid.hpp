@@ -1,7 +1,7 @@
 #pragma once
 /// What is surely hidden, before any scan: the depth behind which nothing can be seen, cell by cell.
 ///
-/// The thesis (2.3.5.5) asks to recognise changes among hidden elements, "to predict" them. The scan predicts most cheaply
+/// [Boulle1980] (2.3.5.5) asks to recognise changes among hidden elements, "to predict" them. The scan predicts most cheaply
 /// what it never meets: facets and lines that lie behind single facets, each of which covers a whole cell, are left out of
 /// it. A facet left out hides nothing that is not hidden by what covers it.
 
@@ -14,10 +14,10 @@
 
 namespace ligne::watkins {
 
-class CoverGrid {
+class OccluderGrid {
  public:
   /// `margin_steps`: what comes within this distance of a cell counts as in it.
-  CoverGrid(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, double margin_steps);
+  OccluderGrid(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, double margin_steps);
 
   /// Whether something whose extent on the page is this rectangle, and whose nearest depth is z_near, lies behind covers all
   /// over.
