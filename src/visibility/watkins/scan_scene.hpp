@@ -35,8 +35,8 @@ struct ScanScene {
   std::vector<std::uint32_t>
       first_of_line;  ///< by line, and two more: edges that begin at line i; behind the last line lie those that begin below
   std::vector<std::uint32_t> edge_faces, edge_lines;
-  std::vector<GridPlane> planes;  ///< by face
-  std::vector<double> depth_tolerance;      ///< by face: largest of its facets that are not seen edge on
+  std::vector<GridPlane> planes;        ///< by face
+  std::vector<double> depth_tolerance;  ///< by face: largest of its facets that are not seen edge on
   FacetsOfFaces of_faces;
   std::uint32_t face_count = 0;
 
