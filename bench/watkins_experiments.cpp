@@ -158,7 +158,8 @@ class Nobody final : public LineListener {
 Cost study(const Model& model, std::uint32_t lines, bool whole, const ScanOptions& options, int times = 5) {
   LineGrid grid = grid_of_lines(model.scene, lines);
   grid.whole = whole;
-  const ScanScene scene = make_scan_scene(model.scene, model.facets, model.lines, grid);
+  const double thin_steps = coincidence_mm(model.scene) / model.scene.lattice.step_mm;
+  const ScanScene scene = make_scan_scene(model.scene, model.facets, model.lines, grid, thin_steps);
   Cost cost;
   cost.seconds = seconds(times, [&] {
     Nobody nobody;
