@@ -20,7 +20,7 @@
 #include "view/projected_scene.hpp"
 #include "view/view.hpp"
 #include "visibility/registry.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include "chart.hpp"
 #include "scene/readers/reader.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 #include "visibility/watkins/line_study.hpp"
 #include "visibility/watkins/span_method.hpp"
 

@@ -7,7 +7,7 @@
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
 #include "view/axes_box.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 namespace ligne {
 namespace {

@@ -8,7 +8,7 @@
 #include "picture/hatching.hpp"
 #include "picture/lighting.hpp"
 #include "visibility/registry.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 namespace ligne {
 namespace {

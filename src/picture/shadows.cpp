@@ -10,7 +10,7 @@
 #include "picture/face_carrier.hpp"
 #include "picture/region_faces.hpp"
 #include "visibility/atherton_weiler/visible_faces.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 namespace ligne {
 namespace {

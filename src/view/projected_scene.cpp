@@ -8,6 +8,7 @@
 
 #include "geometry/parallel.hpp"
 #include "view/clip.hpp"
+#include "view/coincident.hpp"
 #include "view/edge_classes.hpp"
 #include "view/edge_on.hpp"
 #include "view/spatial_order.hpp"
@@ -192,6 +193,7 @@ ProjectedScene project(const Scene& scene, const Topology& topology, const View&
     clipper.clip_edges();
   }
   order_spatially(out);
+  merge_coincident(out);
   return out;
 }
 

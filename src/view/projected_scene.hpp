@@ -54,6 +54,12 @@ struct ProjectedScene {
   /// Per face of the scene: 1 when it is seen edge on (edge_on.hpp). Its triangles hide nothing, also where the rounding to
   /// the lattice gives them an area. Empty when no face is.
   std::vector<std::uint8_t> face_is_edge_on;
+  /// Per vertex the lowest vertex that has the same place and depth: parts that coincide have vertices of their own. Empty
+  /// when no two vertices share a place. See coincident.hpp.
+  std::vector<std::uint32_t> first_at_place;
+  std::uint32_t place(std::uint32_t vertex) const {
+    return vertex < first_at_place.size() ? first_at_place[vertex] : vertex;  // later vertices: ends of lines of no face
+  }
   bool is_edge_on(const Triangle& t) const { return !face_is_edge_on.empty() && face_is_edge_on[t.face]; }
 
   /// Error of the input's own coordinates in page mm at the target plane: surfaces closer than this touch.

@@ -18,14 +18,6 @@ std::uint32_t spread_bits(std::uint32_t v) {
   return (v | (v << 1)) & 0x55555555u;
 }
 
-std::uint32_t morton(LatticePoint p) {
-  const auto square = [](std::int32_t v) {
-    const auto shifted = static_cast<std::uint32_t>(v + kLatticeLimit);  // 0 .. 2^26
-    return std::min(shifted >> (26 - kMortonBits), (1u << kMortonBits) - 1);
-  };
-  return spread_bits(square(p.x)) | (spread_bits(square(p.y)) << 1);
-}
-
 /// The stable order of n things by key(i) < key_count: order[k] is the k-th.
 template <class Key>
 std::vector<std::uint32_t> counting_order(std::size_t n, std::size_t key_count, Key key) {
@@ -54,11 +46,19 @@ void for_each_index(std::size_t n, Work work) {
 
 }  // namespace
 
+std::uint32_t page_square(LatticePoint p) {
+  const auto square = [](std::int32_t v) {
+    const auto shifted = static_cast<std::uint32_t>(v + kLatticeLimit);  // 0 .. 2^26
+    return std::min(shifted >> (26 - kMortonBits), (1u << kMortonBits) - 1);
+  };
+  return spread_bits(square(p.x)) | (spread_bits(square(p.y)) << 1);
+}
+
 void order_spatially(ProjectedScene& scene) {
   const std::size_t n = scene.vertices.size();
   {
     std::vector<std::uint32_t> number(n);
-    for_each_index(n, [&](std::size_t i) { number[i] = morton(scene.vertices[i].p); });
+    for_each_index(n, [&](std::size_t i) { number[i] = page_square(scene.vertices[i].p); });
     const auto order = counting_order(n, std::size_t{1} << (2 * kMortonBits), [&](std::size_t i) { return number[i]; });
     scene.vertices = in_order(scene.vertices, order);
     for_each_index(n, [&](std::size_t k) { number[order[k]] = static_cast<std::uint32_t>(k); });

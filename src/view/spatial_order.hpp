@@ -10,4 +10,10 @@ namespace ligne {
 /// triangles that halves its time.
 void order_spatially(ProjectedScene& scene);
 
+/// Side of the squares of the page that the curve runs through, a million of them.
+inline constexpr std::int32_t kPageSquareSteps = 2 * kLatticeLimit >> 10;
+
+/// The square of the page by which vertices are ordered: its number along the curve.
+std::uint32_t page_square(LatticePoint p);
+
 }  // namespace ligne

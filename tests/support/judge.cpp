@@ -8,7 +8,7 @@
 #include "drawing/drawing.hpp"
 #include "support/comparison.hpp"
 #include "support/stroke_places.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 namespace ligne::test {
 namespace {

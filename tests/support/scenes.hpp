@@ -13,7 +13,7 @@
 #include "support/scene_parts.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/registry.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 namespace ligne::test {
 

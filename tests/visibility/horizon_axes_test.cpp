@@ -19,7 +19,7 @@
 #include "view/projected_scene.hpp"
 #include "visibility/horizon/horizon.hpp"
 #include "visibility/registry.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 namespace ligne::test {
 namespace {

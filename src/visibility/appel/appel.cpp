@@ -7,7 +7,7 @@
 #include "visibility/common/intersections.hpp"
 #include "visibility/common/line_strokes.hpp"
 #include "visibility/common/visible_parts.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 // Phases: (1) facets, (2) the screen grid with covers, (3) intersections that are not behind covers, (4) every line through
 // the cells it crosses, nearest facets first, until nothing of it is left. See docs/methods/appel.md.

@@ -10,7 +10,7 @@
 #include "visibility/common/intersections.hpp"
 #include "visibility/common/line_strokes.hpp"
 #include "visibility/common/visible_parts.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 // Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that
 // borders do not give. See docs/methods/atherton-weiler.md.

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "geometry/parallel.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 // Per leaf all pairs of facets that may meet in depth and on the page are tested.
 

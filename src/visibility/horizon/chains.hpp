@@ -2,7 +2,7 @@
 /// Short segments of the page that are joined to polylines at the end.
 
 #include "drawing/drawing.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 namespace ligne::horizon {
 

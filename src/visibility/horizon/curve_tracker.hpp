@@ -6,7 +6,7 @@
 
 #include "drawing/drawing.hpp"
 #include "view/clip.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 namespace ligne::horizon {
 

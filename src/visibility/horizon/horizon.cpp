@@ -6,7 +6,7 @@
 
 #include "scene/surfaces/height_filters.hpp"
 #include "visibility/horizon/part_sweep.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 
 namespace ligne {
 namespace horizon {

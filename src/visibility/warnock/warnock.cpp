@@ -8,7 +8,7 @@
 
 #include "visibility/common/clock.hpp"
 #include "visibility/common/line_strokes.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 #include "visibility/warnock/control.hpp"
 #include "visibility/warnock/initial_window.hpp"
 #include "visibility/warnock/regions.hpp"

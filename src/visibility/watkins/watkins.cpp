@@ -6,7 +6,7 @@
 #include "geometry/parallel.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/line_strokes.hpp"
-#include "visibility/tolerances.hpp"
+#include "view/tolerances.hpp"
 #include "visibility/watkins/exact_study.hpp"
 #include "visibility/watkins/line_study.hpp"
 

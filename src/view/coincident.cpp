@@ -1,0 +1,241 @@
+#include "view/coincident.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "geometry/parallel.hpp"
+#include "view/crowds.hpp"
+#include "view/equal_runs.hpp"
+#include "view/spatial_order.hpp"
+#include "view/tolerances.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::size_t kFew = 8;  ///< so many things are compared in pairs, more are sorted
+
+/// Calls found(first, other) for the things of `items` that are equal; first is the first of its equals in the order
+/// `less`, in which equals may differ.
+template <class Item, class Equal, class Less, class Found>
+void for_each_equal(std::span<Item> items, Equal equal, Less less, Found found) {
+  if (items.size() <= kFew) {
+    bool any = false;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      for (std::size_t k = i + 1; k < items.size(); ++k) any = any || equal(items[i], items[k]);
+    }
+    if (!any) return;
+  }
+  std::sort(items.begin(), items.end(), less);
+  for (std::size_t i = 0; i < items.size();) {
+    std::size_t end = i + 1;
+    while (end < items.size() && equal(items[i], items[end])) found(items[i], items[end++]);
+    i = end;
+  }
+}
+
+/// Per vertex the lowest vertex of its place and depth; empty when no two share them.
+std::vector<std::uint32_t> find_first_at_place(const std::vector<ProjectedVertex>& vertices) {
+  std::vector<std::uint32_t> first(vertices.size());
+  std::iota(first.begin(), first.end(), 0u);
+  const auto place = [&](std::uint32_t v) { return std::tie(vertices[v].p.x, vertices[v].p.y, vertices[v].z); };
+  std::atomic<bool> any{false};
+  for_each_run(
+      vertices.size(), [&](std::size_t i) { return page_square(vertices[i].p); },
+      [&](std::size_t begin, std::size_t end) {
+        // In numbers of their own: `first` of the run changes meanwhile.
+        thread_local std::vector<std::uint32_t> run;
+        run.resize(end - begin);
+        std::iota(run.begin(), run.end(), static_cast<std::uint32_t>(begin));
+        for_each_equal(
+            std::span(run), [&](std::uint32_t a, std::uint32_t b) { return place(a) == place(b); },
+            [&](std::uint32_t a, std::uint32_t b) { return std::pair(place(a), a) < std::pair(place(b), b); },
+            [&](std::uint32_t lowest, std::uint32_t other) {
+              first[other] = lowest;
+              any = true;
+            });
+      });
+  if (!any) first.clear();
+  return first;
+}
+
+/// A triangle by its places on the page.
+struct PlacedTriangle {
+  std::array<std::uint32_t, 3> v;  ///< ascending
+  std::uint32_t face, number;
+  auto order() const { return std::tie(v, face, number); }
+};
+
+std::uint32_t lowest_place(const ProjectedScene& scene, const Triangle& t) {
+  return std::min({scene.place(t.v[0]), scene.place(t.v[1]), scene.place(t.v[2])});
+}
+
+PlacedTriangle placed(const ProjectedScene& scene, std::uint32_t number) {
+  const Triangle& t = scene.triangles[number];
+  PlacedTriangle p{{scene.place(t.v[0]), scene.place(t.v[1]), scene.place(t.v[2])}, t.face, number};
+  std::sort(p.v.begin(), p.v.end());
+  return p;
+}
+
+/// Triangles that lie on each other: `number` lies on `first`, the one of the lowest face.
+struct Repeated {
+  std::uint32_t face, first, number;
+  friend auto operator<=>(const Repeated&, const Repeated&) = default;
+};
+
+/// The triangles by their lowest place. They come by their lowest vertex, which is the same where no two vertices share a
+/// place: then the order is empty and means that of the scene.
+std::vector<std::uint32_t> order_by_place(const ProjectedScene& scene) {
+  if (scene.first_at_place.empty()) return {};
+  struct Numbered {
+    std::uint32_t place, number;
+    auto operator<=>(const Numbered&) const = default;
+  };
+  std::vector<Numbered> numbered(scene.triangles.size());
+  for (std::uint32_t i = 0; i < numbered.size(); ++i) numbered[i] = {lowest_place(scene, scene.triangles[i]), i};
+  parallel_sort(numbered.begin(), numbered.end());
+  std::vector<std::uint32_t> order(numbered.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = numbered[i].number;
+  return order;
+}
+
+/// The triangles of places that more than one triangle has, ordered by face.
+std::vector<Repeated> repeated_triangles(const ProjectedScene& scene) {
+  const std::size_t n = scene.triangles.size();
+  const std::vector<std::uint32_t> order = order_by_place(scene);
+  const auto number = [&](std::size_t i) { return order.empty() ? static_cast<std::uint32_t>(i) : order[i]; };
+  std::vector<std::vector<Repeated>> found(block_count(n, kRunBlock));
+  for_each_run(
+      n, [&](std::size_t i) { return lowest_place(scene, scene.triangles[number(i)]); },
+      [&](std::size_t begin, std::size_t end) {
+        thread_local std::vector<PlacedTriangle> run;
+        run.clear();
+        for (std::size_t i = begin; i < end; ++i) run.push_back(placed(scene, number(i)));
+        std::vector<Repeated>& out = found[begin / kRunBlock];
+        std::uint32_t last_first = kNone;
+        for_each_equal(
+            std::span(run), [](const PlacedTriangle& a, const PlacedTriangle& b) { return a.v == b.v; },
+            [](const PlacedTriangle& a, const PlacedTriangle& b) { return a.order() < b.order(); },
+            [&](const PlacedTriangle& first, const PlacedTriangle& other) {
+              if (first.number != last_first) out.push_back({first.face, first.number, first.number});
+              last_first = first.number;
+              out.push_back({other.face, first.number, other.number});
+            });
+      });
+  std::vector<Repeated> all;
+  for (const auto& block : found) all.insert(all.end(), block.begin(), block.end());
+  parallel_sort(all.begin(), all.end());
+  return all;
+}
+
+/// Per face of `repeated` the face that stands for it: pairs (face, lower face), ascending.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated_faces(const ProjectedScene& scene,
+                                                                    const std::vector<Repeated>& repeated) {
+  std::vector<std::uint32_t> triangles_of_face;
+  for (const Triangle& t : scene.triangles) {
+    if (t.face >= triangles_of_face.size()) triangles_of_face.resize(t.face + std::size_t{1}, 0);
+    ++triangles_of_face[t.face];
+  }
+  /// A face all of whose triangles lie on others: repeated[begin, end).
+  struct Face {
+    std::uint32_t face;
+    std::size_t begin, end;
+  };
+  std::vector<Face> faces;
+  for (std::size_t begin = 0; begin < repeated.size();) {
+    const std::uint32_t face = repeated[begin].face;
+    std::size_t end = begin + 1;
+    while (end < repeated.size() && repeated[end].face == face) ++end;
+    const bool transparent = !scene.face_is_transparent.empty() && scene.face_is_transparent[face];
+    if (end - begin == triangles_of_face[face] && !transparent) faces.push_back({face, begin, end});
+    begin = end;
+  }
+  const auto compare = [&](const Face& a, const Face& b) {
+    return std::lexicographical_compare_three_way(
+        repeated.begin() + static_cast<std::ptrdiff_t>(a.begin), repeated.begin() + static_cast<std::ptrdiff_t>(a.end),
+        repeated.begin() + static_cast<std::ptrdiff_t>(b.begin), repeated.begin() + static_cast<std::ptrdiff_t>(b.end),
+        [](const Repeated& l, const Repeated& r) { return l.first <=> r.first; });
+  };
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
+  for_each_equal(
+      std::span(faces), [&](const Face& a, const Face& b) { return compare(a, b) == 0; },
+      [&](const Face& a, const Face& b) {
+        const auto order = compare(a, b);
+        return order != 0 ? order < 0 : a.face < b.face;
+      },
+      [&](const Face& first, const Face& other) { result.emplace_back(other.face, first.face); });
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+void merge_faces(ProjectedScene& scene) {
+  const std::vector<Repeated> repeated = repeated_triangles(scene);
+  if (repeated.empty()) return;
+  const auto faces = repeated_faces(scene, repeated);
+  if (faces.empty()) return;
+  const auto find = [&](std::uint32_t face) {
+    const auto found = std::lower_bound(faces.begin(), faces.end(), std::pair(face, std::uint32_t{0}));
+    return found != faces.end() && found->first == face ? found->second : kNone;
+  };
+  std::erase_if(scene.triangles, [&](const Triangle& t) { return find(t.face) != kNone; });
+  for (ProjectedEdge& edge : scene.edges) {
+    for (std::uint32_t* face : {&edge.face0, &edge.face1}) {
+      if (const std::uint32_t first = find(*face); first != kNone) *face = first;
+    }
+  }
+}
+
+/// A candidate edge by its places.
+struct PlacedEdge {
+  std::array<std::uint32_t, 2> v;  ///< ascending
+  std::uint32_t number;
+};
+
+void merge_edges(ProjectedScene& scene) {
+  if (scene.first_at_place.empty()) return;  // no two edges have two vertices in common
+  const std::size_t n = scene.edges.size();
+  std::vector<PlacedEdge> placed(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t a = scene.place(scene.edges[i].v0), b = scene.place(scene.edges[i].v1);
+    placed[i] = {{std::min(a, b), std::max(a, b)}, static_cast<std::uint32_t>(i)};
+  }
+  const auto precedence = [&](const PlacedEdge& e) {
+    const ProjectedEdge& edge = scene.edges[e.number];
+    return std::tie(edge.line_class, edge.source, e.number);
+  };
+  parallel_sort(placed.begin(), placed.end(), [&](const PlacedEdge& a, const PlacedEdge& b) {
+    return a.v != b.v ? a.v < b.v : precedence(a) < precedence(b);
+  });
+  std::vector<std::uint8_t> keep(n, 1);
+  bool all = true;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (placed[i].v != placed[i - 1].v) continue;
+    keep[placed[i].number] = 0;
+    all = false;
+  }
+  if (all) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!keep[i]) continue;
+    scene.edges[kept] = scene.edges[i];
+    if (!scene.edge_parts.empty()) scene.edge_parts[kept] = scene.edge_parts[i];
+    ++kept;
+  }
+  scene.edges.resize(kept);
+  if (!scene.edge_parts.empty()) scene.edge_parts.resize(kept);
+}
+
+}  // namespace
+
+void merge_coincident(ProjectedScene& scene) {
+  const double side_mm = coincidence_mm(scene) / 2;  // a vertex moves by two sides in each direction at the most
+  gather_crowds(scene.vertices, std::max(side_mm / scene.lattice.step_mm, 1.0), side_mm);
+  scene.first_at_place = find_first_at_place(scene.vertices);
+  merge_faces(scene);
+  merge_edges(scene);
+}
+
+}  // namespace ligne
