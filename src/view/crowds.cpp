@@ -14,7 +14,7 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kCrowd = 8;  ///< adjustable: so many vertices in a cube are left alone
+constexpr std::size_t kCrowd = 16;  ///< adjustable: so many vertices in a cube are left alone
 /// A crowd may lie where squares of the page meet; in one of four it still has more than this.
 constexpr std::size_t kPartOfCrowd = kCrowd / 4;
 

@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-/// Gives all vertices of a crowd one place and depth. A crowd is more than eight vertices in a cube of the given side, with
+/// Gives all vertices of a crowd one place and depth. A crowd is more than sixteen vertices in a cube of the given side, with
 /// those in the cubes around it; the fullest cube gathers first, so no vertex moves by more than two sides along an axis,
 /// and what is no crowd stays as it is. Each pair of the faces of a crowd would be just within the tolerances of each other
 /// or just not: their number would grow with the square of the input, and what they draw would be noise. Vertices must be

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/parallel.hpp"
+#include "visibility/common/facet_functions.hpp"
 
 namespace ligne {
 namespace {
@@ -16,36 +17,15 @@ constexpr double kLargePart = 0.25;          ///< what part of the list must be 
 constexpr double kSizeFactor = 1.5;          ///< side of a top-level cell over the mean extent of a facet
 constexpr double kCellsPerFacet = 1.0;       ///< at most so many top-level cells
 constexpr double kMinCells = 256;
-constexpr double kSmallestCell = 64;  ///< steps; smaller cells are not split
-constexpr double kGain = 0.7;         ///< see progress() in split()
+constexpr double kBroadInCrowd = 1.0 / 16;  ///< so broad in sides of the cell, facets cover whole cells two splits below
+constexpr double kEntriesPerFacet = 64;     ///< the leaves have about so many entries at the most for each facet,
+constexpr double kLeastBudget = 4e6;        ///< or so many in all, whichever is more
+constexpr double kSmallestCell = 64;        ///< steps; smaller cells are not split
+constexpr double kGain = 0.7;               ///< see progress in split()
 constexpr std::size_t kBlock = 65'536;
 
 struct CellRange {
   std::uint16_t column0, column1, row0, row1;
-};
-
-/// A facet's sides and depth as functions of the page point: E(x, y) = ex x + ey y + e, z = zx x + zy y + z.
-struct FacetFunctions {
-  double ex[3], ey[3], e[3];
-  double zx, zy, z;
-  double slack;  ///< of depths computed with them
-
-  FacetFunctions(const Facet& f, const ProjectedVertex* vertices) {
-    const ProjectedVertex* p[3] = {&vertices[f.v[0]], &vertices[f.v[1]], &vertices[f.v[2]]};
-    for (int i = 0; i < 3; ++i) {
-      const LatticePoint a = p[i]->p, b = p[(i + 1) % 3]->p;
-      ex[i] = -(double(b.y) - a.y);
-      ey[i] = double(b.x) - a.x;
-      e[i] = -(ex[i] * a.x + ey[i] * a.y);
-    }
-    const double area = orientation(p[0]->p, p[1]->p, p[2]->p);
-    const double dz1 = p[1]->z - p[0]->z, dz2 = p[2]->z - p[0]->z;
-    // side 0 runs p0 -> p1, side 2 runs p2 -> p0
-    zx = (ex[2] * dz1 + ex[0] * dz2) / area;
-    zy = (ey[2] * dz1 + ey[0] * dz2) / area;
-    z = p[0]->z - zx * p[0]->p.x - zy * p[0]->p.y;
-    slack = f.depth_tolerance;
-  }
 };
 
 enum class Meeting { apart, meets, covers };
@@ -83,6 +63,24 @@ double breadth(const Facet& f, const ProjectedVertex* vertices) {
   return orientation(vertices[f.v[0]].p, vertices[f.v[1]].p, vertices[f.v[2]].p) / f.size;
 }
 
+/// Of the facets that cover a cell, the nearest: others that coincide with it there need not be listed.
+struct NearestCover {
+  FacetFunctions functions;
+  std::size_t entry = 0;
+  bool any = false;
+
+  /// Whether a facet that covers the cell coincides with this one in it, within the depth tolerance of either.
+  bool stands_for(const FacetFunctions& other, const CellSquare& square) const {
+    if (!any) return false;
+    const double tolerance = std::max(functions.slack, other.slack);
+    for (int corner = 0; corner < 4; ++corner) {
+      const double x = square.x + (corner % 2) * square.size, y = square.y + (corner / 2) * square.size;
+      if (!(std::abs(functions.depth(x, y) - other.depth(x, y)) <= tolerance)) return false;
+    }
+    return true;
+  }
+};
+
 void sort_by_depth(CellFacet* begin, CellFacet* end) {
   std::sort(begin, end, [](const CellFacet& a, const CellFacet& b) {
     return a.z_near != b.z_near ? a.z_near < b.z_near : a.facet < b.facet;
@@ -102,6 +100,10 @@ struct CellGrid::Build {
   bool hides(const Facet& f) const {
     return !options.see_through || scene.face_is_transparent.empty() || !scene.face_is_transparent[f.face];
   }
+  /// Of two facets that coincide the one of the lower face is seen.
+  bool comes_first(std::uint32_t a, std::uint32_t b) const {
+    return facets[a].face != facets[b].face ? facets[a].face < facets[b].face : a < b;
+  }
   bool choose_cells();
   void find_ranges();
   void mark_wanted();
@@ -110,8 +112,10 @@ struct CellGrid::Build {
   bool worth_splitting(const CellFacet* list, std::size_t n, double size) const;
   void split_overfull();
   void finish_list(CellFacet* list, std::size_t n, const CellSquare& square) const;
+  /// `budget`: how many entries the leaves of the cell should have at the most.
   void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
-             std::uint32_t arena_index);
+             std::uint32_t arena_index, double budget);
+  bool mostly_broad(const std::vector<CellFacet>& list, double size) const;
 
   /// Rows are dealt out in bands, each filled by one task that scans all facets: lists keep the order of the facets.
   template <class Work>
@@ -262,11 +266,20 @@ bool CellGrid::Build::worth_splitting(const CellFacet* list, std::size_t n, doub
   return static_cast<double>(large) > kLargePart * static_cast<double>(n);
 }
 
+/// Whether many facets will cover whole cells after a few more splits.
+bool CellGrid::Build::mostly_broad(const std::vector<CellFacet>& list, double size) const {
+  std::size_t broad = 0;
+  for (const CellFacet& entry : list) broad += breadth(facets[entry.facet], scene.vertices.data()) > kBroadInCrowd * size;
+  return static_cast<double>(broad) > kLargePart * static_cast<double>(list.size());
+}
+
 void CellGrid::Build::split_overfull() {
   // A fixed number of arenas, so that the structure does not depend on the number of threads.
   constexpr std::size_t kArenas = 64;
   grid.arenas_.resize(kArenas + 1);
   const std::size_t n = grid.cells_.size();
+  const double entries = static_cast<double>(grid.arenas_[0].list.size());
+  const double budget = std::max(kEntriesPerFacet * static_cast<double>(facets.size()), kLeastBudget) / entries;
   parallel_for(kArenas, [&](std::size_t k) {
     Arena& arena = grid.arenas_[k + 1];
     std::vector<CellFacet> inherited;
@@ -278,7 +291,8 @@ void CellGrid::Build::split_overfull() {
         continue;
       }
       inherited.assign(list, list + cell.count);
-      split(cell, grid.top_square(i), inherited, arena, static_cast<std::uint32_t>(k + 1));
+      split(cell, grid.top_square(i), inherited, arena, static_cast<std::uint32_t>(k + 1),
+            budget * static_cast<double>(inherited.size()));
     }
   });
 }
@@ -293,12 +307,13 @@ void CellGrid::Build::finish_list(CellFacet* list, std::size_t n, const CellSqua
 }
 
 void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
-                            std::uint32_t arena_index) {
+                            std::uint32_t arena_index, double budget) {
   constexpr int kChildren = kSplitSide * kSplitSide;
   const double size = square.size / kSplitSide;
   std::vector<CellFacet> lists[kChildren];
   float covers[kChildren];
   std::fill_n(covers, kChildren, cell.occluder_depth);
+  NearestCover nearest[kChildren];
   // Nearest first: covers are found before what they hide.
   sort_by_depth(inherited.data(), inherited.data() + inherited.size());
   for (const CellFacet& entry : inherited) {
@@ -317,8 +332,19 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
       double z_near = 0, z_far = 0;
       const Meeting m = meet(g, f, child, options.margin_steps, z_near, z_far);
       if (m == Meeting::apart || (options.drop_hidden && z_near > covers[k])) continue;
-      lists[k].push_back({entry.facet, round_down(z_near), {}});
-      if (m == Meeting::covers && hides(f)) covers[k] = std::min(covers[k], round_up(z_far + f.depth_tolerance));
+      const CellFacet listed{entry.facet, round_down(z_near), {}};
+      if (m != Meeting::covers || !hides(f)) {
+        lists[k].push_back(listed);
+        continue;
+      }
+      covers[k] = std::min(covers[k], round_up(z_far + f.depth_tolerance));
+      if (!nearest[k].stands_for(g, child)) {
+        nearest[k] = {g, lists[k].size(), true};
+        lists[k].push_back(listed);
+      } else if (CellFacet& other = lists[k][nearest[k].entry]; comes_first(entry.facet, other.facet)) {
+        nearest[k].functions = g;
+        other = listed;
+      }
     }
   }
   std::size_t total = 0;
@@ -328,9 +354,16 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
   }
   // A line through the cell meets kSplitSide children. A child is split again if the children of this cell save work for
   // such a line, or if its own list is shorter than its parent's was: where many sides lie along one line no split helps.
+  // Nor does it help in a crowd whose facets are as broad as the cell, but further splits will, where these cover cells.
+  // The leaves below the child are expected to have as many entries for one of its own as those of this cell have.
+  const double growth = static_cast<double>(total) / static_cast<double>(inherited.size());
   const double parent = kGain * static_cast<double>(inherited.size());
   const bool all_gain = static_cast<double>(total) < parent * kSplitSide;
-  const auto progress = [&](std::size_t n) { return all_gain || static_cast<double>(n) < parent; };
+  const auto progress = [&](const std::vector<CellFacet>& list) {
+    const auto n_child = static_cast<double>(list.size());
+    if (n_child * growth > budget * (n_child / static_cast<double>(total))) return false;
+    return all_gain || n_child < parent || (list.size() > kCrowdedFacets && mostly_broad(list, size));
+  };
   const auto first = static_cast<std::uint32_t>(arena.children.size());
   arena.children.resize(first + kChildren);
   inherited.clear();
@@ -342,8 +375,9 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     child.occluder_depth = covers[k];
     child.arena = arena_index;
     const CellSquare child_square{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
-    if (progress(lists[k].size()) && worth_splitting(lists[k].data(), lists[k].size(), size)) {
-      split(child, child_square, lists[k], arena, arena_index);
+    if (worth_splitting(lists[k].data(), lists[k].size(), size) && progress(lists[k])) {
+      split(child, child_square, lists[k], arena, arena_index,
+            budget * static_cast<double>(lists[k].size()) / static_cast<double>(total));
     } else {
       child.begin = static_cast<std::uint32_t>(arena.list.size());
       child.count = static_cast<std::uint32_t>(lists[k].size());

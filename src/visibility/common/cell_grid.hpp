@@ -7,7 +7,8 @@
 /// cell meets in that cell all facets on both of its sides.
 ///
 /// Invariants: a facet whose projection comes within `margin` of a cell is in the list of every leaf there, unless it is
-/// behind the leaf's cover. Lists are ordered by z_near. A child's cover is not behind its parent's.
+/// behind the leaf's cover, or coincides there with a listed facet of a lower face and both cover the leaf. Lists are
+/// ordered by z_near. A child's cover is not behind its parent's.
 
 #include <cstdint>
 #include <limits>

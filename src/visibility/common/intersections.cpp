@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "geometry/parallel.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/common/facet_functions.hpp"
 
 // Per leaf all pairs of facets that may meet in depth and on the page are tested.
 
@@ -20,30 +24,44 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
   return !(s.at((*part)[0]).z > cover && s.at((*part)[1]).z > cover);
 }
 
+/// Adjustable: in leaves with more facets the pairs are compared by their planes over the leaf first.
+constexpr std::uint32_t kCrowded = 24;
+/// Adjustable: in leaves with more facets those in one plane are not compared with each other.
+constexpr std::size_t kManyPlanes = 128;
+
 /// What one task works with.
 class LeafSearch {
  public:
   LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double margin)
-      : found(facets, scene.vertices), facets_(facets), grid_(grid), margin_(margin) {}
+      : found(facets, scene.vertices), facets_(facets), vertices_(scene.vertices.data()), grid_(grid), margin_(margin) {}
 
   void search(const Cell& cell, const CellSquare& square) {
     if (cell.count < 2) return;
     items_.clear();
+    planes_.clear();
     const CellFacet* list = grid_.list(cell);
+    const double half = square.size / 2, reach = half + margin_;
+    const bool crowded = cell.count > kCrowded;
     for (std::uint32_t i = 0; i < cell.count; ++i) {
-      items_.push_back({found.place(list[i].facet), list[i].z_near, facets_[list[i].facet].z_far, list[i].box});
+      const Facet& facet = facets_[list[i].facet];
+      items_.push_back({found.place(list[i].facet), list[i].z_near, facet.z_far, list[i].box});
+      if (crowded) planes_.emplace_back(FacetFunctions(facet, vertices_), square.x + half, square.y + half);
     }
     const auto wanted = [&](const PageSegment& s) {
       return grid_.complete() || seen_in(s, square, margin_, cell.occluder_depth);
     };
+    if (crowded) group_planes(reach);
     for (std::size_t i = 0; i < items_.size(); ++i) {
       const Item& a = items_[i];
       for (std::size_t k = i + 1; k < items_.size(); ++k) {
         const Item& b = items_[k];
         if (b.z_near > a.z_far) break;  // items are ordered by z_near
-        if (a.box.meets(b.box) && a.place.face != b.place.face) found.test(a.place, b.place, wanted);
+        if (!a.box.meets(b.box) || a.place.face == b.place.face) continue;
+        if (crowded && (planes_[i].group == planes_[k].group || planes_[i].apart(planes_[k], reach))) continue;
+        found.test(a.place, b.place, wanted);
       }
     }
+    found.forget_repeated();
   }
 
   PenetrationSearch found;
@@ -55,10 +73,46 @@ class LeafSearch {
     CellBox box;
   };
 
+  /// A facet's plane over the cell: its depth at the centre, and how that changes.
+  struct Plane {
+    Plane(const FacetFunctions& f, double x, double y) : z(f.depth(x, y)), zx(f.zx), zy(f.zy), tolerance(f.slack) {}
+    double z, zx, zy, tolerance;
+    std::uint32_t group = 0;  ///< planes of one group coincide over the cell: they touch
+
+    /// Whether the planes neither cross nor touch within `reach` of the centre.
+    bool apart(const Plane& o, double reach) const {
+      return std::abs(z - o.z) > (std::abs(zx - o.zx) + std::abs(zy - o.zy)) * reach + 2 * (tolerance + o.tolerance);
+    }
+  };
+
+  /// Planes whose depths over the cell are equal, in units of the tolerance, are one group; without a crowd each is its
+  /// own. Of a thousand faces that lie in one plane no two are compared.
+  void group_planes(double reach) {
+    for (std::uint32_t i = 0; i < planes_.size(); ++i) planes_[i].group = i;
+    if (planes_.size() <= kManyPlanes) return;
+    const auto key = [&](const Plane& p) {
+      // Planes that coincide have one gradient, and so about one tolerance.
+      const double unit = std::exp2(std::ceil(std::log2(p.tolerance)));
+      const auto rounded = [&](double z) { return std::floor(z / unit + 0.5); };
+      return std::array{unit, rounded(p.z), rounded(p.zx * reach), rounded(p.zy * reach)};
+    };
+    order_.resize(planes_.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(key(planes_[a]), a) < std::pair(key(planes_[b]), b);
+    });
+    for (std::size_t i = 1; i < order_.size(); ++i) {
+      if (key(planes_[order_[i]]) == key(planes_[order_[i - 1]])) planes_[order_[i]].group = planes_[order_[i - 1]].group;
+    }
+  }
+
   const std::vector<Facet>& facets_;
+  const ProjectedVertex* vertices_;
   const CellGrid& grid_;
   double margin_;
   std::vector<Item> items_;
+  std::vector<Plane> planes_;  ///< of the items, in crowded leaves
+  std::vector<std::uint32_t> order_;
 };
 
 }  // namespace

@@ -142,6 +142,7 @@ std::optional<PenetrationSearch::Found> PenetrationSearch::segment_of(const Plac
   const Corners ca = corners_of(fa, *vertices_);
   const Corners cb = corners_of(fb, *vertices_);
   const Heights b_over_a = Heights::over(ca, fa.depth_tolerance, cb);
+  if (b_over_a.on == 3) return std::nullopt;  // coplanar: they touch
   if (b_over_a.on + b_over_a.above == 3 && b_over_a.on < 2) return std::nullopt;
   if (b_over_a.on + b_over_a.below == 3 && b_over_a.on < 2) return std::nullopt;
   const Heights a_over_b = Heights::over(cb, fb.depth_tolerance, ca);
@@ -156,7 +157,7 @@ std::optional<PenetrationSearch::Found> PenetrationSearch::segment_of(const Plac
     if (a_along && b_over_a.on < 2) add_side(b, a, a_over_b);
     return std::nullopt;
   }
-  if (b_over_a.on == 3 || a_over_b.on == 3) return std::nullopt;  // coplanar: they touch
+  if (a_over_b.on == 3) return std::nullopt;
   if (a_over_b.above + a_over_b.on == 3 || a_over_b.below + a_over_b.on == 3) return std::nullopt;
   const bool swapped = a.id > b.id;
   const auto segment = swapped ? common_segment(cb, ca, a_over_b.h) : common_segment(ca, cb, b_over_a.h);
@@ -228,6 +229,20 @@ void PenetrationSearch::match_sides() {
     if (!sides[i].above && sides[end - 1].above) pairs_.push_back({sides[i].plane, sides[i].side_of});
     i = end;
   }
+}
+
+void PenetrationSearch::forget_repeated() {
+  constexpr std::size_t kLittle = 10'000;
+  const auto count = [&] { return pairs_.size() + sides_.size() + sides_on_sides_.size(); };
+  if (count() < 2 * distinct_ + kLittle) return;
+  const auto keep_distinct = [](auto& found) {
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  };
+  keep_distinct(pairs_);
+  keep_distinct(sides_);
+  keep_distinct(sides_on_sides_);
+  distinct_ = count();
 }
 
 void PenetrationSearch::add(PenetrationSearch&& other) {

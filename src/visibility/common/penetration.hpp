@@ -68,6 +68,9 @@ class PenetrationSearch {
     if (const auto found = segment_of(a, b); found && wanted(found->segment)) pairs_.push_back(found->pair);
   }
 
+  /// Frees the memory of what was found several times, when there is much of it: neighbouring leaves have pairs in common.
+  void forget_repeated();
+
   void add(PenetrationSearch&& other);
 
   /// All segments, each once, ordered by facets. Facets that only touch, within their tolerance, give none: neither do
@@ -89,6 +92,7 @@ class PenetrationSearch {
     std::uint32_t plane, v0, v1, side_of;
     bool above;
     auto key() const { return std::tie(plane, v0, v1); }
+    friend auto operator<=>(const SideInPlane&, const SideInPlane&) = default;
   };
   /// A side of facet `side_of` that lies on a side of facet `plane`, and in its plane: the common line of two faces runs
   /// where one of them, or both, were cut into triangles.
@@ -99,6 +103,7 @@ class PenetrationSearch {
     std::uint32_t plane, side_of;
     auto side() const { return std::tie(face, p0, p1); }
     auto key() const { return std::tie(face, p0, p1, v0, v1); }
+    friend auto operator<=>(const SideOnSide&, const SideOnSide&) = default;
   };
   struct Heights;
 
@@ -114,6 +119,7 @@ class PenetrationSearch {
   std::vector<Pair> pairs_;
   std::vector<SideInPlane> sides_;
   std::vector<SideOnSide> sides_on_sides_;
+  std::size_t distinct_ = 0;  ///< how many there were after the last forget_repeated()
 };
 
 }  // namespace ligne
