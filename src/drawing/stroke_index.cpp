@@ -1,6 +1,20 @@
 #include "drawing/stroke_index.hpp"
 
+#include "drawing/stroke_overlap.hpp"
+
 namespace ligne {
+namespace {
+
+// Adjustable: a stroke may cross this many cells of the index on the average.
+constexpr double kCellsPerStroke = 64;
+
+double median(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
 
 StrokeIndex::Cell& StrokeIndex::cell(std::uint64_t key) {
   std::uint32_t& number = cell_table_[key];
@@ -37,6 +51,25 @@ void StrokeIndex::insert(LatticePoint from, LatticePoint to) {
   });
   const std::uint32_t a = add_end(from, segment), b = add_end(to, segment);
   pair_table_[pair_key(a, b)] = segment;
+}
+
+double index_cell(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance_steps) {
+  if (of.empty()) return 8 * tolerance_steps;
+  std::vector<float> lengths;
+  LatticePoint min{kLatticeLimit, kLatticeLimit}, max{-kLatticeLimit, -kLatticeLimit};
+  double sum = 0;
+  for (const std::uint32_t i : of) {
+    const Stroke& s = strokes[i];
+    lengths.push_back(static_cast<float>(length(s.from, s.to)));
+    sum += lengths.back();
+    for (const LatticePoint p : {s.from, s.to}) {
+      min = {std::min(min.x, p.x), std::min(min.y, p.y)};
+      max = {std::max(max.x, p.x), std::max(max.y, p.y)};
+    }
+  }
+  const double n = static_cast<double>(lengths.size());
+  const double side = std::max(double(max.x) - min.x, double(max.y) - min.y);
+  return std::max({std::min<double>(median(lengths), side / std::sqrt(n)), sum / n / kCellsPerStroke, 8 * tolerance_steps});
 }
 
 }  // namespace ligne

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drawing/key_table.hpp"
+#include "drawing/stroke.hpp"
 #include "geometry/lattice.hpp"
 
 namespace ligne {
@@ -22,7 +23,13 @@ class SegmentGrid {
 
   /// Calls visit(cell) for every cell within the tolerance of the segment until it returns true; true when it did.
   template <class Visit>
-  bool walk(LatticePoint from, LatticePoint to, const Visit& visit) const;
+  bool walk(LatticePoint from, LatticePoint to, const Visit& visit) const {
+    return walk_cells(from, to, [&](std::int32_t column, std::int32_t row) { return visit(KeyTable::key(column, row)); });
+  }
+
+  /// The same with visit(column, row).
+  template <class Visit>
+  bool walk_cells(LatticePoint from, LatticePoint to, const Visit& visit) const;
 
   /// The point may lie on the line of the segment.
   bool near(LatticePoint p, LatticePoint from, LatticePoint to, double segment_length) const {
@@ -86,6 +93,11 @@ class StrokeIndex {
   std::vector<EndPoint> points_;
   std::vector<Link> arms_, throughs_;
 };
+
+/// Side of the cells of an index over the strokes numbered in `of`, in steps: as small as the common stroke, or as the mean
+/// distance of strokes when these are long, but never so small that the strokes cross more than 64 of them on the average,
+/// and always larger than the reach of the tolerance.
+double index_cell(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance_steps);
 
 }  // namespace ligne
 

@@ -11,7 +11,7 @@
 namespace ligne {
 
 template <class Visit>
-bool SegmentGrid::walk(LatticePoint from, LatticePoint to, const Visit& visit) const {
+bool SegmentGrid::walk_cells(LatticePoint from, LatticePoint to, const Visit& visit) const {
   const double dx = double(to.x) - from.x, dy = double(to.y) - from.y;
   // Slab by slab along the longer direction, called u here; v is the other one, and |dv/du| <= 1.
   const bool flat = std::abs(dx) >= std::abs(dy);
@@ -25,7 +25,7 @@ bool SegmentGrid::walk(LatticePoint from, LatticePoint to, const Visit& visit) c
     const double v_from = v0 + (slab_from - u0) * slope, v_to = v0 + (slab_to - u0) * slope;
     const std::int32_t j_last = index(std::max(v_from, v_to) + margin_);
     for (std::int32_t j = index(std::min(v_from, v_to) - margin_); j <= j_last; ++j) {
-      if (visit(flat ? KeyTable::key(i, j) : KeyTable::key(j, i))) return true;
+      if (flat ? visit(i, j) : visit(j, i)) return true;
     }
   }
   return false;

@@ -1,0 +1,225 @@
+#include "drawing/stroke_partners.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <tuple>
+
+#include "drawing/stroke_index.hpp"
+#include "drawing/stroke_overlap.hpp"
+#include "geometry/parallel.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::size_t kGrain = 4096;
+
+/// A coarse raster of the page in which strokes are marked: most strokes of a large drawing lie in no marked square, and
+/// this is found out faster than in a hash table.
+class MarkedSquares {
+ public:
+  MarkedSquares(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double margin)
+      : marks_(kSide * kSide, 0), margin_(margin) {
+    for (const std::uint32_t i : of) {
+      const bool too_large = for_each_square(strokes[i], [&](std::size_t k) {
+        marks_[k] = 1;
+        return false;
+      });
+      everywhere_ = everywhere_ || too_large;
+    }
+  }
+  /// May the stroke lie on one of those marked? True where that would take long to decide.
+  bool near(const Stroke& s) const {
+    return everywhere_ || for_each_square(s, [&](std::size_t k) { return marks_[k] != 0; });
+  }
+
+ private:
+  static constexpr std::size_t kSide = 2048;
+  static constexpr std::size_t kLargest = 256;  ///< bounding boxes of more squares are not looked at
+
+  std::size_t square(double v) const {
+    return static_cast<std::size_t>((v + kLatticeLimit) * (double(kSide) / (2.0 * kLatticeLimit + 1)));
+  }
+  /// Squares of the stroke's bounding box, until visit returns true; true too when there are too many.
+  template <class Visit>
+  bool for_each_square(const Stroke& s, const Visit& visit) const {
+    const double limit = kLatticeLimit;
+    const std::size_t left = square(std::max(std::min(s.from.x, s.to.x) - margin_, -limit));
+    const std::size_t right = square(std::min(std::max(s.from.x, s.to.x) + margin_, limit));
+    const std::size_t top = square(std::max(std::min(s.from.y, s.to.y) - margin_, -limit));
+    const std::size_t bottom = square(std::min(std::max(s.from.y, s.to.y) + margin_, limit));
+    if ((bottom - top + 1) * (right - left + 1) > kLargest) return true;
+    for (std::size_t y = top; y <= bottom; ++y) {
+      for (std::size_t x = left; x <= right; ++x) {
+        if (visit(y * kSide + x)) return true;
+      }
+    }
+    return false;
+  }
+
+  std::vector<std::uint8_t> marks_;
+  double margin_;
+  bool everywhere_ = false;
+};
+
+/// The ends of strokes by cells of the page: an end of a common interval is an end of one of the two strokes and lies on the
+/// other, so partners are found by walking along each stroke and looking at the ends in its way.
+class EndGrid {
+ public:
+  struct End {
+    LatticePoint p;
+    std::uint32_t stroke;
+  };
+
+  EndGrid(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double cell) : cell_(cell) {
+    LatticePoint low{kLatticeLimit, kLatticeLimit}, high{-kLatticeLimit, -kLatticeLimit};
+    for (const std::uint32_t i : of) {
+      for (const LatticePoint p : {strokes[i].from, strokes[i].to}) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+    }
+    const double columns = std::min(kMostColumns, std::ceil(2 * std::sqrt(static_cast<double>(of.size()))));
+    cell_ = std::max(cell_, std::ceil(std::max(double(high.x) - low.x, double(high.y) - low.y) / columns));
+    column0_ = index(low.x), row0_ = index(low.y);
+    columns_ = index(high.x) - column0_ + 1, rows_ = index(high.y) - row0_ + 1;
+    first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+    for (const std::uint32_t i : of) {
+      ++first_[cell_of(strokes[i].from) + 1];
+      ++first_[cell_of(strokes[i].to) + 1];
+    }
+    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+    ends_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (const std::uint32_t i : of) {
+      for (const LatticePoint p : {strokes[i].from, strokes[i].to}) ends_[next[cell_of(p)]++] = {p, i};
+    }
+    // Equal points stand together, so that a point where thousands of strokes meet is passed by at once.
+    parallel_blocks(first_.size() - 1, kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) {
+        std::sort(ends_.begin() + first_[c], ends_.begin() + first_[c + 1], [](const End& a, const End& b) {
+          return std::tie(a.p.x, a.p.y, a.stroke) < std::tie(b.p.x, b.p.y, b.stroke);
+        });
+      }
+    });
+  }
+
+  /// Calls visit(stroke) for the ends within the tolerance of the line of `s`, but for those at its own two ends.
+  template <class Visit>
+  void for_each_along(const Stroke& s, double tolerance, const Visit& visit) const {
+    const SegmentGrid grid(cell_, tolerance);
+    const double stroke_length = length(s.from, s.to);
+    grid.walk_cells(s.from, s.to, [&](std::int32_t column, std::int32_t row) {
+      column -= column0_, row -= row0_;
+      if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return false;
+      const std::size_t c =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+      for (std::uint32_t e = first_[c]; e < first_[c + 1];) {
+        const LatticePoint p = ends_[e].p;
+        const bool along = p != s.from && p != s.to && grid.near(p, s.from, s.to, stroke_length);
+        for (; e < first_[c + 1] && ends_[e].p == p; ++e) {
+          if (along) visit(ends_[e].stroke);
+        }
+      }
+      return false;
+    });
+  }
+
+ private:
+  static constexpr double kMostColumns = 2048;
+
+  std::int32_t index(double v) const { return static_cast<std::int32_t>(std::floor(v / cell_)); }
+  std::size_t cell_of(LatticePoint p) const {
+    return static_cast<std::size_t>(index(p.y) - row0_) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(index(p.x) - column0_);
+  }
+
+  double cell_;
+  std::int32_t column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;
+  std::vector<std::uint32_t> first_;
+  std::vector<End> ends_;
+};
+
+/// Marks the strokes that share both ends with another one.
+template <class Mark>
+void mark_same_ends(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, const Mark& mark) {
+  struct Ends {
+    std::uint64_t low, high;
+    std::uint32_t stroke;
+    auto pair() const { return std::tie(low, high); }
+  };
+  std::vector<Ends> ends(of.size());
+  const auto key = [](LatticePoint p) {
+    return std::uint64_t(static_cast<std::uint32_t>(p.x)) << 32 | static_cast<std::uint32_t>(p.y);
+  };
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const auto [low, high] = std::minmax({key(strokes[of[i]].from), key(strokes[of[i]].to)});
+    ends[i] = {low, high, of[i]};
+  }
+  parallel_sort(ends.begin(), ends.end(), [](const Ends& a, const Ends& b) {
+    return std::tie(a.low, a.high, a.stroke) < std::tie(b.low, b.high, b.stroke);
+  });
+  for (std::size_t begin = 0; begin < ends.size();) {
+    std::size_t end = begin;
+    bool flagged = false;
+    for (; end < ends.size() && ends[end].pair() == ends[begin].pair(); ++end) {
+      flagged = flagged || strokes[ends[end].stroke].may_coincide;
+    }
+    if (flagged && end - begin > 1) {
+      for (std::size_t k = begin; k < end; ++k) mark(ends[k].stroke);
+    }
+    begin = end;
+  }
+}
+
+/// The strokes that may coincide, and those near them, in order.
+std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, double tolerance_steps) {
+  std::vector<std::uint32_t> flagged;
+  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
+    if (strokes[i].may_coincide && length(strokes[i].from, strokes[i].to) > tolerance_steps) flagged.push_back(i);
+  }
+  if (flagged.empty() || flagged.size() == strokes.size()) return flagged;
+  const MarkedSquares squares(strokes, flagged, tolerance_steps);
+  std::vector<std::uint8_t> near(strokes.size(), 0);
+  parallel_blocks(strokes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Stroke& s = strokes[i];
+      near[i] = length(s.from, s.to) > tolerance_steps && (s.may_coincide || squares.near(s));
+    }
+  });
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
+    if (near[i]) result.push_back(i);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double tolerance_steps) {
+  std::vector<Partners> result(strokes.size(), Partners::cannot);
+  const std::vector<std::uint32_t> candidates = find_candidates(strokes, tolerance_steps);
+  if (candidates.empty()) return result;
+  for (const std::uint32_t i : candidates) {
+    if (strokes[i].may_coincide) result[i] = Partners::none;
+  }
+  const auto mark = [&](std::uint32_t i) { std::atomic_ref(result[i]).store(Partners::some, std::memory_order_relaxed); };
+  const EndGrid ends(strokes, candidates, index_cell(strokes, candidates, tolerance_steps));
+  parallel_blocks(candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t i = candidates[k];
+      const Stroke& s = strokes[i];
+      ends.for_each_along(s, tolerance_steps, [&](std::uint32_t other) {
+        const Stroke& o = strokes[other];
+        if (other == i || !(s.may_coincide || o.may_coincide)) return;
+        if (!overlap(s.from, s.to, o.from, o.to, tolerance_steps)) return;
+        mark(i);
+        mark(other);
+      });
+    }
+  });
+  mark_same_ends(strokes, candidates, mark);
+  return result;
+}
+
+}  // namespace ligne
