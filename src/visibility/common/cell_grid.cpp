@@ -111,10 +111,12 @@ struct CellGrid::Build {
   void fill();
   bool worth_splitting(const CellFacet* list, std::size_t n, double size) const;
   void split_overfull();
-  void finish_list(CellFacet* list, std::size_t n, const CellSquare& square) const;
+  /// To be called once per leaf, when its list is complete.
+  void finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square) const;
+  bool of_one_face(const CellFacet* list, std::size_t n) const;
   /// `budget`: how many entries the leaves of the cell should have at the most.
   void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
-             std::uint32_t arena_index, double budget);
+             std::uint16_t arena_index, double budget);
   bool mostly_broad(const std::vector<CellFacet>& list, double size) const;
 
   /// Rows are dealt out in bands, each filled by one task that scans all facets: lists keep the order of the facets.
@@ -132,11 +134,13 @@ struct CellGrid::Build {
 };
 
 bool CellGrid::Build::choose_cells() {
-  double extent = 0;
+  double extent = 0, area = 0, outline = 0;
   double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300;
   for (const Facet& f : facets) {
     const PageBox box = page_box(f, scene.vertices.data());
     extent += (box.right - box.left) + (box.bottom - box.top);
+    area += orientation(scene.vertices[f.v[0]].p, scene.vertices[f.v[1]].p, scene.vertices[f.v[2]].p) / 2;
+    outline += 2 * f.size;
     x0 = std::min(x0, box.left);
     x1 = std::max(x1, box.right);
     y0 = std::min(y0, box.top);
@@ -150,6 +154,9 @@ bool CellGrid::Build::choose_cells() {
   size = std::max(size, std::max(width, height) / 4096);
   size = std::min(size, std::sqrt(width * height / kMinCells));
   size = std::max({size, kSmallestCell, std::max(width, height) / 4096});
+  // Large facets lie in many cells: about area / size^2 + outline / size of them, which must be no more than the limit.
+  const double limit = std::max(kEntriesPerFacet * n, kLeastBudget) / 2;
+  size = std::max(size, (outline + std::sqrt(outline * outline + 4 * limit * area)) / (2 * limit));
   // A whole number of steps, so that cell borders are exact.
   grid.size_ = std::ceil(size);
   grid.x_ = x0;
@@ -259,7 +266,7 @@ void CellGrid::Build::fill() {
 /// spread.
 bool CellGrid::Build::worth_splitting(const CellFacet* list, std::size_t n, double size) const {
   if (n <= kLeafFacets || size < kSplitSide * kSmallestCell) return false;
-  if (n > kCrowdedFacets) return true;
+  if (n > kCrowdedFacets) return !of_one_face(list, n);
   if (!options.drop_hidden) return false;
   std::size_t large = 0;
   for (std::size_t i = 0; i < n; ++i) large += breadth(facets[list[i].facet], scene.vertices.data()) > kLargeBreadth * size;
@@ -287,17 +294,22 @@ void CellGrid::Build::split_overfull() {
       Cell& cell = grid.cells_[i];
       CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
       if (!worth_splitting(list, cell.count, grid.size_)) {
-        finish_list(list, cell.count, grid.top_square(i));
+        finish_leaf(cell, list, cell.count, grid.top_square(i));
         continue;
       }
       inherited.assign(list, list + cell.count);
-      split(cell, grid.top_square(i), inherited, arena, static_cast<std::uint32_t>(k + 1),
+      split(cell, grid.top_square(i), inherited, arena, static_cast<std::uint16_t>(k + 1),
             budget * static_cast<double>(inherited.size()));
     }
   });
 }
 
-void CellGrid::Build::finish_list(CellFacet* list, std::size_t n, const CellSquare& square) const {
+bool CellGrid::Build::of_one_face(const CellFacet* list, std::size_t n) const {
+  return std::all_of(list, list + n, [&](const CellFacet& c) { return facets[c.facet].face == facets[list->facet].face; });
+}
+
+void CellGrid::Build::finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square) const {
+  cell.one_face = of_one_face(list, n);
   sort_by_depth(list, list + n);
   const double margin = options.margin_steps;
   for (std::size_t i = 0; i < n; ++i) {
@@ -307,7 +319,7 @@ void CellGrid::Build::finish_list(CellFacet* list, std::size_t n, const CellSqua
 }
 
 void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
-                            std::uint32_t arena_index, double budget) {
+                            std::uint16_t arena_index, double budget) {
   constexpr int kChildren = kSplitSide * kSplitSide;
   const double size = square.size / kSplitSide;
   std::vector<CellFacet> lists[kChildren];
@@ -381,7 +393,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     } else {
       child.begin = static_cast<std::uint32_t>(arena.list.size());
       child.count = static_cast<std::uint32_t>(lists[k].size());
-      finish_list(lists[k].data(), lists[k].size(), child_square);
+      finish_leaf(child, lists[k].data(), lists[k].size(), child_square);
       arena.list.insert(arena.list.end(), lists[k].begin(), lists[k].end());
     }
     arena.children[first + k] = child;

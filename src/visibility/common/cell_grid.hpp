@@ -69,7 +69,8 @@ struct Cell {
   std::uint32_t begin = 0;  ///< first entry of the list, or first child, in the arena
   std::uint32_t count = 0;  ///< length of the list, or kSplit
   float occluder_depth = std::numeric_limits<float>::infinity();
-  std::uint32_t arena = 0;
+  std::uint16_t arena = 0;
+  bool one_face = false;  ///< all facets of the list are of one face
 };
 
 inline constexpr int kSplitSide = 4;

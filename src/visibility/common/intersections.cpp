@@ -36,7 +36,7 @@ class LeafSearch {
       : found(facets, scene.vertices), facets_(facets), vertices_(scene.vertices.data()), grid_(grid), margin_(margin) {}
 
   void search(const Cell& cell, const CellSquare& square) {
-    if (cell.count < 2) return;
+    if (cell.count < 2 || cell.one_face) return;
     items_.clear();
     planes_.clear();
     const CellFacet* list = grid_.list(cell);

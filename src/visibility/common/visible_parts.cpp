@@ -13,7 +13,11 @@ std::vector<LinePart>& VisibleParts::find(const PageLine& line) {
       ++counts_.covered;
       return;
     }
-    search_leaf(line, cell, square, from, to);
+    if (cell.one_face && cell.count > 0 && is_own(line, grid_.list(cell)->facet)) {
+      append_part(parts_, {from, to});
+    } else {
+      search_leaf(line, cell, square, from, to);
+    }
   });
   return parts_;
 }
@@ -28,8 +32,8 @@ void VisibleParts::search_leaf(const PageLine& line, const Cell& cell, const Cel
   const CellFacet* const end = entry + cell.count;
   for (; entry != end && entry->z_near <= z_far; ++entry) {
     if (!entry->box.meets(box)) continue;
+    if (is_own(line, entry->facet)) continue;
     const Facet& facet = facets_[entry->facet];
-    if (facet.face == line.face0 || facet.face == line.face1) continue;
     ++counts_.facet_tests;
     const HiddenInterval hidden =
         hidden_interval(line, facet, vertices_, open_.from(), open_.to(), coincidence_steps_, near_side_);

@@ -55,6 +55,10 @@ class VisibleParts {
  private:
   void search_leaf(const PageLine& line, const Cell& cell, const CellSquare& square, double from, double to);
 
+  bool is_own(const PageLine& line, std::uint32_t facet) const {
+    return facets_[facet].face == line.face0 || facets_[facet].face == line.face1;
+  }
+
   const ProjectedVertex* vertices_;
   const Facet* facets_;
   const CellGrid& grid_;
