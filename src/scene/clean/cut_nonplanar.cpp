@@ -55,9 +55,7 @@ bool is_covered(const std::vector<Point3>& vertices, const LooseFace& face) {
   if (face.corners.size() == 3) return true;
   // Not along the area vector: parts wound against each other can leave none.
   const std::vector<Point3> points = corner_points(vertices, face);
-  bool covered = true;
-  triangulate(project(points, spanning_plane(points).normal), face.contour_end, &covered);
-  return covered;
+  return triangles_are_whole(project(points, spanning_plane(points).normal), face.contour_end);
 }
 
 std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices, const LooseFace& face, bool& covered) {

@@ -1,0 +1,339 @@
+#include "polygon_shapes.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace ligne::shapes {
+namespace {
+
+/// There along one side of a band and back along the other.
+Polygon band(Contour there, const Contour& back) {
+  there.insert(there.end(), back.rbegin(), back.rend());
+  return {there};
+}
+
+Polygon star(int n) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> radius(50, 1000);
+  Contour c;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n, r = radius(random);
+    c.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  return {c};
+}
+
+Polygon convex(int n) {
+  Contour c;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    c.emplace_back(1000 * std::cos(angle), 1000 * std::sin(angle));
+  }
+  c.emplace_back(900, 0);  // but for one corner
+  return {c};
+}
+
+Polygon comb(int n) {
+  const int teeth = n / 2;
+  Contour c{{0, -1}, {2.0 * teeth, -1}};
+  for (int i = teeth; i-- > 0;) c.insert(c.end(), {{2.0 * i + 2, double(teeth)}, {2.0 * i + 1, 0}});
+  c.emplace_back(0, teeth);
+  return {c};
+}
+
+/// The comb lying on its side.
+Polygon lying_comb(int n) {
+  Polygon polygon = comb(n);
+  for (Point2& p : polygon[0]) p = {p.y, -p.x};
+  return polygon;
+}
+
+/// A band that goes to and fro, and up.
+Polygon zigzag(int n) {
+  const int turns = n / 4;
+  Contour there, back;
+  for (int i = 0; i < turns; ++i) {
+    there.insert(there.end(), {{0, 4.0 * i}, {double(turns), 4.0 * i + 2}});
+    back.insert(back.end(), {{1, 4.0 * i}, {turns + 1.0, 4.0 * i + 2}});
+  }
+  return band(there, back);
+}
+
+Contour round_spiral(int n, double begin) {
+  Contour c;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * (i % 128) / 128, r = begin + 0.05 * i;
+    c.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  return c;
+}
+
+Polygon spiral(int n) { return band(round_spiral(n / 2, 10), round_spiral(n / 2, 8)); }
+
+/// Two bands that wind round each other, joined in the middle.
+Polygon double_spiral(int n) {
+  const Contour inner = round_spiral(n / 4, 10), outer = round_spiral(n / 4, 11);
+  Contour c(inner.rbegin(), inner.rend());
+  c.emplace_back(-11, 1);
+  for (const Point2 p : outer) c.push_back(-p);
+  for (auto p = inner.rbegin(); p != inner.rend(); ++p) c.push_back(-*p);
+  c.emplace_back(11, -1);
+  c.insert(c.end(), outer.begin(), outer.end());
+  return {c};
+}
+
+Contour right_angled_spiral(int n, double width) {
+  Contour c;
+  for (int i = 0; i < n; ++i) {
+    const double t = i / 4 + 1 + width;
+    const Point2 corner[] = {{t, 1 - t}, {t, t}, {-t, t}, {-t, -t}};
+    c.push_back(corner[i % 4]);
+  }
+  return c;
+}
+
+/// All corners on common horizontal and vertical lines, all sides long.
+Polygon square_spiral(int n) { return band(right_angled_spiral(n / 2, 0), right_angled_spiral(n / 2, 0.25)); }
+
+/// Two rows of teeth; `gap` lies between their tips.
+Polygon teeth(int n, double gap) {
+  const int count = n / 4;
+  Contour c;
+  for (int i = 0; i < count; ++i) c.insert(c.end(), {{2.0 * i, -double(count)}, {2.0 * i + 1, -gap / 2}});
+  c.insert(c.end(), {{2.0 * count, -double(count)}, {2.0 * count, double(count)}});
+  for (int i = count; i-- > 0;) c.insert(c.end(), {{2.0 * i + 1, gap / 2}, {2.0 * i, double(count)}});
+  return {c};
+}
+
+Polygon saw_teeth(int n) { return teeth(n, 1e-9); }
+Polygon teeth_that_touch(int n) { return teeth(n, 0); }
+Polygon teeth_that_cross(int n) { return teeth(n, -1); }
+
+/// The closed space-filling curve of Moore.
+Contour moore_curve(int n) {
+  int order = 1;
+  while (4 << (2 * order) <= n) ++order;
+  Contour c;
+  Point2 at{0, 0}, ahead{0, 1};
+  // The L-system LFL+F+LFL, L -> -RF+LFL+FR-, R -> +LF-RFR-FL+.
+  const auto turn = [&](int sign) { ahead = {-sign * ahead.y, sign * ahead.x}; };
+  const auto forward = [&] {
+    c.push_back(at);
+    at = at + ahead;
+  };
+  const auto curve = [&](const auto& self, int sign, int depth) -> void {
+    if (depth == 0) return;
+    turn(sign);
+    self(self, -sign, depth - 1);
+    forward();
+    turn(-sign);
+    self(self, sign, depth - 1);
+    forward();
+    self(self, sign, depth - 1);
+    turn(-sign);
+    forward();
+    self(self, -sign, depth - 1);
+    turn(sign);
+  };
+  const int depth = order - 1;
+  for (int half = 0; half < 2; ++half) {
+    curve(curve, 1, depth);
+    forward();
+    curve(curve, 1, depth);
+    turn(-1);
+    forward();
+    if (half == 0) turn(-1);
+  }
+  return c;
+}
+
+Polygon space_filling(int n) { return {moore_curve(n)}; }
+
+Polygon random_simple(int n) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> jitter(-0.3, 0.3);
+  Polygon polygon{moore_curve(n)};
+  for (Point2& p : polygon[0]) p += Point2{jitter(random), jitter(random)};
+  return polygon;
+}
+
+Polygon staircase(int n) {
+  const int steps = n / 4;
+  Contour there, back;
+  for (int i = 0; i < steps; ++i) {
+    there.insert(there.end(), {{double(i), double(i)}, {i + 1.0, double(i)}});
+    back.insert(back.end(), {{double(i), i + 2.0}, {i + 1.0, i + 2.0}});
+  }
+  return band(there, back);
+}
+
+Polygon koch(int n) {
+  Contour c{{0, 0}, {500, 866.0254037844386}, {1000, 0}};
+  while (c.size() * 4 <= static_cast<std::size_t>(n)) {
+    Contour finer;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const Point2 a = c[i], d = (c[(i + 1) % c.size()] - a) / 3.0;
+      const Point2 tip = Point2{d.x / 2 - d.y * std::sqrt(0.75), d.x * std::sqrt(0.75) + d.y / 2};
+      finer.insert(finer.end(), {a, a + d, a + d + tip, a + 2.0 * d});
+    }
+    c = finer;
+  }
+  return {c};
+}
+
+Polygon collinear(int n) {
+  const int side = n / 4;
+  Contour c;
+  for (int i = 0; i < side; ++i) c.emplace_back(i, 0);
+  for (int i = 0; i < side; ++i) c.emplace_back(side, i);
+  for (int i = 0; i < side; ++i) c.emplace_back(side - i, side);
+  for (int i = 0; i < side; ++i) c.emplace_back(0, side - i);
+  return {c};
+}
+
+Polygon grid_of_holes(int n, double hole_size) {
+  const int side = static_cast<int>(std::sqrt(n / 4.0));
+  Polygon polygon{rectangle(0, 0, 2 * side + 1, 2 * side + 1)};
+  for (int i = 0; i < side; ++i) {
+    for (int k = 0; k < side; ++k) {
+      const double x = 2 * i + 1, y = 2 * k + 1;
+      polygon.push_back(rectangle(x, y, x + hole_size, y + hole_size));
+    }
+  }
+  return polygon;
+}
+
+Polygon holes(int n) { return grid_of_holes(n, 1); }
+Polygon holes_that_cross(int n) { return grid_of_holes(n, 2.25); }
+
+/// A diagonal of holes, corner to corner.
+Polygon chain_of_holes(int n) {
+  const int count = n / 4;
+  Polygon polygon{rectangle(0, 0, count + 2, count + 2)};
+  for (int i = 1; i <= count; ++i) polygon.push_back(rectangle(i, i, i + 1, i + 1));
+  return polygon;
+}
+
+/// A row of holes joined to each other and to the outer contour by slits, all one contour.
+Polygon bridged_holes(int n) {
+  const int count = n / 8;
+  Contour c{{0, 1}};
+  for (int i = 0; i < count; ++i) c.insert(c.end(), {{3.0 * i + 1, 1}, {3.0 * i + 2, 0.5}, {3.0 * i + 3, 1}});
+  for (int i = count; i-- > 0;) c.insert(c.end(), {{3.0 * i + 3, 1}, {3.0 * i + 2, 1.5}, {3.0 * i + 1, 1}});
+  c.insert(c.end(), {{0, 1}, {0, 3}, {3.0 * count + 1, 3}, {3.0 * count + 1, 0}, {0, 0}});
+  return {c};
+}
+
+/// A row of squares, corner to corner, that is one contour.
+Polygon beads(int n) {
+  const int count = n / 4;
+  Contour there, back;
+  for (int i = 0; i < count; ++i) {
+    there.insert(there.end(), {{2.0 * i, 0}, {2.0 * i + 1, -1}});
+    back.insert(back.end(), {{2.0 * i, 0}, {2.0 * i + 1, 1}});
+  }
+  there.emplace_back(2.0 * count, 0);
+  return band(there, back);
+}
+
+/// All corners but two of each petal in one point.
+Polygon petals(int n) {
+  const int count = n / 3;
+  Contour c;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count, width = 3.0 / count;
+    c.emplace_back(0, 0);
+    for (const double a : {angle, angle + width}) c.emplace_back(1000 * std::cos(a), 1000 * std::sin(a));
+  }
+  return {c};
+}
+
+/// The lower side goes two steps forward and one back, on one line.
+Polygon fold_back(int n) {
+  const int count = n / 2;
+  Contour c;
+  for (int i = 0; i < count; ++i) c.insert(c.end(), {{2.0 * i, 0}, {2.0 * i + 5, 0}});
+  c.insert(c.end(), {{2.0 * count, 0}, {2.0 * count, 10}, {0, 10}});
+  return {c};
+}
+
+/// The lower side runs the whole way to and fro between all of its corners.
+Polygon long_folds(int n) {
+  const int count = n / 2;
+  Contour c;
+  for (int i = 0; i < count; ++i) c.insert(c.end(), {{double(i), 0}, {2.0 * count - i, 0}});
+  c.insert(c.end(), {{double(count), 5}, {0, 10}});
+  return {c};
+}
+
+Polygon random_points(int n) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> at(0, 1000);
+  Contour c;
+  for (int i = 0; i < n; ++i) c.emplace_back(at(random), at(random));
+  return {c};
+}
+
+/// A star drawn without lifting the pen: all sides cross many others, and the middle is wound round often.
+Polygon star_polygon(int n) {
+  Contour c;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * (7.0 * i) / (n + 1);
+    c.emplace_back(1000 * std::cos(angle), 1000 * std::sin(angle));
+  }
+  return {c};
+}
+
+/// The spacefilling curve with corners that leave their cells.
+Polygon tangled(int n) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> jitter(-0.6, 0.6);
+  Polygon polygon{moore_curve(n)};
+  for (Point2& p : polygon[0]) p += Point2{jitter(random), jitter(random)};
+  return polygon;
+}
+
+/// The outer contour taken twice.
+Polygon twice_round(int n) {
+  Contour c = star(n / 2)[0];
+  const Contour once = c;
+  c.insert(c.end(), once.begin(), once.end());
+  return {c};
+}
+
+}  // namespace
+
+const std::vector<Shape>& all_shapes() {
+  static const std::vector<Shape> shapes{{"star", true, star},
+                                         {"convex", true, convex},
+                                         {"comb", true, comb},
+                                         {"lying_comb", true, lying_comb},
+                                         {"zigzag", true, zigzag},
+                                         {"spiral", true, spiral},
+                                         {"double_spiral", true, double_spiral},
+                                         {"square_spiral", true, square_spiral},
+                                         {"saw_teeth", true, saw_teeth},
+                                         {"teeth_that_touch", true, teeth_that_touch},
+                                         {"space_filling", true, space_filling},
+                                         {"random_simple", true, random_simple},
+                                         {"staircase", true, staircase},
+                                         {"koch", true, koch},
+                                         {"collinear", true, collinear},
+                                         {"holes", true, holes},
+                                         {"chain_of_holes", true, chain_of_holes},
+                                         {"bridged_holes", true, bridged_holes},
+                                         {"beads", true, beads},
+                                         {"petals", true, petals},
+                                         {"fold_back", true, fold_back},
+                                         {"long_folds", true, long_folds},
+                                         {"teeth_that_cross", false, teeth_that_cross},
+                                         {"holes_that_cross", false, holes_that_cross},
+                                         {"tangled", false, tangled},
+                                         {"star_polygon", false, star_polygon},
+                                         {"twice_round", false, twice_round},
+                                         {"random_points", false, random_points}};
+  return shapes;
+}
+
+}  // namespace ligne::shapes
