@@ -16,12 +16,18 @@ template <class Key, class Visit>
 void for_each_run(std::size_t n, Key key, Visit visit) {
   parallel_blocks(n, kRunBlock, [&](std::size_t first, std::size_t last) {
     std::size_t begin = first;
-    while (begin > 0 && begin < last && key(begin) == key(begin - 1)) ++begin;  // the run of the block before
+    auto of_run = key(begin);
+    if (begin > 0 && key(begin - 1) == of_run) {  // the run of the block before
+      while (begin < last && key(begin) == of_run) ++begin;
+      if (begin < last) of_run = key(begin);
+    }
     while (begin < last) {
       std::size_t end = begin + 1;
-      while (end < n && key(end) == key(begin)) ++end;
+      auto next = of_run;
+      while (end < n && (next = key(end)) == of_run) ++end;
       if (end - begin > 1) visit(begin, end);
       begin = end;
+      of_run = next;
     }
   });
 }

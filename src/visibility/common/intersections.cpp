@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "geometry/parallel.hpp"
@@ -25,9 +24,7 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
 }
 
 /// Adjustable: in leaves with more facets the pairs are compared by their planes over the leaf first.
-constexpr std::uint32_t kCrowded = 24;
-/// Adjustable: in leaves with more facets those in one plane are not compared with each other.
-constexpr std::size_t kManyPlanes = 128;
+constexpr std::uint32_t kCrowded = 128;
 
 /// What one task works with.
 class LeafSearch {
@@ -85,24 +82,21 @@ class LeafSearch {
     }
   };
 
-  /// Planes whose depths over the cell are equal, in units of the tolerance, are one group; without a crowd each is its
-  /// own. Of a thousand faces that lie in one plane no two are compared.
+  /// Planes whose depths over the cell are equal, in units of the tolerance, are one group. Of a thousand faces that lie in
+  /// one plane no two are compared.
   void group_planes(double reach) {
-    for (std::uint32_t i = 0; i < planes_.size(); ++i) planes_[i].group = i;
-    if (planes_.size() <= kManyPlanes) return;
-    const auto key = [&](const Plane& p) {
+    keys_.clear();
+    for (std::uint32_t i = 0; i < planes_.size(); ++i) {
+      const Plane& p = planes_[i];
       // Planes that coincide have one gradient, and so about one tolerance.
       const double unit = std::exp2(std::ceil(std::log2(p.tolerance)));
       const auto rounded = [&](double z) { return std::floor(z / unit + 0.5); };
-      return std::array{unit, rounded(p.z), rounded(p.zx * reach), rounded(p.zy * reach)};
-    };
-    order_.resize(planes_.size());
-    std::iota(order_.begin(), order_.end(), 0u);
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::pair(key(planes_[a]), a) < std::pair(key(planes_[b]), b);
-    });
-    for (std::size_t i = 1; i < order_.size(); ++i) {
-      if (key(planes_[order_[i]]) == key(planes_[order_[i - 1]])) planes_[order_[i]].group = planes_[order_[i - 1]].group;
+      keys_.push_back({{unit, rounded(p.z), rounded(p.zx * reach), rounded(p.zy * reach)}, i});
+    }
+    std::sort(keys_.begin(), keys_.end());
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      const bool same = i > 0 && keys_[i].first == keys_[i - 1].first;
+      planes_[keys_[i].second].group = same ? planes_[keys_[i - 1].second].group : keys_[i].second;
     }
   }
 
@@ -112,7 +106,7 @@ class LeafSearch {
   double margin_;
   std::vector<Item> items_;
   std::vector<Plane> planes_;  ///< of the items, in crowded leaves
-  std::vector<std::uint32_t> order_;
+  std::vector<std::pair<std::array<double, 4>, std::uint32_t>> keys_;
 };
 
 }  // namespace
