@@ -90,6 +90,8 @@ class EndGrid {
     }
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
     ends_.resize(first_.back());
+    open_.resize(first_.size() - 1);
+    for (std::size_t c = 0; c < open_.size(); ++c) open_[c] = first_[c + 1] - first_[c];
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (const std::uint32_t i : of) {
       for (const LatticePoint p : {strokes[i].from, strokes[i].to}) ends_[next[cell_of(p)]++] = {p, i};
@@ -104,9 +106,18 @@ class EndGrid {
     });
   }
 
-  /// Calls visit(stroke) for the ends within the tolerance of the line of `s`, but for those at its own two ends.
-  template <class Visit>
-  void for_each_along(const Stroke& s, double tolerance, const Visit& visit) const {
+  /// The stroke is known to have a partner: its ends need not be looked at by others that have one.
+  void settle(const Stroke& s) {
+    for (const LatticePoint p : {s.from, s.to}) {
+      std::atomic_ref(open_[cell_of(p)]).fetch_sub(1, std::memory_order_relaxed);
+    }
+  }
+
+  /// Calls visit(stroke) for the ends within the tolerance of the line of `s`, but for those at its own two ends. While
+  /// settled() is true, cells are passed over in which all ends are of settled strokes: thousands of strokes on one line
+  /// look at each other once.
+  template <class Settled, class Visit>
+  void for_each_along(const Stroke& s, double tolerance, const Settled& settled, const Visit& visit) {
     const SegmentGrid grid(cell_, tolerance);
     const double stroke_length = length(s.from, s.to);
     grid.walk_cells(s.from, s.to, [&](std::int32_t column, std::int32_t row) {
@@ -114,12 +125,13 @@ class EndGrid {
       if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return false;
       const std::size_t c =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+      if (settled() && std::atomic_ref(open_[c]).load(std::memory_order_relaxed) == 0) return false;
       for (std::uint32_t e = first_[c]; e < first_[c + 1];) {
         const LatticePoint p = ends_[e].p;
         const bool along = p != s.from && p != s.to && grid.near(p, s.from, s.to, stroke_length);
-        for (; e < first_[c + 1] && ends_[e].p == p; ++e) {
-          if (along) visit(ends_[e].stroke);
-        }
+        const std::uint32_t next = next_point(e, first_[c + 1]);
+        for (; along && e < next; ++e) visit(ends_[e].stroke);
+        e = next;
       }
       return false;
     });
@@ -127,6 +139,16 @@ class EndGrid {
 
  private:
   static constexpr double kMostColumns = 2048;
+
+  /// The first end behind number e, and before `last`, that is elsewhere: by doubling steps, since thousands may be alike.
+  std::uint32_t next_point(std::uint32_t e, std::uint32_t last) const {
+    const LatticePoint p = ends_[e].p;
+    std::uint32_t step = 1;
+    while (e + step < last && ends_[e + step].p == p) step *= 2;
+    const auto from = ends_.begin() + e + step / 2, to = ends_.begin() + std::min(last, e + step);
+    return static_cast<std::uint32_t>(std::partition_point(from, to, [&](const End& end) { return end.p == p; }) -
+                                      ends_.begin());
+  }
 
   std::int32_t index(double v) const { return static_cast<std::int32_t>(std::floor(v / cell_)); }
   std::size_t cell_of(LatticePoint p) const {
@@ -137,6 +159,7 @@ class EndGrid {
   double cell_;
   std::int32_t column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;
   std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> open_;  ///< per cell, ends of strokes that are not settled
   std::vector<End> ends_;
 };
 
@@ -203,15 +226,22 @@ std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double t
   for (const std::uint32_t i : candidates) {
     if (strokes[i].may_coincide) result[i] = Partners::none;
   }
-  const auto mark = [&](std::uint32_t i) { std::atomic_ref(result[i]).store(Partners::some, std::memory_order_relaxed); };
-  const EndGrid ends(strokes, candidates, index_cell(strokes, candidates, tolerance_steps));
+  EndGrid ends(strokes, candidates, index_cell(strokes, candidates, tolerance_steps));
+  const auto has_partner = [&](std::uint32_t i) {
+    return std::atomic_ref(result[i]).load(std::memory_order_relaxed) == Partners::some;
+  };
+  const auto mark = [&](std::uint32_t i) {
+    const Partners before = std::atomic_ref(result[i]).exchange(Partners::some, std::memory_order_relaxed);
+    if (before != Partners::some) ends.settle(strokes[i]);
+  };
   parallel_blocks(candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint32_t i = candidates[k];
       const Stroke& s = strokes[i];
-      ends.for_each_along(s, tolerance_steps, [&](std::uint32_t other) {
+      const auto settled = [&] { return has_partner(i); };
+      ends.for_each_along(s, tolerance_steps, settled, [&](std::uint32_t other) {
         const Stroke& o = strokes[other];
-        if (other == i || !(s.may_coincide || o.may_coincide)) return;
+        if (other == i || !(s.may_coincide || o.may_coincide) || (settled() && has_partner(other))) return;
         if (!overlap(s.from, s.to, o.from, o.to, tolerance_steps)) return;
         mark(i);
         mark(other);
