@@ -2,18 +2,36 @@
 # same_bytes.sh OLD NEW: do two builds of the program write the same? Runs both on the commands of the documentation's
 # pictures, on every scene of the corpus and every model by every method, and on surfaces and plots, and compares files,
 # messages and exit statuses byte by byte. For changes that are to leave every drawing as it is; not a part of ctest,
-# since it needs the program of before.
+# since it needs the program of before. Programs that know --quality draw with --quality exact, so that one from before
+# clear lines can be compared with one of today.
 #
 #   LIGNE_MODELS_DIR   folder of models (default: ../shared/models beside the tree, where it is there)
 #   LIGNE_SECONDS      most seconds for one command, 60; one that needs more is reported and left out
 set -euo pipefail
 
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-old=$(realpath "$1") new=$(realpath "$2")
 models=${LIGNE_MODELS_DIR:-$root/../shared/models}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/old" "$work/new"
+
+# exact_program PROGRAM WRAPPER: a program that draws exact lines, whether PROGRAM knows of others or not.
+exact_program() {
+  local program option=()
+  program=$(realpath "$1")
+  if grep -q -- '--quality' <<<"$("$program" draw --help)"; then option=(--quality exact); fi
+  cat >"$2" <<END
+#!/bin/sh
+case "\$1" in
+  draw | info) exec "$program" "\$@" ${option[*]} ;;
+  *) exec "$program" "\$@" ;;
+esac
+END
+  chmod +x "$2"
+}
+exact_program "$1" "$work/ligne-old"
+exact_program "$2" "$work/ligne-new"
+old=$work/ligne-old new=$work/ligne-new
 compared=0 different=0 slow=0
 
 # same NAME ARGUMENT...: runs both programs, each in a folder of its own, and compares what they leave behind.

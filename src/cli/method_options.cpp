@@ -73,6 +73,12 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice)
       .standard("30");
   group.add("--hidden", "HOW", request.hidden, parse_hidden, "hidden lines in a layer of their own: none dashed solid")
       .standard("none");
+  group
+      .add(
+          "--quality", "HOW", request.quality,
+          [](const std::string& text) { return static_cast<Quality>(parse_choice(text, kQualityNames)); },
+          "clear: the lines of the shape that the mesh stands for; exact: of every edge as stored")
+      .standard("clear");
   group.add_flag("--cull", request.cull, "leave out back faces of closed, consistently wound objects");
   add_parameters(app, choice);
 }

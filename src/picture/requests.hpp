@@ -58,6 +58,11 @@ struct PageRequest {
 enum class HiddenLines { none, dashed, solid };
 inline constexpr std::string_view kHiddenLinesNames[] = {"none", "dashed", "solid"};
 
+/// What is drawn of a mesh: the lines that an illustrator would draw of the shape it stands for, or those of every edge as
+/// stored.
+enum class Quality : std::uint8_t { clear, exact };
+inline constexpr std::string_view kQualityNames[] = {"clear", "exact"};
+
 /// Which lines are drawn, and how they are found.
 struct LineRequest {
   const Method* method = nullptr;  ///< nullptr: the default method, for regions the first that gives them
@@ -66,6 +71,7 @@ struct LineRequest {
   double crease_degrees = 30;
   HiddenLines hidden = HiddenLines::none;
   bool cull = false;  ///< leave out back faces of closed, consistently wound objects
+  Quality quality = Quality::clear;
 };
 
 enum class FillKind : std::uint8_t { none, material, shade };

@@ -18,12 +18,15 @@ std::string report_text(const RunReport& report) {
   std::size_t width = 0;
   for (const auto& [name, value] : report.study.counts) width = std::max(width, name.size());
   for (const auto& [name, value] : report.study.seconds) width = std::max(width, name.size());
+  for (const auto& [name, value] : report.clear.counts) width = std::max(width, name.size());
   for (const auto& [name, value] : report.stages.seconds) width = std::max(width, name.size());
 
   std::string text;
   if (!report.method.empty()) text += "method " + report.method + "\n";
   for (const auto& [name, value] : report.study.counts) text += line(name, width, std::to_string(value));
   for (const auto& [name, value] : report.study.seconds) text += line(name, width, duration(value));
+  if (!report.clear.counts.empty()) text += "clear lines\n";
+  for (const auto& [name, value] : report.clear.counts) text += line(name, width, std::to_string(value));
   text += "stages\n";
   double total = 0;
   for (const auto& [name, value] : report.stages.seconds) {
@@ -43,6 +46,7 @@ std::string report_json(const RunReport& report) {
   json["stages"] = nlohmann::ordered_json::object();
   for (const auto& [name, value] : report.study.counts) json["counts"][name] = value;
   for (const auto& [name, value] : report.study.seconds) json["seconds"][name] = value;
+  for (const auto& [name, value] : report.clear.counts) json["clear"][name] = value;
   for (const auto& [name, value] : report.stages.seconds) json["stages"][name] = value;
   return json.dump(2) + "\n";
 }

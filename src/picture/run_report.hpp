@@ -34,6 +34,7 @@ struct RunWarning {
 struct RunReport {
   std::string method;
   Statistics study;   ///< the method's own counts and times
+  Statistics clear;   ///< what clear lines leave out or change, by cause; empty for exact ones
   Statistics stages;  ///< times of the whole run
   std::vector<RunWarning> warnings;
   InputFiles files;  ///< that were read on the way
@@ -44,7 +45,8 @@ struct RunReport {
 /// As a table for people.
 std::string report_text(const RunReport& report);
 
-/// As JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "stages"}.
+/// As JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "clear", "stages"}; "clear" only
+/// where clear lines differ.
 std::string report_json(const RunReport& report);
 
 }  // namespace ligne

@@ -135,6 +135,7 @@ Picture draw_surface_mesh(const SurfaceRequest& request, RunReport& run) {
   picture.view = view_of(request);
   picture.lines.classes = classes_of(request);
   picture.lines.crease_degrees = kCrease;
+  picture.lines.quality = Quality::exact;  // samples of ours: there is nothing to heal
   if (picture.output.format != OutputFormat::json) picture.heading = picture.output.title;
   return draw_scene(plot.scene, picture, run, plot.box);
 }

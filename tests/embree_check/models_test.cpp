@@ -107,7 +107,7 @@ TEST_P(ModelDrawing, IsRight) {
   const TemporaryFile drawing{std::filesystem::temp_directory_path() /
                               ("ligne_check_" + std::to_string(getpid()) + "_" + name_of_case(c) + ".json")};
   std::string command = std::string("\"") + LIGNE_PROGRAM + "\" draw -q \"" + model.string() + "\" " + c.view.options +
-                        " --edges " + c.edges + " -o \"" + drawing.path.string() + "\"";
+                        " --quality exact --edges " + c.edges + " -o \"" + drawing.path.string() + "\"";
   CheckOptions options;
   options.kinds = std::string_view(c.edges) == "all" ? kAllKinds : kFeatureKinds;
   if (command.find("--eye") != std::string::npos) {
