@@ -86,7 +86,7 @@ class PictureTest : public testing::Test {
     options.insert(options.begin(), {"draw", file});
     // Creases have 0.7 of the pen's width: 1.4 pixels, so that half of a pixel is covered wherever the line runs.
     options.insert(options.end(), {"--up=0,0,1", "--landscape", "--pen-width", "0.5mm", "--dpi", dpi, "--threads", "1", "-q",
-                                   "-o", png.string()});
+                                   "--quality", "exact", "-o", png.string()});
     if (command) {
       *command = "ligne";
       for (const std::string& option : options) *command += " " + option;

@@ -143,7 +143,7 @@ std::string options(const CameraRequest& camera) {
 std::string command(const std::string& stem, const Sight& sight, const Method& method) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("ligne-" + stem + ".json");
   std::ofstream(file, std::ios::binary) << to_json(sight.scene);
-  return "  ligne draw " + file.string() + options(sight.camera) + " --landscape --method " +
+  return "  ligne draw " + file.string() + options(sight.camera) + " --landscape --quality exact --method " +
          std::string(method.traits().name) + " -o " + stem + ".svg\n";
 }
 
