@@ -38,11 +38,13 @@ void draw(const DrawOptions& options) {
   RunReport run;
   request.plotter = plotter_request(options.plotter.choice, request.output.format, run.files);
   files.were_read(run.files);
-  const LoadedModels models =
-      timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet, files); });
+  ModelRequest model = options.model;
+  model.quality = request.lines.quality;
+  LoadedModels models = timed(run.stages, "read", [&] { return load_models(model, options.run.quiet, files); });
+  report_healing(models, model, run);
   ProgressBar bar(options.run);
   request.progress = bar.callback();
-  Picture picture = draw_scene(models.scene, request, run);
+  Picture picture = draw_scene(models.scene, request, run, {}, std::move(models.topology));
   deliver(std::move(picture), *options.output.file, options.plotter.preview, options.model.files.front(), options.run, run,
           files);
 }

@@ -74,12 +74,56 @@ std::string meaning(const MethodTraits& traits) {
   return text;
 }
 
+/// Objects whose borders were sewn are named one by one up to this number.
+constexpr std::size_t kMostSewnLines = 5;
+
+/// What was healed, and why.
+std::string healed_text(const ModelFile& file) {
+  const HealReport& healed = file.healed;
+  std::string text;
+  const auto add = [&](const std::string& what) { text += line("healed", what); };
+  if (healed.objects_twice > 0) add(std::to_string(healed.objects_twice) + " objects lie exactly on another one: left out");
+  if (healed.faces_twice > 0)
+    add(std::to_string(healed.faces_twice) + " faces have the same vertices as another one: drawn once, from both sides");
+  if (healed.sewn.empty()) return text;
+  add(std::to_string(healed.edges_sewn()) + " of " + std::to_string(healed.border_edges) +
+      " border edges sewn: " + std::to_string(healed.vertices_moved) + " vertices moved onto another, edges split at " +
+      std::to_string(healed.edges_split));
+  for (std::size_t i = 0; i < std::min(healed.sewn.size(), kMostSewnLines); ++i) {
+    const SewnBorders& sewn = healed.sewn[i];
+    text += line("", "object " + std::to_string(sewn.object) + ": " + std::to_string(sewn.vertices_near) +
+                         " vertices lie within " + rounded(sewn.distance, 3) + " of another border, the others " +
+                         (sewn.next_gap > 0 ? "from " + rounded(sewn.next_gap, 3) + " on" : "much farther"));
+  }
+  if (healed.sewn.size() > kMostSewnLines) {
+    text += line("", "and " + std::to_string(healed.sewn.size() - kMostSewnLines) + " objects more");
+  }
+  return text;
+}
+
+Json healed_json(const HealReport& healed) {
+  Json json{{"objects_twice", healed.objects_twice},   {"faces_twice", healed.faces_twice},
+            {"border_edges", healed.border_edges},     {"border_edges_sewn", healed.edges_sewn()},
+            {"vertices_moved", healed.vertices_moved}, {"edges_split", healed.edges_split}};
+  json["sewn"] = Json::array();
+  for (const SewnBorders& sewn : healed.sewn) {
+    json["sewn"].push_back(Json{{"object", sewn.object},
+                                {"distance", sewn.distance},
+                                {"border_edges", sewn.edges},
+                                {"border_edges_left", sewn.edges_left},
+                                {"vertices_near", sewn.vertices_near},
+                                {"next_gap", sewn.next_gap > 0 ? Json(sewn.next_gap) : Json(nullptr)}});
+  }
+  return json;
+}
+
 std::string file_text(const ModelFile& file) {
   std::string text = file.name + "\n";
   text += line("format", std::string(to_string(file.report.format)));
   text += line("as stored", std::to_string(file.report.faces) + " faces, " + std::to_string(file.report.triangles) +
                                 " triangles, " + std::to_string(file.report.vertices) + " vertices");
   for (const auto& [kind, count] : file.warnings.counts()) text += line("mended", std::to_string(count) + " " + kind);
+  text += healed_text(file);
   return text;
 }
 
@@ -154,6 +198,7 @@ Json file_json(const ModelFile& file) {
   json["stored"] = {{"faces", file.report.faces}, {"triangles", file.report.triangles}, {"vertices", file.report.vertices}};
   json["warnings"] = Json::object();
   for (const auto& [kind, count] : file.warnings.counts()) json["warnings"][kind] = count;
+  if (!file.healed.nothing()) json["healed"] = healed_json(file.healed);
   return json;
 }
 
@@ -236,10 +281,14 @@ void inform(const InfoOptions& options) {
   RunReport run;
   info.method = &method_of(PictureRequest{.lines = options.lines});
   settings_of(options.method, *info.method);
-  info.models = timed(run.stages, "read", [&] { return load_models(options.model, options.run.quiet, files); });
+  ModelRequest model = options.model;
+  model.quality = options.lines.quality;
+  info.models = timed(run.stages, "read", [&] { return load_models(model, options.run.quiet, files); });
   const Scene& scene = info.models.scene;
   info.up_axis = options.view.up_axis.value_or(scene.up_axis);
-  const Topology topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
+  const Topology topology = timed(run.stages, "topology", [&] {
+    return info.models.topology ? std::move(*info.models.topology) : build_topology(scene);
+  });
   info.scene = scene_facts(scene, topology);
   timed(run.stages, "project", [&] {
     info.placement = place(scene, camera_of(options.view, scene), options.page);

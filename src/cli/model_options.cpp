@@ -6,16 +6,25 @@
 
 namespace ligne {
 
+namespace {
+
+std::optional<double> parse_weld(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  return text == "off" ? 0 : parse_positive(text);
+}
+
+}  // namespace
+
 void add_model_options(CLI::App& app, ModelRequest& request) {
   add_arguments(app, "MODEL", request.files, true,
                 "glTF, OBJ, STL, PLY, 3D Studio ASCII or ligne-scene file; several make one scene");
   OptionGroup group(app, "Lines");
   group
       .add(
-          "--weld", "DIST", request.weld_distance, parse_positive,
-          "vertices of one object that are so near to each other (model units) become one: closes seams that would be drawn "
-          "as borders")
-      .standard("0, equal positions");
+          "--weld", "DIST", request.weld_distance, parse_weld,
+          "borders of one object so near to each other (model units) are sewn: cracks would be drawn as borders; auto: as near "
+          "as cracks are, off: none. With --quality exact: vertices so near become one, and auto is off")
+      .standard("auto");
   group.add_flag("--merge-coplanar", request.merge_coplanar, "put coplanar neighbouring faces together into polygons");
 }
 

@@ -107,10 +107,11 @@ void check(const PictureRequest& request) {
   check(request.page);
 }
 
-Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport& run, const std::optional<PlotBox>& box) {
+Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport& run, const std::optional<PlotBox>& box,
+                   std::optional<Topology> topology) {
   check(request);
   const bool json = request.output.format == OutputFormat::json;
-  PreparedScene prepared = prepare(scene, request, box, run);
+  PreparedScene prepared = prepare(scene, request, box, run, std::move(topology));
   const PlotOptions plot = plot_options(request, prepared.around.placement.page);
   const HatchScene hatch = hatch_scene(prepared, plot);
   std::vector<Layer> hatching = hatch_spans(hatch, run);

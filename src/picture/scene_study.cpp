@@ -59,10 +59,11 @@ SourceEdge SceneStudy::source(const Scene& scene, std::uint32_t number) const {
   return {{scene.vertices[edge.v0], scene.vertices[edge.v1]}, {edge.face0, edge.face1}, false};
 }
 
-PreparedScene prepare(const Scene& scene, const PictureRequest& request, const std::optional<PlotBox>& box, RunReport& run) {
+PreparedScene prepare(const Scene& scene, const PictureRequest& request, const std::optional<PlotBox>& box, RunReport& run,
+                      std::optional<Topology> topology) {
   PreparedScene prepared{scene, request, method_of(request), {}, {}, {}, {}, {}};
   run.method = prepared.method.traits().name;
-  prepared.topology = timed(run.stages, "topology", [&] { return build_topology(scene); });
+  prepared.topology = timed(run.stages, "topology", [&] { return topology ? std::move(*topology) : build_topology(scene); });
   timed(run.stages, "project", [&] {
     prepared.around =
         place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);

@@ -45,8 +45,10 @@ const Method& method_of(const PictureRequest& request);
 /// The picture needs regions of its method.
 bool wants_regions(const PictureRequest& request, const Method& method);
 
-/// Topology, camera, place on the page, projection, culling. `box`: what axes measure. Throws RequestError.
-PreparedScene prepare(const Scene& scene, const PictureRequest& request, const std::optional<PlotBox>& box, RunReport& run);
+/// Topology, camera, place on the page, projection, culling. `box`: what axes measure. `topology`: that of the scene, where
+/// it is known. Throws RequestError.
+PreparedScene prepare(const Scene& scene, const PictureRequest& request, const std::optional<PlotBox>& box, RunReport& run,
+                      std::optional<Topology> topology = {});
 
 /// The method's study, with details and light on its regions. Empties `prepared.topology`, whose memory the study needs.
 /// `span_lines`: where spans are wanted. Throws RequestError.

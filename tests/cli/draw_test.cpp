@@ -255,7 +255,24 @@ TEST_F(DrawTest, WeldedSeamsAreNoBorders) {
   write("seam.obj",
         "v 0 0 0\nv 10 0 0\nv 20 0 0\nv 0 10 0\nv 10 10 0\nv 20 10 0\nv 10 0.01 0\nv 10 9.99 0\nf 1 2 5 4\nf 7 3 6 8\n");
   EXPECT_GT(strokes_by_class(drawn({"seam.obj"}))["border"], 6);
-  EXPECT_EQ(strokes_by_class(drawn({"seam.obj", "--weld", "0.02"}))["border"], 6);
+  for (const char* weld : {"auto", "off"}) EXPECT_GT(strokes_by_class(drawn({"seam.obj", "--weld", weld}))["border"], 6);
+  for (const char* quality : {"clear", "exact"}) {
+    EXPECT_EQ(strokes_by_class(drawn({"seam.obj", "--weld", "0.02", "--quality", quality}))["border"], 6);
+  }
+}
+
+TEST_F(DrawTest, ClearLinesOfFacesStoredTwice) {
+  write("twice.obj",
+        "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 20 0 1\nv 20 10 1\nf 1 2 3 4\nf 2 5 6 3\nf 4 3 2 1\nf 6 5 2 3\n");
+  const Outcome clear = run({"draw", "twice.obj", "-o", "clear.json", "--stats-json", "stats.json"});
+  EXPECT_NE(clear.err.find("2 faces stored twice are drawn once"), std::string::npos) << clear.err;
+  EXPECT_EQ(json::parse(contents(file("stats.json")))["clear"]["faces stored twice"], 2);
+  const Outcome exact = run({"draw", "twice.obj", "--quality", "exact", "-o", "exact.json", "--stats-json", "stats.json"});
+  EXPECT_EQ(exact.err, "");
+  EXPECT_FALSE(json::parse(contents(file("stats.json"))).contains("clear"));
+  EXPECT_EQ(run({"draw", "twice.obj", "--quality", "fair", "-o", "x.svg"}).status, 2);
+  const Outcome info = run({"info", "twice.obj"});
+  EXPECT_NE(info.out.find("2 faces have the same vertices as another one"), std::string::npos) << info.out;
 }
 
 TEST_F(DrawTest, NamesWithSpacesAndUtf8) {

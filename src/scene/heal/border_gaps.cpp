@@ -1,0 +1,141 @@
+#include "scene/heal/border_gaps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "geometry/parallel.hpp"
+#include "scene/model/planarity.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: what counts as a break between cracks and openings, and the limits of cracks.
+constexpr double kBreak = 2;
+constexpr double kPartOfMedian = 1.0 / 8;
+constexpr double kPartOfModel = 1.0 / 4096;
+
+constexpr std::size_t kGrain = 256;
+
+std::vector<EdgeTree::Segment> segments_of(const Scene& scene, const std::vector<Edge>& edges) {
+  std::vector<EdgeTree::Segment> segments;
+  segments.reserve(edges.size());
+  for (const Edge& edge : edges) segments.push_back({scene.vertices[edge.v0], scene.vertices[edge.v1]});
+  return segments;
+}
+
+/// The gaps at the border's vertices up to a distance, in ascending order.
+std::vector<double> gaps_up_to(const Border& border, double distance) {
+  const std::vector<std::uint32_t>& vertices = border.vertices();
+  std::vector<double> gaps(vertices.size(), -1);
+  parallel_blocks(vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const NearestPoint near = border.nearest(vertices[k], distance);
+      if (near.segment != kNone) gaps[k] = near.distance;
+    }
+  });
+  std::erase(gaps, -1.0);
+  std::sort(gaps.begin(), gaps.end());
+  return gaps;
+}
+
+GapBreak break_after(const std::vector<double>& gaps, std::size_t count, double distance) {
+  return {distance, count, count < gaps.size() ? gaps[count] : 0};
+}
+
+std::size_t count_within(const std::vector<double>& gaps, double distance) {
+  return static_cast<std::size_t>(std::upper_bound(gaps.begin(), gaps.end(), distance) - gaps.begin());
+}
+
+}  // namespace
+
+Border::Border(const Scene& scene, std::vector<Edge> edges)
+    : scene_(scene), edges_(std::move(edges)), tree_(segments_of(scene, edges_)) {
+  std::vector<std::uint32_t> faces;
+  for (const Edge& edge : edges_) {
+    vertices_.insert(vertices_.end(), {edge.v0, edge.v1});
+    faces.push_back(edge.face0);
+  }
+  const auto sort_unique = [](auto& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+  };
+  sort_unique(vertices_);
+  sort_unique(faces);
+  for (const std::uint32_t f : faces) {
+    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+      for (const std::uint32_t v : scene.faces.contour(f, c)) corners_.emplace_back(f, v);
+    }
+  }
+  sort_unique(corners_);
+}
+
+double Border::median_length() const {
+  if (edges_.empty()) return 0;
+  std::vector<double> lengths;
+  lengths.reserve(edges_.size());
+  for (const Edge& edge : edges_) {
+    lengths.push_back(glm::distance(scene_.vertices[edge.v0], scene_.vertices[edge.v1]));
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+bool Border::has(std::uint32_t face, std::uint32_t v) const {
+  return std::binary_search(corners_.begin(), corners_.end(), std::pair(face, v));
+}
+
+bool Border::adjacent(std::uint32_t u, std::uint32_t v) const {
+  const auto [low, high] = std::minmax(u, v);
+  const auto at = std::lower_bound(edges_.begin(), edges_.end(), std::pair(low, high),
+                                   [](const Edge& e, const auto& ends) { return std::pair(e.v0, e.v1) < ends; });
+  return at != edges_.end() && at->v0 == low && at->v1 == high;
+}
+
+NearestPoint Border::nearest(std::uint32_t v, double distance, double inside) const {
+  return tree_.nearest(scene_.vertices[v], distance, [&](std::uint32_t s, double at) {
+    const Edge& edge = edges_[s];
+    if (edge.v0 == v || edge.v1 == v) return false;
+    if (at == 0 && adjacent(edge.v0, v)) return false;
+    if (at == 1 && adjacent(edge.v1, v)) return false;
+    if (inside > 0) {
+      const double length = glm::distance(scene_.vertices[edge.v0], scene_.vertices[edge.v1]);
+      if (!(std::min(at, 1 - at) * length > inside)) return false;
+    }
+    return !has(edge.face0, v);
+  });
+}
+
+std::vector<std::vector<Edge>> border_edges(const Scene& scene, const Topology& topology) {
+  // Edges are ordered by their vertices, and objects own ascending ranges of them.
+  std::vector<std::vector<Edge>> borders(scene.objects.size());
+  std::size_t object = 0;
+  for (const Edge& edge : topology.edges) {
+    if (edge.face1 != kNone) continue;
+    while (edge.v0 >= scene.objects[object].vertex_end) ++object;
+    borders[object].push_back(edge);
+  }
+  return borders;
+}
+
+GapBreak find_gap_break(const Border& border, double precision, double model_size) {
+  const double median = border.median_length();
+  const double roundings = straightness_tolerance(precision, median);
+  const double limit = std::max(roundings, std::min(kPartOfMedian * median, kPartOfModel * model_size));
+  const std::vector<double> gaps = gaps_up_to(border, kBreak * limit);
+  for (std::size_t n = count_within(gaps, limit); n > 0 && gaps[n - 1] > roundings; --n) {
+    const bool is_break = n == gaps.size() || gaps[n] >= kBreak * gaps[n - 1];
+    if (is_break) return break_after(gaps, n, gaps[n - 1]);
+  }
+  const std::size_t rounded = count_within(gaps, roundings);
+  return rounded > 0 ? break_after(gaps, rounded, roundings) : GapBreak{};
+}
+
+GapBreak gaps_within(const Border& border, double distance) {
+  const std::vector<double> gaps = gaps_up_to(border, kBreak * distance);
+  return break_after(gaps, count_within(gaps, distance), distance);
+}
+
+}  // namespace ligne

@@ -1,0 +1,64 @@
+#pragma once
+/// The borders of an object, how far they lie from each other, and what of that is a crack.
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "scene/heal/edge_tree.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/model/topology.hpp"
+
+namespace ligne {
+
+/// The border edges of one object, and what can be asked of them.
+class Border {
+ public:
+  /// `edges`: those of one object that have one face.
+  Border(const Scene& scene, std::vector<Edge> edges);
+
+  const std::vector<Edge>& edges() const { return edges_; }
+  const std::vector<std::uint32_t>& vertices() const { return vertices_; }  ///< ascending
+  double median_length() const;
+
+  /// The nearest point of the border that is not next to vertex v: on an edge that does not end in v, whose face does not
+  /// have v, and not at the other end of an edge of v. `inside` > 0: at least so far from both ends of the edge.
+  NearestPoint nearest(std::uint32_t v, double distance, double inside = 0) const;
+
+ private:
+  bool has(std::uint32_t face, std::uint32_t v) const;
+  bool adjacent(std::uint32_t u, std::uint32_t v) const;
+
+  const Scene& scene_;
+  std::vector<Edge> edges_;  ///< ordered by their vertices
+  std::vector<std::uint32_t> vertices_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;  ///< (face, vertex) of the faces at the border, sorted
+  EdgeTree tree_;
+};
+
+/// The border edges of every object, in the order of the objects.
+std::vector<std::vector<Edge>> border_edges(const Scene& scene, const Topology& topology);
+
+/// What lies within a distance, and what does not.
+struct GapBreak {
+  double distance = 0;   ///< of what is a crack; 0: there is none
+  std::size_t near = 0;  ///< vertices within it
+  double next = 0;       ///< the nearest beyond it, as far as was looked; 0: none
+};
+
+/// Tells cracks from openings by the distances from the vertices of the border to its other parts.
+/// - What two roundings of one point leave between its copies is always a crack: straightness of the input's precision.
+/// - Nothing is a crack that is wider than an eighth of the median border edge, or than 1/4096 of the model, which is less
+/// than
+///   a twentieth of a millimetre on A4: a seventh of a line.
+/// - Between the two the widest break decides: the largest gap such that the next one is twice as wide or more.
+/// Tessellations
+///   of a common curve leave gaps of up to the square of their chords, and openings begin far beyond. Without such a break
+///   nothing tells the one from the other, and only roundings are closed.
+GapBreak find_gap_break(const Border& border, double precision, double model_size);
+
+/// The same for a distance that is given.
+GapBreak gaps_within(const Border& border, double distance);
+
+}  // namespace ligne

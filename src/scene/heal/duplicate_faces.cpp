@@ -1,0 +1,249 @@
+// Within an object: a face that is stored twice has edges of more than two faces, or, where it lies alone, edges whose two
+// faces are the same all round. The topology knows both, so a mesh without duplicates costs one look at its edges. Faces all
+// of whose vertices lie on such edges are put into a hash table by their key.
+//
+// Between objects: objects that may coincide have the same sum of hashes of positions. Each is written down as its sorted
+// positions and its sorted face keys in terms of them, and compared with the first of its kind.
+
+#include "scene/heal/duplicate_faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <utility>
+
+#include "geometry/parallel.hpp"
+#include "scene/clean/compact.hpp"
+#include "scene/heal/face_key.hpp"
+#include "scene/heal/face_writer.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::size_t kGrain = std::size_t{1} << 15;
+
+/// Finalizer of SplitMix64 (Steele, Lea, Flood 2014).
+std::uint64_t mix(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+std::uint64_t hash(std::span<const std::uint32_t> key) {
+  std::uint64_t h = key.size();
+  for (const std::uint32_t k : key) h = mix(h ^ (k + 0x9e3779b97f4a7c15u));
+  return h;
+}
+
+/// Whether the two faces of an edge may be one face stored twice: as many corners, and the same vertices but for their
+/// order.
+bool may_be_same(const PolygonFaces& faces, std::uint32_t a, std::uint32_t b) {
+  if (a == b) return false;
+  const auto p = faces.contour(a, 0), q = faces.contour(b, 0);
+  if (p.size() != q.size()) return false;
+  std::uint64_t sum = 0;
+  for (const std::uint32_t v : p) sum += v;
+  for (const std::uint32_t v : q) sum -= v;
+  return sum == 0;
+}
+
+/// Per vertex: lies on an edge that faces stored twice would have. Empty when there is none.
+std::vector<std::uint8_t> suspect_vertices(const Scene& scene, const Topology& topology) {
+  const auto is_suspect = [&](std::size_t e) {
+    const Edge& edge = topology.edges[e];
+    if (edge.face1 == kNone) return false;
+    return (topology.edge_flags[e] & kEdgeManyFaces) != 0 || may_be_same(scene.faces, edge.face0, edge.face1);
+  };
+  const std::size_t n = topology.edges.size();
+  const std::size_t found = parallel_reduce(n, kGrain, std::size_t{0}, [&](std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (std::size_t e = begin; e < end; ++e) count += is_suspect(e);
+    return count;
+  });
+  std::vector<std::uint8_t> suspect;
+  if (found == 0) return suspect;
+  suspect.resize(scene.vertices.size(), 0);
+  for (std::size_t e = 0; e < n; ++e) {
+    if (is_suspect(e)) suspect[topology.edges[e].v0] = suspect[topology.edges[e].v1] = 1;
+  }
+  return suspect;
+}
+
+void find_within_objects(const Scene& scene, const Topology& topology, DuplicateFaces& found) {
+  const std::vector<std::uint8_t> suspect = suspect_vertices(scene, topology);
+  if (suspect.empty()) return;
+  const auto is_suspect = [&](std::uint32_t f) {
+    const auto contour = scene.faces.contour(f, 0);
+    return std::all_of(contour.begin(), contour.end(), [&](std::uint32_t v) { return suspect[v]; });
+  };
+  std::vector<std::uint32_t> candidates;
+  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
+    if (is_suspect(f)) candidates.push_back(f);
+  }
+  // Vertices of different objects differ, so one table serves all.
+  const std::size_t mask = std::bit_ceil(2 * candidates.size() + 1) - 1;
+  struct Slot {
+    std::uint64_t hash = 0;
+    std::uint32_t face = kNone;
+  };
+  std::vector<Slot> table(mask + 1);
+  std::vector<std::uint32_t> key, other;
+  const auto itself = [](std::uint32_t v) { return v; };
+  for (const std::uint32_t f : candidates) {
+    face_key(scene, f, itself, key);
+    const std::uint64_t h = hash(key);
+    for (std::size_t k = h & mask;; k = (k + 1) & mask) {
+      if (table[k].face == kNone) {
+        table[k] = {h, f};
+        break;
+      }
+      if (table[k].hash != h) continue;
+      face_key(scene, table[k].face, itself, other);
+      if (key != other) continue;
+      found.first[f] = table[k].face;
+      break;
+    }
+  }
+}
+
+/// An object written down so that objects that coincide are equal.
+struct Shape {
+  std::vector<Point3> positions;                  ///< sorted
+  std::vector<std::vector<std::uint32_t>> faces;  ///< keys in terms of them, sorted, each once
+  std::vector<std::uint32_t> face;                ///< a face of each key: the first
+};
+
+Shape shape_of(const Scene& scene, const Object& object) {
+  const std::uint32_t first = object.vertex_begin, n = object.vertex_end - first;
+  std::vector<std::uint32_t> order(n), rank(n);
+  std::iota(order.begin(), order.end(), first);
+  const auto coordinates = [&](std::uint32_t v) {
+    const Point3& p = scene.vertices[v];
+    return std::array{p.x, p.y, p.z};
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return coordinates(a) < coordinates(b); });
+  Shape shape;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    rank[order[k] - first] = k;
+    shape.positions.push_back(scene.vertices[order[k]]);
+  }
+  std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>> keys(object.face_end - object.face_begin);
+  const auto name = [&](std::uint32_t v) { return rank[v - first]; };
+  for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+    auto& [key, face] = keys[f - object.face_begin];
+    face = f;
+    face_key(scene, f, name, key);
+  }
+  std::sort(keys.begin(), keys.end());
+  for (auto& [key, face] : keys) {
+    if (!shape.faces.empty() && shape.faces.back() == key) continue;
+    shape.faces.push_back(std::move(key));
+    shape.face.push_back(face);
+  }
+  return shape;
+}
+
+/// The same for objects that coincide.
+std::vector<std::uint64_t> position_sums(const Scene& scene) {
+  std::vector<std::uint64_t> sums(scene.objects.size());
+  parallel_for(sums.size(), [&](std::size_t i) {
+    const Object& object = scene.objects[i];
+    std::uint64_t sum = object.vertex_end - object.vertex_begin;
+    for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
+      std::uint64_t h = 0;
+      for (int k = 0; k < 3; ++k) h = mix(h ^ std::bit_cast<std::uint64_t>(scene.vertices[v][k] + 0.0)) + 1;
+      sum += h;
+    }
+    sums[i] = sum;
+  });
+  return sums;
+}
+
+void find_equal_objects(const Scene& scene, DuplicateFaces& found) {
+  const std::vector<std::uint64_t> sums = position_sums(scene);
+  std::vector<std::uint32_t> order(sums.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return sums[a] < sums[b]; });
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t end = i + 1;
+    while (end < order.size() && sums[order[end]] == sums[order[i]]) ++end;
+    std::optional<Shape> first;
+    for (std::size_t k = i + 1; k < end; ++k) {
+      const Object& object = scene.objects[order[k]];
+      if (object.face_begin == object.face_end) continue;
+      if (!first) first = shape_of(scene, scene.objects[order[i]]);
+      const Shape shape = shape_of(scene, object);
+      if (shape.positions != first->positions || shape.faces != first->faces) continue;
+      ++found.objects;
+      for (std::size_t n = 0; n < shape.face.size(); ++n) found.first[shape.face[n]] = first->face[n];
+    }
+    i = end;
+  }
+}
+
+using Corner = std::pair<std::array<std::uint32_t, 2>, std::size_t>;  ///< ends of an edge, and the corner it begins at
+
+std::vector<Corner> edges_of(const Scene& scene, std::uint32_t f) {
+  std::vector<Corner> edges;
+  for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+    const auto contour = scene.faces.contour(f, c);
+    for (std::size_t k = 0; k < contour.size(); ++k) {
+      const auto [low, high] = std::minmax(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
+      edges.push_back({{low, high}, scene.faces.corner_index(f, c) + k});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// Faces of one object alone: those of another one have vertices of their own, and their flags go with it.
+void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
+  constexpr std::uint8_t kAllMustSay = kCornerFileHidden | kCornerInner;
+  const std::vector<Corner> a = edges_of(scene, from), b = edges_of(scene, to);
+  for (std::size_t k = 0; k < a.size() && a[k].first == b[k].first; ++k) {
+    std::uint8_t& kept = scene.corner_flags[b[k].second];
+    const std::uint8_t other = scene.corner_flags[a[k].second];
+    kept = static_cast<std::uint8_t>((kept & other & kAllMustSay) | ((kept | other) & ~kAllMustSay));
+  }
+}
+
+}  // namespace
+
+DuplicateFaces find_duplicate_faces(const Scene& scene, const Topology& topology) {
+  DuplicateFaces found;
+  found.first.resize(scene.faces.size());
+  std::iota(found.first.begin(), found.first.end(), 0u);
+  find_within_objects(scene, topology, found);
+  if (scene.objects.size() > 1) find_equal_objects(scene, found);
+  for (std::uint32_t f = 0; f < found.first.size(); ++f) {
+    // The first face of a pair within an object may have gone with that object.
+    found.first[f] = found.first[found.first[f]];
+    found.faces += found.first[f] != f;
+  }
+  if (found.faces == 0) found.first.clear();
+  return found;
+}
+
+void drop_duplicate_faces(Scene& scene, const DuplicateFaces& duplicates) {
+  if (duplicates.faces == 0) return;
+  if (!scene.corner_flags.empty()) {
+    for (std::uint32_t f = 0; f < duplicates.first.size(); ++f) {
+      if (duplicates.first[f] != f) join_flags(scene, f, duplicates.first[f]);
+    }
+  }
+  for (Detail& detail : scene.details) detail.face = duplicates.first[detail.face];
+  FaceWriter writer(scene);
+  for (std::uint32_t f = 0; f < duplicates.first.size(); ++f) {
+    writer.begin(f);
+    if (duplicates.first[f] == f) writer.keep(f);
+  }
+  writer.finish();
+  drop_unused_vertices(scene);
+}
+
+}  // namespace ligne

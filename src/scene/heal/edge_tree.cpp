@@ -1,0 +1,96 @@
+#include "scene/heal/edge_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+namespace ligne {
+namespace {
+
+/// Adjustable: segments in a leaf, and segments that one search looks at.
+constexpr std::uint32_t kLeaf = 4;
+constexpr int kMostVisits = 256;
+
+/// Place on the segment that is nearest to p, from 0 to 1.
+double foot(const EdgeTree::Segment& s, const Point3& p) {
+  const Point3 along = s.b - s.a;
+  const double square = glm::dot(along, along);
+  return square > 0 ? std::clamp(glm::dot(p - s.a, along) / square, 0.0, 1.0) : 0;
+}
+
+}  // namespace
+
+double EdgeTree::Box::distance(const Point3& p) const {
+  return glm::length(glm::max(glm::max(low - p, p - high), Point3(0)));
+}
+
+EdgeTree::EdgeTree(std::vector<Segment> segments) : segments_(std::move(segments)), order_(segments_.size()) {
+  std::iota(order_.begin(), order_.end(), 0u);
+  if (segments_.empty()) return;
+  // Ranges are halved, so those of one depth differ by one at the most.
+  std::size_t leaves = 1;
+  while (leaves * kLeaf < segments_.size()) leaves *= 2;
+  boxes_.resize(2 * leaves - 1);
+  build(0, 0, static_cast<std::uint32_t>(segments_.size()));
+}
+
+EdgeTree::Box EdgeTree::build(std::size_t node, std::uint32_t begin, std::uint32_t end) {
+  Box box{segments_[order_[begin]].a, segments_[order_[begin]].a};
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const Segment& s = segments_[order_[k]];
+    box = {glm::min(box.low, glm::min(s.a, s.b)), glm::max(box.high, glm::max(s.a, s.b))};
+  }
+  boxes_[node] = box;
+  if (2 * node + 2 >= boxes_.size()) return box;
+  const Point3 size = box.high - box.low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const auto middle = [&](std::uint32_t s) { return segments_[s].a[axis] + segments_[s].b[axis]; };
+  const std::uint32_t half = begin + (end - begin) / 2;
+  std::nth_element(order_.begin() + begin, order_.begin() + half, order_.begin() + end,
+                   [&](std::uint32_t a, std::uint32_t b) { return std::pair(middle(a), a) < std::pair(middle(b), b); });
+  build(2 * node + 1, begin, half);
+  build(2 * node + 2, half, end);
+  return box;
+}
+
+NearestPoint EdgeTree::nearest(const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept) const {
+  NearestPoint best;
+  best.distance = distance;
+  if (segments_.empty()) return best;
+  struct Range {
+    std::size_t node;
+    std::uint32_t begin, end;
+    double distance;
+  };
+  std::array<Range, 64> stack;  // one entry a level, and the depth is that of a 32-bit count
+  std::size_t top = 0;
+  stack[top++] = {0, 0, static_cast<std::uint32_t>(segments_.size()), boxes_[0].distance(p)};
+  int visits = 0;
+  while (top > 0) {
+    const Range range = stack[--top];
+    if (range.distance > best.distance) continue;
+    if (2 * range.node + 2 < boxes_.size()) {
+      const std::uint32_t half = range.begin + (range.end - range.begin) / 2;
+      Range left{2 * range.node + 1, range.begin, half, boxes_[2 * range.node + 1].distance(p)};
+      Range right{2 * range.node + 2, half, range.end, boxes_[2 * range.node + 2].distance(p)};
+      if (left.distance <= right.distance) std::swap(left, right);
+      stack[top++] = left;
+      stack[top++] = right;
+      continue;
+    }
+    for (std::uint32_t k = range.begin; k < range.end; ++k) {
+      if (++visits > kMostVisits) return best;
+      const std::uint32_t s = order_[k];
+      const double at = foot(segments_[s], p);
+      const double d = glm::distance(p, segments_[s].a + at * (segments_[s].b - segments_[s].a));
+      if (d > best.distance || (d == best.distance && best.segment != NearestPoint{}.segment)) continue;
+      if (accept(s, at)) best = {s, at, d};
+    }
+  }
+  return best;
+}
+
+}  // namespace ligne

@@ -1,0 +1,44 @@
+#pragma once
+/// The nearest of a set of segments in space.
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/parallel.hpp"
+#include "geometry/point.hpp"
+
+namespace ligne {
+
+/// A point of a segment near to another point.
+struct NearestPoint {
+  std::uint32_t segment = 0xffffffffu;  ///< index, or 0xffffffff when none is near enough
+  double at = 0;                        ///< 0 at its start, 1 at its end
+  double distance = 0;
+};
+
+/// A tree of boxes over segments, halved at the median of their middles along the longest side: O(n log n) to build.
+class EdgeTree {
+ public:
+  struct Segment {
+    Point3 a, b;
+  };
+  explicit EdgeTree(std::vector<Segment> segments);
+
+  /// The nearest point within `distance` on a segment that `accept(segment, at)` takes. Of equally near ones the first met,
+  /// which depends on the segments alone. Looks at `kMostVisits` segments at the most, the nearer boxes first, so that
+  /// crowds of segments at one place take no time without bound; beyond that the nearest so far is returned.
+  NearestPoint nearest(const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept) const;
+
+ private:
+  struct Box {
+    Point3 low, high;
+    double distance(const Point3& p) const;
+  };
+  Box build(std::size_t node, std::uint32_t begin, std::uint32_t end);
+
+  std::vector<Segment> segments_;
+  std::vector<std::uint32_t> order_;  ///< of the segments, so that a node is a range
+  std::vector<Box> boxes_;            ///< children of node i: 2 i + 1 and 2 i + 2
+};
+
+}  // namespace ligne

@@ -1,0 +1,65 @@
+#include "scene/heal/face_key.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace ligne {
+namespace {
+
+/// Where the least rotation of a cyclic word begins (Shiloach 1981: two candidates run against each other, and the one that
+/// loses at its letter k can not begin before k + 1).
+std::size_t least_rotation(std::span<const std::uint32_t> word) {
+  const std::size_t n = word.size();
+  std::size_t i = 0, j = 1, k = 0;
+  while (i < n && j < n && k < n) {
+    const std::uint32_t a = word[(i + k) % n], b = word[(j + k) % n];
+    if (a == b) {
+      ++k;
+      continue;
+    }
+    (a > b ? i : j) += k + 1;
+    if (i == j) ++j;
+    k = 0;
+  }
+  return std::min(i, j);
+}
+
+/// The least word of a cyclic contour, read in either direction.
+void make_canonical(std::vector<std::uint32_t>& contour) {
+  if (contour.size() == 3) {  // rotations and reversal are all the orders of three
+    std::sort(contour.begin(), contour.end());
+    return;
+  }
+  const auto rotate = [](std::vector<std::uint32_t>& word) {
+    std::rotate(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(least_rotation(word)), word.end());
+  };
+  std::vector<std::uint32_t> reverse(contour.rbegin(), contour.rend());
+  rotate(contour);
+  rotate(reverse);
+  if (reverse < contour) contour = std::move(reverse);
+}
+
+}  // namespace
+
+void face_key(const Scene& scene, std::uint32_t face, FunctionRef<std::uint32_t(std::uint32_t)> name,
+              std::vector<std::uint32_t>& key) {
+  key.clear();
+  std::vector<std::vector<std::uint32_t>> holes;
+  std::vector<std::uint32_t> contour;
+  for (std::size_t c = 0; c < scene.faces.contour_count(face); ++c) {
+    contour.clear();
+    for (const std::uint32_t v : scene.faces.contour(face, c)) contour.push_back(name(v));
+    make_canonical(contour);
+    if (c == 0)
+      key = contour;
+    else
+      holes.push_back(contour);
+  }
+  std::sort(holes.begin(), holes.end());
+  for (const auto& hole : holes) {
+    key.push_back(kNone);  // no vertex goes by it
+    key.insert(key.end(), hole.begin(), hole.end());
+  }
+}
+
+}  // namespace ligne

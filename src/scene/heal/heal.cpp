@@ -1,0 +1,108 @@
+#include "scene/heal/heal.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "scene/clean/cut_nonplanar.hpp"
+#include "scene/heal/border_gaps.hpp"
+#include "scene/heal/duplicate_faces.hpp"
+#include "scene/heal/face_writer.hpp"
+#include "scene/heal/sew_borders.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: how often borders are split that were split before.
+constexpr int kMostRounds = 4;
+
+double size_of(const Scene& scene) {
+  if (scene.vertices.empty()) return 0;
+  Point3 low = scene.vertices[0], high = low;
+  for (const Point3& p : scene.vertices) low = glm::min(low, p), high = glm::max(high, p);
+  return glm::distance(low, high);
+}
+
+/// The distance within which the borders of each object are sewn, and what was seen of them.
+std::vector<double> sewing_distances(const Scene& scene, const Topology& topology, const HealOptions& options,
+                                     HealReport& report) {
+  std::vector<std::vector<Edge>> borders = border_edges(scene, topology);
+  std::vector<double> distances(scene.objects.size(), 0);
+  if (std::all_of(borders.begin(), borders.end(), [](const auto& edges) { return edges.empty(); })) return distances;
+  const double size = size_of(scene);
+  std::vector<GapBreak> gaps(scene.objects.size());
+  std::vector<std::size_t> counts(scene.objects.size());
+  parallel_tasks(scene.objects.size(), [&](std::size_t i) {
+    counts[i] = borders[i].size();
+    if (borders[i].empty()) return;
+    const Border border(scene, std::move(borders[i]));
+    gaps[i] = options.sew_distance ? gaps_within(border, *options.sew_distance)
+                                   : find_gap_break(border, scene.objects[i].precision, size);
+  });
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    report.border_edges += counts[i];
+    if (gaps[i].near == 0) continue;
+    distances[i] = gaps[i].distance;
+    report.sewn.push_back({i, gaps[i].distance, counts[i], counts[i], gaps[i].near, gaps[i].next});
+  }
+  return distances;
+}
+
+/// Vertices that moved may have left polygons that are not planar: those are cut.
+void cut_bent_faces(Scene& scene) {
+  if (scene.faces.all_triangles()) return;
+  FaceWriter writer(scene);
+  for (const Object& object : scene.objects) {
+    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+      writer.begin(f);
+      const LooseFace face = loose_face(scene, f);
+      bool covered = true;
+      std::vector<CutTriangle> triangles;
+      if (!is_planar(scene.vertices, face, object.precision)) triangles = cut_into_triangles(scene.vertices, face, covered);
+      if (triangles.empty()) writer.keep(f);
+      for (const CutTriangle& triangle : triangles) writer.replace(f, triangle);
+    }
+  }
+  writer.finish();
+}
+
+void sew(Scene& scene, Topology& topology, const HealOptions& options, HealReport& report) {
+  const std::vector<double> distances = sewing_distances(scene, topology, options, report);
+  if (report.sewn.empty()) return;
+  std::vector<std::uint8_t> settled;  // per vertex: it has moved, or another one has come to it
+  report.vertices_moved = join_border_vertices(scene, topology, distances, settled);
+  if (report.vertices_moved > 0) {
+    cut_bent_faces(scene);
+    topology = build_topology(scene);
+  }
+  // What was split may lie beside another vertex now.
+  for (int round = 0; round < kMostRounds; ++round) {
+    const EdgeSplits split = split_border_edges(scene, topology, distances, settled);
+    if (split.splits == 0) break;
+    report.edges_split += split.splits;
+    report.vertices_moved += split.vertices_moved;
+    if (split.vertices_moved > 0) cut_bent_faces(scene);
+    topology = build_topology(scene);
+  }
+
+  const std::vector<std::vector<Edge>> left = border_edges(scene, topology);
+  for (SewnBorders& sewn : report.sewn) sewn.edges_left = left[sewn.object].size();
+  std::erase_if(report.sewn, [](const SewnBorders& sewn) { return sewn.edges_left >= sewn.edges; });
+}
+
+}  // namespace
+
+HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
+  HealReport report;
+  const DuplicateFaces duplicates = find_duplicate_faces(scene, topology);
+  report.objects_twice = duplicates.objects;
+  report.faces_twice = duplicates.faces;
+  if (duplicates.faces > 0) {
+    drop_duplicate_faces(scene, duplicates);
+    topology = build_topology(scene);
+  }
+  if (options.sew_distance != 0.0) sew(scene, topology, options, report);
+  return report;
+}
+
+}  // namespace ligne

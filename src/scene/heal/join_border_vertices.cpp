@@ -1,0 +1,126 @@
+// The vertices that stay stand in a hashed grid of cells two distances wide, as in clean/weld_near.cpp: whatever is near
+// enough to a vertex lies in its own cell or beyond its nearer walls. Vertices that may not be joined can crowd in a cell;
+// of such a crowd kMostTried are looked at, so that time grows with the number of vertices.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "scene/clean/compact.hpp"
+#include "scene/heal/border_gaps.hpp"
+#include "scene/heal/corner_uses.hpp"
+#include "scene/heal/sew_borders.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable.
+constexpr int kMostTried = 64;
+
+class Joiner {
+ public:
+  Joiner(const Scene& scene, const Object& object, const Border& border, double distance, std::vector<std::uint32_t>& target)
+      : scene_(scene), distance_(distance), target_(target), uses_(scene, object, border.vertices()) {
+    heads_.assign(std::bit_ceil(border.vertices().size() + 1), kNone);
+  }
+
+  /// Joins vertex v to one that stays, or lets it stay.
+  bool take(std::uint32_t v) {
+    const Point3 p = scene_.vertices[v];
+    std::array<std::array<double, 2>, 3> cells;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double position = p[axis] / (2 * distance_);
+      const double cell = std::floor(position);
+      cells[axis] = {cell, position - cell < 0.5 ? cell - 1 : cell + 1};
+    }
+    std::uint32_t best = kNone;
+    double best_distance = distance_;
+    int tried = 0;
+    for (unsigned k = 0; k < 8; ++k) {
+      std::uint32_t link = heads_[slot(cells[0][k & 1], cells[1][k >> 1 & 1], cells[2][k >> 2])];
+      for (; link != kNone && tried < kMostTried; link = links_[link].next, ++tried) {
+        const std::uint32_t w = links_[link].vertex;
+        const double d = glm::distance(scene_.vertices[w], p);
+        if (d > best_distance || (d == best_distance && best != kNone && best <= w)) continue;
+        if (may_join(v, w)) best = w, best_distance = d;
+      }
+    }
+    if (best != kNone) {
+      target_[v] = best;
+      return true;
+    }
+    std::uint32_t& head = heads_[slot(cells[0][0], cells[1][0], cells[2][0])];
+    links_.push_back({v, head});
+    head = static_cast<std::uint32_t>(links_.size() - 1);
+    return false;
+  }
+
+ private:
+  struct Link {
+    std::uint32_t vertex, next;
+  };
+
+  std::size_t slot(double x, double y, double z) const {
+    std::uint64_t k = 0;
+    for (const double cell : {x, y, z}) {
+      k = (std::rotl(k, 23) ^ std::bit_cast<std::uint64_t>(cell + 0.0)) * 0x9e3779b97f4a7c15u;
+      k ^= k >> 29;
+    }
+    return k & (heads_.size() - 1);
+  }
+
+  /// No face of v loses a corner, and no triangle turns over, when v goes to w.
+  bool may_join(std::uint32_t v, std::uint32_t w) const {
+    const auto& points = scene_.vertices;
+    for (const CornerUse& use : uses_.of(v)) {
+      const std::uint32_t before = target_[use.before], after = target_[use.after];
+      if (before == w || after == w) return false;
+      if (use.triangle && turns_over(points[v], points[w], points[before], points[after])) return false;
+    }
+    return true;
+  }
+
+  const Scene& scene_;
+  double distance_;
+  std::vector<std::uint32_t>& target_;  ///< per vertex of the scene: where it went, or itself
+  CornerUses uses_;
+  std::vector<std::uint32_t> heads_;  ///< by slot: the first of the links of the vertices in its cells
+  std::vector<Link> links_;
+};
+
+}  // namespace
+
+std::size_t join_border_vertices(Scene& scene, const Topology& topology, std::span<const double> distances,
+                                 std::vector<std::uint8_t>& settled) {
+  std::vector<std::vector<Edge>> borders = border_edges(scene, topology);
+  std::vector<std::uint32_t> target(scene.vertices.size());
+  for (std::uint32_t v = 0; v < target.size(); ++v) target[v] = v;
+  std::vector<std::size_t> moved(scene.objects.size(), 0);
+  parallel_tasks(scene.objects.size(), [&](std::size_t i) {
+    if (!(distances[i] > 0) || borders[i].empty()) return;
+    const Border border(scene, std::move(borders[i]));
+    Joiner joiner(scene, scene.objects[i], border, distances[i], target);
+    for (const std::uint32_t v : border.vertices()) moved[i] += joiner.take(v);
+  });
+  std::size_t sum = 0;
+  for (const std::size_t n : moved) sum += n;
+  settled.assign(scene.vertices.size(), 0);
+  if (sum == 0) return 0;
+  for (std::uint32_t& v : scene.faces.corners()) v = target[v];
+  for (std::uint32_t v = 0; v < target.size(); ++v) {
+    if (target[v] != v) settled[target[v]] = 1;
+  }
+  // A finished scene uses all its vertices, so those that moved are the ones to go, and the others keep their order.
+  std::size_t left = 0;
+  for (std::uint32_t v = 0; v < target.size(); ++v) {
+    if (target[v] == v) settled[left++] = settled[v];
+  }
+  settled.resize(left);
+  drop_unused_vertices(scene);
+  return sum;
+}
+
+}  // namespace ligne

@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "scene/heal/border_gaps.hpp"
+#include "scene/heal/corner_uses.hpp"
+#include "scene/heal/face_writer.hpp"
+#include "scene/heal/sew_borders.hpp"
+#include "scene/model/planarity.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::size_t kGrain = 256;
+
+/// A vertex that lies on an edge of a face.
+struct Split {
+  std::uint32_t face = 0;
+  std::uint32_t v0 = 0, v1 = 0;  ///< of the edge, in ascending order
+  double at = 0;                 ///< 0 at v0, 1 at v1
+  std::uint32_t vertex = 0;
+
+  friend bool operator<(const Split& a, const Split& b) {
+    return std::tuple(a.face, a.v0, a.v1, a.at, a.vertex) < std::tuple(b.face, b.v0, b.v1, b.at, b.vertex);
+  }
+};
+
+/// Puts the vertices that lie beside an edge onto it, where that bends the faces round the vertex less than the split would
+/// bend the face of the edge. So a straight edge and a flat face stay what they are.
+std::size_t move_onto_edges(Scene& scene, const Object& object, std::span<const Split> splits,
+                            std::vector<std::uint8_t>& settled) {
+  std::vector<std::uint32_t> vertices;
+  for (const Split& split : splits) vertices.push_back(split.vertex);
+  const CornerUses uses(scene, object, vertices);
+  std::size_t moved = 0;
+  for (const Split& split : splits) {
+    if (settled[split.vertex]) continue;
+    Point3& p = scene.vertices[split.vertex];
+    const Point3 foot = scene.vertices[split.v0] + split.at * (scene.vertices[split.v1] - scene.vertices[split.v0]);
+    const double bend_of_edge = std::abs(glm::dot(foot - p, face_normal(scene, split.face)));
+    const bool moves = std::ranges::all_of(uses.of(split.vertex), [&](const CornerUse& use) {
+      if (std::abs(glm::dot(foot - p, face_normal(scene, use.face))) >= bend_of_edge) return false;
+      return !use.triangle || !turns_over(p, foot, scene.vertices[use.before], scene.vertices[use.after]);
+    });
+    if (!moves) continue;
+    p = foot;
+    settled[split.vertex] = 1;
+    ++moved;
+  }
+  return moved;
+}
+
+/// `inside`: a foot nearer to an end of the edge is that end.
+std::vector<Split> splits_of(const Border& border, double distance, double inside) {
+  const std::vector<std::uint32_t>& vertices = border.vertices();
+  std::vector<NearestPoint> nearest(vertices.size());
+  parallel_blocks(vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) nearest[k] = border.nearest(vertices[k], distance, inside);
+  });
+  std::vector<Split> splits;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (nearest[k].segment == kNone) continue;
+    const Edge& edge = border.edges()[nearest[k].segment];
+    splits.push_back({edge.face0, edge.v0, edge.v1, nearest[k].at, vertices[k]});
+  }
+  return splits;
+}
+
+/// The vertices to be put between two corners, in the order from the first to the second.
+std::vector<std::uint32_t> between(std::span<const Split> splits, std::uint32_t from, std::uint32_t to) {
+  const auto [low, high] = std::minmax(from, to);
+  std::vector<std::uint32_t> vertices;
+  for (const Split& split : splits) {
+    if (split.v0 == low && split.v1 == high) vertices.push_back(split.vertex);
+  }
+  if (from > to) std::reverse(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+/// Cuts a triangle edge by edge, each from the corner across it, so that no piece has all its corners along one edge.
+class TriangleSplitter {
+ public:
+  TriangleSplitter(const std::vector<Point3>& vertices, std::span<const Split> splits)
+      : vertices_(vertices), splits_(splits) {}
+
+  /// Nothing when a piece would turn over.
+  std::optional<std::vector<CutTriangle>> run(const CutTriangle& triangle) {
+    normal_ = normal_of(triangle);
+    for (int k = 0; k < 3; ++k) {
+      const auto [a, b] = std::pair(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+      along_[k] = between(splits_, a, b);
+    }
+    cut(triangle, {0, 1, 2});
+    for (const CutTriangle& piece : pieces_) {
+      if (!(glm::dot(normal_of(piece), normal_) > 0)) return std::nullopt;
+    }
+    return std::move(pieces_);
+  }
+
+ private:
+  Point3 normal_of(const CutTriangle& t) const {
+    const Point3 a = vertices_[t.vertices[0]];
+    return glm::cross(vertices_[t.vertices[1]] - a, vertices_[t.vertices[2]] - a);
+  }
+
+  /// `edge[k]`: which edge of the whole triangle edge k is, or -1 when it is a cut.
+  void cut(const CutTriangle& t, std::array<int, 3> edge) {
+    for (int k = 0; k < 3; ++k) {
+      if (edge[k] < 0 || along_[edge[k]].empty()) continue;
+      const int next = (k + 1) % 3, apex = (k + 2) % 3;
+      const std::vector<std::uint32_t> inserted = std::exchange(along_[edge[k]], {});
+      std::uint32_t from = t.vertices[k];
+      for (std::size_t i = 0; i <= inserted.size(); ++i) {
+        const bool first = i == 0, last = i == inserted.size();
+        const std::uint32_t to = last ? t.vertices[next] : inserted[i];
+        const CutTriangle piece{{from, to, t.vertices[apex]},
+                                {t.flags[k], last ? t.flags[next] : std::uint8_t{kCornerInner},
+                                 first ? t.flags[apex] : std::uint8_t{kCornerInner}}};
+        cut(piece, {-1, last ? edge[next] : -1, first ? edge[apex] : -1});
+        from = to;
+      }
+      return;
+    }
+    pieces_.push_back(t);
+  }
+
+  const std::vector<Point3>& vertices_;
+  std::span<const Split> splits_;
+  Point3 normal_{0, 0, 0};
+  std::array<std::vector<std::uint32_t>, 3> along_;
+  std::vector<CutTriangle> pieces_;
+};
+
+LooseFace with_vertices(const LooseFace& face, std::span<const Split> splits) {
+  LooseFace out;
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : face.contour_end) {
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const std::uint32_t next = k + 1 == end ? begin : k + 1;
+      out.corners.push_back(face.corners[k]);
+      for (const std::uint32_t v : between(splits, face.corners[k], face.corners[next])) out.corners.push_back(v);
+      out.flags.resize(out.corners.size(), face.flags[k]);
+    }
+    out.contour_end.push_back(static_cast<std::uint32_t>(out.corners.size()));
+    begin = end;
+  }
+  return out;
+}
+
+/// Writes face f with its splits; whether it could be done.
+bool write_split(const Scene& scene, std::uint32_t f, double precision, std::span<const Split> splits, FaceWriter& writer) {
+  const LooseFace face = loose_face(scene, f);
+  if (face.corners.size() == 3) {
+    const CutTriangle triangle{{face.corners[0], face.corners[1], face.corners[2]},
+                               {face.flags[0], face.flags[1], face.flags[2]}};
+    const auto pieces = TriangleSplitter(scene.vertices, splits).run(triangle);
+    if (!pieces) return false;
+    for (const CutTriangle& piece : *pieces) writer.replace(f, piece);
+    return true;
+  }
+  const LooseFace whole = with_vertices(face, splits);
+  if (is_planar(scene.vertices, whole, precision)) {
+    writer.replace(f, whole);
+    return true;
+  }
+  bool covered = true;
+  const std::vector<CutTriangle> pieces = cut_into_triangles(scene.vertices, whole, covered);
+  if (!covered || pieces.empty()) return false;
+  for (const CutTriangle& piece : pieces) writer.replace(f, piece);
+  return true;
+}
+
+}  // namespace
+
+EdgeSplits split_border_edges(Scene& scene, const Topology& topology, std::span<const double> distances,
+                              std::vector<std::uint8_t>& settled) {
+  std::vector<std::vector<Edge>> borders = border_edges(scene, topology);
+  std::vector<std::vector<Split>> found(scene.objects.size());
+  parallel_tasks(scene.objects.size(), [&](std::size_t i) {
+    if (!(distances[i] > 0) || borders[i].empty()) return;
+    const Border border(scene, std::move(borders[i]));
+    const double inside = straightness_tolerance(scene.objects[i].precision, border.median_length());
+    found[i] = splits_of(border, distances[i], inside);
+    std::sort(found[i].begin(), found[i].end());
+  });
+  // Objects own ascending ranges of faces: the lists in a row are one sorted list.
+  std::vector<Split> splits;
+  for (const auto& list : found) splits.insert(splits.end(), list.begin(), list.end());
+  EdgeSplits done;
+  if (splits.empty()) return done;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i].empty()) done.vertices_moved += move_onto_edges(scene, scene.objects[i], found[i], settled);
+  }
+  FaceWriter writer(scene);
+  std::size_t k = 0;
+  for (const Object& object : scene.objects) {
+    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+      writer.begin(f);
+      const std::size_t first = k;
+      while (k < splits.size() && splits[k].face == f) ++k;
+      const auto own = std::span(splits).subspan(first, k - first);
+      if (!own.empty() && write_split(scene, f, object.precision, own, writer)) {
+        done.splits += own.size();
+      } else {
+        writer.keep(f);
+      }
+    }
+  }
+  writer.finish();
+  return done;
+}
+
+}  // namespace ligne

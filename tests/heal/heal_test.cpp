@@ -1,0 +1,290 @@
+/// What healing does to a scene, and what it leaves alone.
+
+#include "scene/heal/heal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include <glm/geometric.hpp>
+
+#include "geometry/parallel.hpp"
+#include "scene/clean/clean.hpp"
+#include "scene/readers/reader.hpp"
+#include "support/scene_parts.hpp"
+
+namespace ligne {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kCorpus = fs::path(LIGNE_SOURCE_DIR) / "tests/corpus";
+
+Scene read(const fs::path& file) {
+  Warnings warnings;
+  return read_scene(file, {}, warnings);
+}
+
+Scene corpus(const std::string& name) { return read(kCorpus / (name + ".json")); }
+
+struct Healed {
+  Scene scene;
+  HealReport report;
+  Topology topology;
+};
+
+Healed healed(Scene scene, HealOptions options = {}) {
+  Topology topology = build_topology(scene);
+  HealReport report = heal(scene, topology, options);
+  return {std::move(scene), std::move(report), std::move(topology)};
+}
+
+std::size_t border_edges(const Topology& topology) {
+  return static_cast<std::size_t>(
+      std::count_if(topology.edges.begin(), topology.edges.end(), [](const Edge& e) { return e.face1 == kNone; }));
+}
+
+/// Triangles of a grid of n x n quads with a little relief, as one object.
+Scene relief(std::uint32_t n) {
+  Scene scene;
+  test::begin_object(scene);
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    for (std::uint32_t j = 0; j <= n; ++j) scene.vertices.emplace_back(i, j, 0.25 * ((i * 7 + j * 3) % 5));
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+      scene.faces.add_triangle(a, b, b + 1);
+      scene.faces.add_triangle(a, b + 1, a + 1);
+    }
+  }
+  test::end_object(scene);
+  return scene;
+}
+
+TEST(Heal, OfTheCorpusOnlyTheDefectsAreChanged) {
+  const std::set<std::string> defects{"cube_stored_twice", "cube_with_crack",   "cube_with_loose_lid",
+                                      "duplicate_faces",   "duplicate_objects", "t_junction"};
+  std::set<std::string> changed;
+  for (const auto& entry : fs::directory_iterator(kCorpus)) {
+    if (entry.path().extension() != ".json") continue;
+    const Scene before = read(entry.path());
+    const Healed after = healed(before);
+    if (!after.report.nothing()) {
+      changed.insert(entry.path().stem().string());
+      continue;
+    }
+    EXPECT_EQ(before.vertices, after.scene.vertices) << entry.path();
+    EXPECT_TRUE(std::ranges::equal(before.faces.corners(), after.scene.faces.corners())) << entry.path();
+  }
+  EXPECT_EQ(changed, defects);
+}
+
+TEST(Heal, FacesStoredTwiceCountOnceInWhateverWinding) {
+  const Healed twice = healed(corpus("cube_stored_twice"));
+  EXPECT_EQ(twice.report.faces_twice, 12u);
+  EXPECT_EQ(twice.scene.faces.size(), 12u);
+  EXPECT_EQ(border_edges(twice.topology), 0u);
+  for (const std::uint8_t flags : twice.topology.edge_flags) EXPECT_EQ(flags, 0);
+}
+
+TEST(Heal, HolesAndFlagsAndDetailsOfFacesStoredTwice) {
+  Scene scene;
+  test::begin_object(scene);
+  scene.vertices = {{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}, {2, 2, 0}, {4, 2, 0}, {4, 4, 0}, {2, 4, 0}};
+  using Corners = std::vector<std::uint32_t>;
+  scene.faces.add_face(Corners{0, 1, 2, 3});
+  scene.faces.add_hole(Corners{4, 7, 6, 5});
+  scene.faces.add_face(Corners{1, 0, 3, 2});  // the same outer contour, without the hole: another face
+  scene.faces.add_face(Corners{2, 1, 0, 3});  // the first one turned over, its hole begun elsewhere
+  scene.faces.add_hole(Corners{5, 4, 7, 6});
+  scene.corner_flags = {
+      kCornerInner, kCornerInner, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, kCornerInner, 0, kCornerCurve, 0, 0, 0, 0};
+  scene.details.push_back({2, 0, {{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}});
+  test::end_object(scene);
+  const Healed once = healed(scene);
+  ASSERT_EQ(once.scene.faces.size(), 2u);
+  EXPECT_EQ(once.report.faces_twice, 1u);
+  EXPECT_EQ(once.scene.faces.contour_count(0), 2u);
+  EXPECT_EQ(once.scene.faces.contour_count(1), 1u);
+  // Edge 0-1 is inner in both; 1-2 in one alone; edge 2-3 is a curve in one.
+  EXPECT_EQ(once.scene.corner_flags[0], kCornerInner);
+  EXPECT_EQ(once.scene.corner_flags[1], 0);
+  EXPECT_EQ(once.scene.corner_flags[2], kCornerCurve);
+  ASSERT_EQ(once.scene.details.size(), 1u);
+  EXPECT_EQ(once.scene.details[0].face, 0u);
+}
+
+TEST(Heal, AnObjectThatLiesExactlyOnAnotherIsLeftEmptyAndKeepsItsName) {
+  const Healed twice = healed(corpus("duplicate_objects"));
+  EXPECT_EQ(twice.report.objects_twice, 1u);
+  ASSERT_EQ(twice.scene.objects.size(), 2u);
+  EXPECT_EQ(twice.scene.objects[1].name, "the same cube");
+  EXPECT_EQ(twice.scene.objects[1].face_begin, twice.scene.objects[1].face_end);
+  EXPECT_EQ(twice.scene.objects[1].vertex_begin, twice.scene.objects[1].vertex_end);
+}
+
+TEST(Heal, BodiesThatStandOnEachOtherKeepTheFaceThatTheyHaveInCommon) {
+  Scene scene;
+  test::add_box(scene, {0, 0, 0}, {1, 1, 1});
+  test::add_box(scene, {0, 0, 1}, {1, 1, 1});
+  EXPECT_TRUE(healed(scene).report.nothing());
+}
+
+TEST(Heal, ThreeThousandEqualCubesAreOne) {
+  Scene as_objects, as_one;
+  for (int i = 0; i < 3000; ++i) test::add_box(as_objects, {0, 0, 0}, {1, 2, 3});
+  as_one = as_objects;
+  Object whole = as_one.objects[0];
+  whole.vertex_end = as_one.objects.back().vertex_end, whole.face_end = as_one.objects.back().face_end;
+  as_one.objects = {whole};
+  Warnings warnings;
+  finish_scene(as_one, warnings);
+  const Healed of_objects = healed(as_objects), of_one = healed(as_one);
+  EXPECT_EQ(of_objects.report.objects_twice, 2999u);
+  EXPECT_EQ(of_objects.scene.faces.size(), 6u);
+  EXPECT_EQ(of_one.report.faces_twice, 2999u * 6);
+  EXPECT_EQ(of_one.scene.faces.size(), 6u);
+}
+
+TEST(Heal, ACrackIsSewnAtItsTJunction) {
+  const Scene before = corpus("cube_with_crack");
+  const Healed after = healed(before);
+  // The vertex of the front moves onto the lid's edge, since that leaves both faces flat.
+  ASSERT_EQ(after.scene.vertices.size(), before.vertices.size());
+  for (std::size_t v = 0; v < before.vertices.size(); ++v) {
+    EXPECT_EQ(after.scene.vertices[v], before.vertices[v].z == 4 - 0x1p-13 ? Point3(2, 0, 4) : before.vertices[v]);
+  }
+  EXPECT_EQ(after.scene.faces.size(), 6u);
+  EXPECT_EQ(border_edges(after.topology), 0u);
+  EXPECT_EQ(after.report.edges_split, 1u);
+  ASSERT_EQ(after.report.sewn.size(), 1u);
+  EXPECT_DOUBLE_EQ(after.report.sewn[0].distance, 0x1p-13);
+}
+
+TEST(Heal, NothingMovesFurtherThanTheDistance) {
+  const Scene before = corpus("cube_with_loose_lid");
+  const Healed after = healed(before);
+  EXPECT_EQ(border_edges(after.topology), 0u);
+  EXPECT_EQ(after.scene.vertices.size(), 8u);
+  EXPECT_EQ(after.report.vertices_moved, 4u);
+  for (const Point3& p : after.scene.vertices) {
+    EXPECT_NE(std::find(before.vertices.begin(), before.vertices.end(), p), before.vertices.end());
+  }
+}
+
+TEST(Heal, WhatIsApartStaysApart) {
+  EXPECT_TRUE(healed(corpus("cubes_a_crack_apart")).report.nothing());
+  EXPECT_TRUE(healed(corpus("open_boxes_apart")).report.nothing());
+  EXPECT_EQ(border_edges(healed(corpus("open_boxes_apart"), {0.125}).topology), 0u) << "unless it is asked for";
+  EXPECT_TRUE(healed(corpus("cube_with_crack"), {0.0}).report.nothing()) << "--weld off";
+}
+
+TEST(Heal, ASecondTimeChangesNothing) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(kCorpus)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  for (const char* model :
+       {"chair_model.obj", "2CylinderEngine.glb", "spider.obj", "octagonal_pocket.ply", "featuretype.stl"}) {
+    if (fs::exists(fs::path(LIGNE_MODELS_DIR) / model)) files.push_back(fs::path(LIGNE_MODELS_DIR) / model);
+  }
+  for (const fs::path& file : files) {
+    const Healed once = healed(read(file));
+    const Healed twice = healed(once.scene);
+    EXPECT_EQ(twice.report.faces_twice + twice.report.edges_sewn(), 0u) << file;
+  }
+}
+
+TEST(Heal, TheTopologyIsThatOfTheHealedScene) {
+  for (const char* name : {"cube_stored_twice", "cube_with_crack", "cube_with_loose_lid", "t_junction"}) {
+    const Healed after = healed(corpus(name));
+    const Topology fresh = build_topology(after.scene);
+    ASSERT_EQ(fresh.edges.size(), after.topology.edges.size()) << name;
+    for (std::size_t e = 0; e < fresh.edges.size(); ++e) {
+      EXPECT_EQ(fresh.edges[e].v0, after.topology.edges[e].v0);
+      EXPECT_EQ(fresh.edges[e].face1, after.topology.edges[e].face1);
+    }
+    EXPECT_EQ(fresh.triangles.size(), after.topology.triangles.size()) << name;
+    Scene again = after.scene;
+    Warnings warnings;
+    finish_scene(again, warnings);
+    EXPECT_TRUE(warnings.counts().empty()) << name << ": the scene stays finished";
+    EXPECT_EQ(again.vertices.size(), after.scene.vertices.size()) << name;
+  }
+}
+
+TEST(Heal, SameSceneForAnyNumberOfThreads) {
+  const fs::path engine = fs::path(LIGNE_MODELS_DIR) / "2CylinderEngine.glb";
+  if (!fs::exists(engine)) GTEST_SKIP() << "shared models are absent";
+  std::array<Scene, 2> scenes;
+  for (const unsigned threads : {1u, 8u}) {
+    run_with_threads(threads, [&] { scenes[threads > 1] = healed(read(engine)).scene; });
+  }
+  EXPECT_EQ(scenes[0].vertices, scenes[1].vertices);
+  EXPECT_TRUE(std::ranges::equal(std::as_const(scenes[0]).faces.corners(), std::as_const(scenes[1]).faces.corners()));
+  EXPECT_EQ(scenes[0].corner_flags, scenes[1].corner_flags);
+}
+
+TEST(Heal, PatchesOfUnlikeTessellationsClose) {
+  // Two strips along the same half circle, one of 24 and one of 40 pieces, their vertices rounded to float32.
+  Scene scene;
+  test::begin_object(scene);
+  const auto strip = [&](int pieces, double far) {
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    for (int i = 0; i <= pieces; ++i) {
+      const double angle = std::numbers::pi * i / pieces;
+      for (const double y : {0.0, far}) {
+        scene.vertices.emplace_back(static_cast<float>(40 * std::cos(angle)), y, static_cast<float>(40 * std::sin(angle)));
+      }
+    }
+    for (std::uint32_t i = first; i < first + 2 * static_cast<std::uint32_t>(pieces); i += 2) {
+      scene.faces.add_triangle(i, i + 1, i + 3);
+      scene.faces.add_triangle(i, i + 3, i + 2);
+    }
+  };
+  strip(96, -20);
+  strip(160, 20);
+  test::end_object(scene);
+  scene.objects[0].precision = 2e-6;
+  Warnings warnings;
+  finish_scene(scene, warnings);
+  const Healed after = healed(scene);
+  std::size_t at_seam = 0;
+  for (const Edge& edge : after.topology.edges) {
+    at_seam += edge.face1 == kNone && after.scene.vertices[edge.v0].y == 0 && after.scene.vertices[edge.v1].y == 0;
+  }
+  EXPECT_EQ(at_seam, 0u);
+}
+
+TEST(Heal, CrowdsTakeNoTimeWithoutBound) {
+  // A fan of 20,000 open triangles around one point, all within the distance, and a mesh stored twice.
+  Scene scene;
+  test::begin_object(scene);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> at(0, 1);
+  for (std::uint32_t i = 0; i < 20'000; ++i) {
+    for (int k = 0; k < 3; ++k) scene.vertices.emplace_back(at(random), at(random), at(random));
+    scene.faces.add_triangle(3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  test::end_object(scene);
+  const Healed crowd = healed(scene, {2.0});
+  EXPECT_LE(crowd.scene.vertices.size(), scene.vertices.size());
+  Scene grid = relief(200);
+  const std::size_t faces = grid.faces.size();
+  for (std::uint32_t f = 0; f < faces; ++f) {
+    const auto corners = std::as_const(grid.faces).contour(f, 0);
+    grid.faces.add_triangle(corners[1], corners[0], corners[2]);
+  }
+  grid.objects[0].face_end = static_cast<std::uint32_t>(grid.faces.size());
+  EXPECT_EQ(healed(grid).report.faces_twice, faces);
+}
+
+}  // namespace
+}  // namespace ligne
