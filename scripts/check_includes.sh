@@ -16,7 +16,7 @@ forbid() {
   fi
 }
 
-parts=(model clean heal readers surfaces)
+parts=(model clean heal creases readers surfaces)
 for ((i = 0; i < ${#parts[@]}; ++i)); do
   for ((k = i + 1; k < ${#parts[@]}; ++k)); do forbid "src/scene/${parts[i]}" "scene/${parts[k]}/"; done
 done

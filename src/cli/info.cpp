@@ -15,6 +15,7 @@
 #include "cli/view_options.hpp"
 #include "files/message_text.hpp"
 #include "geometry/parallel.hpp"
+#include "picture/clear_creases.hpp"
 #include "picture/culling.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/placement.hpp"
@@ -292,7 +293,8 @@ void inform(const InfoOptions& options) {
   info.scene = scene_facts(scene, topology);
   timed(run.stages, "project", [&] {
     info.placement = place(scene, camera_of(options.view, scene), options.page);
-    const EdgeSelection all{parse_edges("all"), options.lines.crease_degrees};
+    std::vector<std::uint8_t> creases;
+    const EdgeSelection all = select_edges(scene, topology, options.lines, parse_edges("all"), creases, run);
     ProjectedScene projected = project(scene, topology, info.placement.view, all);
     if (options.lines.cull) {
       info.culled = cull_back_faces(scene, topology, projected, run);

@@ -17,7 +17,7 @@ HatchPatches hatch_patches(const Scene& scene, const Topology& topology, double 
   const double cosine = std::cos(crease_degrees * std::numbers::pi / 180);
   for (std::size_t i = 0; i < topology.edges.size(); ++i) {
     const Edge& edge = topology.edges[i];
-    const std::uint8_t flags = topology.edge_flags[i];
+    const std::uint16_t flags = topology.edge_flags[i];
     if (edge.face0 == kNone || edge.face1 == kNone || (flags & kEdgeManyFaces)) continue;
     const double turn = glm::dot(normals[edge.face0], normals[edge.face1]);
     if ((flags & kEdgeUnlikeWound ? -turn : turn) < cosine) continue;

@@ -18,7 +18,7 @@ Scene read(const ModelRequest& request, ModelFile& file, std::optional<Topology>
   if (request.quality == Quality::exact) {
     return read_scene(file.name, {request.weld_distance.value_or(0), request.merge_coplanar}, file.warnings, &file.report);
   }
-  Scene scene = read_scene(file.name, {}, file.warnings, &file.report);
+  Scene scene = read_scene(file.name, {.shading = true}, file.warnings, &file.report);
   topology = build_topology(scene);
   file.healed = heal(scene, *topology, {request.weld_distance});
   if (request.merge_coplanar) {

@@ -38,7 +38,7 @@ SceneFacts scene_facts(const Scene& scene, const Topology& topology) {
   }
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
     const Edge& edge = topology.edges[e];
-    const std::uint8_t flags = topology.edge_flags[e];
+    const std::uint16_t flags = topology.edge_flags[e];
     const std::size_t object = owner(scene.objects, edge.v0);
     if (object >= facts.objects.size()) continue;
     ObjectFacts& entry = facts.objects[object];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "picture/clear_creases.hpp"
 #include "picture/culling.hpp"
 #include "picture/errors.hpp"
 #include "picture/hatching.hpp"
@@ -67,8 +68,9 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
   timed(run.stages, "project", [&] {
     prepared.around =
         place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
-    prepared.projected =
-        project(scene, prepared.topology, prepared.view(), {request.lines.classes, request.lines.crease_degrees});
+    std::vector<std::uint8_t> creases;
+    prepared.projected = project(scene, prepared.topology, prepared.view(),
+                                 select_edges(scene, prepared.topology, request.lines, request.lines.classes, creases, run));
     if (request.lines.cull) {
       prepared.back_faces = cull_back_faces(scene, prepared.topology, prepared.projected, run);
     }

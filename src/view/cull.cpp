@@ -96,7 +96,7 @@ class Finder {
     const auto before = [](const Edge& edge, std::uint32_t vertex) { return edge.v0 < vertex; };
     const auto first = std::lower_bound(edges.begin(), edges.end(), object.vertex_begin, before);
     for (auto edge = first; edge != edges.end() && edge->v0 < object.vertex_end; ++edge) {
-      const std::uint8_t flags = topology_.edge_flags[static_cast<std::size_t>(edge - edges.begin())];
+      const std::uint16_t flags = topology_.edge_flags[static_cast<std::size_t>(edge - edges.begin())];
       if (edge->face1 == kNone || (flags & (kEdgeManyFaces | kEdgeUnlikeWound))) return false;
       sets_.join(edge->face0, edge->face1);
     }

@@ -84,7 +84,7 @@ std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera) 
 }
 
 std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,
-                                      double crease_degrees) {
+                                      double crease_degrees, const std::vector<std::uint8_t>* creases) {
   std::vector<FacePlane> planes = face_planes(scene, camera);
   mend_flat_faces(scene, topology, planes);
   const double degree = 3.14159265358979323846 / 180;
@@ -93,7 +93,7 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
   parallel_blocks(classes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const Edge& edge = topology.edges[e];
-      const std::uint8_t flags = topology.edge_flags[e];
+      const std::uint16_t flags = topology.edge_flags[e];
       LineClass& result = classes[e];
       if (flags & kEdgeCrossing) {
         result = LineClass::intersection;
@@ -104,13 +104,16 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
       } else if (edge.face1 == kNone) {
         result = LineClass::border;
       } else if (flags & kEdgeManyFaces) {
-        result = LineClass::crease;
+        // Of its faces two are known, which depend on the order of the file: no outline can be told from them.
+        result = !creases || (*creases)[e] ? LineClass::crease : LineClass::mesh;
       } else {
         const FacePlane& a = planes[edge.face0];
         const FacePlane& b = planes[edge.face1];
         const int turn = flags & kEdgeUnlikeWound ? -1 : 1;
         if (a.facing != b.facing * turn) {
           result = LineClass::outline;
+        } else if (creases) {
+          result = (*creases)[e] ? LineClass::crease : LineClass::mesh;
         } else if (flags & (kEdgeFileHidden | kEdgeInner)) {
           result = LineClass::mesh;
         } else {

@@ -148,7 +148,8 @@ class Clipper {
 
 void select_edges(const Scene& scene, const Topology& topology, const Camera& camera, const EdgeSelection& selection,
                   ProjectedScene& out) {
-  const std::vector<LineClass> classes = classify_edges(scene, topology, camera, selection.crease_degrees);
+  const std::vector<LineClass> classes =
+      classify_edges(scene, topology, camera, selection.crease_degrees, selection.creases);
   std::size_t count = 0;
   for (const LineClass c : classes) count += selection.classes.has(c);
   out.edges.reserve(count);

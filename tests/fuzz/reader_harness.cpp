@@ -10,6 +10,8 @@
 
 #include "plotting/drawing_reader.hpp"
 #include "plotting/paths/optimize.hpp"
+#include "scene/creases/find_creases.hpp"
+#include "scene/heal/heal.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/surfaces/grid_formats.hpp"
 
@@ -139,6 +141,12 @@ void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
     try {
       Warnings warnings;
       check_scene(read_scene(bytes, format, {}, "fuzz", {.merge_coplanar = true}, warnings));
+      Scene scene = read_scene(bytes, format, {}, "fuzz", {.shading = true}, warnings);
+      Topology topology = build_topology(scene);
+      heal(scene, topology, {});
+      check_scene(scene);
+      const Creases creases = find_creases(scene, topology, 30);
+      need(creases.is_crease.size() == topology.edges.size(), "the topology is that of the healed scene");
     } catch (const InputError& error) {
       need_one_line(error);
     }

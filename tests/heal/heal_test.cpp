@@ -91,7 +91,7 @@ TEST(Heal, FacesStoredTwiceCountOnceInWhateverWinding) {
   EXPECT_EQ(twice.report.faces_twice, 12u);
   EXPECT_EQ(twice.scene.faces.size(), 12u);
   EXPECT_EQ(border_edges(twice.topology), 0u);
-  for (const std::uint8_t flags : twice.topology.edge_flags) EXPECT_EQ(flags, 0);
+  for (const std::uint16_t flags : twice.topology.edge_flags) EXPECT_EQ(flags, 0);
 }
 
 TEST(Heal, HolesAndFlagsAndDetailsOfFacesStoredTwice) {

@@ -5,9 +5,14 @@
 namespace ligne {
 namespace {
 
+/// Without shading.
+Scene plain_asc(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
+  return read_asc(bytes, name, report, warnings);
+}
+
 using namespace reader_test;
 
-std::string error(const std::string& text) { return error_of(read_asc, text); }
+std::string error(const std::string& text) { return error_of(plain_asc, text); }
 
 const std::string kHead = "Named object: \"Box\"\nTri-mesh, Vertices: 3     Faces: 1\nVertex list:\n";
 const std::string kVertices =
@@ -15,7 +20,7 @@ const std::string kVertices =
 const std::string kFace = "Face list:\nFace 0:    A:0 B:1 C:2 AB:1 BC:0 CA:1\n";
 
 TEST(AscReader, FlagsOfTheEdges) {
-  const Result r = read_raw(read_asc, kHead + kVertices + kFace + "Material:\"GREY \"STONE\"\"\nSmoothing: 1, 2\n");
+  const Result r = read_raw(plain_asc, kHead + kVertices + kFace + "Material:\"GREY \"STONE\"\"\nSmoothing: 1, 2\n");
   expect_sound(r.scene);
   EXPECT_EQ(r.scene.corner_flags, (std::vector<std::uint8_t>{0, kCornerFileHidden, 0}));
   EXPECT_EQ(r.scene.vertices[0], Point3(0, 0, 1.5));
@@ -29,7 +34,7 @@ TEST(AscReader, FlagsOfTheEdges) {
 }
 
 TEST(AscReader, EdgesWithoutFlagsAreDrawn) {
-  EXPECT_TRUE(read_raw(read_asc, kHead + kVertices + "Face list:\nFace 0: A:0 B:1 C:2\n").scene.corner_flags.empty());
+  EXPECT_TRUE(read_raw(plain_asc, kHead + kVertices + "Face list:\nFace 0: A:0 B:1 C:2\n").scene.corner_flags.empty());
 }
 
 TEST(AscReader, LightsPagesCamerasAndLineEnds) {
@@ -42,7 +47,7 @@ TEST(AscReader, LightsPagesCamerasAndLineEnds) {
     if (crlf) {
       for (std::size_t i = text.find('\n'); i != text.npos; i = text.find('\n', i + 2)) text.replace(i, 1, "\r\n");
     }
-    const Result r = read_raw(read_asc, text);
+    const Result r = read_raw(plain_asc, text);
     EXPECT_EQ(r.scene.objects.size(), 2u);
     ASSERT_EQ(r.scene.lights.size(), 1u);
     EXPECT_EQ(r.scene.lights[0].kind, Light::Kind::point);
@@ -53,14 +58,14 @@ TEST(AscReader, LightsPagesCamerasAndLineEnds) {
 
 TEST(AscReader, LightsAndCamerasEndAMeshWithoutAnObjectLine) {
   const std::string camera = "Camera (50mm)\nPosition: X:1 Y:2 Z:3\n", light = "Direct light\nPosition: X:1 Y:2 Z:3\n";
-  const Result r = read_raw(read_asc, kHead + kVertices + kFace + camera + kHead + kVertices + kFace + light);
+  const Result r = read_raw(plain_asc, kHead + kVertices + kFace + camera + kHead + kVertices + kFace + light);
   expect_sound(r.scene);
   EXPECT_EQ(r.scene.objects.size(), 2u);
   EXPECT_EQ(error(kHead + kVertices + camera), "M:7: mesh 'Box' ends with 3 of 3 vertices and 0 of 1 faces");
 }
 
 TEST(AscReader, UnknownLinesAreCounted) {
-  const Result r = read_raw(read_asc, kHead + kVertices + kFace + "Something: else\n");
+  const Result r = read_raw(plain_asc, kHead + kVertices + kFace + "Something: else\n");
   EXPECT_EQ(r.warnings.counts().at("3D Studio lines of an unknown kind left out"), 1u);
 }
 

@@ -30,7 +30,7 @@ int crossing_edges(Scene scene) {
   mark_crossing_edges(scene, precision);
   const Topology topology = build_topology(scene);
   int count = 0;
-  for (const std::uint8_t flags : topology.edge_flags) count += (flags & kEdgeCrossing) != 0;
+  for (const std::uint16_t flags : topology.edge_flags) count += (flags & kEdgeCrossing) != 0;
   return count;
 }
 

@@ -5,9 +5,14 @@
 namespace ligne {
 namespace {
 
+/// Without shading.
+Scene plain_obj(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
+  return read_obj(bytes, name, report, warnings);
+}
+
 using namespace reader_test;
 
-std::string error(const std::string& text) { return error_of(read_obj, text); }
+std::string error(const std::string& text) { return error_of(plain_obj, text); }
 
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
@@ -17,7 +22,7 @@ std::vector<std::uint32_t> contour(const Scene& scene, std::size_t f) {
 }
 
 TEST(ObjReader, PolygonsKeepTheirCorners) {
-  const Result r = read_raw(read_obj, kSquare + "v 0.5 2 0\nf 1 2 3 5 4\nf 1 2 3\n");
+  const Result r = read_raw(plain_obj, kSquare + "v 0.5 2 0\nf 1 2 3 5 4\nf 1 2 3\n");
   expect_sound(r.scene);
   ASSERT_EQ(r.scene.faces.size(), 2u);
   EXPECT_EQ(contour(r.scene, 0), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
@@ -33,14 +38,14 @@ TEST(ObjReader, EveryFormOfCorner) {
   for (const char* face :
        {"f 1 2 3 4", "f 1/1 2/1 3/1 4/1", "f 1//1 2//1 3//1 4//1", "f 1/1/1 2/1/1 3/1/1 4/1/1", "f 1// 2// 3// 4//",
         "f -4 -3 -2 -1", "f -4/-1 -3/-1 -2/-1 -1/-1", "f\t1\t2\t3\t4 # a comment", "  f 1 2 3 4  "}) {
-    const Result r = read_raw(read_obj, head + face + "\n");
+    const Result r = read_raw(plain_obj, head + face + "\n");
     ASSERT_EQ(r.scene.faces.size(), 1u) << face;
     EXPECT_EQ(contour(r.scene, 0), (std::vector<std::uint32_t>{0, 1, 2, 3})) << face;
   }
 }
 
 TEST(ObjReader, RelativeIndicesCountFromTheVerticesSoFar) {
-  const Result r = read_raw(read_obj, "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 9 9 9\nf -2 -1 1\n");
+  const Result r = read_raw(plain_obj, "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 9 9 9\nf -2 -1 1\n");
   EXPECT_EQ(r.scene.vertices[contour(r.scene, 1)[0]], Point3(1, 1, 0));
   EXPECT_EQ(r.scene.vertices[contour(r.scene, 1)[1]], Point3(9, 9, 9));
 }
@@ -48,18 +53,18 @@ TEST(ObjReader, RelativeIndicesCountFromTheVerticesSoFar) {
 TEST(ObjReader, LineEndsByteOrderMarkAndContinuedLines) {
   const std::string text =
       "\xEF\xBB\xBF\r\n\r\n# made by hand\r\nv 0 0 \\\r\n0\r\nv 1 0 0\r\nv 1 1 0\r\nf 1 \\\r\n 2\\\r\n 3\r\n";
-  const Result r = read_raw(read_obj, text);
+  const Result r = read_raw(plain_obj, text);
   EXPECT_EQ(contour(r.scene, 0), (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
 TEST(ObjReader, VertexWithWeightAndColour) {
-  const Result r = read_raw(read_obj, "v 1 2 3 1.0\nv 4 5 6 0.1 0.2 0.3\nv 7 8 10 1 0.1 0.2 0.3 0.4\nf 1 2 3\n");
+  const Result r = read_raw(plain_obj, "v 1 2 3 1.0\nv 4 5 6 0.1 0.2 0.3\nv 7 8 10 1 0.1 0.2 0.3 0.4\nf 1 2 3\n");
   EXPECT_EQ(r.scene.vertices[1], Point3(4, 5, 6));
 }
 
 TEST(ObjReader, ObjectsOwnTheirVerticesAndGroupsDoNot) {
   const std::string text = kSquare + "o one\ng a\nf 1 2 3\ng b\nf 1 3 4\no empty\no two\nf 4 3 2\n";
-  const Result r = read_raw(read_obj, text);
+  const Result r = read_raw(plain_obj, text);
   expect_sound(r.scene);
   ASSERT_EQ(r.scene.objects.size(), 2u);
   EXPECT_EQ(r.scene.objects[0].name, "one");
@@ -67,13 +72,13 @@ TEST(ObjReader, ObjectsOwnTheirVerticesAndGroupsDoNot) {
   EXPECT_EQ(r.scene.objects[0].vertex_end, 4u);
   EXPECT_EQ(r.scene.objects[1].name, "two");
   EXPECT_EQ(r.scene.vertices.size(), 7u);
-  EXPECT_EQ(read_raw(read_obj, kSquare + "g a\nf 1 2 3\ng b\nf 1 3 4\n").scene.objects.size(), 1u);
+  EXPECT_EQ(read_raw(plain_obj, kSquare + "g a\nf 1 2 3\ng b\nf 1 3 4\n").scene.objects.size(), 1u);
 }
 
 TEST(ObjReader, MaterialsByNameWithoutTheirLibrary) {
   const Result r =
-      read_raw(read_obj, "mtllib missing.mtl\n" + kSquare +
-                             "f 1 2 3\nusemtl red paint\nf 1 3 4\nusemtl b\nf 2 3 4\nusemtl\tred paint\nf 1 2 4\n");
+      read_raw(plain_obj, "mtllib missing.mtl\n" + kSquare +
+                              "f 1 2 3\nusemtl red paint\nf 1 3 4\nusemtl b\nf 2 3 4\nusemtl\tred paint\nf 1 2 4\n");
   ASSERT_EQ(r.scene.materials.size(), 3u);
   EXPECT_EQ(r.scene.materials[0].name, "red paint");
   EXPECT_EQ(r.scene.materials[1].name, "b");
@@ -83,13 +88,13 @@ TEST(ObjReader, MaterialsByNameWithoutTheirLibrary) {
 TEST(ObjReader, NumbersAreRoundedCorrectly) {
   for (const std::string word :
        {"0.1234567890123456", "-149.29088", "123456.789012", "1e-3", "+2.5", "5e-324", "1e-400", ".5", "7."}) {
-    const Result r = read_raw(read_obj, "v " + word + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Result r = read_raw(plain_obj, "v " + word + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_EQ(r.scene.vertices[0].x, std::strtod(word.c_str(), nullptr)) << word;
   }
 }
 
 TEST(ObjReader, LinesAndCurvesAreLeftOutAndCounted) {
-  const Result r = read_raw(read_obj, kSquare + "l 1 2\np 1\nf 1 2 3\ncurv 0 1 1 2 3\n");
+  const Result r = read_raw(plain_obj, kSquare + "l 1 2\np 1\nf 1 2 3\ncurv 0 1 1 2 3\n");
   EXPECT_EQ(r.warnings.counts().at("OBJ lines and points left out"), 2u);
   EXPECT_EQ(r.warnings.counts().at("OBJ free-form curves and surfaces left out"), 1u);
 }

@@ -8,9 +8,14 @@
 namespace ligne {
 namespace {
 
+/// Without shading.
+Scene plain_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
+  return read_ply(bytes, name, report, warnings);
+}
+
 using namespace reader_test;
 
-std::string error(const std::string& text) { return error_of(read_ply, text); }
+std::string error(const std::string& text) { return error_of(plain_ply, text); }
 
 std::string header(const std::string& format, const std::string& vertices, const std::string& faces,
                    const std::string& type = "float") {
@@ -31,7 +36,7 @@ void put(std::string& out, std::endian order, T value) {
 }
 
 TEST(PlyReader, TextWithPolygons) {
-  const Result r = read_raw(read_ply, header("ascii", "4", "2") + kSquare + "4 0 1 2 3\n3 0 1 2\n");
+  const Result r = read_raw(plain_ply, header("ascii", "4", "2") + kSquare + "4 0 1 2 3\n3 0 1 2\n");
   expect_sound(r.scene);
   EXPECT_EQ(r.scene.faces.contour(0, 0).size(), 4u);
   EXPECT_EQ(r.report.triangles, 3u);
@@ -43,7 +48,7 @@ TEST(PlyReader, ByteOrderMarkAndBlankLinesInFront) {
   const std::string front = "\xEF\xBB\xBF\r\n \n";
   const std::string text = front + header("ascii", "4", "1") + kSquare + "4 0 1 2 3\n";
   EXPECT_EQ(detect_format(bytes_of(text), "", "M"), ModelFormat::ply);
-  EXPECT_EQ(read_raw(read_ply, text).scene.faces.size(), 1u);
+  EXPECT_EQ(read_raw(plain_ply, text).scene.faces.size(), 1u);
   EXPECT_EQ(error(front + header("ascii", "4", "1") + "0 0\n"), "M:13: line with too few numbers");
 }
 
@@ -53,7 +58,7 @@ TEST(PlyReader, ExtraElementsAndPropertiesInAnyOrder) {
       "property list short float weights\r\nelement empty 1000000000\r\nelement edge 2\r\nproperty int a\r\nelement vertex 3\r\nproperty float nx\r\n"
       "property double z\r\nproperty list char int ring\r\nproperty short y\r\nproperty uchar x\r\nend_header\r\n"
       "255 3 2 1 0 2 0.5 0.5\r\n7\r\n\r\n8\r\n0.1 3.5 2 9 9 -2 1\r\n0.1 4.5 0 -3 200\r\n0 1e-3 0 4 5\r\n";
-  const Result r = read_raw(read_ply, text);
+  const Result r = read_raw(plain_ply, text);
   EXPECT_EQ(r.scene.vertices[0], Point3(1, -2, 3.5));
   EXPECT_EQ(r.scene.vertices[1], Point3(200, -3, 4.5));
   EXPECT_EQ(r.scene.faces.corners()[0], 2u);
@@ -75,7 +80,7 @@ TEST(PlyReader, BinaryInBothByteOrders) {
     put(bytes, order, std::uint32_t{3});
     for (const std::uint16_t v : {2, 1, 0}) put(bytes, order, v);
     bytes += '\x07';
-    const Result r = read_raw(read_ply, bytes);
+    const Result r = read_raw(plain_ply, bytes);
     EXPECT_EQ(r.scene.vertices[2], Point3(0.2, 3, -600));
     EXPECT_EQ(r.scene.faces.corners()[0], 2u);
     EXPECT_EQ(r.scene.objects[0].precision, std::ldexp(0.5, 10 - 24));
@@ -86,7 +91,7 @@ TEST(PlyReader, BinaryInBothByteOrders) {
 }
 
 TEST(PlyReader, DoublesKeepTheirPlaces) {
-  const Result r = read_raw(read_ply, header("ascii", "3", "1", "double") + "559705.123456 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Result r = read_raw(plain_ply, header("ascii", "3", "1", "double") + "559705.123456 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   EXPECT_EQ(r.scene.vertices[0].x, 559705.123456);
   EXPECT_DOUBLE_EQ(r.scene.objects[0].precision, 0.5e-6);
 }

@@ -203,7 +203,7 @@ std::vector<Corner> edges_of(const Scene& scene, std::uint32_t f) {
 
 /// Faces of one object alone: those of another one have vertices of their own, and their flags go with it.
 void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
-  constexpr std::uint8_t kAllMustSay = kCornerFileHidden | kCornerInner;
+  constexpr std::uint8_t kAllMustSay = kCornerFileHidden | kCornerInner | kCornerSmooth;
   const std::vector<Corner> a = edges_of(scene, from), b = edges_of(scene, to);
   for (std::size_t k = 0; k < a.size() && a[k].first == b[k].first; ++k) {
     std::uint8_t& kept = scene.corner_flags[b[k].second];

@@ -49,6 +49,8 @@ enum CornerFlag : std::uint8_t {
   kCornerCurve = 4,       ///< part of an iso-curve: class horizon, whatever its faces
   kCornerCrossing = 8,    ///< surfaces pass through each other along this edge: class intersection
   kCornerContour = 16,    ///< part of a contour line: class contour, whatever its faces
+  kCornerSmooth = 32,     ///< clear lines: the file says that the surface runs smoothly over this edge
+  kCornerSharp = 64,      ///< clear lines: the file says that it does not
 };
 
 /// A scene. Indices are into the arrays here. After finish_scene() (scene/clean.hpp) vertices of an object are distinct in

@@ -110,8 +110,8 @@ void sort_bucket(Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
   }
 }
 
-std::uint8_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
-  std::uint8_t flags = 0;
+std::uint16_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
+  std::uint16_t flags = 0;
   if (end - begin > 2) flags |= kEdgeManyFaces;
   if (end - begin == 2) {
     const HalfEdge a = buckets.half_edges[begin], b = buckets.half_edges[begin + 1];
@@ -130,6 +130,8 @@ std::uint8_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::uin
     if (any & kCornerContour) flags |= kEdgeContour;
     if (common & kCornerFileHidden) flags |= kEdgeFileHidden;
     if (common & kCornerInner) flags |= kEdgeInner;
+    if (common & kCornerSmooth) flags |= kEdgeSmooth;
+    if (any & kCornerSharp) flags |= kEdgeSharp;
   }
   return flags;
 }

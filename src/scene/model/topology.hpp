@@ -15,7 +15,7 @@ struct Edge {
   std::uint32_t face0 = kNone, face1 = kNone;  ///< face1 is kNone on a border
 };
 
-enum EdgeFlag : std::uint8_t {
+enum EdgeFlag : std::uint16_t {
   kEdgeManyFaces = 1,    ///< more than two faces meet here
   kEdgeFileHidden = 2,   ///< the file marks it as not to be drawn
   kEdgeInner = 4,        ///< inside a triangulated polygon
@@ -23,6 +23,8 @@ enum EdgeFlag : std::uint8_t {
   kEdgeCurve = 16,       ///< part of an iso-curve of a surface: one of its faces says so
   kEdgeCrossing = 32,    ///< surfaces cross along it
   kEdgeContour = 64,     ///< part of a contour line: one of its faces says so
+  kEdgeSmooth = 128,     ///< the file says that the surface runs smoothly over it
+  kEdgeSharp = 256,      ///< the file says that it does not
 };
 
 /// A triangle of a face; wound as the face is.
@@ -32,9 +34,9 @@ struct Triangle {
 };
 
 struct Topology {
-  std::vector<Edge> edges;  ///< ordered by (v0, v1)
-  std::vector<std::uint8_t> edge_flags;
-  std::vector<Triangle> triangles;  ///< ordered by face
+  std::vector<Edge> edges;                ///< ordered by (v0, v1)
+  std::vector<std::uint16_t> edge_flags;  ///< EdgeFlag
+  std::vector<Triangle> triangles;        ///< ordered by face
 };
 
 /// Finds the edges and triangulates the faces of a finished scene. Time grows with the number of corners.

@@ -12,6 +12,7 @@
 
 #include "scene/readers/asc_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -40,8 +41,8 @@ std::string unquoted(std::string_view text) {
 
 class AscReader {
  public:
-  AscReader(std::string_view text, const std::string& name, ReadReport& report, Warnings& warnings)
-      : lines_(text), name_(name), report_(report), warnings_(warnings), builder_(name, report) {}
+  AscReader(std::string_view text, const std::string& name, ReadReport& report, Warnings& warnings, FileShading* shading)
+      : lines_(text), name_(name), report_(report), warnings_(warnings), builder_(name, report), shading_(shading) {}
 
   Scene read() {
     std::string_view line;
@@ -56,7 +57,20 @@ class AscReader {
     std::array<std::uint32_t, 3> corners{};
     std::array<std::uint8_t, 3> flags{};
     std::string material;
+    std::uint32_t smoothing = 0;  ///< a bit for each group
   };
+
+  /// "1, 2, 17": 32 groups at the most. What is no number of one is passed over.
+  static std::uint32_t smoothing_groups(std::string_view line) {
+    std::uint32_t groups = 0;
+    while (!line.empty()) {
+      const std::size_t comma = std::min(line.find(','), line.size());
+      const std::optional<std::int64_t> group = parse_integer(trimmed(line.substr(0, comma)));
+      if (group && *group >= 1 && *group <= 32) groups |= 1u << (*group - 1);
+      line.remove_prefix(std::min(comma + 1, line.size()));
+    }
+    return groups;
+  }
 
   InputError error(const std::string& cause) const { return error_at_line(name_, lines_.number(), cause); }
 
@@ -67,8 +81,11 @@ class AscReader {
       object_name_ = unquoted(line);
     } else if (take_key(line, "Tri-mesh")) {
       begin_mesh(line);
-    } else if (take_key(line, "Vertex list:") || take_key(line, "Face list:") || take_key(line, "Smoothing:")) {
+    } else if (take_key(line, "Vertex list:") || take_key(line, "Face list:")) {
       need_mesh();
+    } else if (take_key(line, "Smoothing:")) {
+      need_mesh();
+      if (!faces_.empty()) faces_.back().smoothing = smoothing_groups(line);
     } else if (take_key(line, "Vertex ")) {
       add_vertex(line);
     } else if (take_key(line, "Face ")) {
@@ -199,6 +216,7 @@ class AscReader {
           builder_.use_material(face.material);
         builder_.add_face(face.corners);
         builder_.set_corner_flags(face.flags);
+        if (shading_) shading_->face_groups.push_back(face.smoothing);
       }
       builder_.end_object(precision_.value());
       report_.vertices += vertices_;
@@ -213,6 +231,7 @@ class AscReader {
   ReadReport& report_;
   Warnings& warnings_;
   SceneBuilder builder_;
+  FileShading* shading_;  ///< or nullptr
   Part part_ = Part::none;
   std::string object_name_;
   std::uint32_t vertex_count_ = 0, face_count_ = 0;  ///< as the mesh's heading says
@@ -223,8 +242,10 @@ class AscReader {
 
 }  // namespace
 
-Scene read_asc(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
-  return AscReader(as_text(bytes, name), name, report, warnings).read();
+Scene read_asc(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
+               FileShading* shading) {
+  if (shading) shading->groups_are_bits = true;
+  return AscReader(as_text(bytes, name), name, report, warnings, shading).read();
 }
 
 }  // namespace ligne

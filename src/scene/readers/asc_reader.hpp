@@ -5,13 +5,15 @@
 #include <span>
 #include <string>
 
+#include "scene/creases/file_shading.hpp"
 #include "scene/readers/reader.hpp"
 
 namespace ligne {
 
 /// Reads the tri-meshes, material names and lights of a 3D Studio ASCII file (`Named object:`, `Tri-mesh, Vertices: n Faces:
-/// m`). An edge flag AB, BC or CA of 0 marks the edge as kCornerFileHidden. Cameras, smoothing groups and page headings are
-/// left out. z up; not cleaned yet. Throws InputError, with the line.
-Scene read_asc(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings);
+/// m`). An edge flag AB, BC or CA of 0 marks the edge as kCornerFileHidden. Cameras and page headings are left out. z up;
+/// not cleaned yet. Throws InputError, with the line. Smoothing groups go to `shading`, where there is one.
+Scene read_asc(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
+               FileShading* shading = nullptr);
 
 }  // namespace ligne

@@ -33,6 +33,7 @@ struct Primitive {
   std::size_t position_accessor = 0;
   GltfAccessor positions;               ///< unused with Draco
   std::optional<GltfAccessor> indices;  ///< without: the positions in their order
+  std::optional<GltfAccessor> normals;  ///< one for each position, where they are wanted
   const DracoMesh* draco = nullptr;
   int mode = TINYGLTF_MODE_TRIANGLES;
   int material = -1;
@@ -48,7 +49,8 @@ struct Primitive {
 
 class Reader {
  public:
-  Reader(GltfDocument& document, Warnings& warnings) : document_(document), model_(document.model), warnings_(warnings) {}
+  Reader(GltfDocument& document, Warnings& warnings, FileShading* shading)
+      : document_(document), model_(document.model), warnings_(warnings), shading_(shading) {}
 
   Scene run(ReadReport& report) {
     const std::vector<GltfInstance> instances = list_instances(document_);
@@ -119,11 +121,25 @@ class Reader {
     p.positions = position_accessor(document_, p.position_accessor);
     const auto indices = from.attributes.find(kGltfIndices);
     if (indices != from.attributes.end()) p.indices = index_accessor(document_, static_cast<std::size_t>(indices->second));
+    const auto normals = from.attributes.find("NORMAL");
+    if (shading_ && normals != from.attributes.end()) p.normals = open_normals(normals->second, p.positions.count());
     if (p.mode == TINYGLTF_MODE_TRIANGLES && p.corner_count() % 3 != 0) {
       document_.fail(p.indices ? p.indices->place : p.positions.place,
                      "its " + std::to_string(p.corner_count()) + " corners are not whole triangles");
     }
     return p;
+  }
+
+  /// Nothing where they are broken: how a surface is shaded is no reason to refuse it.
+  std::optional<GltfAccessor> open_normals(int accessor, std::size_t count) {
+    if (accessor < 0 || static_cast<std::size_t>(accessor) >= model_.accessors.size()) return std::nullopt;
+    try {
+      GltfAccessor normals = position_accessor(document_, static_cast<std::size_t>(accessor));
+      if (normals.count() == count) return normals;
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+    return std::nullopt;
   }
 
   const DracoMesh& decode(const tinygltf::Value& extension) {
@@ -159,6 +175,7 @@ class Reader {
       }
       last_positions = p.draco ? kNone : p.position_accessor;
       add_triangles(p, first_vertex, mirrored);
+      if (shading_) add_normals(p, first_vertex, m);
       materials_.emplace_back(p.material, p.triangle_count());
     }
     object.vertex_end = static_cast<std::uint32_t>(scene_.vertices.size());
@@ -195,6 +212,25 @@ class Reader {
     }
     if (!mirrored) return;
     for (std::size_t i = 0; i < n; ++i) std::swap(corners[3 * i + 1], corners[3 * i + 2]);
+  }
+
+  /// Normals of the triangles added last. They turn with the inverse of the transposed matrix.
+  void add_normals(const Primitive& p, std::uint32_t first_vertex, const glm::dmat4& m) {
+    auto& out = shading_->corner_normals;
+    const auto corners = std::as_const(scene_.faces).corners();
+    const glm::dmat3 linear(m);
+    if (!p.normals || glm::determinant(linear) == 0) {
+      out.resize(corners.size(), 0);
+      return;
+    }
+    std::vector<Point3> normals(p.normals->count(), Point3(0));
+    try {
+      read_positions(document_, *p.normals, glm::dmat4(glm::transpose(glm::inverse(linear))), normals);
+    } catch (const InputError&) {  // one that is not finite: those before it stand
+    }
+    std::vector<std::uint32_t> packed(normals.size());
+    std::transform(normals.begin(), normals.end(), packed.begin(), packed_direction);
+    for (std::size_t k = out.size(); k < corners.size(); ++k) out.push_back(packed[corners[k] - first_vertex]);
   }
 
   void write_corners(const Primitive& p, std::uint32_t first_vertex, std::span<std::uint32_t> out) const {
@@ -251,6 +287,7 @@ class Reader {
   GltfDocument& document_;
   const tinygltf::Model& model_;
   Warnings& warnings_;
+  FileShading* shading_;  ///< or nullptr
   Scene scene_;
   std::vector<std::optional<std::vector<Primitive>>> meshes_;
   std::map<std::pair<int, int>, DracoMesh> draco_;      ///< by bufferView and id of the positions
@@ -261,11 +298,11 @@ class Reader {
 }  // namespace
 
 Scene read_gltf(std::span<const std::byte> bytes, bool binary, const std::filesystem::path& folder, const std::string& name,
-                ReadReport& report, Warnings& warnings) {
+                ReadReport& report, Warnings& warnings, FileShading* shading) {
   GltfDocument document = open_gltf(bytes, binary, folder, name);
   report.format = binary ? ModelFormat::glb : ModelFormat::gltf;
   report.files = document.buffers.files();
-  return Reader(document, warnings).run(report);
+  return Reader(document, warnings, shading).run(report);
 }
 
 }  // namespace ligne

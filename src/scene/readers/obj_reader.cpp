@@ -32,8 +32,11 @@ struct ObjVertex {
 /// Delivers the statements for the library, one line each, and keeps the vertices to itself.
 class StatementStream : public std::streambuf {
  public:
-  StatementStream(std::string_view text, const std::string& name, Warnings& warnings)
-      : lines_(text), name_(name), warnings_(warnings) {}
+  StatementStream(std::string_view text, const std::string& name, bool with_shading, Warnings& warnings)
+      : lines_(text), name_(name), with_shading_(with_shading), warnings_(warnings) {}
+
+  const std::vector<std::uint32_t>& normals() const { return normals_; }  ///< packed_direction()
+  std::uint32_t smoothing_group() const { return group_; }                ///< of the faces that follow; 0: none
 
   const std::vector<ObjVertex>& vertices() const { return vertices_; }
   /// Line on which the statement delivered last begins.
@@ -89,6 +92,15 @@ class StatementStream : public std::streambuf {
       add_vertex(rest);
       return false;
     }
+    if (with_shading_ && keyword == "vn") {
+      normals_.push_back(packed_direction(three_numbers(rest)));
+      return false;
+    }
+    if (with_shading_ && keyword == "s") {
+      const std::optional<std::int64_t> group = parse_integer(take_word(rest));  // or "off"
+      group_ = group && *group > 0 && *group < kNone ? static_cast<std::uint32_t>(*group) : 0;
+      return false;
+    }
     if (keyword == "f" || keyword == "fo") {  // fo: faces of files before version 2
       write_face(rest);
       return true;
@@ -123,6 +135,17 @@ class StatementStream : public std::streambuf {
     vertices_.push_back(vertex);
   }
 
+  /// Zero when they are none: normals only say how a surface is shaded.
+  static Point3 three_numbers(std::string_view rest) {
+    Point3 numbers(0);
+    for (int k = 0; k < 3; ++k) {
+      const std::optional<double> value = number_in(take_word(rest));
+      if (!value) return Point3(0);
+      numbers[k] = *value;
+    }
+    return numbers;
+  }
+
   /// Checks that every word is v, v/vt, v//vn or v/vt/vn and writes them with single blanks, a comment left off.
   void write_face(std::string_view words) {
     statement_.assign(1, 'f');
@@ -151,19 +174,23 @@ class StatementStream : public std::streambuf {
 
   LineReader lines_;
   const std::string& name_;
+  bool with_shading_;
   Warnings& warnings_;
   std::string_view whole_;
   std::string joined_;
   std::string statement_;
   std::size_t line_ = 0;
   std::vector<ObjVertex> vertices_;
+  std::vector<std::uint32_t> normals_;
+  std::uint32_t group_ = 0;
   std::optional<InputError> error_;
 };
 
 /// Makes objects from the library's callbacks. Objects own their vertices: one that several use is stored in each.
 class ObjScene {
  public:
-  ObjScene(const std::string& name, ReadReport& report, StatementStream& stream) : builder_(name, report), stream_(stream) {
+  ObjScene(const std::string& name, ReadReport& report, StatementStream& stream, FileShading* shading)
+      : builder_(name, report), stream_(stream), shading_(shading) {
     builder_.begin_object("");
   }
 
@@ -181,6 +208,7 @@ class ObjScene {
       face_.push_back(scene_vertex(static_cast<std::size_t>(index)));
     }
     builder_.add_face(face_);
+    if (shading_) add_shading(corners, n);
   }
 
   void begin_object(const char* name) {
@@ -192,10 +220,28 @@ class ObjScene {
 
   Scene finish() {
     end_object();
+    if (shading_) {
+      const auto is_zero = [](std::uint32_t value) { return value == 0; };
+      for (auto* said : {&shading_->corner_normals, &shading_->face_groups}) {
+        if (std::all_of(said->begin(), said->end(), is_zero)) said->clear();
+      }
+    }
     return builder_.finish(Axis::y);
   }
 
  private:
+  void add_shading(const tinyobj::index_t* corners, int n) {
+    const std::vector<std::uint32_t>& normals = stream_.normals();
+    const auto count = static_cast<std::int64_t>(normals.size());
+    for (int i = 0; i < n; ++i) {
+      const std::int64_t written = corners[i].normal_index;
+      const std::int64_t index = written < 0 ? count + written : written - 1;
+      const bool known = index >= 0 && index < count;
+      shading_->corner_normals.push_back(known ? normals[static_cast<std::size_t>(index)] : 0);
+    }
+    shading_->face_groups.push_back(stream_.smoothing_group());
+  }
+
   std::uint32_t scene_vertex(std::size_t index) {
     std::uint32_t& known = scene_index_[index];
     if (known == kNone) {
@@ -216,6 +262,7 @@ class ObjScene {
 
   SceneBuilder builder_;
   StatementStream& stream_;
+  FileShading* shading_;  ///< or nullptr
   std::vector<std::uint32_t> face_;
   std::vector<std::uint32_t> scene_index_;  ///< per vertex of the file: its copy in the object, or kNone
   std::vector<std::size_t> used_;           ///< vertices of the file that the object has a copy of
@@ -224,9 +271,10 @@ class ObjScene {
 
 }  // namespace
 
-Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
-  StatementStream statements(as_text(bytes, name), name, warnings);
-  ObjScene scene(name, report, statements);
+Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
+               FileShading* shading) {
+  StatementStream statements(as_text(bytes, name), name, shading != nullptr, warnings);
+  ObjScene scene(name, report, statements, shading);
   std::istream stream(&statements);
 
   tinyobj::callback_t callback;

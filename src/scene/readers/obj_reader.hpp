@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "scene/creases/file_shading.hpp"
 #include "scene/readers/reader.hpp"
 
 namespace ligne {
@@ -12,6 +13,9 @@ namespace ligne {
 /// Reads the polygons of an OBJ file: faces of any number of corners, relative indices, continued lines. Each `o` begins an
 /// object; groups do not, since their faces share vertices; a file without `o` is one object. Material libraries are not
 /// looked for: the names given by usemtl become materials. y up; not cleaned yet. Throws InputError, with the line.
-Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings);
+/// Normals and smoothing groups go to `shading`,
+/// where there is one.
+Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
+               FileShading* shading = nullptr);
 
 }  // namespace ligne

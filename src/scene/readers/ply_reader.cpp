@@ -138,8 +138,8 @@ class BinaryData {
 template <typename Data>
 class PlyReader {
  public:
-  PlyReader(const PlyHeader& header, Data data, const std::string& name, ReadReport& report)
-      : header_(header), data_(std::move(data)), name_(name), report_(report), builder_(name, report) {}
+  PlyReader(const PlyHeader& header, Data data, const std::string& name, ReadReport& report, FileShading* shading)
+      : header_(header), data_(std::move(data)), name_(name), report_(report), builder_(name, report), shading_(shading) {}
 
   Scene read() {
     check_elements();
@@ -155,6 +155,11 @@ class PlyReader {
     }
     data_.end();
     check_indices();
+    if (shading_ && !normals_.empty()) {
+      for (const std::uint32_t v : std::as_const(builder_.scene().faces).corners()) {
+        shading_->corner_normals.push_back(normals_[v]);
+      }
+    }
     builder_.end_object(precision());
     return builder_.finish(Axis::z);
   }
@@ -198,14 +203,23 @@ class PlyReader {
 
   void read_vertices(const PlyElement& element) {
     const std::size_t axes[3] = {element.find({"x"}), element.find({"y"}), element.find({"z"})};
+    const std::size_t none = element.properties.size();
+    std::size_t normal_axes[3] = {element.find({"nx"}), element.find({"ny"}), element.find({"nz"})};
+    const bool with_normals = shading_ && std::all_of(normal_axes, normal_axes + 3, [&](std::size_t p) {
+                                return p < none && !element.properties[p].is_list;
+                              });
     for (const std::size_t p : axes) is_float32_ = is_float32_ || element.properties[p].type == PlyType::float32;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       data_.begin_item(element, i);
-      Point3 position;
+      Point3 position, normal(0);
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
         const std::size_t axis = static_cast<std::size_t>(std::find(axes, axes + 3, p) - axes);
         if (axis == 3) {
-          pass_over(element.properties[p]);
+          const auto of_normal = static_cast<int>(std::find(normal_axes, normal_axes + 3, p) - normal_axes);
+          if (with_normals && of_normal < 3)
+            normal[of_normal] = data_.take(element.properties[p].type).number;
+          else
+            pass_over(element.properties[p]);
           continue;
         }
         const PlyValue value = data_.take(element.properties[p].type);
@@ -216,6 +230,7 @@ class PlyReader {
       }
       data_.end_item();
       builder_.add_vertex(position);
+      if (with_normals) normals_.push_back(packed_direction(normal));
     }
     report_.vertices += element.count;
   }
@@ -271,6 +286,8 @@ class PlyReader {
   const std::string& name_;
   ReadReport& report_;
   SceneBuilder builder_;
+  FileShading* shading_;                ///< or nullptr
+  std::vector<std::uint32_t> normals_;  ///< of the vertices, packed; empty where there are none
   bool is_float32_ = false;
   double largest_ = 0;
   DecimalPrecision decimals_;
@@ -279,14 +296,15 @@ class PlyReader {
 
 }  // namespace
 
-Scene read_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings&) {
+Scene read_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings&,
+               FileShading* shading) {
   const PlyHeader header = read_ply_header(bytes, name);
   const std::span<const std::byte> data = bytes.subspan(header.bytes);
   if (header.encoding == PlyEncoding::ascii) {
-    return PlyReader(header, TextData(as_text(data, name), header.lines, name), name, report).read();
+    return PlyReader(header, TextData(as_text(data, name), header.lines, name), name, report, shading).read();
   }
   const std::endian order = header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
-  return PlyReader(header, BinaryData(data, order, name), name, report).read();
+  return PlyReader(header, BinaryData(data, order, name), name, report, shading).read();
 }
 
 }  // namespace ligne

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "scene/creases/file_shading.hpp"
 #include "scene/readers/reader.hpp"
 
 namespace ligne {
@@ -12,6 +13,8 @@ namespace ligne {
 /// Reads the elements `vertex` (x, y, z of any type) and `face` (list vertex_indices or vertex_index) as one object; faces
 /// may have any number of corners, other elements and properties are passed over. z up; not cleaned yet. Throws
 /// InputError, with the line for text.
-Scene read_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings);
+/// Normals (nx, ny, nz) go to `shading`, where there is one.
+Scene read_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
+               FileShading* shading = nullptr);
 
 }  // namespace ligne

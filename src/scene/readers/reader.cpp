@@ -8,6 +8,7 @@
 
 #include "scene/clean/clean.hpp"
 #include "scene/clean/weld_near.hpp"
+#include "scene/creases/file_shading.hpp"
 #include "scene/readers/asc_reader.hpp"
 #include "scene/readers/gltf_reader.hpp"
 #include "scene/readers/ligne_scene_reader.hpp"
@@ -37,22 +38,22 @@ void check_size(const Scene& scene, const std::string& name) {
 }
 
 Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
-               ReadReport& report, Warnings& warnings) {
+               ReadReport& report, Warnings& warnings, FileShading* shading) {
   switch (format) {
     case ModelFormat::gltf:
-      return read_gltf(bytes, false, folder, name, report, warnings);
+      return read_gltf(bytes, false, folder, name, report, warnings, shading);
     case ModelFormat::glb:
-      return read_gltf(bytes, true, folder, name, report, warnings);
+      return read_gltf(bytes, true, folder, name, report, warnings, shading);
     case ModelFormat::obj:
-      return read_obj(bytes, name, report, warnings);
+      return read_obj(bytes, name, report, warnings, shading);
     case ModelFormat::stl_ascii:
       return read_stl_ascii(bytes, name, report, warnings);
     case ModelFormat::stl_binary:
       return read_stl_binary(bytes, name, report, warnings);
     case ModelFormat::ply:
-      return read_ply(bytes, name, report, warnings);
+      return read_ply(bytes, name, report, warnings, shading);
     case ModelFormat::asc_3d_studio:
-      return read_asc(bytes, name, report, warnings);
+      return read_asc(bytes, name, report, warnings, shading);
     case ModelFormat::ligne_scene:
       break;
   }
@@ -88,9 +89,11 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs:
   ReadReport& counts = report ? *report : own_report;
   counts = ReadReport{};
   counts.format = format;
-  Scene scene = read_raw(bytes, format, folder, name, counts, warnings);
+  FileShading shading;
+  Scene scene = read_raw(bytes, format, folder, name, counts, warnings, options.shading ? &shading : nullptr);
   if (scene.faces.empty()) throw InputError(name, "holds no faces");
   check_size(scene, name);
+  if (options.shading) mark_smooth_edges(scene, shading);
   if (options.weld_distance > 0) weld_near_vertices(scene, options.weld_distance);
   finish_scene(scene, warnings);
   if (options.merge_coplanar) merge_coplanar_faces(scene);

@@ -21,6 +21,7 @@ std::string_view to_string(ModelFormat format);
 struct ReadOptions {
   double weld_distance = 0;     ///< vertices so near to each other become one (model units); 0: those at one position
   bool merge_coplanar = false;  ///< put coplanar neighbouring faces together into polygons with holes
+  bool shading = false;         ///< mark the edges that the file calls smooth or sharp (creases/file_shading.hpp)
 };
 
 /// What was in the file, before cleaning.

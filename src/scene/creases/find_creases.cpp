@@ -1,0 +1,386 @@
+#include "scene/creases/find_creases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "geometry/disjoint_sets.hpp"
+#include "geometry/parallel.hpp"
+#include "scene/creases/face_normals.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable.
+constexpr double kLowPart = 0.5;         ///< of the crease angle: down to there a crease continues, or a sharp edge is one
+constexpr double kFirmDegrees = 20;      ///< above the crease angle: no fleck of a bend
+constexpr double kSurelySharp = 60;      ///< an edge so sharp is a crease whatever the file says of its shading
+constexpr double kShortPart = 1.0 / 16;  ///< of the object's size
+constexpr double kSpurPart = 1.0 / 64;   ///< of the object's size: a longer edge is no spur
+constexpr double kTurnCosine = 0.70710678;  ///< a crease continues over an edge that turns by less than 45 degrees
+
+/// Normals of small faces in float32 are off by about this much: an edge at the crease angle itself is no crease.
+constexpr double kSlackDegrees = 0.01;
+constexpr std::size_t kGrain = 16'384;
+
+/// What an edge is by itself.
+enum class Bend : std::uint8_t { none, weak, strong, firm };
+
+float cosine_of(double degrees) {
+  return static_cast<float>(std::cos(std::min(180.0, degrees + kSlackDegrees) * std::numbers::pi / 180));
+}
+
+struct Limits {
+  explicit Limits(double crease)
+      : low(cosine_of(kLowPart * crease)),
+        crease(cosine_of(crease)),
+        firm(cosine_of(crease + kFirmDegrees)),
+        sharp(cosine_of(std::max(kSurelySharp, crease))) {}
+  float low, crease, firm, sharp;  ///< cosines: smaller is sharper
+};
+
+/// Unit vector from an edge into a face that has it, in the face's plane.
+Point3 into_face(const Scene& scene, const Edge& edge, std::uint32_t f) {
+  const Point3 a = scene.vertices[edge.v0], along = glm::normalize(scene.vertices[edge.v1] - a);
+  Point3 farthest{0, 0, 0};
+  for (const std::uint32_t v : scene.faces.contour(f, 0)) {
+    const Point3 to = scene.vertices[v] - a;
+    const Point3 across = to - glm::dot(to, along) * along;
+    if (glm::dot(across, across) > glm::dot(farthest, farthest)) farthest = across;
+  }
+  const double length = glm::length(farthest);
+  return length > 0 ? farthest / length : farthest;
+}
+
+/// The edges of more than two faces of which two bend: of all faces that have the edge, two whose directions from it are
+/// neither alike nor opposite.
+std::vector<std::uint8_t> bent_sheets(const Scene& scene, const Topology& topology, const Limits& limits) {
+  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::size_t>> wanted;
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    if (topology.edge_flags[e] & kEdgeManyFaces) wanted.push_back({{topology.edges[e].v0, topology.edges[e].v1}, e});
+  }
+  std::vector<std::uint8_t> bent(wanted.size(), 0);
+  if (wanted.empty()) return bent;
+  std::vector<Point3> first(wanted.size(), Point3(0));
+  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
+    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+      const auto contour = scene.faces.contour(f, c);
+      for (std::size_t k = 0; k < contour.size(); ++k) {
+        const auto [low, high] = std::minmax(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
+        const std::pair key(std::pair(low, high), std::size_t{0});
+        const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
+        if (at == wanted.end() || at->first != key.first) continue;
+        const auto i = static_cast<std::size_t>(at - wanted.begin());
+        const Point3 direction = into_face(scene, topology.edges[at->second], f);
+        if (direction == Point3(0)) continue;
+        // All others are in line with the first one, or two of them bend.
+        if (first[i] == Point3(0)) first[i] = direction;
+        if (std::abs(glm::dot(direction, first[i])) < limits.crease) bent[i] = 1;
+      }
+    }
+  }
+  return bent;
+}
+
+class Finder {
+ public:
+  Finder(const Scene& scene, const Topology& topology, double crease_degrees)
+      : scene_(scene), topology_(topology), limits_(crease_degrees) {}
+
+  Creases run() {
+    classify();
+    collect();
+    continue_ends();
+    find_anchors();
+    drop_spurs();
+    drop_short();
+    found_.is_crease.assign(bends_.size(), 0);
+    parallel_blocks(bends_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e) found_.is_crease[e] = bends_[e] >= Bend::strong;
+    });
+    return std::move(found_);
+  }
+
+ private:
+  struct Counts {
+    std::size_t smooth = 0, sharp = 0;
+    friend Counts operator+(const Counts& a, const Counts& b) { return {a.smooth + b.smooth, a.sharp + b.sharp}; }
+  };
+
+  void classify() {
+    const std::vector<glm::vec3> normals = face_normals(scene_, topology_);
+    bends_.assign(topology_.edges.size(), Bend::none);
+    const Counts counts = parallel_reduce(bends_.size(), kGrain, Counts{}, [&](std::size_t begin, std::size_t end) {
+      Counts sum;
+      for (std::size_t e = begin; e < end; ++e) bends_[e] = bend_of(e, normals, sum);
+      return sum;
+    });
+    found_.smooth_by_file = counts.smooth;
+    found_.sharp_by_file = counts.sharp;
+    std::size_t i = 0;
+    const std::vector<std::uint8_t> bent = bent_sheets(scene_, topology_, limits_);
+    for (std::size_t e = 0; i < bent.size() && e < bends_.size(); ++e) {
+      if (!(topology_.edge_flags[e] & kEdgeManyFaces)) continue;
+      bends_[e] = bent[i] ? Bend::firm : Bend::none;
+      found_.straight_sheets += !bent[i];
+      ++i;
+    }
+  }
+
+  Bend bend_of(std::size_t e, const std::vector<glm::vec3>& normals, Counts& counts) const {
+    const Edge& edge = topology_.edges[e];
+    const auto flags = topology_.edge_flags[e];
+    if (edge.face1 == kNone || (flags & (kEdgeManyFaces | kEdgeFileHidden | kEdgeInner))) return Bend::none;
+    const float turn = flags & kEdgeUnlikeWound ? -1 : 1;
+    const float cosine = glm::dot(normals[edge.face0], normals[edge.face1]) * turn;
+    if (flags & kEdgeSmooth) {
+      if (cosine < limits_.sharp) return Bend::firm;
+      counts.smooth += cosine < limits_.crease;
+      return Bend::none;
+    }
+    if (flags & kEdgeSharp) {
+      if (cosine >= limits_.low) return Bend::none;
+      counts.sharp += cosine >= limits_.crease;
+      return Bend::firm;
+    }
+    if (cosine < limits_.firm) return Bend::firm;
+    if (cosine < limits_.crease) return Bend::strong;
+    return cosine < limits_.low ? Bend::weak : Bend::none;
+  }
+
+  /// An edge that bends, at one of its ends.
+  struct End {
+    std::uint32_t vertex, edge;
+    friend bool operator<(const End& a, const End& b) { return std::pair(a.vertex, a.edge) < std::pair(b.vertex, b.edge); }
+  };
+  /// A vertex at the end of such edges: its ends begin at `first`.
+  struct Node {
+    std::uint32_t vertex, first;
+    std::uint32_t creases;  ///< edges that are creases by themselves
+  };
+
+  bool is_crease(std::uint32_t e) const { return bends_[e] >= Bend::strong; }
+
+  /// The edges that may be creases, by their vertices.
+  void collect() {
+    for (std::size_t e = 0; e < bends_.size(); ++e) {
+      if (bends_[e] == Bend::none) continue;
+      const auto i = static_cast<std::uint32_t>(e);
+      ends_.push_back({topology_.edges[e].v0, i});
+      ends_.push_back({topology_.edges[e].v1, i});
+    }
+    parallel_sort(ends_.begin(), ends_.end());
+    for (std::uint32_t k = 0; k < ends_.size(); ++k) {
+      if (nodes_.empty() || nodes_.back().vertex != ends_[k].vertex) nodes_.push_back({ends_[k].vertex, k, 0});
+      nodes_.back().creases += is_crease(ends_[k].edge);
+    }
+  }
+
+  std::uint32_t node_of(std::uint32_t v) const {
+    const auto at = std::lower_bound(nodes_.begin(), nodes_.end(), v,
+                                     [](const Node& node, std::uint32_t vertex) { return node.vertex < vertex; });
+    return static_cast<std::uint32_t>(at - nodes_.begin());
+  }
+
+  std::span<const End> ends_of(std::uint32_t node) const {
+    const std::size_t last = node + 1 == nodes_.size() ? ends_.size() : nodes_[node + 1].first;
+    return std::span(ends_).subspan(nodes_[node].first, last - nodes_[node].first);
+  }
+
+  /// Connected creases.
+  struct Chain {
+    double length = 0;
+    std::size_t edges = 0;
+    bool firm = false, open = false, anchored = false;
+  };
+  struct Chains {
+    DisjointSets sets;                                           ///< of nodes
+    std::vector<Chain> list;                                     ///< by the node that stands for its set
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< a node, and a crease that begins there
+    Chain& of(std::uint32_t node) { return list[sets.find(node)]; }
+  };
+
+  double length_of(std::uint32_t e) const {
+    return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);
+  }
+
+  Chains chains() const {
+    Chains found{DisjointSets(nodes_.size()), std::vector<Chain>(nodes_.size()), {}};
+    for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
+      for (const End& end : ends_of(node)) {
+        if (!is_crease(end.edge) || topology_.edges[end.edge].v0 != nodes_[node].vertex) continue;
+        found.edges.emplace_back(node, end.edge);
+        found.sets.join(node, node_of(topology_.edges[end.edge].v1));
+      }
+    }
+    for (const auto& [node, e] : found.edges) {
+      Chain& chain = found.of(node);
+      chain.length += length_of(e);
+      ++chain.edges;
+      chain.firm = chain.firm || bends_[e] == Bend::firm;
+    }
+    return found;
+  }
+
+  /// From every vertex where a single crease ends, over weak edges in its direction, if that leads to another crease, and
+  /// over no longer way than both are long. Creases are those that are so by themselves, so the order does not matter.
+  void continue_ends() {
+    Chains found = chains();
+    std::vector<std::uint32_t> joined;
+    for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
+      if (nodes_[node].creases != 1) continue;
+      for (const End& end : ends_of(node)) {
+        if (!is_crease(end.edge)) continue;
+        const std::vector<std::uint32_t> way = way_on(node, end.edge, found);
+        joined.insert(joined.end(), way.begin(), way.end());
+      }
+    }
+    std::sort(joined.begin(), joined.end());
+    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+    for (const std::uint32_t e : joined) bends_[e] = Bend::strong;
+    found_.continued = joined.size();
+  }
+
+  /// Unit vector along an edge to the vertex of a node.
+  Point3 direction_to(std::uint32_t node, std::uint32_t e) const {
+    const Edge& edge = topology_.edges[e];
+    const std::uint32_t v = nodes_[node].vertex, from = edge.v0 == v ? edge.v1 : edge.v0;
+    return glm::normalize(scene_.vertices[v] - scene_.vertices[from]);
+  }
+
+  /// The weak edges by which crease e goes on behind a node to another crease; none when it comes to none.
+  std::vector<std::uint32_t> way_on(std::uint32_t node, std::uint32_t e, Chains& found) const {
+    // Adjustable: so each end costs no more than that.
+    constexpr std::size_t kLongestWay = 64, kMostEnds = 64;
+    std::vector<std::uint32_t> way;
+    const double longest = found.of(node).length;
+    double length = 0;
+    while (way.size() < kLongestWay) {
+      const Point3 direction = direction_to(node, e);
+      const std::span<const End> ends = ends_of(node);
+      if (ends.size() > kMostEnds) return {};
+      std::uint32_t best = kNone;
+      double best_cosine = kTurnCosine;
+      for (const End& next : ends) {
+        if (next.edge == e || bends_[next.edge] != Bend::weak) continue;
+        const double cosine = -glm::dot(direction_to(node, next.edge), direction);
+        if (cosine > best_cosine) best = next.edge, best_cosine = cosine;
+      }
+      if (best == kNone) return {};
+      way.push_back(best);
+      length += length_of(best);
+      if (length > longest) return {};
+      const Edge& edge = topology_.edges[best];
+      node = node_of(edge.v0 == nodes_[node].vertex ? edge.v1 : edge.v0);
+      e = best;
+      if (nodes_[node].creases > 0) {
+        if (length > found.of(node).length) return {};
+        return way;
+      }
+    }
+    return {};
+  }
+
+  std::size_t creases_at(std::uint32_t node) const {
+    const std::span<const End> ends = ends_of(node);
+    return static_cast<std::size_t>(
+        std::count_if(ends.begin(), ends.end(), [&](const End& end) { return is_crease(end.edge); }));
+  }
+
+  /// A crease that ends at a border does not end in the middle of a surface.
+  void find_anchors() {
+    anchored_.assign(nodes_.size(), 0);
+    for (const Edge& edge : topology_.edges) {
+      if (edge.face1 != kNone) continue;
+      for (const std::uint32_t v : {edge.v0, edge.v1}) {
+        const std::uint32_t node = node_of(v);
+        if (node < nodes_.size() && nodes_[node].vertex == v) anchored_[node] = 1;
+      }
+    }
+  }
+
+  bool is_open(std::uint32_t node) const { return !anchored_[node] && creases_at(node) == 1; }
+
+  /// Single short edges that stand out from a crease that goes on without them.
+  void drop_spurs() {
+    const std::vector<double> sizes = object_sizes();
+    std::vector<std::uint32_t> spurs;
+    for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
+      if (!is_open(node)) continue;
+      for (const End& end : ends_of(node)) {
+        if (bends_[end.edge] != Bend::strong) continue;
+        const Edge& edge = topology_.edges[end.edge];
+        if (length_of(end.edge) >= kSpurPart * sizes[object_of(edge.v0)]) continue;
+        const std::uint32_t other = edge.v0 == nodes_[node].vertex ? edge.v1 : edge.v0;
+        if (creases_at(node_of(other)) >= 3) spurs.push_back(end.edge);
+      }
+    }
+    for (const std::uint32_t e : spurs) bends_[e] = Bend::none;
+    found_.spurs = spurs.size();
+  }
+
+  void drop_short() {
+    Chains found = chains();
+    for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
+      if (is_open(node)) found.of(node).open = true;
+      if (anchored_[node] && creases_at(node) > 0) found.of(node).anchored = true;
+    }
+    const std::vector<double> sizes = object_sizes();
+    const auto stays = [&](std::uint32_t root) {
+      const Chain& chain = found.list[root];
+      // Three edges in a ring are the rim of a triangle.
+      const bool ends_nowhere = !chain.open && (chain.anchored || chain.edges > 3);
+      return chain.firm || ends_nowhere || chain.length >= kShortPart * sizes[object_of(nodes_[root].vertex)];
+    };
+    for (const auto& [node, e] : found.edges) {
+      if (!stays(found.sets.find(node))) bends_[e] = Bend::none;
+    }
+    for (std::uint32_t root = 0; root < nodes_.size(); ++root) {
+      if (found.list[root].edges == 0 || stays(root)) continue;
+      found_.short_chains += found.list[root].edges;
+      found_.short_length += found.list[root].length;
+    }
+  }
+
+  std::size_t object_of(std::uint32_t vertex) const {
+    const auto after = std::upper_bound(scene_.objects.begin(), scene_.objects.end(), vertex,
+                                        [](std::uint32_t v, const Object& object) { return v < object.vertex_end; });
+    return static_cast<std::size_t>(after - scene_.objects.begin());
+  }
+
+  std::vector<double> object_sizes() const {
+    std::vector<double> sizes(scene_.objects.size(), 0);
+    parallel_for(sizes.size(), [&](std::size_t i) {
+      const Object& object = scene_.objects[i];
+      if (object.vertex_begin == object.vertex_end) return;
+      Point3 low = scene_.vertices[object.vertex_begin], high = low;
+      for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
+        low = glm::min(low, scene_.vertices[v]), high = glm::max(high, scene_.vertices[v]);
+      }
+      sizes[i] = glm::distance(low, high);
+    });
+    return sizes;
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  Limits limits_;
+  std::vector<Bend> bends_;  ///< per edge
+  std::vector<End> ends_;    ///< of the edges that bend, sorted
+  std::vector<Node> nodes_;
+  std::vector<std::uint8_t> anchored_;  ///< per node: on a border
+  Creases found_;
+};
+
+}  // namespace
+
+Creases find_creases(const Scene& scene, const Topology& topology, double crease_degrees) {
+  return Finder(scene, topology, crease_degrees).run();
+}
+
+}  // namespace ligne

@@ -1,0 +1,44 @@
+#pragma once
+/// Creases of the shape that a mesh stands for.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "scene/model/scene.hpp"
+#include "scene/model/topology.hpp"
+
+namespace ligne {
+
+struct Creases {
+  std::vector<std::uint8_t> is_crease;  ///< per edge of the topology
+
+  // Against the rule that every edge is a crease whose faces bend by more than the angle, or which has more than two faces:
+  std::size_t smooth_by_file = 0;   ///< edges left out, since the file says that the surface runs smoothly over them
+  std::size_t sharp_by_file = 0;    ///< edges added, since the file says that it does not
+  std::size_t continued = 0;        ///< edges added, between two creases that they join
+  std::size_t spurs = 0;            ///< edges left out that stand out from a crease
+  std::size_t short_chains = 0;     ///< edges left out with chains that are short, weak and open
+  double short_length = 0;          ///< of those, model units
+  std::size_t straight_sheets = 0;  ///< edges left out that have more than two faces, none of which bend
+};
+
+/// Finds the creases of a finished scene (docs/clear-lines.md, "Creases").
+///   1. Edges of which the file speaks (kEdgeSmooth, kEdgeSharp) are as it says: a smooth one is a crease only when its
+///   faces
+///      bend by more than kSurelySharp, a sharp one when they bend by more than half of `crease_degrees`.
+///   2. Other edges are creases when their faces bend by more than `crease_degrees`. An edge of more than two faces is one
+///   when
+///      two of them bend.
+///   3. Where such a crease ends, it continues over edges that bend by more than half of `crease_degrees`, in its direction,
+///   as
+///      long as that leads to another crease and is no longer than either of the two.
+///   4. A single edge, shorter than a 64th of its object, that stands out from a crease that goes on without it is none, and
+///   neither are connected creases that are
+///      together shorter than a 16th of their object and end in the middle of a surface. That does not hold for edges that
+///      bend by more than `crease_degrees` + 20, or are sharp by the file, nor for what is connected with such.
+/// Edges that the file hides or that only cut a polygon are none. A face without area, or as thin as the precision of its
+/// coordinates, takes the normal of its neighbour across its longest edge.
+Creases find_creases(const Scene& scene, const Topology& topology, double crease_degrees);
+
+}  // namespace ligne

@@ -1,0 +1,219 @@
+/// Creases by what the file says, and by what the mesh shows.
+
+#include "scene/creases/find_creases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <sstream>
+
+#include "scene/creases/face_normals.hpp"
+#include "scene/creases/file_shading.hpp"
+#include "scene/readers/reader.hpp"
+
+namespace ligne {
+namespace {
+
+Scene read(const std::string& text, ModelFormat format, bool shading = true) {
+  Warnings warnings;
+  return read_scene(std::as_bytes(std::span(text)), format, {}, "model", {.shading = shading}, warnings);
+}
+
+struct Found {
+  Scene scene;
+  Topology topology;
+  Creases creases;
+  std::size_t count() const { return std::accumulate(creases.is_crease.begin(), creases.is_crease.end(), std::size_t{0}); }
+};
+
+Found find(Scene scene, double degrees = 30) {
+  Found found{std::move(scene), {}, {}};
+  found.topology = build_topology(found.scene);
+  found.creases = find_creases(found.scene, found.topology, degrees);
+  return found;
+}
+
+enum class Shading { none, smooth, averaged, flat, groups, one_group };
+
+/// An upright prism of `sides` quadrilaterals between two caps, as OBJ.
+std::string prism(int sides, Shading shading) {
+  std::ostringstream obj;
+  const auto angle = [&](double i) { return 2 * std::numbers::pi * i / sides; };
+  for (int z = 0; z < 2; ++z) {
+    for (int i = 0; i < sides; ++i) obj << "v " << std::cos(angle(i)) << ' ' << std::sin(angle(i)) << ' ' << 2 * z << '\n';
+  }
+  // Normals: of the sides at their corners, of the sides in their middles, of the caps, averaged over all faces.
+  for (int i = 0; i < sides; ++i) obj << "vn " << std::cos(angle(i)) << ' ' << std::sin(angle(i)) << " 0\n";
+  for (int i = 0; i < sides; ++i) obj << "vn " << std::cos(angle(i + 0.5)) << ' ' << std::sin(angle(i + 0.5)) << " 0\n";
+  obj << "vn 0 0 -1\nvn 0 0 1\n";
+  for (int z = 0; z < 2; ++z) {
+    for (int i = 0; i < sides; ++i)
+      obj << "vn " << std::cos(angle(i)) << ' ' << std::sin(angle(i)) << ' ' << 2 * z - 1 << '\n';
+  }
+  const auto corner = [&](int z, int i, int side) {
+    i %= sides;
+    const int normal = shading == Shading::averaged ? 2 * sides + 2 + z * sides + i
+                       : side < 0                   ? 2 * sides + z
+                       : shading == Shading::flat   ? sides + side
+                                                    : i;
+    obj << ' ' << z * sides + i + 1;
+    const bool with_normals = shading == Shading::smooth || shading == Shading::flat || shading == Shading::averaged;
+    if (with_normals) obj << "//" << normal + 1;
+  };
+  const bool groups = shading == Shading::groups || shading == Shading::one_group;
+  if (groups) obj << "s 1\n";
+  for (int i = 0; i < sides; ++i) {
+    obj << 'f';
+    corner(0, i, i), corner(0, i + 1, i), corner(1, i + 1, i), corner(1, i, i);
+    obj << '\n';
+  }
+  if (shading == Shading::groups) obj << "s off\n";
+  for (int z = 0; z < 2; ++z) {
+    obj << 'f';
+    for (int i = 0; i < sides; ++i) corner(z, z == 0 ? sides - i : i, -1);
+    obj << '\n';
+  }
+  return obj.str();
+}
+
+std::size_t creases_of_prism(int sides, Shading shading) {
+  return find(read(prism(sides, shading), ModelFormat::obj)).count();
+}
+
+TEST(Creases, NormalsAndGroupsMakeAPrismACylinder) {
+  for (const Shading shading : {Shading::smooth, Shading::groups}) {
+    EXPECT_EQ(creases_of_prism(8, shading), 16u) << "the rims of both caps alone";
+    EXPECT_EQ(creases_of_prism(8, Shading::none), 24u);
+  }
+}
+
+TEST(Creases, FlatShadingSaysNothing) {
+  EXPECT_EQ(creases_of_prism(8, Shading::flat), 24u);
+  EXPECT_EQ(creases_of_prism(16, Shading::flat), 32u) << "22.5 degrees: below the crease angle";
+}
+
+TEST(Creases, AveragedNormalsKeepCorners) {
+  // One normal at every vertex, or one group for all, is no knowledge of the shape: bends of 45 and 90 degrees stay.
+  for (const Shading shading : {Shading::averaged, Shading::one_group}) {
+    EXPECT_EQ(creases_of_prism(8, shading), 24u);
+    EXPECT_EQ(creases_of_prism(10, shading), 20u) << "36 degrees";
+    EXPECT_EQ(creases_of_prism(4, shading), 12u);
+  }
+}
+
+TEST(Creases, FileShadingIsReadWhereItIsAskedForAlone) {
+  const Scene without = read(prism(8, Shading::groups), ModelFormat::obj, false);
+  EXPECT_TRUE(without.corner_flags.empty());
+}
+
+TEST(Creases, PlyNormals) {
+  // Two quadrilaterals that bend by 45 degrees, and one upright on the second; the vertices of the last edge are split.
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 10\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
+      "property float ny\nproperty float nz\nelement face 3\nproperty list uchar int vertex_index\nend_header\n";
+  const std::string text = head +
+                           "0 0 0 0 0 1\n0 1 0 0 0 1\n1 0 0 -0.38 0 0.92\n1 1 0 -0.38 0 0.92\n2 0 1 -0.5 0 0.87\n"
+                           "2 1 1 -0.5 0 0.87\n2 0 1 -1 0 0\n2 1 1 -1 0 0\n2 0 3 -1 0 0\n2 1 3 -1 0 0\n"
+                           "4 0 2 3 1\n4 2 4 5 3\n4 6 8 9 7\n";
+  const Found found = find(read(text, ModelFormat::ply));
+  EXPECT_EQ(found.count(), 1u) << "the split edge alone";
+  EXPECT_EQ(found.creases.smooth_by_file, 1u);
+}
+
+TEST(Creases, AscSmoothingGroups) {
+  const auto asc = [](const char* first, const char* second) {
+    return std::string(
+               "Named object: \"roof\"\nTri-mesh, Vertices: 5  Faces: 3\nVertex list:\n"
+               "Vertex 0: X: 0 Y: 0 Z: 0\nVertex 1: X: 0 Y: 1 Z: 0\nVertex 2: X: 1 Y: 0 Z: 0\n"
+               "Vertex 3: X: 1 Y: 1 Z: 1\nVertex 4: X: 3 Y: 0 Z: -1\nFace list:\n"
+               "Face 0: A:0 B:2 C:1 AB:1 BC:1 CA:1\nSmoothing: ") +
+           first + "\nFace 1: A:2 B:3 C:1 AB:1 BC:1 CA:1\nSmoothing: " + second +
+           "\nFace 2: A:2 B:4 C:3 AB:1 BC:1 CA:1\nSmoothing: 9\n";
+  };
+  EXPECT_EQ(find(read(asc("1, 2", "2, 3"), ModelFormat::asc_3d_studio)).creases.smooth_by_file, 1u);
+  EXPECT_EQ(find(read(asc("1", "2"), ModelFormat::asc_3d_studio)).creases.smooth_by_file, 0u);
+}
+
+TEST(Creases, PackedDirectionsAreRightToATenthOfADegree) {
+  EXPECT_EQ(packed_direction({0, 0, 0}), 0u);
+  for (int i = 0; i < 1000; ++i) {
+    const Point3 direction{std::sin(i), std::cos(1.7 * i), std::sin(2.3 * i + 1)};
+    const double length = std::hypot(direction.x, direction.y, direction.z);
+    const Point3 back = unpacked_direction(packed_direction(direction));
+    const double cosine = (direction.x * back.x + direction.y * back.y + direction.z * back.z) / length;
+    EXPECT_LT(std::acos(std::min(1.0, cosine)) * 180 / std::numbers::pi, 0.15);
+  }
+}
+
+/// A long strip of `n` rows, bent along its middle line by the angle of each row, degrees.
+Scene bent_strip(const std::vector<double>& bends, double width = 0.25) {
+  std::ostringstream obj;
+  const int n = static_cast<int>(bends.size());
+  for (int i = 0; i <= n; ++i) {
+    const double bend = (i == 0 ? bends[0] : i == n ? bends[n - 1] : (bends[i - 1] + bends[i]) / 2) * std::numbers::pi / 180;
+    obj << "v " << -width << ' ' << i << " 0\nv 0 " << i << " 0\nv " << width * std::cos(bend) << ' ' << i << ' '
+        << -width * std::sin(bend) << '\n';
+  }
+  for (int i = 0; i < n; ++i) {
+    const int v = 3 * i + 1;
+    obj << "f " << v << ' ' << v + 1 << ' ' << v + 4 << "\nf " << v << ' ' << v + 4 << ' ' << v + 3 << '\n';
+    obj << "f " << v + 1 << ' ' << v + 2 << ' ' << v + 5 << "\nf " << v + 1 << ' ' << v + 5 << ' ' << v + 4 << '\n';
+  }
+  return read(obj.str(), ModelFormat::obj);
+}
+
+TEST(Creases, AGapBetweenTwoCreasesCloses) {
+  const std::vector<double> bends{38, 38, 38, 38, 38, 38, 24, 24, 24, 38, 38, 38, 38, 38, 38};
+  const Found found = find(bent_strip(bends));
+  EXPECT_EQ(found.count(), bends.size());
+  EXPECT_GE(found.creases.continued, 2u);
+}
+
+TEST(Creases, AFleckInASmoothBendFallsAndACornerStays) {
+  std::vector<double> bends(40, 10);
+  bends[20] = 40;
+  EXPECT_EQ(find(bent_strip(bends)).count(), 0u);
+  bends[19] = bends[20] = bends[21] = 80;
+  EXPECT_GE(find(bent_strip(bends)).count(), 3u);
+  // A short crease of a wide sheet, from border to border, does not end in the middle of a surface.
+  EXPECT_EQ(find(bent_strip({40, 40}, 50)).count(), 2u);
+}
+
+TEST(Creases, SheetsThatCrossWithoutABendHaveNone) {
+  const std::string four = "v 0 0 0\nv 0 1 0\nv -1 0 0\nv -1 1 0\nv 1 0 0\nv 1 1 0\nv 2 0 0\nv 2 1 0\nv 0 0 1\nv 0 1 1\n";
+  // Two coplanar sheets that overlap along an edge, and with a wall on it.
+  const std::string flat = four + "f 3 1 2 4\nf 1 5 6 2\nf 1 7 8 2\n";
+  EXPECT_EQ(find(read(flat, ModelFormat::obj)).count(), 0u);
+  EXPECT_EQ(find(read(flat, ModelFormat::obj)).creases.straight_sheets, 1u);
+  EXPECT_EQ(find(read(flat + "f 1 9 10 2\n", ModelFormat::obj)).count(), 1u);
+}
+
+TEST(Creases, ASliverTakesTheNormalOfItsNeighbour) {
+  // A flat square with a triangle of no height along its diagonal, off the plane by the rounding of its writer.
+  const std::string text =
+      "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 5.000000 5.000000 0.000001\nf 1 2 3\nf 1 3 5\nf 1 5 4\nf 5 3 4\n";
+  Scene scene = read(text, ModelFormat::obj);
+  EXPECT_GT(scene.objects[0].precision, 1e-7);
+  EXPECT_EQ(find(scene).count(), 0u);
+  for (const auto& normal : face_normals(scene, build_topology(scene))) EXPECT_NEAR(normal.z, 1, 1e-6);
+}
+
+TEST(Creases, CleanShapesOfTheCorpusAreThoseOfTheAngle) {
+  for (const char* name :
+       {"cube", "hexagonal_prism", "octahedron", "l_block", "gear", "house", "stair", "letter_e", "pocket", "tunnel",
+        "torus", "low_sphere", "round_hole", "open_box", "book_four", "moebius_strip"}) {
+    Warnings warnings;
+    const Found found = find(
+        read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (std::string(name) + ".json"), {}, warnings));
+    const Creases& c = found.creases;
+    EXPECT_EQ(c.smooth_by_file + c.sharp_by_file + c.continued + c.spurs + c.short_chains + c.straight_sheets, 0u) << name;
+    EXPECT_GT(found.count(), 0u) << name;
+  }
+}
+
+}  // namespace
+}  // namespace ligne
