@@ -137,9 +137,9 @@ TEST(ClipSegment, AnEndOutsideByTheLastDigitIsCutThoughItsParameterIsOne) {
 TEST(Projection, LinesAlongTheSheetsBorderHaveFaceOnBothBanks) {
   Scene scene;
   add_face(scene, {{{-100, -100, 10}, {100, -100, 10}, {100, 100, 10}, {-100, 100, 10}}});
-  for (const double off : {-1e-9, 0.0, 1e-9}) {
-    const double x = 50 + off;
-    add_face(scene, {{{-x, -30, 0}, {x, -30, 0}, {x, 30, 0}, {-x, 30, 0}}});
+  for (const double off : {-1.0, 0.0, 1.0}) {  // at heights of their own: they are not to be one plate
+    const double x = 50 + 1e-9 * off;
+    add_face(scene, {{{-x, -30, off}, {x, -30, off}, {x, 30, off}, {-x, 30, off}}});
   }
   CameraRequest top;
   top.named_view = "top";
