@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "contours/contour_strokes.hpp"
 #include "picture/clear_creases.hpp"
 #include "picture/culling.hpp"
 #include "picture/errors.hpp"
@@ -26,6 +27,10 @@ std::uint8_t wanted_products(const PictureRequest& request, const Method& method
 /// What a surface hides of the axes is not drawn, not even where hidden lines are.
 void remove_hidden_axes(StrokeModel& model) {
   std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
+}
+
+ContourOptions contour_options(const PictureRequest& request) {
+  return {request.lines.crease_degrees, request.page.pen_width_mm};
 }
 
 void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement, RunReport& run) {
@@ -74,6 +79,9 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
     if (request.lines.cull) {
       prepared.back_faces = cull_back_faces(scene, prepared.topology, prepared.projected, run);
     }
+    if (request.lines.smooth_outlines) {
+      prepared.contours = replace_outlines(scene, prepared.topology, prepared.projected, contour_options(request));
+    }
     add_lines(prepared.projected, all_lines(prepared.around), LineClass::axes);
   });
   prepared.lights = lights_of(request, scene);
@@ -99,6 +107,8 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
     throw RequestError("method", std::string(prepared.method.traits().name) + " does not produce lines");
   }
   remove_hidden_axes(*found.result.strokes);
+  draw_contours(*found.result.strokes, prepared.scene, prepared.view(), prepared.contours,
+                request.lines.hidden != HiddenLines::none, contour_options(request));
   light_regions(prepared, found.result, run);
   warn_of_empty_or_cut(*found.result.strokes, prepared.around.placement, run);
   timed(run.stages, "drawing",

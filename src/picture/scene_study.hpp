@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "contours/contour_lines.hpp"
 #include "picture/axes.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
@@ -25,6 +26,7 @@ struct PreparedScene {
   ProjectedScene projected;
   BackFaces back_faces;       ///< left out of `projected`
   std::vector<Light> lights;  ///< that cast shadows
+  SmoothContours contours{};  ///< in place of outlines of meshes
 
   const View& view() const { return around.placement.view; }
 };

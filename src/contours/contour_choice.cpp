@@ -1,0 +1,181 @@
+#include "contours/contour_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "geometry/disjoint_sets.hpp"
+
+namespace ligne {
+namespace {
+
+/// Turns, in radians, that are the same but for the roundings of float32 coordinates over short edges.
+constexpr double kSameTurn = 1e-3;
+
+/// What hangs together.
+struct Group {
+  std::vector<std::uint32_t> chains, sides;
+};
+
+/// Sum of the angles by which a polyline turns.
+double turning(const std::vector<Point2>& line) {
+  double sum = 0;
+  Point2 last{0, 0};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point2 d = line[i] - line[i - 1];
+    if (glm::dot(d, d) == 0) continue;
+    if (glm::dot(last, last) > 0) sum += std::abs(std::atan2(last.x * d.y - last.y * d.x, glm::dot(last, d)));
+    last = d;
+  }
+  return sum;
+}
+
+class Chooser {
+ public:
+  Chooser(const Scene& scene, const View& view, const SmoothPatch& patch, std::vector<ContourChain>& chains,
+          const std::vector<OutlineSide>& sides)
+      : scene_(scene), view_(view), patch_(patch), chains_(chains), sides_(sides) {}
+
+  std::vector<Group> groups() {
+    const auto sectors = static_cast<std::uint32_t>(patch_.normals.size());
+    DisjointSets sets(sectors + chains_.size());
+    std::vector<std::uint8_t> on_outline(sectors, 0);
+    for (const OutlineSide& s : sides_) {
+      const std::uint32_t a = patch_.sector[s.side], b = patch_.sector[next_corner(s.side)];
+      on_outline[a] = on_outline[b] = 1;
+      sets.join(a, b);
+    }
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+      for (const std::uint32_t t : chains_[c].triangles) {
+        for (std::uint32_t k = 3 * t; k < 3 * t + 3; ++k) {
+          if (on_outline[patch_.sector[k]]) sets.join(sectors + c, patch_.sector[k]);
+        }
+      }
+    }
+    std::vector<std::uint32_t> number(sectors + chains_.size(), kNone);
+    std::vector<Group> groups;
+    const auto group_of = [&](std::uint32_t member) -> Group& {
+      std::uint32_t& n = number[sets.find(member)];
+      if (n == kNone) {
+        n = static_cast<std::uint32_t>(groups.size());
+        groups.emplace_back();
+      }
+      return groups[n];
+    };
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) group_of(sectors + c).chains.push_back(c);
+    for (std::uint32_t i = 0; i < sides_.size(); ++i) group_of(patch_.sector[sides_[i].side]).sides.push_back(i);
+    return groups;
+  }
+
+  /// The mesh's outline is a simple path from end to end of the only contour, and turns no more.
+  bool outline_is_clean(const Group& group) const {
+    if (group.chains.size() != 1 || group.sides.empty()) return false;
+    const ContourChain& chain = chains_[group.chains[0]];
+    const std::uint32_t from = chain.nodes.front().meets, to = chain.nodes.back().meets;
+    if (chain.closed || from == kNone || to == kNone || from == to) return false;
+    const std::vector<Point2> path = simple_path(group, from, to);
+    if (path.empty()) return false;
+    std::vector<Point2> contour;
+    for (const ContourNode& node : chain.nodes) contour.push_back(page_point(view_, node.on_mesh));
+    return turning(path) <= turning(contour) + kSameTurn;
+  }
+
+  /// Width on the page of the widest triangle at the group's edges that is folded back.
+  double widest_fold(const Group& group) const {
+    double widest = 0;
+    for (const std::uint32_t i : group.sides) {
+      const std::uint32_t side = sides_[i].side;
+      widest = std::max(widest, std::min(width(side / 3), width(patch_.across[side] / 3)));
+    }
+    return widest;
+  }
+
+ private:
+  std::uint32_t vertex(std::uint32_t corner) const { return patch_.triangles[corner / 3].v[corner % 3]; }
+
+  /// All edges of the group as one path between two vertices; empty when they are not.
+  std::vector<Point2> simple_path(const Group& group, std::uint32_t from, std::uint32_t to) const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> arms;  // each edge from both of its ends
+    for (const std::uint32_t i : group.sides) {
+      const std::uint32_t a = vertex(sides_[i].side), b = vertex(next_corner(sides_[i].side));
+      arms.emplace_back(a, b);
+      arms.emplace_back(b, a);
+    }
+    std::sort(arms.begin(), arms.end());
+    std::vector<Point2> path{page_point(view_, scene_.vertices[from])};
+    std::uint32_t before = kNone, at = from;
+    for (std::size_t steps = 0; steps < group.sides.size(); ++steps) {
+      const auto first = std::lower_bound(arms.begin(), arms.end(), std::pair(at, 0u));
+      std::uint32_t next = kNone, count = 0;
+      for (auto arm = first; arm != arms.end() && arm->first == at; ++arm, ++count) {
+        if (arm->second != before) next = arm->second;
+      }
+      if (next == kNone || count != (at == from ? 1u : 2u)) return {};
+      before = std::exchange(at, next);
+      path.push_back(page_point(view_, scene_.vertices[at]));
+    }
+    return at == to ? path : std::vector<Point2>{};
+  }
+
+  double width(std::uint32_t t) const {
+    const auto& v = patch_.triangles[t].v;
+    const Point2 a = page_point(view_, scene_.vertices[v[0]]), b = page_point(view_, scene_.vertices[v[1]]),
+                 c = page_point(view_, scene_.vertices[v[2]]);
+    const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+    return longest > 0 ? std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / longest : 0;
+  }
+
+  const Scene& scene_;
+  const View& view_;
+  const SmoothPatch& patch_;
+  std::vector<ContourChain>& chains_;
+  const std::vector<OutlineSide>& sides_;
+};
+
+}  // namespace
+
+Point2 page_point(const View& view, const Point3& p) {
+  const HomogeneousPoint h = to_homogeneous(view, p);
+  return {h.x / h.w, h.y / h.w};
+}
+
+std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPatch& patch,
+                                       std::span<const std::uint32_t> outline_edges) {
+  std::vector<OutlineSide> found;
+  const auto before = [&](std::uint32_t e, std::pair<std::uint32_t, std::uint32_t> ends) {
+    return std::pair(topology.edges[e].v0, topology.edges[e].v1) < ends;
+  };
+  for (std::uint32_t s = 0; s < patch.across.size(); ++s) {
+    if (patch.across[s] == kNone || patch.across[s] < s) continue;
+    const auto& v = patch.triangles[s / 3].v;
+    const auto ends = std::minmax(v[s % 3], v[(s + 1) % 3]);
+    const std::pair<std::uint32_t, std::uint32_t> key{ends.first, ends.second};
+    const auto e = std::lower_bound(outline_edges.begin(), outline_edges.end(), key, before);
+    if (e == outline_edges.end() || topology.edges[*e].v0 != key.first || topology.edges[*e].v1 != key.second) continue;
+    found.push_back({*e, s});
+  }
+  return found;
+}
+
+ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
+                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides,
+                              double least_fold_mm) {
+  ContourChoice choice;
+  Chooser chooser(scene, view, patch, chains, sides);
+  for (const Group& group : chooser.groups()) {
+    if (group.chains.empty() && chooser.widest_fold(group) > least_fold_mm) continue;
+    if (chooser.outline_is_clean(group)) continue;
+    for (const std::uint32_t c : group.chains) choice.chains.push_back(std::move(chains[c]));
+    for (const std::uint32_t i : group.sides) choice.edges.push_back(sides[i].edge);
+    if (group.chains.empty()) {
+      for (const std::uint32_t i : group.sides) choice.folds.push_back(sides[i].edge);
+    }
+  }
+  std::sort(choice.edges.begin(), choice.edges.end());
+  std::sort(choice.folds.begin(), choice.folds.end());
+  return choice;
+}
+
+}  // namespace ligne

@@ -1,0 +1,42 @@
+#pragma once
+/// Which edges of the mesh's outline give way to contours, and which stay.
+///
+/// Between a contour and the mesh's outline lie only triangles that look one way while their labels say the other, so the
+/// two come in groups that hang together, and either of them is a whole outline for its group.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contours/contour_chains.hpp"
+
+namespace ligne {
+
+/// An edge of the mesh's outline inside a region.
+struct OutlineSide {
+  std::uint32_t edge;  ///< of the topology
+  std::uint32_t side;  ///< of the patch
+};
+
+/// The edges, in ascending order, that lie inside regions of the patch.
+std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPatch& patch,
+                                       std::span<const std::uint32_t> outline_edges);
+
+struct ContourChoice {
+  std::vector<ContourChain> chains;  ///< that are drawn
+  std::vector<std::uint32_t> edges;  ///< of the topology, that are not; in ascending order
+  std::vector<std::uint32_t> folds;  ///< of them, those that no contour stands for
+};
+
+/// Chooses per group:
+/// - no contour: small folds of the mesh are left out; a group with a fold wider than `least_fold_mm` stays as it is;
+/// - one contour from border to border, and the mesh's outline a simple path between the same ends that turns no more than
+///   the contour does (the outline of a cylinder or a cone): the mesh's outline stays;
+/// - else the contours.
+ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
+                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double least_fold_mm);
+
+/// The place of a point on the page, mm.
+Point2 page_point(const View& view, const Point3& p);
+
+}  // namespace ligne

@@ -1,0 +1,107 @@
+#include "contours/contour_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "contours/contour_sights.hpp"
+
+namespace ligne {
+namespace {
+
+/// A chord and the tangent at one of its ends differ by less than the angle of this cosine (40 degrees); where they do not,
+/// as near a cusp, the chord is drawn.
+constexpr double kLeastTangentCosine = 0.766;
+/// A piece is cut into so many at the most.
+constexpr int kMostPieces = 16;
+
+struct Place {
+  Point2 mm;
+  double depth, weight;
+};
+
+Place place_of(const View& view, const Point3& p) {
+  const HomogeneousPoint h = to_homogeneous(view, p);
+  return {{h.x / h.w, h.y / h.w}, h.z / h.w, h.w};
+}
+
+/// The direction of the chord, or of the tangent where that is near it.
+Point2 direction(Point2 chord, Point2 tangent) {
+  const double cosine = glm::dot(chord, tangent);
+  if (std::abs(cosine) < kLeastTangentCosine) return chord;
+  return cosine < 0 ? -tangent : tangent;
+}
+
+/// Highest distance of the cubic from its chord of length 1, from above: t (1 - t)^2 is 4/27 at the most.
+double rise(Point2 turn0, Point2 turn1) { return (glm::length(turn0) + glm::length(turn1)) * (4.0 / 27); }
+
+CurvePoint between(const CurvePoint& a, const CurvePoint& b, double t) {
+  return {a.at + t * (b.at - a.at), a.mm + t * (b.mm - a.mm), a.depth + t * (b.depth - a.depth),
+          a.weight + t * (b.weight - a.weight), a.length + t * (b.length - a.length)};
+}
+
+template <class Key>
+CurvePoint find_point(const std::vector<CurvePoint>& points, double value, Key key) {
+  const auto after =
+      std::lower_bound(points.begin(), points.end(), value, [&](const CurvePoint& p, double v) { return key(p) < v; });
+  if (after == points.begin()) return points.front();
+  if (after == points.end()) return points.back();
+  const double from = key(after[-1]), to = key(*after);
+  return between(after[-1], *after, to > from ? (value - from) / (to - from) : 1);
+}
+
+}  // namespace
+
+CurvePoint ContourCurve::point_at(double at) const {
+  return find_point(points, at, [](const CurvePoint& p) { return p.at; });
+}
+
+CurvePoint ContourCurve::point_at_length(double value) const {
+  return find_point(points, value, [](const CurvePoint& p) { return p.length; });
+}
+
+ContourCurve contour_curve(const Scene& scene, const View& view, const ContourChain& chain, double flatness_mm) {
+  ContourCurve curve;
+  curve.closed = chain.closed;
+  const std::size_t n = chain.nodes.size();
+  std::vector<Place> places(n);
+  std::vector<Point2> tangents(n, {0, 0});
+  for (std::size_t i = 0; i < n; ++i) {
+    const ContourNode& node = chain.nodes[i];
+    const bool at_border = node.meets != kNone;
+    places[i] = place_of(view, at_border ? scene.vertices[node.meets] : node.on_surface);
+    if (at_border) continue;
+    const Point2 d = page_direction(view, node.on_surface, node.normal);
+    const double size = glm::length(d);
+    if (size > 0) tangents[i] = Point2{-d.y, d.x} / size;
+  }
+  const auto add = [&](double at, Point2 mm, double depth, double weight) {
+    const double length = curve.points.empty() ? 0 : curve.points.back().length + glm::length(mm - curve.points.back().mm);
+    curve.points.push_back({at, mm, depth, weight, length});
+  };
+  add(0, places[0].mm, places[0].depth, places[0].weight);
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    const Place &a = places[i], &b = places[i + 1];
+    const Point2 d = b.mm - a.mm;
+    const double length = glm::length(d);
+    int pieces = 1;
+    Point2 turn0{0, 0}, turn1{0, 0};  // end directions less that of the chord
+    if (length > 0) {
+      const Point2 chord = d / length;
+      turn0 = direction(chord, tangents[i]) - chord;
+      turn1 = direction(chord, tangents[i + 1]) - chord;
+      const double pieces_squared = length * rise(turn0, turn1) / flatness_mm;
+      pieces = std::clamp(static_cast<int>(std::ceil(std::sqrt(pieces_squared))), 1, kMostPieces);
+    }
+    for (int k = 1; k <= pieces; ++k) {
+      const double t = double(k) / pieces;
+      const Point2 off = (1 - t) * t * length * ((1 - t) * turn0 - t * turn1);
+      const Point2 mm = k == pieces ? b.mm : a.mm + t * d + off;
+      add(double(i) + t, mm, a.depth + t * (b.depth - a.depth), a.weight + t * (b.weight - a.weight));
+    }
+  }
+  return curve;
+}
+
+}  // namespace ligne

@@ -1,0 +1,91 @@
+#include "contours/contour_lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "contours/contour_sights.hpp"
+#include "geometry/parallel.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::size_t kChainsPerTask = 8;
+/// The lines that are studied lie so many steps of the lattice beyond the mesh: more than two roundings, and the depth
+/// tolerance of a facet, move it by.
+constexpr double kSlackSteps = 8;
+
+bool has_lines_of_its_own(const Scene& scene) {
+  constexpr unsigned kLines = kCornerCurve | kCornerCrossing | kCornerContour;
+  return std::any_of(scene.corner_flags.begin(), scene.corner_flags.end(), [](std::uint8_t f) { return f & kLines; });
+}
+
+std::vector<std::uint32_t> outline_edges(const Topology& topology, const ProjectedScene& projected) {
+  std::vector<std::uint32_t> edges;
+  for (const ProjectedEdge& e : projected.edges) {
+    if (e.line_class == LineClass::outline && e.source < topology.edges.size()) edges.push_back(e.source);
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// Takes the edges of these sources out.
+void remove_edges(ProjectedScene& projected, const std::vector<std::uint32_t>& sources) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < projected.edges.size(); ++i) {
+    const ProjectedEdge& e = projected.edges[i];
+    if (e.line_class == LineClass::outline && std::binary_search(sources.begin(), sources.end(), e.source)) continue;
+    projected.edges[kept] = e;
+    if (!projected.edge_parts.empty()) projected.edge_parts[kept] = projected.edge_parts[i];
+    ++kept;
+  }
+  projected.edges.resize(kept);
+  if (!projected.edge_parts.empty()) projected.edge_parts.resize(kept);
+}
+
+}  // namespace
+
+SmoothContours replace_outlines(const Scene& scene, const Topology& topology, ProjectedScene& projected,
+                                const ContourOptions& options) {
+  SmoothContours contours;
+  if (has_lines_of_its_own(scene)) return contours;
+  const std::vector<std::uint32_t> outlines = outline_edges(topology, projected);
+  if (outlines.empty()) return contours;
+  const View& view = projected.view;
+  const SmoothPatch patch = smooth_patch(scene, topology, view.camera, outlines, options.crease_degrees);
+  const std::vector<OutlineSide> sides = outline_sides(topology, patch, outlines);
+  ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, patch), sides, options.pen_width_mm);
+
+  const OutlineGraph graph(patch, sides);
+  const double slack_mm = kSlackSteps * projected.lattice.step_mm + 2 * projected.input_error_mm;
+  std::vector<std::vector<ContourSight>> sights(choice.chains.size());
+  parallel_blocks(sights.size(), kChainsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      sights[c] = contour_sights(scene, view, patch, graph, choice.chains[c], slack_mm);
+    }
+  });
+  std::vector<std::array<Point3, 2>> lines;
+  for (std::size_t c = 0; c < sights.size(); ++c) {
+    contours.first_source.push_back(projected.source_count + static_cast<std::uint32_t>(lines.size()));
+    contours.faces.emplace_back();
+    contours.sides.emplace_back();
+    for (std::size_t i = 0; i < sights[c].size(); ++i) {
+      lines.push_back({sights[c][i].from, sights[c][i].to});
+      contours.faces.back().push_back(patch.triangles[choice.chains[c].triangles[i]].face);
+      contours.sides.back().push_back(sights[c][i].side);
+    }
+  }
+  contours.replaced_edges = choice.edges.size();
+  for (const std::uint32_t e : choice.folds) {
+    const Edge& edge = topology.edges[e];
+    contours.fold_mm += glm::length(page_point(view, scene.vertices[edge.v1]) - page_point(view, scene.vertices[edge.v0]));
+  }
+  contours.chains = std::move(choice.chains);
+  remove_edges(projected, choice.edges);
+  add_lines(projected, lines, LineClass::outline);
+  return contours;
+}
+
+}  // namespace ligne

@@ -1,0 +1,181 @@
+#include "contours/contour_sights.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace ligne {
+namespace {
+
+// Adjustable parameters.
+/// Slopes are averaged over so many segments before and behind: single triangles of a noisy mesh do not make a cusp.
+constexpr std::size_t kSlopeWindow = 2;
+/// Edges of the outline are followed so far from a segment's own triangles, in edges.
+constexpr int kOutlineSteps = 3;
+/// A normal that should lie across the sight does so at least to this share; otherwise it has gone astray.
+constexpr double kLeastAcross = 0.5;
+
+class Sights {
+ public:
+  Sights(const Scene& scene, const View& view, const SmoothPatch& patch, const OutlineGraph& outline,
+         const ContourChain& chain, double slack_mm)
+      : scene_(scene), view_(view), patch_(patch), outline_(outline), chain_(chain), slack_mm_(slack_mm) {}
+
+  std::vector<ContourSight> find() {
+    std::vector<ContourSight> sights(chain_.size());
+    const std::vector<int> free_side = free_sides();
+    for (std::size_t i = 0; i < sights.size(); ++i) sights[i] = sight(i, free_side[i]);
+    return sights;
+  }
+
+ private:
+  std::uint32_t vertex(std::uint32_t corner) const { return patch_.triangles[corner / 3].v[corner % 3]; }
+  const Point3& point(std::uint32_t corner) const { return scene_.vertices[vertex(corner)]; }
+
+  /// Cosine between the direction in which g grows fastest over the triangle and the direction to the eye.
+  double slope(std::uint32_t t) const {
+    const Point3 &a = point(3 * t), &b = point(3 * t + 1), &c = point(3 * t + 2);
+    const Point3 area = glm::cross(b - a, c - a);
+    const auto g = [&](std::uint32_t corner) { return patch_.g[patch_.sector[corner]]; };
+    const Point3 along = g(3 * t) * (c - b) + g(3 * t + 1) * (a - c) + g(3 * t + 2) * (b - a);
+    const Point3 gradient = glm::cross(area, along);
+    const Point3 eye = to_eye(view_.camera, a);
+    const double size = glm::length(gradient) * glm::length(eye);
+    return size > 0 ? glm::dot(gradient, eye) / size : 0;
+  }
+
+  std::vector<int> free_sides() const {
+    const std::size_t n = chain_.size();
+    std::vector<double> weighted(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      weighted[i] = slope(chain_.triangles[i]) * glm::length(chain_.nodes[i + 1].on_mesh - chain_.nodes[i].on_mesh);
+    }
+    std::vector<int> side(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      double sum = weighted[i];
+      for (std::size_t k = 1; k <= kSlopeWindow; ++k) {
+        if (chain_.closed && n > 2 * kSlopeWindow) {
+          sum += weighted[(i + k) % n] + weighted[(i + n - k) % n];
+        } else {
+          if (i + k < n) sum += weighted[i + k];
+          if (i >= k) sum += weighted[i - k];
+        }
+      }
+      side[i] = sum >= 0 ? 1 : -1;
+    }
+    return side;
+  }
+
+  ContourSight sight(std::size_t i, int side) {
+    const ContourNode &a = chain_.nodes[i], &b = chain_.nodes[i + 1];
+    const Point2 pa = page_direction(view_, a.on_mesh, a.normal), pb = page_direction(view_, b.on_mesh, b.normal);
+    const Point2 mean = double(side) * (pa + pb);
+    const double size = glm::length(mean);
+    if (!(size > 0)) return {a.on_mesh, b.on_mesh, side};
+    const double mm = slack_mm_ + protrusion(i, mean / size);
+    const auto moved = [&](const ContourNode& node, Point2 on_page) {
+      const double unit_mm = glm::length(page_direction(view_, node.on_mesh, view_.camera.right));
+      const double by_normal = std::max(glm::length(on_page), kLeastAcross * unit_mm);
+      return node.on_mesh + (side * mm / by_normal) * node.normal;
+    };
+    return {moved(a, pa), moved(b, pb), side};
+  }
+
+  /// How far the outline of the mesh rises beyond segment i in the direction `out` of the page, mm; not below 0.
+  double protrusion(std::size_t i, Point2 out) {
+    const Point2 q0 = page_point(view_, chain_.nodes[i].on_mesh), q1 = page_point(view_, chain_.nodes[i + 1].on_mesh);
+    const double length = glm::length(q1 - q0);
+    Point2 along = length > 0 ? (q1 - q0) / length : Point2{-out.y, out.x};
+    Point2 across{-along.y, along.x};
+    if (glm::dot(across, out) < 0) across = -across;
+    double share = glm::dot(across, out);
+    if (share < kLeastAcross) {  // the contour runs along its normal: near a cusp
+      across = out;
+      along = {-out.y, out.x};
+      share = 1;
+    }
+    double highest = 0;
+    const auto rise = [&](Point2 p, Point2 q) {  // of the part of an edge that lies beside the segment
+      double sp = glm::dot(p - q0, along), sq = glm::dot(q - q0, along);
+      double hp = glm::dot(p - q0, across), hq = glm::dot(q - q0, across);
+      if (sp > sq) std::swap(sp, sq), std::swap(hp, hq);
+      const double from = std::max(sp, -length), to = std::min(sq, 2 * length);
+      if (from > to) return;
+      const auto at = [&](double s) { return sq > sp ? hp + (s - sp) / (sq - sp) * (hq - hp) : std::max(hp, hq); };
+      highest = std::max({highest, at(from), at(to)});
+    };
+    for_outline_near(chain_.triangles[i], [&](std::uint32_t side) {
+      rise(page_point(view_, point(side)), page_point(view_, point(next_corner(side))));
+    });
+    return highest / share;
+  }
+
+  /// Calls visit(side) for the edges of the mesh's outline near a triangle: those at its corners and at the corners of its
+  /// neighbours, and those that continue them.
+  template <class Visit>
+  void for_outline_near(std::uint32_t t, Visit visit) {
+    reached_.clear();
+    const auto reach = [&](std::uint32_t sector) {
+      if (std::find(reached_.begin(), reached_.end(), sector) == reached_.end()) reached_.push_back(sector);
+    };
+    for (std::uint32_t k = 3 * t; k < 3 * t + 3; ++k) {
+      reach(patch_.sector[k]);
+      if (patch_.across[k] != kNone) reach(patch_.sector[last_corner(patch_.across[k])]);
+    }
+    std::size_t begin = 0;
+    for (int step = 0; step < kOutlineSteps; ++step) {
+      const std::size_t end = reached_.size();
+      for (std::size_t i = begin; i < end; ++i) {
+        for (const OutlineGraph::End& e : outline_.at(reached_[i])) {
+          visit(e.side);
+          reach(e.other);
+        }
+      }
+      begin = end;
+    }
+  }
+
+  const Scene& scene_;
+  const View& view_;
+  const SmoothPatch& patch_;
+  const OutlineGraph& outline_;
+  const ContourChain& chain_;
+  double slack_mm_;
+  std::vector<std::uint32_t> reached_;
+};
+
+}  // namespace
+
+OutlineGraph::OutlineGraph(const SmoothPatch& patch, const std::vector<OutlineSide>& sides)
+    : begin_(patch.normals.size() + 1, 0), ends_(2 * sides.size()) {
+  const auto ends_of = [&](const OutlineSide& s) {
+    return std::array<std::uint32_t, 2>{patch.sector[s.side], patch.sector[next_corner(s.side)]};
+  };
+  for (const OutlineSide& s : sides) {
+    for (const std::uint32_t sector : ends_of(s)) ++begin_[sector + 1];
+  }
+  for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+  for (const OutlineSide& s : sides) {
+    const auto [a, b] = ends_of(s);
+    ends_[next[a]++] = {a, b, s.side};
+    ends_[next[b]++] = {b, a, s.side};
+  }
+}
+
+std::vector<ContourSight> contour_sights(const Scene& scene, const View& view, const SmoothPatch& patch,
+                                         const OutlineGraph& outline, const ContourChain& chain, double slack_mm) {
+  return Sights(scene, view, patch, outline, chain, slack_mm).find();
+}
+
+Point2 page_direction(const View& view, const Point3& p, const Point3& n) {
+  const Camera& camera = view.camera;
+  const Point2 d{glm::dot(camera.right, n), glm::dot(camera.down, n)};
+  if (!camera.perspective) return view.scale * d;
+  const Point3 c = camera_coordinates(camera, p);
+  const double forward = glm::dot(camera.forward, n);
+  return (view.scale * camera.target_distance / c.z) * Point2{d.x - c.x / c.z * forward, d.y - c.y / c.z * forward};
+}
+
+}  // namespace ligne

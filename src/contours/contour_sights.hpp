@@ -1,0 +1,51 @@
+#pragma once
+/// Where the visibility of a contour is studied.
+///
+/// About half of a contour lies on triangles that look away, or behind a bulge between two vertices: there the nearest
+/// triangles of the same surface hide it by a hair. On the page all of a fold lies on one side of its contour. So a segment
+/// is studied a little beside it, on the other side, beyond all edges of the mesh's outline near it. There nothing of the
+/// fold is in front, and what else is in front of the contour still is.
+///
+/// Which side the fold lies on follows from the slope of g towards the eye: where g grows, the surface curves away from its
+/// normal, and the side of the normal is free. At a cusp of the contour that changes. The part of the contour whose free
+/// side lies inside a solid is hidden by the solid's surface, as it should be.
+
+#include <span>
+#include <vector>
+
+#include "contours/contour_choice.hpp"
+
+namespace ligne {
+
+/// The edges of the mesh's outline inside regions, by the sectors at their ends.
+class OutlineGraph {
+ public:
+  OutlineGraph(const SmoothPatch& patch, const std::vector<OutlineSide>& sides);
+
+  struct End {
+    std::uint32_t sector, other;  ///< sectors at this end of the edge and at the other
+    std::uint32_t side;           ///< of the patch
+  };
+  std::span<const End> at(std::uint32_t sector) const {
+    return {ends_.data() + begin_[sector], ends_.data() + begin_[sector + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_;
+  std::vector<End> ends_;
+};
+
+/// The line in model space that is studied for a segment, and on which side of the contour it lies.
+struct ContourSight {
+  Point3 from, to;
+  int side = 1;  ///< +1 on that of the normals
+};
+
+/// Per segment of the chain. `slack_mm`: how far beyond the outline of the mesh at least.
+std::vector<ContourSight> contour_sights(const Scene& scene, const View& view, const SmoothPatch& patch,
+                                         const OutlineGraph& outline, const ContourChain& chain, double slack_mm);
+
+/// What a step of one unit along `n` from p moves on the page, mm.
+Point2 page_direction(const View& view, const Point3& p, const Point3& n);
+
+}  // namespace ligne

@@ -1,0 +1,29 @@
+#pragma once
+/// Where along a contour it is seen.
+
+#include <vector>
+
+#include "contours/contour_curves.hpp"
+#include "drawing/stroke.hpp"
+
+namespace ligne {
+
+/// Seen through so many transparent faces, or:
+inline constexpr int kHiddenState = -1;
+inline constexpr int kOutsideState = -2;  ///< of the window
+
+/// A part of a curve, by CurvePoint::at.
+struct ContourRun {
+  double from = 0, to = 0;
+  int state = kHiddenState;
+};
+
+/// The runs of a chain of `segments` from the strokes of its segments, which are numbered from `first_source` on and come in
+/// order. `hidden_too`: the strokes say what is hidden; otherwise it is what is not seen.
+std::vector<ContourRun> runs_of(const std::vector<Stroke>& strokes, std::uint32_t first_source, std::size_t segments,
+                                bool hidden_too);
+
+/// Takes out runs that are shorter than `shortest_mm` on the page: they get the state of what is beside them.
+void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm);
+
+}  // namespace ligne
