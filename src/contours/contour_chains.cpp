@@ -89,7 +89,7 @@ class Tracer {
     const double most = kHighestRise * glm::length(d), height = glm::length(rise);
     out.on_surface = out.on_mesh + (height > most ? rise * (most / height) : rise);
     if (patch_.across[side] == kNone) {
-      const bool facing = patch_.facing[side / 3] > 0;
+      const bool facing = patch_.facing[side / 3] >= 0;
       const std::uint32_t corner = patch_.looks_at_viewer(side) != facing ? side : next_corner(side);
       out.meets = patch_.triangles[corner / 3].v[corner % 3];
     }

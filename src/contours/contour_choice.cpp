@@ -11,25 +11,26 @@
 namespace ligne {
 namespace {
 
-/// Turns, in radians, that are the same but for the roundings of float32 coordinates over short edges.
-constexpr double kSameTurn = 1e-3;
+/// A line that turns by less, in radians, runs straight on: float32 coordinates turn short edges by about this much.
+constexpr double kStraightTurn = 5e-3;
 
 /// What hangs together.
 struct Group {
   std::vector<std::uint32_t> chains, sides;
 };
 
-/// Sum of the angles by which a polyline turns.
-double turning(const std::vector<Point2>& line) {
-  double sum = 0;
+/// The places at which a polyline turns.
+std::size_t turns(const std::vector<Point2>& line) {
+  std::size_t count = 0;
   Point2 last{0, 0};
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Point2 d = line[i] - line[i - 1];
     if (glm::dot(d, d) == 0) continue;
-    if (glm::dot(last, last) > 0) sum += std::abs(std::atan2(last.x * d.y - last.y * d.x, glm::dot(last, d)));
+    const double turn = std::abs(std::atan2(last.x * d.y - last.y * d.x, glm::dot(last, d)));
+    if (glm::dot(last, last) > 0 && turn > kStraightTurn) ++count;
     last = d;
   }
-  return sum;
+  return count;
 }
 
 class Chooser {
@@ -69,17 +70,24 @@ class Chooser {
     return groups;
   }
 
-  /// The mesh's outline is a simple path from end to end of the only contour, and turns no more.
+  /// The mesh's outline is a simple path from end to end of the only contour, straight or with one corner.
   bool outline_is_clean(const Group& group) const {
     if (group.chains.size() != 1 || group.sides.empty()) return false;
     const ContourChain& chain = chains_[group.chains[0]];
     const std::uint32_t from = chain.nodes.front().meets, to = chain.nodes.back().meets;
     if (chain.closed || from == kNone || to == kNone || from == to) return false;
     const std::vector<Point2> path = simple_path(group, from, to);
-    if (path.empty()) return false;
-    std::vector<Point2> contour;
-    for (const ContourNode& node : chain.nodes) contour.push_back(page_point(view_, node.on_mesh));
-    return turning(path) <= turning(contour) + kSameTurn;
+    return !path.empty() && turns(path) <= 1;
+  }
+
+  /// A triangle at the group's edges is seen edge on, and its neighbours are not all round a contour.
+  bool stands_edge_on(const Group& group) const {
+    const bool closed = !group.chains.empty() && std::all_of(group.chains.begin(), group.chains.end(),
+                                                             [&](std::uint32_t c) { return chains_[c].closed; });
+    return !closed && std::any_of(group.sides.begin(), group.sides.end(), [&](std::uint32_t i) {
+      const std::uint32_t side = sides_[i].side;
+      return patch_.facing[side / 3] == 0 || patch_.facing[patch_.across[side] / 3] == 0;
+    });
   }
 
   /// Width on the page of the widest triangle at the group's edges that is folded back.
@@ -95,18 +103,21 @@ class Chooser {
  private:
   std::uint32_t vertex(std::uint32_t corner) const { return patch_.triangles[corner / 3].v[corner % 3]; }
 
-  /// All edges of the group as one path between two vertices; empty when they are not.
+  /// The edges of the group as one path between two vertices; empty when they are not.
   std::vector<Point2> simple_path(const Group& group, std::uint32_t from, std::uint32_t to) const {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> arms;  // each edge from both of its ends
     for (const std::uint32_t i : group.sides) {
-      const std::uint32_t a = vertex(sides_[i].side), b = vertex(next_corner(sides_[i].side));
+      const std::uint32_t side = sides_[i].side;
+      // A triangle that is seen edge on has outlines on both sides; one of them will do.
+      if ((patch_.facing[side / 3] >= 0) == (patch_.facing[patch_.across[side] / 3] >= 0)) continue;
+      const std::uint32_t a = vertex(side), b = vertex(next_corner(side));
       arms.emplace_back(a, b);
       arms.emplace_back(b, a);
     }
     std::sort(arms.begin(), arms.end());
     std::vector<Point2> path{page_point(view_, scene_.vertices[from])};
     std::uint32_t before = kNone, at = from;
-    for (std::size_t steps = 0; steps < group.sides.size(); ++steps) {
+    for (std::size_t steps = 0; steps < arms.size() / 2; ++steps) {
       const auto first = std::lower_bound(arms.begin(), arms.end(), std::pair(at, 0u));
       std::uint32_t next = kNone, count = 0;
       for (auto arm = first; arm != arms.end() && arm->first == at; ++arm, ++count) {
@@ -166,7 +177,7 @@ ContourChoice choose_contours(const Scene& scene, const View& view, const Smooth
   Chooser chooser(scene, view, patch, chains, sides);
   for (const Group& group : chooser.groups()) {
     if (group.chains.empty() && chooser.widest_fold(group) > least_fold_mm) continue;
-    if (chooser.outline_is_clean(group)) continue;
+    if (chooser.outline_is_clean(group) || chooser.stands_edge_on(group)) continue;
     for (const std::uint32_t c : group.chains) choice.chains.push_back(std::move(chains[c]));
     for (const std::uint32_t i : group.sides) choice.edges.push_back(sides[i].edge);
     if (group.chains.empty()) {

@@ -61,6 +61,28 @@ CurvePoint ContourCurve::point_at_length(double value) const {
   return find_point(points, value, [](const CurvePoint& p) { return p.length; });
 }
 
+std::vector<CurvePoint> ContourCurve::part(double from, double to) const {
+  std::vector<CurvePoint> line{point_at(from)};
+  auto p = std::upper_bound(points.begin(), points.end(), from, [](double at, const CurvePoint& q) { return at < q.at; });
+  for (; p != points.end() && p->at < to; ++p) line.push_back(*p);
+  line.push_back(point_at(to));
+  return line;
+}
+
+void unfold(std::vector<CurvePoint>& line, double longest_mm) {
+  std::size_t kept = 0;
+  for (const CurvePoint& p : line) {
+    const auto turns_back = [&] {
+      const CurvePoint &a = line[kept - 2], &b = line[kept - 1];
+      const double shorter = std::min(p.length - b.length, b.length - a.length);
+      return shorter < longest_mm && glm::dot(b.mm - a.mm, p.mm - b.mm) < 0;
+    };
+    while (kept > 1 && turns_back()) --kept;
+    line[kept++] = p;
+  }
+  line.resize(kept);
+}
+
 ContourCurve contour_curve(const Scene& scene, const View& view, const ContourChain& chain, double flatness_mm) {
   ContourCurve curve;
   curve.closed = chain.closed;

@@ -25,7 +25,13 @@ struct ContourCurve {
   double length() const { return points.empty() ? 0 : points.back().length; }
   CurvePoint point_at(double at) const;
   CurvePoint point_at_length(double length) const;
+  /// The points between two places, and these.
+  std::vector<CurvePoint> part(double from, double to) const;
 };
+
+/// Takes out places where the line turns back on itself for less than `longest_mm`: near a cusp the zero set runs to and
+/// fro.
+void unfold(std::vector<CurvePoint>& line, double longest_mm);
 
 /// The chain on the smooth surface, as a curve whose tangents lie across the normals, in pieces that are straight to
 /// `flatness_mm`. At borders of its region it ends where the outline of the mesh does.

@@ -1,10 +1,8 @@
 #include "contours/contour_strokes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "contours/contour_curves.hpp"
-#include "contours/contour_states.hpp"
+#include "contours/contour_junctions.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -12,6 +10,8 @@ namespace {
 
 /// Pieces of a curve are straight to this; four times the accuracy that drawings owe would still not be seen.
 constexpr double kFlatnessMm = 0.002;
+/// Ends are moved to the line that they meet by so many widths of the pen.
+constexpr double kReachInPens = 2;
 
 /// Takes the strokes of contours out of the model, in the order of their sources.
 std::vector<Stroke> take_strokes(StrokeModel& model, const SmoothContours& contours) {
@@ -31,7 +31,8 @@ std::vector<Stroke> take_strokes(StrokeModel& model, const SmoothContours& conto
 
 class Writer {
  public:
-  Writer(StrokeModel& model, const View& view, bool hidden_too) : model_(model), view_(view), hidden_too_(hidden_too) {}
+  Writer(StrokeModel& model, const View& view, bool hidden_too, double shortest_mm)
+      : model_(model), view_(view), hidden_too_(hidden_too), shortest_mm_(shortest_mm) {}
 
   void add(const ContourChain& chain, const std::vector<std::uint32_t>& faces, const ContourCurve& curve,
            const std::vector<ContourRun>& runs) {
@@ -48,27 +49,23 @@ class Writer {
     };
     for (const ContourRun& run : runs) {
       if (run.state == kOutsideState || (run.state == kHiddenState && !hidden_too_)) continue;
-      CurvePoint from = curve.point_at(run.from);
-      const auto first = std::upper_bound(curve.points.begin(), curve.points.end(), run.from,
-                                          [](double at, const CurvePoint& p) { return at < p.at; });
-      for (auto p = first; p != curve.points.end(); ++p) {
-        const CurvePoint to = p->at >= run.to ? curve.point_at(run.to) : *p;
-        add_stroke(from, to, run.state, source_of(std::min(static_cast<std::size_t>(from.at), chain.size() - 1)));
-        from = to;
-        if (p->at >= run.to) break;
+      std::vector<CurvePoint> points = curve.part(run.from, run.to);
+      unfold(points, shortest_mm_);
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        const auto segment = std::min(static_cast<std::size_t>(points[i - 1].at), chain.size() - 1);
+        add_stroke(points[i - 1], points[i], run.state, source_of(segment), double(segment));
       }
     }
   }
 
  private:
-  void add_stroke(const CurvePoint& from, const CurvePoint& to, int state, std::uint32_t source) {
+  void add_stroke(const CurvePoint& from, const CurvePoint& to, int state, std::uint32_t source, double segment) {
     Stroke s;
     s.from = model_.lattice.snap(from.mm);
     s.to = model_.lattice.snap(to.mm);
     if (s.from == s.to || !(from.at < to.at)) return;
-    const double segment = std::floor(from.at);
     s.t_from = from.at - segment;
-    s.t_to = to.at - segment;
+    s.t_to = std::min(to.at - segment, 1.0);
     s.z_from = static_cast<float>(from.depth);
     s.z_to = static_cast<float>(to.depth);
     if (view_.camera.perspective) {
@@ -85,6 +82,7 @@ class Writer {
   StrokeModel& model_;
   const View& view_;
   bool hidden_too_;
+  double shortest_mm_;
 };
 
 }  // namespace
@@ -94,18 +92,20 @@ void draw_contours(StrokeModel& model, const Scene& scene, const View& view, con
   if (contours.empty()) return;
   const std::vector<Stroke> strokes = take_strokes(model, contours);
   const std::size_t n = contours.chains.size();
-  std::vector<ContourCurve> curves(n);
-  std::vector<std::vector<ContourRun>> runs(n);
+  std::vector<SeenContour> seen(n);
   constexpr std::size_t kChainsPerTask = 8;
   parallel_blocks(n, kChainsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      curves[c] = contour_curve(scene, view, contours.chains[c], kFlatnessMm);
-      runs[c] = runs_of(strokes, contours.first_source[c], contours.chains[c].size(), hidden_too);
-      drop_short_runs(runs[c], curves[c], options.pen_width_mm);
+      seen[c].curve = contour_curve(scene, view, contours.chains[c], kFlatnessMm);
+      seen[c].runs = runs_of(strokes, contours.first_source[c], contours.chains[c].size(), hidden_too);
+      drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
     }
   });
-  Writer writer(model, view, hidden_too);
-  for (std::size_t c = 0; c < n; ++c) writer.add(contours.chains[c], contours.faces[c], curves[c], runs[c]);
+  const double reach_mm = kReachInPens * options.pen_width_mm;
+  move_ends_of_contours(seen, model, reach_mm);
+  move_ends_of_strokes(model, seen, reach_mm);
+  Writer writer(model, view, hidden_too, options.pen_width_mm);
+  for (std::size_t c = 0; c < n; ++c) writer.add(contours.chains[c], contours.faces[c], seen[c].curve, seen[c].runs);
 }
 
 }  // namespace ligne

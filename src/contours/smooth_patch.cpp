@@ -7,6 +7,7 @@
 
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/parallel.hpp"
+#include "view/edge_classes.hpp"
 
 namespace ligne {
 namespace {
@@ -74,7 +75,9 @@ class PatchBuilder {
       const Point3 area = glm::cross(b - a, c - a);
       const double size = glm::length(area);
       face_normals_[t] = size > 0 ? area / size : kNoNormal;
-      patch_.facing[t] = glm::dot(area, to_eye(camera_, a)) >= 0 ? 1 : -1;
+      const Point3 eye = to_eye(camera_, a);
+      const double d = glm::dot(area, eye);
+      patch_.facing[t] = std::abs(d) <= kEdgeOnSine * size * glm::length(eye) ? 0 : d > 0 ? 1 : -1;
     }
   }
 

@@ -23,7 +23,7 @@ namespace ligne {
 /// Side i of a triangle runs from its corner i to the next one; "side 3 t + i" is that of triangle t.
 struct SmoothPatch {
   std::vector<Triangle> triangles;
-  std::vector<std::int8_t> facing;     ///< per triangle: +1 when it looks at the viewer, else -1
+  std::vector<std::int8_t> facing;     ///< per triangle: +1 when it looks at the viewer, -1 away, 0 edge on
   std::vector<std::uint32_t> across;   ///< per side: the same side of the neighbour, kNone at a border of the region
   std::vector<std::uint32_t> sector;   ///< per corner: number of its sector
   std::vector<std::uint8_t> complete;  ///< per corner: all triangles of its sector are in the patch

@@ -10,8 +10,6 @@
 namespace ligne {
 namespace {
 
-/// A face as high as an A4 sheet whose plane makes an angle of this sine with the sight is 1 micrometre wide on the page.
-constexpr double kEdgeOnSine = 0.001 / 297;
 /// Float32 coordinates turn the normals of small faces by about this much; an edge at the crease angle itself is no crease.
 constexpr double kCreaseSlackDegrees = 0.01;
 constexpr std::size_t kGrain = 16'384;

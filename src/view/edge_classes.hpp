@@ -9,6 +9,10 @@
 
 namespace ligne {
 
+/// A face as high as an A4 sheet whose plane makes an angle of this sine with the sight is 1 micrometre wide on the page:
+/// it is seen edge on.
+inline constexpr double kEdgeOnSine = 0.001 / 297;
+
 /// Which way a face looks: +1 towards the viewer, -1 away, 0 when it is seen edge on.
 std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera);
 

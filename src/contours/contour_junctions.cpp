@@ -1,0 +1,244 @@
+#include "contours/contour_junctions.hpp"
+
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+namespace ligne {
+namespace {
+
+constexpr double kCellMm = 2;
+/// Segments of a chain over which the length of those of its mesh is averaged, before and behind a place.
+constexpr int kSizeWindow = 3;
+
+bool may_hide(const Stroke& s) {
+  return s.visible && s.level == 0 &&
+         (s.line_class == LineClass::outline || s.line_class == LineClass::border ||
+          s.line_class == LineClass::intersection);
+}
+
+double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
+
+/// How far along the curve an end at `at` may be moved.
+double reach_at(const ContourCurve& curve, double at, double reach_mm) {
+  const double from = std::max(0.0, at - kSizeWindow), to = std::min(curve.points.back().at, at + kSizeWindow);
+  const double length = curve.point_at(to).length - curve.point_at(from).length;
+  return std::max(reach_mm, to > from ? length / (to - from) / 2 : 0);
+}
+
+/// Calls visit(piece of the visible runs of contour c).
+template <class Visit>
+void for_visible_pieces(const SeenContour& contour, std::uint32_t c, Visit visit) {
+  for (const ContourRun& run : contour.runs) {
+    if (run.state != 0) continue;
+    const std::vector<CurvePoint> points = contour.curve.part(run.from, run.to);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const CurvePoint &a = points[i - 1], &b = points[i];
+      visit(PageSegment{a.mm, b.mm, a.depth, b.depth, c, a.length, b.length});
+    }
+  }
+}
+
+/// A change of state within a curve, and the part of the curve to which it may be moved.
+struct Change {
+  std::uint32_t contour;
+  std::size_t run;  ///< that ends there
+  double length, reach;
+};
+
+std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double reach_mm) {
+  std::vector<Change> changes;
+  for (std::uint32_t c = 0; c < contours.size(); ++c) {
+    const auto& [curve, runs] = contours[c];
+    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+      const double at = runs[i].to;
+      changes.push_back({c, i, curve.point_at(at).length, reach_at(curve, at, reach_mm)});
+    }
+  }
+  return changes;
+}
+
+/// The nearest place along the curve at which a line in front crosses it.
+std::optional<double> nearest_crossing(const Change& change, const ContourCurve& curve, const SegmentFinder& finder) {
+  std::optional<double> best;
+  const double from = std::max(0.0, change.length - change.reach),
+               to = std::min(curve.length(), change.length + change.reach);
+  const std::vector<CurvePoint> points = curve.part(curve.point_at_length(from).at, curve.point_at_length(to).at);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const CurvePoint &a = points[i - 1], &b = points[i];
+    finder.near(a.mm, b.mm, [&](const PageSegment& s) {
+      if (s.chain == change.contour && s.length_to > change.length - 2 * change.reach &&
+          s.length_from < change.length + 2 * change.reach) {
+        return;
+      }
+      double fraction = 0, depth = 0;
+      if (!crossing(a.mm, b.mm, s, fraction, depth)) return;
+      if (depth > a.depth + fraction * (b.depth - a.depth)) return;
+      const double length = a.length + fraction * (b.length - a.length);
+      if (!best || std::abs(length - change.length) < std::abs(*best - change.length)) best = length;
+    });
+  }
+  return best;
+}
+
+}  // namespace
+
+void SegmentFinder::expect(Point2 from, Point2 to) {
+  for_cells(from, to, [&](std::uint64_t key) { cells_.push_back(key); });
+}
+
+void SegmentFinder::prepare() {
+  std::sort(cells_.begin(), cells_.end());
+  cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
+  lists_.resize(cells_.size());
+}
+
+std::size_t SegmentFinder::cell_of(std::uint64_t key) const {
+  const auto place = std::lower_bound(cells_.begin(), cells_.end(), key);
+  return place == cells_.end() || *place != key ? cells_.size() : static_cast<std::size_t>(place - cells_.begin());
+}
+
+void SegmentFinder::add(const PageSegment& segment) {
+  const auto number = static_cast<std::uint32_t>(segments_.size());
+  bool listed = false;
+  for_cells(segment.from, segment.to, [&](std::uint64_t key) {
+    const std::size_t cell = cell_of(key);
+    if (cell == cells_.size()) return;
+    lists_[cell].push_back(number);
+    listed = true;
+  });
+  if (listed) segments_.push_back(segment);
+}
+
+bool crossing(Point2 from, Point2 to, const PageSegment& segment, double& fraction, double& depth) {
+  const Point2 d = to - from, e = segment.to - segment.from, to_start = segment.from - from;
+  const double area = cross(d, e);
+  if (area == 0) return false;
+  fraction = cross(to_start, e) / area;
+  const double along = cross(to_start, d) / area;
+  if (!(fraction >= 0 && fraction <= 1 && along >= 0 && along <= 1)) return false;
+  depth = segment.z_from + along * (segment.z_to - segment.z_from);
+  return true;
+}
+
+void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel& others, double reach_mm) {
+  const std::vector<Change> changes = changes_of(contours, reach_mm);
+  if (changes.empty()) return;
+  SegmentFinder finder(kCellMm);
+  for (const Change& change : changes) {
+    const ContourCurve& curve = contours[change.contour].curve;
+    const std::vector<CurvePoint> points = curve.part(curve.point_at_length(change.length - change.reach).at,
+                                                      curve.point_at_length(change.length + change.reach).at);
+    for (std::size_t i = 1; i < points.size(); ++i) finder.expect(points[i - 1].mm, points[i].mm);
+  }
+  finder.prepare();
+  for (std::uint32_t c = 0; c < contours.size(); ++c) {
+    for_visible_pieces(contours[c], c, [&](const PageSegment& s) { finder.add(s); });
+  }
+  for (const Stroke& s : others.strokes) {
+    if (may_hide(s)) finder.add({others.lattice.to_mm(s.from), others.lattice.to_mm(s.to), s.z_from, s.z_to});
+  }
+  std::vector<std::optional<double>> moved(changes.size());
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    moved[i] = nearest_crossing(changes[i], contours[changes[i].contour].curve, finder);
+  }
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (!moved[i]) continue;
+    SeenContour& contour = contours[changes[i].contour];
+    ContourRun &before = contour.runs[changes[i].run], &after = contour.runs[changes[i].run + 1];
+    const double at = std::clamp(contour.curve.point_at_length(*moved[i]).at, before.from, after.to);
+    before.to = after.from = at;
+  }
+}
+
+namespace {
+
+/// An end of a visible stroke, and the crossing to which it goes.
+struct MovedEnd {
+  std::size_t stroke;
+  bool first;
+  double shift;  ///< mm along the stroke, outwards
+  LatticePoint from, to;
+};
+
+/// Looks for the nearest contour in front that crosses the stroke near its end, or would if its source edge went on.
+std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool first, const SegmentFinder& finder,
+                                  double reach_mm) {
+  const Stroke& s = model.strokes[i];
+  const Point2 end = model.lattice.to_mm(first ? s.from : s.to), other = model.lattice.to_mm(first ? s.to : s.from);
+  const double length = glm::length(end - other);
+  if (!(length > 0)) return std::nullopt;
+  const Point2 along = (end - other) / length;
+  const double rest = (first ? s.t_from : 1 - s.t_to) / (s.t_to - s.t_from) * length;
+  const double back = std::min(reach_mm, length), on = std::clamp(rest, 0.0, reach_mm);
+  const Point2 from = end - back * along, to = end + on * along;
+  const double z_end = first ? s.z_from : s.z_to, slope = (first ? s.z_from - s.z_to : s.z_to - s.z_from) / length;
+  std::optional<double> best;
+  finder.near(from, to, [&](const PageSegment& piece) {
+    double fraction = 0, depth = 0;
+    if (!crossing(from, to, piece, fraction, depth)) return;
+    const double shift = fraction * (back + on) - back;
+    if (depth > z_end + shift * slope || shift <= -length || (best && std::abs(*best) <= std::abs(shift))) return;
+    best = shift;
+  });
+  if (!best) return std::nullopt;
+  return MovedEnd{i, first, *best, first ? s.from : s.to, model.lattice.snap(end + *best * along)};
+}
+
+void apply(const MovedEnd& moved, StrokeModel& model) {
+  Stroke& s = model.strokes[moved.stroke];
+  const double length = glm::length(model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from));
+  if (!(moved.shift > -length) || moved.to == (moved.first ? s.to : s.from)) return;
+  const double share = moved.shift / length, dt = share * (s.t_to - s.t_from), dz = share * (double(s.z_to) - s.z_from);
+  if (moved.first) {
+    s.from = moved.to;
+    s.t_from = std::max(0.0, s.t_from - dt);
+    s.z_from = static_cast<float>(s.z_from - dz);
+  } else {
+    s.to = moved.to;
+    s.t_to = std::min(1.0, s.t_to + dt);
+    s.z_to = static_cast<float>(s.z_to + dz);
+  }
+}
+
+auto place(LatticePoint p) { return std::pair(p.x, p.y); }
+
+}  // namespace
+
+void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm) {
+  SegmentFinder finder(kCellMm);
+  for (std::uint32_t c = 0; c < contours.size(); ++c) {
+    for_visible_pieces(contours[c], c, [&](const PageSegment& s) { finder.expect(s.from, s.to); });
+  }
+  finder.prepare();
+  for (std::uint32_t c = 0; c < contours.size(); ++c) {
+    for_visible_pieces(contours[c], c, [&](const PageSegment& s) { finder.add(s); });
+  }
+  std::vector<MovedEnd> moved;
+  for (std::size_t i = 0; i < others.strokes.size(); ++i) {
+    const Stroke& s = others.strokes[i];
+    if (!s.visible || s.line_class == LineClass::axes) continue;
+    for (const bool first : {true, false}) {
+      if (const auto end = moved_end(others, i, first, finder, reach_mm)) moved.push_back(*end);
+    }
+  }
+  // An end at which another stroke goes on stays.
+  std::vector<std::pair<std::int32_t, std::int32_t>> places;
+  for (const MovedEnd& m : moved) places.push_back(place(m.from));
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  std::vector<std::uint32_t> arms(places.size(), 0);
+  for (const Stroke& s : others.strokes) {
+    if (!s.visible) continue;
+    for (const LatticePoint p : {s.from, s.to}) {
+      const auto found = std::lower_bound(places.begin(), places.end(), place(p));
+      if (found != places.end() && *found == place(p)) ++arms[static_cast<std::size_t>(found - places.begin())];
+    }
+  }
+  for (const MovedEnd& m : moved) {
+    const auto found = std::lower_bound(places.begin(), places.end(), place(m.from));
+    if (arms[static_cast<std::size_t>(found - places.begin())] == 1) apply(m, others);
+  }
+}
+
+}  // namespace ligne

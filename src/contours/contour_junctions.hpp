@@ -1,0 +1,73 @@
+#pragma once
+/// Where lines meet contours: T-junctions.
+///
+/// What hides a contour, and what a contour hides, was found at the mesh; the contour that is drawn runs up to a chord's
+/// rise beside the outline of the mesh. So ends of visible parts are moved along their own line to where it crosses the
+/// line that is drawn.
+
+#include <vector>
+
+#include "contours/contour_states.hpp"
+#include "drawing/stroke.hpp"
+
+namespace ligne {
+
+/// A straight piece of a line that may hide another.
+struct PageSegment {
+  Point2 from{0, 0}, to{0, 0};
+  double z_from = 0, z_to = 0;
+  std::uint32_t chain = kNone;            ///< of a contour, else kNone
+  double length_from = 0, length_to = 0;  ///< along the contour
+};
+
+/// Segments near places that are asked about.
+class SegmentFinder {
+ public:
+  explicit SegmentFinder(double cell_mm) : cell_mm_(cell_mm) {}
+
+  /// A segment will be asked about.
+  void expect(Point2 from, Point2 to);
+  /// To be called between the last expect() and the first add().
+  void prepare();
+  /// Segments that nothing expected passes are left out.
+  void add(const PageSegment& segment);
+  /// Calls found(segment) for the segments that may cross from-to; some more than once.
+  template <class Found>
+  void near(Point2 from, Point2 to, Found found) const {
+    for_cells(from, to, [&](std::uint64_t key) {
+      const std::size_t cell = cell_of(key);
+      if (cell == cells_.size()) return;
+      for (const std::uint32_t i : lists_[cell]) found(segments_[i]);
+    });
+  }
+
+ private:
+  template <class Visit>
+  void for_cells(Point2 from, Point2 to, Visit visit) const;
+  std::size_t cell_of(std::uint64_t key) const;
+
+  double cell_mm_;
+  std::vector<std::uint64_t> cells_;  ///< keys in ascending order
+  std::vector<std::vector<std::uint32_t>> lists_;
+  std::vector<PageSegment> segments_;
+};
+
+/// The fraction of `from`-`to` at which the segment crosses it, and the depth of the segment there; false when it does not.
+bool crossing(Point2 from, Point2 to, const PageSegment& segment, double& fraction, double& depth);
+
+/// A contour with what is seen of it.
+struct SeenContour {
+  ContourCurve curve;
+  std::vector<ContourRun> runs;
+};
+
+/// Moves the ends of the visible runs of contours onto the visible lines that hide them, by `reach_mm` at the most or half
+/// the segments of their mesh.
+void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel& others, double reach_mm);
+
+/// Moves the ends of other visible strokes, where these are hidden, onto visible contours in front of them.
+void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm);
+
+}  // namespace ligne
+
+#include "contours/contour_junctions.inl.hpp"
