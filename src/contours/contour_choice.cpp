@@ -179,13 +179,9 @@ ContourChoice choose_contours(const Scene& scene, const View& view, const Smooth
     if (group.chains.empty() && chooser.widest_fold(group) > least_fold_mm) continue;
     if (chooser.outline_is_clean(group) || chooser.stands_edge_on(group)) continue;
     for (const std::uint32_t c : group.chains) choice.chains.push_back(std::move(chains[c]));
-    for (const std::uint32_t i : group.sides) choice.edges.push_back(sides[i].edge);
-    if (group.chains.empty()) {
-      for (const std::uint32_t i : group.sides) choice.folds.push_back(sides[i].edge);
-    }
+    choice.sides.insert(choice.sides.end(), group.sides.begin(), group.sides.end());
   }
-  std::sort(choice.edges.begin(), choice.edges.end());
-  std::sort(choice.folds.begin(), choice.folds.end());
+  std::sort(choice.sides.begin(), choice.sides.end());
   return choice;
 }
 

@@ -24,8 +24,7 @@ std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPat
 
 struct ContourChoice {
   std::vector<ContourChain> chains;  ///< that are drawn
-  std::vector<std::uint32_t> edges;  ///< of the topology, that are not; in ascending order
-  std::vector<std::uint32_t> folds;  ///< of them, those that no contour stands for
+  std::vector<std::uint32_t> sides;  ///< that are not: indices into the sides, in ascending order
 };
 
 /// Chooses per group:

@@ -4,9 +4,8 @@
 #include <array>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 #include "contours/contour_sights.hpp"
+#include "contours/outline_probes.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -54,7 +53,7 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
   const std::vector<std::uint32_t> outlines = outline_edges(topology, projected);
   if (outlines.empty()) return contours;
   const View& view = projected.view;
-  const SmoothPatch patch = smooth_patch(scene, topology, view.camera, outlines, options.crease_degrees);
+  const SmoothPatch patch = smooth_patch(scene, topology, view.camera, outlines, options.borders);
   const std::vector<OutlineSide> sides = outline_sides(topology, patch, outlines);
   ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, patch), sides, options.pen_width_mm);
 
@@ -77,13 +76,18 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
       contours.sides.back().push_back(sights[c][i].side);
     }
   }
-  contours.replaced_edges = choice.edges.size();
-  for (const std::uint32_t e : choice.folds) {
-    const Edge& edge = topology.edges[e];
-    contours.fold_mm += glm::length(page_point(view, scene.vertices[edge.v1]) - page_point(view, scene.vertices[edge.v0]));
+  contours.first_probe = projected.source_count + static_cast<std::uint32_t>(lines.size());
+  for (const std::uint32_t i : choice.sides) {
+    const Edge& edge = topology.edges[sides[i].edge];
+    contours.replaced.push_back({{scene.vertices[edge.v0], scene.vertices[edge.v1]}, {edge.face0, edge.face1}, false});
+    contours.replaced_size_mm.push_back(size_on_page(scene, view, patch, sides[i].side));
+    lines.push_back(outline_probe(scene, view, patch, sides[i].side, slack_mm));
   }
   contours.chains = std::move(choice.chains);
-  remove_edges(projected, choice.edges);
+  std::vector<std::uint32_t> removed;
+  for (const std::uint32_t i : choice.sides) removed.push_back(sides[i].edge);
+  std::sort(removed.begin(), removed.end());
+  remove_edges(projected, removed);
   add_lines(projected, lines, LineClass::outline);
   return contours;
 }

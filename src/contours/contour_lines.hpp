@@ -10,7 +10,7 @@
 namespace ligne {
 
 struct ContourOptions {
-  double crease_degrees = 30;
+  RegionBorders borders{};
   double pen_width_mm = 0.35;  ///< what is smaller on the page is no shape
 };
 
@@ -20,10 +20,12 @@ struct SmoothContours {
   std::vector<std::vector<std::uint32_t>> faces;  ///< per chain and segment: the face of the scene
   std::vector<std::vector<int>> sides;            ///< per chain and segment: see ContourSight::side
   std::vector<std::uint32_t> first_source;        ///< per chain: source of its first segment; the others follow
-  std::size_t replaced_edges = 0;                 ///< of the mesh, candidates that are left out
-  double fold_mm = 0;                             ///< length on the page of those of them for which nothing stands
+  /// Edges of the mesh that are left out, by their ends and first two faces.
+  std::vector<SourceEdge> replaced;
+  std::vector<double> replaced_size_mm;  ///< longest side on the page of the triangles at such an edge
+  std::uint32_t first_probe = 0;         ///< source of the probe of the first of them; the others follow
 
-  bool empty() const { return chains.empty(); }
+  bool empty() const { return replaced.empty() && chains.empty(); }
 };
 
 /// Takes the outlines inside smooth regions out of the candidate edges, and puts lines in their place at which the

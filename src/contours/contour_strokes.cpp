@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contours/contour_junctions.hpp"
+#include "contours/outline_probes.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -13,15 +14,13 @@ constexpr double kFlatnessMm = 0.002;
 /// Ends are moved to the line that they meet by so many widths of the pen.
 constexpr double kReachInPens = 2;
 
-/// Takes the strokes of contours out of the model, in the order of their sources.
-std::vector<Stroke> take_strokes(StrokeModel& model, const SmoothContours& contours) {
-  const std::uint32_t first = contours.first_source.front();
-  const auto last = contours.first_source.back() + static_cast<std::uint32_t>(contours.chains.back().size());
+/// Takes the strokes of `count` sources from `first` on out of the model, in the order of their sources.
+std::vector<Stroke> take_strokes(StrokeModel& model, std::uint32_t first, std::size_t count) {
   std::vector<Stroke> taken;
   std::erase_if(model.strokes, [&](const Stroke& s) {
-    const bool is_contour = s.source >= first && s.source < last;
-    if (is_contour) taken.push_back(s);
-    return is_contour;
+    const bool found = s.source >= first && s.source - first < count;
+    if (found) taken.push_back(s);
+    return found;
   });
   std::sort(taken.begin(), taken.end(), [](const Stroke& l, const Stroke& r) {
     return l.source != r.source ? l.source < r.source : l.t_from < r.t_from;
@@ -90,8 +89,10 @@ class Writer {
 void draw_contours(StrokeModel& model, const Scene& scene, const View& view, const SmoothContours& contours, bool hidden_too,
                    const ContourOptions& options) {
   if (contours.empty()) return;
-  const std::vector<Stroke> strokes = take_strokes(model, contours);
+  const std::vector<Stroke> probes = take_strokes(model, contours.first_probe, contours.replaced.size());
   const std::size_t n = contours.chains.size();
+  const std::uint32_t first = n > 0 ? contours.first_source.front() : contours.first_probe;
+  const std::vector<Stroke> strokes = take_strokes(model, first, contours.first_probe - first);
   std::vector<SeenContour> seen(n);
   constexpr std::size_t kChainsPerTask = 8;
   parallel_blocks(n, kChainsPerTask, [&](std::size_t begin, std::size_t end) {
@@ -103,6 +104,7 @@ void draw_contours(StrokeModel& model, const Scene& scene, const View& view, con
   });
   const double reach_mm = kReachInPens * options.pen_width_mm;
   move_ends_of_contours(seen, model, reach_mm);
+  add_missing_outlines(model, view, contours, probes, seen, options.pen_width_mm, reach_mm);
   move_ends_of_strokes(model, seen, reach_mm);
   Writer writer(model, view, hidden_too, options.pen_width_mm);
   for (std::size_t c = 0; c < n; ++c) writer.add(contours.chains[c], contours.faces[c], seen[c].curve, seen[c].runs);

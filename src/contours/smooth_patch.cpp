@@ -48,12 +48,42 @@ struct Side {
   std::uint32_t low, high, side;
 };
 
+/// What is said of edges, for edges that are asked about in ascending order.
+class CreaseMarks {
+ public:
+  CreaseMarks(const std::vector<Edge>& edges, const std::vector<std::uint8_t>* creases) : edges_(edges), creases_(creases) {}
+
+  bool given() const { return creases_ != nullptr; }
+  bool has(std::uint32_t low, std::uint32_t high) {
+    // In growing steps from the edge asked about last.
+    std::size_t step = 1, last = at_;
+    while (last < edges_.size() && before(edges_[last], low, high)) {
+      at_ = last;
+      last += step;
+      step *= 2;
+    }
+    const auto first = edges_.begin() + static_cast<std::ptrdiff_t>(at_);
+    const auto end = edges_.begin() + static_cast<std::ptrdiff_t>(std::min(last + 1, edges_.size()));
+    const auto found = std::partition_point(first, end, [&](const Edge& e) { return before(e, low, high); });
+    at_ = static_cast<std::size_t>(found - edges_.begin());
+    return at_ < edges_.size() && edges_[at_].v0 == low && edges_[at_].v1 == high && (*creases_)[at_] != 0;
+  }
+
+ private:
+  static bool before(const Edge& e, std::uint32_t low, std::uint32_t high) { return e.v0 != low ? e.v0 < low : e.v1 < high; }
+
+  const std::vector<Edge>& edges_;
+  const std::vector<std::uint8_t>* creases_;
+  std::size_t at_ = 0;
+};
+
 class PatchBuilder {
  public:
-  PatchBuilder(const Scene& scene, const Camera& camera, double crease_degrees, SmoothPatch& patch)
-      : scene_(scene), camera_(camera), patch_(patch) {
+  PatchBuilder(const Scene& scene, const Topology& topology, const Camera& camera, const RegionBorders& borders,
+               SmoothPatch& patch)
+      : scene_(scene), camera_(camera), edges_(topology.edges, borders.creases), patch_(patch) {
     constexpr double kDegree = 3.14159265358979323846 / 180;
-    crease_cosine_ = std::cos(std::min(180.0, crease_degrees + kCreaseSlackDegrees) * kDegree);
+    crease_cosine_ = std::cos(std::min(180.0, borders.crease_degrees + kCreaseSlackDegrees) * kDegree);
   }
 
   void build() {
@@ -98,7 +128,7 @@ class PatchBuilder {
     for (std::size_t i = 0; i < sides.size();) {
       std::size_t end = i + 1;
       while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
-      if (end - i == 2 && are_smooth(sides[i].side, sides[i + 1].side)) {
+      if (end - i == 2 && are_smooth(sides[i], sides[i + 1].side)) {
         patch_.across[sides[i].side] = sides[i + 1].side;
         patch_.across[sides[i + 1].side] = sides[i].side;
       }
@@ -106,10 +136,11 @@ class PatchBuilder {
     }
   }
 
-  /// Two sides on one edge: wound alike, and at an angle below that of a crease. A triangle without area has no direction
-  /// that could differ.
-  bool are_smooth(std::uint32_t s, std::uint32_t r) const {
+  /// Two sides on one edge: wound alike, and no crease. A triangle without area has no direction that could differ.
+  bool are_smooth(const Side& side, std::uint32_t r) {
+    const std::uint32_t s = side.side;
     if (patch_.triangles[s / 3].v[s % 3] == patch_.triangles[r / 3].v[r % 3]) return false;
+    if (edges_.given()) return !edges_.has(side.low, side.high);
     const Point3 &a = face_normals_[s / 3], &b = face_normals_[r / 3];
     return a == kNoNormal || b == kNoNormal || glm::dot(a, b) >= crease_cosine_;
   }
@@ -177,6 +208,7 @@ class PatchBuilder {
 
   const Scene& scene_;
   const Camera& camera_;
+  CreaseMarks edges_;
   SmoothPatch& patch_;
   double crease_cosine_;
   std::vector<Point3> face_normals_;
@@ -187,7 +219,7 @@ class PatchBuilder {
 Point3 to_eye(const Camera& camera, const Point3& p) { return camera.perspective ? camera.eye - p : -camera.forward; }
 
 SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Camera& camera,
-                         std::span<const std::uint32_t> outline_edges, double crease_degrees) {
+                         std::span<const std::uint32_t> outline_edges, const RegionBorders& borders) {
   SmoothPatch patch;
   VertexSet on_outline(scene.vertices.size());
   for (const std::uint32_t e : outline_edges) {
@@ -203,7 +235,7 @@ SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Cam
   for (const Triangle& t : patch.triangles) {
     for (const std::uint32_t v : t.v) patch.complete.push_back(ring.has(v));
   }
-  PatchBuilder(scene, camera, crease_degrees, patch).build();
+  PatchBuilder(scene, topology, camera, borders, patch).build();
   return patch;
 }
 

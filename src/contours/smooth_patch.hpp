@@ -40,10 +40,18 @@ inline std::uint32_t last_corner(std::uint32_t corner) { return corner % 3 == 0 
 /// From the point to the eye; not of unit length in perspective.
 Point3 to_eye(const Camera& camera, const Point3& p);
 
-/// The patch round the given edges of the topology. Borders of regions are the edges whose triangles' normals differ by more
-/// than the crease angle, those of other than two triangles, those across which the windings disagree, and all edges at a
-/// vertex from whose normal a face round it differs by more than the crease angle (the tip of a cone).
+/// Where smooth regions end.
+struct RegionBorders {
+  double crease_degrees = 30;
+  /// Per edge of the topology: 1 where a region ends. Null: where the normals of the triangles differ by more than the
+  /// crease angle.
+  const std::vector<std::uint8_t>* creases = nullptr;
+};
+
+/// The patch round the given edges of the topology. Borders of regions are its creases, edges of other than two triangles,
+/// those across which the windings disagree, and all edges at a vertex from whose normal a face round it differs by more
+/// than the crease angle (the tip of a cone).
 SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Camera& camera,
-                         std::span<const std::uint32_t> outline_edges, double crease_degrees);
+                         std::span<const std::uint32_t> outline_edges, const RegionBorders& borders);
 
 }  // namespace ligne

@@ -30,7 +30,7 @@ void remove_hidden_axes(StrokeModel& model) {
 }
 
 ContourOptions contour_options(const PictureRequest& request) {
-  return {request.lines.crease_degrees, request.page.pen_width_mm};
+  return {{request.lines.crease_degrees, nullptr}, request.page.pen_width_mm};
 }
 
 void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement, RunReport& run) {

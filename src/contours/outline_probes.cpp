@@ -1,0 +1,195 @@
+#include "contours/outline_probes.hpp"
+
+#include <optional>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "contours/contour_choice.hpp"
+#include "contours/contour_sights.hpp"
+#include "geometry/disjoint_sets.hpp"
+#include "view/clip.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable parameters.
+/// A probe lies so many lengths of its edge behind it: folds of a mesh go back by a triangle or two, and beyond a cusp the
+/// surface is steep for some more.
+constexpr double kPushedBack = 10;
+/// And so much of its length on the page beside it.
+constexpr double kMovedOff = 0.05;
+/// A contour stands for an edge when it runs within so much of the size of the triangles there, or half a pen: contours
+/// rise above chords by less than an eighth of them.
+constexpr double kNearEdge = 0.2;
+constexpr double kCellMm = 1;
+
+double distance(Point2 p, const PageSegment& s) {
+  const Point2 d = s.to - s.from;
+  const double square = glm::dot(d, d);
+  const double t = square > 0 ? std::clamp(glm::dot(p - s.from, d) / square, 0.0, 1.0) : 0;
+  return glm::length(s.from + t * d - p);
+}
+
+/// The visible pieces of contours, for questions about places.
+class NearContours {
+ public:
+  explicit NearContours(const std::vector<SeenContour>& seen) : seen_(seen), finder_(kCellMm) {}
+
+  void expect(Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); }
+  void prepare() {
+    finder_.prepare();
+    for (const SeenContour& contour : seen_) {
+      for (const ContourRun& run : contour.runs) {
+        if (run.state < 0) continue;
+        const std::vector<CurvePoint> points = contour.curve.part(run.from, run.to);
+        for (std::size_t i = 1; i < points.size(); ++i) finder_.add({points[i - 1].mm, points[i].mm, 0, 0});
+      }
+    }
+  }
+  /// The nearest end of a piece within the reach.
+  std::optional<Point2> nearest(Point2 p, double reach) const {
+    std::optional<Point2> best;
+    const auto offer = [&](Point2 q) {
+      const double d = glm::length(q - p);
+      if (d <= reach && (!best || d < glm::length(*best - p))) best = q;
+    };
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const PageSegment& s) {
+      offer(s.from);
+      offer(s.to);
+    });
+    return best;
+  }
+  bool any_within(Point2 p, double reach) const {
+    bool any = false;
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const PageSegment& s) { any |= distance(p, s) <= reach; });
+    return any;
+  }
+
+ private:
+  const std::vector<SeenContour>& seen_;
+  SegmentFinder finder_;
+};
+
+/// A part of an edge whose probe is seen.
+struct Candidate {
+  Stroke stroke;  ///< on the edge itself
+  std::uint32_t edge;
+  Point2 middle;
+  double near_mm;
+};
+
+Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContours& contours, const View& view,
+                    const Lattice& lattice, double pen_width_mm) {
+  const auto& ends = contours.replaced[edge].ends;
+  const HomogeneousPoint a = to_homogeneous(view, ends[0]), b = to_homogeneous(view, ends[1]);
+  const HomogeneousPoint from = interpolate(a, b, probe.t_from), to = interpolate(a, b, probe.t_to);
+  const auto mm = [](const HomogeneousPoint& h) { return Point2{h.x / h.w, h.y / h.w}; };
+  Candidate c{probe, edge, (mm(from) + mm(to)) * 0.5, 0};
+  c.stroke.from = lattice.snap(mm(from));
+  c.stroke.to = lattice.snap(mm(to));
+  c.stroke.z_from = static_cast<float>(from.z / from.w);
+  c.stroke.z_to = static_cast<float>(to.z / to.w);
+  if (view.camera.perspective) {
+    c.stroke.w_from = static_cast<float>(from.w);
+    c.stroke.w_to = static_cast<float>(to.w);
+  }
+  c.stroke.may_coincide = true;
+  c.near_mm = std::max(pen_width_mm / 2, kNearEdge * contours.replaced_size_mm[edge]);
+  return c;
+}
+
+auto place(LatticePoint p) { return std::pair(p.x, p.y); }
+
+/// Leaves runs of candidates that are longer than the reach and than what counts as near: less is what moved ends at
+/// crossings leave.
+void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, double reach_mm) {
+  using Place = std::pair<std::int32_t, std::int32_t>;
+  std::vector<std::pair<Place, std::uint32_t>> ends;
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    ends.emplace_back(place(candidates[i].stroke.from), i);
+    ends.emplace_back(place(candidates[i].stroke.to), i);
+  }
+  std::sort(ends.begin(), ends.end());
+  DisjointSets runs(candidates.size());
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (ends[i].first == ends[i - 1].first) runs.join(ends[i].second, ends[i - 1].second);
+  }
+  std::vector<double> length(candidates.size(), 0), least(candidates.size(), reach_mm);
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& c = candidates[i];
+    length[runs.find(i)] += glm::length(lattice.to_mm(c.stroke.to) - lattice.to_mm(c.stroke.from));
+    least[runs.find(i)] = std::max(least[runs.find(i)], c.near_mm);
+  }
+  std::vector<Candidate> kept;
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    if (length[runs.find(i)] >= least[runs.find(i)]) kept.push_back(candidates[i]);
+  }
+  candidates = std::move(kept);
+}
+
+}  // namespace
+
+std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
+                                    double slack_mm) {
+  const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
+  const Point3 a = point(side), b = point(next_corner(side));
+  const Point2 pa = page_point(view, a), d = page_point(view, b) - pa;
+  const double length = glm::length(d);
+  // Away from the third corners, which both lie on one side of an outline.
+  Point2 off = length > 0 ? Point2{-d.y, d.x} / length : Point2{0, 0};
+  const Point2 inwards =
+      page_point(view, point(last_corner(side))) + page_point(view, point(last_corner(patch.across[side]))) - 2.0 * pa;
+  if (glm::dot(off, inwards) > 0) off = -off;
+  const auto moved = [&](const Point3& p) {
+    const double unit_mm = glm::length(page_direction(view, p, view.camera.right));
+    const double mm = slack_mm + kMovedOff * length;
+    const Point3 beside = p + (mm / unit_mm) * (off.x * view.camera.right + off.y * view.camera.down);
+    return beside - kPushedBack * glm::length(b - a) * glm::normalize(to_eye(view.camera, beside));
+  };
+  return {moved(a), moved(b)};
+}
+
+double size_on_page(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side) {
+  double longest = 0;
+  for (const std::uint32_t s : {side, patch.across[side]}) {
+    std::array<Point2, 3> p;
+    for (std::uint32_t k = 0; k < 3; ++k) p[k] = page_point(view, scene.vertices[patch.triangles[s / 3].v[k]]);
+    longest = std::max({longest, glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
+  }
+  return longest;
+}
+
+void add_missing_outlines(StrokeModel& model, const View& view, const SmoothContours& contours,
+                          const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, double pen_width_mm,
+                          double reach_mm) {
+  std::vector<Candidate> candidates;
+  NearContours near(seen);
+  for (const Stroke& probe : probes) {
+    if (!probe.visible) continue;
+    candidates.push_back(candidate(probe, probe.source - contours.first_probe, contours, view, model.lattice, pen_width_mm));
+    near.expect(candidates.back().middle, candidates.back().near_mm);
+    near.expect(model.lattice.to_mm(candidates.back().stroke.from), reach_mm);
+    near.expect(model.lattice.to_mm(candidates.back().stroke.to), reach_mm);
+  }
+  if (candidates.empty()) return;
+  near.prepare();
+  std::erase_if(candidates, [&](const Candidate& c) { return near.any_within(c.middle, c.near_mm); });
+  drop_short(candidates, model.lattice, reach_mm);
+  std::vector<std::pair<std::int32_t, std::int32_t>> ends;
+  for (const Candidate& c : candidates) ends.insert(ends.end(), {place(c.stroke.from), place(c.stroke.to)});
+  std::sort(ends.begin(), ends.end());
+  for (Candidate& c : candidates) {
+    for (LatticePoint* end : {&c.stroke.from, &c.stroke.to}) {
+      const auto [first, last] = std::equal_range(ends.begin(), ends.end(), place(*end));
+      if (last - first > 1) continue;
+      if (const auto contour = near.nearest(model.lattice.to_mm(*end), reach_mm)) *end = model.lattice.snap(*contour);
+    }
+    if (c.stroke.from == c.stroke.to) continue;
+    c.stroke.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
+    model.intersections.push_back(contours.replaced[c.edge]);
+    model.strokes.push_back(c.stroke);
+  }
+}
+
+}  // namespace ligne

@@ -1,0 +1,31 @@
+#pragma once
+/// What makes sure that no outline is lost.
+///
+/// Normals are means, so where a mesh is coarse the smooth surface may have no contour at an edge beside which one looks
+/// past the whole body. So for each edge of the mesh's outline that gave way to contours a *probe* is studied: the edge,
+/// moved off its two faces on the page and pushed back by a few of its lengths. Where the probe is seen nothing is close
+/// behind the edge, and the edge is a true outline. Such an edge is drawn when no contour was drawn near it. The small folds
+/// of a mesh along its outlines have the surface right behind them, and are not.
+
+#include <array>
+#include <vector>
+
+#include "contours/contour_junctions.hpp"
+#include "contours/contour_lines.hpp"
+
+namespace ligne {
+
+/// The probe of a side of the patch.
+std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
+                                    double slack_mm);
+
+/// The longest side on the page of the two triangles at a side of the patch, mm.
+double size_on_page(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side);
+
+/// Adds strokes for the edges whose probes are seen with no visible contour near them. `probes`: the strokes of the probes,
+/// in the order of their sources. Ends are put onto contours within `reach_mm`.
+void add_missing_outlines(StrokeModel& model, const View& view, const SmoothContours& contours,
+                          const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, double pen_width_mm,
+                          double reach_mm);
+
+}  // namespace ligne
