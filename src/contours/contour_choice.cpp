@@ -90,16 +90,6 @@ class Chooser {
     });
   }
 
-  /// Width on the page of the widest triangle at the group's edges that is folded back.
-  double widest_fold(const Group& group) const {
-    double widest = 0;
-    for (const std::uint32_t i : group.sides) {
-      const std::uint32_t side = sides_[i].side;
-      widest = std::max(widest, std::min(width(side / 3), width(patch_.across[side] / 3)));
-    }
-    return widest;
-  }
-
  private:
   std::uint32_t vertex(std::uint32_t corner) const { return patch_.triangles[corner / 3].v[corner % 3]; }
 
@@ -128,14 +118,6 @@ class Chooser {
       path.push_back(page_point(view_, scene_.vertices[at]));
     }
     return at == to ? path : std::vector<Point2>{};
-  }
-
-  double width(std::uint32_t t) const {
-    const auto& v = patch_.triangles[t].v;
-    const Point2 a = page_point(view_, scene_.vertices[v[0]]), b = page_point(view_, scene_.vertices[v[1]]),
-                 c = page_point(view_, scene_.vertices[v[2]]);
-    const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
-    return longest > 0 ? std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / longest : 0;
   }
 
   const Scene& scene_;
@@ -171,12 +153,10 @@ std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPat
 }
 
 ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
-                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides,
-                              double least_fold_mm) {
+                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides) {
   ContourChoice choice;
   Chooser chooser(scene, view, patch, chains, sides);
   for (const Group& group : chooser.groups()) {
-    if (group.chains.empty() && chooser.widest_fold(group) > least_fold_mm) continue;
     if (chooser.outline_is_clean(group) || chooser.stands_edge_on(group)) continue;
     for (const std::uint32_t c : group.chains) choice.chains.push_back(std::move(chains[c]));
     choice.sides.insert(choice.sides.end(), group.sides.begin(), group.sides.end());

@@ -28,14 +28,14 @@ struct ContourChoice {
 };
 
 /// Chooses per group:
-/// - no contour: small folds of the mesh are left out; a group with a fold wider than `least_fold_mm` stays as it is;
+/// - no contour: a fold of the mesh, which is left out;
 /// - one contour from border to border, and the mesh's outline a simple path between the same ends that is straight or has
 ///   one corner (a cylinder, a cone): the mesh's outline stays;
 /// - a triangle of it is seen exactly edge on (a flat side in the direction of the view), and its contours, if any, end at
 ///   borders: the mesh's outline stays, since a line on the page is all of that triangle;
 /// - else the contours.
 ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
-                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double least_fold_mm);
+                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides);
 
 /// The place of a point on the page, mm.
 Point2 page_point(const View& view, const Point3& p);

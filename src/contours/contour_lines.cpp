@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "contours/contour_sights.hpp"
 #include "contours/outline_probes.hpp"
 #include "geometry/parallel.hpp"
@@ -44,6 +46,31 @@ void remove_edges(ProjectedScene& projected, const std::vector<std::uint32_t>& s
   if (!projected.edge_parts.empty()) projected.edge_parts.resize(kept);
 }
 
+/// Diagonals of the boxes round the objects that faces belong to, worked out as they are asked for.
+class ObjectSizes {
+ public:
+  explicit ObjectSizes(const Scene& scene) : scene_(scene), sizes_(scene.objects.size(), -1) {}
+
+  double operator()(std::uint32_t face) const {
+    const auto after = std::upper_bound(scene_.objects.begin(), scene_.objects.end(), face,
+                                        [](std::uint32_t f, const Object& o) { return f < o.face_begin; });
+    double& size = sizes_[static_cast<std::size_t>(after - scene_.objects.begin()) - 1];
+    if (size < 0) {
+      Point3 low(1e300), high(-1e300);
+      for (std::uint32_t v = after[-1].vertex_begin; v < after[-1].vertex_end; ++v) {
+        low = glm::min(low, scene_.vertices[v]);
+        high = glm::max(high, scene_.vertices[v]);
+      }
+      size = glm::length(high - low);
+    }
+    return size;
+  }
+
+ private:
+  const Scene& scene_;
+  mutable std::vector<double> sizes_;
+};
+
 }  // namespace
 
 SmoothContours replace_outlines(const Scene& scene, const Topology& topology, ProjectedScene& projected,
@@ -55,7 +82,7 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
   const View& view = projected.view;
   const SmoothPatch patch = smooth_patch(scene, topology, view.camera, outlines, options.borders);
   const std::vector<OutlineSide> sides = outline_sides(topology, patch, outlines);
-  ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, patch), sides, options.pen_width_mm);
+  ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, patch), sides);
 
   const OutlineGraph graph(patch, sides);
   const double slack_mm = kSlackSteps * projected.lattice.step_mm + 2 * projected.input_error_mm;
@@ -76,12 +103,15 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
       contours.sides.back().push_back(sights[c][i].side);
     }
   }
+  const ObjectSizes object_size(scene);
   contours.first_probe = projected.source_count + static_cast<std::uint32_t>(lines.size());
   for (const std::uint32_t i : choice.sides) {
     const Edge& edge = topology.edges[sides[i].edge];
-    contours.replaced.push_back({{scene.vertices[edge.v0], scene.vertices[edge.v1]}, {edge.face0, edge.face1}, false});
+    const auto end = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
+    // In the direction of the probe, so that both have the same parameters.
+    contours.replaced.push_back({{end(sides[i].side), end(next_corner(sides[i].side))}, {edge.face0, edge.face1}, false});
     contours.replaced_size_mm.push_back(size_on_page(scene, view, patch, sides[i].side));
-    lines.push_back(outline_probe(scene, view, patch, sides[i].side, slack_mm));
+    lines.push_back(outline_probe(scene, view, patch, sides[i].side, object_size(edge.face0), slack_mm));
   }
   contours.chains = std::move(choice.chains);
   std::vector<std::uint32_t> removed;

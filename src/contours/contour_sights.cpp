@@ -10,7 +10,7 @@ namespace {
 
 // Adjustable parameters.
 /// Slopes are averaged over so many segments before and behind: single triangles of a noisy mesh do not make a cusp.
-constexpr std::size_t kSlopeWindow = 2;
+constexpr std::size_t kSlopeWindow = 3;
 /// Edges of the outline are followed so far from a segment's own triangles, in edges.
 constexpr int kOutlineSteps = 3;
 /// A normal that should lie across the sight does so at least to this share; otherwise it has gone astray.
@@ -73,27 +73,33 @@ class Sights {
     const Point2 mean = double(side) * (pa + pb);
     const double size = glm::length(mean);
     if (!(size > 0)) return {a.on_mesh, b.on_mesh, side};
-    const double mm = slack_mm_ + protrusion(i, mean / size);
+    const Protrusion beyond = protrusion(i, mean / size);
+    // Along its own normal, far enough across the segment.
     const auto moved = [&](const ContourNode& node, Point2 on_page) {
       const double unit_mm = glm::length(page_direction(view_, node.on_mesh, view_.camera.right));
-      const double by_normal = std::max(glm::length(on_page), kLeastAcross * unit_mm);
-      return node.on_mesh + (side * mm / by_normal) * node.normal;
+      const double across_mm = double(side) * glm::dot(on_page, beyond.across);
+      const double by_normal = std::max(across_mm, kLeastAcross * unit_mm);
+      return node.on_mesh + (side * (slack_mm_ + beyond.mm) / by_normal) * node.normal;
     };
     return {moved(a, pa), moved(b, pb), side};
   }
 
-  /// How far the outline of the mesh rises beyond segment i in the direction `out` of the page, mm; not below 0.
-  double protrusion(std::size_t i, Point2 out) {
+  /// How far the outline of the mesh rises beyond a segment.
+  struct Protrusion {
+    double mm;      ///< not below 0
+    Point2 across;  ///< direction in which it is measured: across the segment
+  };
+
+  /// Of segment i, on the side of the page to which `out` points.
+  Protrusion protrusion(std::size_t i, Point2 out) {
     const Point2 q0 = page_point(view_, chain_.nodes[i].on_mesh), q1 = page_point(view_, chain_.nodes[i + 1].on_mesh);
     const double length = glm::length(q1 - q0);
     Point2 along = length > 0 ? (q1 - q0) / length : Point2{-out.y, out.x};
     Point2 across{-along.y, along.x};
     if (glm::dot(across, out) < 0) across = -across;
-    double share = glm::dot(across, out);
-    if (share < kLeastAcross) {  // the contour runs along its normal: near a cusp
+    if (glm::dot(across, out) < kLeastAcross) {  // the contour runs along its normal: near a cusp
       across = out;
       along = {-out.y, out.x};
-      share = 1;
     }
     double highest = 0;
     const auto rise = [&](Point2 p, Point2 q) {  // of the part of an edge that lies beside the segment
@@ -108,7 +114,7 @@ class Sights {
     for_outline_near(chain_.triangles[i], [&](std::uint32_t side) {
       rise(page_point(view_, point(side)), page_point(view_, point(next_corner(side))));
     });
-    return highest / share;
+    return {highest, across};
   }
 
   /// Calls visit(side) for the edges of the mesh's outline near a triangle: those at its corners and at the corners of its

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+
 namespace ligne {
 namespace {
 
@@ -14,8 +16,14 @@ void append(std::vector<ContourRun>& runs, const ContourRun& run) {
   }
 }
 
+/// A hidden run near a cusp goes to and fro, so that it is as short as the distance of its ends, unless it is this many
+/// times longer.
+constexpr double kToAndFro = 4;
+
 double length_of(const ContourRun& run, const ContourCurve& curve) {
-  return curve.point_at(run.to).length - curve.point_at(run.from).length;
+  const CurvePoint from = curve.point_at(run.from), to = curve.point_at(run.to);
+  const double length = to.length - from.length;
+  return run.state < 0 ? std::max(glm::length(to.mm - from.mm), length / kToAndFro) : length;
 }
 
 /// One pass: runs shorter than the limit take the state of the longer neighbour.

@@ -30,8 +30,8 @@ std::vector<Stroke> take_strokes(StrokeModel& model, std::uint32_t first, std::s
 
 class Writer {
  public:
-  Writer(StrokeModel& model, const View& view, bool hidden_too, double shortest_mm)
-      : model_(model), view_(view), hidden_too_(hidden_too), shortest_mm_(shortest_mm) {}
+  Writer(StrokeModel& model, const View& view, bool hidden_too, double longest_fold_mm)
+      : model_(model), view_(view), hidden_too_(hidden_too), longest_fold_mm_(longest_fold_mm) {}
 
   void add(const ContourChain& chain, const std::vector<std::uint32_t>& faces, const ContourCurve& curve,
            const std::vector<ContourRun>& runs) {
@@ -49,7 +49,7 @@ class Writer {
     for (const ContourRun& run : runs) {
       if (run.state == kOutsideState || (run.state == kHiddenState && !hidden_too_)) continue;
       std::vector<CurvePoint> points = curve.part(run.from, run.to);
-      unfold(points, shortest_mm_);
+      unfold(points, longest_fold_mm_);
       for (std::size_t i = 1; i < points.size(); ++i) {
         const auto segment = std::min(static_cast<std::size_t>(points[i - 1].at), chain.size() - 1);
         add_stroke(points[i - 1], points[i], run.state, source_of(segment), double(segment));
@@ -81,7 +81,7 @@ class Writer {
   StrokeModel& model_;
   const View& view_;
   bool hidden_too_;
-  double shortest_mm_;
+  double longest_fold_mm_;
 };
 
 }  // namespace
@@ -104,9 +104,10 @@ void draw_contours(StrokeModel& model, const Scene& scene, const View& view, con
   });
   const double reach_mm = kReachInPens * options.pen_width_mm;
   move_ends_of_contours(seen, model, reach_mm);
+  for (SeenContour& contour : seen) drop_short_runs(contour.runs, contour.curve, options.pen_width_mm);
   add_missing_outlines(model, view, contours, probes, seen, options.pen_width_mm, reach_mm);
   move_ends_of_strokes(model, seen, reach_mm);
-  Writer writer(model, view, hidden_too, options.pen_width_mm);
+  Writer writer(model, view, hidden_too, reach_mm);
   for (std::size_t c = 0; c < n; ++c) writer.add(contours.chains[c], contours.faces[c], seen[c].curve, seen[c].runs);
 }
 

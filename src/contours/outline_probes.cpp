@@ -14,9 +14,10 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// A probe lies so many lengths of its edge behind it: folds of a mesh go back by a triangle or two, and beyond a cusp the
-/// surface is steep for some more.
-constexpr double kPushedBack = 10;
+/// A probe lies so much of the size of its object behind its edge, but not less than so many lengths of the edge: folds of
+/// a mesh go back by a triangle or two, and beyond a cusp a surface is steep for some more.
+constexpr double kPushedBack = 0.25;
+constexpr double kPushedBackEdges = 10;
 /// And so much of its length on the page beside it.
 constexpr double kMovedOff = 0.05;
 /// A contour stands for an edge when it runs within so much of the size of the triangles there, or half a pen: contours
@@ -131,7 +132,7 @@ void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, doub
 }  // namespace
 
 std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
-                                    double slack_mm) {
+                                    double object_size, double slack_mm) {
   const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
   const Point3 a = point(side), b = point(next_corner(side));
   const Point2 pa = page_point(view, a), d = page_point(view, b) - pa;
@@ -141,11 +142,12 @@ std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const 
   const Point2 inwards =
       page_point(view, point(last_corner(side))) + page_point(view, point(last_corner(patch.across[side]))) - 2.0 * pa;
   if (glm::dot(off, inwards) > 0) off = -off;
+  const double back = std::max(kPushedBack * object_size, kPushedBackEdges * glm::length(b - a));
   const auto moved = [&](const Point3& p) {
     const double unit_mm = glm::length(page_direction(view, p, view.camera.right));
     const double mm = slack_mm + kMovedOff * length;
     const Point3 beside = p + (mm / unit_mm) * (off.x * view.camera.right + off.y * view.camera.down);
-    return beside - kPushedBack * glm::length(b - a) * glm::normalize(to_eye(view.camera, beside));
+    return beside - back * glm::normalize(to_eye(view.camera, beside));
   };
   return {moved(a), moved(b)};
 }

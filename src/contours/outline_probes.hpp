@@ -3,7 +3,7 @@
 ///
 /// Normals are means, so where a mesh is coarse the smooth surface may have no contour at an edge beside which one looks
 /// past the whole body. So for each edge of the mesh's outline that gave way to contours a *probe* is studied: the edge,
-/// moved off its two faces on the page and pushed back by a few of its lengths. Where the probe is seen nothing is close
+/// moved off its two faces on the page and pushed far back. Where the probe is seen nothing is close
 /// behind the edge, and the edge is a true outline. Such an edge is drawn when no contour was drawn near it. The small folds
 /// of a mesh along its outlines have the surface right behind them, and are not.
 
@@ -15,9 +15,9 @@
 
 namespace ligne {
 
-/// The probe of a side of the patch.
+/// The probe of a side of the patch. `object_size`: diagonal of the box round its object.
 std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
-                                    double slack_mm);
+                                    double object_size, double slack_mm);
 
 /// The longest side on the page of the two triangles at a side of the patch, mm.
 double size_on_page(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side);

@@ -1,0 +1,153 @@
+// Smooth contours: what they leave alone, and what must not change them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+#include "contours/parametric_mesh.hpp"
+#include "geometry/parallel.hpp"
+
+namespace ligne::test {
+namespace {
+
+constexpr double kTurn = 2 * 3.14159265358979323846;
+const Point3 kIso{-1, 1, -1};
+
+double total_length(const Polylines& lines) {
+  double sum = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = 1; k < lines[i].size(); ++k) sum += glm::length(lines[i][k] - lines[i][k - 1]);
+  }
+  return sum;
+}
+
+void expect_same(const Polylines& a, const Polylines& b) {
+  EXPECT_EQ(a.begin, b.begin);
+  EXPECT_TRUE(std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+                         [](Point2 p, Point2 q) { return p.x == q.x && p.y == q.y; }));
+}
+
+Scene scene_of(std::vector<Point3> vertices, const std::vector<std::vector<std::uint32_t>>& faces) {
+  Scene scene;
+  scene.vertices = std::move(vertices);
+  for (const auto& face : faces) scene.faces.add_face(face);
+  Object object;
+  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
+  object.face_end = static_cast<std::uint32_t>(scene.faces.size());
+  object.precision = 1e-12;
+  scene.objects.push_back(object);
+  return scene;
+}
+
+/// A body of revolution with flat ends: rings of `sides` vertices at the radii, 10 apart. A radius of 0 at the top is a tip.
+Scene turned(std::uint32_t sides, const std::vector<double>& radii) {
+  std::vector<Point3> vertices;
+  std::vector<std::vector<std::uint32_t>> faces;
+  const auto rings = static_cast<std::uint32_t>(radii.size());
+  const bool tip = radii.back() == 0;
+  for (std::uint32_t r = 0; r < rings; ++r) {
+    for (std::uint32_t i = 0; i < (tip && r + 1 == rings ? 1 : sides); ++i) {
+      const double angle = kTurn * (i + 0.37) / sides;
+      vertices.push_back({radii[r] * std::cos(angle), radii[r] * std::sin(angle), 10.0 * r});
+    }
+  }
+  std::vector<std::uint32_t> bottom, top;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    bottom.push_back(sides - 1 - i);
+    top.push_back((rings - 1) * sides + i);
+    for (std::uint32_t r = 0; r + 1 < rings; ++r) {
+      const std::uint32_t a = r * sides + i, b = r * sides + (i + 1) % sides;
+      if (tip && r + 2 == rings) {
+        faces.push_back({a, b, (rings - 1) * sides});
+      } else {
+        faces.push_back({a, b, b + sides});
+        faces.push_back({a, b + sides, a + sides});
+      }
+    }
+  }
+  faces.push_back(bottom);
+  if (!tip) faces.push_back(top);
+  return scene_of(std::move(vertices), faces);
+}
+
+/// Without creases of its own: borders of regions by the angle.
+DrawnOutlines by_angle(const Scene& scene, bool smooth) { return draw_outlines(scene, kIso, smooth, true); }
+
+TEST(SmoothContours, StraightOutlinesStayThoseOfTheMesh) {
+  for (const std::uint32_t sides : {4u, 8u, 12u, 24u}) {
+    const Scene cylinder = turned(sides, {30, 30}), rings = turned(sides, {30, 30, 30, 30}),
+                cone = turned(sides, {30, 20, 10});
+    for (const Scene* scene : {&cylinder, &rings, &cone}) {
+      expect_same(by_angle(*scene, true).lines, by_angle(*scene, false).lines);
+    }
+  }
+}
+
+TEST(SmoothContours, TheTipOfAConeStaysSharp) {
+  const Scene cone = turned(24, {30, 0});
+  expect_same(by_angle(cone, true).lines, by_angle(cone, false).lines);
+}
+
+TEST(SmoothContours, EndAtTheRimWhereTheOutlineOfTheMeshDoes) {
+  const Scene barrel = turned(24, {25, 30, 33.66, 35, 33.66, 30, 25});
+  const Polylines smooth = by_angle(barrel, true).lines, plain = by_angle(barrel, false).lines;
+  EXPECT_EQ(smooth.size(), plain.size());
+  EXPECT_GT(smooth.points.size(), plain.points.size());
+  EXPECT_NEAR(total_length(smooth), total_length(plain), 0.01 * total_length(plain));
+}
+
+TEST(SmoothContours, ACoarseRingSeenAlongItsAxisHasTwoClosedOutlines) {
+  const Scene ring =
+      uneven_mesh({"ring",
+                   [](double u, double v) {
+                     const double r = 30 + 12 * std::cos(kTurn * v);
+                     return Point3{r * std::cos(kTurn * u), r * std::sin(kTurn * u), 12 * std::sin(kTurn * v)};
+                   }},
+                  30, 15, 0.2, 1);
+  const Polylines lines = draw_outlines(ring, {0, 0, -1}).lines;
+  ASSERT_EQ(lines.size(), 2u);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_EQ(lines[i].front().x, lines[i].back().x);
+    EXPECT_EQ(lines[i].front().y, lines[i].back().y);
+  }
+}
+
+TEST(SmoothContours, DoNotDependOnTheNumberOfThreads) {
+  const Scene scene = uneven_mesh(test_surfaces()[2], 200, 100, 0.3, 7);
+  Polylines one, many;
+  run_with_threads(1, [&] { one = draw_outlines(scene, kIso).lines; });
+  run_with_threads(8, [&] { many = draw_outlines(scene, kIso).lines; });
+  expect_same(one, many);
+}
+
+TEST(SmoothContours, DoNotDependOnTheOrderOfFacesOrTheirWinding) {
+  const Scene scene = uneven_mesh(test_surfaces()[1], 120, 60, 0.3, 3);
+  const Polylines lines = draw_outlines(scene, kIso).lines;
+  std::vector<std::uint32_t> order(scene.faces.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::mt19937 random(11);
+  for (std::size_t i = order.size() - 1; i > 0; --i) std::swap(order[i], order[random() % (i + 1)]);
+  for (const bool inside_out : {false, true}) {
+    Scene other = scene;
+    other.faces = {};
+    for (const std::uint32_t f : order) {
+      const auto corners = scene.faces.contour(f, 0);
+      if (inside_out) {
+        other.faces.add_triangle(corners[0], corners[2], corners[1]);
+      } else {
+        other.faces.add_triangle(corners[1], corners[2], corners[0]);
+      }
+    }
+    const Polylines changed = draw_outlines(other, kIso).lines;
+    EXPECT_EQ(changed.size(), lines.size());
+    EXPECT_NEAR(total_length(changed), total_length(lines), 0.02);
+  }
+}
+
+}  // namespace
+}  // namespace ligne::test

@@ -1,0 +1,151 @@
+#include "contours/parametric_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+#include "contours/contour_strokes.hpp"
+#include "scene/model/topology.hpp"
+#include "support/scenes.hpp"
+
+namespace ligne::test {
+namespace {
+
+constexpr double kTurn = 2 * 3.14159265358979323846;
+
+/// A tube round a closed curve. `frame` gives the curve's point at u.
+Point3 tube(const std::function<Point3(double)>& curve, double radius, double u, double v) {
+  constexpr double kStep = 1e-4;
+  const Point3 along = glm::normalize(curve(u + kStep) - curve(u - kStep));
+  const Point3 side = glm::normalize(glm::cross(along, Point3{0, 0, 1}));
+  const Point3 up = glm::cross(side, along);
+  return curve(u) + radius * (std::cos(kTurn * v) * side + std::sin(kTurn * v) * up);
+}
+
+}  // namespace
+
+Point3 ParametricSurface::normal(double u, double v) const {
+  constexpr double kStep = 1e-5;
+  return glm::cross(at(u + kStep, v) - at(u - kStep, v), at(u, v + kStep) - at(u, v - kStep));
+}
+
+std::vector<ParametricSurface> test_surfaces() {
+  const auto ring = [](double a, double b, double height, int waves) {
+    return [=](double u) {
+      return Point3{a * std::cos(kTurn * u), b * std::sin(kTurn * u), height * std::sin(waves * kTurn * u)};
+    };
+  };
+  return {
+      {"torus", [=](double u, double v) { return tube(ring(65, 65, 0, 1), 30, u, v); }},
+      {"swelling", [=](double u, double v) { return tube(ring(65, 65, 0, 1), 24 + 6 * std::sin(3 * kTurn * u), u, v); }},
+      {"saddle", [=](double u, double v) { return tube(ring(65, 65, 15, 2), 22, u, v); }},
+      {"oval", [=](double u, double v) { return tube(ring(80, 50, 0, 1), 25, u, v); }},
+      {"tilted", [=](double u, double v) { return tube(ring(70, 60, 20, 1), 22 + 4 * std::cos(kTurn * u), u, v); }},
+  };
+}
+
+Scene uneven_mesh(const ParametricSurface& surface, int columns, int rows, double jitter, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto unit = [&] { return double(random()) / double(std::mt19937::max()); };
+  std::vector<Point2> places;
+  Scene scene;
+  for (int i = 0; i < columns; ++i) {
+    for (int k = 0; k < rows; ++k) {
+      const double du = (2 * unit() - 1) * jitter, dv = (2 * unit() - 1) * jitter;
+      places.push_back({i + du, k + dv});
+      scene.vertices.push_back(surface.at((i + du) / columns, (k + dv) / rows));
+    }
+  }
+  const auto area = [&](std::array<int, 3> t, std::array<Point2, 3> shift) {
+    std::array<Point2, 3> p;
+    for (std::size_t c = 0; c < 3; ++c) p[c] = places[static_cast<std::size_t>(t[c])] + shift[c];
+    return (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+  };
+  for (int i = 0; i < columns; ++i) {
+    for (int k = 0; k < rows; ++k) {
+      const int right = (i + 1) % columns, above = (k + 1) % rows;
+      const int a = i * rows + k, b = right * rows + k, c = right * rows + above, d = i * rows + above;
+      const Point2 over_x{right == 0 ? columns : 0, 0}, over_y{0, above == 0 ? rows : 0}, none{0, 0};
+      // The diagonal that keeps both triangles broad; either where both do.
+      const double ac =
+          std::min(area({a, b, c}, {none, over_x, over_x + over_y}), area({a, c, d}, {none, over_x + over_y, over_y}));
+      const double bd =
+          std::min(area({a, b, d}, {none, over_x, over_y}), area({b, c, d}, {over_x, over_x + over_y, over_y}));
+      constexpr double kBroad = 0.3;
+      const bool by_ac = std::min(ac, bd) > kBroad ? unit() < 0.5 : ac > bd;
+      const auto add = [&](int x, int y, int z) {
+        scene.faces.add_triangle(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                                 static_cast<std::uint32_t>(z));
+      };
+      if (by_ac) {
+        add(a, b, c);
+        add(a, c, d);
+      } else {
+        add(a, b, d);
+        add(b, c, d);
+      }
+    }
+  }
+  Object object;
+  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
+  object.face_end = static_cast<std::uint32_t>(scene.faces.size());
+  object.precision = 1e-12;
+  scene.objects.push_back(object);
+  return scene;
+}
+
+Polylines true_contours(const ParametricSurface& surface, const View& view, int columns, int rows) {
+  std::vector<double> g(static_cast<std::size_t>((columns + 1) * (rows + 1)));
+  const auto place = [&](int i, int k) { return Point2{double(i) / columns, double(k) / rows}; };
+  const auto value = [&](int i, int k) -> double& { return g[static_cast<std::size_t>(i * (rows + 1) + k)]; };
+  for (int i = 0; i <= columns; ++i) {
+    for (int k = 0; k <= rows; ++k) {
+      const Point2 p = place(i, k);
+      value(i, k) = glm::dot(glm::normalize(surface.normal(p.x, p.y)), view.camera.forward);
+    }
+  }
+  Polylines lines;
+  const auto add_triangle = [&](std::array<std::array<int, 2>, 3> t) {
+    std::vector<Point2> ends;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto &a = t[c], &b = t[(c + 1) % 3];
+      const double ga = value(a[0], a[1]), gb = value(b[0], b[1]);
+      if ((ga >= 0) == (gb >= 0)) continue;
+      const Point2 p = place(a[0], a[1]) + ga / (ga - gb) * (place(b[0], b[1]) - place(a[0], a[1]));
+      const HomogeneousPoint h = to_homogeneous(view, surface.at(p.x, p.y));
+      ends.push_back({h.x / h.w, h.y / h.w});
+    }
+    if (ends.size() == 2) lines.add(ends);
+  };
+  for (int i = 0; i < columns; ++i) {
+    for (int k = 0; k < rows; ++k) {
+      add_triangle({{{i, k}, {i + 1, k}, {i + 1, k + 1}}});
+      add_triangle({{{i, k}, {i + 1, k + 1}, {i, k + 1}}});
+    }
+  }
+  return lines;
+}
+
+DrawnOutlines draw_outlines(const Scene& scene, const Point3& direction, bool smooth, bool by_angle) {
+  CameraRequest request;
+  request.direction = direction;
+  const Rect page{{0, 0}, {297, 210}};
+  constexpr double kMargin = 10;
+  const View view =
+      make_view(scene, make_camera(request, scene), {{{kMargin, kMargin}, {297 - kMargin, 210 - kMargin}}}, page);
+  const Topology topology = build_topology(scene);
+  ProjectedScene projected = project(scene, topology, view, {classes("outline")});
+  SmoothContours contours;
+  const std::vector<std::uint8_t> no_creases(topology.edges.size(), 0);
+  if (smooth) contours = replace_outlines(scene, topology, projected, {{30, by_angle ? nullptr : &no_creases}});
+  VisibilityResult result = find_method("auto")->study(projected, {});
+  draw_contours(*result.strokes, scene, view, contours, false, {});
+  remove_coincident_strokes(*result.strokes, coincidence_mm(projected));
+  DrawnOutlines drawn{view, {}};
+  for (const Layer& layer : make_drawing(*result.strokes).layers) append(drawn.lines, layer.lines);
+  return drawn;
+}
+
+}  // namespace ligne::test

@@ -1,0 +1,40 @@
+#pragma once
+/// Uneven meshes of parametric surfaces, and the contours that these surfaces have.
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "scene/model/scene.hpp"
+#include "view/view.hpp"
+
+namespace ligne::test {
+
+/// A surface that is closed in both parameters, which run from 0 to 1.
+struct ParametricSurface {
+  const char* name;
+  std::function<Point3(double u, double v)> at;
+
+  Point3 normal(double u, double v) const;  ///< not of unit length; outwards
+};
+
+/// A torus, one of changing width, one bent like a saddle, an oval one, and an oval one that is tilted and of changing
+/// width.
+std::vector<ParametricSurface> test_surfaces();
+
+/// 2 x rows x columns triangles. Vertices lie on the surface, up to `jitter` cells beside the place of the grid.
+Scene uneven_mesh(const ParametricSurface& surface, int columns, int rows, double jitter, std::uint32_t seed);
+
+/// The contours of the surface itself on the page, in short pieces.
+Polylines true_contours(const ParametricSurface& surface, const View& view, int columns, int rows);
+
+/// What clear lines draw of the outlines of a scene.
+struct DrawnOutlines {
+  View view;
+  Polylines lines;
+};
+/// `by_angle`: smooth regions end at edges above the crease angle; otherwise only where the mesh ends.
+DrawnOutlines draw_outlines(const Scene& scene, const Point3& direction, bool smooth = true, bool by_angle = false);
+
+}  // namespace ligne::test

@@ -1,0 +1,91 @@
+// Contours of uneven meshes against those of the surfaces on which their vertices lie: five surfaces, twenty views, from
+// 3600 triangles on.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+#include <glm/geometric.hpp>
+
+#include "contours/parametric_mesh.hpp"
+
+namespace ligne::test {
+namespace {
+
+/// Distances of points to short pieces of lines, by cells of a millimetre.
+class Distances {
+ public:
+  explicit Distances(const Polylines& pieces) : pieces_(pieces) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) cells_[key(pieces[i][0], 0, 0)].push_back(i);
+  }
+  double to(Point2 p) const {
+    double best = 1;  // farther pieces are not looked at
+    for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        const auto cell = cells_.find(key(p, dx, dy));
+        if (cell == cells_.end()) continue;
+        for (const std::size_t i : cell->second) {
+          const Point2 a = pieces_[i][0], d = pieces_[i][1] - a;
+          const double square = glm::dot(d, d);
+          const double t = square > 0 ? std::clamp(glm::dot(p - a, d) / square, 0.0, 1.0) : 0;
+          best = std::min(best, glm::length(a + t * d - p));
+        }
+      }
+    }
+    return best;
+  }
+
+ private:
+  static long key(Point2 p, int dx, int dy) {
+    return (std::lround(std::floor(p.x)) + dx) * 100'000 + std::lround(std::floor(p.y)) + dy;
+  }
+  const Polylines& pieces_;
+  std::unordered_map<long, std::vector<std::size_t>> cells_;
+};
+
+/// Length of the lines that is farther from the truth than `mm`, as a share of all.
+double share_beyond(const Polylines& lines, const Distances& truth, double mm) {
+  double all = 0, beyond = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = 1; k < lines[i].size(); ++k) {
+      const double length = glm::length(lines[i][k] - lines[i][k - 1]);
+      all += length;
+      if (truth.to((lines[i][k] + lines[i][k - 1]) * 0.5) > mm) beyond += length;
+    }
+  }
+  return beyond / all;
+}
+
+constexpr std::size_t kViews = 4;
+const std::array<Point3, kViews> kDirections{{{-1, 1, -1}, {-0.3, 1, -0.8}, {0.9, 0.5, -0.65}, {0.2, 0.4, -1}}};
+
+/// Visible curves of each surface in each view, counted in pictures of the exact contours.
+const std::array<std::array<std::size_t, kViews>, 5> kCurves{
+    {{3, 3, 3, 2}, {3, 3, 3, 2}, {3, 2, 3, 2}, {3, 3, 3, 2}, {2, 2, 2, 2}}};
+
+class Surfaces : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(Surfaces, HasTheCurvesOfTheSurfaceAtEveryRefinement) {
+  const ParametricSurface surface = test_surfaces()[GetParam()];
+  for (std::size_t view = 0; view < kViews; ++view) {
+    for (const int size : {1, 2, 4, 6}) {
+      SCOPED_TRACE(testing::Message() << surface.name << ", view " << view << ", " << 3600 * size * size << " triangles");
+      const Scene scene = uneven_mesh(surface, 60 * size, 30 * size, 0.3, static_cast<std::uint32_t>(size));
+      const DrawnOutlines drawn = draw_outlines(scene, kDirections[view]);
+      EXPECT_EQ(drawn.lines.size(), kCurves[GetParam()][view]);
+      const Polylines truth = true_contours(surface, drawn.view, 800, 400);
+      const Distances distances(truth);
+      // What is left lies beyond cusps, where a contour ends: there it runs along the sight, and normals do not say where.
+      EXPECT_LT(share_beyond(drawn.lines, distances, 0.05), size == 1 ? 0.05 : 0.005);
+      EXPECT_LT(share_beyond(drawn.lines, distances, 0.8), 1e-9);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Contours, Surfaces, testing::Range(std::size_t{0}, std::size_t{5}),
+                         [](const auto& info) { return std::string(test_surfaces()[info.param].name); });
+
+}  // namespace
+}  // namespace ligne::test
