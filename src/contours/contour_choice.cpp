@@ -80,6 +80,18 @@ class Chooser {
     return !path.empty() && turns(path) <= 1;
   }
 
+  /// The contours of the group lie farther beside the mesh on the page, on the average: the facets are what is seen.
+  bool is_coarse(const Group& group, double most_mm) const {
+    double sum = 0, count = 0;
+    for (const std::uint32_t c : group.chains) {
+      for (const ContourNode& node : chains_[c].nodes) {
+        sum += glm::length(page_point(view_, node.on_surface) - page_point(view_, node.on_mesh));
+        ++count;
+      }
+    }
+    return sum > most_mm * count;
+  }
+
   /// A triangle at the group's edges is seen edge on, and its neighbours are not all round a contour.
   bool stands_edge_on(const Group& group) const {
     const bool closed = !group.chains.empty() && std::all_of(group.chains.begin(), group.chains.end(),
@@ -153,11 +165,11 @@ std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPat
 }
 
 ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
-                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides) {
+                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double most_mm) {
   ContourChoice choice;
   Chooser chooser(scene, view, patch, chains, sides);
   for (const Group& group : chooser.groups()) {
-    if (chooser.outline_is_clean(group) || chooser.stands_edge_on(group)) continue;
+    if (chooser.outline_is_clean(group) || chooser.stands_edge_on(group) || chooser.is_coarse(group, most_mm)) continue;
     for (const std::uint32_t c : group.chains) choice.chains.push_back(std::move(chains[c]));
     choice.sides.insert(choice.sides.end(), group.sides.begin(), group.sides.end());
   }

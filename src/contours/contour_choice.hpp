@@ -33,9 +33,10 @@ struct ContourChoice {
 ///   one corner (a cylinder, a cone): the mesh's outline stays;
 /// - a triangle of it is seen exactly edge on (a flat side in the direction of the view), and its contours, if any, end at
 ///   borders: the mesh's outline stays, since a line on the page is all of that triangle;
+/// - the contours lie more than `most_mm` beside the mesh on the average: so coarse a mesh is drawn as it is;
 /// - else the contours.
 ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
-                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides);
+                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double most_mm);
 
 /// The place of a point on the page, mm.
 Point2 page_point(const View& view, const Point3& p);

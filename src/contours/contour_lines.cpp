@@ -18,6 +18,9 @@ constexpr std::size_t kChainsPerTask = 8;
 /// tolerance of a facet, move it by.
 constexpr double kSlackSteps = 8;
 
+/// A mesh is coarse where its contours lie so many widths of the pen beside it.
+constexpr double kCoarseInPens = 2;
+
 bool has_lines_of_its_own(const Scene& scene) {
   constexpr unsigned kLines = kCornerCurve | kCornerCrossing | kCornerContour;
   return std::any_of(scene.corner_flags.begin(), scene.corner_flags.end(), [](std::uint8_t f) { return f & kLines; });
@@ -82,7 +85,8 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
   const View& view = projected.view;
   const SmoothPatch patch = smooth_patch(scene, topology, view.camera, outlines, options.borders);
   const std::vector<OutlineSide> sides = outline_sides(topology, patch, outlines);
-  ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, patch), sides);
+  ContourChoice choice =
+      choose_contours(scene, view, patch, trace_contours(scene, patch), sides, kCoarseInPens * options.pen_width_mm);
 
   const OutlineGraph graph(patch, sides);
   const double slack_mm = kSlackSteps * projected.lattice.step_mm + 2 * projected.input_error_mm;
