@@ -49,7 +49,8 @@ struct Change {
 std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double reach_mm) {
   std::vector<Change> changes;
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
-    const auto& [curve, runs] = contours[c];
+    const ContourCurve& curve = contours[c].curve;
+    const std::vector<ContourRun>& runs = contours[c].runs;
     for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
       const double at = runs[i].to;
       changes.push_back({c, i, curve.point_at(at).length, reach_at(curve, at, reach_mm)});
@@ -79,6 +80,31 @@ std::optional<double> nearest_crossing(const Change& change, const ContourCurve&
     });
   }
   return best;
+}
+
+/// Most of the run lies on the other side than what is before it: it is the hidden part between two cusps.
+bool is_beyond_cusp(const SeenContour& contour, const ContourRun& run) {
+  const std::vector<int>& sides = contour.sides;
+  const auto before = static_cast<std::size_t>(std::max(run.from - 1, 0.0));
+  const auto first = static_cast<std::size_t>(run.from),
+             last = std::min(static_cast<std::size_t>(std::ceil(run.to)), sides.size());
+  std::size_t turned = 0;
+  for (std::size_t i = first; i < last; ++i) turned += sides[i] != sides[before];
+  return 2 * turned >= last - first;
+}
+
+/// Closes the hidden runs between two changes that no crossing explains.
+void close_gaps(const std::vector<Change>& changes, const std::vector<std::optional<double>>& moved,
+                std::vector<SeenContour>& contours) {
+  for (std::size_t i = 1; i < changes.size(); ++i) {
+    const Change &from = changes[i - 1], &to = changes[i];
+    if (from.contour != to.contour || moved[i - 1] || moved[i]) continue;
+    SeenContour& contour = contours[to.contour];
+    ContourRun& run = contour.runs[to.run];
+    const int state = contour.runs[to.run - 1].state;
+    if (run.state >= 0 || state < 0 || state != contour.runs[to.run + 1].state) continue;
+    if (to.length - from.length < 2 * std::min(from.reach, to.reach) && !is_beyond_cusp(contour, run)) run.state = state;
+  }
 }
 
 }  // namespace
@@ -149,6 +175,7 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
     const double at = std::clamp(contour.curve.point_at_length(*moved[i]).at, before.from, after.to);
     before.to = after.from = at;
   }
+  close_gaps(changes, moved, contours);
 }
 
 namespace {

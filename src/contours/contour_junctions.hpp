@@ -59,10 +59,12 @@ bool crossing(Point2 from, Point2 to, const PageSegment& segment, double& fracti
 struct SeenContour {
   ContourCurve curve;
   std::vector<ContourRun> runs;
+  std::vector<int> sides;  ///< per segment: see ContourSight::side
 };
 
 /// Moves the ends of the visible runs of contours onto the visible lines that hide them, by `reach_mm` at the most or half
-/// the segments of their mesh.
+/// the segments of their mesh. Hidden runs twice as short as that, which no line crosses and that are no turn at a cusp, are
+/// a fault of the mesh, and are seen.
 void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel& others, double reach_mm);
 
 /// Moves the ends of other visible strokes, where these are hidden, onto visible contours in front of them.

@@ -99,6 +99,7 @@ void draw_contours(StrokeModel& model, const Scene& scene, const View& view, con
     for (std::size_t c = begin; c < end; ++c) {
       seen[c].curve = contour_curve(scene, view, contours.chains[c], kFlatnessMm);
       seen[c].runs = runs_of(strokes, contours.first_source[c], contours.chains[c].size(), hidden_too);
+      seen[c].sides = contours.sides[c];
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
     }
   });

@@ -16,6 +16,9 @@ constexpr std::size_t kGrain = 65'536;
 /// As for classes of edges: float32 coordinates turn the normals of small faces by about this much.
 constexpr double kCreaseSlackDegrees = 0.01;
 
+/// Adjustable: no mean of normals means much across an edge of so many crease angles, whatever is said of the edge.
+constexpr double kSharp = 2;
+
 const Point3 kNoNormal{0, 0, 0};
 
 /// Marks of vertices.
@@ -83,7 +86,9 @@ class PatchBuilder {
                SmoothPatch& patch)
       : scene_(scene), camera_(camera), edges_(topology.edges, borders.creases), patch_(patch) {
     constexpr double kDegree = 3.14159265358979323846 / 180;
-    crease_cosine_ = std::cos(std::min(180.0, borders.crease_degrees + kCreaseSlackDegrees) * kDegree);
+    const auto cosine = [&](double degrees) { return std::cos(std::min(180.0, degrees + kCreaseSlackDegrees) * kDegree); };
+    crease_cosine_ = cosine(borders.crease_degrees);
+    sharp_cosine_ = cosine(kSharp * borders.crease_degrees);
   }
 
   void build() {
@@ -140,9 +145,9 @@ class PatchBuilder {
   bool are_smooth(const Side& side, std::uint32_t r) {
     const std::uint32_t s = side.side;
     if (patch_.triangles[s / 3].v[s % 3] == patch_.triangles[r / 3].v[r % 3]) return false;
-    if (edges_.given()) return !edges_.has(side.low, side.high);
+    if (edges_.given() && edges_.has(side.low, side.high)) return false;
     const Point3 &a = face_normals_[s / 3], &b = face_normals_[r / 3];
-    return a == kNoNormal || b == kNoNormal || glm::dot(a, b) >= crease_cosine_;
+    return a == kNoNormal || b == kNoNormal || glm::dot(a, b) >= (edges_.given() ? sharp_cosine_ : crease_cosine_);
   }
 
   void make_sectors() {
@@ -210,7 +215,7 @@ class PatchBuilder {
   const Camera& camera_;
   CreaseMarks edges_;
   SmoothPatch& patch_;
-  double crease_cosine_;
+  double crease_cosine_, sharp_cosine_;
   std::vector<Point3> face_normals_;
 };
 
