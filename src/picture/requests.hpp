@@ -70,7 +70,6 @@ struct LineRequest {
   LineClasses classes = LineClasses::features();
   double crease_degrees = 30;
   HiddenLines hidden = HiddenLines::none;
-  bool smooth_outlines = false;  ///< contours of smooth regions instead of the outlines of their meshes
   bool cull = false;  ///< leave out back faces of closed, consistently wound objects
   Quality quality = Quality::clear;
 };

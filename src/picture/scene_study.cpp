@@ -9,8 +9,8 @@
 #include "picture/errors.hpp"
 #include "picture/hatching.hpp"
 #include "picture/lighting.hpp"
-#include "visibility/registry.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
@@ -29,8 +29,9 @@ void remove_hidden_axes(StrokeModel& model) {
   std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
 }
 
-ContourOptions contour_options(const PictureRequest& request) {
-  return {{request.lines.crease_degrees, nullptr}, request.page.pen_width_mm};
+/// Clear lines draw the outlines of smooth regions as contours of the shape; their borders are the creases that were found.
+ContourOptions contour_options(const PictureRequest& request, const std::vector<std::uint8_t>& creases) {
+  return {{request.lines.crease_degrees, creases.empty() ? nullptr : &creases}, request.page.pen_width_mm};
 }
 
 void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement, RunReport& run) {
@@ -79,8 +80,8 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
     if (request.lines.cull) {
       prepared.back_faces = cull_back_faces(scene, prepared.topology, prepared.projected, run);
     }
-    if (request.lines.smooth_outlines) {
-      prepared.contours = replace_outlines(scene, prepared.topology, prepared.projected, contour_options(request));
+    if (request.lines.quality == Quality::clear) {
+      prepared.contours = replace_outlines(scene, prepared.topology, prepared.projected, contour_options(request, creases));
     }
     add_lines(prepared.projected, all_lines(prepared.around), LineClass::axes);
   });
@@ -108,7 +109,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   }
   remove_hidden_axes(*found.result.strokes);
   draw_contours(*found.result.strokes, prepared.scene, prepared.view(), prepared.contours,
-                request.lines.hidden != HiddenLines::none, contour_options(request));
+                request.lines.hidden != HiddenLines::none, contour_options(request, {}));
   light_regions(prepared, found.result, run);
   warn_of_empty_or_cut(*found.result.strokes, prepared.around.placement, run);
   timed(run.stages, "drawing",
