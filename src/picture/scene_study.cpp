@@ -29,6 +29,11 @@ void remove_hidden_axes(StrokeModel& model) {
   std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
 }
 
+/// The outlines of a mesh that is drawn itself, edge by edge, are its own.
+bool draws_contours(const LineRequest& lines) {
+  return lines.quality == Quality::clear && lines.classes.has(LineClass::outline) && !lines.classes.has(LineClass::mesh);
+}
+
 /// Clear lines draw the outlines of smooth regions as contours of the shape; their borders are the creases that were found.
 ContourOptions contour_options(const PictureRequest& request, const std::vector<std::uint8_t>& creases) {
   return {{request.lines.crease_degrees, creases.empty() ? nullptr : &creases}, request.page.pen_width_mm};
@@ -80,7 +85,7 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
     if (request.lines.cull) {
       prepared.back_faces = cull_back_faces(scene, prepared.topology, prepared.projected, run);
     }
-    if (request.lines.quality == Quality::clear) {
+    if (draws_contours(request.lines)) {
       prepared.contours = replace_outlines(scene, prepared.topology, prepared.projected, contour_options(request, creases));
     }
     add_lines(prepared.projected, all_lines(prepared.around), LineClass::axes);
