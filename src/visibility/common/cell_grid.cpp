@@ -17,11 +17,10 @@ constexpr double kLargePart = 0.25;          ///< what part of the list must be 
 constexpr double kSizeFactor = 1.5;          ///< side of a top-level cell over the mean extent of a facet
 constexpr double kCellsPerFacet = 1.0;       ///< at most so many top-level cells
 constexpr double kMinCells = 256;
-constexpr double kBroadInCrowd = 1.0 / 16;  ///< so broad in sides of the cell, facets cover whole cells two splits below
-constexpr double kEntriesPerFacet = 64;     ///< the leaves have about so many entries at the most for each facet,
-constexpr double kLeastBudget = 4e6;        ///< or so many in all, whichever is more
-constexpr double kSmallestCell = 64;        ///< steps; smaller cells are not split
-constexpr double kGain = 0.7;               ///< see progress in split()
+constexpr double kEntriesPerFacet = 64;  ///< the leaves have about so many entries at the most for each facet,
+constexpr double kLeastBudget = 4e6;     ///< or so many in all, whichever is more
+constexpr double kSmallestCell = 64;     ///< steps; smaller cells are not split
+constexpr double kGain = 0.7;            ///< see progress in split()
 constexpr std::size_t kBlock = 65'536;
 
 struct CellRange {
@@ -117,7 +116,6 @@ struct CellGrid::Build {
   /// `budget`: how many entries the leaves of the cell should have at the most.
   void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
              std::uint16_t arena_index, double budget);
-  bool mostly_broad(const std::vector<CellFacet>& list, double size) const;
 
   /// Rows are dealt out in bands, each filled by one task that scans all facets: lists keep the order of the facets.
   template <class Work>
@@ -273,13 +271,6 @@ bool CellGrid::Build::worth_splitting(const CellFacet* list, std::size_t n, doub
   return static_cast<double>(large) > kLargePart * static_cast<double>(n);
 }
 
-/// Whether many facets will cover whole cells after a few more splits.
-bool CellGrid::Build::mostly_broad(const std::vector<CellFacet>& list, double size) const {
-  std::size_t broad = 0;
-  for (const CellFacet& entry : list) broad += breadth(facets[entry.facet], scene.vertices.data()) > kBroadInCrowd * size;
-  return static_cast<double>(broad) > kLargePart * static_cast<double>(list.size());
-}
-
 void CellGrid::Build::split_overfull() {
   // A fixed number of arenas, so that the structure does not depend on the number of threads.
   constexpr std::size_t kArenas = 64;
@@ -366,7 +357,6 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
   }
   // A line through the cell meets kSplitSide children. A child is split again if the children of this cell save work for
   // such a line, or if its own list is shorter than its parent's was: where many sides lie along one line no split helps.
-  // Nor does it help in a crowd whose facets are as broad as the cell, but further splits will, where these cover cells.
   // The leaves below the child are expected to have as many entries for one of its own as those of this cell have.
   const double growth = static_cast<double>(total) / static_cast<double>(inherited.size());
   const double parent = kGain * static_cast<double>(inherited.size());
@@ -374,7 +364,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
   const auto progress = [&](const std::vector<CellFacet>& list) {
     const auto n_child = static_cast<double>(list.size());
     if (n_child * growth > budget * (n_child / static_cast<double>(total))) return false;
-    return all_gain || n_child < parent || (list.size() > kCrowdedFacets && mostly_broad(list, size));
+    return all_gain || n_child < parent;
   };
   const auto first = static_cast<std::uint32_t>(arena.children.size());
   arena.children.resize(first + kChildren);

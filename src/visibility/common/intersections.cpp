@@ -26,6 +26,25 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
 /// Adjustable: in leaves with more facets the pairs are compared by their planes over the leaf first.
 constexpr std::uint32_t kCrowded = 128;
 
+/// Pairs of facets that have no segment in common, as many as there is room for: where hundreds of facets meet in one line,
+/// every pair of them comes in all the leaves along it.
+class FruitlessPairs {
+ public:
+  bool holds(std::uint32_t a, std::uint32_t b) const { return !slots_.empty() && slots_[slot(a, b)] == key(a, b); }
+  void add(std::uint32_t a, std::uint32_t b) {
+    if (slots_.empty()) slots_.assign(std::size_t{1} << kBits, 0);
+    slots_[slot(a, b)] = key(a, b);
+  }
+
+ private:
+  static constexpr int kBits = 20;
+  /// Not 0: the two differ.
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::max(a, b)} << 32 | std::min(a, b); }
+  static std::size_t slot(std::uint32_t a, std::uint32_t b) { return (key(a, b) * 0x9e3779b97f4a7c15u) >> (64 - kBits); }
+
+  std::vector<std::uint64_t> slots_;
+};
+
 /// What one task works with.
 class LeafSearch {
  public:
@@ -55,7 +74,11 @@ class LeafSearch {
         if (b.z_near > a.z_far) break;  // items are ordered by z_near
         if (!a.box.meets(b.box) || a.place.face == b.place.face) continue;
         if (crowded && (planes_[i].group == planes_[k].group || planes_[i].apart(planes_[k], reach))) continue;
-        found.test(a.place, b.place, wanted);
+        if (!crowded) {
+          found.test(a.place, b.place, wanted);
+        } else if (!fruitless_.holds(a.place.id, b.place.id) && !found.test(a.place, b.place, wanted)) {
+          fruitless_.add(a.place.id, b.place.id);
+        }
       }
     }
     found.forget_repeated();
@@ -105,6 +128,7 @@ class LeafSearch {
   const CellGrid& grid_;
   double margin_;
   std::vector<Item> items_;
+  FruitlessPairs fruitless_;
   std::vector<Plane> planes_;  ///< of the items, in crowded leaves
   std::vector<std::pair<std::array<double, 4>, std::uint32_t>> keys_;
 };

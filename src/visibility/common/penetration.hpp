@@ -62,10 +62,12 @@ class PenetrationSearch {
   PlacedFacet place(std::uint32_t facet) const;
 
   /// Tests two facets of different faces. A pair whose common segment `wanted(segment)` says is not wanted is left out; a
-  /// side of one that lies in the plane of the other is always remembered.
+  /// side of one that lies in the plane of the other is always remembered. Returns whether there is such a segment.
   template <class Wanted>
-  void test(const PlacedFacet& a, const PlacedFacet& b, Wanted wanted) {
-    if (const auto found = segment_of(a, b); found && wanted(found->segment)) pairs_.push_back(found->pair);
+  bool test(const PlacedFacet& a, const PlacedFacet& b, Wanted wanted) {
+    const auto found = segment_of(a, b);
+    if (found && wanted(found->segment)) pairs_.push_back(found->pair);
+    return found.has_value();
   }
 
   /// Frees the memory of what was found several times, when there is much of it: neighbouring leaves have pairs in common.
