@@ -20,7 +20,7 @@ using CairoContext = std::unique_ptr<cairo_t, CairoFree>;
 using CairoSurface = std::unique_ptr<cairo_surface_t, CairoFree>;
 using CairoPath = std::unique_ptr<cairo_path_t, CairoFree>;
 
-/// Throws std::runtime_error with Cairo's own words when `status` is an error.
+/// Throws std::runtime_error with Cairo's own words when `status` is an error, std::bad_alloc when it is no memory.
 void check_cairo(cairo_status_t status);
 
 /// Cairo keeps path coordinates as 24.8 fixed point of the device unit: below 2^23 units, to 1/256 of a unit.

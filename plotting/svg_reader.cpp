@@ -3,6 +3,7 @@
 /// that a small file can not ask for endless work. The same holds for clip paths and style sheets.
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
 #include "files/input_error.hpp"
@@ -89,6 +90,7 @@ ReadDrawing SvgReader::read() {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(
       text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata_single);
+  if (parsed.status == pugi::status_out_of_memory) throw std::bad_alloc();
   if (!parsed) {
     const auto end = text_.begin() + std::clamp<std::ptrdiff_t>(parsed.offset, 0, static_cast<std::ptrdiff_t>(text_.size()));
     throw InputError(file_ + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n')),

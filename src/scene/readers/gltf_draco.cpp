@@ -31,9 +31,9 @@ std::unique_ptr<draco::Mesh> decode_mesh(std::span<const std::byte> bytes, std::
     if (result.ok()) return std::move(result).value();
     cause = "broken (" + result.status().error_msg_string() + ")";
   } catch (const std::bad_alloc&) {
-    cause = "broken (it claims more than there is memory)";
+    cause = "broken, or needs more memory than there is";
   } catch (const std::length_error&) {
-    cause = "broken (it claims more than there is memory)";
+    cause = "broken, or needs more memory than there is";
   }
   return nullptr;
 }

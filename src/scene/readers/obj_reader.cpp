@@ -276,6 +276,7 @@ Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadRe
   StatementStream statements(as_text(bytes, name), name, shading != nullptr, warnings);
   ObjScene scene(name, report, statements, shading);
   std::istream stream(&statements);
+  stream.exceptions(std::ios::badbit);  // no memory for a statement is no end of the file
 
   tinyobj::callback_t callback;
   callback.index_cb = [](void* user, tinyobj::index_t* corners, int n) {
