@@ -94,6 +94,8 @@ void OutputFiles::commit() {
   }
 }
 
+void remove_unfinished_output() { remove_temporary_files(); }
+
 void write_output(const fs::path& file, std::string bytes) {
   OutputFiles files;
   files.add(file, std::move(bytes));

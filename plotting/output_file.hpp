@@ -40,6 +40,9 @@ class OutputFiles {
   std::vector<InPlace> in_place_;
 };
 
+/// Removes what is written but not put in its place, when the program has to end at once: it asks for no memory.
+void remove_unfinished_output();
+
 /// One file by itself.
 void write_output(const std::filesystem::path& file, std::string bytes);
 

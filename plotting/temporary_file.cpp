@@ -143,6 +143,8 @@ TemporaryFile::~TemporaryFile() {
   handlers().let_go();
 }
 
+void remove_temporary_files() { TemporaryFileEntry::remove_all(); }
+
 void TemporaryFile::close() {
   const int descriptor = std::exchange(descriptor_, -1);
   if (::close(descriptor) != 0) fail(errno);

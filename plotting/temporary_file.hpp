@@ -34,4 +34,7 @@ class TemporaryFile {
   int descriptor_ = -1;
 };
 
+/// Removes all temporary files that there are; may be called in a signal handler, before the program ends.
+void remove_temporary_files();
+
 }  // namespace ligne

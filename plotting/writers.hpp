@@ -38,6 +38,8 @@ struct PixelSize {
 };
 /// Throws std::runtime_error when the picture would be too large.
 PixelSize png_size(const PlotOptions& options);
+/// Bytes of the pixels while they are painted.
+inline double png_bytes(const PixelSize& size) { return 4.0 * size.width * size.height; }
 
 /// PNG on white, for looking; `under` lies below the lines and is as large as png_size() says, or null.
 std::string write_png(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);

@@ -8,7 +8,6 @@
 #include "cli/page_options.hpp"
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
-#include "geometry/parallel.hpp"
 #include "picture/draw_scene.hpp"
 
 namespace ligne {
@@ -20,8 +19,9 @@ constexpr const char* kExamples = R"(Examples:
   ligne draw tower.obj --eye 9,6,14 --fov 40 -q -o - --format svg | rsvg-convert -z 2 > tower.png)";
 
 /// The request that the options come to. A wrong one is refused before anything is read.
-PictureRequest request_of(const DrawOptions& options) {
+PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory) {
   PictureRequest request = options.picture;
+  request.memory = memory;
   request.output.format = format_of(options.output);
   if (!options.method.edges_given && !request.fill.lights.empty()) request.lines.classes.add(LineClass::shadow);
   check(request);
@@ -29,8 +29,7 @@ PictureRequest request_of(const DrawOptions& options) {
   return request;
 }
 
-void draw(const DrawOptions& options) {
-  PictureRequest request = request_of(options);
+void draw(const DrawOptions& options, PictureRequest request) {
   RunFiles files;
   files.will_write("--output", *options.output.file);
   files.will_write("--preview", options.plotter.preview);
@@ -40,7 +39,8 @@ void draw(const DrawOptions& options) {
   files.were_read(run.files);
   ModelRequest model = options.model;
   model.quality = request.lines.quality;
-  LoadedModels models = timed(run.stages, "read", [&] { return load_models(model, options.run.quiet, files); });
+  LoadedModels models =
+      timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
   report_healing(models, model, run);
   ProgressBar bar(options.run);
   request.progress = bar.callback();
@@ -70,7 +70,8 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
 }
 
 void run_draw(const DrawOptions& options) {
-  run_with_threads(options.run.threads, [&] { draw(options); });
+  const MemoryLimit memory = options.run.memory();
+  run_within(memory, options.run.threads, [&] { draw(options, request_of(options, memory)); });
 }
 
 }  // namespace ligne

@@ -284,7 +284,7 @@ void inform(const InfoOptions& options) {
   settings_of(options.method, *info.method);
   ModelRequest model = options.model;
   model.quality = options.lines.quality;
-  info.models = timed(run.stages, "read", [&] { return load_models(model, options.run.quiet, files); });
+  info.models = timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
   const Scene& scene = info.models.scene;
   info.up_axis = options.view.up_axis.value_or(scene.up_axis);
   const Topology topology = timed(run.stages, "topology", [&] {
@@ -326,7 +326,8 @@ void setup_info(CLI::App& app, InfoOptions& options) {
 
 void run_info(const InfoOptions& options) {
   check(options);
-  run_with_threads(options.run.threads, [&] { inform(options); });
+  const MemoryLimit memory = options.run.memory();
+  run_within(memory, options.run.threads, [&] { inform(options); });
 }
 
 }  // namespace ligne

@@ -18,6 +18,7 @@
 #include "cli/plot.hpp"
 #include "cli/surface.hpp"
 #include "picture/errors.hpp"
+#include "picture/memory.hpp"
 #include "plotting/output_file.hpp"
 
 namespace ligne {
@@ -109,8 +110,10 @@ int main(int argc, char** argv) {
   } catch (const ligne::RequestError& e) {
     ligne::say((e.field().empty() ? "" : "--") + std::string(e.what()));
     return ligne::kUsage;
+  } catch (const ligne::MemoryError& e) {
+    ligne::say(e.what());
   } catch (const std::bad_alloc&) {
-    ligne::say("there is not enough memory");
+    ligne::say("not enough memory");
   } catch (const std::exception& e) {
     ligne::say(e.what());
   } catch (...) {

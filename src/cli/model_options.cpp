@@ -3,6 +3,7 @@
 #include "cli/messages.hpp"
 #include "cli/options.hpp"
 #include "cli/parse.hpp"
+#include "files/message_text.hpp"
 
 namespace ligne {
 
@@ -26,6 +27,11 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
           "as cracks are, off: none. With --quality exact: vertices so near become one, and auto is off")
       .standard("auto");
   group.add_flag("--merge-coplanar", request.merge_coplanar, "put coplanar neighbouring faces together into polygons");
+}
+
+Stage reading_of(const ModelRequest& request) {
+  const std::string others = request.files.size() > 1 ? " and " + std::to_string(request.files.size() - 1) + " more" : "";
+  return {"read", printable(request.files.front(), kLongestPath) + others};
 }
 
 LoadedModels load_models(const ModelRequest& request, bool quiet, RunFiles& files) {

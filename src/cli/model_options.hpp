@@ -2,6 +2,7 @@
 /// The models of a command line.
 
 #include "cli/run_files.hpp"
+#include "picture/memory.hpp"
 #include "picture/models.hpp"
 
 namespace CLI {
@@ -11,6 +12,9 @@ class App;
 namespace ligne {
 
 void add_model_options(CLI::App& app, ModelRequest& request);
+
+/// Reading them, as a stage.
+Stage reading_of(const ModelRequest& request);
 
 /// Reads all files, and notes them in `files`. Unless `quiet`, writes a line for each kind of warning. Throws InputError,
 /// UsageError.

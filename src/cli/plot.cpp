@@ -9,7 +9,6 @@
 #include "cli/page_options.hpp"
 #include "cli/parse.hpp"
 #include "files/message_text.hpp"
-#include "geometry/parallel.hpp"
 #include "picture/placement.hpp"
 #include "picture/write_picture.hpp"
 #include "plotting/drawing_reader.hpp"
@@ -120,7 +119,7 @@ LineStyle style_of_layer(const std::string& layer, double pen_width_mm, bool hid
   return style;
 }
 
-void plot(const PlotCommandOptions& options) {
+void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
   RunFiles files;
   files.will_write("--output", *options.output.file);
   files.will_write("--preview", options.plotter.preview);
@@ -131,7 +130,9 @@ void plot(const PlotCommandOptions& options) {
   PlotterRequest plotter = plotter_request(options.plotter.choice, format, run.files);
   files.were_read(run.files);
   if (!plotter.by_pens() && !plotter.optimize) plotter.optimize = Optimize::join;
-  const ReadDrawing read = timed(run.stages, "read", [&] { return placed_drawing(options, files); });
+  const ReadDrawing read =
+      timed(run.stages, {"read", printable(options.drawing, kLongestPath)}, [&] { return placed_drawing(options, files); });
+  if (format == OutputFormat::png) check_png(read.page, options.dpi, memory);
   PlotOptions style;
   style.page = read.page;
   style.pen_width_mm = options.pen_width_mm;
@@ -203,7 +204,8 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
 
 void run_plot(const PlotCommandOptions& options) {
   format_of(options.output);
-  run_with_threads(options.run.threads, [&] { plot(options); });
+  const MemoryLimit memory = options.run.memory();
+  run_within(memory, options.run.threads, [&] { plot(options, memory); });
 }
 
 }  // namespace ligne

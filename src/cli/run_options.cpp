@@ -19,6 +19,10 @@ void add_run_options(CLI::App& app, RunOptions& options) {
   group.add(
       "--threads", "N", options.threads, [](const std::string& text) { return parse_count(text, 1, kMostThreads); },
       "number of threads (default: all cores)");
+  group
+      .add("--max-memory", "SIZE", options.max_memory, parse_memory,
+           "memory that the work may take, such as 500M or 2G; more is an error. none: no limit")
+      .standard("three quarters of the machine's");
   group.add_flag("--stats", options.stats, "counts and times of the method, to standard error");
   group.add("--stats-json", "FILE", options.stats_json, parse_file_name, "the same as JSON, to a file");
   group
@@ -44,6 +48,7 @@ void deliver(Picture picture, const std::string& output, const std::string& prev
 
 void finish(const RunOptions& options, const RunReport& report, RunFiles& files) {
   if (!options.stats_json.empty()) files.write(options.stats_json, report_json(report));
+  check_memory_sufficed();
   files.commit();
   if (options.stats) std::fputs(report_text(report).c_str(), stderr);
 }

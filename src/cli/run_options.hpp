@@ -1,9 +1,11 @@
 #pragma once
 /// Options that say how the program behaves while it works.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "cli/memory_limit.hpp"
 #include "cli/run_files.hpp"
 #include "picture/run_report.hpp"
 #include "picture/write_picture.hpp"
@@ -19,10 +21,13 @@ inline constexpr std::string_view kShowProgressNames[] = {"auto", "always", "nev
 
 struct RunOptions {
   unsigned threads = 0;  ///< 0: all cores
+  std::optional<MemoryLimit> max_memory;
   bool stats = false;
   std::string stats_json;  ///< file, or empty
   ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;
+
+  MemoryLimit memory() const { return max_memory ? *max_memory : usual_memory_limit(); }
 };
 
 void add_run_options(CLI::App& app, RunOptions& options);

@@ -4,7 +4,6 @@
 
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
-#include "geometry/parallel.hpp"
 #include "picture/surface_picture.hpp"
 
 namespace ligne {
@@ -35,8 +34,8 @@ void run(const SurfaceOptions& options, SurfaceRequest request) {
 void setup_surface(CLI::App& app, SurfaceOptions& options) { add_surface_command(app, options); }
 
 void run_surface(const SurfaceOptions& options) {
-  SurfaceRequest request = checked_request(options);
-  run_with_threads(options.run.threads, [&] { run(options, std::move(request)); });
+  const MemoryLimit memory = options.run.memory();
+  run_within(memory, options.run.threads, [&] { run(options, checked_request(options, memory)); });
 }
 
 }  // namespace ligne

@@ -245,10 +245,11 @@ MeshFormat mesh_format_of(const OutputOptions& options) {
                    printable(*options.file, kLongestPath) + " does not end in .json or .obj, which --as-mesh writes");
 }
 
-SurfaceRequest checked_request(const SurfaceOptions& options) {
+SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit& memory) {
   if (!options.output.file) throw UsageError("--output", "there is no output file: -o FILE, or -o - --format NAME");
   SurfaceRequest request = options.request;
   PictureRequest& picture = request.picture;
+  picture.memory = memory;
   check_sources(request);
   if (options.as_mesh) {
     mesh_format_of(options.output);

@@ -32,7 +32,7 @@ struct SurfaceOptions {
 CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options);
 
 /// The request that the options come to. Throws UsageError, RequestError for options that do not go together.
-SurfaceRequest checked_request(const SurfaceOptions& options);
+SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit& memory);
 
 /// With --as-mesh: by the suffix. Throws UsageError.
 MeshFormat mesh_format_of(const OutputOptions& options);

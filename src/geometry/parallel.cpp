@@ -5,6 +5,10 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 namespace ligne {
 
 void parallel_for(std::size_t count, FunctionRef<void(std::size_t)> work) {
@@ -24,6 +28,18 @@ void parallel_blocks(std::size_t count, std::size_t size, FunctionRef<void(std::
 std::size_t thread_count() { return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()); }
 
 std::size_t thread_index() { return static_cast<std::size_t>(std::max(0, tbb::this_task_arena::current_thread_index())); }
+
+void start_threads() {
+  // Adjustable: longer than a busy machine takes to start threads, and short for somebody who waits.
+  constexpr std::chrono::milliseconds kPatience{200};
+  const std::size_t count = thread_count();
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  std::atomic<std::size_t> here = 0;
+  parallel_tasks(count, [&](std::size_t) {
+    ++here;
+    while (here < count && std::chrono::steady_clock::now() < until) std::this_thread::yield();
+  });
+}
 
 void run_with_threads(unsigned threads, FunctionRef<void()> work) {
   if (threads == 0) return work();

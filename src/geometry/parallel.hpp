@@ -60,6 +60,9 @@ Sum parallel_reduce(std::size_t count, std::size_t size, Sum sum, Work work, Add
 std::size_t thread_count();
 std::size_t thread_index();
 
+/// Has all threads of the arena at work once, so that none is started later; gives up when some do not come.
+void start_threads();
+
 /// Calls work() with so many threads at the most; 0: as many as there are processors.
 void run_with_threads(unsigned threads, FunctionRef<void()> work);
 

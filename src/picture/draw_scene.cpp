@@ -105,6 +105,7 @@ void check(const PictureRequest& request) {
     if (request.gray_faces) throw RequestError("hatch", "does not go together with --shade");
   }
   check(request.page);
+  if (request.output.format == OutputFormat::png) check_png(request.page.size.page, request.output.dpi, request.memory);
 }
 
 Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport& run, const std::optional<PlotBox>& box,
@@ -123,7 +124,7 @@ Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport&
     std::ranges::move(hatch_regions(hatch, *found.result.regions, run), std::back_inserter(hatching));
   }
 
-  return timed(run.stages, "write", [&] {
+  return timed(run.stages, {"write", std::to_string(found.result.strokes->strokes.size()) + " strokes"}, [&] {
     if (json) return Picture{json_of(prepared, found, plot)};
     const Drawing drawing = compose(prepared, found, std::move(hatching), run);
     const std::optional<GrayPicture> faces = gray_faces(prepared, found.result, plot);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <set>
@@ -26,7 +27,8 @@ constexpr double kBrightest = 0.92;  ///< continuous: what gets more light is le
 constexpr double kFaceStep = 7.5;    ///< directions of faces, degrees
 /// Materials in their order: degrees added to the direction of the strokes.
 constexpr double kMaterialTurns[] = {0, 90, 135, 45, 22.5, 112.5, 67.5, 157.5};
-constexpr double kMostLines = 5e6;  ///< of runs
+constexpr double kMostLines = 1e6;  ///< of runs, on the page
+constexpr double kMostRuns = 3e7;   ///< on all faces: a gigabyte
 
 /// How a face is hatched: its strokes in words of plotting/hatch.hpp, and their direction.
 struct FaceHatch {
@@ -252,6 +254,25 @@ Rect turned(const Rect& window, const HatchFrame& frame) {
   return box;
 }
 
+/// How many lines cross what lies between `low` and `high` across them.
+double lines_between(double low, double high, double line_mm) {
+  return std::max(0.0, std::floor(high / line_mm) - std::ceil(low / line_mm) + 1);
+}
+
+/// Refuses more runs than can be made into strokes.
+void check_runs(const PictureRequest& request, double runs) {
+  const std::string text = std::to_string(static_cast<std::uint64_t>(runs)) + " lines across the visible faces";
+  if (runs > kMostRuns) throw RequestError("hatch-spacing", "the strokes are too close: " + text);
+  request.memory.require(runs * sizeof(SurfaceRun), {"hatch", text});
+}
+
+/// Every line across a region has a run in it.
+double runs_of(const Region& region, const HatchFrame& frame, double line_mm) {
+  Rect box;
+  for (const Point2 p : region.contours.front()) box.extend(frame.to_frame(p));
+  return box.empty() ? 0 : lines_between(box.min.y, box.max.y, line_mm);
+}
+
 /// The view with the page turned so that the strokes run from left to right; `box` is what of it is seen, in the strokes'
 /// frame, and comes to lie at (0, 0).
 View turned_view(const Scene& scene, const View& view, const HatchFrame& frame, const Rect& box) {
@@ -343,6 +364,11 @@ std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Regi
     for (const double degrees : directions_of(faces)) {
       DirectionRuns& direction =
           directions.emplace_back(DirectionRuns{degrees, HatchFrame(hatch.prepared.view().offset, degrees), {}});
+      double runs = 0;
+      for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (hatched_in(faces[i], degrees)) runs += runs_of(regions[i], direction.frame, hatching.line_mm());
+      }
+      check_runs(hatch.prepared.request, runs);
       for (std::uint32_t i = 0; i < faces.size(); ++i) {
         if (!hatched_in(faces[i], degrees)) continue;
         add_runs(regions[i].contours, i, direction.frame, hatching.line_mm(), direction.runs);

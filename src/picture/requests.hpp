@@ -12,6 +12,7 @@
 
 #include "drawing/stroke.hpp"
 #include "geometry/point.hpp"
+#include "picture/memory.hpp"
 #include "plotting/device.hpp"
 #include "plotting/page.hpp"
 #include "plotting/paths/optimize.hpp"
@@ -151,7 +152,8 @@ struct PictureRequest {
   AxesChoice axes{};
   PlotterRequest plotter{};
   OutputRequest output{};
-  std::string heading{};                   ///< title above the picture on the page, may be empty
+  std::string heading{};  ///< title above the picture on the page, may be empty
+  MemoryLimit memory{};
   std::function<void(double)> progress{};  ///< called with the fraction of the study done, from one thread at a time
 };
 

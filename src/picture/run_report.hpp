@@ -2,27 +2,43 @@
 /// What a run reports: times of its stages, the method's own figures, and warnings.
 
 #include <chrono>
+#include <new>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "drawing/statistics.hpp"
 #include "files/input_file.hpp"
+#include "picture/memory.hpp"
 
 namespace ligne {
 
-/// Calls the work and adds its time under the name.
+/// Calls the work and, when it is done, adds its time under the stage's name. Work that finds no memory ends in a
+/// MemoryError that names the stage; so does work that asks for more than there are addresses (std::length_error).
 template <class Work>
-auto timed(Statistics& stages, std::string name, Work&& work) {
-  struct Clock {
-    Statistics& stages;
-    std::string name;
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-    ~Clock() {
-      stages.time(std::move(name), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+auto timed(Statistics& stages, const Stage& stage, Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto add_time = [&] {
+    stages.time(stage.name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  };
+  try {
+    if constexpr (std::is_void_v<decltype(work())>) {
+      work();
+      add_time();
+    } else {
+      auto result = work();
+      add_time();
+      return result;
     }
-  } clock{stages, std::move(name)};
-  return std::forward<Work>(work)();
+  } catch (const MemoryError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw out_of_memory(stage);
+  } catch (const std::length_error&) {
+    throw out_of_memory(stage);
+  }
 }
 
 /// What a picture lacks, or what was mended on the way to it.

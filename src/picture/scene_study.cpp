@@ -49,6 +49,16 @@ void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement
   }
 }
 
+std::string faces_text(const Scene& scene) {
+  return std::to_string(scene.faces.size()) + " faces, " + std::to_string(scene.vertices.size()) + " vertices";
+}
+
+/// Of each vertex its place on the page, and of each face a triangle.
+double least_bytes(const Scene& scene) {
+  return static_cast<double>(scene.vertices.size() * sizeof(ProjectedScene::vertices[0]) +
+                             scene.faces.size() * sizeof(Topology::triangles[0]));
+}
+
 }  // namespace
 
 const Method& method_of(const PictureRequest& request) {
@@ -75,8 +85,11 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
                       std::optional<Topology> topology) {
   PreparedScene prepared{scene, request, method_of(request), {}, {}, {}, {}, {}};
   run.method = prepared.method.traits().name;
-  prepared.topology = timed(run.stages, "topology", [&] { return topology ? std::move(*topology) : build_topology(scene); });
-  timed(run.stages, "project", [&] {
+  const std::string faces = faces_text(scene);
+  request.memory.require(least_bytes(scene), {"project", faces});
+  prepared.topology =
+      timed(run.stages, {"topology", faces}, [&] { return topology ? std::move(*topology) : build_topology(scene); });
+  timed(run.stages, {"project", faces}, [&] {
     prepared.around =
         place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
     std::vector<std::uint8_t> creases;
@@ -100,7 +113,10 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   if (keep_edges) found.edges = std::move(prepared.topology.edges);
   prepared.topology = {};
 
-  found.result = timed(run.stages, "study", [&] {
+  const ProjectedScene& projected = prepared.projected;
+  const std::string asks =
+      std::to_string(projected.triangles.size()) + " triangles, " + std::to_string(projected.edges.size()) + " lines";
+  found.result = timed(run.stages, {"study", asks}, [&] {
     StudyOptions options;
     options.hidden_strokes = request.lines.hidden != HiddenLines::none;
     options.span_lines = span_lines;
@@ -117,7 +133,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
                 request.lines.hidden != HiddenLines::none, contour_options(request, {}));
   light_regions(prepared, found.result, run);
   warn_of_empty_or_cut(*found.result.strokes, prepared.around.placement, run);
-  timed(run.stages, "drawing",
+  timed(run.stages, {"drawing", std::to_string(found.result.strokes->strokes.size()) + " strokes"},
         [&] { remove_coincident_strokes(*found.result.strokes, coincidence_mm(prepared.projected)); });
   run.study = found.result.statistics;
   return found;

@@ -129,7 +129,9 @@ Picture draw_horizon(const SurfaceRequest& request, RunReport& run) {
   Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(request, run).front()); });
   HorizonRequest horizon;
   Surroundings around;
-  timed(run.stages, "place", [&] {
+  const std::string samples =
+      std::to_string(surface.heights->x().size()) + " x " + std::to_string(surface.heights->y().size()) + " samples";
+  timed(run.stages, {"place", samples}, [&] {
     horizon = horizon_request(request, surface);
     around = place_with_axes(plot_box(*surface.heights, horizon.heights, horizon.options.z_scale), horizon.extent,
                              horizon.camera, picture.page, picture.axes, picture.output.title);
@@ -137,7 +139,7 @@ Picture draw_horizon(const SurfaceRequest& request, RunReport& run) {
     horizon.options.progress = picture.progress;
   });
   HorizonLines lines;
-  timed(run.stages, "study",
+  timed(run.stages, {"study", samples},
         [&] { lines = horizon_lines(*surface.heights, around.placement.view, horizon.options, run.study); });
   Drawing drawing = drawing_of(lines);
   warn_of_empty_or_cut(drawing, around.placement, run);

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "picture/errors.hpp"
 #include "scene/surfaces/height_filters.hpp"
 
 namespace ligne {
@@ -16,6 +17,9 @@ constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000;
 
 /// Up to so many samples of a formula are held (32 MB), since a picture asks for each several times; more are computed anew.
 constexpr std::size_t kHeldSamples = std::size_t{1} << 22;
+
+/// More samples of a formula are refused: to compute them takes minutes.
+constexpr std::size_t kMostSamples = 1'000'000'000;
 
 /// Positions of the samples, and every how many there is a curve.
 struct Positions {
@@ -38,6 +42,24 @@ Positions positions(const CurveRange& range, bool crossed, const std::optional<u
     result.at.push_back(i == n ? range.to : range.from + t * (range.to - range.from));
   }
   return result;
+}
+
+std::string samples_text(std::size_t columns, std::size_t rows) {
+  return std::to_string(columns) + " x " + std::to_string(rows) + " samples";
+}
+
+/// Refuses more samples of formulas than can be computed; `ranges` names the options that give the numbers of curves.
+void check_samples(const SurfaceRequest& request, const Positions& columns, const Positions& rows, const char* ranges) {
+  if (columns.at.size() <= kMostSamples / rows.at.size()) return;
+  const std::string cause =
+      "gives " + samples_text(columns.at.size(), rows.at.size()) + ", more than " + std::to_string(kMostSamples);
+  if (request.samples) throw RequestError("samples", cause);
+  throw RequestError("", std::string(ranges) + ": " + cause);
+}
+
+/// A mesh holds the points of its samples.
+void check_mesh_memory(const SurfaceRequest& request, std::size_t columns, std::size_t rows, std::size_t all) {
+  request.picture.memory.require(static_cast<double>(all) * sizeof(Point3), {"read", samples_text(columns, rows)});
 }
 
 bool x_curves(const SurfaceRequest& request) {
@@ -104,6 +126,7 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
   for (const std::string& formula : request.formulas) {
     Positions x = positions(x_range, !by_curves || y_curves(request), request.samples);
     Positions y = positions(y_range, !by_curves || x_curves(request), request.samples);
+    check_samples(request, x, y, "-x, -y");
     Surface& surface = surfaces.emplace_back(Surface{formula, nullptr, x.stride, y.stride, true});
     surface.heights = formula_heights(formula, std::move(x.at), std::move(y.at));
     if (surface.heights->x().size() * surface.heights->y().size() <= kHeldSamples) surface.heights = held(*surface.heights);
@@ -121,6 +144,7 @@ std::vector<SurfacePoints> points_of(const SurfaceRequest& request, RunReport& r
   std::size_t samples = 0;
   for (const Surface& surface : surfaces_of(request, run)) {
     take_samples(samples, surface.heights->x().size(), surface.heights->y().size(), surface.name);
+    check_mesh_memory(request, surface.heights->x().size(), surface.heights->y().size(), samples);
     SurfacePoints& points = all.emplace_back(points_of(*surface.heights));
     points.name = surface.name;
     points.x_stride = surface.x_stride;
@@ -132,7 +156,9 @@ std::vector<SurfacePoints> points_of(const SurfaceRequest& request, RunReport& r
     const Positions u = positions(parameter_range(request.u, k), true, request.samples);
     const Positions v = positions(parameter_range(request.v, k), true, request.samples);
     const std::string name = formulas[0] + "; " + formulas[1] + "; " + formulas[2];
+    check_samples(request, u, v, "-u, -v");
     take_samples(samples, u.at.size(), v.at.size(), name);
+    check_mesh_memory(request, u.at.size(), v.at.size(), samples);
     SurfacePoints& points = all.emplace_back(parametric_points(formulas, u.at, v.at));
     points.name = name;
     points.x_stride = u.stride;

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <stdexcept>
 
 #include "files/message_text.hpp"
+#include "picture/errors.hpp"
 #include "plotting/plot_writers.hpp"
 
 namespace ligne {
@@ -123,6 +125,19 @@ PlotOptions plot_options(const PictureRequest& request, const Page& page) {
   plot.title = request.output.title;
   plot.dpi = request.output.dpi;
   return plot;
+}
+
+void check_png(const Page& page, double dpi, const MemoryLimit& memory) {
+  PlotOptions options;
+  options.page = page;
+  options.dpi = dpi;
+  PixelSize size;
+  try {
+    size = png_size(options);
+  } catch (const std::runtime_error& e) {
+    throw RequestError("dpi", e.what());
+  }
+  memory.require(png_bytes(size), {"write", std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels"});
 }
 
 Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
