@@ -86,6 +86,8 @@ std::string healed_text(const ModelFile& file) {
   if (healed.objects_twice > 0) add(std::to_string(healed.objects_twice) + " objects lie exactly on another one: left out");
   if (healed.faces_twice > 0)
     add(std::to_string(healed.faces_twice) + " faces have the same vertices as another one: drawn once, from both sides");
+  if (healed.faces_turned > 0)
+    add(std::to_string(healed.faces_turned) + " faces turned round to agree with their neighbours");
   if (healed.sewn.empty()) return text;
   add(std::to_string(healed.edges_sewn()) + " of " + std::to_string(healed.border_edges) +
       " border edges sewn: " + std::to_string(healed.vertices_moved) + " vertices moved onto another, edges split at " +
@@ -105,7 +107,8 @@ std::string healed_text(const ModelFile& file) {
 Json healed_json(const HealReport& healed) {
   Json json{{"objects_twice", healed.objects_twice},   {"faces_twice", healed.faces_twice},
             {"border_edges", healed.border_edges},     {"border_edges_sewn", healed.edges_sewn()},
-            {"vertices_moved", healed.vertices_moved}, {"edges_split", healed.edges_split}};
+            {"vertices_moved", healed.vertices_moved}, {"edges_split", healed.edges_split},
+            {"faces_turned", healed.faces_turned}};
   json["sewn"] = Json::array();
   for (const SewnBorders& sewn : healed.sewn) {
     json["sewn"].push_back(Json{{"object", sewn.object},

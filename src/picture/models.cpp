@@ -53,7 +53,7 @@ LoadedModels load_models(const ModelRequest& request) {
 }
 
 void report_healing(const LoadedModels& models, const ModelRequest& request, RunReport& run) {
-  std::size_t faces = 0, objects = 0, moved = 0, split = 0, sewn = 0;
+  std::size_t faces = 0, objects = 0, moved = 0, split = 0, sewn = 0, turned = 0;
   for (const ModelFile& file : models.files) {
     const HealReport& healed = file.healed;
     faces += healed.faces_twice;
@@ -61,6 +61,7 @@ void report_healing(const LoadedModels& models, const ModelRequest& request, Run
     moved += healed.vertices_moved;
     split += healed.edges_split;
     sewn += healed.edges_sewn();
+    turned += healed.faces_turned;
     std::string text;
     if (healed.faces_twice > 0 &&
         static_cast<double>(healed.faces_twice) >= kMuch * static_cast<double>(file.report.faces)) {
@@ -81,6 +82,7 @@ void report_healing(const LoadedModels& models, const ModelRequest& request, Run
   count("border edges sewn", sewn);
   count("border vertices moved", moved);
   count("border edges split", split);
+  count("faces turned round", turned);
 }
 
 }  // namespace ligne

@@ -69,8 +69,8 @@ Scene relief(std::uint32_t n) {
 }
 
 TEST(Heal, OfTheCorpusOnlyTheDefectsAreChanged) {
-  const std::set<std::string> defects{"cube_stored_twice", "cube_with_crack",   "cube_with_loose_lid",
-                                      "duplicate_faces",   "duplicate_objects", "t_junction"};
+  const std::set<std::string> defects{"cube_stored_twice", "cube_with_crack", "cube_with_loose_lid", "duplicate_faces",
+                                      "duplicate_objects", "mixed_winding",   "t_junction",          "zero_area_faces"};
   std::set<std::string> changed;
   for (const auto& entry : fs::directory_iterator(kCorpus)) {
     if (entry.path().extension() != ".json") continue;
@@ -284,6 +284,56 @@ TEST(Heal, CrowdsTakeNoTimeWithoutBound) {
   }
   grid.objects[0].face_end = static_cast<std::uint32_t>(grid.faces.size());
   EXPECT_EQ(healed(grid).report.faces_twice, faces);
+}
+
+/// A closed box of triangles of which some are wound the other way: the fewer are turned round, edges keep their flags.
+TEST(Heal, WindingsAgree) {
+  Scene scene;
+  test::begin_object(scene);
+  for (int i = 0; i < 8; ++i) scene.vertices.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});
+  const std::uint32_t squares[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  std::size_t k = 0;
+  for (const auto& q : squares) {
+    std::vector<std::uint32_t> corners(q, q + 4);
+    if (k++ % 3 == 1) std::reverse(corners.begin(), corners.end());
+    scene.faces.add_face(corners);
+    for (std::size_t i = 0; i < 4; ++i) {  // the edge from vertex 0 to vertex 1 carries a flag
+      const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 4]);
+      scene.corner_flags.push_back(low == 0 && high == 1 ? kCornerFileHidden : 0);
+    }
+  }
+  test::end_object(scene);
+  Topology topology = build_topology(scene);
+  const HealReport report = heal(scene, topology, {});
+  EXPECT_EQ(report.faces_turned, 2u);
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    EXPECT_FALSE(topology.edge_flags[e] & kEdgeUnlikeWound);
+    const bool flagged = topology.edges[e].v0 == 0 && topology.edges[e].v1 == 1;
+    EXPECT_EQ((topology.edge_flags[e] & kEdgeFileHidden) != 0, flagged);
+  }
+  EXPECT_EQ(heal(scene, topology, {}).faces_turned, 0u);
+}
+
+TEST(Heal, ASheetWithOneSideStaysAsItIs) {
+  Scene scene;
+  test::begin_object(scene);
+  constexpr std::uint32_t kParts = 12;
+  for (std::uint32_t i = 0; i < kParts; ++i) {
+    const double a = 2 * std::numbers::pi * i / kParts;
+    for (const double r : {-0.3, 0.3}) {
+      const double w = 2 + r * std::cos(a / 2);
+      scene.vertices.push_back({w * std::cos(a), w * std::sin(a), r * std::sin(a / 2)});
+    }
+  }
+  for (std::uint32_t i = 0; i < kParts; ++i) {
+    const bool last = i + 1 == kParts;
+    const std::uint32_t a = 2 * i, b = 2 * i + 1, c = last ? 0 : 2 * i + 3, d = last ? 1 : 2 * i + 2;
+    scene.faces.add_triangle(a, b, c);
+    scene.faces.add_triangle(a, c, d);
+  }
+  test::end_object(scene);
+  Topology topology = build_topology(scene);
+  EXPECT_EQ(heal(scene, topology, {}).faces_turned, 0u);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/clean/cut_nonplanar.hpp"
+#include "scene/heal/agree_windings.hpp"
 #include "scene/heal/border_gaps.hpp"
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/face_writer.hpp"
@@ -102,6 +103,8 @@ HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
     topology = build_topology(scene);
   }
   if (options.sew_distance != 0.0) sew(scene, topology, options, report);
+  report.faces_turned = agree_windings(scene, topology);
+  if (report.faces_turned > 0) topology = build_topology(scene);
   return report;
 }
 

@@ -30,6 +30,7 @@ struct HealReport {
   std::size_t faces_twice = 0;     ///< faces with the same vertices as another one: left out, those of objects_twice too
   std::size_t vertices_moved = 0;  ///< vertices of borders put onto another one
   std::size_t edges_split = 0;     ///< times a border was split where a vertex of another one lies on it (T-junctions)
+  std::size_t faces_turned = 0;    ///< faces turned round so that windings agree
   std::size_t border_edges = 0;    ///< of the scene as stored, duplicates left out
   std::vector<SewnBorders> sewn;   ///< objects of which a border was sewn
 
@@ -39,7 +40,7 @@ struct HealReport {
     return n;
   }
 
-  bool nothing() const { return objects_twice + faces_twice + sewn.size() == 0; }
+  bool nothing() const { return objects_twice + faces_twice + faces_turned + sewn.size() == 0; }
 };
 
 /// Heals a finished scene (scene/clean/clean.hpp):
@@ -47,6 +48,7 @@ struct HealReport {
 ///      vertices, in whatever winding, the first one stays. Edges keep the flags on which all agree, details move to the
 ///      face that stays (duplicate_faces.hpp).
 ///   2. Within each object, borders that run along each other nearer than a distance are sewn (sew_borders.hpp).
+///   3. Windings of neighbours are made to agree (agree_windings.hpp).
 /// The scene stays finished. `topology` is that of the scene, before and after. The result does not depend on the number of
 /// threads; time grows as n log n, memory with n. Where there is nothing to heal, nothing but the topology is read.
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options);
