@@ -16,6 +16,8 @@ EdgeSelection select_edges(const Scene& scene, const Topology& topology, const L
   };
   count("creases smooth by the file", found.smooth_by_file);
   count("creases sharp by the file", found.sharp_by_file);
+  count("creases on no clean line", found.untraced);
+  count("creases traced", found.traced);
   count("creases continued", found.continued);
   count("creases standing out", found.spurs);
   count("creases too short", found.short_chains);

@@ -11,7 +11,9 @@
 
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/parallel.hpp"
+#include "scene/creases/bend.hpp"
 #include "scene/creases/face_normals.hpp"
+#include "scene/creases/trace_creases.hpp"
 
 namespace ligne {
 namespace {
@@ -27,9 +29,6 @@ constexpr double kTurnCosine = 0.70710678;  ///< a crease continues over an edge
 /// Normals of small faces in float32 are off by about this much: an edge at the crease angle itself is no crease.
 constexpr double kSlackDegrees = 0.01;
 constexpr std::size_t kGrain = 16'384;
-
-/// What an edge is by itself.
-enum class Bend : std::uint8_t { none, weak, strong, firm };
 
 float cosine_of(double degrees) {
   return static_cast<float>(std::cos(std::min(180.0, degrees + kSlackDegrees) * std::numbers::pi / 180));
@@ -90,7 +89,7 @@ std::vector<std::uint8_t> bent_sheets(const Scene& scene, const Topology& topolo
 class Finder {
  public:
   Finder(const Scene& scene, const Topology& topology, double crease_degrees)
-      : scene_(scene), topology_(topology), limits_(crease_degrees) {}
+      : scene_(scene), topology_(topology), degrees_(crease_degrees), limits_(crease_degrees) {}
 
   Creases run() {
     classify();
@@ -130,6 +129,9 @@ class Finder {
       found_.straight_sheets += !bent[i];
       ++i;
     }
+    const TracedCreases traced = trace_creases(scene_, topology_, normals, degrees_, bends_);
+    found_.untraced = traced.left_out;
+    found_.traced = traced.continued;
   }
 
   Bend bend_of(std::size_t e, const std::vector<glm::vec3>& normals, Counts& counts) const {
@@ -369,6 +371,7 @@ class Finder {
 
   const Scene& scene_;
   const Topology& topology_;
+  double degrees_;
   Limits limits_;
   std::vector<Bend> bends_;  ///< per edge
   std::vector<End> ends_;    ///< of the edges that bend, sorted

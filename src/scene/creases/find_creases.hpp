@@ -16,6 +16,8 @@ struct Creases {
   // Against the rule that every edge is a crease whose faces bend by more than the angle, or which has more than two faces:
   std::size_t smooth_by_file = 0;   ///< edges left out, since the file says that the surface runs smoothly over them
   std::size_t sharp_by_file = 0;    ///< edges added, since the file says that it does not
+  std::size_t untraced = 0;         ///< edges left out of scans, since they lie on no clean line
+  std::size_t traced = 0;           ///< edges added to scans, since a clean line runs over them
   std::size_t continued = 0;        ///< edges added, between two creases that they join
   std::size_t spurs = 0;            ///< edges left out that stand out from a crease
   std::size_t short_chains = 0;     ///< edges left out with chains that are short, weak and open

@@ -1,0 +1,331 @@
+#include "scene/creases/trace_creases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <span>
+#include <utility>
+
+namespace ligne {
+namespace {
+
+// Adjustable: what is a scan or a remeshed surface.
+constexpr double kEvenPart = 3.0 / 4;  ///< of the edges have a length between half and twice the median
+constexpr double kBentPart = 1.0 / 8;  ///< at most of the edges bend by more than the crease angle
+constexpr double kFlatPart = 1.0 / 4;  ///< at most of the edges bend by less than kFlatDegrees: planes are construction
+constexpr double kFlatDegrees = 1;
+
+// Adjustable: what is a clean line on it.
+constexpr double kWidePart = 3.0 / 4;       ///< of the crease angle: where the surface bends less, no line runs on
+constexpr double kTurnCosine = 0.70710678;  ///< 45 degrees from one edge to the direction of the last kLookBack
+constexpr std::size_t kLookBack = 3;
+constexpr std::size_t kFewestEdges = 6;
+constexpr double kRidgePart = 2.0 / 3;        ///< of its vertices have an edge that bends by more than the crease angle
+constexpr double kZigzagPart = 1.0 / 3;       ///< at most of its vertices turn by more than the angle of kZigzagCosine
+constexpr double kZigzagCosine = 0.64278761;  ///< 50 degrees
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+/// The creases of one object whose edges are [edge_begin, edge_end).
+class Tracer {
+ public:
+  Tracer(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals, std::vector<Bend>& bends,
+         const Object& object, std::size_t edge_begin, std::size_t edge_end)
+      : scene_(scene),
+        topology_(topology),
+        normals_(normals),
+        bends_(bends),
+        object_(object),
+        edge_begin_(edge_begin),
+        edge_end_(edge_end) {}
+
+  /// Whether the mesh is that of a scan or a remeshed surface, without planes and without knowledge of its corners.
+  bool is_even() const {
+    constexpr std::uint16_t kSpoken = kEdgeSmooth | kEdgeSharp | kEdgeInner | kEdgeUnlikeWound | kEdgeManyFaces;
+    const auto count = static_cast<double>(edge_end_ - edge_begin_);
+    std::size_t bent = 0, flat = 0;
+    const auto least = static_cast<float>(std::cos(radians(kFlatDegrees)));
+    for (std::size_t e = edge_begin_; e < edge_end_; ++e) {
+      if (topology_.edge_flags[e] & kSpoken) return false;
+      const Edge& edge = topology_.edges[e];
+      bent += bends_[e] >= Bend::strong;
+      flat += edge.face1 != kNone && glm::dot(normals_[edge.face0], normals_[edge.face1]) > least;
+    }
+    if (bent == 0 || static_cast<double>(bent) > kBentPart * count || static_cast<double>(flat) > kFlatPart * count) {
+      return false;
+    }
+    for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
+      if (scene_.faces.contour_count(f) != 1 || scene_.faces.contour(f, 0).size() != 3) return false;
+    }
+    std::vector<double> lengths;
+    lengths.reserve(edge_end_ - edge_begin_);
+    for (std::size_t e = edge_begin_; e < edge_end_; ++e) lengths.push_back(glm::length(along(e)));
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    const double median = *middle;
+    const auto like = std::count_if(lengths.begin(), lengths.end(),
+                                    [&](double length) { return length >= median / 2 && length <= 2 * median; });
+    return static_cast<double>(like) >= kEvenPart * count;
+  }
+
+  TracedCreases run(double crease_degrees) {
+    collect();
+    const double crease = radians(crease_degrees);
+    std::vector<std::uint32_t> seeds;
+    for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
+      if (bends_[candidates_[k]] >= Bend::strong && wide_[k] > crease) seeds.push_back(k);
+    }
+    std::sort(seeds.begin(), seeds.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return std::pair(-wide_[a], a) < std::pair(-wide_[b], b); });
+    for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
+      if (wide_[k] > kWidePart * crease) continue;
+      state_of_edge_[k] = EdgeState::spent;
+    }
+    for (const std::uint32_t seed : seeds) {
+      if (state_of_edge_[seed] == EdgeState::open && !refused_[seed]) trace(seed);
+    }
+    TracedCreases result;
+    for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
+      Bend& bend = bends_[candidates_[k]];
+      if (state_of_edge_[k] == EdgeState::line) {
+        result.continued += bend < Bend::strong;
+        bend = std::max(bend, Bend::strong);
+        if (!firm_[k]) bend = Bend::strong;
+      } else {
+        result.left_out += bend >= Bend::strong;
+        bend = Bend::none;
+      }
+    }
+    return result;
+  }
+
+ private:
+  enum class EdgeState : std::uint8_t { open, spent, line };
+  enum class VertexState : std::uint8_t { open, beside, line };
+
+  /// Something at a vertex: a candidate, by its place in candidates_, or a face.
+  using At = std::pair<std::uint32_t, std::uint32_t>;
+
+  Point3 along(std::size_t e) const {
+    return scene_.vertices[topology_.edges[e].v1] - scene_.vertices[topology_.edges[e].v0];
+  }
+
+  static std::span<const At> at(const std::vector<At>& list, std::uint32_t vertex) {
+    const auto first = std::lower_bound(list.begin(), list.end(), At(vertex, 0));
+    return {first, std::find_if(first, list.end(), [&](const At& a) { return a.first != vertex; })};
+  }
+
+  VertexState& state_of(std::uint32_t vertex) { return state_of_vertex_[vertex - object_.vertex_begin]; }
+
+  void add_edges_of(std::uint32_t f) {
+    const auto first = topology_.edges.begin() + static_cast<std::ptrdiff_t>(edge_begin_);
+    const auto last = topology_.edges.begin() + static_cast<std::ptrdiff_t>(edge_end_);
+    const auto contour = scene_.faces.contour(f, 0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::pair<std::uint32_t, std::uint32_t> key = std::minmax(contour[i], contour[(i + 1) % 3]);
+      const auto edge =
+          std::lower_bound(first, last, key, [](const Edge& e, const auto& ends) { return std::pair(e.v0, e.v1) < ends; });
+      if (edge->face1 != kNone) candidates_.push_back(static_cast<std::uint32_t>(edge - topology_.edges.begin()));
+    }
+  }
+
+  /// The edges that may lie on a line, the faces round them, and how far the surface bends at each.
+  void collect() {
+    for (std::size_t e = edge_begin_; e < edge_end_; ++e) {
+      if (bends_[e] != Bend::none) candidates_.push_back(static_cast<std::uint32_t>(e));
+      if (bends_[e] < Bend::strong) continue;
+      // Where triangles cross a ridge by turns from both sides, the edges along it do not bend at all.
+      for (const std::uint32_t f : {topology_.edges[e].face0, topology_.edges[e].face1}) add_edges_of(f);
+    }
+    std::sort(candidates_.begin(), candidates_.end());
+    candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+    std::vector<std::uint8_t> wanted(object_.vertex_end - object_.vertex_begin, 0);
+    for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
+      const Edge& edge = topology_.edges[candidates_[k]];
+      edges_at_.emplace_back(edge.v0, k);
+      edges_at_.emplace_back(edge.v1, k);
+      for (const std::uint32_t f : {edge.face0, edge.face1}) {
+        for (const std::uint32_t v : scene_.faces.contour(f, 0)) wanted[v - object_.vertex_begin] = 1;
+      }
+    }
+    for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
+      for (const std::uint32_t v : scene_.faces.contour(f, 0)) {
+        if (wanted[v - object_.vertex_begin]) faces_at_.emplace_back(v, f);
+      }
+    }
+    std::sort(edges_at_.begin(), edges_at_.end());
+    std::sort(faces_at_.begin(), faces_at_.end());
+    for (const std::uint32_t e : candidates_) wide_.push_back(wide_bend(e));
+    state_of_edge_.assign(candidates_.size(), EdgeState::open);
+    firm_.assign(candidates_.size(), 0);
+    refused_.assign(candidates_.size(), 0);
+    state_of_vertex_.assign(wanted.size(), VertexState::open);
+    on_ridge_.assign(wanted.size(), 0);
+    for (const std::uint32_t e : candidates_) {
+      if (bends_[e] < Bend::strong) continue;
+      for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) {
+        on_ridge_[v - object_.vertex_begin] = 1;
+      }
+    }
+  }
+
+  /// The angle between what lies on one side of an edge and what lies on the other, among the faces that share a vertex
+  /// with its own: a triangle that stands out is a small part of either, and an edge that runs across a ridge has both
+  /// slopes on both sides.
+  double wide_bend(std::uint32_t e) const {
+    const Edge& edge = topology_.edges[e];
+    std::vector<std::uint32_t> round;
+    for (const std::uint32_t f : {edge.face0, edge.face1}) {
+      for (const std::uint32_t v : scene_.faces.contour(f, 0)) {
+        for (const At& face : at(faces_at_, v)) round.push_back(face.second);
+      }
+    }
+    std::sort(round.begin(), round.end());
+    round.erase(std::unique(round.begin(), round.end()), round.end());
+    const Point3 across = glm::cross(along(e), Point3(normals_[edge.face0] + normals_[edge.face1]));
+    Point3 sides[2] = {Point3(0), Point3(0)};
+    for (const std::uint32_t f : round) {
+      const auto contour = scene_.faces.contour(f, 0);
+      const Point3 a = scene_.vertices[contour[0]], b = scene_.vertices[contour[1]], c = scene_.vertices[contour[2]];
+      const Point3 middle = (a + b + c) / 3.0;
+      sides[glm::dot(middle - scene_.vertices[edge.v0], across) > 0] += glm::cross(b - a, c - a);
+    }
+    return std::atan2(glm::length(glm::cross(sides[0], sides[1])), glm::dot(sides[0], sides[1]));
+  }
+
+  /// A line in the making: its vertices, and the edges between them.
+  struct Line {
+    std::vector<std::uint32_t> vertices, edges;
+    void turn_round() {
+      std::reverse(vertices.begin(), vertices.end());
+      std::reverse(edges.begin(), edges.end());
+    }
+  };
+
+  /// Beside a line no other one runs, nor on it; one may come to it and end there.
+  bool may_run(std::uint32_t from, std::uint32_t to) {
+    const VertexState a = state_of(from), b = state_of(to);
+    return a == VertexState::open || b == VertexState::open || (a == VertexState::line) != (b == VertexState::line);
+  }
+
+  void trace(std::uint32_t seed) {
+    const Edge& edge = topology_.edges[candidates_[seed]];
+    if (state_of(edge.v0) != VertexState::open && state_of(edge.v1) != VertexState::open) return;
+    Line line{{edge.v0, edge.v1}, {seed}};
+    for (int k = 0; k < 2; ++k) {
+      while (extend(line)) {
+      }
+      shorten(line);
+      line.turn_round();
+    }
+    if (!is_clean(line)) {
+      for (const std::uint32_t k : line.edges) refused_[k] = 1;
+      return;
+    }
+    const auto firm = std::count_if(line.edges.begin(), line.edges.end(),
+                                    [&](std::uint32_t k) { return bends_[candidates_[k]] == Bend::firm; });
+    for (const std::uint32_t k : line.edges) {
+      state_of_edge_[k] = EdgeState::line;
+      firm_[k] = 2 * static_cast<std::size_t>(firm) >= line.edges.size();
+    }
+    for (const std::uint32_t v : line.vertices) {
+      for (const At& face : at(faces_at_, v)) {
+        for (const std::uint32_t next : scene_.faces.contour(face.second, 0)) {
+          state_of(next) = std::max(state_of(next), VertexState::beside);
+        }
+      }
+    }
+    for (const std::uint32_t v : line.vertices) state_of(v) = VertexState::line;
+  }
+
+  /// Adds the edge by which a line goes on behind its last vertex, the one that bends most and turns least.
+  bool extend(Line& line) {
+    const std::uint32_t v = line.vertices.back();
+    if (state_of(v) == VertexState::line) return false;
+    const std::size_t back = std::min(line.vertices.size() - 1, kLookBack);
+    const Point3 behind = scene_.vertices[line.vertices[line.vertices.size() - 1 - back]];
+    if (behind == scene_.vertices[v]) return false;
+    const Point3 direction = glm::normalize(scene_.vertices[v] - behind);
+    std::uint32_t best = kNone, best_vertex = kNone;
+    double best_score = 0;
+    for (const auto& [vertex, k] : at(edges_at_, v)) {
+      if (state_of_edge_[k] != EdgeState::open || k == line.edges.back()) continue;
+      const Edge& edge = topology_.edges[candidates_[k]];
+      const std::uint32_t next = edge.v0 == v ? edge.v1 : edge.v0;
+      if (!may_run(v, next)) continue;
+      const double cosine = glm::dot(glm::normalize(scene_.vertices[next] - scene_.vertices[v]), direction);
+      const double score = cosine * cosine * wide_[k];
+      if (cosine < kTurnCosine || score <= best_score) continue;
+      best = k, best_vertex = next, best_score = score;
+    }
+    if (best == kNone) return false;
+    const auto met = std::find(line.vertices.begin(), line.vertices.end(), best_vertex);
+    if (met != line.vertices.end() && met != line.vertices.begin()) return false;
+    const bool closes = met != line.vertices.end();
+    line.vertices.push_back(best_vertex);
+    line.edges.push_back(best);
+    return !closes;
+  }
+
+  bool is_on_ridge(std::uint32_t vertex) const { return on_ridge_[vertex - object_.vertex_begin] != 0; }
+
+  /// A line that comes to no other one ends where its ridge does.
+  void shorten(Line& line) {
+    while (line.edges.size() > 1 && !is_on_ridge(line.vertices.back()) &&
+           state_of(line.vertices.back()) != VertexState::line) {
+      line.vertices.pop_back();
+      line.edges.pop_back();
+    }
+  }
+
+  bool is_clean(const Line& line) const {
+    if (line.edges.size() < kFewestEdges) return false;
+    const auto on_ridge =
+        std::count_if(line.vertices.begin(), line.vertices.end(), [&](std::uint32_t v) { return is_on_ridge(v); });
+    std::size_t turns = 0;
+    for (std::size_t i = 2; i < line.vertices.size(); ++i) {
+      const Point3 a = scene_.vertices[line.vertices[i - 2]], b = scene_.vertices[line.vertices[i - 1]];
+      const Point3 c = scene_.vertices[line.vertices[i]];
+      turns += glm::dot(glm::normalize(b - a), glm::normalize(c - b)) < kZigzagCosine;
+    }
+    const auto count = static_cast<double>(line.vertices.size());
+    return static_cast<double>(on_ridge) >= kRidgePart * count && static_cast<double>(turns) <= kZigzagPart * count;
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const std::vector<glm::vec3>& normals_;
+  std::vector<Bend>& bends_;
+  const Object& object_;
+  std::size_t edge_begin_, edge_end_;
+  std::vector<std::uint32_t> candidates_;
+  std::vector<double> wide_;  ///< per candidate: wide_bend()
+  std::vector<EdgeState> state_of_edge_;
+  std::vector<std::uint8_t> firm_, refused_;  ///< per candidate
+  std::vector<VertexState> state_of_vertex_;  ///< per vertex of the object
+  std::vector<std::uint8_t> on_ridge_;        ///< per vertex of the object: an edge there bends by more than the angle
+  std::vector<At> edges_at_, faces_at_;
+};
+
+}  // namespace
+
+TracedCreases trace_creases(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
+                            double crease_degrees, std::vector<Bend>& bends) {
+  TracedCreases sum;
+  const auto before = [](const Edge& edge, std::uint32_t vertex) { return edge.v0 < vertex; };
+  for (const Object& object : scene.objects) {
+    const auto& edges = topology.edges;
+    const auto begin = std::lower_bound(edges.begin(), edges.end(), object.vertex_begin, before);
+    const auto end = std::lower_bound(begin, edges.end(), object.vertex_end, before);
+    Tracer tracer(scene, topology, normals, bends, object, static_cast<std::size_t>(begin - edges.begin()),
+                  static_cast<std::size_t>(end - edges.begin()));
+    if (!tracer.is_even()) continue;
+    const TracedCreases traced = tracer.run(crease_degrees);
+    sum.left_out += traced.left_out;
+    sum.continued += traced.continued;
+  }
+  return sum;
+}
+
+}  // namespace ligne

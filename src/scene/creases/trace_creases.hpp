@@ -1,0 +1,25 @@
+#pragma once
+/// Creases of scans and remeshed surfaces: lines along ridges instead of the teeth of single triangles.
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "scene/creases/bend.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/model/topology.hpp"
+
+namespace ligne {
+
+struct TracedCreases {
+  std::size_t left_out = 0;   ///< edges that bend by more than the crease angle, but lie on no clean line
+  std::size_t continued = 0;  ///< edges that bend by less, and lie on one
+};
+
+/// In objects that are evenly meshed all over (docs/clear-lines.md, "Scans"), sets the bends of the edges that lie on no
+/// clean line to none, and those of the edges of a line to strong. Other objects stay as they are. `normals` are those of
+/// face_normals().
+TracedCreases trace_creases(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
+                            double crease_degrees, std::vector<Bend>& bends);
+
+}  // namespace ligne
