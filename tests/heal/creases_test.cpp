@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -202,6 +204,76 @@ TEST(Creases, ASliverTakesTheNormalOfItsNeighbour) {
   for (const auto& normal : face_normals(scene, build_topology(scene))) EXPECT_NEAR(normal.z, 1, 1e-6);
 }
 
+/// A steep ridge, rounded over about `round`, that runs across an uneven mesh of triangles with edges of about 1; `turned`
+/// radians from the direction to which the triangles are perpendicular. Its heights are noisy.
+Scene rounded_ridge(int n, double round, double turned) {
+  std::ostringstream obj;
+  std::uint32_t state = 7;
+  const auto noise = [&] {
+    state = state * 1664525u + 1013904223u;
+    return (state >> 8) / 16777216.0 - 0.5;
+  };
+  for (int i = 0; i <= n; ++i) {
+    for (int k = 0; k <= n; ++k) {
+      const double x = k - n / 2.0 + (i % 2) * 0.5 + 0.25 * noise(), y = (i - n / 2.0) * 0.866 + 0.25 * noise();
+      const double across = x * std::cos(turned) + y * std::sin(turned);
+      obj << "v " << x << ' ' << y << ' ' << 0.3 * noise() - 2 * std::sqrt(across * across + round * round) << '\n';
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) {
+      const int v = i * (n + 1) + k + 1, up = v + n + 1;
+      if (i % 2 == 0) obj << "f " << v << ' ' << v + 1 << ' ' << up << "\nf " << v + 1 << ' ' << up + 1 << ' ' << up << '\n';
+      if (i % 2 == 1) obj << "f " << v << ' ' << v + 1 << ' ' << up + 1 << "\nf " << v << ' ' << up + 1 << ' ' << up << '\n';
+    }
+  }
+  return read(obj.str(), ModelFormat::obj);
+}
+
+/// Triangles all of whose edges are marked, and vertices at which more than two are.
+std::pair<std::size_t, std::size_t> teeth(const Found& found, const std::vector<std::uint8_t>& marked) {
+  std::map<std::uint32_t, std::size_t> at_face, at_vertex;
+  for (std::size_t e = 0; e < marked.size(); ++e) {
+    if (!marked[e]) continue;
+    const Edge& edge = found.topology.edges[e];
+    for (const std::uint32_t f : {edge.face0, edge.face1}) ++at_face[f];
+    for (const std::uint32_t v : {edge.v0, edge.v1}) ++at_vertex[v];
+  }
+  const auto more_than_two = [](const auto& entry) { return entry.second > 2; };
+  return {std::count_if(at_face.begin(), at_face.end(), more_than_two),
+          std::count_if(at_vertex.begin(), at_vertex.end(), more_than_two)};
+}
+
+TEST(Creases, ARidgeOfAScanIsOneLineWithoutTeeth) {
+  for (const double turned : {0.0, 0.15, 0.3}) {
+    const Found found = find(rounded_ridge(40, 0.3, turned));
+    // By the angle alone it is a ladder.
+    const auto normals = face_normals(found.scene, found.topology);
+    std::vector<std::uint8_t> by_angle;
+    for (const Edge& edge : found.topology.edges) {
+      const double cosine = edge.face1 == kNone ? 1 : glm::dot(normals[edge.face0], normals[edge.face1]);
+      by_angle.push_back(cosine < std::cos(30 * std::numbers::pi / 180));
+    }
+    EXPECT_GT(teeth(found, by_angle).first, 15u) << turned;
+    EXPECT_GT(teeth(found, by_angle).second, 30u) << turned;
+    EXPECT_EQ(teeth(found, found.creases.is_crease).first, 0u) << turned;
+    EXPECT_EQ(teeth(found, found.creases.is_crease).second, 0u) << turned;
+    EXPECT_GT(found.creases.untraced, 30u) << turned;
+    // No more edges than a line is long; and where the triangles let it be straight, there is one.
+    EXPECT_LT(found.count(), 60u) << turned;
+    if (turned == 0.3) {
+      EXPECT_GT(found.count(), 15u);
+    }
+    for (std::size_t e = 0; e < found.topology.edges.size(); ++e) {
+      if (!found.creases.is_crease[e]) continue;
+      const Point3 v = found.scene.vertices[found.topology.edges[e].v0];
+      EXPECT_LT(std::abs(v.x * std::cos(turned) + v.y * std::sin(turned)), 1.5) << turned;
+    }
+  }
+}
+
+TEST(Creases, ARidgeRoundOverManyTrianglesHasNone) { EXPECT_EQ(find(rounded_ridge(40, 12, 0.3)).count(), 0u); }
+
 TEST(Creases, CleanShapesOfTheCorpusAreThoseOfTheAngle) {
   for (const char* name :
        {"cube", "hexagonal_prism", "octahedron", "l_block", "gear", "house", "stair", "letter_e", "pocket", "tunnel",
@@ -210,6 +282,7 @@ TEST(Creases, CleanShapesOfTheCorpusAreThoseOfTheAngle) {
     const Found found = find(
         read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (std::string(name) + ".json"), {}, warnings));
     const Creases& c = found.creases;
+    EXPECT_EQ(c.untraced + c.traced, 0u) << name;
     EXPECT_EQ(c.smooth_by_file + c.sharp_by_file + c.continued + c.spurs + c.short_chains + c.straight_sheets, 0u) << name;
     EXPECT_GT(found.count(), 0u) << name;
   }
