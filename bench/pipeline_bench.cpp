@@ -18,9 +18,9 @@
 #include "scene/model/topology.hpp"
 #include "scene/readers/reader.hpp"
 #include "view/projected_scene.hpp"
+#include "view/tolerances.hpp"
 #include "view/view.hpp"
 #include "visibility/registry.hpp"
-#include "view/tolerances.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include "geometry/parallel.hpp"
 #include "picture/face_carrier.hpp"
 #include "picture/region_faces.hpp"
-#include "visibility/atherton_weiler/visible_faces.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/atherton_weiler/visible_faces.hpp"
 
 namespace ligne {
 namespace {

@@ -12,8 +12,8 @@
 #include "picture/shadows.hpp"
 #include "scene/readers/reader.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/atherton_weiler/atherton_weiler.hpp"
 
 namespace ligne {
 namespace {

@@ -12,8 +12,8 @@
 #include "scene/model/topology.hpp"
 #include "support/scene_parts.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/registry.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/registry.hpp"
 
 namespace ligne::test {
 

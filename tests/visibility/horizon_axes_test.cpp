@@ -17,9 +17,9 @@
 #include "scene/surfaces/surface_mesh.hpp"
 #include "support/page_segments.hpp"
 #include "view/projected_scene.hpp"
+#include "view/tolerances.hpp"
 #include "visibility/horizon/horizon.hpp"
 #include "visibility/registry.hpp"
-#include "view/tolerances.hpp"
 
 namespace ligne::test {
 namespace {

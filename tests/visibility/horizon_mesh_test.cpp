@@ -13,9 +13,9 @@
 
 #include "scene/model/topology.hpp"
 #include "view/projected_scene.hpp"
+#include "view/tolerances.hpp"
 #include "visibility/horizon/horizon.hpp"
 #include "visibility/registry.hpp"
-#include "view/tolerances.hpp"
 
 namespace ligne::test {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <memory>
 
+#include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/intersections.hpp"
 #include "visibility/common/line_strokes.hpp"
 #include "visibility/common/visible_parts.hpp"
-#include "view/tolerances.hpp"
 
 // Phases: (1) facets, (2) the screen grid with covers, (3) intersections that are not behind covers, (4) every line through
 // the cells it crosses, nearest facets first, until nothing of it is left. See docs/methods/appel.md.

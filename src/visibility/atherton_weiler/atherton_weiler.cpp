@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "view/tolerances.hpp"
 #include "visibility/atherton_weiler/border_lines.hpp"
 #include "visibility/atherton_weiler/polygon_study.hpp"
 #include "visibility/atherton_weiler/transparent_lines.hpp"
@@ -10,7 +11,6 @@
 #include "visibility/common/intersections.hpp"
 #include "visibility/common/line_strokes.hpp"
 #include "visibility/common/visible_parts.hpp"
-#include "view/tolerances.hpp"
 
 // Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that
 // borders do not give. See docs/methods/atherton-weiler.md.

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "scene/surfaces/height_filters.hpp"
-#include "visibility/horizon/part_sweep.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/horizon/part_sweep.hpp"
 
 namespace ligne {
 namespace horizon {

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <optional>
 
+#include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/line_strokes.hpp"
-#include "view/tolerances.hpp"
 #include "visibility/warnock/control.hpp"
 #include "visibility/warnock/initial_window.hpp"
 #include "visibility/warnock/regions.hpp"

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "geometry/parallel.hpp"
+#include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/line_strokes.hpp"
-#include "view/tolerances.hpp"
 #include "visibility/watkins/exact_study.hpp"
 #include "visibility/watkins/line_study.hpp"
 
