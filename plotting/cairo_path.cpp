@@ -7,7 +7,52 @@
 #include <string>
 #include <vector>
 
+#include "geometry/parallel.hpp"
+
 namespace ligne {
+namespace {
+
+/// Arcs go into Cairo as Bezier curves: so near to them, a small part of the tolerance that found the arcs.
+constexpr double kBezierPart = 0.02;
+
+Point2 in_parts(Point2 p, double parts_per_mm) {
+  return parts_per_mm > 0
+             ? Point2{std::round(p.x * parts_per_mm) / parts_per_mm, std::round(p.y * parts_per_mm) / parts_per_mm}
+             : p;
+}
+
+/// The polylines with coordinates that are whole numbers of parts.
+Polylines in_parts(Polylines lines, double parts_per_mm) {
+  for (Point2& p : lines.points) p = in_parts(p, parts_per_mm);
+  return lines;
+}
+
+void add_curves(cairo_t* cairo, const Polylines& lines, const PathForm& form) {
+  std::vector<CurvedPath> paths(lines.size());
+  parallel_for(lines.size(), [&](std::size_t i) { paths[i] = fit_curves(lines[i], *form.curves); });
+  const auto at = [&](Point2 p) { return in_parts(p, form.parts_per_mm); };
+  for (const CurvedPath& path : paths) {
+    if (path.pieces.empty()) continue;
+    const Point2 start = at(path.start);
+    cairo_move_to(cairo, start.x, start.y);
+    for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+      const PathPiece& piece = path.pieces[i];
+      if (piece.arc) {
+        const std::vector<Point2> points = bezier_points(*piece.arc, kBezierPart * form.curves->tolerance_mm);
+        for (std::size_t k = 0; k + 2 < points.size(); k += 3) {
+          const Point2 a = at(points[k]), b = at(points[k + 1]), c = at(points[k + 2]);
+          cairo_curve_to(cairo, a.x, a.y, b.x, b.y, c.x, c.y);
+        }
+      } else if (!path.closed || i + 1 < path.pieces.size()) {
+        const Point2 p = at(piece.to);
+        cairo_line_to(cairo, p.x, p.y);
+      }
+    }
+    if (path.closed) cairo_close_path(cairo);
+  }
+}
+
+}  // namespace
 
 void check_cairo(cairo_status_t status) {
   if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
@@ -48,11 +93,17 @@ void set_line_style(cairo_t* cairo, const LineStyle& style, double units_per_mm)
   cairo_set_dash(cairo, dashes.data(), static_cast<int>(dashes.size()), 0);
 }
 
-void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& style, double units_per_mm) {
-  set_line_style(cairo, style, units_per_mm);
+void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& style, const PathForm& form) {
+  set_line_style(cairo, style, form.units_per_mm);
   cairo_save(cairo);
-  cairo_scale(cairo, units_per_mm, units_per_mm);
-  add_polylines(cairo, lines, 0, lines.size());
+  cairo_scale(cairo, form.units_per_mm, form.units_per_mm);
+  if (form.curves) {
+    add_curves(cairo, lines, form);
+  } else if (form.parts_per_mm > 0) {
+    add_polylines(cairo, in_parts(lines, form.parts_per_mm), 0, lines.size());
+  } else {
+    add_polylines(cairo, lines, 0, lines.size());
+  }
   cairo_restore(cairo);
   cairo_stroke(cairo);
   check_cairo(cairo_status(cairo));

@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include <cairo.h>
 
 #include "drawing/drawing.hpp"
 #include "plotting/page.hpp"
+#include "plotting/paths/fit_curves.hpp"
 
 namespace ligne {
 
@@ -37,9 +39,16 @@ void add_polylines(cairo_t* cairo, const Polylines& lines, std::size_t first, st
 /// Solid lines have round ends; dashes have flat ones, so that dash and gap keep their lengths.
 void set_line_style(cairo_t* cairo, const LineStyle& style, double units_per_mm);
 
-/// Strokes the polylines with that style as one path: Cairo's vector surfaces take time with the square of the number of
-/// strokes. `lines` in mm, `units_per_mm` device units to a millimetre.
-void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& style, double units_per_mm);
+/// How coordinates and curves come into a path.
+struct PathForm {
+  double units_per_mm = 1;              ///< device units
+  double parts_per_mm = 0;              ///< coordinates become whole numbers of parts; 0: they stay
+  std::optional<CurveLimits> curves{};  ///< nothing: polylines
+};
+
+/// Strokes the polylines (mm) with that style as one path: Cairo's vector surfaces take time with the square of the number
+/// of strokes.
+void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& style, const PathForm& form);
 
 /// Fills the areas in their order; those of one colour that follow each other as one path, since Cairo's vector surfaces
 /// take time with the square of the number of calls. Neighbours of different colours would let the page shine through

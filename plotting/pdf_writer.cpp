@@ -30,15 +30,6 @@ double units_per_point(double largest_mm) {
   return units;
 }
 
-/// The polylines with coordinates that are whole numbers of parts.
-Polylines rounded(const Polylines& lines, double parts_per_mm) {
-  Polylines result = lines;
-  for (Point2& p : result.points) {
-    p = {std::round(p.x * parts_per_mm) / parts_per_mm, std::round(p.y * parts_per_mm) / parts_per_mm};
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
@@ -50,8 +41,8 @@ std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
   const CairoContext pen(cairo_create(recording.get()));
   paint_fills(pen.get(), drawing.fills, units * kPointsPerMm);
   for (const Layer& layer : drawing.layers) {
-    stroke_polylines(pen.get(), rounded(layer.lines, kPartsOfUnit * units * kPointsPerMm), options.style_of(layer.name),
-                     units * kPointsPerMm);
+    stroke_polylines(pen.get(), layer.lines, options.style_of(layer.name),
+                     {units * kPointsPerMm, kPartsOfUnit * units * kPointsPerMm, options.curves_of(layer)});
   }
 
   std::string pdf;

@@ -112,7 +112,7 @@ std::string write_png(const Drawing& drawing, const PlotOptions& options, const 
   if (under) put_pixels(surface.get(), *under);
   paint_fills(cairo.get(), drawing.fills, scale);
   for (const Layer& layer : drawing.layers) {
-    stroke_polylines(cairo.get(), layer.lines, options.style_of(layer.name), scale);
+    stroke_polylines(cairo.get(), layer.lines, options.style_of(layer.name), {scale, 0, options.curves_of(layer)});
   }
   cairo_scale(cairo.get(), scale, scale);
   write_texts(cairo.get(), drawing.texts);

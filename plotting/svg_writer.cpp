@@ -1,11 +1,13 @@
 /// SVG. Cairo's own SVG surface knows no layers, repeats the style on every path and writes clip paths, so it is not used:
 /// the polylines go into Cairo paths, as for every other format, and these are read back and written down here. Chunks of
-/// polylines are worked on in parallel and put together in their order.
+/// polylines are worked on in parallel and put together in their order. With curves the lines go straight into paths, since
+/// Cairo has no arcs.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -13,6 +15,7 @@
 #include "plotting/cairo_path.hpp"
 #include "plotting/cairo_text.hpp"
 #include "plotting/number_text.hpp"
+#include "plotting/paths/fit_curves.hpp"
 #include "plotting/utf8.hpp"
 #include "plotting/writers.hpp"
 
@@ -119,25 +122,31 @@ class PathWriter {
  public:
   void begin(Point2 mm) {
     points_.assign(1, units(mm));
+    arcs_.assign(1, nullptr);
     start_ = mm;
     stays_ = moves_ = false;
   }
   void line_to(Point2 mm) {
     const UnitPoint p = units(mm);
     (mm == start_ ? stays_ : moves_) = true;
-    if (p != points_.back()) points_.push_back(p);
+    if (p != points_.back()) add(p, nullptr);
+  }
+  /// `arc` must live until the end of the path.
+  void arc_to(Point2 mm, const EllipticArc& arc) {
+    moves_ = true;
+    if (units(mm) != points_.back()) add(units(mm), &arc);
   }
   /// A line shorter than a unit is none, but one of no length at all is a dot.
   void end(bool closed) {
-    if (closed && points_.size() > 1 && points_.front() == points_.back()) points_.pop_back();
+    if (closed && points_.size() > 1 && points_.front() == points_.back() && !arcs_.back()) points_.pop_back();
     if (points_.size() > 1) {
-      write(absolute_, 'L', false);
-      write(relative_, 'l', true);
+      write(absolute_, false);
+      write(relative_, true);
       out_ += "<path d=\"";
       out_ += absolute_.size() <= relative_.size() ? absolute_ : relative_;
       out_ += closed ? "Z\"/>\n" : "\"/>\n";
     } else if (stays_ && !moves_) {
-      write(absolute_, 'L', false);
+      write(absolute_, false);
       out_ += "<path d=\"" + absolute_ + "h0\"/>\n";
     }
     points_.clear();
@@ -147,8 +156,30 @@ class PathWriter {
  private:
   static UnitPoint units(Point2 mm) { return {std::llround(mm.x * kUnitsPerMm), std::llround(mm.y * kUnitsPerMm)}; }
 
-  void write(std::string& text, char command, bool relative) {
-    text.resize(points_.size() * 2 * kNumberBytes);
+  void add(UnitPoint p, const EllipticArc* arc) {
+    points_.push_back(p);
+    arcs_.push_back(arc);
+  }
+
+  /// "rx ry rotation 0 sweep ": an arc of less than half a turn.
+  static char* write_arc(char* p, const EllipticArc& arc) {
+    const auto decimal = [&p](double value) {
+      p = write_fixed(p, std::llround(value * static_cast<double>(power_of_ten(kArcDecimals))), kArcDecimals, true);
+      *p++ = ' ';
+    };
+    decimal(arc.ellipse.radii.x);
+    decimal(arc.ellipse.radii.y);
+    decimal(arc.ellipse.rotation * 180 / std::numbers::pi);
+    *p++ = '0';
+    *p++ = ' ';
+    *p++ = arc.sweep > 0 ? '1' : '0';
+    *p++ = ' ';
+    return p;
+  }
+
+  void write(std::string& text, bool relative) {
+    constexpr std::size_t kPairs = 3;  // of numbers: radii, rotation and flags, point
+    text.resize(points_.size() * 2 * kPairs * kNumberBytes);
     char* p = text.data();
     const auto pair = [&p](UnitPoint v) {
       p = write_fixed(p, v.x, kDecimals, true);
@@ -158,7 +189,9 @@ class PathWriter {
     *p++ = 'M';
     pair(points_[0]);
     for (std::size_t i = 1; i < points_.size(); ++i) {
-      *p++ = i == 1 ? command : ' ';
+      const bool same = i > 1 && !arcs_[i] == !arcs_[i - 1];
+      *p++ = same ? ' ' : arcs_[i] ? (relative ? 'a' : 'A') : (relative ? 'l' : 'L');
+      if (arcs_[i]) p = write_arc(p, *arcs_[i]);
       const UnitPoint origin = relative ? points_[i - 1] : UnitPoint{0, 0};
       pair({points_[i].x - origin.x, points_[i].y - origin.y});
     }
@@ -166,6 +199,7 @@ class PathWriter {
   }
 
   std::vector<UnitPoint> points_;
+  std::vector<const EllipticArc*> arcs_;  ///< that leads to the point of the same index; null: a straight line
   Point2 start_{0, 0};
   bool stays_ = false, moves_ = false;  ///< there are lines to the first point, to others
   std::string absolute_, relative_, out_;
@@ -216,6 +250,24 @@ std::string chunk_text(const Polylines& lines, Chunk chunk, double device) {
     }
   }
   if (open) writer.end(false);
+  return writer.take();
+}
+
+/// The same with arcs, found for the points as they are written.
+std::string curved_text(const Polylines& lines, Chunk chunk, const CurveLimits& limits) {
+  PathWriter writer;
+  std::vector<Point2> points;
+  for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+    if (lines[i].size() < 2) continue;
+    points.clear();
+    for (const Point2 p : lines[i]) {
+      points.push_back({std::round(p.x * kUnitsPerMm) / kUnitsPerMm, std::round(p.y * kUnitsPerMm) / kUnitsPerMm});
+    }
+    const CurvedPath path = fit_curves(points, limits);
+    writer.begin(path.start);
+    for (const PathPiece& piece : path.pieces) piece.arc ? writer.arc_to(piece.to, *piece.arc) : writer.line_to(piece.to);
+    writer.end(path.closed);
+  }
   return writer.take();
 }
 
@@ -317,7 +369,10 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
   for (const Layer& layer : drawing.layers) {
     const std::vector<Chunk> chunks = chunks_of(layer.lines);
     std::vector<std::string> texts(chunks.size());
-    parallel_for(chunks.size(), [&](std::size_t i) { texts[i] = chunk_text(layer.lines, chunks[i], device); });
+    const std::optional<CurveLimits> curves = options.curves_of(layer);
+    parallel_for(chunks.size(), [&](std::size_t i) {
+      texts[i] = curves ? curved_text(layer.lines, chunks[i], *curves) : chunk_text(layer.lines, chunks[i], device);
+    });
     std::size_t size = svg.size();
     for (const std::string& text : texts) size += text.size();
     svg.reserve(size);

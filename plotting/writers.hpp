@@ -2,6 +2,7 @@
 /// Writers of drawings. All give their bytes back; writing them to a file is plotting/output_file.hpp's.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "drawing/shading.hpp"
 #include "drawing/statistics.hpp"
 #include "plotting/page.hpp"
+#include "plotting/paths/fit_curves.hpp"
 
 namespace ligne {
 
@@ -21,10 +23,17 @@ struct PlotOptions {
   bool hidden_solid = false;
   std::string title;                                     ///< document title, may be empty
   double dpi = 150;                                      ///< PNG
+  bool curves = false;                                   ///< arcs where lines are tessellated ones (paths/fit_curves.hpp)
   std::function<LineStyle(const std::string&)> style{};  ///< of a layer; empty: layer_style
 
   LineStyle style_of(const std::string& layer) const {
     return style ? style(layer) : layer_style(layer, pen_width_mm, hidden_solid);
+  }
+  /// Nothing where the lines of the layer stay as they are.
+  std::optional<CurveLimits> curves_of(const Layer& layer) const {
+    if (!curves || !may_be_curved(layer)) return {};
+    // Of the outline's pen, not of the layer's: a rim is an outline on one side and a crease on the other.
+    return CurveLimits{kCurveToleranceMm, pen_width_mm};
   }
 };
 

@@ -61,6 +61,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_page_options(draw, picture.page);
   add_output_options(draw, options.output);
   add_dpi_option(draw, picture.output.dpi);
+  add_curves_option(draw, picture.output.curves, "on; off with --quality exact");
   add_title_option(draw, picture.output.title, "title of an SVG or PDF");
   OptionGroup(draw, "Faces")
       .add_flag("--shade", picture.gray_faces, "PNG: faces in gray, lit from the eye (methods with spans)");

@@ -25,6 +25,14 @@ void add_dpi_option(CLI::App& app, double& dpi) {
       .standard("150");
 }
 
+void add_curves_option(CLI::App& app, std::optional<bool>& curves, const std::string& standard) {
+  OptionGroup(app, "Output")
+      .add(
+          "--curves", "HOW", curves, [](const std::string& text) { return parse_choice(text, kSwitchNames) == 1; },
+          "SVG, PDF, PNG: circles and ellipses as arcs where lines are tessellated ones: on off")
+      .standard(standard);
+}
+
 void add_title_option(CLI::App& app, std::string& title, const std::string& help) {
   OptionGroup(app, "Output")
       .add(

@@ -137,9 +137,11 @@ inline constexpr std::string_view kOutputFormatNames[] = {"svg", "pdf", "png", "
 /// The file.
 struct OutputRequest {
   OutputFormat format = OutputFormat::svg;
-  double dpi = 150;   ///< PNG
-  std::string title;  ///< of the document, may be empty
+  double dpi = 150;              ///< PNG
+  std::string title;             ///< of the document, may be empty
+  std::optional<bool> curves{};  ///< SVG, PDF and PNG: arcs where lines are tessellated ones; nothing: where lines are clear
 };
+inline constexpr std::string_view kSwitchNames[] = {"off", "on"};
 
 /// A whole picture of a scene.
 struct PictureRequest {

@@ -124,7 +124,8 @@ void warn_of_empty_or_cut(const Drawing& drawing, const Placement& placement, Ru
 }
 
 Picture draw_horizon(const SurfaceRequest& request, RunReport& run) {
-  const PictureRequest& picture = request.picture;
+  PictureRequest picture = request.picture;
+  picture.lines.quality = Quality::exact;  // curves of ours, not a mesh that stands for a shape
   run.method = "horizon";
   Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(request, run).front()); });
   HorizonRequest horizon;

@@ -111,6 +111,7 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
   }
   PlotOptions by_pen = style;
   by_pen.style = styles_of(plot);
+  by_pen.curves = false;  // the way of the pen is measured and simplified along its points
   picture.bytes = written_as(format, drawing_of(plot), by_pen, under);
   return picture;
 }
@@ -124,6 +125,7 @@ PlotOptions plot_options(const PictureRequest& request, const Page& page) {
   plot.hidden_solid = request.lines.hidden == HiddenLines::solid;
   plot.title = request.output.title;
   plot.dpi = request.output.dpi;
+  plot.curves = request.output.curves.value_or(request.lines.quality == Quality::clear);
   return plot;
 }
 

@@ -1,0 +1,225 @@
+#include "plotting/paths/elliptic_arc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace ligne {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Newton's method for the two fits comes from a side where it is monotone; it stops where rounding stops it.
+constexpr int kMostSteps = 100;
+
+/// A covariance whose determinant is so small a part of its trace squared is that of a straight line.
+constexpr double kStraight = 1e-14;
+
+Point2 turned(Point2 p, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * p.x - s * p.y, s * p.x + c * p.y};
+}
+
+/// `p` in the frame in which the ellipse is the unit circle.
+Point2 to_unit(const Ellipse& ellipse, Point2 p) { return turned(p - ellipse.centre, -ellipse.rotation) / ellipse.radii; }
+
+Point2 mean_of(std::span<const Point2> points) {
+  Point2 sum{0, 0};
+  for (const Point2 p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+/// The largest root of x^3 - trace x^2 + minors x - determinant, all roots of which are real: from above, Newton's method
+/// comes down to it.
+double largest_root(double trace, double minors, double determinant) {
+  double x = 1 + std::max({std::abs(trace), std::abs(minors), std::abs(determinant)});
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double slope = (3 * x - 2 * trace) * x + minors;
+    const double next = x - (((x - trace) * x + minors) * x - determinant) / slope;
+    if (!(next < x)) break;
+    x = next;
+  }
+  return x;
+}
+
+/// The vector that the matrix, of rank two, takes to zero.
+Point3 null_vector(const glm::dmat3& matrix) {
+  const glm::dmat3 rows = glm::transpose(matrix);
+  Point3 best{0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    const Point3 normal = glm::cross(rows[i], rows[(i + 1) % 3]);
+    if (glm::dot(normal, normal) > glm::dot(best, best)) best = normal;
+  }
+  return best;
+}
+
+/// The ellipse (p - centre)^T q (p - centre) = 1; false when that is none.
+bool ellipse_of(Point2 centre, const glm::dmat2& q, Ellipse& ellipse) {
+  const double a = q[0][0], b = q[0][1], c = q[1][1];
+  const double mean = (a + c) / 2, apart = std::hypot((a - c) / 2, b);
+  const double least = (a * c - b * b) / (mean + apart);
+  if (!(least > 0) || !std::isfinite(mean + apart)) return false;
+  ellipse = {centre, {1 / std::sqrt(least), 1 / std::sqrt(mean + apart)}, std::atan2(-2 * b, c - a) / 2};
+  return std::isfinite(ellipse.radii.x) && std::isfinite(ellipse.radii.y);
+}
+
+}  // namespace
+
+Point2 point_at(const Ellipse& e, double t) {
+  return e.centre + turned({e.radii.x * std::cos(t), e.radii.y * std::sin(t)}, e.rotation);
+}
+
+Point2 tangent_at(const Ellipse& e, double t) {
+  return turned({-e.radii.x * std::sin(t), e.radii.y * std::cos(t)}, e.rotation);
+}
+
+double angle_of(const Ellipse& ellipse, Point2 p) {
+  const Point2 u = to_unit(ellipse, p);
+  return std::atan2(u.y, u.x);
+}
+
+double distance(const Ellipse& ellipse, Point2 p) {
+  const Point2 u = to_unit(ellipse, p);
+  const double r = glm::length(u);
+  return std::abs(r - 1) / (glm::length(u / ellipse.radii) / r);
+}
+
+bool fit_circle(std::span<const Point2> points, Ellipse& circle) {
+  const Point2 mean = mean_of(points);
+  const auto n = static_cast<double>(points.size());
+  double squares = 0;
+  for (const Point2 p : points) squares += glm::dot(p - mean, p - mean);
+  const double size = std::sqrt(squares / n);
+  if (!(size > 0)) return false;
+
+  // Moments, z the squared distance from the mean. The mean of z is 1.
+  double xx = 0, yy = 0, xy = 0, xz = 0, yz = 0, zz = 0;
+  for (const Point2 p : points) {
+    const Point2 q = (p - mean) / size;
+    const double z = glm::dot(q, q);
+    xx += q.x * q.x / n;
+    yy += q.y * q.y / n;
+    xy += q.x * q.y / n;
+    xz += q.x * z / n;
+    yz += q.y * z / n;
+    zz += z * z / n;
+  }
+  const double z = xx + yy, covariance = xx * yy - xy * xy, variance = zz - z * z;
+  const double a2 = -3 * z * z - zz, a1 = variance * z + 4 * covariance * z - xz * xz - yz * yz;
+  const double a0 = xz * (xz * yy - yz * xy) + yz * (yz * xx - xz * xy) - variance * covariance;
+  double x = 0, value = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double here = ((4 * z * x + a2) * x + a1) * x + a0;
+    if (!(std::abs(here) < std::abs(value))) break;
+    value = here;
+    x -= here / ((12 * z * x + 2 * a2) * x + a1);
+  }
+  const double determinant = x * x - x * z + covariance;
+  const Point2 centre = Point2{xz * (yy - x) - yz * xy, yz * (xx - x) - xz * xy} / (2 * determinant);
+  const double radius = size * std::sqrt(glm::dot(centre, centre) + z);
+  if (!std::isfinite(radius)) return false;
+  circle = {mean + centre * size, {radius, radius}, 0};
+  return true;
+}
+
+bool fit_ellipse(std::span<const Point2> points, Ellipse& ellipse) {
+  const Point2 mean = mean_of(points);
+  const auto n = static_cast<double>(points.size());
+  double xx = 0, xy = 0, yy = 0;
+  for (const Point2 p : points) {
+    const Point2 d = p - mean;
+    xx += d.x * d.x / n;
+    xy += d.x * d.y / n;
+    yy += d.y * d.y / n;
+  }
+  if (!(xx * yy - xy * xy > kStraight * (xx + yy) * (xx + yy))) return false;
+  // p = mean + lower q, the covariance of q is one.
+  const double l00 = std::sqrt(xx), l10 = xy / l00, l11 = std::sqrt(yy - l10 * l10);
+  const auto white = [&](Point2 p) {
+    const double x = (p.x - mean.x) / l00;
+    return Point2{x, (p.y - mean.y - l10 * x) / l11};
+  };
+
+  // Squares as far as they are no linear function of the coordinates. Here the sums of (x, y, 1) are n times the unit
+  // matrix, so that the regression of [HalirFlusser1998] (their T) is three means.
+  glm::dmat3 linear{0};
+  const auto squares = [](Point2 q) { return Point3{q.x * q.x, q.x * q.y, q.y * q.y}; };
+  for (const Point2 p : points) {
+    const Point2 q = white(p);
+    const Point3 s = squares(q) / n;
+    linear[0] += s * q.x;
+    linear[1] += s * q.y;
+    linear[2] += s;
+  }
+  glm::dmat3 m{0};
+  for (const Point2 p : points) {
+    const Point2 q = white(p);
+    const Point3 rest = squares(q) - linear * Point3{q.x, q.y, 1};
+    m += glm::outerProduct(rest, rest) / n;
+  }
+
+  // M a = lambda C a with the constraint a^T C a = 4ac - b^2. C has one positive eigenvalue, so there is one lambda above
+  // zero, and it is the ellipse's.
+  glm::dmat3 reduced{0};
+  for (int column = 0; column < 3; ++column) reduced[column] = {m[column][2] / 2, -m[column][1], m[column][0] / 2};
+  const glm::dmat3& r = reduced;
+  const double minors =
+      r[0][0] * r[1][1] - r[1][0] * r[0][1] + r[0][0] * r[2][2] - r[2][0] * r[0][2] + r[1][1] * r[2][2] - r[2][1] * r[1][2];
+  const double lambda = largest_root(r[0][0] + r[1][1] + r[2][2], minors, glm::determinant(r));
+  const Point3 a = null_vector(reduced - glm::dmat3{lambda});
+  const glm::dmat2 q{a.x, a.y / 2, a.y / 2, a.z};
+  if (!(glm::determinant(q) > 0)) return false;
+  const Point3 rest = -(glm::transpose(linear) * a);
+  const Point2 centre = -0.5 * (glm::inverse(q) * Point2{rest.x, rest.y});
+  const double constant = -(rest.z + 0.5 * (rest.x * centre.x + rest.y * centre.y));
+  const glm::dmat2 inverse{1 / l00, -l10 / (l00 * l11), 0, 1 / l11};
+  return ellipse_of(mean + Point2{l00 * centre.x, l10 * centre.x + l11 * centre.y},
+                    glm::transpose(inverse) * (q / constant) * inverse, ellipse);
+}
+
+EllipticArc arc_between(Point2 from, Point2 to, const Ellipse& size, bool positive) {
+  EllipticArc arc{size, 0, 0};
+  Ellipse& ellipse = arc.ellipse;
+  ellipse.centre = (from + to) / 2.0;
+  // In the frame of the unit circle the centre lies on the bisector of the chord, to its left or right.
+  Point2 half = (to_unit(ellipse, to) - to_unit(ellipse, from)) / 2.0;
+  const double h = glm::length(half);
+  if (h > 1) {
+    ellipse.radii *= h;
+    half /= h;
+  }
+  const double away = std::sqrt(std::max(0.0, 1 - h * h)) / std::max(h, std::numeric_limits<double>::min());
+  const Point2 bisector = positive ? Point2{-half.y, half.x} : Point2{half.y, -half.x};
+  ellipse.centre += turned(bisector * away * ellipse.radii, ellipse.rotation);
+  arc.from = angle_of(ellipse, from);
+  arc.sweep = std::remainder(angle_of(ellipse, to) - arc.from, 2 * kPi);
+  if (positive ? arc.sweep < 0 : arc.sweep > 0) arc.sweep += positive ? 2 * kPi : -2 * kPi;
+  return arc;
+}
+
+std::vector<Point2> bezier_points(const EllipticArc& arc, double tolerance) {
+  // A quarter of a unit circle is off by 2.7e-4, and the error goes with the sixth power of the angle.
+  constexpr double kQuarterError = 2.8e-4;
+  const double quarters = std::abs(arc.sweep) / (kPi / 2);
+  const double wanted = quarters * std::pow(kQuarterError * arc.ellipse.radii.x / tolerance, 1.0 / 6);
+  const int count = std::max({1, static_cast<int>(std::ceil(wanted)), static_cast<int>(std::ceil(quarters))});
+  const double step = arc.sweep / count, handle = 4.0 / 3 * std::tan(step / 4);
+  std::vector<Point2> points;
+  points.reserve(3 * static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const double t0 = arc.from + i * step, t1 = arc.from + (i + 1) * step;
+    const Point2 end = point_at(arc.ellipse, t1);
+    points.push_back(point_at(arc.ellipse, t0) + handle * tangent_at(arc.ellipse, t0));
+    points.push_back(end - handle * tangent_at(arc.ellipse, t1));
+    points.push_back(end);
+  }
+  return points;
+}
+
+}  // namespace ligne
