@@ -1,5 +1,6 @@
 /// Every option of `ligne draw`, by what it changes.
 
+#include <cmath>
 #include <set>
 
 #include "draw_program.hpp"
@@ -273,6 +274,31 @@ TEST_F(DrawTest, ClearLinesOfFacesStoredTwice) {
   EXPECT_EQ(run({"draw", "twice.obj", "--quality", "fair", "-o", "x.svg"}).status, 2);
   const Outcome info = run({"info", "twice.obj"});
   EXPECT_NE(info.out.find("2 faces have the same vertices as another one"), std::string::npos) << info.out;
+}
+
+TEST_F(DrawTest, CurvesWhereLinesAreClear) {
+  std::string disc, face = "f";
+  constexpr int kCorners = 48;
+  for (int i = 0; i < kCorners; ++i) {
+    const double t = 2 * 3.14159265358979 * i / kCorners;
+    disc += "v " + std::to_string(std::cos(t)) + " " + std::to_string(std::sin(t)) + " 0\n";
+    face += " " + std::to_string(i + 1);
+  }
+  write("disc.obj", disc + face + "\n");
+  const auto arcs = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"draw", "disc.obj", "--view", "iso", "-o", "-", "--format", "svg"});
+    const Outcome outcome = run(options);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::string path = outcome.out.substr(outcome.out.find("<path d=\"M") + 9);
+    return path.substr(0, path.find('"')).find_first_of("Aa") != std::string::npos;
+  };
+  EXPECT_TRUE(arcs({}));
+  EXPECT_FALSE(arcs({"--curves", "off"}));
+  EXPECT_FALSE(arcs({"--quality", "exact"}));
+  EXPECT_TRUE(arcs({"--quality", "exact", "--curves", "on"}));
+  EXPECT_FALSE(arcs({"--pen", "rest=1"})) << "pens keep the points";
+  EXPECT_EQ(drawn({"disc.obj", "--curves", "on"})["strokes"], drawn({"disc.obj", "--curves", "off"})["strokes"]);
+  EXPECT_EQ(run({"draw", "disc.obj", "--curves", "maybe", "-o", "x.svg"}).status, 2);
 }
 
 TEST_F(DrawTest, NamesWithSpacesAndUtf8) {
