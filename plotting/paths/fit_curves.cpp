@@ -35,6 +35,9 @@ constexpr double kRoundingMm = 0.0005;
 /// Least corners of an arc. Five lie on an ellipse in any case.
 constexpr std::size_t kMany = 10, kLeastWithin = 8, kFew = 6;
 
+/// An arc found but for rounding goes on within the tolerance, if by so many corners: one may be the end of a cut chord.
+constexpr std::size_t kBeyond = 3;
+
 /// In runs of fewer than kMany corners: most that a step is longer than the one beside it. More corners are proof enough.
 constexpr double kUneven = 1.25;
 
@@ -148,18 +151,22 @@ class CurveFit {
         while (end + 1 < corners_.size() && arc_to_[end].first == 0 && way != 0 && turn(end) == way) ++end;
       }
       Arcs arcs, best;
+      double tolerance = round.tolerance;
       const auto fits = [&](std::size_t to) {
-        if (!on_ellipse(i, to, round, arcs)) return false;
+        if (!on_ellipse(i, to, {tolerance, round.least}, arcs)) return false;
         best = arcs;
         return true;
       };
       // The whole first: noise bends a short arc more than a whole circle.
       const bool whole = new_chain && end + 1 >= i + round.least && fits(end);
-      const std::size_t last = whole ? end : longest(i, end, round.least, fits);
+      std::size_t last = whole ? end : longest(i, end, round.least, fits);
       if (last == i) {
         ++i;
         continue;
       }
+      // Where rounding is worse than most, the arc goes on beyond what lies on it exactly.
+      tolerance = limits_.tolerance_mm;
+      last = std::max(last, longest(i, end, last - i + 1 + kBeyond, fits));
       if (i == 0) first_end_ = last;
       for (const auto& [to, arc] : best) {
         arc_to_[i] = {to, arc};
