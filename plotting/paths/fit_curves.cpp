@@ -93,12 +93,13 @@ class CurveFit {
     for (const Round& round : {Round{rounding, kMany}, {limits_.tolerance_mm, kLeastWithin}, {rounding, kFew}})
       find_arcs(round);
     CurvedPath path{corners_.front()};
+    std::size_t free = 0;  // the corner up to which no arc begins
     for (std::size_t i = 0; i + 1 < corners_.size();) {
       if (arc_to_[i].first > i) {
         path.pieces.push_back({corners_[arc_to_[i].first], arc_to_[i].second});
         i = arc_to_[i].first;
       } else {
-        std::size_t free = i + 1;
+        free = std::max(free, i + 1);
         while (free + 1 < corners_.size() && arc_to_[free].first == 0) ++free;
         i = longest(i, free, 2, [&](std::size_t last) { return straight(i, last); });
         path.pieces.push_back({corners_[i]});
