@@ -15,6 +15,8 @@ fail() {
 }
 
 git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run -Werror || fail "not as clang-format would have it"
+left=$(git ls-files '*.orig' '*.rej')
+[[ -z $left ]] || fail "left over from patches: $left"
 python3 scripts/check_docs.py || fail "the documentation names what is not there, or breaks its rules"
 scripts/check_includes.sh || fail "an include climbs"
 for patch in tests/planted_faults/*.patch; do

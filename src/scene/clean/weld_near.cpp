@@ -1,16 +1,14 @@
-// The vertices that stay where they are stand in a hashed grid of cells two distances wide, so that whatever is near
-// enough to a vertex lies in its own cell or in those beyond its nearer walls: eight cells. Since those that stay are
-// farther apart than the distance, a cell holds a few of them only, however wide it is.
+// The vertices that stay where they are stand in a hashed grid (near_cells.hpp). Since they are farther apart than the
+// distance, a cell holds a few of them only.
 
 #include "scene/clean/weld_near.hpp"
 
-#include <array>
 #include <bit>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 
 #include "geometry/parallel.hpp"
+#include "scene/clean/near_cells.hpp"
 
 namespace ligne {
 namespace {
@@ -24,15 +22,10 @@ class NearVertices {
   /// Moves vertex v onto one that stays, or lets it stay.
   void take(std::uint32_t v) {
     const Point3 p = vertices_[v];
-    std::array<std::array<double, 2>, 3> cells;  // per axis: the own cell, and that beyond the nearer wall
-    for (int axis = 0; axis < 3; ++axis) {
-      const double position = p[axis] / (2 * distance_);
-      if (!std::isfinite(position)) return;
-      const double cell = std::floor(position);
-      cells[axis] = {cell, position - cell < 0.5 ? cell - 1 : cell + 1};
-    }
+    const NearCells cells(p, distance_);
+    if (!cells.finite()) return;
     for (unsigned k = 0; k < 8; ++k) {
-      std::uint32_t link = heads_[slot(cells[0][k & 1], cells[1][k >> 1 & 1], cells[2][k >> 2])];
+      std::uint32_t link = heads_[cells.slot(k, heads_.size())];
       for (; link != kNone; link = links_[link].next) {
         const Point3 there = links_[link].position;
         if (glm::distance(there, p) > distance_) continue;
@@ -40,7 +33,7 @@ class NearVertices {
         return;
       }
     }
-    std::uint32_t& head = heads_[slot(cells[0][0], cells[1][0], cells[2][0])];
+    std::uint32_t& head = heads_[cells.slot(0, heads_.size())];
     links_.push_back({p, head});
     head = static_cast<std::uint32_t>(links_.size() - 1);
   }
@@ -50,16 +43,6 @@ class NearVertices {
     Point3 position;  ///< of a vertex that stays
     std::uint32_t next;
   };
-
-  /// Cells that share a slot only cost time: distances are looked at.
-  std::size_t slot(double x, double y, double z) const {
-    std::uint64_t k = 0;
-    for (const double cell : {x, y, z}) {
-      k = (std::rotl(k, 23) ^ std::bit_cast<std::uint64_t>(cell + 0.0)) * 0x9e3779b97f4a7c15u;
-      k ^= k >> 29;
-    }
-    return k & (heads_.size() - 1);
-  }
 
   std::vector<Point3>& vertices_;
   double distance_;

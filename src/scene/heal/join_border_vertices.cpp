@@ -3,13 +3,12 @@
 // of such a crowd kMostTried are looked at, so that time grows with the number of vertices.
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
 #include "scene/clean/compact.hpp"
+#include "scene/clean/near_cells.hpp"
 #include "scene/heal/border_gaps.hpp"
 #include "scene/heal/corner_uses.hpp"
 #include "scene/heal/sew_borders.hpp"
@@ -30,17 +29,12 @@ class Joiner {
   /// Joins vertex v to one that stays, or lets it stay.
   bool take(std::uint32_t v) {
     const Point3 p = scene_.vertices[v];
-    std::array<std::array<double, 2>, 3> cells;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double position = p[axis] / (2 * distance_);
-      const double cell = std::floor(position);
-      cells[axis] = {cell, position - cell < 0.5 ? cell - 1 : cell + 1};
-    }
+    const NearCells cells(p, distance_);
     std::uint32_t best = kNone;
     double best_distance = distance_;
     int tried = 0;
     for (unsigned k = 0; k < 8; ++k) {
-      std::uint32_t link = heads_[slot(cells[0][k & 1], cells[1][k >> 1 & 1], cells[2][k >> 2])];
+      std::uint32_t link = heads_[cells.slot(k, heads_.size())];
       for (; link != kNone && tried < kMostTried; link = links_[link].next, ++tried) {
         const std::uint32_t w = links_[link].vertex;
         const double d = glm::distance(scene_.vertices[w], p);
@@ -52,7 +46,7 @@ class Joiner {
       target_[v] = best;
       return true;
     }
-    std::uint32_t& head = heads_[slot(cells[0][0], cells[1][0], cells[2][0])];
+    std::uint32_t& head = heads_[cells.slot(0, heads_.size())];
     links_.push_back({v, head});
     head = static_cast<std::uint32_t>(links_.size() - 1);
     return false;
@@ -62,15 +56,6 @@ class Joiner {
   struct Link {
     std::uint32_t vertex, next;
   };
-
-  std::size_t slot(double x, double y, double z) const {
-    std::uint64_t k = 0;
-    for (const double cell : {x, y, z}) {
-      k = (std::rotl(k, 23) ^ std::bit_cast<std::uint64_t>(cell + 0.0)) * 0x9e3779b97f4a7c15u;
-      k ^= k >> 29;
-    }
-    return k & (heads_.size() - 1);
-  }
 
   /// No face of v loses a corner, and no triangle turns over, when v goes to w.
   bool may_join(std::uint32_t v, std::uint32_t w) const {

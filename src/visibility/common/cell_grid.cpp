@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/parallel.hpp"
-#include "visibility/common/facet_functions.hpp"
+#include "visibility/common/facet_in_cell.hpp"
 
 namespace ligne {
 namespace {
@@ -27,25 +27,6 @@ struct CellRange {
   std::uint16_t column0, column1, row0, row1;
 };
 
-enum class Meeting { apart, meets, covers };
-
-/// Facet against the square with a margin; for `meets` and `covers` the facet's depths over the square.
-Meeting meet(const FacetFunctions& g, const Facet& f, const CellSquare& square, double margin, double& z_near,
-             double& z_far) {
-  const double half = square.size / 2, x = square.x + half, y = square.y + half, reach = half + margin;
-  bool covers = true;
-  for (int i = 0; i < 3; ++i) {
-    const double centre = g.ex[i] * x + g.ey[i] * y + g.e[i];
-    const double radius = (std::abs(g.ex[i]) + std::abs(g.ey[i])) * reach;
-    if (centre + radius < 0) return Meeting::apart;
-    if (centre - radius <= 0) covers = false;
-  }
-  const double z = g.zx * x + g.zy * y + g.z, dz = (std::abs(g.zx) + std::abs(g.zy)) * reach + g.slack;
-  z_near = std::max<double>(f.z_near, z - dz);
-  z_far = std::min<double>(f.z_far, z + dz);
-  return covers ? Meeting::covers : Meeting::meets;
-}
-
 struct PageBox {
   double left, right, top, bottom;
 };
@@ -61,24 +42,6 @@ PageBox page_box(const Facet& f, const ProjectedVertex* vertices) {
 double breadth(const Facet& f, const ProjectedVertex* vertices) {
   return orientation(vertices[f.v[0]].p, vertices[f.v[1]].p, vertices[f.v[2]].p) / f.size;
 }
-
-/// Of the facets that cover a cell, the nearest: others that coincide with it there need not be listed.
-struct NearestCover {
-  FacetFunctions functions;
-  std::size_t entry = 0;
-  bool any = false;
-
-  /// Whether a facet that covers the cell coincides with this one in it, within the depth tolerance of either.
-  bool stands_for(const FacetFunctions& other, const CellSquare& square) const {
-    if (!any) return false;
-    const double tolerance = std::max(functions.slack, other.slack);
-    for (int corner = 0; corner < 4; ++corner) {
-      const double x = square.x + (corner % 2) * square.size, y = square.y + (corner / 2) * square.size;
-      if (!(std::abs(functions.depth(x, y) - other.depth(x, y)) <= tolerance)) return false;
-    }
-    return true;
-  }
-};
 
 void sort_by_depth(CellFacet* begin, CellFacet* end) {
   std::sort(begin, end, [](const CellFacet& a, const CellFacet& b) {

@@ -1,0 +1,49 @@
+#pragma once
+/// A facet against a cell of the screen grid.
+
+#include <algorithm>
+#include <cmath>
+
+#include "visibility/common/cell_grid.hpp"
+#include "visibility/common/facet_functions.hpp"
+
+namespace ligne {
+
+enum class Meeting { apart, meets, covers };
+
+/// Facet against the square with a margin; for `meets` and `covers` the facet's depths over the square.
+inline Meeting meet(const FacetFunctions& g, const Facet& f, const CellSquare& square, double margin, double& z_near,
+                    double& z_far) {
+  const double half = square.size / 2, x = square.x + half, y = square.y + half, reach = half + margin;
+  bool covers = true;
+  for (int i = 0; i < 3; ++i) {
+    const double centre = g.ex[i] * x + g.ey[i] * y + g.e[i];
+    const double radius = (std::abs(g.ex[i]) + std::abs(g.ey[i])) * reach;
+    if (centre + radius < 0) return Meeting::apart;
+    if (centre - radius <= 0) covers = false;
+  }
+  const double z = g.zx * x + g.zy * y + g.z, dz = (std::abs(g.zx) + std::abs(g.zy)) * reach + g.slack;
+  z_near = std::max<double>(f.z_near, z - dz);
+  z_far = std::min<double>(f.z_far, z + dz);
+  return covers ? Meeting::covers : Meeting::meets;
+}
+
+/// Of the facets that cover a cell, the nearest: others that coincide with it there need not be listed.
+struct NearestCover {
+  FacetFunctions functions;
+  std::size_t entry = 0;
+  bool any = false;
+
+  /// Whether a facet that covers the cell coincides with this one in it, within the depth tolerance of either.
+  bool stands_for(const FacetFunctions& other, const CellSquare& square) const {
+    if (!any) return false;
+    const double tolerance = std::max(functions.slack, other.slack);
+    for (int corner = 0; corner < 4; ++corner) {
+      const double x = square.x + (corner % 2) * square.size, y = square.y + (corner / 2) * square.size;
+      if (!(std::abs(functions.depth(x, y) - other.depth(x, y)) <= tolerance)) return false;
+    }
+    return true;
+  }
+};
+
+}  // namespace ligne
