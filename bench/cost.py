@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""cost.py LIGNE [--methods appel,...] [--families NAME,...] [--check FILE] [--limit SECONDS]
+"""cost.py LIGNE [--methods appel,...] [--families "NAME;..."] [--check FILE] [--limit SECONDS]
 
 Draws families of growing scenes (cost_inputs.py) with the methods and prints a Markdown table: processor time and peak memory
 at the largest size, and the exponents e of time ~ n^e and of the drawing's bytes, fitted over three sizes. With --check FILE

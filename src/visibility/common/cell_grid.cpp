@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/parallel.hpp"
+#include "visibility/common/cell_cover.hpp"
 #include "visibility/common/facet_in_cell.hpp"
 
 namespace ligne {
@@ -26,22 +27,6 @@ constexpr std::size_t kBlock = 65'536;
 struct CellRange {
   std::uint16_t column0, column1, row0, row1;
 };
-
-struct PageBox {
-  double left, right, top, bottom;
-};
-
-PageBox page_box(const Facet& f, const ProjectedVertex* vertices) {
-  const LatticePoint a = vertices[f.v[0]].p, b = vertices[f.v[1]].p, c = vertices[f.v[2]].p;
-  const auto [left, right] = std::minmax({a.x, b.x, c.x});
-  const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
-  return {double(left), double(right), double(top), double(bottom)};
-}
-
-/// About the smallest height of a facet over a side: it decides whether the facet can cover a cell, however long it is.
-double breadth(const Facet& f, const ProjectedVertex* vertices) {
-  return orientation(vertices[f.v[0]].p, vertices[f.v[1]].p, vertices[f.v[2]].p) / f.size;
-}
 
 void sort_by_depth(CellFacet* begin, CellFacet* end) {
   std::sort(begin, end, [](const CellFacet& a, const CellFacet& b) {
@@ -76,9 +61,11 @@ struct CellGrid::Build {
   /// To be called once per leaf, when its list is complete.
   void finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square) const;
   bool of_one_face(const CellFacet* list, std::size_t n) const;
+  /// Removes from a long list what lies behind the cell's cover; gives the list's new length.
+  std::size_t drop_covered(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square, CellCover& cover) const;
   /// `budget`: how many entries the leaves of the cell should have at the most.
   void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
-             std::uint16_t arena_index, double budget);
+             std::uint16_t arena_index, double budget, CellCover& cover);
 
   /// Rows are dealt out in bands, each filled by one task that scans all facets: lists keep the order of the facets.
   template <class Work>
@@ -239,11 +226,21 @@ void CellGrid::Build::split_overfull() {
   constexpr std::size_t kArenas = 64;
   grid.arenas_.resize(kArenas + 1);
   const std::size_t n = grid.cells_.size();
-  const double entries = static_cast<double>(grid.arenas_[0].list.size());
+  parallel_for(kArenas, [&](std::size_t k) {
+    CellCover cover(facets, scene.vertices.data(), options.margin_steps);
+    for (std::size_t i = n * k / kArenas; i < n * (k + 1) / kArenas; ++i) {
+      Cell& cell = grid.cells_[i];
+      CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
+      cell.count = static_cast<std::uint32_t>(drop_covered(cell, list, cell.count, grid.top_square(i), cover));
+    }
+  });
+  double entries = 0;
+  for (const Cell& cell : grid.cells_) entries += cell.count;
   const double budget = std::max(kEntriesPerFacet * static_cast<double>(facets.size()), kLeastBudget) / entries;
   parallel_for(kArenas, [&](std::size_t k) {
     Arena& arena = grid.arenas_[k + 1];
     std::vector<CellFacet> inherited;
+    CellCover cover(facets, scene.vertices.data(), options.margin_steps);
     for (std::size_t i = n * k / kArenas; i < n * (k + 1) / kArenas; ++i) {
       Cell& cell = grid.cells_[i];
       CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
@@ -253,13 +250,25 @@ void CellGrid::Build::split_overfull() {
       }
       inherited.assign(list, list + cell.count);
       split(cell, grid.top_square(i), inherited, arena, static_cast<std::uint16_t>(k + 1),
-            budget * static_cast<double>(inherited.size()));
+            budget * static_cast<double>(inherited.size()), cover);
     }
   });
 }
 
 bool CellGrid::Build::of_one_face(const CellFacet* list, std::size_t n) const {
   return std::all_of(list, list + n, [&](const CellFacet& c) { return facets[c.facet].face == facets[list->facet].face; });
+}
+
+std::size_t CellGrid::Build::drop_covered(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square,
+                                          CellCover& cover) const {
+  if (n <= kLeafFacets || !options.drop_hidden) return n;
+  const auto depth = cover.find(list, n, square, [&](const Facet& f) { return hides(f); });
+  if (!depth) return n;
+  cell.occluder_depth = std::min(cell.occluder_depth, *depth);
+  return static_cast<std::size_t>(
+      std::remove_if(list, list + n,
+                     [&](const CellFacet& c) { return c.z_near > cell.occluder_depth || cover.hides(facets[c.facet]); }) -
+      list);
 }
 
 void CellGrid::Build::finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square) const {
@@ -273,7 +282,7 @@ void CellGrid::Build::finish_leaf(Cell& cell, CellFacet* list, std::size_t n, co
 }
 
 void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
-                            std::uint16_t arena_index, double budget) {
+                            std::uint16_t arena_index, double budget, CellCover& cover) {
   constexpr int kChildren = kSplitSide * kSplitSide;
   const double size = square.size / kSplitSide;
   std::vector<CellFacet> lists[kChildren];
@@ -340,9 +349,10 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     child.occluder_depth = covers[k];
     child.arena = arena_index;
     const CellSquare child_square{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
+    lists[k].resize(drop_covered(child, lists[k].data(), lists[k].size(), child_square, cover));
     if (worth_splitting(lists[k].data(), lists[k].size(), size) && progress(lists[k])) {
       split(child, child_square, lists[k], arena, arena_index,
-            budget * static_cast<double>(lists[k].size()) / static_cast<double>(total));
+            budget * static_cast<double>(lists[k].size()) / static_cast<double>(total), cover);
     } else {
       child.begin = static_cast<std::uint32_t>(arena.list.size());
       child.count = static_cast<std::uint32_t>(lists[k].size());

@@ -2,9 +2,9 @@
 /// The screen grid: for every cell the facets that may be seen in it.
 ///
 /// A uniform grid over the page whose overfull cells are split into 4 x 4 children, again and again. Every cell knows the
-/// depth of the nearest facet that covers it whole (its cover); what lies behind the cover is not listed, and a line behind
-/// it needs no further test. Cells are listed with a margin around them, so that a line that runs along the border of a
-/// cell meets in that cell all facets on both of its sides.
+/// depth of the nearest facet, or connected patch of facets, that covers it whole (its cover, cell_cover.hpp); what lies
+/// behind the cover is not listed, and a line behind it needs no further test. Cells are listed with a margin around them,
+/// so that a line that runs along the border of a cell meets in that cell all facets on both of its sides.
 ///
 /// Invariants: a facet whose projection comes within `margin` of a cell is in the list of every leaf there, unless it is
 /// behind the leaf's cover, or coincides there with a listed facet of a lower face and both cover the leaf. Lists are

@@ -9,6 +9,22 @@
 
 namespace ligne {
 
+struct PageBox {
+  double left, right, top, bottom;
+};
+
+inline PageBox page_box(const Facet& f, const ProjectedVertex* vertices) {
+  const LatticePoint a = vertices[f.v[0]].p, b = vertices[f.v[1]].p, c = vertices[f.v[2]].p;
+  const auto [left, right] = std::minmax({a.x, b.x, c.x});
+  const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
+  return {double(left), double(right), double(top), double(bottom)};
+}
+
+/// About the smallest height of a facet over a side: it decides whether the facet can cover a cell, however long it is.
+inline double breadth(const Facet& f, const ProjectedVertex* vertices) {
+  return orientation(vertices[f.v[0]].p, vertices[f.v[1]].p, vertices[f.v[2]].p) / f.size;
+}
+
 enum class Meeting { apart, meets, covers };
 
 /// Facet against the square with a margin; for `meets` and `covers` the facet's depths over the square.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "geometry/parallel.hpp"
@@ -24,7 +26,7 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
 }
 
 /// Adjustable: in leaves with more facets the pairs are compared by their planes over the leaf first.
-constexpr std::uint32_t kCrowded = 128;
+constexpr std::uint32_t kCrowded = 32;
 
 /// Pairs of facets that have no segment in common, as many as there is room for: where hundreds of facets meet in one line,
 /// every pair of them comes in all the leaves along it.
@@ -49,7 +51,7 @@ class FruitlessPairs {
 class LeafSearch {
  public:
   LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double margin)
-      : found(facets, scene.vertices), facets_(facets), vertices_(scene.vertices.data()), grid_(grid), margin_(margin) {}
+      : found(facets, scene.vertices), scene_(scene), facets_(facets), grid_(grid), margin_(margin) {}
 
   void search(const Cell& cell, const CellSquare& square) {
     if (cell.count < 2 || cell.one_face) return;
@@ -61,24 +63,22 @@ class LeafSearch {
     for (std::uint32_t i = 0; i < cell.count; ++i) {
       const Facet& facet = facets_[list[i].facet];
       items_.push_back({found.place(list[i].facet), list[i].z_near, facet.z_far, list[i].box});
-      if (crowded) planes_.emplace_back(FacetFunctions(facet, vertices_), square.x + half, square.y + half);
+      if (crowded) planes_.emplace_back(FacetFunctions(facet, scene_.vertices.data()), square.x + half, square.y + half);
     }
     const auto wanted = [&](const PageSegment& s) {
       return grid_.complete() || seen_in(s, square, margin_, cell.occluder_depth);
     };
-    if (crowded) group_planes(reach);
+    if (crowded) {
+      group_planes(reach);
+      search_crowd(reach, wanted);
+      return;
+    }
     for (std::size_t i = 0; i < items_.size(); ++i) {
       const Item& a = items_[i];
       for (std::size_t k = i + 1; k < items_.size(); ++k) {
         const Item& b = items_[k];
         if (b.z_near > a.z_far) break;  // items are ordered by z_near
-        if (!a.box.meets(b.box) || a.place.face == b.place.face) continue;
-        if (crowded && (planes_[i].group == planes_[k].group || planes_[i].apart(planes_[k], reach))) continue;
-        if (!crowded) {
-          found.test(a.place, b.place, wanted);
-        } else if (!fruitless_.holds(a.place.id, b.place.id) && !found.test(a.place, b.place, wanted)) {
-          fruitless_.add(a.place.id, b.place.id);
-        }
+        if (a.box.meets(b.box) && a.place.face != b.place.face) found.test(a.place, b.place, wanted);
       }
     }
     found.forget_repeated();
@@ -105,6 +105,53 @@ class LeafSearch {
     }
   };
 
+  /// The pairs of a crowded leaf, but for those of one pencil.
+  template <class Wanted>
+  void search_crowd(double reach, const Wanted& wanted) {
+    find_pencil();
+    for (std::uint32_t i = 0; i < items_.size(); ++i) {
+      const Item& a = items_[i];
+      const auto& others = in_pencil_[i] ? outside_ : all_;
+      for (auto other = std::upper_bound(others.begin(), others.end(), i); other != others.end(); ++other) {
+        const Item& b = items_[*other];
+        if (b.z_near > a.z_far) break;
+        if (!a.box.meets(b.box) || a.place.face == b.place.face) continue;
+        if (planes_[i].group == planes_[*other].group || planes_[i].apart(planes_[*other], reach)) continue;
+        if (fruitless_.holds(a.place.id, b.place.id) || found.test(a.place, b.place, wanted)) continue;
+        fruitless_.add(a.place.id, b.place.id);
+      }
+    }
+    found.forget_repeated();
+  }
+
+  /// The largest set of facets with one side in common. Their planes meet in the line of that side, which is no penetration
+  /// where it is a side of their faces too; so no two of them need be compared. (Where a face goes on behind a side, which
+  /// is then but a cut of its triangulation, another facet of the face has it too, in this leaf or in those on the side.)
+  void find_pencil() {
+    side_uses_.clear();
+    for (std::uint32_t i = 0; i < items_.size(); ++i) {
+      const PlacedFacet& f = items_[i].place;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = scene_.place(f.v[k]), w = scene_.place(f.v[(k + 1) % 3]);
+        side_uses_.push_back({std::uint64_t{std::min(v, w)} << 32 | std::max(v, w), f.face, i});
+      }
+    }
+    std::sort(side_uses_.begin(), side_uses_.end());
+    std::size_t largest = 0, largest_end = 0;
+    for (std::size_t begin = 0, end = 0; begin < side_uses_.size(); begin = end) {
+      bool is_cut = false;
+      for (end = begin + 1; end < side_uses_.size() && side_uses_[end].side == side_uses_[begin].side; ++end)
+        is_cut = is_cut || side_uses_[end].face == side_uses_[end - 1].face;
+      if (!is_cut && end - begin > largest_end - largest) largest = begin, largest_end = end;
+    }
+    in_pencil_.assign(items_.size(), false);
+    for (std::size_t i = largest; i < largest_end; ++i) in_pencil_[side_uses_[i].item] = true;
+    all_.resize(items_.size());
+    std::iota(all_.begin(), all_.end(), 0u);
+    outside_.clear();
+    std::copy_if(all_.begin(), all_.end(), std::back_inserter(outside_), [&](std::uint32_t i) { return !in_pencil_[i]; });
+  }
+
   /// Planes whose depths over the cell are equal, in units of the tolerance, are one group. Of a thousand faces that lie in
   /// one plane no two are compared.
   void group_planes(double reach) {
@@ -123,14 +170,24 @@ class LeafSearch {
     }
   }
 
+  /// A side of an item's facet, by its places.
+  struct SideUse {
+    std::uint64_t side;
+    std::uint32_t face, item;
+    friend auto operator<=>(const SideUse&, const SideUse&) = default;
+  };
+
+  const ProjectedScene& scene_;
   const std::vector<Facet>& facets_;
-  const ProjectedVertex* vertices_;
   const CellGrid& grid_;
   double margin_;
   std::vector<Item> items_;
   FruitlessPairs fruitless_;
   std::vector<Plane> planes_;  ///< of the items, in crowded leaves
   std::vector<std::pair<std::array<double, 4>, std::uint32_t>> keys_;
+  std::vector<SideUse> side_uses_;
+  std::vector<bool> in_pencil_;               ///< by item
+  std::vector<std::uint32_t> all_, outside_;  ///< items, and those not in the pencil
 };
 
 }  // namespace

@@ -168,7 +168,15 @@ std::optional<PenetrationSearch::Found> PenetrationSearch::segment_of(const Plac
 void PenetrationSearch::add_side(const PlacedFacet& plane, const PlacedFacet& other, const Heights& heights) {
   int off = 0;
   while (heights.h[off] == 0) ++off;
-  const std::uint32_t p = other.v[(off + 1) % 3], q = other.v[(off + 2) % 3];
+  const int from = (off + 1) % 3, to = (off + 2) % 3;
+  // Beyond the facet, or where they only touch, the side says nothing.
+  std::array<double, 3> e0{}, e1{};
+  for (int i = 0; i < 3; ++i) {
+    e0[i] = orientation(plane.p[i], plane.p[(i + 1) % 3], other.p[from]);
+    e1[i] = orientation(plane.p[i], plane.p[(i + 1) % 3], other.p[to]);
+  }
+  if (!clip_parameters(e0, e1)) return;
+  const std::uint32_t p = other.v[from], q = other.v[to];
   sides_.push_back({plane.id, std::min(p, q), std::max(p, q), other.id, heights.h[off] > 0});
 }
 

@@ -1,0 +1,71 @@
+#pragma once
+/// What hides the depth of a cell: one facet that covers it, or a connected patch of facets that do so together.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/disjoint_sets.hpp"
+#include "visibility/common/facet_in_cell.hpp"
+
+namespace ligne {
+
+/// Finds the patch that covers a cell and hides most. A patch is a set of facets such that across every side of them that
+/// passes through the cell another one of them goes on, on the other side of it. Then their union covers the cell: a point
+/// of the cell on the border of the union would lie inside a facet or on such a side, or be a corner round which facet
+/// follows facet, each by an angle of its own, until they close. One object serves many cells, and holds their work space.
+class CellCover {
+ public:
+  /// `margin`: steps by which cells are widened.
+  CellCover(const std::vector<Facet>& facets, const ProjectedVertex* vertices, double margin)
+      : facets_(facets), vertices_(vertices), margin_(margin) {}
+
+  /// The farthest depth over the cell of the patch for which that is the nearest, depth tolerance added, if there is a
+  /// patch. hides(facet): whether it may belong to one.
+  template <class Hides>
+  std::optional<float> find(const CellFacet* list, std::size_t n, const CellSquare& square, Hides hides) {
+    square_ = square;
+    members_.clear();
+    uses_.clear();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Facet& f = facets_[list[i].facet];
+      if (hides(f)) add(f);
+    }
+    return choose_patch();
+  }
+
+  /// Whether a facet lies behind the patch found last wherever it is in the cell.
+  bool hides(const Facet& f) const;
+
+ private:
+  struct Member {
+    FacetFunctions functions;
+    double z_far = 0;  ///< over the cell, depth tolerance added
+    bool alive = true;
+  };
+  /// A side of a member that passes through the cell.
+  struct SideUse {
+    std::uint64_t side;  ///< its vertices, the lower first
+    bool reversed;       ///< the member has it from the higher vertex to the lower
+    std::uint32_t member;
+  };
+
+  void add(const Facet& f);
+  std::optional<float> choose_patch();
+  void number_sides();
+  void remove_ends();
+
+  const std::vector<Facet>& facets_;
+  const ProjectedVertex* vertices_;
+  double margin_;
+  CellSquare square_;
+  std::vector<Member> members_;
+  std::vector<SideUse> uses_;
+  std::vector<std::uint32_t> side_begin_;    ///< first use of each side, and the end
+  std::vector<std::uint32_t> alive_[2];      ///< by side: uses of members alive, forward and reversed
+  std::vector<std::uint32_t> member_sides_;  ///< by member: up to three times 2 side + reversed, kNone for fewer
+  std::vector<std::uint32_t> removed_;
+  std::vector<FacetFunctions> planes_;  ///< of the patch; none where it has too many
+};
+
+}  // namespace ligne

@@ -1,0 +1,156 @@
+// What covers a cell of the screen grid: patches of facets against points of the cell.
+#include "visibility/common/cell_cover.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace ligne {
+namespace {
+
+constexpr double kMargin = 2;
+const auto kAnyFacet = [](const Facet&) { return true; };
+
+/// Triangles over lattice points.
+struct Mesh {
+  std::vector<ProjectedVertex> vertices;
+  std::vector<Facet> facets;
+  std::vector<CellFacet> list;
+
+  std::uint32_t add_vertex(int x, int y, double z) {
+    vertices.push_back({{x, y}, z});
+    return static_cast<std::uint32_t>(vertices.size() - 1);
+  }
+
+  void add_facet(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const double area = orientation(vertices[a].p, vertices[b].p, vertices[c].p);
+    if (area == 0) return;
+    if (area < 0) std::swap(b, c);
+    const auto [near, far] = std::minmax({vertices[a].z, vertices[b].z, vertices[c].z});
+    const auto id = static_cast<std::uint32_t>(facets.size());
+    facets.push_back({{a, b, c}, id, round_down(near), round_up(far), 1e-6f, 0});
+    list.push_back({id, round_down(near), {}});
+  }
+
+  /// A square of n x n vertices `spacing` steps apart, its corner at (x, y), each square cut along a random diagonal.
+  void add_sheet(int x, int y, int n, int spacing, double z, double roughness, double holes, std::mt19937& rng) {
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::uniform_int_distribution<int> jitter(-spacing / 3, spacing / 3);
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i)
+        add_vertex(x + i * spacing + jitter(rng), y + j * spacing + jitter(rng), z + roughness * unit(rng));
+    }
+    for (int j = 0; j + 1 < n; ++j) {
+      for (int i = 0; i + 1 < n; ++i) {
+        if (unit(rng) < holes) continue;
+        const std::uint32_t a = first + static_cast<std::uint32_t>(j * n + i), b = a + 1;
+        const std::uint32_t c = a + static_cast<std::uint32_t>(n), d = c + 1;
+        if (unit(rng) < 0.5) {
+          add_facet(a, b, d);
+          add_facet(a, d, c);
+        } else {
+          add_facet(a, b, c);
+          add_facet(b, d, c);
+        }
+      }
+    }
+  }
+
+  bool contains(const Facet& f, double x, double y) const {
+    const FacetFunctions g(f, vertices.data());
+    return g.ex[0] * x + g.ey[0] * y + g.e[0] >= 0 && g.ex[1] * x + g.ey[1] * y + g.e[1] >= 0 &&
+           g.ex[2] * x + g.ey[2] * y + g.e[2] >= 0;
+  }
+
+  double nearest_depth(double x, double y) const {
+    double z = std::numeric_limits<double>::infinity();
+    for (const Facet& f : facets) {
+      if (contains(f, x, y)) z = std::min(z, FacetFunctions(f, vertices.data()).depth(x, y));
+    }
+    return z;
+  }
+
+  std::optional<float> cover(const CellSquare& cell) const {
+    return CellCover(facets, vertices.data(), kMargin).find(list.data(), list.size(), cell, kAnyFacet);
+  }
+};
+
+TEST(CellCover, OneFacet) {
+  Mesh mesh;
+  mesh.add_facet(mesh.add_vertex(-1000, -1000, 1), mesh.add_vertex(3000, -1000, 1), mesh.add_vertex(-1000, 3000, 1));
+  EXPECT_NEAR(mesh.cover({0, 0, 100}).value(), 1, 1e-5);
+  EXPECT_FALSE(mesh.cover({900, 900, 200}).has_value()) << "the long side passes through";
+  EXPECT_FALSE(mesh.cover({2000, 2000, 200}).has_value()) << "beyond it";
+}
+
+TEST(CellCover, TwoFacetsWithACommonSide) {
+  Mesh mesh;
+  const auto a = mesh.add_vertex(0, 0, 5), b = mesh.add_vertex(1000, 0, 1), c = mesh.add_vertex(1000, 1000, 3),
+             d = mesh.add_vertex(0, 1000, 1);
+  mesh.add_facet(a, b, c);
+  EXPECT_FALSE(mesh.cover({400, 400, 200}).has_value());
+  mesh.add_facet(a, c, d);
+  const auto depth = mesh.cover({400, 400, 200});
+  ASSERT_TRUE(depth.has_value());
+  EXPECT_GE(*depth, 4.2);
+  EXPECT_LE(*depth, 5.01);
+  EXPECT_FALSE(mesh.cover({-50, -50, 200}).has_value()) << "at the corner";
+}
+
+TEST(CellCover, AFoldCoversNothing) {
+  Mesh mesh;
+  const auto a = mesh.add_vertex(0, 0, 1), b = mesh.add_vertex(1000, 1000, 1);
+  mesh.add_facet(a, b, mesh.add_vertex(0, 1000, 1));
+  mesh.add_facet(a, b, mesh.add_vertex(200, 900, 2));
+  EXPECT_FALSE(mesh.cover({400, 400, 200}).has_value()) << "both facets lie on one side of their common side";
+}
+
+TEST(CellCover, NearerOfTwoSheets) {
+  std::mt19937 rng(1);
+  Mesh mesh;
+  mesh.add_sheet(0, 0, 12, 100, 10, 1, 0, rng);
+  mesh.add_sheet(0, 0, 12, 100, 20, 1, 0, rng);
+  const auto depth = mesh.cover({400, 400, 300});
+  ASSERT_TRUE(depth.has_value());
+  EXPECT_GE(*depth, 10);
+  EXPECT_LE(*depth, 11.001);
+}
+
+/// Whatever is taken for covered is covered, and whatever is taken for hidden lies behind the nearest facet.
+TEST(CellCover, HoldsAtAllPoints) {
+  std::mt19937 rng(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int covered = 0, hidden = 0;
+  for (int round = 0; round < 120; ++round) {
+    Mesh mesh;
+    for (int sheet = 0; sheet < 3; ++sheet) {
+      const int spacing = 40 << static_cast<int>(unit(rng) * 4);
+      mesh.add_sheet(-200, -200, 1600 / spacing + 1, spacing, 3 * unit(rng), round % 3, 0.3 * unit(rng) * unit(rng), rng);
+    }
+    const CellSquare cell{600 * unit(rng), 600 * unit(rng), 50 + 200 * unit(rng)};
+    CellCover cover(mesh.facets, mesh.vertices.data(), kMargin);
+    const auto depth = cover.find(mesh.list.data(), mesh.list.size(), cell, kAnyFacet);
+    if (!depth) continue;
+    ++covered;
+    std::vector<std::uint32_t> behind;
+    for (const CellFacet& c : mesh.list) {
+      if (cover.hides(mesh.facets[c.facet])) behind.push_back(c.facet);
+    }
+    hidden += static_cast<int>(behind.size());
+    for (int k = 0; k < 100; ++k) {
+      const double x = cell.x + unit(rng) * cell.size, y = cell.y + unit(rng) * cell.size;
+      const double nearest = mesh.nearest_depth(x, y);
+      ASSERT_LE(nearest, *depth) << round;
+      for (const std::uint32_t f : behind) {
+        if (!mesh.contains(mesh.facets[f], x, y)) continue;
+        ASSERT_GT(FacetFunctions(mesh.facets[f], mesh.vertices.data()).depth(x, y), nearest) << round;
+      }
+    }
+  }
+  EXPECT_GT(covered, 20);
+  EXPECT_GT(hidden, 50);
+}
+
+}  // namespace
+}  // namespace ligne
