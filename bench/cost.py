@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""cost.py LIGNE [--methods appel,...] [--families "NAME;..."] [--check FILE] [--limit SECONDS]
+"""cost.py LIGNE [--methods appel,...] [--families NAME,...] [--check FILE] [--limit SECONDS]
 
 Draws families of growing scenes (cost_inputs.py) with the methods and prints a Markdown table: processor time and peak memory
 at the largest size, and the exponents e of time ~ n^e and of the drawing's bytes, fitted over three sizes. With --check FILE
 it compares the exponents with those in the table in FILE and exits with 1 where one has grown by more than 0.25: by hand,
-since the machine must be quiet. Runs that take more than SECONDS (60) of processor time end and count as that."""
+since the machine must be quiet. In the NAMEs of families ";" stands for ",".
+Runs that take more than SECONDS (60) of processor time end and count as that."""
 
 import argparse
 import math
