@@ -1,0 +1,16 @@
+#pragma once
+/// Faces that cross on the mesh, but only touch on the shape.
+
+#include <array>
+#include <cstdint>
+
+#include "scene/model/scene.hpp"
+
+namespace ligne {
+
+/// Whether two faces that cross in a segment are nowhere farther from each other than `distance`, as far as they lie over
+/// each other: beside the segment the distance of their planes grows with the sine of their angle.
+bool within_distance(const Scene& scene, const std::array<std::uint32_t, 2>& faces, const std::array<Point3, 2>& segment,
+                     double distance);
+
+}  // namespace ligne
