@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/disjoint_sets.hpp"
+#include "picture/rim_lines.hpp"
 #include "scene/clean/near_cells.hpp"
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/contacts/face_contact.hpp"
@@ -19,12 +20,6 @@ namespace {
 constexpr double kSameEndSteps = 4;
 /// Adjustable: connected intersections of whose length less than this part lies in contacts stay whole.
 constexpr double kTangentPart = 0.25;
-
-double object_precision(const Scene& scene, std::uint32_t face) {
-  const auto after = std::upper_bound(scene.objects.begin(), scene.objects.end(), face,
-                                      [](std::uint32_t f, const Object& o) { return f < o.face_begin; });
-  return after[-1].precision;
-}
 
 /// Segments that hang together by their ends.
 DisjointSets connect(const std::vector<SourceEdge>& segments, double distance) {
@@ -52,14 +47,31 @@ DisjointSets connect(const std::vector<SourceEdge>& segments, double distance) {
   return sets;
 }
 
-std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge>& segments, double smooth_degrees) {
+/// The faces of intersections, ascending.
+std::vector<std::uint32_t> faces_of(const std::vector<SourceEdge>& segments) {
   std::vector<std::uint32_t> faces;
   for (const SourceEdge& s : segments) {
     if (s.intersection) faces.insert(faces.end(), s.faces.begin(), s.faces.end());
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  const ChordErrors errors(scene, std::move(faces), smooth_degrees);
+  return faces;
+}
+
+/// The faces, and those beside them.
+std::vector<std::uint32_t> with_neighbours(const Scene& scene, std::vector<std::uint32_t> faces) {
+  const FaceNeighbours neighbours(scene, faces);
+  neighbours.for_each_pair([&](std::uint32_t a, std::uint32_t b, std::uint32_t, std::uint32_t) {
+    faces.insert(faces.end(), {a, b});
+  });
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+/// Per segment whether its faces touch, but for those of intersections that are tangent only at places.
+std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge>& segments, const ChordErrors& errors,
+                                double same_end) {
   std::vector<bool> contact(segments.size(), false);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const SourceEdge& s = segments[i];
@@ -69,19 +81,8 @@ std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge
     const double precision = object_precision(scene, s.faces[0]) + object_precision(scene, s.faces[1]);
     contact[i] = within_distance(scene, s.faces, s.ends, error + precision);
   }
-  return contact;
-}
-
-}  // namespace
-
-void drop_contacts(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
-                   RunReport& run) {
-  const std::vector<SourceEdge>& segments = model.intersections;
-  if (request.quality == Quality::exact || segments.empty()) return;
-  std::vector<bool> contact = find_contacts(scene, segments, request.crease_degrees);
-  if (std::find(contact.begin(), contact.end(), true) == contact.end()) return;
-
-  DisjointSets chains = connect(segments, kSameEndSteps * projected.lattice.step_mm / projected.view.scale);
+  if (std::find(contact.begin(), contact.end(), true) == contact.end()) return contact;
+  DisjointSets chains = connect(segments, same_end);
   std::vector<std::array<double, 2>> lengths(segments.size(), {0, 0});  // by chain: all, and in contacts
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
     const double length = glm::distance(segments[i].ends[0], segments[i].ends[1]);
@@ -89,16 +90,46 @@ void drop_contacts(StrokeModel& model, const Scene& scene, const ProjectedScene&
     all += length;
     if (contact[i]) in_contact += length;
   }
-  std::size_t count = 0;
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
     const auto [all, in_contact] = lengths[chains.find(i)];
     if (in_contact < kTangentPart * all) contact[i] = false;
-    count += contact[i];
   }
-  if (count == 0) return;
-  std::erase_if(model.strokes,
-                [&](const Stroke& s) { return s.source >= model.edge_count && contact[s.source - model.edge_count]; });
-  run.clear.count("intersections of surfaces that touch", count);
+  return contact;
+}
+
+}  // namespace
+
+void clear_intersections(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
+                         RunReport& run) {
+  if (request.quality == Quality::exact || model.intersections.empty()) return;
+  std::vector<std::uint32_t> faces = with_neighbours(scene, faces_of(model.intersections));
+  const FaceNeighbours neighbours(scene, faces);
+  const ChordErrors errors(scene, neighbours, std::move(faces), request.crease_degrees);
+  const std::vector<bool> contact =
+      find_contacts(scene, model.intersections, errors, kSameEndSteps * projected.lattice.step_mm / projected.view.scale);
+  const RimLines rims(scene, neighbours, errors, model.intersections, request.crease_degrees);
+
+  const std::size_t segments = model.intersections.size();
+  std::vector<bool> on_rim(segments, false);
+  std::vector<Stroke> strokes, pieces;
+  std::swap(strokes, model.strokes);
+  for (const Stroke& s : strokes) {
+    const std::size_t i = s.source - std::size_t{model.edge_count};
+    if (s.source < model.edge_count || !model.intersections[i].intersection) {
+      model.strokes.push_back(s);
+    } else if (!contact[i]) {
+      pieces = rims.pieces(model, s, projected.view, request.classes);
+      on_rim[i] = on_rim[i] || !pieces.empty();
+      if (pieces.empty()) pieces = {s};
+      model.strokes.insert(model.strokes.end(), pieces.begin(), pieces.end());
+    }
+  }
+  const auto count = [&](const char* name, const std::vector<bool>& which) {
+    const auto n = std::count(which.begin(), which.end(), true);
+    if (n > 0) run.clear.count(name, static_cast<std::uint64_t>(n));
+  };
+  count("intersections of surfaces that touch", contact);
+  count("intersections along rims", on_rim);
 }
 
 }  // namespace ligne

@@ -130,7 +130,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
     throw RequestError("method", std::string(prepared.method.traits().name) + " does not produce lines");
   }
   remove_hidden_axes(*found.result.strokes);
-  drop_contacts(*found.result.strokes, prepared.scene, projected, request.lines, run);
+  clear_intersections(*found.result.strokes, prepared.scene, projected, request.lines, run);
   draw_contours(*found.result.strokes, prepared.scene, prepared.view(), prepared.contours,
                 request.lines.hidden != HiddenLines::none, contour_options(request, {}));
   light_regions(prepared, found.result, run);

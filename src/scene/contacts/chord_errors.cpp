@@ -3,62 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <tuple>
 #include <utility>
 
 #include "geometry/degrees.hpp"
 #include "scene/model/topology.hpp"
 
 namespace ligne {
-namespace {
-
-struct EdgeUse {
-  std::uint32_t v0, v1, face;
-  auto edge() const { return std::tie(v0, v1); }
-  friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
-};
-
-template <class Visit>
-void for_each_edge(const Scene& scene, std::uint32_t face, Visit visit) {
-  for (std::uint32_t c = 0; c < scene.faces.contour_count(face); ++c) {
-    const auto contour = scene.faces.contour(face, c);
-    for (std::size_t i = 0; i < contour.size(); ++i) visit(contour[i], contour[(i + 1) % contour.size()]);
-  }
-}
-
-/// Uses of the edges that join two of the vertices of the faces, in the objects of the faces; by edge.
-std::vector<EdgeUse> edge_uses(const Scene& scene, const std::vector<std::uint32_t>& faces) {
-  std::vector<bool> at_face(scene.vertices.size(), false);
-  for (const std::uint32_t f : faces) {
-    for_each_edge(scene, f, [&](std::uint32_t v, std::uint32_t) { at_face[v] = true; });
-  }
-  std::vector<EdgeUse> uses;
-  for (const Object& object : scene.objects) {
-    const auto first = std::lower_bound(faces.begin(), faces.end(), object.face_begin);
-    if (first == faces.end() || *first >= object.face_end) continue;
-    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-      for_each_edge(scene, f, [&](std::uint32_t v, std::uint32_t w) {
-        if (at_face[v] && at_face[w]) uses.push_back({std::min(v, w), std::max(v, w), f});
-      });
-    }
-  }
-  std::sort(uses.begin(), uses.end());
-  return uses;
-}
-
-}  // namespace
-
-ChordErrors::ChordErrors(const Scene& scene, std::vector<std::uint32_t> faces, double smooth_degrees)
+ChordErrors::ChordErrors(const Scene& scene, const FaceNeighbours& neighbours, std::vector<std::uint32_t> faces,
+                         double smooth_degrees)
     : faces_(std::move(faces)), errors_(faces_.size(), 0) {
-  const std::vector<EdgeUse> uses = edge_uses(scene, faces_);
-  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
-    end = begin + 1;
-    while (end < uses.size() && uses[end].edge() == uses[begin].edge()) ++end;
-    if (end - begin != 2) continue;
-    const EdgeUse &a = uses[begin], &b = uses[begin + 1];
-    add(scene, a.face, b.face, a.v0, a.v1, smooth_degrees);
-    add(scene, b.face, a.face, a.v0, a.v1, smooth_degrees);
-  }
+  neighbours.for_each_pair([&](std::uint32_t a, std::uint32_t b, std::uint32_t v0, std::uint32_t v1) {
+    add(scene, a, b, v0, v1, smooth_degrees);
+    add(scene, b, a, v0, v1, smooth_degrees);
+  });
 }
 
 void ChordErrors::add(const Scene& scene, std::uint32_t face, std::uint32_t neighbour, std::uint32_t v0, std::uint32_t v1,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scene/contacts/face_neighbours.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {
@@ -14,8 +15,8 @@ namespace ligne {
 /// smooth surface.
 class ChordErrors {
  public:
-  /// `faces`: ascending. O(corners of the objects that they belong to).
-  ChordErrors(const Scene& scene, std::vector<std::uint32_t> faces, double smooth_degrees);
+  /// `faces`: ascending, with their neighbours.
+  ChordErrors(const Scene& scene, const FaceNeighbours& neighbours, std::vector<std::uint32_t> faces, double smooth_degrees);
 
   /// Model units; 0 for a face that no neighbour joins smoothly. `face` is one of those given.
   double of(std::uint32_t face) const;

@@ -24,6 +24,12 @@ Extent extent(const Scene& scene, std::uint32_t face, const Point3& origin, cons
 
 }  // namespace
 
+double object_precision(const Scene& scene, std::uint32_t face) {
+  const auto after = std::upper_bound(scene.objects.begin(), scene.objects.end(), face,
+                                      [](std::uint32_t f, const Object& o) { return f < o.face_begin; });
+  return after[-1].precision;
+}
+
 bool within_distance(const Scene& scene, const std::array<std::uint32_t, 2>& faces, const std::array<Point3, 2>& segment,
                      double distance) {
   const Point3 n = face_normal(scene, faces[0]), m = face_normal(scene, faces[1]);
