@@ -30,7 +30,9 @@ class DrawingReader {
       fail("is not JSON that can be read");
     }
     if (!root.is_object() || root.value("format", json()) != "ligne-drawing") fail("is not a ligne-drawing");
-    if (root.value("version", json()) != 1) fail("the version of the ligne-drawing is not 1");
+    // Strokes are the same in both.
+    const json version = root.value("version", json());
+    if (version != 1 && version != 2) fail("the version of the ligne-drawing is neither 1 nor 2");
     if (!has_strokes_) fail("there are no strokes in the drawing");
     ReadDrawing result;
     result.page = page_of(root);

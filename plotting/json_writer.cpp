@@ -1,4 +1,4 @@
-/// The JSON drawing, version 1: docs/drawing-format.md. Written as a stream; only strings go through a library. Strokes are
+/// The JSON drawing, version 2: docs/drawing-format.md. Written as a stream; only strings go through a library. Strokes are
 /// formatted in parallel, a batch of chunks at a time, and put together in their order.
 
 #include <algorithm>
@@ -127,17 +127,22 @@ void append_contour(std::string& out, const std::vector<Point2>& contour) {
   out += ']';
 }
 
-void append_region(std::string& out, const Region& region) {
+/// The beginning of an object: a face and an area of it.
+void append_area(std::string& out, std::uint32_t face, const std::vector<std::vector<Point2>>& contours) {
   out += "{\"face\":";
-  append_face(out, region.face);
+  append_face(out, face);
   out += ",\"outer\":";
-  append_contour(out, region.contours.empty() ? std::vector<Point2>{} : region.contours[0]);
+  append_contour(out, contours.empty() ? std::vector<Point2>{} : contours[0]);
   out += ",\"holes\":[";
-  for (std::size_t i = 1; i < region.contours.size(); ++i) {
+  for (std::size_t i = 1; i < contours.size(); ++i) {
     if (i > 1) out += ',';
-    append_contour(out, region.contours[i]);
+    append_contour(out, contours[i]);
   }
   out += ']';
+}
+
+void append_region(std::string& out, const Region& region) {
+  append_area(out, region.face, region.contours);
   if (region.level > 0) out += ",\"level\":" + std::to_string(region.level);
   if (region.lights != 0xffffffffu) {
     out += ",\"lights\":[";
@@ -160,6 +165,18 @@ void append_region(std::string& out, const Region& region) {
   }
   if (region.material != 0xffffffffu) out += ",\"material\":" + std::to_string(region.material);
   out += '}';
+}
+
+void append_piece(std::string& out, const PaintPiece& piece) {
+  append_area(out, piece.face, piece.contours);
+  out += ",\"plane\":";
+  char separator = '[';
+  for (const double c : piece.plane) {
+    out += separator;
+    append_shortest(out, c);
+    separator = ',';
+  }
+  out += "]}";
 }
 
 /// The spans of one line, [begin, end).
@@ -193,7 +210,7 @@ void append_spans(std::string& out, const SpanModel& model) {
 }
 
 void append_head(std::string& out, const DrawingDocument& document, const Page& page) {
-  out += "{\"format\":\"ligne-drawing\",\"version\":1,\n\"page\":{\"width_mm\":";
+  out += "{\"format\":\"ligne-drawing\",\"version\":2,\n\"page\":{\"width_mm\":";
   append_shortest(out, page.width_mm);
   out += ",\"height_mm\":";
   append_shortest(out, page.height_mm);
@@ -262,8 +279,8 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
   }
   if (document.order) {
     out += ",\n\"order\":";
-    append_array(out, document.order->faces.size(),
-                 [&](std::string& text, std::size_t i) { append_face(text, document.order->faces[i]); });
+    append_array(out, document.order->pieces.size(),
+                 [&](std::string& text, std::size_t i) { append_piece(text, document.order->pieces[i]); });
   }
   if (document.spans) {
     out += ",\n\"spans\":";

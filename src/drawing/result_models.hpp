@@ -1,6 +1,7 @@
 #pragma once
 /// The other visibility models that a method may produce beside strokes: regions, order, spans, pixels.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,9 +22,17 @@ struct Region {
   std::uint32_t material = 0xffffffffu;  ///< of the detail of which it is a part; 0xffffffff for that of the face
 };
 
-/// Faces (or pieces of them) in painting order, farthest first.
+/// A whole face, or a piece of one, to be painted over what comes before it.
+struct PaintPiece {
+  std::uint32_t face = 0;                     ///< face of the scene
+  std::vector<std::vector<Point2>> contours;  ///< page mm; the first is outer, the others holes
+  /// Depth at the page point (x, y) mm: plane[0] x + plane[1] y + plane[2], in mm as in View::model_to_page.
+  std::array<double, 3> plane{0, 0, 0};
+};
+
+/// Pieces of faces in painting order, farthest first: none hides anything of one behind it in the list.
 struct PaintOrder {
-  std::vector<std::uint32_t> faces;
+  std::vector<PaintPiece> pieces;
 };
 
 /// Scan lines of the page, from the top downwards.

@@ -177,6 +177,7 @@ std::vector<std::uint8_t> transparent_faces(const Scene& scene) {
 
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection) {
   ProjectedScene out;
+  out.model = &scene;
   out.view = view;
   out.lattice = page_lattice(view);
   out.source_count = static_cast<std::uint32_t>(topology.edges.size());

@@ -171,7 +171,7 @@ TEST(EmbreeCheck, FindsIntersectionsThatAreNotDrawn) {
 }
 
 TEST(EmbreeCheck, ReadsDrawings) {
-  const DrawingFile drawing = parse_drawing(R"({"format":"ligne-drawing","version":1,
+  const DrawingFile drawing = parse_drawing(R"({"format":"ligne-drawing","version":2,
     "page":{"width_mm":297,"height_mm":210},"view":{"matrix":[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16],"perspective":true},
     "strokes":[{"class":"border","visible":false,"source":{"edge":7,"ends":[[1,2,3],[4,5,6]],"faces":[3,null]},
     "interval":[0.25,0.5],"points":[[10,20],[30,40]]},

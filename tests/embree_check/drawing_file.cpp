@@ -36,8 +36,8 @@ DrawnStroke read_stroke(const Json& j) {
 }
 
 DrawingFile from_json(const Json& j) {
-  if (j.at("format") != "ligne-drawing" || j.at("version") != 1)
-    throw std::runtime_error("not a ligne-drawing of version 1");
+  if (j.at("format") != "ligne-drawing" || j.at("version") != 2)
+    throw std::runtime_error("not a ligne-drawing of version 2");
   DrawingFile drawing;
   drawing.width_mm = j.at("page").at("width_mm").get<double>();
   drawing.height_mm = j.at("page").at("height_mm").get<double>();

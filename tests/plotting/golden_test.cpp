@@ -20,7 +20,9 @@ std::string sample_svg() {
 std::string sample_json() {
   const StrokeModel strokes = sample_strokes();
   const std::vector<Region> regions{{3, {{{0, 0}, {10, 0}, {5.0000004, 7.5}}, {{4, 1}, {6, 1}, {5, 2}}}}};
-  const PaintOrder order{{2, 0, 1}};
+  const PaintOrder order{{{2, {{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{2, 2}, {2, 4}, {4, 4}}}, {0, 0, 12.5}},
+                          {0, {{{1, 1}, {5, 1}, {3.25, 4}}}, {0.5, -0.25, 3}},
+                          {2, {{{8, 0}, {9, 0}, {8, 8}}}, {0, 0, 12.5}}}};
   DrawingDocument document;
   document.strokes = &strokes;
   document.regions = &regions;

@@ -433,9 +433,11 @@ TEST(JsonDrawingReader, ReadsWhatWeWrite) {
 
 TEST(JsonDrawingReader, RefusesWhatIsWrong) {
   const std::string head =
-      "{\"format\":\"ligne-drawing\",\"version\":1,\"page\":{\"width_mm\":210,\"height_mm\":297,\"margin_mm\":10},";
+      "{\"format\":\"ligne-drawing\",\"version\":2,\"page\":{\"width_mm\":210,\"height_mm\":297,\"margin_mm\":10},";
   const std::string stroke = "{\"class\":\"outline\",\"visible\":true,\"points\":[[1,2],[3,4]]}";
   EXPECT_EQ(read_json_drawing(head + "\"strokes\":[" + stroke + "]}", "a.json").drawing.layers.size(), 1u);
+  const std::string version_1 = "{\"format\":\"ligne-drawing\",\"version\":1," + head.substr(head.find("\"page\""));
+  EXPECT_EQ(read_json_drawing(version_1 + "\"strokes\":[" + stroke + "]}", "a.json").drawing.layers.size(), 1u);
   std::string deep(200'000, '[');
   for (const std::string& wrong :
        {std::string("{"), std::string("[]"), std::string("{}"), head + "\"order\":[]}", head + "\"strokes\":[{}]}",
@@ -443,7 +445,7 @@ TEST(JsonDrawingReader, RefusesWhatIsWrong) {
         head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":1,\"points\":[[1,2],[3,4]]}]}",
         head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":true,\"points\":[[1,2]]}]}",
         head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":true,\"points\":[[1,2],[3,1e9]]}]}",
-        head + "\"strokes\":[],\"strokes\":[]}", std::string("{\"format\":\"ligne-drawing\",\"version\":2,\"strokes\":[]}"),
+        head + "\"strokes\":[],\"strokes\":[]}", std::string("{\"format\":\"ligne-drawing\",\"version\":3,\"strokes\":[]}"),
         deep, std::string("{\"format\":\"ligne-drawing\",\"version\":1,\"page\":{\"width_mm\":0},\"strokes\":[]}")}) {
     EXPECT_THROW(read_json_drawing(wrong, "a.json"), std::runtime_error) << wrong.substr(0, 200);
   }

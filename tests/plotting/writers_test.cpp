@@ -220,7 +220,7 @@ TEST(Json, SaysWhatTheDocumentHolds) {
   const std::string text = write_json(document, {});
   const auto json = nlohmann::json::parse(text);
   EXPECT_EQ(json["format"], "ligne-drawing");
-  EXPECT_EQ(json["version"], 1);
+  EXPECT_EQ(json["version"], 2);
   EXPECT_EQ(json["page"]["width_mm"], 210);
   EXPECT_EQ(json["page"]["margin_mm"], 10);
   EXPECT_EQ(json["view"]["perspective"], true);

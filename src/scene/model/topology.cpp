@@ -224,22 +224,28 @@ Point3 face_normal(const Scene& scene, std::uint32_t face) {
   return length > 0 ? sum / length : Point3{0, 0, 0};
 }
 
-Topology build_topology(const Scene& scene) {
-  Topology topology;
-  find_edges(scene, topology);
+std::vector<Triangle> triangulate_faces(const Scene& scene) {
+  std::vector<Triangle> triangles;
   const std::size_t n = scene.faces.size();
   if (scene.faces.all_triangles()) {
-    topology.triangles.resize(n);
+    triangles.resize(n);
     const auto corners = scene.faces.corners();
     parallel_blocks(n, 65'536, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
-        topology.triangles[f] = {{corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]}, static_cast<std::uint32_t>(f)};
+        triangles[f] = {{corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]}, static_cast<std::uint32_t>(f)};
       }
     });
   } else {
-    topology.triangles.reserve(n * 2);
-    for (std::uint32_t f = 0; f < n; ++f) triangulate_face(scene, f, topology.triangles);
+    triangles.reserve(n * 2);
+    for (std::uint32_t f = 0; f < n; ++f) triangulate_face(scene, f, triangles);
   }
+  return triangles;
+}
+
+Topology build_topology(const Scene& scene) {
+  Topology topology;
+  find_edges(scene, topology);
+  topology.triangles = triangulate_faces(scene);
   return topology;
 }
 

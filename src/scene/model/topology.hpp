@@ -42,6 +42,9 @@ struct Topology {
 /// Finds the edges and triangulates the faces of a finished scene. Time grows with the number of corners.
 Topology build_topology(const Scene& scene);
 
+/// The triangles alone, as in the topology.
+std::vector<Triangle> triangulate_faces(const Scene& scene);
+
 /// Unit normal of a face by Newell's sum over its outer contour; zero when the face has no area.
 Point3 face_normal(const Scene& scene, std::uint32_t face);
 
