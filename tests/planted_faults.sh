@@ -29,6 +29,7 @@ programs_of() {
     clip_*) echo clip_test clip_clipper_test "$(programs_of weiler_)" ;;
     horizon_*) echo visibility_test cli_program_test ;;
     plot_*) echo plotting_test cli_program_test ;;
+    bsp_*) echo bsp_test orders_test all_methods_test random_scenes_test ;;
     view_*) echo view_test all_methods_test random_scenes_test ;;
     *) echo visibility_test known_answers_test all_methods_test geometry_replay_test random_scenes_test relations_test picture_test \
          embree_models_test ;;
@@ -46,7 +47,7 @@ common_visibility='BruteForce*:*Touching*:PenetratingPlanes*:LinesOfNoFace*:*Det
 filter_of() {
   case $1 in
     all_methods_test) echo "${each_view#:}" ;;
-    limited_methods_test | regions_test) echo "${each#:}" ;;
+    limited_methods_test | orders_test | regions_test) echo "${each#:}" ;;
     warnock_corpus_test) echo "$each:*Crowds*:*Resolution*" | cut -c2- ;;
     visibility_test)
       case $2 in

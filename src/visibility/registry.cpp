@@ -4,6 +4,7 @@
 
 #include "visibility/appel/appel.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
+#include "visibility/bsp/bsp.hpp"
 #include "visibility/warnock/warnock.hpp"
 #include "visibility/watkins/watkins.hpp"
 
@@ -14,7 +15,8 @@ std::span<const Method* const> all_methods() {
   static const AthertonWeilerMethod atherton_weiler;
   static const WarnockMethod warnock;
   static const WatkinsMethod scan;
-  static const std::array<const Method*, 4> methods{&appel, &atherton_weiler, &warnock, &scan};
+  static const BspMethod bsp;
+  static const std::array<const Method*, 5> methods{&appel, &atherton_weiler, &warnock, &scan, &bsp};
   return methods;
 }
 

@@ -1,32 +1,8 @@
 #include "visibility/appel/appel.hpp"
 
-#include <memory>
-
-#include "view/tolerances.hpp"
-#include "visibility/common/cell_grid.hpp"
-#include "visibility/common/clock.hpp"
-#include "visibility/common/intersections.hpp"
-#include "visibility/common/line_strokes.hpp"
-#include "visibility/common/visible_parts.hpp"
-
-// Phases: (1) facets, (2) the screen grid with covers, (3) intersections that are not behind covers, (4) every line through
-// the cells it crosses, nearest facets first, until nothing of it is left. See docs/methods/appel.md.
+#include "visibility/common/study_edges.hpp"
 
 namespace ligne {
-namespace {
-
-/// Screen grid for a study; few candidate lines need few of its cells.
-CellGrid::Options grid_options(const ProjectedScene& scene, const Facets& facets, double coincidence_steps,
-                               bool hidden_strokes) {
-  constexpr std::size_t kManyLines = 4;
-  CellGrid::Options options;
-  options.margin_steps = coincidence_steps + 1;
-  options.drop_hidden = !(hidden_strokes && scene.with_intersections);
-  if (!scene.with_intersections && scene.edges.size() * kManyLines < facets.facets.size()) options.only_along = &scene.edges;
-  return options;
-}
-
-}  // namespace
 
 const MethodTraits& AppelMethod::traits() const {
   static const MethodTraits traits{
@@ -41,51 +17,7 @@ const MethodTraits& AppelMethod::traits() const {
 }
 
 VisibilityResult AppelMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
-  VisibilityResult result;
-  Statistics& statistics = result.statistics;
-  const double step = scene.lattice.step_mm;
-  const double coincidence_steps = coincidence_mm(scene) / step;
-  Clock clock;
-
-  // 1. Facets.
-  const Facets facets = make_facets(scene, coincidence_steps);
-  statistics.time("facets", clock.lap());
-
-  // 2. The screen grid.
-  const CellGrid::Options of_grid = grid_options(scene, facets, coincidence_steps, options.hidden_strokes);
-  const CellGrid grid(scene, facets.facets, of_grid);
-  statistics.time("grid", clock.lap());
-
-  // 3. Intersections.
-  std::vector<Intersection> intersections;
-  if (scene.with_intersections) intersections = find_intersections(scene, facets.facets, grid, of_grid.margin_steps);
-  statistics.time("intersections", clock.lap());
-
-  // 4. Lines.
-  TestTotals totals;
-  const auto search_lines = [&]() -> LineVisibility {
-    const auto search = std::make_shared<VisibleParts>(scene, facets.facets, grid, coincidence_steps, &totals);
-    return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
-      parts = search->find(line);
-      return search->near_side();
-    };
-  };
-  LineStrokes strokes(scene, facets, options.hidden_strokes, kLeastPartMm / step);
-  strokes.add_edges(search_lines, options.progress);
-  strokes.add_intersections(intersections, search_lines);
-  result.strokes = strokes.take();
-  statistics.time("lines", clock.lap());
-
-  statistics.count("facets", facets.facets.size());
-  statistics.count("candidate edges", scene.edges.size());
-  statistics.count("grid leaves", grid.leaf_count());
-  statistics.count("grid entries", grid.entry_count());
-  statistics.count("intersection segments tested", intersections.size());
-  statistics.count("leaves visited", totals.counts.leaves);
-  statistics.count("leaves behind their cover", totals.counts.covered);
-  statistics.count("line-facet tests", totals.counts.facet_tests);
-  statistics.count("strokes", result.strokes->strokes.size());
-  return result;
+  return study_edges(scene, options);
 }
 
 }  // namespace ligne

@@ -5,19 +5,22 @@
 #include <vector>
 
 #include "visibility/common/cell_grid.hpp"
+#include "visibility/common/face_ranks.hpp"
 #include "visibility/common/open_parts.hpp"
 
 namespace ligne {
 
 /// Counts for the statistics.
 struct TestCounts {
-  std::uint64_t leaves = 0;       ///< leaf cells visited
-  std::uint64_t covered = 0;      ///< of them, those in which the line lies behind the cover
-  std::uint64_t facet_tests = 0;  ///< line against facet
+  std::uint64_t leaves = 0;           ///< leaf cells visited
+  std::uint64_t covered = 0;          ///< of them, those in which the line lies behind the cover
+  std::uint64_t facet_tests = 0;      ///< line against facet
+  std::uint64_t behind_in_order = 0;  ///< not tested: the order of the faces says that the facet is behind
   void operator+=(const TestCounts& o) {
     leaves += o.leaves;
     covered += o.covered;
     facet_tests += o.facet_tests;
+    behind_in_order += o.behind_in_order;
   }
 };
 
@@ -30,14 +33,15 @@ struct TestTotals {
 /// Working memory that is kept from line to line.
 class VisibleParts {
  public:
-  /// `totals` gets the counts in the end; none where nobody asks for them.
+  /// `totals` gets the counts in the end; none where nobody asks for them. `ranks`: an order of the faces, if there is one.
   VisibleParts(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double coincidence_steps,
-               TestTotals* totals = nullptr)
+               TestTotals* totals = nullptr, const FaceRanks* ranks = nullptr)
       : vertices_(scene.vertices.data()),
         facets_(facets.data()),
         grid_(grid),
         coincidence_steps_(coincidence_steps),
-        totals_(totals) {}
+        totals_(totals),
+        ranks_(ranks) {}
   VisibleParts(const VisibleParts&) = delete;
   VisibleParts& operator=(const VisibleParts&) = delete;
   ~VisibleParts() {
@@ -55,6 +59,8 @@ class VisibleParts {
  private:
   void search_leaf(const PageLine& line, const Cell& cell, const CellSquare& square, double from, double to);
 
+  bool has_side_along(const PageLine& line, const Facet& facet) const;
+
   bool is_own(const PageLine& line, std::uint32_t facet) const {
     return facets_[facet].face == line.face0 || facets_[facet].face == line.face1;
   }
@@ -64,6 +70,8 @@ class VisibleParts {
   const CellGrid& grid_;
   double coincidence_steps_;
   TestTotals* totals_;
+  const FaceRanks* ranks_;
+  std::uint32_t rank_ = 0;  ///< of the line at hand
   bool near_side_ = false;
   std::vector<LinePart> parts_;  ///< found so far, along the whole line
   OpenParts open_;               ///< not yet hidden, in the leaf at hand

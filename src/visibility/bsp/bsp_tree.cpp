@@ -1,0 +1,63 @@
+#include "visibility/bsp/bsp_tree.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "visibility/common/dividing_plane.hpp"
+
+namespace ligne {
+
+BspTree::BspTree(const Scene& scene, const BspOptions& options) : pieces_(scene) {
+  counts_.triangles = pieces_.pieces().size();
+  if (pieces_.pieces().empty()) return;
+  Task all;
+  all.pieces.resize(pieces_.pieces().size());
+  std::iota(all.pieces.begin(), all.pieces.end(), 0u);
+  // A list of sets that wait, and not a recursion: trees may be as deep as there are faces.
+  std::vector<Task> open;
+  open.push_back(std::move(all));
+  while (!open.empty()) {
+    Task task = std::move(open.back());
+    open.pop_back();
+    divide(std::move(task), options, open);
+  }
+}
+
+void BspTree::divide(Task task, const BspOptions& options, std::vector<Task>& open) {
+  const DividingPlane root = choose_plane(pieces_, task.pieces, {options.candidates, options.free_planes}, task.seed);
+  const auto number = static_cast<std::uint32_t>(nodes_.size());
+  if (task.parent != kNone) (task.front ? nodes_[task.parent].front : nodes_[task.parent].back) = number;
+  Node node;
+  node.plane = root.plane;
+  node.begin = static_cast<std::uint32_t>(in_planes_.size());
+  Task front{{}, number, true, task.depth + 1, scramble(task.seed)};
+  Task back{{}, number, false, task.depth + 1, scramble(task.seed + 1)};
+  for (const std::uint32_t piece : task.pieces) {
+    // The triangles of one face lie in one plane, but for the error of its corners: none hides another one.
+    const PlaneSide side = pieces_.face(piece) == root.face ? PlaneSide::on : pieces_.side(piece, root.plane);
+    switch (side) {
+      case PlaneSide::on:
+        in_planes_.push_back(piece);
+        break;
+      case PlaneSide::front:
+        front.pieces.push_back(piece);
+        break;
+      case PlaneSide::back:
+        back.pieces.push_back(piece);
+        break;
+      case PlaneSide::both:
+        back.pieces.push_back(pieces_.cut(piece, root.plane));
+        front.pieces.push_back(piece);
+        ++counts_.splits;
+    }
+  }
+  node.end = static_cast<std::uint32_t>(in_planes_.size());
+  nodes_.push_back(node);
+  ++counts_.nodes;
+  counts_.free_planes += root.face == kNone;
+  counts_.depth = std::max(counts_.depth, task.depth);
+  if (!back.pieces.empty()) open.push_back(std::move(back));
+  if (!front.pieces.empty()) open.push_back(std::move(front));
+}
+
+}  // namespace ligne

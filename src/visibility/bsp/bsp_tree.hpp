@@ -1,0 +1,88 @@
+#pragma once
+/// A binary space-partitioning tree of the faces of a scene: built once, it gives their order from any viewpoint.
+///
+/// H. Fuchs, Z. Kedem, B. Naylor, "On visible surface generation by a priori tree structures", SIGGRAPH 1980.
+/// docs/methods/bsp.md.
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "visibility/common/model_pieces.hpp"
+
+namespace ligne {
+
+struct BspOptions {
+  unsigned candidates = 5;  ///< roots that are tried, at random
+  /// Sets of many pieces may also be divided by planes of no face. With planes of faces alone a convex body of n faces is a
+  /// tree of depth n.
+  bool free_planes = true;
+};
+
+/// Invariants: the pieces of a node lie in its plane, those of its front subtree in front of it or on it, those of its back
+/// subtree behind it or on it; each within ModelPieces::tolerance(). Pieces of one face have no inner point in common and
+/// together are the face.
+class BspTree {
+ public:
+  struct Counts {
+    std::uint64_t triangles = 0;  ///< of the scene, with area
+    std::uint64_t nodes = 0;
+    std::uint64_t splits = 0;
+    std::uint64_t depth = 0;        ///< nodes from the root to the deepest one, both counted
+    std::uint64_t free_planes = 0;  ///< nodes whose plane is that of no face
+  };
+
+  /// Compiles the scene. Typically n log n in the number of faces; for any input no more memory than there are pieces.
+  BspTree(const Scene& scene, const BspOptions& options);
+
+  const ModelPieces& pieces() const { return pieces_; }
+  const Counts& counts() const { return counts_; }
+
+  /// Calls visit(piece, rank) for all pieces from the front to the back. Those of one node lie in one plane and have one
+  /// rank: none hides another one.
+  template <class Visit>
+  void front_to_back(const Viewpoint& viewpoint, Visit visit) const {
+    std::vector<std::pair<std::uint32_t, bool>> open;  // a node, and whether it is its own turn
+    std::uint32_t rank = 0;
+    if (!nodes_.empty()) open.emplace_back(0, false);
+    while (!open.empty()) {
+      const auto [number, own_turn] = open.back();
+      open.pop_back();
+      const Node& node = nodes_[number];
+      if (own_turn) {
+        for (std::uint32_t i = node.begin; i < node.end; ++i) visit(in_planes_[i], rank);
+        ++rank;
+        continue;
+      }
+      const bool front = viewpoint.in_front_of(node.plane);
+      const std::uint32_t near = front ? node.front : node.back, far = front ? node.back : node.front;
+      if (far != kNone) open.emplace_back(far, false);
+      open.emplace_back(number, true);
+      if (near != kNone) open.emplace_back(near, false);
+    }
+  }
+
+ private:
+  struct Node {
+    ModelPlane plane;
+    std::uint32_t begin = 0, end = 0;  ///< its pieces in in_planes_
+    std::uint32_t front = kNone, back = kNone;
+  };
+
+  /// A set of pieces that becomes a subtree.
+  struct Task {
+    std::vector<std::uint32_t> pieces;
+    std::uint32_t parent = kNone;
+    bool front = false;
+    std::uint64_t depth = 1, seed = 0;
+  };
+
+  void divide(Task task, const BspOptions& options, std::vector<Task>& open);
+
+  ModelPieces pieces_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> in_planes_;
+  Counts counts_;
+};
+
+}  // namespace ligne

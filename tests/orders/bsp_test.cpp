@@ -1,0 +1,214 @@
+// The tree of the method bsp: hand-worked orders and splits, its invariants, and one tree drawn from many viewpoints.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "order_check.hpp"
+#include "support/scenes.hpp"
+#include "visibility/bsp/bsp.hpp"
+
+namespace ligne::test {
+namespace {
+
+/// An upright plate on the plan, from (x0, y0) to (x1, y1), as two triangles of one face.
+void add_wall(Scene& scene, double x0, double y0, double x1, double y1) {
+  add_face(scene, {{{x0, y0, 0}, {x1, y1, 0}, {x1, y1, 1}, {x0, y0, 1}}});
+}
+
+/// Faces from the farthest to the nearest, by their pieces.
+std::vector<std::uint32_t> painted(const BspTree& tree, const Viewpoint& viewpoint) {
+  std::vector<std::uint32_t> faces;
+  tree.front_to_back(viewpoint, [&](std::uint32_t piece, std::uint32_t) { faces.push_back(tree.pieces().face(piece)); });
+  std::reverse(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+Viewpoint eye_at(const Point3& eye) { return {eye, {0, 0, 1}, true}; }
+Viewpoint from(const Point3& direction) { return {{0, 0, 0}, direction, false}; }
+
+/// A ball of 2 n (n - 1) triangles.
+Scene ball(int n) {
+  Scene scene;
+  begin_object(scene);
+  const auto point = [&](int row, int column) {
+    const double a = M_PI * row / n, b = 2 * M_PI * column / n;
+    scene.vertices.emplace_back(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a));
+  };
+  for (int row = 0; row <= n; ++row) {
+    for (int column = 0; column < n; ++column) point(row, column);
+  }
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < n; ++column) {
+      const auto at = [&](int r, int c) { return static_cast<std::uint32_t>(r * n + c % n); };
+      if (row > 0) scene.faces.add_triangle(at(row, column), at(row + 1, column), at(row, column + 1));
+      if (row + 1 < n) scene.faces.add_triangle(at(row, column + 1), at(row + 1, column), at(row + 1, column + 1));
+    }
+  }
+  end_object(scene);
+  return scene;
+}
+
+// The lecture's figure of a display has the caption "1, 2, 5, 3, 4". Walls on the plan, numbered as there; the viewer looks
+// along +y. Behind 3 stand 1, 2 and 5, before it 4; of the three 2 divides the others, 1 behind it and 5 before it. Each
+// hides a part of the next, so this is the only order; 5 is slanted and begins behind where 3 ends, and reaches farther to
+// the viewer than the middle of 2.
+//
+//   y  6        1------------1
+//      4    2---------2
+//      3          ___---5
+//      1    5---
+//      0      3-----------3
+//     -2          4-----4
+constexpr double kWalls[5][4] = {{2, 6, 8, 6}, {0, 4, 5, 4}, {1, 0, 7, 0}, {3, -2, 6, -2}, {0, 1, 6, 3}};
+
+TEST(Bsp, GivesTheLecturesOrder) {
+  Scene scene;
+  for (const auto& w : kWalls) add_wall(scene, w[0], w[1], w[2], w[3]);
+  for (unsigned candidates : {1u, 2u, 5u, 64u}) {
+    const BspTree tree(scene, {candidates});
+    const std::vector<std::uint32_t> order{0, 1, 4, 2, 3};
+    EXPECT_EQ(painted(tree, eye_at({4, -10, 0.5})), order);
+    EXPECT_EQ(painted(tree, from({0, -1, 0})), order);
+    // From the other side everything is reversed.
+    const std::vector<std::uint32_t> reversed(order.rbegin(), order.rend());
+    EXPECT_EQ(painted(tree, eye_at({4, 20, 0.5})), reversed);
+    EXPECT_EQ(painted(tree, from({0, 1, 0})), reversed);
+  }
+}
+
+TEST(Bsp, TakesTheRootOfTheFewestSplits) {
+  Scene scene;
+  for (const auto& w : kWalls) add_wall(scene, w[0], w[1], w[2], w[3]);
+  // The line of 5, y = 1 + x / 3, cuts wall 2 (at x = 9: no) and wall 1 (at x = 15: no): nothing. No other line meets a wall
+  // but 5's own, which meets none: five nodes.
+  const BspTree tree(scene, {64});
+  EXPECT_EQ(tree.counts().splits, 0u);
+  EXPECT_EQ(tree.counts().nodes, 5u);
+  // A wall across, from (4.5, -1) to (4.5, 5): the lines of 2, 3 and 5 cut it, its own line cuts 1, 2, 3, 4 and 5. With all
+  // faces as candidates the roots cut it three times at the most: four pieces, of two triangles each.
+  add_wall(scene, 4.5, -1, 4.5, 5);
+  const BspTree more(scene, {64});
+  EXPECT_GT(more.counts().splits, 0u);
+  EXPECT_LE(more.counts().splits, 2u * 3u + 3u) << "a cut meets both triangles, or one on each side of their diagonal";
+}
+
+TEST(Bsp, CutsOneOfTwoTrianglesThatPassThroughEachOther) {
+  Scene scene;
+  add_face(scene, {{{-4, 0, -4}, {4, 0, -4}, {0, 0, 4}}});
+  add_face(scene, {{{0, -4, -1}, {0, 4, -1}, {0, 0, 2}}});
+  const BspTree tree(scene, {});
+  EXPECT_EQ(tree.counts().splits, 1u);
+  EXPECT_EQ(tree.pieces().pieces().size(), 3u);
+  // Whichever is the root: the half behind it, the root, the half before it.
+  const auto order = painted(tree, eye_at({10, -20, 1}));
+  ASSERT_EQ(order.size(), 3u);
+  EXPECT_EQ(order[0], order[2]);
+  EXPECT_NE(order[0], order[1]);
+}
+
+TEST(Bsp, KeepsFacesOfOnePlaneInOneNode) {
+  Scene scene;
+  // The plane x + 2 y + 3 z = 6, faces beside each other and overlapping.
+  const auto point = [](double x, double y) { return Point3{x, y, (6 - x - 2 * y) / 3}; };
+  for (int i = 0; i < 12; ++i) {
+    for (int k = 0; k < 12; ++k) {
+      add_face(scene,
+               {{point(3 * i, 3 * k), point(3 * i + 4, 3 * k), point(3 * i + 4, 3 * k + 3), point(3 * i, 3 * k + 3)}});
+    }
+  }
+  for (const bool free_planes : {true, false}) {
+    const BspTree tree(scene, {5, free_planes});
+    if (!free_planes) {
+      EXPECT_EQ(tree.counts().nodes, 1u);
+    }
+    EXPECT_EQ(tree.counts().free_planes > 0, tree.counts().nodes > 1);
+  }
+}
+
+TEST(Bsp, AConvexBodyIsNotCut) {
+  Scene box;
+  add_box(box, {0, 0, 0}, {1, 2, 3});
+  EXPECT_EQ(BspTree(box, {}).counts().splits, 0u);
+  EXPECT_EQ(BspTree(box, {}).counts().nodes, 6u);
+}
+
+// With planes of faces only, each plane of a ball has all the rest behind it: as deep as there are faces, and neither the
+// building nor the walk may need the stack for it.
+TEST(Bsp, DeepTreesNeedNoStack) {
+  const Scene scene = ball(48);
+  const BspTree faces(scene, {1, false});
+  EXPECT_EQ(faces.counts().triangles, 2u * 48 * 47);
+  EXPECT_EQ(faces.counts().splits, 0u);
+  EXPECT_GT(faces.counts().depth, 2000u);
+  std::size_t visited = 0;
+  faces.front_to_back(eye_at({5, 0, 0}), [&](std::uint32_t, std::uint32_t) { ++visited; });
+  EXPECT_EQ(visited, faces.counts().triangles);
+  const BspTree mixed(scene, {5, true});
+  EXPECT_LT(mixed.counts().depth, 120u);
+  EXPECT_LT(mixed.pieces().pieces().size(), 2 * mixed.counts().triangles);
+}
+
+TEST(Bsp, IsTheSameEveryTime) {
+  Scene scene;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 40; ++i) {
+    add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {2, 2, 2}, rotation(u(random) * 3, u(random), u(random)));
+  }
+  const BspTree a(scene, {}), b(scene, {});
+  EXPECT_EQ(a.counts().splits, b.counts().splits);
+  EXPECT_EQ(painted(a, eye_at({9, 8, 7})), painted(b, eye_at({9, 8, 7})));
+}
+
+/// The method with a tree that is there.
+class Compiled final : public Method {
+ public:
+  explicit Compiled(const BspTree& tree) : tree_(tree) {}
+  const MethodTraits& traits() const override { return bsp_.traits(); }
+  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override {
+    return BspMethod::study(tree_, scene, options);
+  }
+
+ private:
+  const BspTree& tree_;
+  BspMethod bsp_;
+};
+
+TEST(Bsp, OneTreeServesAnyViewpoint) {
+  Scene scene;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 5; ++i) {
+    add_box(scene, Point3{u(random), u(random), u(random)} * 2.0, {1.5, 1.0, 2.0},
+            rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+  }
+  add_face(scene, {{{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}}, {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -1, 0}}});
+  add_box(scene, {-0.5, -0.5, 0}, {1, 1, 1});
+  const BspTree tree(scene, {});
+  const Compiled method(tree);
+  const Topology topology = build_topology(scene);
+  int covered = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Point3 eye = Point3{u(random), u(random), u(random)} * (i % 4 == 0 ? 1.0 : 8.0);
+    StandardView view = perspective_view("viewpoint", scene, eye, Point3{u(random), u(random), u(random)}, 60);
+    if (i % 4 == 1) {
+      view.camera = along(eye);
+      view.options = "--direction";
+    }
+    const JudgedView judged(scene, "viewpoint " + std::to_string(i), view);
+    const Verdict verdict = judged.judge(method, "all");
+    EXPECT_TRUE(verdict.passes()) << verdict.faults;
+    EdgeSelection all;
+    all.classes.bits = 0xff;
+    const VisibilityResult result = method.study(project(scene, topology, judged.view(), all), {});
+    const OrderVerdict order = check_order(*result.order, judged.oracle(), static_cast<unsigned>(i), 40);
+    EXPECT_EQ(order.faults, "") << "viewpoint " << i;
+    covered += order.covered;
+  }
+  EXPECT_GT(covered, 1000);
+}
+
+}  // namespace
+}  // namespace ligne::test
