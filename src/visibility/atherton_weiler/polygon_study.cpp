@@ -162,7 +162,7 @@ void ZoneStudy::show(const Polygon& polygon) {
 }
 
 /// The pieces of a face and level put together. What two of them have in common may lie on different segments of one line.
-void add_all(const Lattice& lattice, std::vector<Piece>& pieces, VisibleFaces& out) {
+void add_all(const Lattice& lattice, const std::vector<Facet>& facets, std::vector<Piece>& pieces, VisibleFaces& out) {
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Piece& a, const Piece& b) { return std::pair(a.face, a.level) < std::pair(b.face, b.level); });
   for (std::size_t i = 0; i < pieces.size();) {
@@ -176,7 +176,12 @@ void add_all(const Lattice& lattice, std::vector<Piece>& pieces, VisibleFaces& o
     for (const ContourFace& face : parts) {
       for (const EdgeLoop& loop : face.contours) edges.insert(edges.end(), loop.begin(), loop.end());
     }
+    const auto known = static_cast<std::ptrdiff_t>(out.borders.size());
     add_regions(lattice, pieces[first].face, pieces[first].level, edges, false, out);
+    // A border on a side of another face says nothing of that side: the face that clipped here may have been clipped later,
+    // by one whose side lies on it. Where a side is seen its own face is seen beside it.
+    const auto foreign = [&](const BorderPart& b) { return facets[b.side / 3].face != pieces[first].face; };
+    out.borders.erase(std::remove_if(out.borders.begin() + known, out.borders.end(), foreign), out.borders.end());
   }
 }
 
@@ -209,7 +214,7 @@ VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet
     const std::size_t size = zones[z].size();
     ZoneStudy study(units, UnitOrders(scene, facets, units, result.facet_touches));
     study.study(std::move(zones[z]));
-    add_all(scene.lattice, study.pieces, found[z]);
+    add_all(scene.lattice, facets, study.pieces, found[z]);
     const std::lock_guard lock(mutex);
     counts += study.counts;
     done += size;

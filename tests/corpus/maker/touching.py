@@ -52,6 +52,11 @@ def lined_up():
     yield Scene("vertex_behind_vertex", "triangles that meet on the page in one point, each at a depth of its own",
                 *[sheet(t, 2 * i, name=f"triangle {i + 1}") for i, t in enumerate(
                     ([(0, 0), (4, 1), (1, 4)], [(0, 0), (-1, 4), (-4, 1)], [(0, 0), (-4, -1), (-1, -4)], [(0, 0), (1, -4), (4, -1)]))])
+    yield Scene("side_behind_a_later_rim", "triangles through each other; in the isometric view a side of the second lies exactly behind "
+                "one of the third, which hides it",
+                *[Mesh(f"triangle {i + 1}").face(t) for i, t in enumerate(
+                    ([(0, 3, 2), (1, 1, 3), (2, 3, 2)], [(1, 1, 1), (1, 3, 0), (3, 0, 2)], [(3, 2, 1), (1, 0, 0), (3, 3, 2)],
+                     [(3, 1, 3), (2, 3, 0), (0, 2, 0)], [(0, 1, 2), (2, 0, 3), (0, 0, 1)]))])
     yield Scene("stack_of_plates", "eight parallel plates close behind each other, each a little larger",
                 *[sheet(rectangle(-k, -k, 8 + k, 6 + k), k / 4) for k in range(8)])
     yield Scene("stack_of_equal_plates", "eight equal parallel plates on each other",
