@@ -5,6 +5,7 @@
 #include "visibility/appel/appel.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/bsp/bsp.hpp"
+#include "visibility/newell/newell.hpp"
 #include "visibility/warnock/warnock.hpp"
 #include "visibility/watkins/watkins.hpp"
 
@@ -16,7 +17,8 @@ std::span<const Method* const> all_methods() {
   static const WarnockMethod warnock;
   static const WatkinsMethod scan;
   static const BspMethod bsp;
-  static const std::array<const Method*, 5> methods{&appel, &atherton_weiler, &warnock, &scan, &bsp};
+  static const NewellMethod newell;
+  static const std::array<const Method*, 6> methods{&appel, &atherton_weiler, &warnock, &scan, &newell, &bsp};
   return methods;
 }
 

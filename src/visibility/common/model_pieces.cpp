@@ -42,19 +42,16 @@ ModelPieces::ModelPieces(const Scene& scene) : triangles_(triangulate_faces(scen
   for (const Point3& p : points_) largest = std::max(largest, largest_part(p));
   tolerance_ = kModelHeightRounding * largest;
   pieces_.reserve(triangles_.size());
+  normals_.reserve(triangles_.size());
   corners_.reserve(3 * triangles_.size());
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     const auto& v = triangles_[t].v;
-    if (plane_through(points_[v[0]], points_[v[1]], points_[v[2]]).normal == Point3(0)) continue;
+    normals_.push_back(plane_through(points_[v[0]], points_[v[1]], points_[v[2]]).normal);
+    if (normals_.back() == Point3(0)) continue;
     const auto begin = static_cast<std::uint32_t>(corners_.size());
     corners_.insert(corners_.end(), v.begin(), v.end());
     pieces_.push_back({begin, begin + 3, t});
   }
-}
-
-ModelPlane ModelPieces::plane_of(std::uint32_t piece) const {
-  const auto& v = triangles_[pieces_[piece].triangle].v;
-  return plane_through(points_[v[0]], points_[v[1]], points_[v[2]]);
 }
 
 PlaneSide ModelPieces::side(std::uint32_t piece, const ModelPlane& plane) const {

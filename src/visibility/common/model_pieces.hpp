@@ -66,7 +66,10 @@ class ModelPieces {
   const Point3& point(std::uint32_t corner) const { return points_[corner]; }
   double tolerance() const { return tolerance_; }
   /// The plane of the triangle of which it is a piece.
-  ModelPlane plane_of(std::uint32_t piece) const;
+  ModelPlane plane_of(std::uint32_t piece) const {
+    const std::uint32_t triangle = pieces_[piece].triangle;
+    return {normals_[triangle], points_[triangles_[triangle].v[0]]};
+  }
 
   PlaneSide side(std::uint32_t piece, const ModelPlane& plane) const;
 
@@ -78,6 +81,7 @@ class ModelPieces {
   std::uint32_t crossing(std::uint32_t a, std::uint32_t b, const ModelPlane& plane);
 
   std::vector<Triangle> triangles_;
+  std::vector<Point3> normals_;  ///< of the triangles
   std::vector<Point3> points_;
   std::vector<std::uint32_t> corners_;
   std::vector<ModelPiece> pieces_;

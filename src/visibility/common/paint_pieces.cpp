@@ -17,11 +17,18 @@ std::vector<std::uint8_t> shown_faces(const ProjectedScene& scene) {
   return shown;
 }
 
+PagePlanes::PagePlanes(const View& view) : to_page_(glm::transpose(glm::inverse(view.model_to_page))) {}
+
+std::array<double, 3> PagePlanes::operator()(const ModelPlane& plane) const {
+  const glm::dvec4 p = to_page_ * glm::dvec4(plane.normal, -glm::dot(plane.normal, plane.point));
+  return {-p.x / p.z, -p.y / p.z, -p.w / p.z};
+}
+
 PaintPieces::PaintPieces(const ProjectedScene& scene, const ModelPieces& pieces)
     : view_(scene.view),
       pieces_(pieces),
       volume_(face_volume(scene.view, scene.lattice)),
-      planes_to_page_(glm::transpose(glm::inverse(scene.view.model_to_page))),
+      page_planes_(scene.view),
       is_seen_(shown_faces(scene)) {}
 
 /// Puts what is seen of the piece into corners_; returns whether there is anything.
@@ -48,9 +55,7 @@ std::vector<std::vector<Point2>> PaintPieces::outlines_of_cut() {
 
 void PaintPieces::add(std::uint32_t piece, PaintOrder& order) {
   if (!project(piece)) return;
-  const ModelPlane plane = pieces_.plane_of(piece);
-  const glm::dvec4 on_page = planes_to_page_ * glm::dvec4(plane.normal, -glm::dot(plane.normal, plane.point));
-  PaintPiece painted{pieces_.face(piece), {{}}, {-on_page.x / on_page.z, -on_page.y / on_page.z, -on_page.w / on_page.z}};
+  PaintPiece painted{pieces_.face(piece), {{}}, page_planes_(pieces_.plane_of(piece))};
   for (const double c : painted.plane) {
     if (!std::isfinite(c)) return;  // seen edge on
   }

@@ -1,6 +1,7 @@
 #pragma once
 /// Pieces of faces in model space as they are painted on the page.
 
+#include <array>
 #include <vector>
 
 #include "drawing/result_models.hpp"
@@ -15,6 +16,17 @@ Viewpoint viewpoint_of(const Camera& camera);
 
 /// Per face of the scene 1 when the projected scene has a triangle of it that is not seen edge on.
 std::vector<std::uint8_t> shown_faces(const ProjectedScene& scene);
+
+/// Planes in model space as depths over the page: z = p[0] x + p[1] y + p[2] at the page point (x, y) mm, not finite for
+/// planes that are seen edge on.
+class PagePlanes {
+ public:
+  explicit PagePlanes(const View& view);
+  std::array<double, 3> operator()(const ModelPlane& plane) const;
+
+ private:
+  glm::dmat4 to_page_;  ///< for the coefficients of planes
+};
 
 /// Projects pieces and clips them to what the study sees. Pieces of faces that the projected scene does not have, or that
 /// are seen edge on, are left out.
@@ -34,7 +46,7 @@ class PaintPieces {
   const View& view_;
   const ModelPieces& pieces_;
   ClipVolume volume_;
-  glm::dmat4 planes_to_page_;          ///< for the coefficients of planes
+  PagePlanes page_planes_;
   std::vector<std::uint8_t> is_seen_;  ///< per face
   std::vector<HomogeneousPoint> corners_;
 };

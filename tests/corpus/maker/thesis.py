@@ -98,6 +98,35 @@ def newell():
     for mesh, name in ((p, "P"), (q, "Q"), (r, "R")):
         mesh.name = name
     yield Scene("thesis_2_81e", "thesis, figure 2.81 e: cyclic overlap of P, Q and R", p, q, r)
+    yield Scene("thesis_2_82", "thesis, figure 2.82: the set Q_P: of Q1 to Q4 only Q2 and Q3 end within the depth of P",
+                sheet(rectangle(0, 0, 12, 6), lambda x, z: x / 2, name="P"), sheet(rectangle(1, 1, 5, 9), 8, name="Q1"),
+                sheet(rectangle(2, -3, 4, 3), 5, name="Q2"), sheet(rectangle(8, 2, 10, 8), lambda x, z: x / 4, name="Q3"),
+                sheet(rectangle(5, 4, 7, 10), -2, name="Q4"))
+    yield Scene("thesis_2_83", "thesis, figure 2.83: the depths of all faces are apart, nothing is compared",
+                *[sheet(rectangle(2 * k, k, 2 * k + 8, k + 5), lambda x, z, k=k: 3 * k + (x - 2 * k) / 4, name=f"F{k + 1}")
+                  for k in range(5)])
+    yield Scene("thesis_2_84", "thesis, figure 2.84: each of three faces is in mutual overlap with P, and sorted wrongly with it",
+                sheet(rectangle(-1, -1, 11, 28), lambda x, z: x - 4, name="P"),
+                *[sheet([(0, k), (10, k), (10, k + 6), (8, k + 6), (8, k + 2), (2, k + 2), (2, k + 6), (0, k + 6)],
+                        lambda x, z: 6 - x / 2, name=f"F{k // 9 + 1}") for k in (0, 9, 18)])
+    yield Scene("thesis_2_85", "thesis, figure 2.85: a cut of F, with r corners, into r/2 + 1 faces",
+                sheet([(0, 0), (10, 0), (10, 2), (2, 2), (2, 4), (10, 4), (10, 6), (2, 6), (2, 8), (10, 8), (10, 10), (0, 10)], 0,
+                      name="F"),
+                sheet([(4, -2), (8, -2), (8, 12), (4, 12)], lambda x, z: x - 6, name="P"))
+    zones = [sheet(rectangle(0, 0, 6, 6), 4, name="zone 1"), sheet(rectangle(2, 2, 4, 8), lambda x, z: x, name="zone 1"),
+             sheet(rectangle(10, 0, 16, 6), lambda x, z: x - 10, name="zone 2"), sheet(rectangle(11, 1, 15, 3), 7, name="zone 2")]
+    yield Scene("thesis_2_86", "thesis, figure 2.86: two zones that have no influence on each other", *zones)
+    boxes = [sheet(rectangle(0, 0, 8, 6), lambda x, z: 10 + x / 4, name="box 1"),
+             sheet(rectangle(1, 1, 7, 8), lambda x, z: 11 - z / 8, name="box 1"),
+             sheet(rectangle(2, -2, 6, 4), lambda x, z: x / 2, name="box 2"),
+             sheet([(3, -3), (9, 2), (4, 5)], lambda x, z: 4 - z / 4, name="box 2")]
+    yield Scene("thesis_2_87", "thesis, figure 2.87: a zone of two boxes with a plane between them", *boxes)
+    yield Scene("thesis_2_88", "thesis, first figure 2.88: zones of slabs of zones, each of one face in the end",
+                sheet(rectangle(0, 0, 10, 10), lambda x, z: 9 - x / 10, name="left"),
+                sheet(rectangle(0, 0, 10, 4), lambda x, z: 3 - x / 10, name="left, near, below"),
+                sheet(rectangle(0, 6, 10, 10), lambda x, z: 3 - x / 5, name="left, near, above"),
+                sheet(rectangle(20, 0, 30, 10), lambda x, z: 9 - (x - 20) / 4 * 3, name="right"),
+                sheet(rectangle(20, 2, 30, 8), lambda x, z: (x - 20) / 20, name="right, near"))
 
 
 def scenes():

@@ -1,0 +1,87 @@
+#include "visibility/newell/newell.hpp"
+
+#include <utility>
+
+#include "visibility/common/clock.hpp"
+#include "visibility/common/paint_pieces.hpp"
+#include "visibility/common/study_edges.hpp"
+#include "visibility/newell/priority_list.hpp"
+
+// Phases: (1) elements: faces with their extents and planes, (2) the priority list, (3) every edge against the faces that
+// have pieces before its own. See docs/methods/newell.md.
+
+namespace ligne {
+namespace {
+
+using namespace newell;
+
+constexpr std::string_view kShowNames[] = {"splits"};
+constexpr MethodParameter kParameters[] = {
+    {"show", "splits", "the pieces of faces that were cut, as layer debug", "", kShowNames},
+};
+
+void report(const ListCounts& counts, Statistics& statistics) {
+  statistics.count("zones", counts.zones);
+  statistics.count("slabs", counts.slabs);
+  statistics.count("lists sorted", counts.lists);
+  statistics.count("pairs compared", counts.compared);
+  statistics.count("apart in x", counts.apart_in_x);
+  statistics.count("apart in y", counts.apart_in_y);
+  statistics.count("behind the other's plane", counts.behind_plane);
+  statistics.count("the other before the plane", counts.before_plane);
+  statistics.count("projections compared", counts.projections);
+  statistics.count("disjoint projections", counts.disjoint);
+  statistics.count("depths compared", counts.depths);
+  statistics.count("nowhere in front", counts.farther);
+  statistics.count("moved to the head", counts.moved);
+  statistics.count("cuts by a plane", counts.plane_cuts);
+  statistics.count("cuts on the page", counts.page_cuts);
+}
+
+}  // namespace
+
+const MethodTraits& NewellMethod::traits() const {
+  static const MethodTraits traits{
+      "newell",
+      "a list of the faces by depth, checked and mended pair by pair; faces that have no place in it are cut",
+      kStrokes | kOrder,
+      true,
+      true,
+      "M. Newell, R. Newell, T. Sancha, A solution to the hidden surface problem, 1972",
+      MethodTraits{}.tolerance_mm,
+      kParameters};
+  return traits;
+}
+
+VisibilityResult NewellMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+  Clock clock;
+  PaintElements elements(scene);
+  const double seconds_of_elements = clock.lap();
+  const std::size_t faces = elements.size();
+  PriorityList list(elements);
+  const std::vector<std::uint32_t> farthest_first = list.sort();
+  const double seconds_of_list = clock.lap();
+
+  FaceRanks ranks(scene.model->faces.size());
+  PaintPieces pieces(scene, elements.pieces());
+  PaintOrder order;
+  for (std::size_t i = 0; i < farthest_first.size(); ++i) {
+    const Element& element = elements[farthest_first[i]];
+    ranks.add(element.face, static_cast<std::uint32_t>(farthest_first.size() - i));
+    if (!(options.wanted & kOrder)) continue;
+    for (const std::uint32_t part : element.parts) pieces.add(part, order);
+  }
+  std::vector<std::vector<Point2>> cut;
+  if (options.settings.find("show")) cut = pieces.outlines_of_cut();
+  VisibilityResult result = study_edges(scene, options, &ranks);
+  if (options.wanted & kOrder) result.order = std::move(order);
+  result.debug = std::move(cut);
+  Statistics& statistics = result.statistics;
+  statistics.seconds.insert(statistics.seconds.begin(), {{"elements", seconds_of_elements}, {"list", seconds_of_list}});
+  statistics.count("faces in the list", faces);
+  statistics.count("elements in the end", farthest_first.size());
+  report(list.counts(), statistics);
+  return result;
+}
+
+}  // namespace ligne

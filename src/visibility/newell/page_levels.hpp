@@ -1,0 +1,93 @@
+#pragma once
+/// Elements by where they lie on the page: grids of rising cell size, each element in the grid whose cells are as large as
+/// it is, and so in four cells at the most.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "visibility/common/facet.hpp"
+#include "visibility/newell/paint_elements.hpp"
+
+namespace ligne::newell {
+
+/// The extents of an element, rounded outwards: most comparisons end with them, so they lie close together.
+struct Box {
+  float x0, y0, z0, x1, y1, z1;
+
+  Box(const Extents& e)
+      : x0(round_down(e.low[0])),
+        y0(round_down(e.low[1])),
+        z0(round_down(e.low[2])),
+        x1(round_up(e.high[0])),
+        y1(round_up(e.high[1])),
+        z1(round_up(e.high[2])) {}
+
+  /// Whether they overlap on the page, and the other reaches farther than this one begins.
+  bool meets(const Box& o) const { return x0 < o.x1 && o.x0 < x1 && y0 < o.y1 && o.y0 < y1 && z0 < o.z1; }
+};
+
+class PageLevels {
+ public:
+  /// `page` holds all elements that will be added; about `count` of them.
+  PageLevels(const Extents& page, std::size_t count) : x_(page.low[0]), y_(page.low[1]) {
+    const double width = std::max(page.high[0] - x_, 1e-300), height = std::max(page.high[1] - y_, 1e-300);
+    const double longer = std::max(width, height), shorter = std::min(width, height);
+    // As many cells in the finest level as there are elements, in a strip no more than along it.
+    const double n = static_cast<double>(std::max<std::size_t>(count, 1));
+    double size = std::max(std::sqrt(longer * shorter / n), longer / n);
+    for (;; size *= 2) {
+      const auto columns = static_cast<int>(width / size) + 1, rows = static_cast<int>(height / size) + 1;
+      levels_.push_back({size, columns, rows, std::vector<std::vector<Entry>>(std::size_t(columns) * rows)});
+      if (columns == 1 && rows == 1) break;
+    }
+  }
+
+  void add(std::uint32_t element, const Extents& e) {
+    const double size = std::max(e.high[0] - e.low[0], e.high[1] - e.low[1]);
+    std::size_t k = 0;
+    while (k + 1 < levels_.size() && levels_[k].size < size) ++k;
+    visit_cells(levels_[k], e, [&](std::vector<Entry>& cell) { cell.push_back({e, element}); });
+  }
+
+  /// Calls visit(element) for the elements that the extents meet, see Box, some several times, and forgets those for which
+  /// it returns false.
+  template <class Visit>
+  void visit(const Extents& e, Visit visit) {
+    const Box box(e);
+    for (Level& level : levels_) {
+      visit_cells(level, e, [&](std::vector<Entry>& cell) {
+        std::erase_if(cell, [&](const Entry& entry) { return box.meets(entry.box) && !visit(entry.element); });
+      });
+    }
+  }
+
+ private:
+  struct Entry {
+    Box box;
+    std::uint32_t element;
+  };
+  struct Level {
+    double size;
+    int columns, rows;
+    std::vector<std::vector<Entry>> cells;
+  };
+
+  template <class Visit>
+  void visit_cells(Level& level, const Extents& e, Visit visit) {
+    const auto place = [&](double v, double origin, int n) {
+      return std::clamp(static_cast<int>((v - origin) / level.size), 0, n - 1);
+    };
+    const int left = place(e.low[0], x_, level.columns), right = place(e.high[0], x_, level.columns);
+    const int top = place(e.low[1], y_, level.rows), bottom = place(e.high[1], y_, level.rows);
+    for (int row = top; row <= bottom; ++row) {
+      for (int column = left; column <= right; ++column) visit(level.cells[std::size_t(row) * level.columns + column]);
+    }
+  }
+
+  double x_, y_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace ligne::newell

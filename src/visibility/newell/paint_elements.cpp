@@ -1,0 +1,236 @@
+#include "visibility/newell/paint_elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "geometry/disjoint_sets.hpp"
+#include "visibility/common/paint_pieces.hpp"
+
+namespace ligne::newell {
+namespace {
+
+/// Part of the sizes that are added to a depth: two products, the coefficients of a plane through two matrices.
+constexpr double kDepthRounding = 0x1p-44;
+
+double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
+
+/// Whether a side of `a` has all of `b` outside, or less than `margin` inside.
+bool has_side_between(std::span<const Point2> a, std::span<const Point2> b, double margin) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Point2 side = a[i + 1 == a.size() ? 0 : i + 1] - a[i];
+    const double limit = margin * glm::length(side);
+    if (limit == 0) continue;
+    if (std::all_of(b.begin(), b.end(), [&](Point2 p) { return cross(side, p - a[i]) <= limit; })) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void Extents::extend(const Extents& o) {
+  for (int k = 0; k < 3; ++k) {
+    low[k] = std::min(low[k], o.low[k]);
+    high[k] = std::max(high[k], o.high[k]);
+  }
+}
+
+PaintElements::PaintElements(const ProjectedScene& scene)
+    : view_(scene.view),
+      pieces_(*scene.model),
+      volume_(face_volume(scene.view, scene.lattice)),
+      margin_mm_(scene.lattice.step_mm) {
+  const Viewpoint viewpoint = viewpoint_of(scene.view.camera);
+  const std::vector<std::uint8_t> shown = shown_faces(scene);
+  const PagePlanes page_planes(scene.view);
+  std::uint32_t last_face = kNone;
+  for (std::uint32_t piece = 0; piece < pieces_.pieces().size(); ++piece) {
+    const std::uint32_t face = pieces_.face(piece);
+    const Extents extents = project(piece);
+    if (!shown[face] || extents.low[0] > extents.high[0]) continue;
+    if (face != last_face) {
+      ModelPlane plane = pieces_.plane_of(piece);
+      if (!viewpoint.in_front_of(plane)) plane.normal = -plane.normal;
+      elements_.push_back({face, {}, {}, plane, page_planes(plane)});
+      last_face = face;
+    }
+    elements_.back().parts.push_back(piece);
+    elements_.back().extents.extend(extents);
+  }
+}
+
+/// Puts what is seen of the piece into its contour.
+Extents PaintElements::project(std::uint32_t piece) {
+  corners_.clear();
+  for (const std::uint32_t corner : pieces_.corners(piece)) corners_.push_back(to_homogeneous(view_, pieces_.point(corner)));
+  clip_contour(corners_, volume_);
+  contours_.resize(std::max<std::size_t>(contours_.size(), piece + 1), {0, 0});
+  piece_extents_.resize(contours_.size());
+  Extents extents;
+  const std::size_t begin = points_.size();
+  if (corners_.size() >= 3) {
+    for (const HomogeneousPoint& p : corners_) {
+      points_.emplace_back(p.x / p.w, p.y / p.w);
+      const Point2 q = points_.back();
+      const double z = p.z / p.w;
+      extents.extend({{q.x, q.y, z}, {q.x, q.y, z}});
+    }
+    double twice_area = 0;
+    for (std::size_t i = begin + 1; i + 1 < points_.size(); ++i) {
+      twice_area += cross(points_[i] - points_[begin], points_[i + 1] - points_[begin]);
+    }
+    if (twice_area < 0) std::reverse(points_.begin() + static_cast<std::ptrdiff_t>(begin), points_.end());
+  }
+  contours_[piece] = {begin, points_.size()};
+  piece_extents_[piece] = extents;
+  return extents;
+}
+
+PlaneSide PaintElements::side(std::uint32_t element, std::uint32_t of) const {
+  bool front = false, back = false;
+  for (const std::uint32_t part : elements_[element].parts) {
+    const PlaneSide s = pieces_.side(part, elements_[of].plane);
+    front |= s == PlaneSide::front || s == PlaneSide::both;
+    back |= s == PlaneSide::back || s == PlaneSide::both;
+    if (front && back) return PlaneSide::both;
+  }
+  return front ? PlaneSide::front : back ? PlaneSide::back : PlaneSide::on;
+}
+
+bool PaintElements::disjoint_pieces(std::span<const Point2> a, std::span<const Point2> b) const {
+  return has_side_between(a, b, margin_mm_) || has_side_between(b, a, margin_mm_);
+}
+
+bool PaintElements::disjoint(std::uint32_t a, std::uint32_t b) const {
+  for (const std::uint32_t p : elements_[a].parts) {
+    for (const std::uint32_t q : elements_[b].parts) {
+      const Extents &e = piece_extents_[p], &f = piece_extents_[q];
+      if (e.overlap(f, 0) && e.overlap(f, 1) && !disjoint_pieces(contour(p), contour(q))) return false;
+    }
+  }
+  return true;
+}
+
+Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b) const {
+  const std::array<double, 3>&p = elements_[a].page_plane, &q = elements_[b].page_plane;
+  const std::array<double, 3> d{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+  const double slopes = std::abs(p[0]) + std::abs(p[1]) + std::abs(q[0]) + std::abs(q[1]);
+  Hiding result;
+  for (const std::uint32_t i : elements_[a].parts) {
+    for (const std::uint32_t k : elements_[b].parts) {
+      const Extents &e = piece_extents_[i], &f = piece_extents_[k];
+      if (!e.overlap(f, 0) || !e.overlap(f, 1) || disjoint_pieces(contour(i), contour(k))) continue;
+      common_.assign(contour(i).begin(), contour(i).end());
+      const auto clip = contour(k);
+      for (std::size_t s = 0; s < clip.size(); ++s) clip_by_side(clip[s], clip[s + 1 == clip.size() ? 0 : s + 1]);
+      for (const Point2 c : common_) {
+        const double difference = d[0] * c.x + d[1] * c.y + d[2];
+        const double sizes = std::abs(p[0] * c.x) + std::abs(p[1] * c.y) + std::abs(p[2]) + std::abs(q[0] * c.x) +
+                             std::abs(q[1] * c.y) + std::abs(q[2]);
+        const double tolerance = margin_mm_ * slopes + kDepthRounding * sizes;
+        result.first |= difference < -tolerance;
+        result.second |= difference > tolerance;
+      }
+    }
+  }
+  return result;
+}
+
+/// Leaves of common_ what is inside the side of a positively turned contour.
+void PaintElements::clip_by_side(Point2 from, Point2 to) const {
+  spare_.clear();
+  for (std::size_t i = 0; i < common_.size(); ++i) {
+    const Point2 a = common_[i], b = common_[i + 1 == common_.size() ? 0 : i + 1];
+    const double inside_a = cross(to - from, a - from), inside_b = cross(to - from, b - from);
+    if (inside_a >= 0) spare_.push_back(a);
+    if ((inside_a >= 0) != (inside_b >= 0)) spare_.push_back(a + (b - a) * (inside_a / (inside_a - inside_b)));
+  }
+  common_.swap(spare_);
+}
+
+/// Sets of parts that hang together by sides.
+std::vector<std::vector<std::uint32_t>> PaintElements::connected(const std::vector<std::uint32_t>& parts) const {
+  if (parts.size() <= 1) return {parts};
+  using Corner = std::tuple<double, double, double>;
+  const auto corner = [&](std::uint32_t c) {
+    const Point3& p = pieces_.point(c);
+    return Corner{p.x, p.y, p.z};
+  };
+  std::vector<std::pair<std::array<Corner, 2>, std::size_t>> sides;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto corners = pieces_.corners(parts[i]);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      std::array<Corner, 2> side{corner(corners[k]), corner(corners[k + 1 == corners.size() ? 0 : k + 1])};
+      if (side[1] < side[0]) std::swap(side[0], side[1]);
+      sides.emplace_back(side, i);
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  DisjointSets sets(parts.size());
+  for (std::size_t k = 1; k < sides.size(); ++k) {
+    if (sides[k].first == sides[k - 1].first) {
+      sets.join(static_cast<std::uint32_t>(sides[k - 1].second), static_cast<std::uint32_t>(sides[k].second));
+    }
+  }
+  std::vector<std::vector<std::uint32_t>> result;
+  std::vector<std::size_t> number(parts.size());
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    const std::uint32_t root = sets.find(i);
+    if (root == i) {
+      number[i] = result.size();
+      result.emplace_back();
+    }
+  }
+  for (std::uint32_t i = 0; i < parts.size(); ++i) result[number[sets.find(i)]].push_back(parts[i]);
+  return result;
+}
+
+std::vector<std::uint32_t> PaintElements::cut(std::uint32_t element, ModelPlane plane) {
+  std::vector<std::uint32_t> front, back;
+  for (const std::uint32_t part : elements_[element].parts) {
+    switch (pieces_.side(part, plane)) {
+      case PlaneSide::back:
+        back.push_back(part);
+        break;
+      case PlaneSide::both: {
+        const std::uint32_t behind = pieces_.cut(part, plane);
+        project(part);
+        project(behind);
+        front.push_back(part);
+        back.push_back(behind);
+        break;
+      }
+      default:
+        front.push_back(part);
+    }
+  }
+  if (front.empty() || back.empty()) return {};
+  std::vector<std::uint32_t> numbers;
+  for (const auto& half : {front, back}) {
+    for (std::vector<std::uint32_t>& parts : connected(half)) {
+      Element piece{elements_[element].face, std::move(parts), {}, elements_[element].plane, elements_[element].page_plane};
+      for (const std::uint32_t p : piece.parts) piece.extents.extend(piece_extents_[p]);
+      if (piece.extents.low[0] > piece.extents.high[0]) continue;  // nothing of it is in view
+      numbers.push_back(static_cast<std::uint32_t>(elements_.size()));
+      elements_.push_back(std::move(piece));
+    }
+  }
+  return numbers;
+}
+
+ModelPlane PaintElements::halving_plane(std::uint32_t element) const {
+  const Extents& e = elements_[element].extents;
+  const int axis = e.high[1] - e.low[1] > e.high[0] - e.low[0] ? 1 : 0;
+  const double middle = (e.low[axis] + e.high[axis]) / 2;
+  // Of homogeneous page coordinates (X, Y, Z, W): X - middle W = 0, or Y.
+  const glm::dmat4& m = view_.model_to_page;
+  const auto coefficient = [&](int column) { return m[column][axis] - middle * m[column][3]; };
+  const Point3 normal{coefficient(0), coefficient(1), coefficient(2)};
+  const double length = glm::length(normal);
+  const Point3 near = pieces_.point(pieces_.corners(elements_[element].parts[0])[0]);
+  const Point3 unit = normal / length;
+  return {unit, near - unit * ((glm::dot(normal, near) + coefficient(3)) / length)};
+}
+
+}  // namespace ligne::newell

@@ -1,0 +1,89 @@
+#pragma once
+/// The elements of the priority list: faces, and pieces of faces that were cut, with what the tests ask of them.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "view/clip.hpp"
+#include "view/projected_scene.hpp"
+#include "visibility/common/model_pieces.hpp"
+
+namespace ligne::newell {
+
+/// Extents on the page and in depth: [low, high] along x, y, z.
+struct Extents {
+  std::array<double, 3> low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+
+  void extend(const Extents& o);
+  double longest_side() const { return std::max(high[0] - low[0], high[1] - low[1]); }  ///< on the page
+  /// Whether they have more than a border in common along the axis.
+  bool overlap(const Extents& o, int axis) const { return low[axis] < o.high[axis] && o.low[axis] < high[axis]; }
+};
+
+/// A connected part of a face. Its parts are convex pieces of the face's triangles.
+struct Element {
+  std::uint32_t face = 0;
+  std::vector<std::uint32_t> parts;  ///< numbers of pieces
+  Extents extents;
+  ModelPlane plane;                    ///< its normal points to the viewer's side
+  std::array<double, 3> page_plane{};  ///< see PagePlanes
+};
+
+/// What a comparison of depths over a common part of the page says.
+struct Hiding {
+  bool first = false, second = false;  ///< somewhere it is in front of the other
+};
+
+/// All elements that there ever were, by number: one that is cut keeps its number and is no longer used.
+class PaintElements {
+ public:
+  /// The faces that the projected scene shows.
+  explicit PaintElements(const ProjectedScene& scene);
+
+  std::size_t size() const { return elements_.size(); }
+  const Element& operator[](std::uint32_t i) const { return elements_[i]; }
+  const ModelPieces& pieces() const { return pieces_; }
+
+  /// On which side of the plane of `of` the element lies: front is the viewer's.
+  PlaneSide side(std::uint32_t element, std::uint32_t of) const;
+
+  /// Whether the projections have no inner point in common but for strips narrower than a step of the lattice, in which
+  /// nothing can be seen. Compared edge by edge.
+  bool disjoint(std::uint32_t a, std::uint32_t b) const;
+
+  /// Which of two elements that are not disjoint is in front, over all that their projections have in common. What differs
+  /// less in depth than the two planes do over a step of the lattice touches.
+  Hiding hiding(std::uint32_t a, std::uint32_t b) const;
+
+  /// Cuts the element by a plane into connected elements, whose numbers are returned: none when nothing was cut. An element
+  /// of c corners falls into c / 2 + 1 at the most, into two when it is convex.
+  std::vector<std::uint32_t> cut(std::uint32_t element, ModelPlane plane);
+
+  /// The plane through the eye that halves the element on the page: across the axis along which it is longer.
+  ModelPlane halving_plane(std::uint32_t element) const;
+
+ private:
+  Extents project(std::uint32_t piece);
+  std::vector<std::vector<std::uint32_t>> connected(const std::vector<std::uint32_t>& parts) const;
+  std::span<const Point2> contour(std::uint32_t piece) const {
+    return std::span(points_).subspan(contours_[piece][0], contours_[piece][1] - contours_[piece][0]);
+  }
+  void clip_by_side(Point2 from, Point2 to) const;
+  bool disjoint_pieces(std::span<const Point2> a, std::span<const Point2> b) const;
+
+  const View& view_;
+  ModelPieces pieces_;
+  ClipVolume volume_;
+  double margin_mm_;
+  std::vector<Element> elements_;
+  std::vector<Extents> piece_extents_;
+  std::vector<std::array<std::size_t, 2>> contours_;  ///< per piece: of points_
+  std::vector<Point2> points_;                        ///< page mm, positively turned
+  mutable std::vector<Point2> common_, spare_;        ///< while depths are compared
+  std::vector<HomogeneousPoint> corners_;             ///< while a piece is projected
+};
+
+}  // namespace ligne::newell

@@ -1,0 +1,202 @@
+#include "visibility/newell/priority_list.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+// [Boulle1980] 2.5.2.4. P, the head of the list, is compared with those that reach farther than it begins. If it may hide
+// none of them it is done: it is painted. If it may hide Q, Q is marked and becomes the head. Where Q was marked before
+// there is no order, or may be none; and where either may hide the other there is none: one of the two is cut.
+//
+// It ends. Marks stay, so between two cuts an element is moved once at the most. A cut by the plane of a face leaves pieces
+// that the same plane does not cut again, so each face is cut by the plane of each other one into finitely many pieces; and
+// pieces narrower than a step of the lattice overlap nothing, which ends the halving on the page.
+
+namespace ligne::newell {
+
+namespace {
+
+Extents extents_of_all(const PaintElements& elements) {
+  Extents all;
+  for (std::uint32_t i = 0; i < elements.size(); ++i) all.extend(elements[i].extents);
+  return all;
+}
+
+}  // namespace
+
+PriorityList::PriorityList(PaintElements& elements)
+    : elements_(elements), levels_(extents_of_all(elements), elements.size()) {
+  for (std::uint32_t i = 0; i < elements.size(); ++i) levels_.add(i, elements[i].extents);
+}
+
+std::vector<std::uint32_t> PriorityList::sort() {
+  state_.assign(elements_.size(), State::waiting);
+  std::vector<Set> waiting(1);
+  waiting[0].resize(elements_.size());
+  std::iota(waiting[0].begin(), waiting[0].end(), 0u);
+  while (!waiting.empty()) {
+    const Set set = std::move(waiting.back());
+    waiting.pop_back();
+    if (set.size() == 1) {
+      output(set[0]);
+    } else if (!set.empty() && !decompose(set, waiting)) {
+      sort_list(set);
+    }
+  }
+  return std::move(order_);
+}
+
+/// Zones and slabs: sets whose extents are apart along one axis need no comparison. In depth the farthest is put last into
+/// `waiting`, since it is painted first.
+bool PriorityList::decompose(const Set& set, std::vector<Set>& waiting) {
+  for (const int axis : {2, 0, 1}) {
+    Set by_low = set;
+    std::sort(by_low.begin(), by_low.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(elements_[a].extents.low[axis], a) < std::pair(elements_[b].extents.low[axis], b);
+    });
+    std::vector<Set> parts;
+    double end = 0;
+    for (const std::uint32_t e : by_low) {
+      if (parts.empty() || elements_[e].extents.low[axis] >= end) {
+        parts.emplace_back();
+        end = elements_[e].extents.high[axis];
+      }
+      parts.back().push_back(e);
+      end = std::max(end, elements_[e].extents.high[axis]);
+    }
+    if (parts.size() == 1) continue;
+    (axis == 2 ? counts_.slabs : counts_.zones) += parts.size();
+    for (Set& part : parts) waiting.push_back(std::move(part));
+    return true;
+  }
+  return false;
+}
+
+void PriorityList::sort_list(const Set& set) {
+  ++counts_.lists;
+  sorted_ = set;
+  std::sort(sorted_.begin(), sorted_.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::pair(-farthest(a), a) < std::pair(-farthest(b), b); });
+  first_ = 0;
+  for (std::uint32_t p = head(); p != kNone; p = head()) {
+    if (!settle(p)) continue;
+    remove(p);
+    output(p);
+  }
+}
+
+void PriorityList::output(std::uint32_t element) {
+  state_[element] = State::gone;
+  order_.push_back(element);
+}
+
+std::uint32_t PriorityList::head() {
+  if (!moved_.empty()) return moved_.back();
+  while (first_ < sorted_.size() && state_[sorted_[first_]] != State::waiting) ++first_;
+  const bool any = first_ < sorted_.size();
+  if (inserted_.empty()) return any ? sorted_[first_] : kNone;
+  const auto inserted = *inserted_.begin();
+  return any && std::pair(-farthest(sorted_[first_]), sorted_[first_]) < inserted ? sorted_[first_] : inserted.second;
+}
+
+void PriorityList::remove(std::uint32_t element) {
+  if (state_[element] == State::marked) std::erase(moved_, element);
+  inserted_.erase({-farthest(element), element});
+  comparisons_.erase(element);
+  state_[element] = State::gone;
+}
+
+void PriorityList::insert(std::uint32_t element) {
+  state_.resize(elements_.size(), State::waiting);
+  inserted_.emplace(-farthest(element), element);
+  levels_.add(element, elements_[element].extents);
+}
+
+/// The set Q_p, but for the rounding of boxes: what waits, reaches farther than P begins, and overlaps it in x and y.
+PriorityList::Comparison& PriorityList::comparison_of(std::uint32_t p) {
+  const auto [place, is_new] = comparisons_.try_emplace(p);
+  Comparison& result = place->second;
+  if (!is_new) return result;
+  result.known = static_cast<std::uint32_t>(elements_.size());
+  seen_.resize(elements_.size(), 0);
+  levels_.visit(elements_[p].extents, [&](std::uint32_t q) {
+    if (state_[q] == State::gone) return false;
+    if (seen_[q] != p + 1 && q != p) result.others.push_back(q);
+    seen_[q] = p + 1;
+    return true;
+  });
+  std::sort(result.others.begin(), result.others.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::pair(-farthest(a), a) < std::pair(-farthest(b), b); });
+  return result;
+}
+
+/// Compares the head of the list with its set Q_p. False when the list has changed.
+bool PriorityList::settle(std::uint32_t p) {
+  Comparison& comparison = comparison_of(p);
+  for (; comparison.next < comparison.others.size(); ++comparison.next) {
+    const std::uint32_t q = comparison.others[comparison.next];
+    if (state_[q] != State::gone && !resolve(p, q)) return false;
+  }
+  for (; comparison.known < elements_.size(); ++comparison.known) {
+    const std::uint32_t q = comparison.known;
+    const bool in_set = q != p && state_[q] != State::gone && Box(elements_[p].extents).meets(elements_[q].extents);
+    if (in_set && !resolve(p, q)) return false;
+  }
+  return true;
+}
+
+/// True when P does not hide Q. Otherwise the list is changed so that this pair does not come again.
+bool PriorityList::resolve(std::uint32_t p, std::uint32_t q) {
+  // Pieces of one face lie in one plane.
+  if (elements_[p].face == elements_[q].face || !may_hide(p, q)) return true;
+  if (state_[q] != State::marked) {
+    if (may_hide(q, p)) return !replace(p, elements_[q].plane, counts_.plane_cuts);
+    inserted_.erase({-farthest(q), q});
+    state_[q] = State::marked;
+    moved_.push_back(q);
+    ++counts_.moved;
+    return false;
+  }
+  if (elements_.side(q, p) == PlaneSide::both) return !replace(q, elements_[p].plane, counts_.plane_cuts);
+  if (elements_.side(p, q) == PlaneSide::both) return !replace(p, elements_[q].plane, counts_.plane_cuts);
+  // P is in front of Q, and Q of others that are in front of P. Halving P alone need not end: where P hides Q and is itself
+  // hidden, its halves do and are the same.
+  const std::uint32_t larger = elements_[q].extents.longest_side() > elements_[p].extents.longest_side() ? q : p;
+  return !replace(larger, elements_.halving_plane(larger), counts_.page_cuts);
+}
+
+/// Cuts the element and puts its pieces into the list. False when the plane does not cut it.
+bool PriorityList::replace(std::uint32_t element, const ModelPlane& plane, std::uint64_t& count) {
+  const auto pieces = elements_.cut(element, plane);
+  if (pieces.empty()) return false;
+  ++count;
+  remove(element);
+  for (const std::uint32_t piece : pieces) insert(piece);
+  return true;
+}
+
+/// Tests of rising cost, each of which may show that P does not hide Q.
+bool PriorityList::may_hide(std::uint32_t p, std::uint32_t q) {
+  ++counts_.compared;
+  const Extents &e = elements_[p].extents, &f = elements_[q].extents;
+  if (!e.overlap(f, 0)) {
+    ++counts_.apart_in_x;
+  } else if (!e.overlap(f, 1)) {
+    ++counts_.apart_in_y;
+  } else if (const PlaneSide s = elements_.side(p, q); s == PlaneSide::back || s == PlaneSide::on) {
+    ++counts_.behind_plane;
+  } else if (const PlaneSide t = elements_.side(q, p); t == PlaneSide::front || t == PlaneSide::on) {
+    ++counts_.before_plane;
+  } else {
+    ++counts_.projections;
+    if (elements_.disjoint(p, q)) {
+      ++counts_.disjoint;
+      return false;
+    }
+    ++counts_.depths;
+    if (elements_.hiding(p, q).first) return true;
+    ++counts_.farther;
+  }
+  return false;
+}
+
+}  // namespace ligne::newell

@@ -1,0 +1,85 @@
+#pragma once
+/// The priority list of Newell, Newell and Sancha: elements in an order in which none hides one behind it in the list.
+///
+/// M. E. Newell, R. G. Newell, T. L. Sancha, "A solution to the hidden surface problem", ACM National Conference 1972.
+/// docs/methods/newell.md.
+
+#include <cstdint>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "visibility/newell/page_levels.hpp"
+#include "visibility/newell/paint_elements.hpp"
+
+namespace ligne::newell {
+
+struct ListCounts {
+  std::uint64_t zones = 0;       ///< sets that were found apart on the page, nested
+  std::uint64_t slabs = 0;       ///< sets that were found apart in depth, nested
+  std::uint64_t lists = 0;       ///< sets that could not be decomposed and were sorted
+  std::uint64_t compared = 0;    ///< pairs of an element and one of its set Q_p
+  std::uint64_t apart_in_x = 0;  ///< of them, by the test that gave the answer
+  std::uint64_t apart_in_y = 0;
+  std::uint64_t behind_plane = 0;
+  std::uint64_t before_plane = 0;
+  std::uint64_t projections = 0;  ///< compared edge by edge
+  std::uint64_t disjoint = 0;     ///< of them, those that proved to be disjoint
+  std::uint64_t depths = 0;       ///< compared in depth over what they have in common
+  std::uint64_t farther = 0;      ///< of them, those that proved to be nowhere in front
+  std::uint64_t moved = 0;        ///< elements that were marked and moved to the head of the list
+  std::uint64_t plane_cuts = 0;   ///< elements cut by the plane of another one
+  std::uint64_t page_cuts = 0;    ///< elements halved on the page because both planes fail
+};
+
+/// Sorts all elements, farthest first; cuts those that have no place in an order.
+class PriorityList {
+ public:
+  explicit PriorityList(PaintElements& elements);
+
+  std::vector<std::uint32_t> sort();
+  const ListCounts& counts() const { return counts_; }
+
+ private:
+  using Set = std::vector<std::uint32_t>;
+
+  bool decompose(const Set& set, std::vector<Set>& waiting);
+  void sort_list(const Set& set);
+  void output(std::uint32_t element);
+
+  std::uint32_t head();
+  bool settle(std::uint32_t p);
+  bool resolve(std::uint32_t p, std::uint32_t q);
+  bool may_hide(std::uint32_t p, std::uint32_t q);
+  bool replace(std::uint32_t element, const ModelPlane& plane, std::uint64_t& count);
+  void remove(std::uint32_t element);
+  void insert(std::uint32_t element);
+  double farthest(std::uint32_t element) const { return elements_[element].extents.high[2]; }
+  double nearest(std::uint32_t element) const { return elements_[element].extents.low[2]; }
+
+  /// How far the comparison of an element with its set Q_p has come. What was found of a pair stays true.
+  struct Comparison {
+    Set others;               ///< farthest first
+    std::size_t next = 0;     ///< of them
+    std::uint32_t known = 0;  ///< elements with higher numbers were cut later
+  };
+  Comparison& comparison_of(std::uint32_t p);
+
+  PaintElements& elements_;
+  PageLevels levels_;
+  ListCounts counts_;
+  std::vector<std::uint32_t> order_;
+
+  // The list at hand: what was moved to its head, the initial sort, and what was put in later.
+  enum class State : std::uint8_t { waiting, marked, gone };
+  std::vector<State> state_;
+  Set moved_;
+  Set sorted_;
+  std::size_t first_ = 0;                                      ///< of sorted_ that may still be waiting
+  std::set<std::pair<double, std::uint32_t>> inserted_;        ///< by minus the farthest depth, and number
+  std::unordered_map<std::uint32_t, Comparison> comparisons_;  ///< of elements that were the head; only looked up
+  std::vector<std::uint32_t> seen_;                            ///< per element: for which it was collected last, plus one
+};
+
+}  // namespace ligne::newell

@@ -1,0 +1,249 @@
+// The priority list of the method newell: hand-worked orders, tests and cuts, after the figures of [Boulle1980] 2.5.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/scenes.hpp"
+#include "visibility/newell/priority_list.hpp"
+
+namespace ligne::test {
+namespace {
+
+using newell::Element;
+using newell::ListCounts;
+using newell::PaintElements;
+using newell::PriorityList;
+
+/// A list and how it came about. The viewer looks along +y: x to the right, z up, what has the larger y is farther.
+struct Sorted {
+  std::vector<std::uint32_t> faces;  ///< of the elements, the farthest first
+  ListCounts counts;
+};
+
+Sorted sorted(const Scene& scene, const CameraRequest& camera = along({0, 1, 0})) {
+  const Picture picture = draw(scene, {camera, "all", false, 1, "appel"});
+  PaintElements elements(picture.projected);
+  PriorityList list(elements);
+  Sorted result;
+  for (const std::uint32_t e : list.sort()) result.faces.push_back(elements[e].face);
+  result.counts = list.counts();
+  return result;
+}
+
+using Order = std::vector<std::uint32_t>;
+
+/// A rectangle on the page, x0 to x1 and z0 to z1, whose left side is at the depth y0 and whose right side at y1.
+void add_plate(Scene& scene, double x0, double x1, double z0, double z1, double y0, double y1) {
+  add_face(scene, {{{x0, y0, z0}, {x1, y1, z0}, {x1, y1, z1}, {x0, y0, z1}}});
+}
+
+// Figure 2.72: F1 and F2, in this order: the second hides a part of the first.
+TEST(Newell, Figure272) {
+  Scene scene;
+  add_plate(scene, 0, 6, 0, 6, 5, 5);
+  add_plate(scene, 3, 9, 3, 9, 2, 2);
+  const Sorted s = sorted(scene);
+  EXPECT_EQ(s.faces, (Order{0, 1}));
+  EXPECT_EQ(s.counts.slabs, 2u) << "their depths are apart: nothing is compared";
+  EXPECT_EQ(s.counts.compared, 0u);
+}
+
+// Figure 2.81 a: P has the farther point and hides Q. P: from depth 9 at x = 0 to 1 at x = 10; Q: depth 6, x from 7 to 9,
+// where P is at 3.4 to 1.8. Q is moved to the head.
+TEST(Newell, Figure281a) {
+  Scene scene;
+  add_plate(scene, 0, 10, 0, 10, 9, 1);
+  add_plate(scene, 7, 9, 3, 6, 6, 6);
+  const Sorted s = sorted(scene);
+  EXPECT_EQ(s.faces, (Order{1, 0}));
+  EXPECT_EQ(s.counts.moved, 1u);
+  EXPECT_EQ(s.counts.plane_cuts + s.counts.page_cuts, 0u);
+}
+
+// Figure 2.81 b: both reach as far, to 8. The list begins with either; P (0) hides Q at x = 8..9, where it is at 1.6 to 0.8
+// and Q, which is level, at 8.
+TEST(Newell, Figure281b) {
+  Scene scene;
+  add_plate(scene, 0, 10, 0, 10, 8, 0);
+  add_plate(scene, 8, 9, 3, 6, 8, 8);
+  EXPECT_EQ(sorted(scene).faces, (Order{1, 0}));
+}
+
+// Figure 2.81 c: they pass through each other along x = 5. One is cut: three elements, the halves of one on both sides of
+// the other.
+TEST(Newell, Figure281c) {
+  Scene scene;
+  add_plate(scene, 0, 10, 0, 10, 8, 0);
+  add_plate(scene, 0, 10, 2, 8, 0, 8);
+  const Sorted s = sorted(scene);
+  EXPECT_EQ(s.counts.plane_cuts, 1u);
+  EXPECT_EQ(s.counts.page_cuts, 0u);
+  ASSERT_EQ(s.faces.size(), 3u);
+}
+
+// Figure 2.81 d: mutual overlap of an L and a bar. The L: a column x 0..2, z 0..10, and a foot x 2..10, z 0..2, in the plane
+// y = 5. The bar crosses both arms, at z = 8 - x: it passes behind the column (y 8 at x = 0) and before the foot (y 2 at x =
+// 8). Its plane cuts the plane of the L at x = 4, where there is nothing of the L: no face is penetrated, but one is cut.
+TEST(Newell, Figure281d) {
+  Scene scene;
+  add_face(scene, {{{0, 5, 0}, {10, 5, 0}, {10, 5, 2}, {2, 5, 2}, {2, 5, 10}, {0, 5, 10}}});
+  add_face(scene, {{{-1, 8.75, 8}, {9, 1.25, -1}, {9, 1.25, 1}, {-1, 8.75, 10}}});
+  const Sorted s = sorted(scene);
+  EXPECT_EQ(s.counts.plane_cuts, 1u);
+  EXPECT_EQ(s.faces.size(), 3u);
+  // The half behind the L, the L, the half before it; or half of the L, the bar, the other half.
+  EXPECT_EQ(s.faces.front(), s.faces.back());
+}
+
+/// n bars round a centre, each over the next: a ring. Bar i leaves the side i of a polygon, high at its begin.
+Scene ring(int n) {
+  Scene scene;
+  const auto corner = [&](double i, double radius) {
+    const double a = 2 * M_PI * i / n;
+    return Point2{radius * std::cos(a), radius * std::sin(a)};
+  };
+  for (int i = 0; i < n; ++i) {
+    const Point2 a = corner(i, 10), b = corner(i + 1, 10), d = glm::normalize(b - a), side = Point2{-d.y, d.x} * 0.5;
+    const Point2 from = a - d * 3.0, to = b + d * 3.0;
+    const auto at = [](Point2 p, double y) { return Point3{p.x, y, p.y}; };
+    add_face(scene, {{at(from - side, 0), at(to - side, 4), at(to + side, 4), at(from + side, 0)}});
+  }
+  return scene;
+}
+
+// Figure 2.81 e, and larger rings: bar i begins before the end of bar i - 1 and ends behind the begin of bar i + 1. No bar
+// is penetrated. Somewhere one has to be cut; where the plane of one passes through another one, that is cut along it,
+// though it does not always break the ring. A convex face of c = 4 corners falls into no more than c / 2 + 1 pieces.
+TEST(Newell, Figure281eRings) {
+  for (int n = 3; n <= 6; ++n) {
+    SCOPED_TRACE(n);
+    const Sorted s = sorted(ring(n));
+    const std::uint64_t cuts = s.counts.plane_cuts + s.counts.page_cuts;
+    EXPECT_GE(cuts, 1u);
+    EXPECT_EQ(s.faces.size(), static_cast<std::size_t>(n) + cuts);
+    for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(n); ++f) {
+      EXPECT_LE(std::count(s.faces.begin(), s.faces.end(), f), 3) << "bar " << f;
+    }
+    // 2.5.2.7: n studies of n - 1 comparisons find the ring. Pairs that do not overlap on the page are not compared here.
+    EXPECT_LE(s.counts.compared, (cuts + 1) * static_cast<std::uint64_t>(2 * n * (n - 1)));
+  }
+}
+
+// Figure 2.83: the depths of all faces are apart, and Q_p is empty for each: nothing is compared.
+TEST(Newell, Figure283NothingIsCompared) {
+  Scene scene;
+  for (int i = 0; i < 20; ++i) add_plate(scene, 0, 10, 0, 10, 3 * i + 2, 3 * i);
+  const Sorted s = sorted(scene);
+  EXPECT_EQ(s.counts.compared, 0u);
+  EXPECT_EQ(s.counts.slabs, 20u);
+  Order farthest_first(20);
+  for (std::uint32_t i = 0; i < 20; ++i) farthest_first[i] = 19 - i;
+  EXPECT_EQ(s.faces, farthest_first);
+}
+
+/// A comb in the plane y = `depth`: a back x 0..2 and `teeth` teeth from there to x = 10, 2 wide and 2 apart. It has
+/// 4 teeth corners.
+void add_comb(Scene& scene, int teeth, double depth) {
+  std::vector<Point3> corners{{0, depth, 0}};
+  for (int t = 0; t < teeth; ++t) {
+    const double z = 4 * t;
+    corners.insert(corners.end(), {{10, depth, z}, {10, depth, z + 2}});
+    if (t + 1 < teeth) corners.insert(corners.end(), {{2, depth, z + 2}, {2, depth, z + 4}});
+  }
+  corners.push_back({0, depth, 4.0 * teeth - 2});
+  add_face(scene, {corners});
+}
+
+// Figure 2.85: a face of r corners that a straight cut divides into the most pieces: r / 2 + 1 at most. A comb of t teeth
+// has 4 t corners; a cut through the teeth leaves its back and t points: t + 1 <= r / 2 + 1.
+TEST(Newell, Figure285PiecesOfACut) {
+  for (int teeth = 1; teeth <= 6; ++teeth) {
+    SCOPED_TRACE(teeth);
+    Scene scene;
+    add_comb(scene, teeth, 5);
+    const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
+    PaintElements elements(picture.projected);
+    EXPECT_EQ(elements.cut(0, {{1, 0, 0}, {6, 0, 0}}).size(), static_cast<std::size_t>(teeth) + 1);
+  }
+}
+
+// Figure 2.84: every face is in mutual overlap with P, and the sort begins with the wrong one of each pair. P is a plate
+// that leans; the combs stand in it with their teeth: each pair needs one cut, and no more than one.
+TEST(Newell, Figure284EachFaceIsCutOnceByP) {
+  Scene scene;
+  add_plate(scene, -1, 11, -1, 40, 0, 12);
+  for (int i = 0; i < 3; ++i) {
+    const double z = 12 * i;
+    add_face(scene, {{{0, 9, z}, {10, 1, z}, {10, 1, z + 2}, {2, 7.4, z + 2}, {2, 7.4, z + 4}, {0, 9, z + 4}}});
+  }
+  const Sorted s = sorted(scene);
+  EXPECT_LE(s.counts.plane_cuts, 3u);
+  EXPECT_GE(s.counts.plane_cuts, 1u);
+  EXPECT_LE(s.faces.size(), 1u + 3u * 4u);
+}
+
+// Figures 2.86 to 2.88: a scene that falls into zones, these into slabs, and these into zones again: each slab holds one
+// face in the end, and the study is done without a comparison.
+TEST(Newell, Figure288ZonesAndSlabsToTheEnd) {
+  Scene scene;
+  // Left zone: two slabs; the nearer one is two zones, above each other.
+  add_plate(scene, 0, 10, 0, 10, 9, 8);
+  add_plate(scene, 0, 10, 0, 4, 3, 2);
+  add_plate(scene, 0, 10, 6, 10, 3, 1);
+  // Right zone: two slabs.
+  add_plate(scene, 20, 30, 0, 10, 9, 1.5);
+  add_plate(scene, 20, 30, 2, 8, 0.5, 1);
+  const Sorted s = sorted(scene);
+  EXPECT_EQ(s.counts.compared, 0u);
+  EXPECT_EQ(s.counts.lists, 0u);
+  EXPECT_GT(s.counts.zones, 0u);
+  EXPECT_GT(s.counts.slabs, 0u);
+  const auto place = [&](std::uint32_t f) { return std::find(s.faces.begin(), s.faces.end(), f) - s.faces.begin(); };
+  EXPECT_LT(place(0), place(1));
+  EXPECT_LT(place(0), place(2));
+  EXPECT_LT(place(3), place(4));
+}
+
+// 2.5.2.3: tests of rising cost. Two faces whose extents overlap in depth: apart in x, apart in y, one behind the plane of
+// the other, before the plane, and disjoint but for their boxes.
+TEST(Newell, TestsOfRisingCost) {
+  Scene behind;  // both lean alike; the second lies behind the plane of the first all over
+  add_plate(behind, 0, 10, 0, 10, 8, 0);
+  add_plate(behind, 2, 8, 2, 8, 8.4, 3.6);
+  const Sorted s = sorted(behind);
+  EXPECT_EQ(s.faces, (Order{1, 0}));
+  EXPECT_EQ(s.counts.moved, 0u) << "the second reaches farther";
+  EXPECT_EQ(s.counts.behind_plane, 1u);
+  EXPECT_EQ(s.counts.projections, 0u);
+
+  Scene corners;  // two triangles of one square: boxes overlap, projections do not
+  add_face(corners, {{{0, 0, 0}, {10, 8, 0}, {0, 4, 10}}});
+  add_face(corners, {{{10, 3, 9}, {9, 8, 10}, {10, 1, 1}}});
+  const Sorted t = sorted(corners);
+  EXPECT_EQ(t.counts.plane_cuts + t.counts.page_cuts, 0u);
+  EXPECT_EQ(t.counts.depths, 0u);
+}
+
+// The order is free of the aspect of faces (2.5.2.6), and siblings, pieces of one face, are never compared: a face with a
+// hole is twelve triangles here, of which no two are in one comparison.
+TEST(Newell, SiblingsAreNotCompared) {
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {9, 7, 0}, {9, 7, 9}, {0, 0, 9}},
+                   {{3, 7.0 / 3, 3}, {3, 7.0 / 3, 6}, {6, 14.0 / 3, 6}, {6, 14.0 / 3, 3}}});
+  EXPECT_EQ(sorted(scene).counts.compared, 0u);
+  EXPECT_EQ(sorted(scene).faces.size(), 1u);
+}
+
+TEST(Newell, IsTheSameEveryTime) {
+  Scene scene;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 40; ++i) {
+    add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {2, 2, 2}, rotation(u(random) * 3, u(random), u(random)));
+  }
+  EXPECT_EQ(sorted(scene).faces, sorted(scene).faces);
+}
+
+}  // namespace
+}  // namespace ligne::test
