@@ -5,6 +5,7 @@
 #include "visibility/appel/appel.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/bsp/bsp.hpp"
+#include "visibility/convex_tree/convex_tree_method.hpp"
 #include "visibility/newell/newell.hpp"
 #include "visibility/warnock/warnock.hpp"
 #include "visibility/watkins/watkins.hpp"
@@ -18,7 +19,8 @@ std::span<const Method* const> all_methods() {
   static const WatkinsMethod scan;
   static const BspMethod bsp;
   static const NewellMethod newell;
-  static const std::array<const Method*, 6> methods{&appel, &atherton_weiler, &warnock, &scan, &newell, &bsp};
+  static const ConvexTreeMethod convex_tree;
+  static const std::array<const Method*, 7> methods{&appel, &atherton_weiler, &warnock, &scan, &newell, &bsp, &convex_tree};
   return methods;
 }
 

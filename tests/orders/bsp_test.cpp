@@ -5,7 +5,7 @@
 #include <random>
 
 #include "order_check.hpp"
-#include "support/scenes.hpp"
+#include "tree_scenes.hpp"
 #include "visibility/bsp/bsp.hpp"
 
 namespace ligne::test {
@@ -27,28 +27,6 @@ std::vector<std::uint32_t> painted(const BspTree& tree, const Viewpoint& viewpoi
 
 Viewpoint eye_at(const Point3& eye) { return {eye, {0, 0, 1}, true}; }
 Viewpoint from(const Point3& direction) { return {{0, 0, 0}, direction, false}; }
-
-/// A ball of 2 n (n - 1) triangles.
-Scene ball(int n) {
-  Scene scene;
-  begin_object(scene);
-  const auto point = [&](int row, int column) {
-    const double a = M_PI * row / n, b = 2 * M_PI * column / n;
-    scene.vertices.emplace_back(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a));
-  };
-  for (int row = 0; row <= n; ++row) {
-    for (int column = 0; column < n; ++column) point(row, column);
-  }
-  for (int row = 0; row < n; ++row) {
-    for (int column = 0; column < n; ++column) {
-      const auto at = [&](int r, int c) { return static_cast<std::uint32_t>(r * n + c % n); };
-      if (row > 0) scene.faces.add_triangle(at(row, column), at(row + 1, column), at(row, column + 1));
-      if (row + 1 < n) scene.faces.add_triangle(at(row, column + 1), at(row + 1, column), at(row + 1, column + 1));
-    }
-  }
-  end_object(scene);
-  return scene;
-}
 
 // The lecture's figure of a display has the caption "1, 2, 5, 3, 4". Walls on the plan, numbered as there; the viewer looks
 // along +y. Behind 3 stand 1, 2 and 5, before it 4; of the three 2 divides the others, 1 behind it and 5 before it. Each

@@ -1,11 +1,7 @@
 #include "visibility/bsp/bsp.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "visibility/common/clock.hpp"
-#include "visibility/common/paint_pieces.hpp"
-#include "visibility/common/study_edges.hpp"
+#include "visibility/common/study_tree.hpp"
 
 // Phases: (1) the tree, in model space, (2) one walk through it, from the front, (3) every edge against the faces that have
 // pieces before its own. See docs/methods/bsp.md.
@@ -19,7 +15,7 @@ constexpr std::string_view kShowNames[] = {"splits"};
 constexpr MethodParameter kParameters[] = {
     {"candidates",
      "K",
-     "faces that are tried at random as root of a set; that of the fewest splits is taken",
+     "faces that are tried at random to divide a set; that of the fewest splits is taken",
      "5",
      {},
      1,
@@ -58,26 +54,8 @@ VisibilityResult BspMethod::study(const ProjectedScene& scene, const StudyOption
 }
 
 VisibilityResult BspMethod::study(const BspTree& tree, const ProjectedScene& scene, const StudyOptions& options) {
-  Clock clock;
-  FaceRanks ranks(scene.model->faces.size());
-  std::vector<std::uint32_t> front_to_back;
-  const bool paint = options.wanted & kOrder;
-  tree.front_to_back(viewpoint_of(scene.view.camera), [&](std::uint32_t piece, std::uint32_t rank) {
-    ranks.add(tree.pieces().face(piece), rank);
-    if (paint) front_to_back.push_back(piece);
-  });
-  PaintOrder order;
-  PaintPieces pieces(scene, tree.pieces());
-  for (auto piece = front_to_back.rbegin(); piece != front_to_back.rend(); ++piece) pieces.add(*piece, order);
-  std::vector<std::vector<Point2>> cut;
-  if (options.settings.find("show")) cut = pieces.outlines_of_cut();
-  const double seconds = clock.lap();
-
-  VisibilityResult result = study_edges(scene, options, &ranks);
-  if (paint) result.order = std::move(order);
-  result.debug = std::move(cut);
+  VisibilityResult result = study_tree(tree, scene, options);
   Statistics& statistics = result.statistics;
-  statistics.seconds.insert(statistics.seconds.begin(), {"order", seconds});
   const BspTree::Counts& counts = tree.counts();
   statistics.count("nodes", counts.nodes);
   statistics.count("nodes in planes of no face", counts.free_planes);

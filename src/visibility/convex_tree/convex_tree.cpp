@@ -1,0 +1,210 @@
+#include "visibility/convex_tree/convex_tree.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "visibility/common/dividing_plane.hpp"
+#include "visibility/convex_tree/point_boxes.hpp"
+
+// [Huet1994] 3.2. Its measure of termination is the number of planes that support a triangle of the set; here that of the
+// triangles of the scene of which the set has pieces, which is as good: pieces of one triangle have one plane. Peeling takes
+// all pieces of a triangle. A separating plane through a triangle leaves that triangle on its front side only, where it is
+// peeled next. A separating plane of no triangle leaves fewer pieces on either side, and no more triangles.
+
+namespace ligne {
+namespace {
+
+constexpr std::size_t kMany = 96;      ///< adjustable: of larger sets a convex set is peeled only when it is a large part
+constexpr std::size_t kSample = 256;   ///< adjustable: pieces by which that is judged
+constexpr std::size_t kLeastPart = 8;  ///< adjustable: one in so many
+
+/// Finds the pieces of a set that all others lie on one side of.
+class HullSearch {
+ public:
+  HullSearch(const ModelPieces& pieces, const std::vector<std::uint32_t>& set) : pieces_(pieces), set_(set) {
+    std::vector<std::pair<double, Point3>> low(kDirections.size(), {1e300, {}}), high(kDirections.size(), {-1e300, {}});
+    for (const std::uint32_t piece : set) {
+      for (const std::uint32_t corner : pieces.corners(piece)) {
+        const Point3& p = pieces.point(corner);
+        for (std::size_t d = 0; d < kDirections.size(); ++d) {
+          const double place = glm::dot(kDirections[d], p);
+          if (place < low[d].first) low[d] = {place, p};
+          if (place > high[d].first) high[d] = {place, p};
+        }
+      }
+    }
+    for (std::size_t d = 0; d < kDirections.size(); ++d) {
+      extremes_.push_back(low[d].second);
+      extremes_.push_back(high[d].second);
+    }
+  }
+
+  /// The plane of the piece with its normal to the side on which all others lie; nothing when there are others on both.
+  std::optional<ModelPlane> supporting_plane(std::uint32_t piece) {
+    ModelPlane plane = pieces_.plane_of(piece);
+    const double tolerance = pieces_.tolerance();
+    double low = 0, high = 0;
+    for (const Point3& p : extremes_) {
+      const double h = plane.height(p);
+      low = std::min(low, h);
+      high = std::max(high, h);
+      if (low < -tolerance && high > tolerance) return std::nullopt;
+    }
+    if (low < -tolerance) plane.normal = -plane.normal;
+    if (!boxes_) {
+      std::vector<Point3> points;
+      for (const std::uint32_t other : set_) {
+        for (const std::uint32_t corner : pieces_.corners(other)) points.push_back(pieces_.point(corner));
+      }
+      boxes_.emplace(std::move(points));
+    }
+    if (!boxes_->any_below(plane, tolerance)) return plane;
+    if (low < -tolerance || high > tolerance) return std::nullopt;
+    plane.normal = -plane.normal;  // all extremes lie in the plane
+    return boxes_->any_below(plane, tolerance) ? std::nullopt : std::optional(plane);
+  }
+
+ private:
+  static inline const std::vector<Point3> kDirections{{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {1, 1, 0},  {1, -1, 0},
+                                                      {1, 0, 1},  {1, 0, -1}, {0, 1, 1}, {0, 1, -1}, {1, 1, 1},
+                                                      {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+  const ModelPieces& pieces_;
+  const std::vector<std::uint32_t>& set_;
+  std::vector<Point3> extremes_;
+  std::optional<PointBoxes> boxes_;
+};
+
+}  // namespace
+
+ConvexTree::ConvexTree(const Scene& scene, const ConvexTreeOptions& options) : pieces_(scene) {
+  counts_.triangles = pieces_.pieces().size();
+  counted_.assign(pieces_.triangles().size(), 0);
+  if (pieces_.pieces().empty()) return;
+  std::vector<Task> open(1);
+  open[0].pieces.resize(pieces_.pieces().size());
+  std::iota(open[0].pieces.begin(), open[0].pieces.end(), 0u);
+  while (!open.empty()) {
+    Task task = std::move(open.back());
+    open.pop_back();
+    compile(std::move(task), options, open);
+  }
+}
+
+std::uint64_t ConvexTree::count_supports(const std::vector<std::uint32_t>& set) {
+  ++counted_sets_;
+  std::uint64_t count = 0;
+  for (const std::uint32_t piece : set) {
+    std::uint64_t& last = counted_[pieces_.pieces()[piece].triangle];
+    count += last != counted_sets_;
+    last = counted_sets_;
+  }
+  return count;
+}
+
+bool ConvexTree::is_worth_peeling(const std::vector<std::uint32_t>& set) const {
+  if (set.size() <= kMany) return true;
+  const std::size_t stride = (set.size() + kSample - 1) / kSample;
+  std::vector<std::uint32_t> sample;
+  for (std::size_t i = 0; i < set.size(); i += stride) sample.push_back(set[i]);
+  // What is not on the hull of the sample is not on that of the set: most sets are told from their sample alone.
+  for (const std::vector<std::uint32_t>* among : {&std::as_const(sample), &set}) {
+    HullSearch hull(pieces_, *among);
+    std::size_t found = 0;
+    for (const std::uint32_t piece : sample) found += hull.supporting_plane(piece).has_value();
+    if (found * kLeastPart < sample.size()) return false;
+  }
+  return true;
+}
+
+void ConvexTree::compile(Task task, const ConvexTreeOptions& options, std::vector<Task>& open) {
+  const auto number = static_cast<std::uint32_t>(nodes_.size());
+  if (task.parent != kNone) (task.front ? nodes_[task.parent].front : nodes_[task.parent].back) = number;
+  counts_.depth = std::max(counts_.depth, task.depth);
+  Node node;
+  const std::uint64_t before = count_supports(task.pieces);
+  if (task.lies_on_parent || !options.free_planes || is_worth_peeling(task.pieces)) peel(task, node);
+  if (node.convex) {
+    ++counts_.convex_sets;
+    nodes_.push_back(node);
+    const std::uint64_t after = count_supports(task.pieces);
+    counts_.terminates = counts_.terminates && after < before && after < task.most_supports;
+    if (task.pieces.empty()) return;
+    Task inside;
+    inside.pieces = std::move(task.pieces);
+    inside.parent = number;
+    inside.depth = task.depth + 1;
+    inside.seed = scramble(task.seed);
+    open.push_back(std::move(inside));
+    return;
+  }
+  counts_.terminates = counts_.terminates && !task.lies_on_parent;
+  task.parent = number;
+  separate(std::move(task), node, options, open);
+}
+
+/// Takes the triangles on the convex hull out of the set; the node is convex when there are any.
+void ConvexTree::peel(Task& task, Node& node) {
+  const auto begin = static_cast<std::uint32_t>(inward_.size());
+  HullSearch hull(pieces_, task.pieces);
+  std::vector<std::uint32_t> rest;
+  for (const std::uint32_t piece : task.pieces) {
+    std::optional<ModelPlane> plane = hull.supporting_plane(piece);
+    if (!plane && task.lies_on_parent && pieces_.side(piece, nodes_[task.parent].plane) == PlaneSide::on) {
+      plane = nodes_[task.parent].plane;  // all of the set is in front of that
+    }
+    if (plane) {
+      inward_.push_back({piece, *plane});
+    } else {
+      rest.push_back(piece);
+    }
+  }
+  task.pieces = std::move(rest);
+  node.begin = begin;
+  node.end = static_cast<std::uint32_t>(inward_.size());
+  node.convex = node.end > node.begin;
+}
+
+/// `task.parent` is the number that the node gets.
+void ConvexTree::separate(Task task, Node& node, const ConvexTreeOptions& options, std::vector<Task>& open) {
+  const DividingPlane chosen = choose_plane(pieces_, task.pieces, {options.candidates, options.free_planes}, task.seed);
+  const std::uint64_t before = count_supports(task.pieces);
+  node.plane = chosen.plane;
+  Task front, back;
+  for (const std::uint32_t piece : task.pieces) {
+    switch (pieces_.side(piece, node.plane)) {
+      case PlaneSide::on:
+      case PlaneSide::front:
+        front.pieces.push_back(piece);
+        break;
+      case PlaneSide::back:
+        back.pieces.push_back(piece);
+        break;
+      case PlaneSide::both:
+        back.pieces.push_back(pieces_.cut(piece, node.plane));
+        front.pieces.push_back(piece);
+        ++counts_.splits;
+    }
+  }
+  const bool free = chosen.face == kNone;
+  ++counts_.planes;
+  counts_.free_planes += free;
+  nodes_.push_back(node);
+  const std::uint64_t behind = count_supports(back.pieces);
+  counts_.terminates =
+      counts_.terminates &&
+      (free ? behind <= before && std::max(front.pieces.size(), back.pieces.size()) < task.pieces.size() : behind < before);
+  front.lies_on_parent = !free;
+  if (!free) front.most_supports = before;
+  for (Task* child : {&back, &front}) {
+    if (child->pieces.empty()) continue;
+    child->parent = task.parent;
+    child->front = child == &front;
+    child->depth = task.depth + 1;
+    child->seed = scramble(task.seed + child->front);
+    open.push_back(std::move(*child));
+  }
+}
+
+}  // namespace ligne
