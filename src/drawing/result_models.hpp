@@ -57,9 +57,11 @@ struct SpanModel {
   std::vector<Span> spans;
 };
 
-/// One face per pixel, row by row from the top; 0xffffffff where nothing is seen.
+/// One face per pixel, row by row from the top; 0xffffffff where nothing is seen. Pixels are square.
 struct PixelModel {
   std::uint32_t width = 0, height = 0;
+  Point2 corner_mm{0, 0};  ///< upper left corner of the first, on the page
+  double pixel_mm = 1;
   std::vector<std::uint32_t> face;
   std::vector<float> depth;
 };

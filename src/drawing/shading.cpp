@@ -3,7 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/parallel.hpp"
+
 namespace ligne {
+namespace {
+
+/// Along one axis: the pixels of a picture in units of those of a model.
+struct Resampling {
+  double corner, size;
+  std::uint32_t count;  ///< of the model
+
+  /// Calls part(i, share) for the pixels of the model that pixel `at` of the picture covers, with the share of it that each
+  /// takes.
+  template <class Part>
+  void of(std::uint32_t at, Part part) const {
+    const double from = std::max(corner + at * size, 0.0), to = std::min(corner + (at + 1) * size, double(count));
+    for (auto i = static_cast<std::uint32_t>(from); i < to; ++i) {
+      part(i, (std::min(to, i + 1.0) - std::max(from, double(i))) / size);
+    }
+  }
+};
+
+}  // namespace
 
 GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm) {
@@ -27,6 +48,32 @@ GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness,
           static_cast<std::uint8_t>(std::lround(255 * std::clamp(row[x], 0.0, 1.0)));
     }
   }
+  return picture;
+}
+
+GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
+                  double pixels_per_mm) {
+  GrayPicture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 255)};
+  const double size = 1 / (pixels_per_mm * pixels.pixel_mm);
+  const Resampling columns{-pixels.corner_mm.x / pixels.pixel_mm, size, pixels.width},
+      rows{-pixels.corner_mm.y / pixels.pixel_mm, size, pixels.height};
+  const auto darkness = [&](std::uint32_t face) { return face < brightness.size() ? 1 - brightness[face] : 0; };
+  constexpr std::size_t kRows = 16;
+  parallel_blocks(height, kRows, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> dark(pixels.width);  // the rows that one row of the picture covers, put together
+    for (std::size_t y = begin; y < end; ++y) {
+      std::fill(dark.begin(), dark.end(), 0.0);
+      rows.of(static_cast<std::uint32_t>(y), [&](std::uint32_t row, double share) {
+        const std::uint32_t* faces = pixels.face.data() + std::size_t{row} * pixels.width;
+        for (std::uint32_t x = 0; x < pixels.width; ++x) dark[x] += share * darkness(faces[x]);
+      });
+      for (std::uint32_t x = 0; x < width; ++x) {
+        double sum = 0;
+        columns.of(x, [&](std::uint32_t column, double share) { sum += share * dark[column]; });
+        picture.gray[y * width + x] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(1 - sum, 0.0, 1.0)));
+      }
+    }
+  });
   return picture;
 }
 

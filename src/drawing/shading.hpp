@@ -1,5 +1,5 @@
 #pragma once
-/// From spans to pictures: gray pixels ([Boulle1980] 2.3.2.1, figure 2.29). Hatching is in plotting/hatch.hpp.
+/// From spans and pixels to pictures: gray pixels ([Boulle1980] 2.3.2.1, figure 2.29). Hatching is in plotting/hatch.hpp.
 
 #include <cstdint>
 #include <vector>
@@ -18,6 +18,10 @@ struct GrayPicture {
 /// Paints spans that are one line for each row of pixels: every pixel gets the brightness (0 to 1, by face) of what is seen
 /// on it, mixed at the ends of spans by the share that each has; white where nothing is seen. `pixels_per_mm` both ways.
 GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
+                  double pixels_per_mm);
+
+/// The same from a model of pixels of any size: every pixel of the picture gets the mean over what it covers of them.
+GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm);
 
 }  // namespace ligne

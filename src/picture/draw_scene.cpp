@@ -12,6 +12,7 @@
 #include "picture/gray_faces.hpp"
 #include "picture/hatching.hpp"
 #include "plotting/writers.hpp"
+#include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
@@ -95,8 +96,8 @@ void check(const PictureRequest& request) {
   const Method& method = method_of(request);
   if (request.gray_faces) {
     if (request.output.format != OutputFormat::png) throw RequestError("shade", "gray faces are for PNG; see --hatch");
-    if (!(method.traits().products & kSpans)) {
-      throw RequestError("shade", "needs a method that gives spans, such as --method watkins");
+    if (!(method.traits().products & (kSpans | kPixels))) {
+      throw RequestError("shade", "needs a method that gives spans or pixels: " + methods_with(kSpans | kPixels));
     }
   }
   if (request.hatch.asked()) {

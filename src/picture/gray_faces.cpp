@@ -17,10 +17,12 @@ std::optional<SpanLines> gray_face_lines(const PictureRequest& request, const Pl
 
 std::optional<GrayPicture> gray_faces(const PreparedScene& prepared, const VisibilityResult& result,
                                       const PlotOptions& plot) {
-  if (!prepared.request.gray_faces || !result.spans) return std::nullopt;
+  if (!prepared.request.gray_faces || !(result.spans || result.pixels)) return std::nullopt;
   const PixelSize size = png_size(plot);
-  return shade(*result.spans, face_brightness(prepared.scene, prepared.view().camera), size.width, size.height,
-               plot.dpi / kMmPerInch);
+  const std::vector<double> brightness = face_brightness(prepared.scene, prepared.view().camera);
+  const double pixels_per_mm = plot.dpi / kMmPerInch;
+  return result.spans ? shade(*result.spans, brightness, size.width, size.height, pixels_per_mm)
+                      : shade(*result.pixels, brightness, size.width, size.height, pixels_per_mm);
 }
 
 }  // namespace ligne

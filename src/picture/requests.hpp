@@ -150,7 +150,7 @@ struct PictureRequest {
   PageRequest page{};
   FillRequest fill{};
   HatchRequest hatch{};
-  bool gray_faces = false;  ///< PNG: faces in gray, lit from the eye, by a method that gives spans
+  bool gray_faces = false;  ///< PNG: faces in gray, lit from the eye, by a method that gives spans or pixels
   AxesChoice axes{};
   PlotterRequest plotter{};
   OutputRequest output{};

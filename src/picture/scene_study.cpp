@@ -16,11 +16,11 @@
 namespace ligne {
 namespace {
 
-/// Products that the picture is made of; a JSON drawing holds all that there are.
+/// Products that the picture is made of; a JSON drawing holds all that there are but pixels.
 std::uint8_t wanted_products(const PictureRequest& request, const Method& method) {
-  if (request.output.format == OutputFormat::json) return 0xff;
+  if (request.output.format == OutputFormat::json) return 0xff & ~kPixels;
   std::uint8_t wanted = kStrokes;
-  if (request.gray_faces) wanted |= kSpans;
+  if (request.gray_faces) wanted |= kSpans | kPixels;
   if (wants_regions(request, method)) wanted |= kRegions;
   return wanted;
 }

@@ -9,6 +9,7 @@
 #include "visibility/newell/newell.hpp"
 #include "visibility/warnock/warnock.hpp"
 #include "visibility/watkins/watkins.hpp"
+#include "visibility/zbuffer/zbuffer.hpp"
 
 namespace ligne {
 
@@ -17,10 +18,12 @@ std::span<const Method* const> all_methods() {
   static const AthertonWeilerMethod atherton_weiler;
   static const WarnockMethod warnock;
   static const WatkinsMethod scan;
-  static const BspMethod bsp;
   static const NewellMethod newell;
+  static const BspMethod bsp;
   static const ConvexTreeMethod convex_tree;
-  static const std::array<const Method*, 7> methods{&appel, &atherton_weiler, &warnock, &scan, &newell, &bsp, &convex_tree};
+  static const ZBufferMethod depth_buffer;
+  static const std::array<const Method*, 8> methods{&appel, &atherton_weiler, &warnock,     &scan,
+                                                    &newell, &bsp,            &convex_tree, &depth_buffer};
   return methods;
 }
 

@@ -81,6 +81,15 @@ std::string faults_in(Scene scene, const std::string& name, const ViewOf& view, 
       if (!of_variant.empty()) faults += variant.name + '\n' + of_variant;
     }
   }
+  // Limited methods at their own resolution.
+  constexpr std::size_t kOneIn = 8;
+  if (number % kOneIn != 0) return faults;
+  for (const Method* method : all_methods()) {
+    const MethodTraits& traits = method->traits();
+    if (traits.exact || !(traits.products & kStrokes)) continue;
+    const JudgedView limited(scene, name, view(scene), traits.tolerance_mm);
+    for (const char* edges : {"all", "feature"}) faults += limited.judge(*method, edges).faults;
+  }
   return faults;
 }
 

@@ -40,7 +40,26 @@ TEST(Shading, SpansBesideThePictureAreCut) {
   EXPECT_EQ(p.gray, (std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255}));
 }
 
-TEST(Shading, NothingSeenIsWhite) { EXPECT_EQ(shade({}, {}, 2, 1, 1).gray, (std::vector<std::uint8_t>{255, 255})); }
+TEST(Shading, NothingSeenIsWhite) { EXPECT_EQ(shade(SpanModel{}, {}, 2, 1, 1).gray, (std::vector<std::uint8_t>{255, 255})); }
+
+/// Two by two pixels of a millimetre, the first at (1, 1) of the page; nothing is seen in the last.
+PixelModel pixels() { return {2, 2, {1, 1}, 1, {0, 1, 2, 0xffffffffu}, {0, 0, 0, 0}}; }
+
+TEST(Shading, PixelsOfTheSameSizeAreCopied) {
+  const GrayPicture p = shade(pixels(), kBrightness, 4, 3, 1);
+  EXPECT_EQ(p.gray, (std::vector<std::uint8_t>{255, 255, 255, 255, 255, 0, 153, 255, 255, 255, 255, 255}));
+}
+
+TEST(Shading, PixelsOfAnotherSizeAreMixed) {
+  // The one pixel of 4 mm covers all four: 1 - (1 + 0.4) / 16.
+  EXPECT_EQ(shade(pixels(), kBrightness, 1, 1, 0.25).gray, (std::vector<std::uint8_t>{233}));
+  const GrayPicture fine = shade(pixels(), kBrightness, 8, 6, 2);
+  EXPECT_EQ(fine.gray[2 * 8 + 1], 255);
+  EXPECT_EQ(fine.gray[2 * 8 + 2], 0);
+  EXPECT_EQ(fine.gray[3 * 8 + 3], 0);
+  EXPECT_EQ(fine.gray[3 * 8 + 4], 153);
+  EXPECT_EQ(fine.gray[3 * 8 + 6], 255);
+}
 
 }  // namespace
 }  // namespace ligne

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "visibility/common/scan_conversion.hpp"
 #include "visibility/watkins/face_orders.hpp"
-#include "visibility/watkins/scan_conversion.hpp"
 #include "visibility/watkins/sweep_scene.hpp"
 
 namespace ligne::watkins {

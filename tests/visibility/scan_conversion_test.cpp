@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "visibility/watkins/scan_conversion.hpp"
+#include "visibility/common/scan_conversion.hpp"
 
-namespace ligne::watkins {
+namespace ligne {
 namespace {
 
 double covered(const std::vector<PolygonRun>& runs) {
@@ -23,7 +23,7 @@ const PolygonRun* run_on(const std::vector<PolygonRun>& runs, std::uint32_t line
   return nullptr;
 }
 
-TEST(WatkinsConversion, SquareCoversItsLinesOnce) {
+TEST(ScanConversion, SquareCoversItsLinesOnce) {
   const std::vector<GridPoint> square{{1, 1, 0}, {5, 1, 0}, {5, 4, 3}, {1, 4, 3}};
   const std::vector<std::uint32_t> end{4};
   const auto runs = scan_polygon(square, end, 10);
@@ -36,7 +36,7 @@ TEST(WatkinsConversion, SquareCoversItsLinesOnce) {
   }
 }
 
-TEST(WatkinsConversion, HoleIsLeftOut) {
+TEST(ScanConversion, HoleIsLeftOut) {
   const std::vector<GridPoint> points{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0},
                                       {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}};
   const std::vector<std::uint32_t> end{4, 8};
@@ -48,7 +48,7 @@ TEST(WatkinsConversion, HoleIsLeftOut) {
 }
 
 /// Vertices exactly on lines: a peak up, a peak down, a bend, a horizontal step.
-TEST(WatkinsConversion, VerticesOnLines) {
+TEST(ScanConversion, VerticesOnLines) {
   const std::vector<GridPoint> points{{0, 0, 0}, {4, 4, 0}, {8, 0, 0}, {8, 6, 0}, {6, 6, 0}, {6, 8, 0}, {0, 8, 0}};
   const std::vector<std::uint32_t> end{7};
   const auto runs = scan_polygon(points, end, 20);
@@ -60,7 +60,7 @@ TEST(WatkinsConversion, VerticesOnLines) {
   EXPECT_EQ(run_on(runs, 8), nullptr);
 }
 
-TEST(WatkinsConversion, HorizontalAndTinyEdgesBoundNothing) {
+TEST(ScanConversion, HorizontalAndTinyEdgesBoundNothing) {
   const std::vector<std::uint32_t> end{3};
   EXPECT_TRUE(scan_polygon(std::vector<GridPoint>{{0, 2, 0}, {5, 2, 0}, {9, 2, 0}}, end, 9).empty());
   EXPECT_TRUE(scan_polygon(std::vector<GridPoint>{{0, 2.2, 0}, {5, 2.4, 0}, {9, 2.9, 0}}, end, 9).empty());
@@ -68,7 +68,7 @@ TEST(WatkinsConversion, HorizontalAndTinyEdgesBoundNothing) {
 }
 
 /// Lines outside the grid are no lines.
-TEST(WatkinsConversion, PolygonLargerThanTheGrid) {
+TEST(ScanConversion, PolygonLargerThanTheGrid) {
   const std::vector<GridPoint> points{{0, -50, 0}, {10, -50, 0}, {10, 50, 0}, {0, 50, 0}};
   const std::vector<std::uint32_t> end{4};
   const auto runs = scan_polygon(points, end, 7);
@@ -77,7 +77,7 @@ TEST(WatkinsConversion, PolygonLargerThanTheGrid) {
 }
 
 /// Random polygons: the runs' sum comes to the area, and each lies where the sides are.
-TEST(WatkinsConversion, AreaOfRandomTriangles) {
+TEST(ScanConversion, AreaOfRandomTriangles) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(0, 4000);
   for (int i = 0; i < 50; ++i) {
@@ -91,7 +91,7 @@ TEST(WatkinsConversion, AreaOfRandomTriangles) {
 
 /// Figure 2.38: an edge that moves by less than half a unit a line. Its whole place is rounded from a real one, and so it
 /// does move.
-TEST(WatkinsConversion, SteepEdgeMovesThoughEachStepIsBelowHalf) {
+TEST(ScanConversion, SteepEdgeMovesThoughEachStepIsBelowHalf) {
   EdgeTrack t = EdgeTrack::between({10, 0, 0}, {40, 100, 50}, 200);
   for (int line = 0; line < 100; ++line, t.advance()) {
     ASSERT_NEAR(t.u, 10 + 0.3 * line, 1e-12);
@@ -104,7 +104,7 @@ TEST(WatkinsConversion, SteepEdgeMovesThoughEachStepIsBelowHalf) {
 }
 
 /// The accumulators stay true over thousands of lines.
-TEST(WatkinsConversion, AccumulatorsDoNotDrift) {
+TEST(ScanConversion, AccumulatorsDoNotDrift) {
   EdgeTrack t = EdgeTrack::between({1.1, 0.3, 7.7}, {9876.5, 32767.9, -1}, 40000);
   for (std::uint32_t line = t.first; line < t.last; ++line, t.advance()) {
     const double share = (line - 0.3) / (32767.9 - 0.3);
@@ -112,7 +112,7 @@ TEST(WatkinsConversion, AccumulatorsDoNotDrift) {
   }
 }
 
-TEST(WatkinsConversion, WholeGridRoundsPoints) {
+TEST(ScanConversion, WholeGridRoundsPoints) {
   LineGrid grid;
   grid.spacing = 10;
   grid.whole = true;
@@ -123,4 +123,4 @@ TEST(WatkinsConversion, WholeGridRoundsPoints) {
 }
 
 }  // namespace
-}  // namespace ligne::watkins
+}  // namespace ligne

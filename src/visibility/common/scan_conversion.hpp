@@ -5,6 +5,7 @@
 /// with v_top <= i < v_bottom, so of two edges that meet at a point on a line one is counted, at a peak two or none, and
 /// parity is right at every vertex; edges that no line meets, horizontal ones among them, bound nothing.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -12,7 +13,7 @@
 
 #include "geometry/lattice.hpp"
 
-namespace ligne::watkins {
+namespace ligne {
 
 /// The scan lines on the page. On whole coordinates points are rounded to the grid in both directions before anything else.
 struct LineGrid {
@@ -59,10 +60,51 @@ struct PolygonRun {
   double z0, z1;
 };
 
-/// All runs of a polygon, line by line from the top and left to right, by the rule of parity. `contour_end[i]` is one past
-/// the last corner of contour i; any winding, contours may cross. Runs of length zero are given too: with them no vertex on
-/// a line is lost.
+/// Scan conversion of one polygon after the other, with working memory that is kept.
+class PolygonScan {
+ public:
+  /// For the lines [first, end).
+  void begin(std::uint32_t first, std::uint32_t end) {
+    first_ = first;
+    end_ = end;
+    table_.clear();
+  }
+
+  /// A side of a contour, in any direction and order. Two contours with the same side give the same places on it to the
+  /// last bit: what lies between neighbours belongs to exactly one of them.
+  void add(const GridPoint& a, const GridPoint& b);
+
+  /// Calls run(PolygonRun) for all runs, line by line from the top and left to right, by the rule of parity.
+  template <class Run>
+  void scan(Run run);
+
+ private:
+  void take_active(std::uint32_t line, std::size_t& next);
+
+  std::uint32_t first_ = 0, end_ = 0;
+  std::vector<EdgeTrack> table_;   ///< sides by their first line
+  std::vector<EdgeTrack> active_;  ///< sides that the line meets, from left to right
+};
+
+/// All runs of a polygon. `contour_end[i]` is one past the last corner of contour i; any winding, contours may cross. Runs
+/// of length zero are given too: with them no vertex on a line is lost.
 std::vector<PolygonRun> scan_polygon(std::span<const GridPoint> corners, std::span<const std::uint32_t> contour_end,
                                      std::uint32_t line_count);
 
-}  // namespace ligne::watkins
+template <class Run>
+void PolygonScan::scan(Run run) {
+  if (table_.empty()) return;
+  // The table of sides by first line: one sort does for the buckets.
+  std::stable_sort(table_.begin(), table_.end(), [](const EdgeTrack& a, const EdgeTrack& b) { return a.first < b.first; });
+  active_.clear();
+  std::size_t next = 0;
+  for (std::uint32_t line = table_.front().first; next < table_.size() || !active_.empty(); ++line) {
+    take_active(line, next);
+    for (std::size_t i = 0; i + 1 < active_.size(); i += 2) {
+      run(PolygonRun{line, active_[i].u, active_[i + 1].u, active_[i].z, active_[i + 1].z});
+    }
+    if (active_.empty() && next < table_.size()) line = table_[next].first - 1;
+  }
+}
+
+}  // namespace ligne

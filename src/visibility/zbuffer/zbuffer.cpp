@@ -1,0 +1,177 @@
+#include "visibility/zbuffer/zbuffer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "view/tolerances.hpp"
+#include "visibility/common/cell_grid.hpp"
+#include "visibility/common/clock.hpp"
+#include "visibility/common/intersections.hpp"
+#include "visibility/common/line_strokes.hpp"
+#include "visibility/zbuffer/depth_buffer.hpp"
+#include "visibility/zbuffer/edge_sampling.hpp"
+
+// Phases: (1) the buffer: faces filled row by row, (2) lines of intersection, where they are wanted, (3) lines sampled
+// against the buffer. See docs/methods/zbuffer.md.
+
+namespace ligne {
+namespace {
+
+using namespace zbuffer;
+
+constexpr unsigned kRows = 2048, kMostRows = 16'384;
+constexpr unsigned kFewestBits = 4, kMostBits = 24;
+constexpr std::string_view kFillingNames[] = {"table", "fixed"};
+
+constexpr MethodParameter kParameters[] = {
+    {"lines", "N", "rows of pixels over the height of the page", "2048", {}, 1, kMostRows},
+    {"filling", "table|fixed", "by tables of active edges, or triangles in fixed point", "table", kFillingNames},
+    {"depth-bits", "N", "whole depths of so many bits (default: real ones)", "", {}, kFewestBits, kMostBits},
+};
+
+/// What is shorter than the way through two squares of pixels is below the resolution.
+constexpr double kShortestPixels = 2;
+
+/// The pixels of the picture, where its rows are known; otherwise those asked for.
+PixelGrid grid_of(const ProjectedScene& scene, const StudyOptions& options) {
+  const Rect& window = scene.view.window;
+  const auto rows = options.settings.find("lines");
+  if (rows || !options.span_lines) return PixelGrid::over(window, rows.value_or(kRows));
+  const SpanLines& lines = *options.span_lines;
+  const double top = lines.first_mm - lines.spacing_mm / 2;
+  const auto columns = static_cast<std::uint32_t>(std::ceil(std::fmax(window.max.x / lines.spacing_mm, 1)));
+  return {{0, top}, lines.spacing_mm, columns, lines.count};
+}
+
+/// From the near plane (in parallel projection: from the nearest point) to the farthest point of the scene.
+DepthScale scale_of(const ProjectedScene& scene, const StudyOptions& options) {
+  const auto bits = options.settings.find("depth-bits");
+  if (!bits || scene.triangles.empty()) return {};
+  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+  for (const Triangle& t : scene.triangles) {
+    for (const std::uint32_t v : t.v) {
+      nearest = std::min(nearest, scene.vertices[v].z);
+      farthest = std::max(farthest, scene.vertices[v].z);
+    }
+  }
+  const View& view = scene.view;
+  if (view.camera.perspective) {
+    nearest = view.scale * view.camera.target_distance * (1 - view.camera.target_distance / view.near_distance);
+  }
+  return {nearest, (farthest - nearest) / (std::exp2(*bits) - 1)};
+}
+
+/// The facets that are not wholly behind what the buffer shows; of large ones, all.
+std::vector<Facet> facets_in_front(const ProjectedScene& scene, const DepthBuffer& buffer,
+                                   const std::vector<Facet>& facets) {
+  constexpr double kMostPixels = 16;  // adjustable: as many as are looked at, across and down
+  const PixelPlaces places(buffer.grid(), scene.lattice);
+  const auto hidden = [&](const Facet& f) {
+    double low_u = std::numeric_limits<double>::infinity(), low_v = low_u, high_u = -low_u, high_v = -low_u;
+    for (const std::uint32_t v : f.v) {
+      const double u = places.u(scene.vertices[v].p), w = places.v(scene.vertices[v].p);
+      low_u = std::min(low_u, std::floor(u));
+      high_u = std::max(high_u, std::ceil(u));
+      low_v = std::min(low_v, std::floor(w));
+      high_v = std::max(high_v, std::ceil(w));
+    }
+    if (high_u - low_u > kMostPixels || high_v - low_v > kMostPixels) return false;
+    if (low_u < 0 || low_v < 0 || high_u >= buffer.grid().width || high_v >= buffer.grid().height) return false;
+    for (double v = low_v; v <= high_v; ++v) {
+      for (double u = low_u; u <= high_u; ++u) {
+        const auto column = static_cast<std::uint32_t>(u), row = static_cast<std::uint32_t>(v);
+        if (f.z_near <= buffer.hiding_depth(column, row)) return false;
+      }
+    }
+    return true;
+  };
+  std::vector<std::uint8_t> left_out(facets.size());
+  parallel_for(facets.size(), [&](std::size_t i) { left_out[i] = hidden(facets[i]); });
+  std::vector<Facet> kept;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    if (!left_out[i]) kept.push_back(facets[i]);
+  }
+  return kept;
+}
+
+/// Hidden ones only where hidden strokes are wanted.
+std::vector<Intersection> intersections_of(const ProjectedScene& scene, const DepthBuffer& buffer, const Facets& facets,
+                                           double coincidence_steps, bool hidden_too) {
+  if (!scene.with_intersections) return {};
+  CellGrid::Options options;
+  options.margin_steps = coincidence_steps + 1;
+  options.drop_hidden = !hidden_too;
+  const std::vector<Facet> searched = hidden_too ? facets.facets : facets_in_front(scene, buffer, facets.facets);
+  return find_intersections(scene, searched, CellGrid(scene, searched, options), options.margin_steps);
+}
+
+}  // namespace
+
+const MethodTraits& ZBufferMethod::traits() const {
+  static const MethodTraits traits{"zbuffer",
+                                   "the nearest face at every pixel, by scan lines; pictures, and lines to a pixel's width",
+                                   kStrokes | kPixels,
+                                   false,
+                                   true,
+                                   "E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974",
+                                   zbuffer_tolerance_mm(210, kRows),
+                                   kParameters};
+  return traits;
+}
+
+VisibilityResult ZBufferMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+  VisibilityResult result;
+  Statistics& statistics = result.statistics;
+  const double step = scene.lattice.step_mm;
+  const double coincidence_steps = coincidence_mm(scene) / step;
+  Clock clock;
+
+  // 1. The buffer.
+  DepthBuffer buffer(grid_of(scene, options), scale_of(scene, options));
+  const PaintCounts counts = buffer.add(scene, options.settings.choice("filling", Filling::table));
+  statistics.time("buffer", clock.lap());
+
+  // 2. Intersections.
+  const Facets facets = make_facets(scene, coincidence_steps);
+  const std::vector<Intersection> intersections =
+      intersections_of(scene, buffer, facets, coincidence_steps, options.hidden_strokes);
+  statistics.time("intersections", clock.lap());
+
+  // 3. Lines.
+  const EdgeSampling sampling(buffer, scene.lattice, scene.view.window);
+  const auto sample = [&]() -> LineVisibility {
+    return [&sampling](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
+      sampling.find(line, parts);
+      return true;
+    };
+  };
+  LineStrokes strokes(scene, facets, options.hidden_strokes, kShortestPixels * buffer.grid().pixel_mm / step);
+  strokes.add_edges(sample, options.progress);
+  strokes.add_intersections(intersections, sample);
+  result.strokes = strokes.take();
+  statistics.time("lines", clock.lap());
+  if (options.wanted & kPixels) {
+    result.pixels = buffer.take_pixels();
+    statistics.time("pixels", clock.lap());
+  }
+
+  statistics.count("columns", buffer.grid().width);
+  statistics.count("rows", buffer.grid().height);
+  statistics.count("faces painted", counts.faces);
+  statistics.count("triangles in them", counts.triangles);
+  statistics.count("faces that hold no centre of a pixel", counts.small);
+  statistics.count("depths compared", counts.tests);
+  statistics.count("of them nearer", counts.writes);
+  statistics.count("candidate edges", scene.edges.size());
+  statistics.count("intersection segments", intersections.size());
+  statistics.count("strokes", result.strokes->strokes.size());
+  return result;
+}
+
+double zbuffer_tolerance_mm(double page_height_mm, unsigned rows) {
+  constexpr double kPixels = 2;
+  return kPixels * page_height_mm / rows;
+}
+
+}  // namespace ligne

@@ -1,0 +1,20 @@
+#pragma once
+/// The nearest face by pixels.
+///
+/// After E. Catmull, "A subdivision algorithm for computer display of curved surfaces", 1974, in the scan-line version of
+/// the lecture among this project's sources (section 5.1). docs/methods/zbuffer.md.
+
+#include "visibility/method.hpp"
+
+namespace ligne {
+
+class ZBufferMethod final : public Method {
+ public:
+  const MethodTraits& traits() const override;
+  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override;
+};
+
+/// How far on the page lines may be off: two pixels.
+double zbuffer_tolerance_mm(double page_height_mm, unsigned rows);
+
+}  // namespace ligne

@@ -1,0 +1,365 @@
+// The depth buffer: depths worked out by hand, against a plain search, without gaps; objects added later; lines sampled.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "geometry/parallel.hpp"
+#include "scene/clean/clean.hpp"
+#include "scene/readers/reader.hpp"
+#include "support/scenes.hpp"
+#include "support/standard_views.hpp"
+#include "visibility/zbuffer/depth_buffer.hpp"
+#include "visibility/zbuffer/edge_sampling.hpp"
+
+namespace ligne::test {
+namespace {
+
+using namespace zbuffer;
+
+constexpr Filling kFillings[] = {Filling::table, Filling::fixed};
+
+View view_at(const CameraRequest& request, const Scene& scene, double scale = 1) {
+  return make_view(scene, make_camera(request, scene), {{{0, 0}, {100, 100}}}, {{0, 0}, {100, 100}}, scale);
+}
+
+ProjectedScene projected(const Scene& scene, const View& view) {
+  return project(scene, build_topology(scene), view, {classes("all"), 30});
+}
+
+DepthBuffer painted(const ProjectedScene& scene, std::uint32_t rows, Filling filling = Filling::table,
+                    DepthScale scale = {}) {
+  DepthBuffer buffer(PixelGrid::over(scene.view.window, rows), scale);
+  buffer.add(scene, filling);
+  return buffer;
+}
+
+/// A face of its own object.
+void add_polygon(Scene& scene, const std::vector<Point3>& corners) {
+  begin_object(scene);
+  std::vector<std::uint32_t> face;
+  for (const Point3& p : corners) {
+    face.push_back(static_cast<std::uint32_t>(scene.vertices.size()));
+    scene.vertices.push_back(p);
+  }
+  scene.faces.add_face(face);
+  end_object(scene);
+}
+
+/// Looking down on the plane z = 0; x is rightwards.
+CameraRequest from_above() { return along({0, 0, -1}); }
+
+TEST(ZBuffer, ARampByHand) {
+  // 80 x 80 mm in the middle of the sheet of 100 pixels of 1 mm; from left to right it rises by 40 mm, towards the eye.
+  Scene scene;
+  add_polygon(scene, {{0, 0, 0}, {80, 0, 40}, {80, 80, 40}, {0, 80, 0}});
+  for (const Filling filling : kFillings) {
+    const DepthBuffer buffer = painted(projected(scene, view_at(from_above(), scene)), 100, filling);
+    EXPECT_EQ(buffer.face(9, 50), DepthBuffer::kNothing);
+    EXPECT_EQ(buffer.face(90, 50), DepthBuffer::kNothing);
+    EXPECT_EQ(buffer.face(50, 9), DepthBuffer::kNothing);
+    // The middle of the scene has depth 0. The centre of pixel 10 is half a millimetre from the left side.
+    EXPECT_NEAR(buffer.depth(10, 10), 20 - 0.25, 1e-5);
+    EXPECT_NEAR(buffer.depth(89, 89), -20 + 0.25, 1e-5);
+    EXPECT_NEAR(buffer.depth(50, 30), -0.25, 1e-5);
+    EXPECT_NEAR(buffer.hiding_depth(50, 30), 0.25, 1e-4);
+  }
+}
+
+TEST(ZBuffer, AHoleShowsWhatIsBehind) {
+  Scene scene;
+  begin_object(scene);
+  scene.vertices = {{0, 0, 10},   {80, 0, 10},  {80, 80, 10}, {0, 80, 10},
+                    {20, 20, 10}, {20, 60, 10}, {60, 60, 10}, {60, 20, 10}};
+  scene.faces.add_face(std::vector<std::uint32_t>{0, 1, 2, 3});
+  scene.faces.add_hole(std::vector<std::uint32_t>{4, 5, 6, 7});
+  end_object(scene);
+  add_polygon(scene, {{0, 0, -10}, {80, 0, -10}, {80, 80, -10}, {0, 80, -10}});
+  for (const Filling filling : kFillings) {
+    const DepthBuffer buffer = painted(projected(scene, view_at(from_above(), scene)), 100, filling);
+    std::array<int, 2> pixels{0, 0};
+    for (std::uint32_t row = 0; row < 100; ++row) {
+      for (std::uint32_t column = 0; column < 100; ++column) {
+        if (const std::uint32_t face = buffer.face(column, row); face < 2) ++pixels[face];
+      }
+    }
+    EXPECT_EQ(pixels[0], 80 * 80 - 40 * 40);
+    EXPECT_EQ(pixels[1], 40 * 40);
+  }
+}
+
+/// Section 5.1 of the lecture: z_a = z_3 - (z_3 - z_1)(y_3 - y_s)/(y_3 - y_1), z_b = z_3 - (z_3 - z_2)(y_3 - y_s)/(y_3 -
+/// y_2), z_p = z_b - (z_b - z_a)(x_b - x_p)/(x_b - x_a); the fourth corner makes the face skew.
+TEST(ZBuffer, DepthOfASkewFaceIsInterpolated) {
+  Scene scene;
+  add_polygon(scene, {{0, 0, 0}, {80, 0, 0}, {80, 80, 40}, {0, 80, 0}});
+  const DepthBuffer buffer = painted(projected(scene, view_at(from_above(), scene)), 100);
+  // On the line whose centre is s above the lower side, the depth runs from 0 on the left to s/2 on the right.
+  for (const std::uint32_t row : {20u, 50u, 80u}) {
+    const double s = 90 - (row + 0.5);
+    for (const std::uint32_t column : {15u, 45u, 85u}) {
+      const double share = (column + 0.5 - 10) / 80;
+      EXPECT_NEAR(buffer.depth(column, row), 20 - share * s / 2, 1e-4) << column << ", " << row;
+    }
+  }
+}
+
+TEST(ZBuffer, PerspectiveDepthIsLinearOnThePage) {
+  Scene scene;
+  add_polygon(scene, {{-40, -40, 0}, {40, -40, 30}, {40, 40, 30}, {-40, 40, 0}});
+  const CameraRequest camera = from_eye({0, 0, 200}, {0, 0, 0}, 40);
+  const View view = view_at(camera, scene, 1);
+  for (const Filling filling : kFillings) {
+    const DepthBuffer buffer = painted(projected(scene, view), 200, filling);
+    std::size_t pixels = 0;
+    for (std::uint32_t row = 0; row < buffer.grid().height; ++row) {
+      for (std::uint32_t column = 0; column < buffer.grid().width; ++column) {
+        if (buffer.face(column, row) == DepthBuffer::kNothing) continue;
+        ++pixels;
+        const Point2 at = buffer.grid().corner_mm + Point2(column + 0.5, row + 0.5) * buffer.grid().pixel_mm;
+        const Point3 p = to_model_point(view, at, buffer.depth(column, row));
+        EXPECT_NEAR(p.z, (p.x + 40) * 30 / 80, 1e-3);
+      }
+    }
+    EXPECT_GT(pixels, 1000u);
+  }
+}
+
+/// A surface of triangles that covers the sheet: every pixel is painted once.
+TEST(ZBuffer, NeighboursShareNothingAndLeaveNothingOut) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> move(-0.9, 0.9);
+  constexpr int kCells = 30;
+  Scene scene;
+  begin_object(scene);
+  for (int j = 0; j <= kCells; ++j) {
+    for (int i = 0; i <= kCells; ++i) {
+      scene.vertices.push_back({i * 4.0 + move(random), j * 4.0 + move(random), move(random)});
+    }
+  }
+  for (std::uint32_t j = 0; j < kCells; ++j) {
+    for (std::uint32_t i = 0; i < kCells; ++i) {
+      const std::uint32_t a = j * (kCells + 1) + i, b = a + 1, c = a + kCells + 1, d = c + 1;
+      if ((i + j) % 3 == 0) {
+        scene.faces.add_face(std::vector<std::uint32_t>{a, b, d, c});
+      } else {
+        scene.faces.add_triangle(a, b, c);
+        scene.faces.add_triangle(b, d, c);
+      }
+    }
+  }
+  end_object(scene);
+  const ProjectedScene page = projected(scene, view_at(from_above(), scene));
+  for (const Filling filling : kFillings) {
+    DepthBuffer buffer(PixelGrid::over(page.view.window, 333), {});
+    const PaintCounts counts = buffer.add(page, filling);
+    EXPECT_EQ(counts.tests, 333u * 333u);
+    EXPECT_EQ(counts.writes, 333u * 333u);
+  }
+}
+
+std::vector<std::filesystem::path> small_scenes() {
+  constexpr std::uintmax_t kLargeBytes = 20'000;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
+    if (entry.path().extension() == ".json" && entry.file_size() < kLargeBytes) files.push_back(entry.path());
+  }
+  return files;
+}
+
+/// The nearest depth of the triangles that surely hold the point, and that of those that may hold it.
+std::array<double, 2> depths_at(const ProjectedScene& scene, Point2 p) {
+  std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  for (const Triangle& t : scene.triangles) {
+    if (scene.is_edge_on(t)) continue;
+    const ProjectedVertex* v[3] = {&scene.vertices[t.v[0]], &scene.vertices[t.v[1]], &scene.vertices[t.v[2]]};
+    const double area = orientation(v[0]->p, v[1]->p, v[2]->p);
+    if (area == 0) continue;
+    double z = 0, least = 1;
+    for (int k = 0; k < 3; ++k) {
+      const LatticePoint a = v[(k + 1) % 3]->p, b = v[(k + 2) % 3]->p;
+      const double weight = ((double(b.x) - a.x) * (p.y - a.y) - (double(b.y) - a.y) * (p.x - a.x)) / area;
+      least = std::min(least, weight);
+      z += weight * v[k]->z;
+    }
+    constexpr double kInside = 1e-3;
+    if (least > kInside) nearest[0] = std::min(nearest[0], z);
+    if (least > -kInside) nearest[1] = std::min(nearest[1], z);
+  }
+  return nearest;
+}
+
+TEST(ZBuffer, AgreesWithAPlainSearchOnTheCorpus) {
+  constexpr double kDepthMm = 0.01;
+  std::size_t compared = 0;
+  for (const auto& file : small_scenes()) {
+    Warnings warnings;
+    const Scene scene = read_scene(file, {}, warnings);
+    for (const StandardView& standard : standard_views(scene)) {
+      if (std::string_view(standard.name) != "odd" && std::string_view(standard.name) != "near") continue;
+      const View view = make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
+                                  standard.sheet.scale);
+      const ProjectedScene page = projected(scene, view);
+      for (const Filling filling : kFillings) {
+        const DepthBuffer buffer = painted(page, 40, filling);
+        for (std::uint32_t row = 0; row < buffer.grid().height; ++row) {
+          for (std::uint32_t column = 0; column < buffer.grid().width; ++column) {
+            const Point2 mm = buffer.grid().corner_mm + Point2(column + 0.5, row + 0.5) * buffer.grid().pixel_mm;
+            const std::array<double, 2> z = depths_at(page, (mm - page.lattice.origin_mm) / page.lattice.step_mm);
+            // Where triangles of a face lie over each other, or a centre is close to a side, either may be right.
+            if (z[0] != z[1]) continue;
+            ++compared;
+            if (z[0] == std::numeric_limits<double>::infinity()) {
+              EXPECT_EQ(buffer.face(column, row), DepthBuffer::kNothing) << file.stem() << " " << column << " " << row;
+              continue;
+            }
+            ASSERT_NE(buffer.face(column, row), DepthBuffer::kNothing) << file.stem() << " " << column << " " << row;
+            ASSERT_NEAR(buffer.depth(column, row), z[0], kDepthMm) << file.stem() << " " << column << " " << row;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 500'000u);
+}
+
+Scene random_boxes(int count, unsigned seed) {
+  Scene scene;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < count; ++i) {
+    add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {4, 4, 4},
+            rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+  }
+  return scene;
+}
+
+void expect_same(DepthBuffer& a, DepthBuffer& b) {
+  const PixelModel p = a.take_pixels(), q = b.take_pixels();
+  EXPECT_EQ(p.face, q.face);
+  EXPECT_EQ(p.depth, q.depth);
+}
+
+TEST(ZBuffer, ObjectsAddedLaterGiveTheSameBuffer) {
+  const Scene first = random_boxes(20, 1), second = random_boxes(15, 2);
+  Scene both = first;
+  for (std::size_t o = 0; o < second.objects.size(); ++o) {
+    begin_object(both);
+    const auto shift = static_cast<std::uint32_t>(both.vertices.size()) - second.objects[o].vertex_begin;
+    both.vertices.insert(both.vertices.end(), second.vertices.begin() + second.objects[o].vertex_begin,
+                         second.vertices.begin() + second.objects[o].vertex_end);
+    for (std::uint32_t f = second.objects[o].face_begin; f < second.objects[o].face_end; ++f) {
+      std::vector<std::uint32_t> corners;
+      for (const std::uint32_t v : second.faces.contour(f, 0)) corners.push_back(v + shift);
+      both.faces.add_face(corners);
+    }
+    end_object(both);
+  }
+  const View view = view_at(along({-1, 2, -1}), both, 1.5);
+  for (const Filling filling : kFillings) {
+    DepthBuffer at_once = painted(projected(both, view), 300, filling);
+    DepthBuffer added(PixelGrid::over(view.window, 300), {});
+    added.add(projected(first, view), filling);
+    const PaintCounts counts = added.add(projected(second, view), filling, 20 * 6);
+    EXPECT_EQ(counts.faces, filling == Filling::table ? 15u * 6 : 15u * 12);
+    expect_same(added, at_once);
+  }
+}
+
+TEST(ZBuffer, OneThreadAndManyPaintTheSame) {
+  const Scene scene = random_boxes(300, 9);
+  const ProjectedScene page = projected(scene, view_at(along({-1, 2, -1}), scene, 4));
+  for (const Filling filling : kFillings) {
+    std::vector<DepthBuffer> buffers;
+    for (const unsigned threads : {1u, 4u}) {
+      run_with_threads(threads, [&] { buffers.push_back(painted(page, 512, filling)); });
+    }
+    expect_same(buffers[0], buffers[1]);
+  }
+}
+
+/// Plates one step of depth apart are told apart, plates half a step apart are not: of those the first stays.
+TEST(ZBuffer, WholeDepths) {
+  for (const double distance : {1.0, 0.5}) {
+    Scene scene;
+    add_polygon(scene, {{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}});
+    add_polygon(scene, {{20, 20, distance}, {60, 20, distance}, {60, 60, distance}, {20, 60, distance}});
+    const ProjectedScene page = projected(scene, view_at(from_above(), scene));
+    const double nearest = -distance / 2;  // the middle of the scene has depth 0
+    EXPECT_EQ(painted(page, 100, Filling::table, {nearest - 1, 1}).face(50, 50), distance == 1 ? 1u : 0u);
+    EXPECT_EQ(painted(page, 100).face(50, 50), 1u);
+  }
+}
+
+TEST(ZBuffer, TransparentFacesAreNotInTheWay) {
+  Scene scene;
+  add_polygon(scene, {{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}});
+  add_polygon(scene, {{20, 20, 9}, {60, 20, 9}, {60, 60, 9}, {20, 60, 9}});
+  scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
+  scene.face_material = {0, 1};
+  EXPECT_EQ(painted(projected(scene, view_at(from_above(), scene)), 100).face(50, 50), 0u);
+}
+
+/// A line that crosses a plate: hidden behind it but for a pixel at each rim.
+TEST(ZBuffer, LinesEndWithinAPixelOfARim) {
+  Scene scene;
+  add_polygon(scene, {{30, 0, 5}, {50, 0, 5}, {50, 80, 5}, {30, 80, 5}});
+  add_polygon(scene, {{0, 40, 0}, {80, 40, 0}, {80, 41, 0}, {0, 41, 0}});
+  const ProjectedScene page = projected(scene, view_at(from_above(), scene));
+  const DepthBuffer buffer = painted(page, 100);
+  const EdgeSampling sampling(buffer, page.lattice, page.view.window);
+  std::vector<LinePart> parts;
+  int lines = 0;
+  for (const ProjectedEdge& e : page.edges) {
+    const PageLine line(page.vertices[e.v0], page.vertices[e.v1], e.face0, e.face1);
+    if (std::abs(line.dx) < 10 * std::abs(line.dy) || std::abs(line.dx) * page.lattice.step_mm < 79) continue;
+    ++lines;
+    sampling.find(line, parts);
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_EQ(parts[0].from, 0);
+    EXPECT_EQ(parts[1].to, 1);
+    EXPECT_NEAR(parts[0].to * 80, 30, 1);
+    EXPECT_NEAR(parts[1].from * 80, 50, 1);
+    EXPECT_GE(parts[0].to * 80, 30);
+    EXPECT_LE(parts[1].from * 80, 50);
+  }
+  EXPECT_EQ(lines, 2);
+}
+
+/// Visible outlines and edges between visible faces of convex bodies are whole, however steep their faces.
+TEST(ZBuffer, LinesOfConvexBodiesDoNotBreak) {
+  Warnings warnings;
+  for (const char* name : {"low_sphere", "star_prism", "octahedron", "hexagonal_prism", "needle_pyramids"}) {
+    const Scene scene =
+        read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (std::string(name) + ".json"), {}, warnings);
+    for (const StandardView& standard : standard_views(scene)) {
+      const View view = make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
+                                  standard.sheet.scale);
+      const Topology topology = build_topology(scene);
+      const ProjectedScene page = project(scene, topology, view, {classes("all"), 30});
+      const DepthBuffer buffer = painted(page, 512);
+      const EdgeSampling sampling(buffer, page.lattice, page.view.window);
+      std::vector<LinePart> parts;
+      const StrokeModel exact = *find_method("appel")->study(page, {}).strokes;
+      std::vector<double> visible(topology.edges.size(), 0);
+      for (const Stroke& s : exact.strokes) {
+        if (s.source < visible.size()) visible[s.source] += s.t_to - s.t_from;
+      }
+      for (const ProjectedEdge& e : page.edges) {
+        if (visible[e.source] < 1 - 1e-9) continue;
+        const PageLine line(page.vertices[e.v0], page.vertices[e.v1], e.face0, e.face1);
+        if (line.p0 == line.p1) continue;
+        sampling.find(line, parts);
+        drop_short_parts(parts, std::hypot(line.dx, line.dy), 2 * buffer.grid().pixel_mm / page.lattice.step_mm);
+        EXPECT_TRUE(parts.size() == 1 && parts[0].from == 0 && parts[0].to == 1)
+            << name << ", view " << standard.name << ", edge " << e.source;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ligne::test
