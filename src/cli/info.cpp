@@ -71,6 +71,7 @@ std::string meaning(const MethodTraits& traits) {
   std::string text = precision_name(traits);
   text += traits.penetration ? "; faces that penetrate each other are drawn right"
                              : "; faces that penetrate each other are not drawn right";
+  if (!traits.only_for.empty()) text += "; only for " + std::string(traits.only_for);
   if (!(traits.products & kStrokes)) text += "; gives no lines";
   return text;
 }

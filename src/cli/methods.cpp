@@ -25,6 +25,7 @@ std::string text_list(const Method* default_method) {
     text += "  produces     " + joined(product_names(traits.products)) + "\n";
     text += "  numbers      " + precision_name(traits) + "\n";
     text += std::string("  penetration  ") + (traits.penetration ? "drawn" : "not drawn") + "\n";
+    if (!traits.only_for.empty()) text += "  only for     " + std::string(traits.only_for) + "\n";
     text += "  paper        " + std::string(traits.paper) + "\n";
     const char* head = "  options      ";
     for (const MethodParameter& p : traits.parameters) {
@@ -47,6 +48,7 @@ std::string json_list(const Method* default_method) {
     entry["produces"] = product_names(traits.products);
     entry["exact"] = traits.exact;
     entry["penetration"] = traits.penetration;
+    if (!traits.only_for.empty()) entry["only_for"] = traits.only_for;
     entry["paper"] = traits.paper;
     entry["default"] = method == default_method;
     entry["options"] = nlohmann::ordered_json::array();

@@ -129,6 +129,10 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   if (!found.result.strokes) {
     throw RequestError("method", std::string(prepared.method.traits().name) + " does not produce lines");
   }
+  if (!found.result.beyond.empty()) {
+    run.warn("the drawing may be wrong: --method " + std::string(prepared.method.traits().name) + " is for " +
+             std::string(prepared.method.traits().only_for) + ", and of this scene " + found.result.beyond);
+  }
   remove_hidden_axes(*found.result.strokes);
   clear_intersections(*found.result.strokes, prepared.scene, projected, request.lines, run);
   draw_contours(*found.result.strokes, prepared.scene, prepared.view(), prepared.contours,
@@ -137,6 +141,9 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   warn_of_empty_or_cut(*found.result.strokes, prepared.around.placement, run);
   timed(run.stages, {"drawing", std::to_string(found.result.strokes->strokes.size()) + " strokes"},
         [&] { remove_coincident_strokes(*found.result.strokes, coincidence_mm(prepared.projected)); });
+  if (prepared.back_faces.faces > 0) found.result.statistics.count("back faces, left out", prepared.back_faces.faces);
+  const auto edge_on = std::ranges::count(prepared.projected.face_is_edge_on, std::uint8_t{1});
+  if (edge_on > 0) found.result.statistics.count("faces seen edge on, left out", static_cast<std::uint64_t>(edge_on));
   run.study = found.result.statistics;
   return found;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct MethodTraits {
   double tolerance_mm =
       0.001;  ///< how far on the page a line or an end of it may be off; more for methods that are not exact
   std::span<const MethodParameter> parameters{};  ///< options of its own
+  /// The scenes for which its drawings hold, in words; empty: all. For others VisibilityResult::beyond says why not.
+  std::string_view only_for{};
 };
 
 struct StudyOptions {
@@ -55,6 +58,8 @@ struct VisibilityResult {
   std::optional<PixelModel> pixels;
   std::vector<std::vector<Point2>> debug;  ///< what shows how the method went about it: polylines in page mm
   Statistics statistics;
+  /// Why this scene is not one that the method can do: what is drawn may be wrong. Empty when it can; see only_for.
+  std::string beyond;
 };
 
 /// A method holds no state: study() may be called from several threads, and the same input gives the same result whatever

@@ -6,6 +6,7 @@
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/bsp/bsp.hpp"
 #include "visibility/convex_tree/convex_tree_method.hpp"
+#include "visibility/culling/culling.hpp"
 #include "visibility/newell/newell.hpp"
 #include "visibility/warnock/warnock.hpp"
 #include "visibility/watkins/watkins.hpp"
@@ -22,8 +23,9 @@ std::span<const Method* const> all_methods() {
   static const BspMethod bsp;
   static const ConvexTreeMethod convex_tree;
   static const ZBufferMethod depth_buffer;
-  static const std::array<const Method*, 8> methods{&appel, &atherton_weiler, &warnock,     &scan,
-                                                    &newell, &bsp,            &convex_tree, &depth_buffer};
+  static const CullingMethod culling;
+  static const std::array<const Method*, 9> methods{&appel, &atherton_weiler, &warnock,      &scan,   &newell,
+                                                    &bsp,   &convex_tree,     &depth_buffer, &culling};
   return methods;
 }
 

@@ -124,6 +124,19 @@ TEST(CullDrawing, ChangesNoBall) {
   EXPECT_GT(kept, 50u);
 }
 
+/// All edges of the inner box are seen through the outer one, whose own back edges are seen as well.
+TEST(CullDrawing, ABoxInABoxOfGlass) {
+  Scene scene;
+  add_box(scene, {0, 0, 0}, {10, 10, 10});
+  add_box(scene, {3, 3, 3}, {4, 4, 4});
+  scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
+  scene.face_material = {1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0};
+  const Drawings d = drawings(scene, along({-0.37, 0.83, -0.41}), "atherton-weiler");
+  EXPECT_EQ(d.faces, 3u) << "of the inner box";
+  EXPECT_EQ(differences(d), "");
+  EXPECT_EQ(d.culled.strokes.size(), d.all.strokes.size());
+}
+
 TEST(CullDrawing, ChangesNothingBehindGlass) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     std::mt19937 random(seed);

@@ -29,7 +29,8 @@ std::vector<std::string> answer_names() {
 std::vector<std::string> line_methods() {
   std::vector<std::string> names;
   for (const Method* method : all_methods()) {
-    if ((method->traits().products & kStrokes) && method->traits().exact) names.emplace_back(method->traits().name);
+    const MethodTraits& traits = method->traits();
+    if ((traits.products & kStrokes) && traits.exact && traits.only_for.empty()) names.emplace_back(traits.name);
   }
   return names;
 }

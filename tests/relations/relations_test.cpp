@@ -150,7 +150,8 @@ std::string command(const std::string& stem, const Sight& sight, const Method& m
 std::vector<const Method*> exact_methods() {
   std::vector<const Method*> methods;
   for (const Method* method : all_methods()) {
-    if ((method->traits().products & kStrokes) && method->traits().exact) methods.push_back(method);
+    const MethodTraits& traits = method->traits();
+    if ((traits.products & kStrokes) && traits.exact && traits.only_for.empty()) methods.push_back(method);
   }
   return methods;
 }

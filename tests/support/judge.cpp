@@ -195,6 +195,10 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
     options.hidden_strokes = hidden;
     options.settings = settings;
     VisibilityResult result = method.study(projected, options);
+    if (!result.beyond.empty()) {
+      verdict.skipped = result.beyond;
+      return verdict;
+    }
     if (!result.strokes) {
       verdict.faults = "  gives no strokes, although its traits say so\n";
       return verdict;

@@ -1,0 +1,153 @@
+#include "visibility/culling/convex_body.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/disjoint_sets.hpp"
+#include "visibility/common/facet.hpp"
+
+namespace ligne::culling {
+namespace {
+
+/// A side of a triangle, by the places of its ends.
+struct Side {
+  std::uint32_t low, high;
+  std::uint32_t triangle;
+  bool upwards;  ///< runs from `low` to `high`
+};
+
+LatticePoint at(const ProjectedScene& scene, std::uint32_t v) { return scene.vertices[v].p; }
+
+double area_of(const ProjectedScene& scene, const Triangle& t) {
+  return orientation(at(scene, t.v[0]), at(scene, t.v[1]), at(scene, t.v[2]));
+}
+
+std::vector<Side> sides_of(const ProjectedScene& scene) {
+  std::vector<Side> sides;
+  sides.reserve(3 * scene.triangles.size());
+  for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = scene.place(scene.triangles[i].v[k]), b = scene.place(scene.triangles[i].v[(k + 1) % 3]);
+      sides.push_back({std::min(a, b), std::max(a, b), i, a < b});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::array{a.low, a.high, a.triangle} < std::array{b.low, b.high, b.triangle};
+  });
+  return sides;
+}
+
+/// Whether a corner of `other` is in front of the plane of a triangle of the body's front, or behind that of one of its
+/// back. Each corner of the plane may be off by the tolerance of touching, and counts there as much as it does for the
+/// depth.
+bool is_concave(const ProjectedScene& scene, const Triangle& t, const Triangle& other, bool front) {
+  const ProjectedVertex* p[3] = {&scene.vertices[t.v[0]], &scene.vertices[t.v[1]], &scene.vertices[t.v[2]]};
+  const double area = orientation(p[0]->p, p[1]->p, p[2]->p);
+  const double abx = double(p[1]->p.x) - p[0]->p.x, aby = double(p[1]->p.y) - p[0]->p.y, acx = double(p[2]->p.x) - p[0]->p.x,
+               acy = double(p[2]->p.y) - p[0]->p.y;
+  const double zb = p[1]->z - p[0]->z, zc = p[2]->z - p[0]->z;
+  const double gradient = (std::abs(zb * acy - zc * aby) + std::abs(zc * abx - zb * acx)) / std::abs(area);
+  const double tolerance = depth_tolerance_mm(scene, gradient, std::min({p[0]->z, p[1]->z, p[2]->z}));
+  for (const std::uint32_t v : other.v) {
+    const ProjectedVertex& q = scene.vertices[v];
+    double depth = 0, weights = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double weight = orientation(p[(k + 1) % 3]->p, p[(k + 2) % 3]->p, q.p) / area;
+      depth += weight * p[k]->z;
+      weights += std::abs(weight);
+    }
+    if ((front ? depth - q.z : q.z - depth) > weights * tolerance) return true;
+  }
+  return false;
+}
+
+/// Twice the area of the convex hull of all vertices that triangles use, and its border, |dx| + |dy| [Andrew1979].
+std::array<double, 2> hull_of(const ProjectedScene& scene) {
+  std::vector<LatticePoint> points;
+  for (const Triangle& t : scene.triangles) {
+    for (const std::uint32_t v : t.v) points.push_back(at(scene, v));
+  }
+  std::sort(points.begin(), points.end(), [](LatticePoint a, LatticePoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<LatticePoint> hull;
+  for (int half = 0; half < 2; ++half) {
+    const std::size_t begin = hull.size();
+    for (const LatticePoint p : points) {
+      while (hull.size() >= begin + 2 && orientation(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  double area = 0, border = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const LatticePoint a = hull[i], b = hull[i + 1 == hull.size() ? 0 : i + 1];
+    area += orientation(hull[0], a, b);
+    border += std::abs(double(b.x) - a.x) + std::abs(double(b.y) - a.y);
+  }
+  return {area, border};
+}
+
+}  // namespace
+
+Faces face_the_viewer(const ProjectedScene& scene) {
+  Faces faces;
+  std::uint32_t count = 0;
+  for (const Triangle& t : scene.triangles) count = std::max(count, t.face + 1);
+  std::vector<double> areas(count, 0);
+  // Six times the volume between each triangle and the plane of depth 0.
+  double volume = 0;
+  for (const Triangle& t : scene.triangles) {
+    const double area = area_of(scene, t);
+    volume += area * (scene.vertices[t.v[0]].z + scene.vertices[t.v[1]].z + scene.vertices[t.v[2]].z);
+    if (!scene.is_edge_on(t)) areas[t.face] += area;
+  }
+  // Of the front, which is at smaller depths, areas count below zero in a volume above zero.
+  const double of_front = volume > 0 ? -1 : 1;
+  faces.facing.assign(count, Facing::edge_on);
+  std::vector<std::uint8_t> known(count, 0);
+  for (const Triangle& t : scene.triangles) known[t.face] = 1;
+  for (std::uint32_t f = 0; f < count; ++f) {
+    if (!known[f]) continue;
+    if (areas[f] != 0) faces.facing[f] = areas[f] * of_front > 0 ? Facing::front : Facing::back;
+    ++(faces.facing[f] == Facing::front ? faces.front : faces.facing[f] == Facing::back ? faces.back : faces.edge_on);
+  }
+  return faces;
+}
+
+std::string why_not_one_convex_body(const ProjectedScene& scene, const Faces& faces) {
+  if (scene.triangles.empty()) return "it has no faces in view";
+  for (const Triangle& t : scene.triangles) {
+    if (t.face < scene.face_is_transparent.size() && scene.face_is_transparent[t.face]) return "faces are transparent";
+  }
+  const std::vector<Side> sides = sides_of(scene);
+  DisjointSets sets(scene.triangles.size());
+  for (std::size_t i = 0; i < sides.size(); i += 2) {
+    const bool two = i + 1 < sides.size() && sides[i].low == sides[i + 1].low && sides[i].high == sides[i + 1].high &&
+                     sides[i].upwards != sides[i + 1].upwards;
+    const bool more = i + 2 < sides.size() && sides[i].low == sides[i + 2].low && sides[i].high == sides[i + 2].high;
+    if (!two || more) return "it is not a closed body that is wholly in view";
+    sets.join(sides[i].triangle, sides[i + 1].triangle);
+  }
+  for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
+    if (sets.find(i) != 0) return "it is more than one body";
+  }
+  const auto concave = [&](const Triangle& t, const Triangle& other) {
+    const Facing facing = faces.facing[t.face];
+    return facing != Facing::edge_on && area_of(scene, t) != 0 && is_concave(scene, t, other, facing == Facing::front);
+  };
+  for (std::size_t i = 0; i < sides.size(); i += 2) {
+    const Triangle &a = scene.triangles[sides[i].triangle], &b = scene.triangles[sides[i + 1].triangle];
+    if (concave(a, b) || concave(b, a)) return "it is not convex";
+  }
+  double front = 0;
+  for (const Triangle& t : scene.triangles) {
+    if (faces.facing[t.face] == Facing::front) front += std::abs(area_of(scene, t));
+  }
+  const auto [hull, border] = hull_of(scene);
+  if (std::abs(hull - front) > 2 * border) return "it is not convex";
+  return "";
+}
+
+}  // namespace ligne::culling

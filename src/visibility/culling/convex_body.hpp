@@ -1,0 +1,33 @@
+#pragma once
+/// Whether a projected scene is one convex body, as far as its front faces tell: then they are all seen, and nothing else.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "view/projected_scene.hpp"
+
+namespace ligne::culling {
+
+/// How a face stands to the viewer.
+enum class Facing : std::uint8_t { edge_on, front, back };
+
+struct Faces {
+  std::vector<Facing> facing;  ///< per face of the scene; edge on too where nothing of it is in view
+  std::size_t front = 0, back = 0, edge_on = 0;
+};
+
+/// Faces by the sign of their area on the page, turned so that the front is outside: the body's volume is above zero in the
+/// coordinates of the page, whose depth keeps planes plane. O(n).
+Faces face_the_viewer(const ProjectedScene& scene);
+
+/// Why the scene is not one opaque convex body that is wholly in view; empty when it is. O(n log n).
+///
+/// It is when
+/// - every side has two triangles, which run along it in opposite directions, and all hang together,
+/// - no two triangles of a side make an angle that is concave by more than their depth tolerances,
+/// - the areas of the front triangles add up to that of the convex hull of all vertices on the page, but for a step of the
+///   lattice along its border: so they lie beside each other and not over each other.
+std::string why_not_one_convex_body(const ProjectedScene& scene, const Faces& faces);
+
+}  // namespace ligne::culling

@@ -1,0 +1,88 @@
+#include "visibility/culling/culling.hpp"
+
+#include "view/tolerances.hpp"
+#include "visibility/common/clock.hpp"
+#include "visibility/common/line_strokes.hpp"
+#include "visibility/culling/convex_body.hpp"
+
+// Phases: (1) faces by the sign of their area on the page, (2) is it one convex body, (3) edges with a front face are drawn.
+// See docs/methods/culling.md.
+
+namespace ligne {
+namespace {
+
+using namespace culling;
+
+/// What the front facets leave of a line that is no edge of the body: one of axes, or of a contour.
+void visible_of_free_line(const PageLine& line, const std::vector<Facet>& front, const ProjectedScene& scene,
+                          double coincidence_steps, OpenParts& open, std::vector<LinePart>& parts) {
+  open.reset(0, 1);
+  bool near = false;
+  for (const Facet& f : front) {
+    if (open.empty()) break;
+    open.take(hidden_interval(line, f, scene.vertices.data(), open.from(), open.to(), coincidence_steps, near));
+  }
+  if (!open.empty()) parts = open.finish();
+}
+
+}  // namespace
+
+const MethodTraits& CullingMethod::traits() const {
+  static const MethodTraits traits{"culling",
+                                   "edges of the faces that look at the viewer: enough for one convex body",
+                                   kStrokes,
+                                   true,
+                                   false,
+                                   "L. G. Roberts, Machine perception of three-dimensional solids, 1963",
+                                   MethodTraits{}.tolerance_mm,
+                                   {},
+                                   "one opaque convex body that is wholly in view"};
+  return traits;
+}
+
+VisibilityResult CullingMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+  VisibilityResult result;
+  Statistics& statistics = result.statistics;
+  const double step = scene.lattice.step_mm;
+  const double coincidence_steps = coincidence_mm(scene) / step;
+  Clock clock;
+
+  // 1. Faces.
+  const Faces faces = face_the_viewer(scene);
+  statistics.time("faces", clock.lap());
+
+  // 2. The body.
+  result.beyond = why_not_one_convex_body(scene, faces);
+  statistics.time("convexity", clock.lap());
+
+  // 3. Edges.
+  const Facets facets = make_facets(scene, coincidence_steps);
+  const auto is_front = [&](std::uint32_t f) { return f < faces.facing.size() && faces.facing[f] == Facing::front; };
+  std::vector<Facet> front;
+  for (const Facet& f : facets.facets) {
+    if (is_front(f.face)) front.push_back(f);
+  }
+  LineStrokes strokes(scene, facets, options.hidden_strokes, kLeastPartMm / step);
+  const auto by_faces = [&]() -> LineVisibility {
+    return [&, open = OpenParts()](std::size_t, const PageLine& line, std::vector<LinePart>& parts) mutable {
+      if (line.face0 == kNone) {
+        visible_of_free_line(line, front, scene, coincidence_steps, open, parts);
+      } else if (is_front(line.face0) || is_front(line.face1)) {
+        parts.push_back({0, 1});
+      }
+      return true;
+    };
+  };
+  strokes.add_edges(by_faces, options.progress);
+  result.strokes = strokes.take();
+  statistics.time("lines", clock.lap());
+
+  statistics.count("front faces", faces.front);
+  statistics.count("back faces, left out", faces.back);
+  statistics.count("faces seen edge on, left out", faces.edge_on);
+  statistics.count("candidate edges", scene.edges.size());
+  statistics.count("strokes", result.strokes->strokes.size());
+  return result;
+}
+
+}  // namespace ligne

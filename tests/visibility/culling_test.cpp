@@ -1,0 +1,127 @@
+// Culling as a method: which scenes it takes for one convex body, against the plain rule in model space; front faces and
+// faces seen edge on; lines of no face.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "scene/readers/reader.hpp"
+#include "support/scenes.hpp"
+#include "support/standard_views.hpp"
+#include "visibility/culling/convex_body.hpp"
+
+namespace ligne::test {
+namespace {
+
+using namespace culling;
+
+ProjectedScene projected(const Scene& scene, const CameraRequest& request, std::optional<double> scale = {}) {
+  const Topology topology = build_topology(scene);
+  const View view = make_view(scene, make_camera(request, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
+                              {{0, 0}, {kPageWidth, kPageHeight}}, scale);
+  return project(scene, topology, view, {classes("all"), 30});
+}
+
+std::string beyond(const ProjectedScene& scene) { return why_not_one_convex_body(scene, face_the_viewer(scene)); }
+
+std::uint64_t count_of(const VisibilityResult& result, std::string_view name) {
+  for (const auto& [known, count] : result.statistics.counts) {
+    if (known == name) return count;
+  }
+  return 0;
+}
+
+/// Copies of faces are left out before the method sees them.
+bool has_copies(const std::filesystem::path& file) {
+  return file.stem() == "cube_stored_twice" || file.stem() == "duplicate_faces" || file.stem() == "duplicate_objects";
+}
+
+/// One object, closed, and no vertex before the plane of a face: exact on the corpus, whose coordinates are dyadic.
+bool is_one_convex_body(const Scene& scene, const Topology& topology) {
+  if (topology.edges.empty() || scene.objects.size() != 1) return false;
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    if (topology.edges[e].face1 == kNone || (topology.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound))) return false;
+  }
+  int side_of_all = 0;
+  for (const Triangle& t : topology.triangles) {
+    const Point3 a = scene.vertices[t.v[0]];
+    const Point3 normal = glm::cross(scene.vertices[t.v[1]] - a, scene.vertices[t.v[2]] - a);
+    for (const Triangle& other : topology.triangles) {
+      for (const std::uint32_t v : other.v) {
+        const double height = glm::dot(normal, scene.vertices[v] - a);
+        if (height == 0) continue;
+        const int side = height > 0 ? 1 : -1;
+        if (side_of_all == 0) side_of_all = side;
+        if (side != side_of_all) return false;
+      }
+    }
+  }
+  return side_of_all != 0;
+}
+
+TEST(Culling, TakesTheConvexBodiesOfTheCorpusAndNoOthers) {
+  constexpr std::uintmax_t kLargeBytes = 20'000;
+  int convex = 0, others = 0;
+  for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
+    if (file.path().extension() != ".json" || file.file_size() > kLargeBytes) continue;
+    Warnings warnings;
+    const Scene scene = read_scene(file.path(), {}, warnings);
+    const bool expected = has_copies(file.path()) || is_one_convex_body(scene, build_topology(scene));
+    for (const Point3& direction : {Point3{-1, 2, -1}, Point3{0, 1, 0}, Point3{-0.37, 0.83, -0.41}}) {
+      const std::string why = beyond(projected(scene, along(direction)));
+      EXPECT_EQ(why.empty(), expected) << file.path().stem() << ": " << why;
+    }
+    ++(expected ? convex : others);
+  }
+  EXPECT_GE(convex, 8);
+  EXPECT_GE(others, 100);
+}
+
+TEST(Culling, DrawsTheEdgesOfFrontFaces) {
+  Scene box;
+  add_box(box, {0, 0, 0}, {10, 10, 10});
+  const VisibilityResult oblique = find_method("culling")->study(projected(box, along({-1, 2, -1})), {});
+  EXPECT_EQ(oblique.beyond, "");
+  EXPECT_EQ(oblique.strokes->strokes.size(), 9u);
+  EXPECT_EQ(count_of(oblique, "front faces"), 3u);
+  EXPECT_EQ(count_of(oblique, "back faces, left out"), 3u);
+  const VisibilityResult front = find_method("culling")->study(projected(box, along({0, 1, 0})), {});
+  EXPECT_EQ(front.strokes->strokes.size(), 4u);
+  EXPECT_EQ(count_of(front, "front faces"), 1u);
+  EXPECT_EQ(count_of(front, "faces seen edge on, left out"), 4u);
+}
+
+TEST(Culling, SaysWhyASceneIsBeyondIt) {
+  Scene box;
+  add_box(box, {0, 0, 0}, {10, 10, 10});
+  EXPECT_EQ(beyond(projected(box, along({-1, 2, -1}))), "");
+  EXPECT_EQ(beyond(projected(box, along({-1, 2, -1}), 50.0)), "it is not a closed body that is wholly in view");
+  EXPECT_EQ(beyond(projected(box, from_eye({5, 5, 5}, {9, 5, 5}))), "it is not a closed body that is wholly in view");
+  Scene glass = box;
+  glass.materials = {{"glass", {0.5, 0.7, 0.9}, 0.4}};
+  glass.face_material.assign(6, 0);
+  EXPECT_EQ(beyond(projected(glass, along({-1, 2, -1}))), "faces are transparent");
+  Scene two = box;
+  add_box(two, {20, 0, 0}, {10, 10, 10});
+  EXPECT_EQ(beyond(projected(two, along({-1, 2, -1}))), "it is more than one body");
+  EXPECT_EQ(beyond(projected({}, along({-1, 2, -1}))), "it has no faces in view");
+}
+
+/// Of the line of an axis only what the body does not hide is drawn.
+TEST(Culling, LinesOfNoFace) {
+  Scene box;
+  add_box(box, {0, 0, 0}, {10, 10, 10});
+  ProjectedScene scene = projected(box, along({0, 1, 0}), 5.0);
+  const std::vector<std::array<Point3, 2>> behind{{Point3{-5, 20, 5}, Point3{15, 20, 5}}};
+  add_lines(scene, behind, LineClass::axes);
+  double visible = 0;
+  const VisibilityResult result = find_method("culling")->study(scene, {});
+  for (const Stroke& s : result.strokes->strokes) {
+    if (s.line_class == LineClass::axes) visible += s.t_to - s.t_from;
+  }
+  EXPECT_NEAR(visible, 0.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace ligne::test
