@@ -25,6 +25,8 @@ programs_of() {
   case $1 in
     warnock_*) echo visibility_test known_answers_test all_methods_test random_scenes_test warnock_corpus_test ;;
     watkins_*) echo visibility_test known_answers_test all_methods_test random_scenes_test limited_methods_test ;;
+    zbuffer_*) echo visibility_test random_scenes_test limited_methods_test ;;
+    painter_*) echo visibility_test all_methods_test random_scenes_test ;;
     weiler_*) echo known_answers_test all_methods_test random_scenes_test regions_test polygon_study_test light_test transparent_lines_test ;;
     clip_*) echo clip_test clip_clipper_test "$(programs_of weiler_)" ;;
     horizon_*) echo visibility_test cli_program_test ;;
@@ -54,6 +56,8 @@ filter_of() {
         warnock_*) echo "$common_visibility:*Warnock*" ;;
         watkins_*) echo "$common_visibility:*Watkins*" ;;
         horizon_*) echo '*Horizon*:*Envelope*' ;;
+        zbuffer_*) echo '*ZBuffer*:*Painter*' ;;
+        painter_*) echo '*Painter*' ;;
         none) echo '*' ;;
         *) echo "$common_visibility" ;;
       esac ;;

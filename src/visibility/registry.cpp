@@ -8,6 +8,7 @@
 #include "visibility/convex_tree/convex_tree_method.hpp"
 #include "visibility/culling/culling.hpp"
 #include "visibility/newell/newell.hpp"
+#include "visibility/painter/painter.hpp"
 #include "visibility/warnock/warnock.hpp"
 #include "visibility/watkins/watkins.hpp"
 #include "visibility/zbuffer/zbuffer.hpp"
@@ -23,9 +24,10 @@ std::span<const Method* const> all_methods() {
   static const BspMethod bsp;
   static const ConvexTreeMethod convex_tree;
   static const ZBufferMethod depth_buffer;
+  static const PainterMethod painter;
   static const CullingMethod culling;
-  static const std::array<const Method*, 9> methods{&appel, &atherton_weiler, &warnock,      &scan,   &newell,
-                                                    &bsp,   &convex_tree,     &depth_buffer, &culling};
+  static const std::array<const Method*, 10> methods{&appel, &atherton_weiler, &warnock,      &scan,    &newell,
+                                                     &bsp,   &convex_tree,     &depth_buffer, &painter, &culling};
   return methods;
 }
 

@@ -32,9 +32,9 @@ std::uint64_t count_of(const VisibilityResult& result, std::string_view name) {
   return 0;
 }
 
-/// Copies of faces are left out before the method sees them.
+/// Copies are left out before the method sees them.
 bool has_copies(const std::filesystem::path& file) {
-  return file.stem() == "cube_stored_twice" || file.stem() == "duplicate_faces" || file.stem() == "duplicate_objects";
+  return file.stem() == "cube_stored_twice" || file.stem() == "duplicate_objects";
 }
 
 /// One object, closed, and no vertex before the plane of a face: exact on the corpus, whose coordinates are dyadic.

@@ -12,7 +12,7 @@
 #include "scene/readers/reader.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
-#include "visibility/zbuffer/depth_buffer.hpp"
+#include "visibility/common/depth_buffer.hpp"
 #include "visibility/zbuffer/edge_sampling.hpp"
 
 namespace ligne::test {
@@ -51,6 +51,13 @@ void add_polygon(Scene& scene, const std::vector<Point3>& corners) {
 
 /// Looking down on the plane z = 0; x is rightwards.
 CameraRequest from_above() { return along({0, 0, -1}); }
+
+TEST(ZBuffer, AStripGetsLargerPixels) {
+  const PixelGrid grid = PixelGrid::over({{0, 0}, {200, 0.001}}, 100);
+  EXPECT_EQ(grid.width, 1600u);
+  EXPECT_EQ(grid.height, 1u);
+  EXPECT_EQ(grid.pixel_mm, 0.125);
+}
 
 TEST(ZBuffer, ARampByHand) {
   // 80 x 80 mm in the middle of the sheet of 100 pixels of 1 mm; from left to right it rises by 40 mm, towards the eye.

@@ -38,17 +38,23 @@ std::vector<Side> sides_of(const ProjectedScene& scene) {
   return sides;
 }
 
+/// Depth within which something touches the triangle.
+double tolerance_of(const ProjectedScene& scene, const Triangle& t) {
+  const ProjectedVertex &a = scene.vertices[t.v[0]], &b = scene.vertices[t.v[1]], &c = scene.vertices[t.v[2]];
+  const double abx = double(b.p.x) - a.p.x, aby = double(b.p.y) - a.p.y, acx = double(c.p.x) - a.p.x,
+               acy = double(c.p.y) - a.p.y;
+  const double zb = b.z - a.z, zc = c.z - a.z;
+  const double gradient = (std::abs(zb * acy - zc * aby) + std::abs(zc * abx - zb * acx)) / std::abs(area_of(scene, t));
+  return depth_tolerance_mm(scene, gradient, std::min({a.z, b.z, c.z}));
+}
+
 /// Whether a corner of `other` is in front of the plane of a triangle of the body's front, or behind that of one of its
 /// back. Each corner of the plane may be off by the tolerance of touching, and counts there as much as it does for the
 /// depth.
 bool is_concave(const ProjectedScene& scene, const Triangle& t, const Triangle& other, bool front) {
   const ProjectedVertex* p[3] = {&scene.vertices[t.v[0]], &scene.vertices[t.v[1]], &scene.vertices[t.v[2]]};
   const double area = orientation(p[0]->p, p[1]->p, p[2]->p);
-  const double abx = double(p[1]->p.x) - p[0]->p.x, aby = double(p[1]->p.y) - p[0]->p.y, acx = double(p[2]->p.x) - p[0]->p.x,
-               acy = double(p[2]->p.y) - p[0]->p.y;
-  const double zb = p[1]->z - p[0]->z, zc = p[2]->z - p[0]->z;
-  const double gradient = (std::abs(zb * acy - zc * aby) + std::abs(zc * abx - zb * acx)) / std::abs(area);
-  const double tolerance = depth_tolerance_mm(scene, gradient, std::min({p[0]->z, p[1]->z, p[2]->z}));
+  const double tolerance = tolerance_of(scene, t);
   for (const std::uint32_t v : other.v) {
     const ProjectedVertex& q = scene.vertices[v];
     double depth = 0, weights = 0;
@@ -97,7 +103,7 @@ Faces face_the_viewer(const ProjectedScene& scene) {
   for (const Triangle& t : scene.triangles) count = std::max(count, t.face + 1);
   std::vector<double> areas(count, 0);
   // Six times the volume between each triangle and the plane of depth 0.
-  double volume = 0;
+  double& volume = faces.volume;
   for (const Triangle& t : scene.triangles) {
     const double area = area_of(scene, t);
     volume += area * (scene.vertices[t.v[0]].z + scene.vertices[t.v[1]].z + scene.vertices[t.v[2]].z);
@@ -106,10 +112,10 @@ Faces face_the_viewer(const ProjectedScene& scene) {
   // Of the front, which is at smaller depths, areas count below zero in a volume above zero.
   const double of_front = volume > 0 ? -1 : 1;
   faces.facing.assign(count, Facing::edge_on);
-  std::vector<std::uint8_t> known(count, 0);
-  for (const Triangle& t : scene.triangles) known[t.face] = 1;
+  faces.known.assign(count, 0);
+  for (const Triangle& t : scene.triangles) faces.known[t.face] = 1;
   for (std::uint32_t f = 0; f < count; ++f) {
-    if (!known[f]) continue;
+    if (!faces.known[f]) continue;
     if (areas[f] != 0) faces.facing[f] = areas[f] * of_front > 0 ? Facing::front : Facing::back;
     ++(faces.facing[f] == Facing::front ? faces.front : faces.facing[f] == Facing::back ? faces.back : faces.edge_on);
   }
@@ -133,6 +139,11 @@ std::string why_not_one_convex_body(const ProjectedScene& scene, const Faces& fa
   for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
     if (sets.find(i) != 0) return "it is more than one body";
   }
+  const auto has_triangles = [&](std::uint32_t face) { return face < faces.known.size() && faces.known[face]; };
+  for (const ProjectedEdge& e : scene.edges) {
+    const bool of_no_face = e.face0 == kNone && e.face1 == kNone;
+    if (!of_no_face && !(has_triangles(e.face0) && has_triangles(e.face1))) return "some faces are there more than once";
+  }
   const auto concave = [&](const Triangle& t, const Triangle& other) {
     const Facing facing = faces.facing[t.face];
     return facing != Facing::edge_on && area_of(scene, t) != 0 && is_concave(scene, t, other, facing == Facing::front);
@@ -141,10 +152,14 @@ std::string why_not_one_convex_body(const ProjectedScene& scene, const Faces& fa
     const Triangle &a = scene.triangles[sides[i].triangle], &b = scene.triangles[sides[i + 1].triangle];
     if (concave(a, b) || concave(b, a)) return "it is not convex";
   }
-  double front = 0;
+  double front = 0, six_times_tolerance = 0;
   for (const Triangle& t : scene.triangles) {
-    if (faces.facing[t.face] == Facing::front) front += std::abs(area_of(scene, t));
+    const double area = std::abs(area_of(scene, t));
+    if (faces.facing[t.face] == Facing::edge_on || area == 0) continue;
+    if (faces.facing[t.face] == Facing::front) front += area;
+    six_times_tolerance += 3 * area * tolerance_of(scene, t);
   }
+  if (std::abs(faces.volume) <= six_times_tolerance) return "it has no volume";
   const auto [hull, border] = hull_of(scene);
   if (std::abs(hull - front) > 2 * border) return "it is not convex";
   return "";

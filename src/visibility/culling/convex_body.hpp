@@ -13,7 +13,9 @@ namespace ligne::culling {
 enum class Facing : std::uint8_t { edge_on, front, back };
 
 struct Faces {
-  std::vector<Facing> facing;  ///< per face of the scene; edge on too where nothing of it is in view
+  std::vector<Facing> facing;       ///< per face of the scene; edge on too where it has no triangles
+  std::vector<std::uint8_t> known;  ///< 1 when it has triangles
+  double volume = 0;                ///< six times it, in lattice steps and mm of depth
   std::size_t front = 0, back = 0, edge_on = 0;
 };
 
@@ -24,7 +26,9 @@ Faces face_the_viewer(const ProjectedScene& scene);
 /// Why the scene is not one opaque convex body that is wholly in view; empty when it is. O(n log n).
 ///
 /// It is when
+/// - the faces of the edges are those of the triangles, and not copies that were left out,
 /// - every side has two triangles, which run along it in opposite directions, and all hang together,
+/// - it has a volume beyond the tolerances of touching,
 /// - no two triangles of a side make an angle that is concave by more than their depth tolerances,
 /// - the areas of the front triangles add up to that of the convex hull of all vertices on the page, but for a step of the
 ///   lattice along its border: so they lie beside each other and not over each other.

@@ -7,9 +7,9 @@
 #include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
+#include "visibility/common/depth_buffer.hpp"
 #include "visibility/common/intersections.hpp"
 #include "visibility/common/line_strokes.hpp"
-#include "visibility/zbuffer/depth_buffer.hpp"
 #include "visibility/zbuffer/edge_sampling.hpp"
 
 // Phases: (1) the buffer: faces filled row by row, (2) lines of intersection, where they are wanted, (3) lines sampled
@@ -32,17 +32,6 @@ constexpr MethodParameter kParameters[] = {
 
 /// What is shorter than the way through two squares of pixels is below the resolution.
 constexpr double kShortestPixels = 2;
-
-/// The pixels of the picture, where its rows are known; otherwise those asked for.
-PixelGrid grid_of(const ProjectedScene& scene, const StudyOptions& options) {
-  const Rect& window = scene.view.window;
-  const auto rows = options.settings.find("lines");
-  if (rows || !options.span_lines) return PixelGrid::over(window, rows.value_or(kRows));
-  const SpanLines& lines = *options.span_lines;
-  const double top = lines.first_mm - lines.spacing_mm / 2;
-  const auto columns = static_cast<std::uint32_t>(std::ceil(std::fmax(window.max.x / lines.spacing_mm, 1)));
-  return {{0, top}, lines.spacing_mm, columns, lines.count};
-}
 
 /// From the near plane (in parallel projection: from the nearest point) to the farthest point of the scene.
 DepthScale scale_of(const ProjectedScene& scene, const StudyOptions& options) {
@@ -128,7 +117,8 @@ VisibilityResult ZBufferMethod::study(const ProjectedScene& scene, const StudyOp
   Clock clock;
 
   // 1. The buffer.
-  DepthBuffer buffer(grid_of(scene, options), scale_of(scene, options));
+  DepthBuffer buffer(PixelGrid::of(scene.view.window, options.span_lines, options.settings.find("lines"), kRows),
+                     scale_of(scene, options));
   const PaintCounts counts = buffer.add(scene, options.settings.choice("filling", Filling::table));
   statistics.time("buffer", clock.lap());
 

@@ -1,4 +1,4 @@
-#include "visibility/zbuffer/depth_buffer.hpp"
+#include "visibility/common/depth_buffer.hpp"
 
 #include <algorithm>
 #include <array>

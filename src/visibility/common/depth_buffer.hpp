@@ -16,7 +16,7 @@
 
 #include "drawing/result_models.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/zbuffer/pixel_grid.hpp"
+#include "visibility/common/pixel_grid.hpp"
 
 namespace ligne::zbuffer {
 

@@ -1,0 +1,193 @@
+#include "visibility/painter/painter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "view/tolerances.hpp"
+#include "visibility/common/clock.hpp"
+#include "visibility/common/depth_buffer.hpp"
+#include "visibility/common/facet_functions.hpp"
+#include "visibility/common/line_strokes.hpp"
+#include "visibility/painter/paint_sequence.hpp"
+
+// Phases: (1) facets and their grid, (2) the order, (3) lines: each is painted with the later of its faces, and covered by
+// the faces that come after it, (4) pixels. See docs/methods/painter.md.
+
+namespace ligne {
+namespace {
+
+using namespace painter;
+
+constexpr unsigned kRows = 2048;
+constexpr std::string_view kSortNames[] = {"mean", "farthest", "resolved"};
+constexpr MethodParameter kParameters[] = {
+    {"depth-sort", "HOW", "by the mean or the farthest depth of each face, or that with pairs resolved where planes tell",
+     "resolved", kSortNames},
+};
+
+/// What painting leaves of lines.
+class PaintedLines {
+ public:
+  PaintedLines(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
+               const PaintSequence& sequence, double coincidence_steps)
+      : scene_(scene), facets_(facets), grid_(grid), sequence_(sequence), coincidence_steps_(coincidence_steps) {}
+
+  bool find(const PageLine& line, std::vector<LinePart>& parts) {
+    const std::uint32_t place = place_of(line);
+    bool near_side = false;
+    PageLine nearest = line;  // so that no cell is taken for hidden
+    nearest.z0 = nearest.z1 = -std::numeric_limits<double>::infinity();
+    grid_.for_each_leaf(nearest, [&](const Cell& cell, const CellSquare&, double from, double to) {
+      open_.reset(from, to);
+      const CellFacet* entry = grid_.list(cell);
+      for (std::uint32_t i = 0; i < cell.count && !open_.empty(); ++i) {
+        const Facet& facet = facets_[entry[i].facet];
+        if (facet.face == line.face0 || facet.face == line.face1) continue;
+        open_.take(covered(line, facet, place, near_side));
+      }
+      if (open_.empty()) return;
+      for (const LinePart& part : open_.finish()) append_part(parts, part);
+    });
+    return true;
+  }
+
+ private:
+  /// The later place of its faces; kNever when none is painted.
+  std::uint32_t place_of(const PageLine& line) const {
+    const std::uint32_t a = sequence_.place(line.face0), b = sequence_.place(line.face1);
+    return a == PaintSequence::kNever ? b : b == PaintSequence::kNever ? a : std::max(a, b);
+  }
+
+  /// What the facet paints over the line. A painter knows no depth: what comes later covers the line, unless it touches it.
+  /// Lines that are painted with no face are hidden by what is in front of them.
+  HiddenInterval covered(const PageLine& line, const Facet& facet, std::uint32_t place, bool& near_side) const {
+    const ProjectedVertex* vertices = scene_.vertices.data();
+    if (place == PaintSequence::kNever) {
+      return hidden_interval(line, facet, vertices, open_.from(), open_.to(), coincidence_steps_, near_side);
+    }
+    if (sequence_.place(facet.face) < place) {
+      // A face with a side along the line covers one side of it and need not overlap the line's own faces on the page: then
+      // any order of theirs is right, and its depth tells.
+      const HiddenInterval beside =
+          hidden_interval(line, facet, vertices, open_.from(), open_.to(), coincidence_steps_, near_side);
+      return beside.sides == HiddenSides::both ? HiddenInterval{} : beside;
+    }
+    PageLine farthest = line;
+    constexpr double kBehindAll = 1e30;  // mm; large against any depth
+    farthest.z0 = farthest.z1 = kBehindAll;
+    const HiddenInterval hidden =
+        hidden_interval(farthest, facet, vertices, open_.from(), open_.to(), coincidence_steps_, near_side);
+    if (hidden.sides == HiddenSides::none) return {};
+    const FacetFunctions plane(facet, vertices);
+    const auto distance = [&](double t) {
+      return std::abs(line.z(t) - plane.depth(line.p0.x + t * line.dx, line.p0.y + t * line.dy));
+    };
+    if (std::max(distance(hidden.from), distance(hidden.to)) <= facet.depth_tolerance) return {};
+    return hidden;
+  }
+
+  const ProjectedScene& scene_;
+  const std::vector<Facet>& facets_;
+  const CellGrid& grid_;
+  const PaintSequence& sequence_;
+  double coincidence_steps_;
+  OpenParts open_;
+};
+
+/// What is seen when all is painted: a depth buffer in which every face lies at the depth of its place in the order.
+PixelModel paint(const ProjectedScene& scene, const PaintSequence& sequence, const StudyOptions& options) {
+  ProjectedScene flat;
+  flat.lattice = scene.lattice;
+  flat.view = scene.view;
+  for (const Triangle& t : scene.triangles) {
+    const std::uint32_t place = sequence.place(t.face);
+    if (place == PaintSequence::kNever) continue;
+    const auto v = static_cast<std::uint32_t>(flat.vertices.size());
+    for (const std::uint32_t corner : t.v) flat.vertices.push_back({scene.vertices[corner].p, -double(place)});
+    flat.triangles.push_back({{v, v + 1, v + 2}, t.face});
+  }
+  zbuffer::DepthBuffer buffer(zbuffer::PixelGrid::of(scene.view.window, options.span_lines, {}, kRows), {});
+  buffer.add(flat, zbuffer::Filling::fixed);
+  return buffer.take_pixels();
+}
+
+std::string why_wrong(const PaintSequence& s) {
+  std::string text;
+  const auto add = [&](std::uint64_t count, const char* one, const char* many) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? one : many);
+  };
+  add(s.wrong, " pair of faces is painted in the wrong order", " pairs of faces are painted in the wrong order");
+  add(s.penetrating, " pair has no right order", " pairs have no right order");
+  return text;
+}
+
+}  // namespace
+
+const MethodTraits& PainterMethod::traits() const {
+  static const MethodTraits traits{
+      "painter",
+      "faces painted from the farthest to the nearest, sorted by depth, without cutting any",
+      kStrokes | kPixels,
+      true,
+      false,
+      "M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem, 1972 (its simple versions)",
+      MethodTraits{}.tolerance_mm,
+      kParameters,
+      "scenes whose faces the sort puts into a right order"};
+  return traits;
+}
+
+VisibilityResult PainterMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+  VisibilityResult result;
+  Statistics& statistics = result.statistics;
+  const double step = scene.lattice.step_mm;
+  const double coincidence_steps = coincidence_mm(scene) / step;
+  Clock clock;
+
+  // 1. Facets.
+  const Facets facets = make_facets(scene, coincidence_steps);
+  CellGrid::Options of_grid;
+  of_grid.margin_steps = coincidence_steps + 1;
+  of_grid.drop_hidden = false;
+  const CellGrid grid(scene, facets.facets, of_grid);
+  statistics.time("facets", clock.lap());
+
+  // 2. The order.
+  const PaintSequence sequence =
+      paint_sequence(scene, facets.facets, grid, options.settings.choice("depth-sort", DepthSort::resolved));
+  result.beyond = why_wrong(sequence);
+  statistics.time("order", clock.lap());
+
+  // 3. Lines.
+  LineStrokes strokes(scene, facets, options.hidden_strokes, kLeastPartMm / step);
+  const auto painted = [&]() -> LineVisibility {
+    return [lines = PaintedLines(scene, facets.facets, grid, sequence, coincidence_steps)](
+               std::size_t, const PageLine& line, std::vector<LinePart>& parts) mutable { return lines.find(line, parts); };
+  };
+  strokes.add_edges(painted, options.progress);
+  result.strokes = strokes.take();
+  statistics.time("lines", clock.lap());
+
+  // 4. Pixels.
+  if (options.wanted & kPixels) {
+    result.pixels = paint(scene, sequence, options);
+    statistics.time("pixels", clock.lap());
+  }
+
+  statistics.count("faces painted", sequence.faces.size());
+  statistics.count("faces of one depth each", sequence.level);
+  statistics.count("pairs that overlap on the page", sequence.overlapping);
+  statistics.count("resolved by their depths", sequence.by_depths);
+  statistics.count("resolved by a plane", sequence.by_planes);
+  statistics.count("left as they are sorted", sequence.left);
+  statistics.count("faces painted out of a ring", sequence.in_rings);
+  statistics.count("pairs in the wrong order", sequence.wrong);
+  statistics.count("pairs without a right order", sequence.penetrating);
+  statistics.count("candidate edges", scene.edges.size());
+  statistics.count("strokes", result.strokes->strokes.size());
+  return result;
+}
+
+}  // namespace ligne

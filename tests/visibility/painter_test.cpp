@@ -1,0 +1,179 @@
+// The painter: orders by hand, the cases that planes decide, rings and penetration, faces of one depth each; what it paints
+// against the depth buffer wherever it says that its order is right.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "scene/readers/reader.hpp"
+#include "support/scenes.hpp"
+#include "support/standard_views.hpp"
+#include "view/tolerances.hpp"
+#include "visibility/painter/paint_sequence.hpp"
+
+namespace ligne::test {
+namespace {
+
+using namespace painter;
+
+ProjectedScene projected(const Scene& scene, const CameraRequest& request) {
+  const View view = make_view(scene, make_camera(request, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
+                              {{0, 0}, {kPageWidth, kPageHeight}});
+  return project(scene, build_topology(scene), view, {classes("all"), 30});
+}
+
+PaintSequence sequence_of(const ProjectedScene& scene, DepthSort sort) {
+  const double coincidence = coincidence_mm(scene) / scene.lattice.step_mm;
+  const Facets facets = make_facets(scene, coincidence);
+  CellGrid::Options options;
+  options.margin_steps = coincidence + 1;
+  options.drop_hidden = false;
+  return paint_sequence(scene, facets.facets, CellGrid(scene, facets.facets, options), sort);
+}
+
+/// A face of its own object.
+void add_polygon(Scene& scene, const std::vector<Point3>& corners) {
+  begin_object(scene);
+  std::vector<std::uint32_t> face;
+  for (const Point3& p : corners) {
+    face.push_back(static_cast<std::uint32_t>(scene.vertices.size()));
+    scene.vertices.push_back(p);
+  }
+  scene.faces.add_face(face);
+  end_object(scene);
+}
+
+/// Along +y, z up: y is the depth.
+CameraRequest front() { return along({0, 1, 0}); }
+
+using Faces = std::vector<std::uint32_t>;
+
+/// Face 0 is a slope, face 1 a plate behind it and nearer than its far end, face 2 a plate before it and farther than its
+/// mean.
+TEST(Painter, APlaneTellsWhatDepthsDoNot) {
+  Scene scene;
+  add_polygon(scene, {{0, 0, 0}, {100, 0, 0}, {100, 100, 50}, {0, 100, 50}});    // a slope, z = y / 2
+  add_polygon(scene, {{20, 30, 0}, {40, 30, 0}, {40, 30, 10}, {20, 30, 10}});    // below it: behind
+  add_polygon(scene, {{60, 60, 40}, {80, 60, 40}, {80, 60, 50}, {60, 60, 50}});  // above it: in front
+  const ProjectedScene page = projected(scene, front());
+  // Means 50, 30, 60; farthest 100, 30, 60.
+  EXPECT_EQ(sequence_of(page, DepthSort::mean).faces, (Faces{2, 0, 1}));
+  EXPECT_EQ(sequence_of(page, DepthSort::mean).wrong, 2u);
+  EXPECT_EQ(sequence_of(page, DepthSort::farthest).faces, (Faces{0, 2, 1}));
+  EXPECT_EQ(sequence_of(page, DepthSort::farthest).wrong, 1u);
+  const PaintSequence resolved = sequence_of(page, DepthSort::resolved);
+  EXPECT_EQ(resolved.faces, (Faces{1, 0, 2}));
+  EXPECT_EQ(resolved.by_planes, 2u);
+  EXPECT_EQ(resolved.wrong, 0u);
+  EXPECT_EQ(find_method("painter")->study(page, {}).beyond, "");
+}
+
+/// Cartography, circuits, windows: the trivial case needs no pairs.
+TEST(Painter, FacesOfOneDepthEach) {
+  Scene scene;
+  for (int i = 0; i < 20; ++i) {
+    const double x = 7 * i % 30, y = (11 * i) % 20;
+    add_polygon(scene, {{x, y, x}, {x + 40, y, x}, {x + 40, y, x + 30}, {x, y, x + 30}});
+  }
+  const PaintSequence sequence = sequence_of(projected(scene, front()), DepthSort::resolved);
+  EXPECT_TRUE(sequence.level);
+  EXPECT_EQ(sequence.overlapping, 0u);
+  ASSERT_EQ(sequence.faces.size(), 20u);
+  for (std::size_t i = 1; i < 20; ++i) {
+    EXPECT_GE((11 * sequence.faces[i - 1]) % 20, (11 * sequence.faces[i]) % 20);
+  }
+}
+
+Scene corpus_scene(const std::string& name) {
+  Warnings warnings;
+  return read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (name + ".json"), {}, warnings);
+}
+
+/// Figure 2.81 of the thesis: a, b are resolved, c penetrates, d overlaps mutually, e in a ring.
+TEST(Painter, FiguresOfTheThesis) {
+  const auto sequence = [](const char* name) {
+    return sequence_of(projected(corpus_scene(name), front()), DepthSort::resolved);
+  };
+  for (const char* name : {"thesis_2_72", "thesis_2_81a", "thesis_2_81b"}) {
+    EXPECT_EQ(sequence(name).wrong + sequence(name).penetrating + sequence(name).left, 0u) << name;
+  }
+  EXPECT_EQ(sequence("thesis_2_81c").penetrating, 1u);
+  EXPECT_EQ(sequence("thesis_2_81d").penetrating, 1u);
+  const PaintSequence ring = sequence("thesis_2_81e");
+  EXPECT_GT(ring.wrong, 0u);
+  EXPECT_EQ(ring.penetrating, 0u);
+  for (const char* name : {"cyclic_3", "cyclic_4", "cyclic_5", "cyclic_6"}) {
+    EXPECT_EQ(sequence(name).wrong, 1u) << name;
+    EXPECT_EQ(sequence(name).penetrating, 0u) << name;
+  }
+}
+
+/// The nearest depth of a face at a point of the lattice, within a little of its triangles.
+double depth_of(const ProjectedScene& scene, std::uint32_t face, Point2 p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Triangle& t : scene.triangles) {
+    if (t.face != face) continue;
+    const ProjectedVertex* v[3] = {&scene.vertices[t.v[0]], &scene.vertices[t.v[1]], &scene.vertices[t.v[2]]};
+    const double area = orientation(v[0]->p, v[1]->p, v[2]->p);
+    double z = 0, least = 1;
+    for (int k = 0; k < 3; ++k) {
+      const LatticePoint a = v[(k + 1) % 3]->p, b = v[(k + 2) % 3]->p;
+      const double weight = ((double(b.x) - a.x) * (p.y - a.y) - (double(b.y) - a.y) * (p.x - a.x)) / area;
+      least = std::min(least, weight);
+      z += weight * v[k]->z;
+    }
+    constexpr double kInside = -1e-3;
+    if (least > kInside) nearest = std::min(nearest, z);
+  }
+  return nearest;
+}
+
+/// Where the painter says nothing against its order, it paints what the depth buffer shows.
+TEST(Painter, PaintsWhatIsSeenUnlessItSaysOtherwise) {
+  constexpr std::uintmax_t kLargeBytes = 20'000;
+  int right = 0, beyond = 0;
+  for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
+    if (file.path().extension() != ".json" || file.file_size() > kLargeBytes) continue;
+    const Scene scene = corpus_scene(file.path().stem().string());
+    for (const StandardView& standard : standard_views(scene)) {
+      if (std::string_view(standard.name) != "odd" && std::string_view(standard.name) != "near") continue;
+      const View view = make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
+                                  standard.sheet.scale);
+      const ProjectedScene page = project(scene, build_topology(scene), view, {classes("all"), 30});
+      for (unsigned sort = 0; sort < 3; ++sort) {
+        StudyOptions options;
+        options.span_lines = SpanLines{1, 2, 105};
+        options.settings.set("depth-sort", sort);
+        const VisibilityResult painted = find_method("painter")->study(page, options);
+        if (!painted.beyond.empty()) {
+          ++beyond;
+          continue;
+        }
+        ++right;
+        StudyOptions of_buffer;
+        of_buffer.span_lines = options.span_lines;
+        of_buffer.settings.set("filling", 1);
+        const VisibilityResult seen = find_method("zbuffer")->study(page, of_buffer);
+        // Of faces that touch either may be seen.
+        constexpr double kTouchMm = 0.01;
+        const PixelModel& pixels = *seen.pixels;
+        std::size_t unlike = 0;
+        for (std::size_t i = 0; i < pixels.face.size(); ++i) {
+          if (pixels.face[i] == painted.pixels->face[i]) continue;
+          const Point2 mm = pixels.corner_mm + Point2(i % pixels.width + 0.5, i / pixels.width + 0.5) * pixels.pixel_mm;
+          const Point2 p = (mm - page.lattice.origin_mm) / page.lattice.step_mm;
+          unlike += !(std::abs(depth_of(page, painted.pixels->face[i], p) - pixels.depth[i]) < kTouchMm);
+        }
+        EXPECT_EQ(unlike, 0u) << file.path().stem() << ", " << standard.name << ", " << sort;
+      }
+    }
+  }
+  EXPECT_GT(right, 200);
+  EXPECT_GT(beyond, 100);
+}
+
+}  // namespace
+}  // namespace ligne::test
