@@ -52,6 +52,12 @@ void add_parameters(CLI::App& app, MethodChoice& choice) {
 
 }  // namespace
 
+double parse_min_length(const std::string& text) {
+  const double length = parse_length_mm(text);
+  if (length < 0) throw std::invalid_argument("a length is not negative");
+  return length;
+}
+
 HiddenLines parse_hidden(const std::string& text) { return static_cast<HiddenLines>(parse_choice(text, kHiddenLinesNames)); }
 
 void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice) {
@@ -71,6 +77,8 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice)
           [](const std::string& text) { return parse_within(text, 0, 180, "degrees"); },
           "angle between normals above which an edge is a crease")
       .standard("30");
+  group.add("--min-length", "LEN", request.least_mm, parse_min_length, "leave out visible bits of lines that are shorter")
+      .standard("1.5 pens; 0 for exact lines");
   group.add("--hidden", "HOW", request.hidden, parse_hidden, "hidden lines in a layer of their own: none dashed solid")
       .standard("none");
   group

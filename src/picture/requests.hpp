@@ -73,6 +73,8 @@ struct LineRequest {
   HiddenLines hidden = HiddenLines::none;
   bool cull = false;  ///< leave out back faces of closed, consistently wound objects
   Quality quality = Quality::clear;
+  /// Shorter visible bits of lines are left out; nothing: 1.5 widths of the pen in clear lines, 0 in exact ones.
+  std::optional<double> least_mm{};
 };
 
 enum class FillKind : std::uint8_t { none, material, shade };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "contours/contour_strokes.hpp"
+#include "drawing/short_bits.hpp"
 #include "picture/clear_creases.hpp"
 #include "picture/clear_intersections.hpp"
 #include "picture/culling.hpp"
@@ -48,6 +49,19 @@ void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement
   } else if (placement.larger_than_page()) {
     run.warn("the picture is larger than the page: what lies outside is left out");
   }
+}
+
+/// Every line once; without gaps that are none on the page, and without bits that are no lines there.
+void tidy(StrokeModel& strokes, const PictureRequest& request, double coincidence, RunReport& run) {
+  constexpr double kLeastInPens = 1.5, kGapInPens = 1;  // a wider gap shows between the round ends of two strokes
+  const double pen_mm = request.page.pen_width_mm;
+  const double of_quality = request.lines.quality == Quality::clear ? kLeastInPens * pen_mm : 0;
+  const double least_mm = request.lines.least_mm.value_or(of_quality);
+  const std::size_t closed = least_mm > 0 ? close_short_gaps(strokes, std::min(least_mm, kGapInPens * pen_mm)) : 0;
+  remove_coincident_strokes(strokes, coincidence);
+  const std::size_t dropped = least_mm > 0 ? drop_short_bits(strokes, least_mm) : 0;
+  if (closed > 0) run.clear.count("short gaps closed", closed);
+  if (dropped > 0) run.clear.count("short bits of lines left out", dropped);
 }
 
 std::string faces_text(const Scene& scene) {
@@ -140,7 +154,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   light_regions(prepared, found.result, run);
   warn_of_empty_or_cut(*found.result.strokes, prepared.around.placement, run);
   timed(run.stages, {"drawing", std::to_string(found.result.strokes->strokes.size()) + " strokes"},
-        [&] { remove_coincident_strokes(*found.result.strokes, coincidence_mm(prepared.projected)); });
+        [&] { tidy(*found.result.strokes, request, coincidence_mm(prepared.projected), run); });
   if (prepared.back_faces.faces > 0) found.result.statistics.count("back faces, left out", prepared.back_faces.faces);
   const auto edge_on = std::ranges::count(prepared.projected.face_is_edge_on, std::uint8_t{1});
   if (edge_on > 0) found.result.statistics.count("faces seen edge on, left out", static_cast<std::uint64_t>(edge_on));
