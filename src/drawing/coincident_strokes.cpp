@@ -21,6 +21,7 @@
 #include "drawing/stroke_index.hpp"
 #include "drawing/stroke_overlap.hpp"
 #include "drawing/stroke_partners.hpp"
+#include "drawing/stroke_piece.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -37,33 +38,7 @@ bool by_source(const Stroke& l, const Stroke& r) {
 
 double depth(const Stroke& s, double fraction) { return (1 - fraction) * s.z_from + fraction * s.z_to; }
 
-/// A place on a stroke where it is cut.
-struct Cut {
-  double fraction;
-  LatticePoint p;
-};
-
-/// The piece of a stroke between two cuts.
-Stroke piece(const Stroke& s, const Cut& from, const Cut& to) {
-  const auto weight = [&](double fraction) {
-    const double u = (source_parameter(s, fraction) - s.t_from) / (s.t_to - s.t_from);
-    return static_cast<float>((1 - u) * s.w_from + u * s.w_to);
-  };
-  Stroke part = s;
-  if (from.fraction > 0) {
-    part.t_from = source_parameter(s, from.fraction);
-    part.z_from = static_cast<float>(depth(s, from.fraction));
-    part.w_from = weight(from.fraction);
-    part.from = from.p;
-  }
-  if (to.fraction < 1) {
-    part.t_to = source_parameter(s, to.fraction);
-    part.z_to = static_cast<float>(depth(s, to.fraction));
-    part.w_to = weight(to.fraction);
-    part.to = to.p;
-  }
-  return part;
-}
+using Cut = StrokeCut;
 
 /// An interval that a stroke loses.
 struct Loss {
@@ -152,7 +127,7 @@ void Precedence::cut(const Stroke& stroke, std::vector<Loss>& losses) {
   Cut from{0, stroke.from};
   const auto keep = [&](const Cut& to) {
     if ((to.fraction - from.fraction) * stroke_length <= tolerance_steps_) return;
-    const Stroke part = piece(stroke, from, to);
+    const Stroke part = stroke_piece(stroke, from, to);
     if (part.from != part.to && part.t_from < part.t_to) waiting_.push_back({part, true});
   };
   for (const Loss& loss : losses) {
