@@ -69,6 +69,12 @@ void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, 
   out += kLineClassNames[static_cast<std::size_t>(s.line_class)];
   out += s.visible ? "\",\"visible\":true" : "\",\"visible\":false";
   if (s.level > 0) out += ",\"level\":" + std::to_string(s.level);
+  if (document.object && s.line_class != LineClass::axes) {
+    if (const std::uint32_t object = document.object(s.source); object < document.objects.size()) {
+      out += ",\"object\":";
+      append_integer(out, object);
+    }
+  }
   out += ",\"source\":{\"edge\":";
   if (s.source < model.edge_count) {
     append_integer(out, s.source);
@@ -259,6 +265,11 @@ void append_stats(std::string& out, const Statistics& statistics) {
 std::string write_json(const DrawingDocument& document, const PlotOptions& options) {
   std::string out;
   append_head(out, document, options.page);
+  if (!document.objects.empty()) {
+    out += ",\n\"objects\":";
+    append_array(out, document.objects.size(),
+                 [&](std::string& text, std::size_t i) { text += json_string(document.objects[i]); });
+  }
   if (const StrokeModel* const model = document.strokes) {
     out += ",\n\"lattice\":{\"origin_mm\":[";
     append_shortest(out, model->lattice.origin_mm.x);

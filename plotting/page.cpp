@@ -37,9 +37,9 @@ struct LayerPen {
   std::string_view layer;
   double width;  ///< of the pen width
 };
-constexpr LayerPen kLayerPens[] = {{"intersection", 0.7}, {"crease", 0.7}, {"mesh", 0.5},  {"hidden", 0.5},
-                                   {"axes", 0.7},         {"text", 0.7},   {"debug", 0.5}, {"hatch", 0.5},
-                                   {"behind-glass", 0.5}, {"shadow", 0.5}};
+constexpr LayerPen kLayerPens[] = {{"profile", 1.4}, {"intersection", 0.7}, {"crease", 0.7}, {"mesh", 0.5},
+                                   {"hidden", 0.5},  {"axes", 0.7},         {"text", 0.7},   {"debug", 0.5},
+                                   {"hatch", 0.5},   {"behind-glass", 0.5}, {"shadow", 0.5}};
 constexpr std::array<double, 3> kDebugColor{0.8, 0, 0}, kTransparentColor{0.5, 0.5, 0.5};
 
 /// A number and the unit behind it, which may be empty.
@@ -106,6 +106,12 @@ Page parse_page(std::string_view text) {
     throw std::invalid_argument("page " + shown(text) + " is larger than 100 m");
   }
   return page;
+}
+
+LineStyle with_width(LineStyle style, double width_mm) {
+  for (double& dash : style.dashes_mm) dash *= width_mm / style.width_mm;
+  style.width_mm = width_mm;
+  return style;
 }
 
 LineStyle layer_style(std::string_view layer, double pen_width_mm, bool hidden_solid) {

@@ -2,6 +2,8 @@
 /// The page, its pens and line styles.
 
 #include <array>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,7 +38,14 @@ struct LineStyle {
   std::vector<double> dashes_mm;  ///< empty: solid
 };
 
-/// Style of the layer of that name at the given pen width: outlines and borders full width, intersections and creases 0.7,
+/// Widths of layers by their names, mm.
+using LineWidths = std::map<std::string, double, std::less<>>;
+
+/// The same at another width: dashes are told in widths.
+LineStyle with_width(LineStyle style, double width_mm);
+
+/// Style of the layer of that name at the given pen width: profiles 1.4 (one step up in the series of ISO 128-2), outlines
+/// and borders full width, intersections and creases 0.7 (one step down, so that profiles are twice as wide as creases),
 /// mesh and shadow 0.5, behind-glass 0.5 and grey, hidden 0.5 and dashed (ISO 128-2: dash 12 d, gap 3 d) unless
 /// `hidden_solid`.
 LineStyle layer_style(std::string_view layer, double pen_width_mm, bool hidden_solid);

@@ -41,7 +41,7 @@ std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
   const CairoContext pen(cairo_create(recording.get()));
   paint_fills(pen.get(), drawing.fills, units * kPointsPerMm);
   for (const Layer& layer : drawing.layers) {
-    stroke_polylines(pen.get(), layer.lines, options.style_of(layer.name),
+    stroke_polylines(pen.get(), layer.lines, options.style_of(layer),
                      {units * kPointsPerMm, kPartsOfUnit * units * kPointsPerMm, options.curves_of(layer)});
   }
 

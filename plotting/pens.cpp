@@ -1,5 +1,8 @@
 #include "plotting/pens.hpp"
 
+#include <fnmatch.h>
+
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 #include <utility>
@@ -67,8 +70,14 @@ std::string layer_label(const Pen& pen) {
   return label;
 }
 
-unsigned PenTable::pen_of(std::string_view layer, std::string_view material, unsigned shade) const {
+unsigned PenTable::pen_of(std::string_view layer, std::string_view material, unsigned shade,
+                          const std::string& object) const {
   if (const auto found = pen_of_shade.find(shade); shade > 0 && found != pen_of_shade.end()) return found->second;
+  if (!object.empty()) {
+    const auto found = std::find_if(pen_of_object.rbegin(), pen_of_object.rend(),
+                                    [&](const auto& entry) { return fnmatch(entry.first.c_str(), object.c_str(), 0) == 0; });
+    if (found != pen_of_object.rend()) return found->second;
+  }
   if (const auto found = pen_of_material.find(material); !material.empty() && found != pen_of_material.end())
     return found->second;
   if (const auto found = pen_of_layer.find(layer); found != pen_of_layer.end()) return found->second;
@@ -111,11 +120,13 @@ void add_pen(PenTable& table, std::string_view text) {
     if (!(width > 0)) throw std::invalid_argument("the width of pen " + std::to_string(number) + " is not above 0");
     pen.width_mm = width;
   }
-  constexpr std::string_view kMaterial = "material:", kShade = "shade:";
+  constexpr std::string_view kObject = "object:", kMaterial = "material:", kShade = "shade:";
   if (layer == "rest") {
     table.rest = number;
   } else if (layer.starts_with(kShade)) {
     table.pen_of_shade[parse_shade(layer.substr(kShade.size()))] = number;
+  } else if (layer.starts_with(kObject)) {
+    table.pen_of_object.emplace_back(layer.substr(kObject.size()), number);
   } else if (layer.starts_with(kMaterial)) {
     table.pen_of_material[std::string(layer.substr(kMaterial.size()))] = number;
   } else {

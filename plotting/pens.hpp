@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ligne {
@@ -33,13 +34,15 @@ struct PenTable {
   std::map<unsigned, Pen> pens;
   std::map<std::string, unsigned, std::less<>> pen_of_layer;
   std::map<std::string, unsigned, std::less<>> pen_of_material;
-  std::map<unsigned, unsigned> pen_of_shade;  ///< of hatching: degrees of darkness from 1, the darkest
+  std::vector<std::pair<std::string, unsigned>> pen_of_object;  ///< by patterns of names as of a shell; the last that fits
+  std::map<unsigned, unsigned> pen_of_shade;                    ///< of hatching: degrees of darkness from 1, the darkest
   unsigned rest = 1;
 
   bool empty() const { return pens.empty(); }
-  /// Number of the pen of a layer: by its shade, its material, its name, whatever is named, in this order. A layer that
-  /// nothing is said of and whose name begins with a number has the pen of that number.
-  unsigned pen_of(std::string_view layer, std::string_view material, unsigned shade = 0) const;
+  /// Number of the pen of a layer: by its shade, its object, its material, its name, whatever is named, in this order. A
+  /// layer that nothing is said of and whose name begins with a number has the pen of that number.
+  unsigned pen_of(std::string_view layer, std::string_view material, unsigned shade = 0,
+                  const std::string& object = {}) const;
   /// The pen of that number, also when the table does not describe it.
   Pen pen(unsigned number) const;
 };
@@ -47,8 +50,8 @@ struct PenTable {
 /// "#rgb", "#rrggbb" or one of the sixteen names of CSS 1. Throws std::invalid_argument.
 std::array<double, 3> parse_color(std::string_view text);
 
-/// "CLASS=N", "CLASS=N,COLOUR" or "CLASS=N,COLOUR,WIDTH"; CLASS is a layer, "material:NAME", "shade:N" or "rest" for all
-/// others. Throws std::invalid_argument.
+/// "CLASS=N", "CLASS=N,COLOUR" or "CLASS=N,COLOUR,WIDTH"; CLASS is a layer, "object:NAME", "material:NAME", "shade:N" or
+/// "rest" for all others. Throws std::invalid_argument.
 void add_pen(PenTable& table, std::string_view text);
 
 /// A table of pens as TOML, docs/plotting.md. Throws std::runtime_error, "FILE:LINE: what is wrong".

@@ -48,8 +48,8 @@ PenTable read_pens(std::string_view toml, const std::string& name) {
   root.only({"pen"});
   PenTable result;
   for (const TomlTable& table : root.tables("pen")) {
-    table.only({"number", "name", "color", "width", "skip", "pause", "speed", "height", "delay", "classes", "materials",
-                "shades", "rest"});
+    table.only({"number", "name", "color", "width", "skip", "pause", "speed", "height", "delay", "classes", "objects",
+                "materials", "shades", "rest"});
     const Pen pen = read_pen(table);
     if (!result.pens.emplace(pen.number, pen).second) table.fail("pen " + std::to_string(pen.number) + " is there twice");
     const auto assign = [&](std::string_view key, auto& target) {
@@ -59,6 +59,7 @@ PenTable read_pens(std::string_view toml, const std::string& name) {
     };
     assign("classes", result.pen_of_layer);
     assign("materials", result.pen_of_material);
+    for (const std::string& object : table.texts("objects")) result.pen_of_object.emplace_back(object, pen.number);
     for (const unsigned shade : table.counts("shades", 1, kMostPenShades)) {
       if (!result.pen_of_shade.emplace(shade, pen.number).second)
         table.fail("shade " + std::to_string(shade) + " has two pens", table.find("shades"));

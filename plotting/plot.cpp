@@ -38,14 +38,14 @@ std::vector<PenWork> work_of(const Drawing& given, const PlotRequest& request) {
     if (empty(layer.lines)) continue;
     Pen pen;
     if (!request.pens.empty()) {
-      pen = request.pens.pen(request.pens.pen_of(layer.name, layer.material, layer.shade));
+      pen = request.pens.pen(request.pens.pen_of(layer.name, layer.material, layer.shade, layer.object));
     } else if (request.pen_per_layer) {
       pen.number = next++;
       pen.name = layer.name;
     } else {
-      pen.number = request.pens.pen_of(layer.name, layer.material, layer.shade);
+      pen.number = request.pens.pen_of(layer.name, layer.material, layer.shade, layer.object);
     }
-    const LineStyle style = request.style.style_of(layer.name);
+    const LineStyle style = request.style.style_of(layer);
     if (request.pens.empty() && request.pen_per_layer) pen.color = style.color;
     PenWork& entry = work[pen.number];
     const double width = pen.width_mm.value_or(style.width_mm);

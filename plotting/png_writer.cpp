@@ -55,7 +55,7 @@ double outline_edges(const Polylines& lines, const LineStyle& style, double pixe
 void check_room_to_paint(const Drawing& drawing, const PlotOptions& options, double pixels_per_mm) {
   double edges = 0;
   for (const Layer& layer : drawing.layers) {
-    edges = std::max(edges, outline_edges(layer.lines, options.style_of(layer.name), pixels_per_mm));
+    edges = std::max(edges, outline_edges(layer.lines, options.style_of(layer), pixels_per_mm));
   }
   // Those of one colour that follow each other are one path, with rims that are narrow: of both sides, and round each
   // corner.
@@ -112,7 +112,7 @@ std::string write_png(const Drawing& drawing, const PlotOptions& options, const 
   if (under) put_pixels(surface.get(), *under);
   paint_fills(cairo.get(), drawing.fills, scale);
   for (const Layer& layer : drawing.layers) {
-    stroke_polylines(cairo.get(), layer.lines, options.style_of(layer.name), {scale, 0, options.curves_of(layer)});
+    stroke_polylines(cairo.get(), layer.lines, options.style_of(layer), {scale, 0, options.curves_of(layer)});
   }
   cairo_scale(cairo.get(), scale, scale);
   write_texts(cairo.get(), drawing.texts);

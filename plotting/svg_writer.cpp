@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -336,6 +337,39 @@ std::string layer_start(const Layer& layer, const LineStyle& style) {
   return text + (dashed ? "\">\n" : ">\n");
 }
 
+/// Ids of groups of objects: what is no letter, digit or one of -_. is an underscore, and every id is there once.
+class ObjectIds {
+ public:
+  explicit ObjectIds(const Drawing& drawing) {
+    for (const char* own : {"fill", "text"}) used_.insert(own);
+    for (const Layer& layer : drawing.layers) used_.insert(id_of(layer.name));
+  }
+  std::string id(const Layer& layer) {
+    std::string plain = id_of(layer.name) + "-" + layer.object;
+    for (char& c : plain) {
+      const auto byte = static_cast<unsigned char>(c);
+      const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+      if (!letter && c != '-' && c != '_' && c != '.' && byte < 0x80) c = '_';
+    }
+    std::string id = plain;
+    for (std::size_t n = 2; !used_.insert(id).second; ++n) id = plain + "-" + std::to_string(n);
+    return id;
+  }
+
+ private:
+  std::set<std::string> used_;
+};
+
+/// The lines of one object or colour inside a layer.
+std::string part_start(const Layer& layer, ObjectIds& ids) {
+  std::string text = "<g";
+  if (!layer.object.empty()) {
+    text += " inkscape:label=\"" + xml_text(layer.object) + "\" id=\"" + xml_text(ids.id(layer)) + "\"";
+  }
+  if (layer.color) text += " stroke=\"" + color_text(*layer.color) + "\"";
+  return text + ">\n";
+}
+
 /// Texts in a layer of their own, in a typeface.
 std::string text_layer(std::span<const TextItem> items) {
   std::string text = group_start("text") + " fill=\"#000\" stroke=\"none\" font-family=\"'" + kTypeface +
@@ -366,7 +400,14 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
 
   const double device = device_units(largest_coordinate(drawing, options.page));
   svg += fills_text(drawing.fills);
-  for (const Layer& layer : drawing.layers) {
+  ObjectIds ids(drawing);
+  for (std::size_t l = 0; l < drawing.layers.size(); ++l) {
+    const Layer& layer = drawing.layers[l];
+    const auto is_part = [](const Layer& of) { return !of.object.empty() || of.color; };
+    const auto continues = [&](std::size_t a, std::size_t b) {
+      const Layer &first = drawing.layers[a], &second = drawing.layers[b];
+      return first.name == second.name && (is_part(first) || is_part(second));
+    };
     const std::vector<Chunk> chunks = chunks_of(layer.lines);
     std::vector<std::string> texts(chunks.size());
     const std::optional<CurveLimits> curves = options.curves_of(layer);
@@ -376,9 +417,11 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
     std::size_t size = svg.size();
     for (const std::string& text : texts) size += text.size();
     svg.reserve(size);
-    svg += layer_start(layer, options.style_of(layer.name));
+    if (l == 0 || !continues(l - 1, l)) svg += layer_start(layer, options.style_of(layer.name));
+    if (is_part(layer)) svg += part_start(layer, ids);
     for (const std::string& text : texts) svg += text;
-    svg += "</g>\n";
+    if (is_part(layer)) svg += "</g>\n";
+    if (l + 1 == drawing.layers.size() || !continues(l, l + 1)) svg += "</g>\n";
   }
   if (!drawing.texts.empty()) svg += text_layer(drawing.texts);
   return svg + "</svg>\n";

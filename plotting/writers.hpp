@@ -20,6 +20,7 @@ namespace ligne {
 struct PlotOptions {
   Page page;
   double pen_width_mm = 0.35;
+  LineWidths widths_mm{};  ///< of layers by their names, before what follows from the pen's
   bool hidden_solid = false;
   std::string title;                                     ///< document title, may be empty
   double dpi = 150;                                      ///< PNG
@@ -27,7 +28,14 @@ struct PlotOptions {
   std::function<LineStyle(const std::string&)> style{};  ///< of a layer; empty: layer_style
 
   LineStyle style_of(const std::string& layer) const {
-    return style ? style(layer) : layer_style(layer, pen_width_mm, hidden_solid);
+    LineStyle found = style ? style(layer) : layer_style(layer, pen_width_mm, hidden_solid);
+    if (const auto width = widths_mm.find(layer); width != widths_mm.end()) found = with_width(found, width->second);
+    return found;
+  }
+  LineStyle style_of(const Layer& layer) const {
+    LineStyle found = style_of(layer.name);
+    if (layer.color) found.color = *layer.color;
+    return found;
   }
   /// Nothing where the lines of the layer stay as they are.
   std::optional<CurveLimits> curves_of(const Layer& layer) const {
@@ -61,6 +69,8 @@ struct DrawingDocument {
   const SpanModel* spans = nullptr;
   const std::vector<std::vector<Point2>>* debug = nullptr;  ///< polylines that show how the method worked
   std::function<SourceEdge(std::uint32_t)> source;  ///< the source edge of that number; called from several threads at once
+  std::vector<std::string> objects{};               ///< their names, where strokes say their object
+  std::function<std::uint32_t(std::uint32_t)> object{};  ///< of the source edge of that number, 0xffffffff for none
   glm::dmat4 model_to_page{1};
   bool perspective = false;
   Rect window;               ///< page mm; what lies outside was clipped away

@@ -6,6 +6,7 @@
 #include "cli/hatch_options.hpp"
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
+#include "cli/parse.hpp"
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
 #include "picture/draw_scene.hpp"
@@ -18,12 +19,28 @@ constexpr const char* kExamples = R"(Examples:
   ligne draw flange.glb --view front --scale 1:2 --unit m --hidden dashed --page A3 -o flange.pdf
   ligne draw tower.obj --eye 9,6,14 --fov 40 -q -o - --format svg | rsvg-convert -z 2 > tower.png)";
 
+std::vector<std::string> object_patterns(const PenTable& pens) {
+  std::vector<std::string> patterns;
+  for (const auto& [pattern, number] : pens.pen_of_object) patterns.push_back(pattern);
+  return patterns;
+}
+
+void add_profile_option(CLI::App& app, std::optional<ProfileKind>& profile) {
+  OptionGroup(app, "Lines")
+      .add(
+          "--profile", "HOW", profile,
+          [](const std::string& text) { return static_cast<ProfileKind>(parse_choice(text, kProfileNames)); },
+          "outer outlines wide, in a layer of their own: sheet, where the sheet is behind; parts, another object too; off")
+      .standard("off; sheet where --edges names profile");
+}
+
 /// The request that the options come to. A wrong one is refused before anything is read.
 PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory) {
   PictureRequest request = options.picture;
   request.memory = memory;
   request.output.format = format_of(options.output);
   if (!options.method.edges_given && !request.fill.lights.empty()) request.lines.classes.add(LineClass::shadow);
+  if (request.lines.profiles() != ProfileKind::off) request.lines.classes.add(LineClass::profile);
   check(request);
   request.lines.settings = settings_of(options.method, method_of(request));
   return request;
@@ -39,8 +56,11 @@ void draw(const DrawOptions& options, PictureRequest request) {
   files.were_read(run.files);
   ModelRequest model = options.model;
   model.quality = request.lines.quality;
+  model.unit_mm = request.page.unit_mm;
   LoadedModels models =
       timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
+  for (const ObjectColor& color : request.output.colors) require_names(models, "color", {color.pattern});
+  require_names(models, "pen", object_patterns(request.plotter.pens));
   report_healing(models, model, run);
   ProgressBar bar(options.run);
   request.progress = bar.callback();
@@ -55,6 +75,8 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   CLI::App& draw = *add_command(app, "draw", "Hidden-line drawing of meshes and polygon scenes", kExamples);
   PictureRequest& picture = options.picture;
   add_model_options(draw, options.model);
+  add_part_drawing_options(draw, picture.output);
+  add_profile_option(draw, picture.lines.profile);
   add_view_options(draw, picture.view);
   add_line_options(draw, picture.lines, options.method);
   add_fill_options(draw, picture.fill);

@@ -164,6 +164,7 @@ std::string text_of(const Info& info) {
                         " border, " + std::to_string(sum(scene, &ObjectFacts::many_face_edges)) + " of more than two faces");
   text += line("bounding box", point_text(scene.bounds[0]) + " to " + point_text(scene.bounds[1]));
   text += line("up axis", axis_name(info.up_axis));
+  text += line("unit", shortest(info.models.scene.unit_mm) + " mm");
   text += line("precision", rounded(scene.precision, 3) + " model units");
 
   text += "view\n";
@@ -236,6 +237,7 @@ std::string json_of(const Info& info) {
   scene["many_face_edges"] = sum(facts, &ObjectFacts::many_face_edges);
   scene["bounds"] = Json::array({json_of(facts.bounds[0]), json_of(facts.bounds[1])});
   scene["up_axis"] = axis_name(info.up_axis);
+  scene["unit_mm"] = info.models.scene.unit_mm;
   scene["precision"] = facts.precision;
   scene["objects"] = Json::array();
   for (const ObjectFacts& object : facts.objects) scene["objects"].push_back(object_json(object));
@@ -288,6 +290,7 @@ void inform(const InfoOptions& options) {
   settings_of(options.method, *info.method);
   ModelRequest model = options.model;
   model.quality = options.lines.quality;
+  model.unit_mm = options.page.unit_mm;
   info.models = timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
   const Scene& scene = info.models.scene;
   info.up_axis = options.view.up_axis.value_or(scene.up_axis);

@@ -69,7 +69,7 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice)
   };
   group
       .add("--edges", "LIST", request.classes, parse_given_edges,
-           "of outline,crease,border,intersection,mesh,shadow; feature: the first four; all: all of the model")
+           "of outline,crease,border,intersection,mesh,shadow,profile; feature: the first four; all: all of the model")
       .standard("feature");
   group
       .add(

@@ -27,6 +27,32 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
           "as cracks are, off: none. With --quality exact: vertices so near become one, and auto is off")
       .standard("auto");
   group.add_flag("--merge-coplanar", request.merge_coplanar, "put coplanar neighbouring faces together into polygons");
+  OptionGroup parts(app, "Parts");
+  const auto add_names = [](std::vector<std::string>& target) {
+    return [&target](const std::string& text) {
+      for (std::string& name : parse_names(text)) target.push_back(std::move(name));
+    };
+  };
+  parts.add_repeatable("--only", "NAME,...", add_names(request.parts.only),
+                       "objects that are drawn, by name; * ? [] as in a shell; repeatable");
+  parts.add_repeatable("--hide", "NAME,...", add_names(request.parts.hide), "objects that are left out; repeatable");
+  parts.add_repeatable(
+      "--move", "NAME=X,Y,Z", [&request](const std::string& text) { request.parts.moves.push_back(parse_move(text)); },
+      "objects moved, in model units or with units: exploded views; repeatable");
+}
+
+void add_part_drawing_options(CLI::App& app, OutputRequest& request) {
+  constexpr std::string_view kGroupNames[] = {"none", "object"};
+  OptionGroup parts(app, "Parts");
+  parts
+      .add(
+          "--group", "HOW", request.group_objects,
+          [kGroupNames](const std::string& text) { return parse_choice(text, kGroupNames) == 1; },
+          "SVG: a group for each object in every layer; JSON: the object of every stroke: none object")
+      .standard("none");
+  parts.add_repeatable(
+      "--color", "NAME=COLOUR", [&request](const std::string& text) { request.colors.push_back(parse_object_color(text)); },
+      "lines of objects in a colour: #rrggbb, or a name such as red; repeatable");
 }
 
 Stage reading_of(const ModelRequest& request) {

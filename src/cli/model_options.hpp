@@ -13,6 +13,9 @@ namespace ligne {
 
 void add_model_options(CLI::App& app, ModelRequest& request);
 
+/// How parts are told apart in the picture.
+void add_part_drawing_options(CLI::App& app, OutputRequest& request);
+
 /// Reading them, as a stage.
 Stage reading_of(const ModelRequest& request);
 

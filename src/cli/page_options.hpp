@@ -13,6 +13,9 @@ namespace ligne {
 
 void add_page_options(CLI::App& app, PageRequest& request);
 
+/// "--width": the names of layers; `own_layers`: only of ours.
+void add_width_option(CLI::App& app, LineWidths& widths, bool own_layers);
+
 /// Reads "--page".
 PageSize parse_page_size(const std::string& text);
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "files/message_text.hpp"
+#include "plotting/page.hpp"
+#include "plotting/pens.hpp"
 
 namespace ligne {
 namespace {
@@ -119,11 +121,17 @@ Axis parse_axis(std::string_view text) {
 
 LineClasses parse_edges(std::string_view text) {
   std::vector<std::string_view> names(kLineClassNames.begin(), kLineClassNames.begin() + kEdgeClassCount);
-  names.push_back(kLineClassNames[static_cast<std::size_t>(LineClass::shadow)]);
+  for (const LineClass more : {LineClass::profile, LineClass::shadow}) {
+    names.push_back(kLineClassNames[static_cast<std::size_t>(more)]);
+  }
   LineClasses classes;
   for (const std::string_view word : split(text, ',')) {
-    bool known = word == names.back();
-    if (known) classes.add(LineClass::shadow);
+    bool known = false;
+    for (const LineClass more : {LineClass::profile, LineClass::shadow}) {
+      if (word != kLineClassNames[static_cast<std::size_t>(more)]) continue;
+      classes.add(more);
+      known = true;
+    }
     for (std::size_t i = 0; i < kEdgeClassCount; ++i) {
       const LineClass line_class = static_cast<LineClass>(i);
       const bool in_group = word == "all" || (word == "feature" && line_class != LineClass::mesh);
@@ -157,6 +165,52 @@ double parse_unit_mm(std::string_view text) {
   const std::optional<double> mm = number(text);
   if (!mm || !(*mm > 0)) fail(text, "is neither mm, cm, m, in nor a number of mm above 0");
   return *mm;
+}
+
+std::vector<std::string> parse_names(std::string_view text) {
+  std::vector<std::string> names(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ',') {
+      names.emplace_back();
+      continue;
+    }
+    names.back() += text[i];
+    if (text[i] == '\\' && i + 1 < text.size()) names.back() += text[++i];
+  }
+  for (const std::string& name : names) {
+    if (name.empty()) fail(text, "has an empty name in it");
+  }
+  return names;
+}
+
+PartMove parse_move(std::string_view text) {
+  const std::size_t equals = text.rfind('=');
+  const auto parts = split(equals == std::string_view::npos ? text : text.substr(equals + 1), ',');
+  if (equals == std::string_view::npos || equals == 0 || parts.size() != 3) fail(text, "is not NAME=X,Y,Z");
+  PartMove move;
+  move.pattern = text.substr(0, equals);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<Point3::length_type>(i);
+    if (const std::optional<double> units = number(parts[i])) {
+      move.units[k] = *units;
+      continue;
+    }
+    const bool minus = parts[i].starts_with('-');
+    std::string_view size = parts[i].substr(minus ? 1 : 0);
+    double factor = minus ? -1 : 1;
+    if (size.ends_with('m') && !size.ends_with("mm") && !size.ends_with("cm")) {
+      size.remove_suffix(1);
+      factor *= 1000;
+    }
+    move.mm[k] = factor * parse_length_mm(size);
+  }
+  return move;
+}
+
+ObjectColor parse_object_color(std::string_view text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string_view::npos || equals == 0) fail(text, "is not NAME=COLOUR");
+  return {std::string(text.substr(0, equals)), parse_color(text.substr(equals + 1))};
 }
 
 OutputFormat parse_format(std::string_view text) {

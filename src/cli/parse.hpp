@@ -10,9 +10,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "drawing/stroke.hpp"
 #include "geometry/point.hpp"
+#include "picture/models.hpp"
 #include "picture/requests.hpp"
 #include "scene/model/scene.hpp"
 
@@ -52,6 +54,15 @@ std::optional<double> parse_scale(std::string_view text);
 
 /// Length of a model unit in mm: "mm", "cm", "m", "in", or a number of mm.
 double parse_unit_mm(std::string_view text);
+
+/// A comma list of names, as patterns: \ keeps the character behind it, also a comma.
+std::vector<std::string> parse_names(std::string_view text);
+
+/// "NAME=X,Y,Z": model units, or lengths with units (mm, cm, m, in, pt).
+PartMove parse_move(std::string_view text);
+
+/// "NAME=COLOUR".
+ObjectColor parse_object_color(std::string_view text);
 
 OutputFormat parse_format(std::string_view text);
 

@@ -136,6 +136,7 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
   PlotOptions style;
   style.page = read.page;
   style.pen_width_mm = options.pen_width_mm;
+  style.widths_mm = options.widths_mm;
   style.hidden_solid = read.dashes_cut;
   style.dpi = options.dpi;
   style.style = [&](const std::string& layer) { return style_of_layer(layer, options.pen_width_mm, style.hidden_solid); };
@@ -158,6 +159,7 @@ void add_placing_options(CLI::App& app, PlotCommandOptions& options) {
       .standard("10mm");
   group.add("--pen-width", "LEN", options.pen_width_mm, parse_pen_width, "width of the lines, where no pen has its own")
       .standard("0.35mm");
+  add_width_option(app, options.widths_mm, false);
   const auto parse_scale_or_fit = [&options](const std::string& t) {
     const std::optional<double> ratio = parse_scale(t);
     options.fit = !ratio;

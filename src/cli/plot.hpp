@@ -18,7 +18,8 @@ struct PlotCommandOptions {
   bool landscape = false, portrait = false;
   double margin_mm = 10;
   double pen_width_mm = 0.35;
-  bool fit = false;  ///< fill the page
+  LineWidths widths_mm{};  ///< of layers by their names
+  bool fit = false;        ///< fill the page
   double scale = 1;
   std::set<std::string> skip;  ///< kinds of SVG content that may be left out
   FillReading::How fills = FillReading::How::refuse;

@@ -1,6 +1,7 @@
 #include "contours/contour_strokes.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "contours/contour_junctions.hpp"
 #include "contours/outline_probes.hpp"
@@ -31,10 +32,16 @@ std::vector<Stroke> take_strokes(StrokeModel& model, std::uint32_t first, std::s
 class Writer {
  public:
   Writer(StrokeModel& model, const View& view, bool hidden_too, double longest_fold_mm)
-      : model_(model), view_(view), hidden_too_(hidden_too), longest_fold_mm_(longest_fold_mm) {}
+      : model_(model), view_(view), hidden_too_(hidden_too), longest_fold_mm_(longest_fold_mm) {
+    sources_.first = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
+  }
 
-  void add(const ContourChain& chain, const std::vector<std::uint32_t>& faces, const ContourCurve& curve,
-           const std::vector<ContourRun>& runs) {
+  /// The sources of all that was added.
+  ContourSources take_sources() { return std::move(sources_); }
+
+  /// The first segment of the chain was studied at `first_line`.
+  void add(const ContourChain& chain, std::uint32_t first_line, const std::vector<std::uint32_t>& faces,
+           const ContourCurve& curve, const std::vector<ContourRun>& runs) {
     std::vector<std::uint32_t> sources(chain.size(), kNone);
     const auto source_of = [&](std::size_t segment) {
       if (sources[segment] == kNone) {
@@ -43,6 +50,7 @@ class Writer {
         source.ends = {chain.nodes[segment].on_mesh, chain.nodes[segment + 1].on_mesh};
         source.faces[0] = faces[segment];
         model_.intersections.push_back(source);
+        sources_.lines.push_back(first_line + static_cast<std::uint32_t>(segment));
       }
       return sources[segment];
     };
@@ -79,6 +87,7 @@ class Writer {
   }
 
   StrokeModel& model_;
+  ContourSources sources_;
   const View& view_;
   bool hidden_too_;
   double longest_fold_mm_;
@@ -86,9 +95,9 @@ class Writer {
 
 }  // namespace
 
-void draw_contours(StrokeModel& model, const Scene& scene, const View& view, const SmoothContours& contours, bool hidden_too,
-                   const ContourOptions& options) {
-  if (contours.empty()) return;
+ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View& view, const SmoothContours& contours,
+                             bool hidden_too, const ContourOptions& options) {
+  if (contours.empty()) return {};
   const std::vector<Stroke> probes = take_strokes(model, contours.first_probe, contours.replaced.size());
   const std::size_t n = contours.chains.size();
   const std::uint32_t first = n > 0 ? contours.first_source.front() : contours.first_probe;
@@ -109,7 +118,10 @@ void draw_contours(StrokeModel& model, const Scene& scene, const View& view, con
   add_missing_outlines(model, view, contours, probes, seen, options.pen_width_mm, reach_mm);
   move_ends_of_strokes(model, seen, reach_mm);
   Writer writer(model, view, hidden_too, reach_mm);
-  for (std::size_t c = 0; c < n; ++c) writer.add(contours.chains[c], contours.faces[c], seen[c].curve, seen[c].runs);
+  for (std::size_t c = 0; c < n; ++c) {
+    writer.add(contours.chains[c], contours.first_source[c], contours.faces[c], seen[c].curve, seen[c].runs);
+  }
+  return writer.take_sources();
 }
 
 }  // namespace ligne

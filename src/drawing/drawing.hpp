@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,12 +44,15 @@ std::size_t stroke_layer(LineClass line_class, bool visible, unsigned level);
 /// "hidden", "behind-glass", or the name of the class.
 std::string_view stroke_layer_name(std::size_t layer);
 
-/// A layer's name is also its id: those of strokes, "underside", "contour-base", "text", "debug", "hatch".
+/// A layer's name is also its id: those of strokes, "underside", "contour-base", "text", "debug", "hatch". Layers of one
+/// name that follow each other are one layer by objects and colours.
 struct Layer {
   std::string name;
   Polylines lines;
   std::string material{};  ///< name of the material, where the layer holds the lines of one material only
   unsigned shade = 0;      ///< hatching of one degree of darkness only: 1 the darkest; 0: of all
+  std::string object{};    ///< name of the object, where the layer holds the lines of one object only
+  std::optional<std::array<double, 3>> color{};  ///< of the lines, where it is not that of all lines
 };
 
 /// An area of one colour.

@@ -25,7 +25,7 @@ namespace ligne {
 namespace {
 
 constexpr std::size_t kLayerCount = kStrokeLayerCount;
-constexpr std::size_t kHiddenLayer = 0, kTransparentLayer = 1;
+constexpr std::size_t kHiddenLayer = 0, kTransparentLayer = 1, kProfileLayer = kStrokeLayerCount - 1;
 
 std::size_t layer_of(const Stroke& stroke) { return stroke_layer(stroke.line_class, stroke.visible, stroke.level); }
 
@@ -172,12 +172,14 @@ Polylines StrokeGraph::polylines(const Lattice& lattice) const {
 
 std::size_t stroke_layer(LineClass line_class, bool visible, unsigned level) {
   if (!visible) return kHiddenLayer;
-  return level > 0 ? kTransparentLayer : kStrokeLayerCount - 1 - static_cast<std::size_t>(line_class);
+  if (level > 0) return kTransparentLayer;
+  return line_class == LineClass::profile ? kProfileLayer : kProfileLayer - 1 - static_cast<std::size_t>(line_class);
 }
 
 std::string_view stroke_layer_name(std::size_t layer) {
   if (layer == kHiddenLayer) return "hidden";
-  return layer == kTransparentLayer ? "behind-glass" : kLineClassNames[kStrokeLayerCount - 1 - layer];
+  if (layer == kTransparentLayer) return "behind-glass";
+  return kLineClassNames[layer == kProfileLayer ? static_cast<std::size_t>(LineClass::profile) : kProfileLayer - 1 - layer];
 }
 
 Drawing make_drawing(const StrokeModel& model) {

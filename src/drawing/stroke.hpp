@@ -21,12 +21,13 @@ enum class LineClass : std::uint8_t {
   horizon,       ///< iso-curve of a surface, whatever its faces (kCornerCurve)
   axes,          ///< line of the axes, of no face (add_lines in view/projected_scene.hpp)
   shadow,        ///< border of a shadow on a face; no edge of the scene
+  profile,       ///< part of a line of one of the first classes behind which an object ends; decided when all else is
 };
-inline constexpr std::size_t kLineClassCount = 9;
+inline constexpr std::size_t kLineClassCount = 10;
 /// The first classes are those of the scene's edges.
 inline constexpr std::size_t kEdgeClassCount = 5;
 inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{
-    "outline", "border", "intersection", "crease", "mesh", "contour", "horizon", "axes", "shadow"};
+    "outline", "border", "intersection", "crease", "mesh", "contour", "horizon", "axes", "shadow", "profile"};
 
 /// A set of classes.
 struct LineClasses {

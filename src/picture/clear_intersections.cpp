@@ -118,7 +118,7 @@ void clear_intersections(StrokeModel& model, const Scene& scene, const Projected
     if (s.source < model.edge_count || !model.intersections[i].intersection) {
       model.strokes.push_back(s);
     } else if (!contact[i]) {
-      pieces = rims.pieces(model, s, projected.view, request.classes);
+      pieces = rims.pieces(model, s, projected.view, request.studied());
       on_rim[i] = on_rim[i] || !pieces.empty();
       if (pieces.empty()) pieces = {s};
       model.strokes.insert(model.strokes.end(), pieces.begin(), pieces.end());

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -11,36 +10,13 @@
 #include "picture/fills.hpp"
 #include "picture/gray_faces.hpp"
 #include "picture/hatching.hpp"
+#include "picture/parts.hpp"
 #include "plotting/writers.hpp"
+#include "scene/clean/named_objects.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
-
-/// Layers by class and material: the material of a line is that of the first face of its source edge.
-Drawing drawing_by_material(const SceneStudy& study, const Scene& scene) {
-  const StrokeModel& strokes = *study.result.strokes;
-  std::map<std::string, StrokeModel> by_material;
-  for (const Stroke& stroke : strokes.strokes) {
-    std::string name;
-    if (stroke.line_class != LineClass::axes) {
-      const std::uint32_t face = study.source(scene, stroke.source).faces[0];
-      const std::uint32_t material = face < scene.face_material.size() ? scene.face_material[face] : 0;
-      if (material < scene.materials.size()) name = scene.materials[material].name;
-    }
-    StrokeModel& part = by_material[name];
-    part.lattice = strokes.lattice;
-    part.strokes.push_back(stroke);
-  }
-  Drawing drawing;
-  for (const auto& [material, part] : by_material) {
-    for (Layer& layer : make_drawing(part).layers) {
-      layer.material = material;
-      drawing.layers.push_back(std::move(layer));
-    }
-  }
-  return drawing;
-}
 
 /// Polylines that show how the method worked, below all lines.
 void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& polylines) {
@@ -60,8 +36,7 @@ void add_hatching(Drawing& drawing, std::vector<Layer> hatching) {
 Drawing compose(const PreparedScene& prepared, const SceneStudy& study, std::vector<Layer> hatching, RunReport& run) {
   const PictureRequest& request = prepared.request;
   const VisibilityResult& result = study.result;
-  Drawing drawing = request.plotter.pens.pen_of_material.empty() ? make_drawing(*result.strokes)
-                                                                 : drawing_by_material(study, prepared.scene);
+  Drawing drawing = tells_parts(request) ? drawing_by_parts(study, prepared.scene, request) : make_drawing(*result.strokes);
   add_debug_layer(drawing, result.debug);
   add_surroundings(drawing, prepared.around, request.axes, run);
   add_hatching(drawing, std::move(hatching));
@@ -81,6 +56,11 @@ std::string json_of(const PreparedScene& prepared, const SceneStudy& study, cons
   document.spans = result.spans ? &*result.spans : nullptr;
   document.debug = result.debug.empty() ? nullptr : &result.debug;
   document.source = [&](std::uint32_t source) { return study.source(prepared.scene, source); };
+  const ObjectOfFace object_of(prepared.scene);
+  if (prepared.request.output.group_objects) {
+    document.objects = object_names(prepared.scene);
+    document.object = [&](std::uint32_t source) { return object_of(study.source(prepared.scene, source).faces[0]); };
+  }
   document.model_to_page = view.model_to_page;
   document.perspective = view.camera.perspective;
   document.window = view.window;
@@ -105,6 +85,10 @@ void check(const PictureRequest& request) {
     if (!(method.traits().products & (kRegions | kSpans))) refuse_hatching(method.traits().name);
     if (request.gray_faces) throw RequestError("hatch", "does not go together with --shade");
   }
+  if (!request.output.colors.empty()) {
+    if (request.output.format == OutputFormat::json) throw RequestError("color", "a JSON drawing has no colours");
+    if (request.plotter.by_pens()) throw RequestError("color", "pens have colours of their own: --pen object:NAME=N,COLOUR");
+  }
   check(request.page);
   if (request.output.format == OutputFormat::png) check_png(request.page.size.page, request.output.dpi, request.memory);
 }
@@ -118,8 +102,8 @@ Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport&
   const HatchScene hatch = hatch_scene(prepared, plot);
   std::vector<Layer> hatching = hatch_spans(hatch, run);
 
-  // Only JSON and pens by material look at the source edges; the study needs the memory of the rest.
-  const bool keep_edges = json || !request.plotter.pens.pen_of_material.empty();
+  // Only JSON and parts look at the source edges; the study needs the memory of the rest.
+  const bool keep_edges = json || tells_parts(request);
   const SceneStudy found = study(prepared, gray_face_lines(request, plot), keep_edges, run);
   if (found.result.regions) {
     std::ranges::move(hatch_regions(hatch, *found.result.regions, run), std::back_inserter(hatching));

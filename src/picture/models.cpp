@@ -1,8 +1,12 @@
 #include "picture/models.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "files/message_text.hpp"
+#include "picture/errors.hpp"
 #include "scene/clean/clean.hpp"
+#include "scene/clean/named_objects.hpp"
 
 namespace ligne {
 namespace {
@@ -12,13 +16,42 @@ constexpr double kMuch = 0.1;
 
 char name_of(Axis axis) { return "xyz"[static_cast<unsigned>(axis)]; }
 
-/// A file's scene, healed where clear lines are wanted. `topology` is known afterwards when it had to be found for that.
-Scene read(const ModelRequest& request, ModelFile& file, std::optional<Topology>& topology) {
-  topology.reset();
-  if (request.quality == Quality::exact) {
-    return read_scene(file.name, {request.weld_distance.value_or(0), request.merge_coplanar}, file.warnings, &file.report);
+/// Objects that a message lists.
+constexpr std::size_t kMostListed = 12;
+
+bool any_fits(const std::vector<std::string>& patterns, const std::string& name) {
+  return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return name_fits(p, name); });
+}
+
+/// Leaves out and moves objects, which are numbered from `first_number` on.
+void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_number, double unit_mm) {
+  std::vector<std::uint8_t> keep(scene.objects.size());
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    const std::string name = object_name(scene.objects[i], first_number + i);
+    keep[i] = (parts.only.empty() || any_fits(parts.only, name)) && !any_fits(parts.hide, name);
+    Point3 by{0, 0, 0};
+    for (const PartMove& move : parts.moves) {
+      if (name_fits(move.pattern, name)) by += move.units + move.mm / unit_mm;
+    }
+    if (by != Point3{0, 0, 0}) move_object(scene, i, by);
   }
-  Scene scene = read_scene(file.name, {.shading = true}, file.warnings, &file.report);
+  if (std::find(keep.begin(), keep.end(), 0) != keep.end()) keep_objects(scene, keep, first_number);
+}
+
+/// A file's scene with the objects that are drawn, healed where clear lines are wanted. `topology` is known afterwards when
+/// it had to be found for that.
+Scene read(const ModelRequest& request, ModelFile& file, LoadedModels& models) {
+  std::optional<Topology>& topology = models.topology;
+  topology.reset();
+  const ReadOptions options = request.quality == Quality::exact
+                                  ? ReadOptions{request.weld_distance.value_or(0), request.merge_coplanar}
+                                  : ReadOptions{.shading = true};
+  Scene scene = read_scene(file.name, options, file.warnings, &file.report);
+  const std::size_t first = models.object_names.size();
+  for (const Object& object : scene.objects) models.object_names.push_back(object_name(object, models.object_names.size()));
+  const double scene_unit_mm = models.files.size() > 1 ? models.scene.unit_mm : scene.unit_mm;
+  choose_parts(scene, request.parts, first, request.unit_mm.value_or(scene_unit_mm));
+  if (request.quality == Quality::exact || scene.objects.empty()) return scene;
   topology = build_topology(scene);
   file.healed = heal(scene, *topology, {request.weld_distance});
   if (request.merge_coplanar) {
@@ -35,7 +68,7 @@ LoadedModels load_models(const ModelRequest& request) {
   for (const std::string& name : request.files) {
     ModelFile& file = models.files.emplace_back();
     file.name = name;
-    Scene scene = read(request, file, models.topology);
+    Scene scene = read(request, file, models);
     if (models.files.size() == 1) {
       models.scene = std::move(scene);
       continue;
@@ -45,11 +78,44 @@ LoadedModels load_models(const ModelRequest& request) {
       file.remarks.push_back(std::string("its up axis is ") + name_of(scene.up_axis) + ", that of " + models.files[0].name +
                              " is " + name_of(models.scene.up_axis) + ": coordinates are taken as they are");
     }
+    if (scene.unit_mm != models.scene.unit_mm) {
+      file.remarks.push_back("its unit is " + shortest(scene.unit_mm) + " mm, that of " + models.files[0].name + " is " +
+                             shortest(models.scene.unit_mm) + " mm: coordinates are taken as they are");
+    }
     const Axis up_axis = models.scene.up_axis;
+    const double unit_mm = models.scene.unit_mm;
     append_scene(models.scene, std::move(scene));
     models.scene.up_axis = up_axis;
+    models.scene.unit_mm = unit_mm;
+  }
+  require_names(models, "only", request.parts.only);
+  require_names(models, "hide", request.parts.hide);
+  for (const PartMove& move : request.parts.moves) require_names(models, "move", {move.pattern});
+  if (models.scene.objects.empty()) {
+    throw RequestError(request.parts.hide.empty() ? "only" : "hide", "no object is left to be drawn");
   }
   return models;
+}
+
+void require_names(const LoadedModels& models, const std::string& option, const std::vector<std::string>& patterns) {
+  const std::vector<std::string>& names = models.object_names;
+  for (const std::string& pattern : patterns) {
+    if (std::any_of(names.begin(), names.end(), [&](const std::string& name) { return name_fits(pattern, name); })) continue;
+    std::string list;
+    std::vector<std::string> listed;
+    for (const std::string& name : names) {
+      if (listed.size() < kMostListed && std::find(listed.begin(), listed.end(), name) == listed.end()) {
+        listed.push_back(name);
+        list += (list.empty() ? "" : ", ") + printable(name);
+      }
+    }
+    const bool all = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+      return std::find(listed.begin(), listed.end(), name) != listed.end();
+    });
+    throw RequestError(option, "no object is called " + shown(pattern, '"') + "; there " +
+                                   (listed.size() == 1 ? "is " : "are ") + list +
+                                   (all ? "" : " and more: ligne info --json names all"));
+  }
 }
 
 void report_healing(const LoadedModels& models, const ModelRequest& request, RunReport& run) {

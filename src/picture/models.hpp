@@ -13,8 +13,23 @@
 
 namespace ligne {
 
+/// Objects of that name moved by `units` model units and `mm` of true length.
+struct PartMove {
+  std::string pattern;
+  Point3 units{0, 0, 0}, mm{0, 0, 0};
+};
+
+/// Which objects are drawn, by their names (name_fits() in scene/clean/named_objects.hpp), and where.
+struct PartRequest {
+  std::vector<std::string> only;  ///< empty: all
+  std::vector<std::string> hide;
+  std::vector<PartMove> moves;  ///< all that fit add up
+};
+
 struct ModelRequest {
   std::vector<std::string> files;
+  PartRequest parts{};
+  std::optional<double> unit_mm{};  ///< true length of a model unit; nothing: the first scene's
   /// Clear lines: borders of one object that lie so near to each other are sewn, model units; nothing: what is a crack is
   /// found out; 0: none. Exact lines: vertices of one object so near to each other become one; nothing: at equal positions.
   std::optional<double> weld_distance{};
@@ -34,11 +49,16 @@ struct ModelFile {
 struct LoadedModels {
   Scene scene;  ///< all files, in the order of the request; the first decides on the up axis
   std::vector<ModelFile> files;
-  std::optional<Topology> topology;  ///< of the scene, where it is known already
+  std::optional<Topology> topology;       ///< of the scene, where it is known already
+  std::vector<std::string> object_names;  ///< of all files, also of objects that are not drawn
 };
 
-/// Reads all files. Throws InputError.
+/// Reads all files; what is hidden is left out and what is moved is moved before anything is mended. Throws InputError, and
+/// RequestError where no object has a name, or none is left.
 LoadedModels load_models(const ModelRequest& request);
+
+/// Throws RequestError of that option where no object fits one of the patterns.
+void require_names(const LoadedModels& models, const std::string& option, const std::vector<std::string>& patterns);
 
 /// Puts what was healed into the figures of clear lines, and where it is much, and nobody asked for it, into a warning for
 /// each file.

@@ -82,7 +82,7 @@ Placement place(const Scene& scene, const Camera& camera, const PageRequest& req
                                    shortest(placement.page.width_mm) + " x " + shortest(placement.page.height_mm) +
                                    " mm; --text-height makes them smaller");
   }
-  placement.view = make_view(scene, camera, {area}, placement.page.sheet(), request.page_mm_per_unit());
+  placement.view = make_view(scene, camera, {area}, placement.page.sheet(), request.page_mm_per_unit(scene.unit_mm));
   if (!extent.empty()) {
     const Point2 size = Point2(extent.width(), extent.height()) * placement.view.scale;
     const Point2 centre = (area.min + area.max) * 0.5;

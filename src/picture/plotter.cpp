@@ -68,6 +68,7 @@ void add_pens(PenTable& pens, const PenTable& given) {
     if (pen.width_mm) entry->second.width_mm = pen.width_mm;
   }
   for (const auto& [layer, number] : given.pen_of_layer) pens.pen_of_layer[layer] = number;
+  for (const auto& entry : given.pen_of_object) pens.pen_of_object.push_back(entry);
   for (const auto& [material, number] : given.pen_of_material) pens.pen_of_material[material] = number;
   for (const auto& [shade, number] : given.pen_of_shade) pens.pen_of_shade[shade] = number;
   if (given.rest != PenTable{}.rest) pens.rest = given.rest;

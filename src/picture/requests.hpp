@@ -49,32 +49,57 @@ struct PageRequest {
   bool landscape = false, portrait = false;  ///< neither: as the picture becomes larger
   double margin_mm = 10;
   double pen_width_mm = 0.35;
-  std::optional<double> scale;  ///< page length per true length; nothing: fit
-  double unit_mm = 1;           ///< true length of one model unit
+  LineWidths widths_mm{};           ///< of layers by their names
+  std::optional<double> scale;      ///< page length per true length; nothing: fit
+  std::optional<double> unit_mm{};  ///< true length of one model unit; nothing: the scene's
 
   /// Page mm per model unit, or nothing when the picture is to fit.
-  std::optional<double> page_mm_per_unit() const { return scale ? std::optional(*scale * unit_mm) : std::nullopt; }
+  std::optional<double> page_mm_per_unit(double scene_unit_mm) const {
+    return scale ? std::optional(*scale * unit_mm.value_or(scene_unit_mm)) : std::nullopt;
+  }
 };
 
 enum class HiddenLines { none, dashed, solid };
 inline constexpr std::string_view kHiddenLinesNames[] = {"none", "dashed", "solid"};
+
+/// The colour of an object's lines.
+struct ObjectColor {
+  std::string pattern;  ///< of its name, see name_fits()
+  std::array<double, 3> color{0, 0, 0};
+};
 
 /// What is drawn of a mesh: the lines that an illustrator would draw of the shape it stands for, or those of every edge as
 /// stored.
 enum class Quality : std::uint8_t { clear, exact };
 inline constexpr std::string_view kQualityNames[] = {"clear", "exact"};
 
+/// Against what the outer outline of an object is a profile: the sheet, or other objects farther back too.
+enum class ProfileKind : std::uint8_t { off, sheet, parts };
+inline constexpr std::string_view kProfileNames[] = {"off", "sheet", "parts"};
+
 /// Which lines are drawn, and how they are found.
 struct LineRequest {
   const Method* method = nullptr;  ///< nullptr: the default method, for regions the first that gives them
   MethodSettings settings;         ///< of the method's own parameters
   LineClasses classes = LineClasses::features();
+  std::optional<ProfileKind> profile{};  ///< nothing: against the sheet when the classes name profiles
   double crease_degrees = 30;
   HiddenLines hidden = HiddenLines::none;
   bool cull = false;  ///< leave out back faces of closed, consistently wound objects
   Quality quality = Quality::clear;
   /// Shorter visible bits of lines are left out; nothing: 1.5 widths of the pen in clear lines, 0 in exact ones.
   std::optional<double> least_mm{};
+
+  ProfileKind profiles() const {
+    return profile.value_or(classes.has(LineClass::profile) ? ProfileKind::sheet : ProfileKind::off);
+  }
+  /// The classes that are drawn, and those of which profiles may be parts.
+  LineClasses studied() const {
+    LineClasses all = classes;
+    if (profiles() == ProfileKind::off) return all;
+    for (const LineClass c : {LineClass::outline, LineClass::border, LineClass::crease}) all.add(c);
+    return all;
+  }
 };
 
 enum class FillKind : std::uint8_t { none, material, shade };
@@ -139,8 +164,10 @@ inline constexpr std::string_view kOutputFormatNames[] = {"svg", "pdf", "png", "
 /// The file.
 struct OutputRequest {
   OutputFormat format = OutputFormat::svg;
-  double dpi = 150;              ///< PNG
-  std::string title;             ///< of the document, may be empty
+  double dpi = 150;                   ///< PNG
+  std::string title;                  ///< of the document, may be empty
+  bool group_objects = false;         ///< SVG: a group for each object in every layer; JSON: strokes say their object
+  std::vector<ObjectColor> colors{};  ///< SVG, PDF and PNG: of objects, the last that fits; others are black
   std::optional<bool> curves{};  ///< SVG, PDF and PNG: arcs where lines are tessellated ones; nothing: where lines are clear
 };
 inline constexpr std::string_view kSwitchNames[] = {"off", "on"};

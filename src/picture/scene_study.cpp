@@ -11,6 +11,7 @@
 #include "picture/errors.hpp"
 #include "picture/hatching.hpp"
 #include "picture/lighting.hpp"
+#include "picture/profile.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/registry.hpp"
 
@@ -31,9 +32,19 @@ void remove_hidden_axes(StrokeModel& model) {
   std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
 }
 
+/// Profiles, and of what was studied for them no more than is asked for.
+void add_profiles(StrokeModel& model, PreparedScene& prepared, const ContourSources& contours) {
+  const LineRequest& lines = prepared.request.lines;
+  draw_profiles(model, prepared.projected, prepared.scene, contours, lines.profiles(), prepared.request.page.pen_width_mm);
+  const LineClasses studied = lines.studied();
+  std::erase_if(model.strokes, [&](const Stroke& stroke) {
+    return studied.has(stroke.line_class) && !lines.classes.has(stroke.line_class);
+  });
+}
+
 /// The outlines of a mesh that is drawn itself, edge by edge, are its own.
 bool draws_contours(const LineRequest& lines) {
-  return lines.quality == Quality::clear && lines.classes.has(LineClass::outline) && !lines.classes.has(LineClass::mesh);
+  return lines.quality == Quality::clear && lines.studied().has(LineClass::outline) && !lines.classes.has(LineClass::mesh);
 }
 
 /// Clear lines draw the outlines of smooth regions as contours of the shape; their borders are the creases that were found.
@@ -108,8 +119,9 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
     prepared.around =
         place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
     std::vector<std::uint8_t> creases;
-    prepared.projected = project(scene, prepared.topology, prepared.view(),
-                                 select_edges(scene, prepared.topology, request.lines, request.lines.classes, creases, run));
+    prepared.projected =
+        project(scene, prepared.topology, prepared.view(),
+                select_edges(scene, prepared.topology, request.lines, request.lines.studied(), creases, run));
     if (request.lines.cull) {
       prepared.back_faces = cull_back_faces(scene, prepared.topology, prepared.projected, run);
     }
@@ -149,12 +161,16 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   }
   remove_hidden_axes(*found.result.strokes);
   clear_intersections(*found.result.strokes, prepared.scene, projected, request.lines, run);
-  draw_contours(*found.result.strokes, prepared.scene, prepared.view(), prepared.contours,
-                request.lines.hidden != HiddenLines::none, contour_options(request, {}));
+  const ContourSources contours = draw_contours(*found.result.strokes, prepared.scene, prepared.view(), prepared.contours,
+                                                request.lines.hidden != HiddenLines::none, contour_options(request, {}));
   light_regions(prepared, found.result, run);
   warn_of_empty_or_cut(*found.result.strokes, prepared.around.placement, run);
   timed(run.stages, {"drawing", std::to_string(found.result.strokes->strokes.size()) + " strokes"},
         [&] { tidy(*found.result.strokes, request, coincidence_mm(prepared.projected), run); });
+  if (request.lines.profiles() != ProfileKind::off) {
+    timed(run.stages, {"profiles", std::to_string(found.result.strokes->strokes.size()) + " strokes"},
+          [&] { add_profiles(*found.result.strokes, prepared, contours); });
+  }
   if (prepared.back_faces.faces > 0) found.result.statistics.count("back faces, left out", prepared.back_faces.faces);
   const auto edge_on = std::ranges::count(prepared.projected.face_is_edge_on, std::uint8_t{1});
   if (edge_on > 0) found.result.statistics.count("faces seen edge on, left out", static_cast<std::uint64_t>(edge_on));

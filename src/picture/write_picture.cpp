@@ -122,6 +122,7 @@ PlotOptions plot_options(const PictureRequest& request, const Page& page) {
   PlotOptions plot;
   plot.page = page;
   plot.pen_width_mm = request.page.pen_width_mm;
+  plot.widths_mm = request.page.widths_mm;
   plot.hidden_solid = request.lines.hidden == HiddenLines::solid;
   plot.title = request.output.title;
   plot.dpi = request.output.dpi;

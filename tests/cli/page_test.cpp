@@ -58,10 +58,12 @@ TEST(PageMargin, MustLeaveSomething) {
 
 TEST(PageScale, UnitAndRatioMultiply) {
   PageRequest options;
-  EXPECT_FALSE(options.page_mm_per_unit());
+  EXPECT_FALSE(options.page_mm_per_unit(1));
   options.scale = 0.02;
   options.unit_mm = 1000;
-  EXPECT_DOUBLE_EQ(*options.page_mm_per_unit(), 20);
+  EXPECT_DOUBLE_EQ(*options.page_mm_per_unit(1), 20);
+  options.unit_mm.reset();
+  EXPECT_DOUBLE_EQ(*options.page_mm_per_unit(10), 0.2);
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Detail> details;
   Axis up_axis = Axis::z;
+  double unit_mm = 1;  ///< true length of one model unit, where the format says it: glTF counts in metres
 };
 
 }  // namespace ligne

@@ -20,6 +20,9 @@
 namespace ligne {
 namespace {
 
+/// "The units for all linear distances are meters": glTF 2.0, 3.4.
+constexpr double kMetreMm = 1000;
+
 /// Triangles, and vertices, to which a small file may grow by using its meshes many times: above that a file has no more
 /// than it has bytes.
 constexpr std::size_t kMaxInstanced = std::size_t{1} << 25;
@@ -57,6 +60,7 @@ class Reader {
     meshes_.resize(model_.meshes.size());
     count(instances);
     scene_.up_axis = Axis::y;
+    scene_.unit_mm = kMetreMm;
     scene_.objects.reserve(instances.size());
     scene_.vertices.reserve(vertices_);
     scene_.faces.reserve_corners(3 * triangles_);

@@ -1,0 +1,29 @@
+#pragma once
+/// Where beside a stroke nothing of its own object is seen.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contours/contour_strokes.hpp"
+#include "drawing/stroke.hpp"
+#include "picture/requests.hpp"
+#include "scene/model/scene.hpp"
+#include "view/projected_scene.hpp"
+
+namespace ligne {
+
+/// A part of a stroke, by fractions of its length on the page.
+struct StrokePart {
+  double from = 0, to = 1;
+};
+
+/// Per stroke of `members` the parts, in order and apart, that end what is seen: beside them, on one side at least, lies the
+/// sheet, or what `kind` says. Both close beside the stroke, beyond all that counts as on it, and as far off as a gap is
+/// wide that its ink leaves open.
+std::vector<std::vector<StrokePart>> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
+                                                const ProjectedScene& projected, const Scene& scene,
+                                                const ContourSources& contours, ProfileKind kind, double pen_width_mm);
+
+}  // namespace ligne
