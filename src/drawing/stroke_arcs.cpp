@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 #include "drawing/key_table.hpp"
 #include "drawing/stroke_index.hpp"
 #include "drawing/stroke_overlap.hpp"
+#include "geometry/disjoint_sets.hpp"
 
 namespace ligne {
 namespace {
@@ -59,7 +63,8 @@ class ArcBuilder {
     }
   }
 
-  std::vector<Junction> junctions() const;
+  void meet(std::uint32_t node, std::uint32_t stroke, const SegmentGrid& grid, std::vector<Junction>& found);
+  std::vector<Junction> junctions();
   void cut(std::vector<Junction> junctions);
   void link();
   StrokeArc walk(std::uint32_t end);
@@ -68,14 +73,43 @@ class ArcBuilder {
   std::span<const std::uint32_t> members_;
   double tolerance_;
   KeyTable nodes_;
-  std::vector<LatticePoint> points_;  ///< of the nodes
+  std::vector<LatticePoint> points_;                           ///< of the nodes
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> same_;  ///< nodes within the tolerance of each other
   std::vector<ArcPart> parts_;
   std::vector<std::array<std::uint32_t, 2>> part_nodes_;
   std::vector<std::uint32_t> next_;  ///< per end of a part (2 i its from, 2 i + 1 its to) the end that continues it
   std::vector<bool> walked_;
 };
 
-std::vector<Junction> ArcBuilder::junctions() const {
+/// Where two strokes cross inside both, as fractions of them.
+std::optional<std::array<double, 2>> crossing(const Stroke& a, const Stroke& b) {
+  const double a0 = orientation(b.from, b.to, a.from), a1 = orientation(b.from, b.to, a.to);
+  const double b0 = orientation(a.from, a.to, b.from), b1 = orientation(a.from, a.to, b.to);
+  if (!(a0 * a1 < 0 && b0 * b1 < 0)) return {};
+  return {{a0 / (a0 - a1), b0 / (b0 - b1)}};
+}
+
+/// A node that lies on a stroke is a junction inside it, or one with its end.
+void ArcBuilder::meet(std::uint32_t node, std::uint32_t stroke, const SegmentGrid& grid, std::vector<Junction>& found) {
+  const Stroke& s = strokes_[stroke];
+  const LatticePoint p = points_[node];
+  const double size = length(s.from, s.to);
+  if (!(size > 0) || !grid.near(p, s.from, s.to, size)) return;
+  if (length(p, s.from) <= tolerance_) {
+    same_.emplace_back(node, node_at(s.from));
+    return;
+  }
+  if (length(p, s.to) <= tolerance_) {
+    same_.emplace_back(node, node_at(s.to));
+    return;
+  }
+  const double along =
+      (double(p.x) - s.from.x) * (double(s.to.x) - s.from.x) + (double(p.y) - s.from.y) * (double(s.to.y) - s.from.y);
+  const double fraction = along / (size * size);
+  if (fraction > 0 && fraction < 1) found.push_back({stroke, fraction, node});
+}
+
+std::vector<Junction> ArcBuilder::junctions() {
   const std::vector<std::uint32_t> members(members_.begin(), members_.end());
   const SegmentGrid grid(index_cell(strokes_, members, tolerance_), tolerance_);
   // The strokes of each cell as linked lists.
@@ -84,27 +118,34 @@ std::vector<Junction> ArcBuilder::junctions() const {
   };
   KeyTable cells;
   std::vector<Entry> entries;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> crossed;
   for (const std::uint32_t m : members_) {
     grid.walk(strokes_[m].from, strokes_[m].to, [&](std::uint64_t key) {
       std::uint32_t& first = cells[key];
+      for (std::uint32_t e = first; e != kNone; e = entries[e].next) {
+        if (crossing(strokes_[m], strokes_[entries[e].stroke])) crossed.emplace_back(m, entries[e].stroke);
+      }
       entries.push_back({m, first});
       first = static_cast<std::uint32_t>(entries.size() - 1);
       return false;
     });
   }
   std::vector<Junction> found;
-  for (std::uint32_t node = 0; node < points_.size(); ++node) {
-    const LatticePoint p = points_[node];
-    for (std::uint32_t e = cells.find(grid.cell_of(p)); e != kNone; e = entries[e].next) {
-      const Stroke& s = strokes_[entries[e].stroke];
-      const double size = length(s.from, s.to);
-      if (!(size > 0) || !grid.near(p, s.from, s.to, size)) continue;
-      const double along =
-          (double(p.x) - s.from.x) * (double(s.to.x) - s.from.x) + (double(p.y) - s.from.y) * (double(s.to.y) - s.from.y);
-      const double fraction = along / (size * size);
-      if (fraction * size <= tolerance_ || (1 - fraction) * size <= tolerance_) continue;
-      found.push_back({entries[e].stroke, fraction, node});
+  const auto ends = static_cast<std::uint32_t>(points_.size());
+  for (std::uint32_t node = 0; node < ends; ++node) {
+    for (std::uint32_t e = cells.find(grid.cell_of(points_[node])); e != kNone; e = entries[e].next) {
+      meet(node, entries[e].stroke, grid, found);
     }
+  }
+  std::sort(crossed.begin(), crossed.end());
+  crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+  for (const auto& [a, b] : crossed) {
+    const auto [at_a, at_b] = *crossing(strokes_[a], strokes_[b]);
+    const Stroke& s = strokes_[a];
+    const std::uint32_t node =
+        node_at({static_cast<std::int32_t>(std::lround(s.from.x + at_a * (double(s.to.x) - s.from.x))),
+                 static_cast<std::int32_t>(std::lround(s.from.y + at_a * (double(s.to.y) - s.from.y)))});
+    found.insert(found.end(), {{a, at_a, node}, {b, at_b, node}});
   }
   return found;
 }
@@ -135,11 +176,15 @@ void ArcBuilder::cut(std::vector<Junction> junctions) {
 
 /// Two ends that meet alone continue each other.
 void ArcBuilder::link() {
+  DisjointSets nodes(points_.size());
+  for (const auto& [a, b] : same_) nodes.join(a, b);
   std::vector<std::array<std::uint32_t, 2>> ends(points_.size(), {kNone, kNone});
   std::vector<std::uint8_t> count(points_.size(), 0);
   for (std::uint32_t part = 0; part < parts_.size(); ++part) {
+    const std::array met{nodes.find(part_nodes_[part][0]), nodes.find(part_nodes_[part][1])};
+    if (met[0] == met[1]) continue;  // within the tolerance: no more than a point
     for (std::uint32_t k = 0; k < 2; ++k) {
-      const std::uint32_t node = part_nodes_[part][k];
+      const std::uint32_t node = met[k];
       if (count[node] < 2) ends[node][count[node]] = 2 * part + k;
       count[node] = std::min<std::uint8_t>(count[node] + 1, 3);
     }

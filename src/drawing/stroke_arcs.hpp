@@ -23,7 +23,7 @@ struct StrokeArc {
 };
 
 /// The arcs of the strokes `members`. A junction is a point at which one of them ends, or three or more, or at which one of
-/// them ends within `tolerance_steps` of the inside of another. Strokes without length have no part.
+/// them ends within `tolerance_steps` of the inside of another, or where two cross. Strokes without length have no part.
 std::vector<StrokeArc> stroke_arcs(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members,
                                    double tolerance_steps);
 

@@ -23,6 +23,9 @@ namespace {
 
 /// What is shorter, in widths of the pen, is no change of the line.
 constexpr double kShortestInPens = 2;
+/// Nor is what is shorter than so many times the distance at which it was looked beside the line: by so much a change is off
+/// where the other line crosses at eight degrees.
+constexpr double kShortestOff = 7;
 /// A line ends at another one when it ends so near to it: twice what curves may leave their points by.
 constexpr double kJunctionMm = 0.004;
 
@@ -35,8 +38,8 @@ struct Bit {
 };
 
 /// The parts of an arc as bits, in the order of the arc.
-std::vector<Bit> bits_of(const StrokeArc& arc, const std::vector<Stroke>& strokes,
-                         const std::vector<std::vector<StrokePart>>& free, const std::vector<std::uint32_t>& member_of) {
+std::vector<Bit> bits_of(const StrokeArc& arc, const std::vector<Stroke>& strokes, const std::vector<FreeParts>& free,
+                         const std::vector<std::uint32_t>& member_of) {
   std::vector<Bit> bits, of_part;
   for (const ArcPart& part : arc.parts) {
     const Stroke& s = strokes[part.stroke];
@@ -55,7 +58,7 @@ std::vector<Bit> bits_of(const StrokeArc& arc, const std::vector<Stroke>& stroke
       of_part.push_back({part.stroke, cut_at(last), cut_at(to), (to - last) * size, is_free});
       last = to;
     };
-    for (const StrokePart& open : free[member_of[part.stroke]]) {
+    for (const StrokePart& open : free[member_of[part.stroke]].parts) {
       add(std::clamp(open.from, part.from, part.to), false);
       add(std::clamp(open.to, part.from, part.to), true);
     }
@@ -159,7 +162,9 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
   for (const StrokeArc& arc : stroke_arcs(model.strokes, members, kJunctionMm / step)) {
     std::vector<Bit> bits = bits_of(arc, model.strokes, free, member_of);
     if (arc.closed) begin_at_change(bits);
-    drop_short_runs(bits, kShortestInPens * pen_width_mm / step);
+    double off_mm = 0;
+    for (const ArcPart& part : arc.parts) off_mm = std::max(off_mm, free[member_of[part.stroke]].off_mm);
+    drop_short_runs(bits, std::max(kShortestInPens * pen_width_mm, kShortestOff * off_mm) / step);
     std::copy_if(bits.begin(), bits.end(), std::back_inserter(profiles), [](const Bit& bit) { return bit.free; });
   }
   model.strokes = cut_strokes(model.strokes, profiles);

@@ -184,6 +184,13 @@ class Sides {
   std::vector<std::uint32_t> edge_of_line_;
 };
 
+/// Between the middles of a stroke and of the line close beside it.
+double distance_mm(const StrokeModel& model, const Stroke& stroke, const Side& side) {
+  const double x = (double(side.close[0].x) + side.close[1].x - stroke.from.x - stroke.to.x) / 2;
+  const double y = (double(side.close[0].y) + side.close[1].y - stroke.from.y - stroke.to.y) / 2;
+  return std::hypot(x, y) * model.lattice.step_mm;
+}
+
 /// Adds the part of a stretch on which the facet that is seen lies farther behind the stroke than `least_mm`.
 void add_behind(std::vector<StrokePart>& parts, const Stroke& stroke, const SeenStretch& stretch, const Facet& facet,
                 const ProjectedScene& projected, double least_mm) {
@@ -211,9 +218,9 @@ std::vector<Facet> facets_in_the_way(const ProjectedScene& projected) {
 
 }  // namespace
 
-std::vector<std::vector<StrokePart>> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
-                                                const ProjectedScene& projected, const Scene& scene,
-                                                const ContourSources& contours, ProfileKind kind, double pen_width_mm) {
+std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
+                                  const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
+                                  ProfileKind kind, double pen_width_mm) {
   const SourceFaces faces(model, projected);
   const Sides sides_of(model, scene, projected, faces, contours, pen_width_mm);
   std::vector<std::vector<Side>> sides(members.size());
@@ -255,9 +262,12 @@ std::vector<std::vector<StrokePart>> free_parts(const StrokeModel& model, std::s
   };
   look([](const Side& side) { return side.close; });
   look([](const Side& side) { return side.off; });
-  std::vector<std::vector<StrokePart>> free(members.size());
+  std::vector<FreeParts> free(members.size());
   for (std::size_t m = 0; m < members.size(); ++m) {
-    for (const Side& side : sides[m]) free[m] = all_parts(std::move(free[m]), side.free);
+    for (const Side& side : sides[m]) {
+      free[m].parts = all_parts(std::move(free[m].parts), side.free);
+      free[m].off_mm = std::max(free[m].off_mm, distance_mm(model, model.strokes[members[m]], side));
+    }
   }
   return free;
 }

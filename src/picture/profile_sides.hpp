@@ -19,11 +19,16 @@ struct StrokePart {
   double from = 0, to = 1;
 };
 
-/// Per stroke of `members` the parts, in order and apart, that end what is seen: beside them, on one side at least, lies the
-/// sheet, or what `kind` says. Both close beside the stroke, beyond all that counts as on it, and as far off as a gap is
-/// wide that its ink leaves open.
-std::vector<std::vector<StrokePart>> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
-                                                const ProjectedScene& projected, const Scene& scene,
-                                                const ContourSources& contours, ProfileKind kind, double pen_width_mm);
+/// Parts of a stroke that end what is seen.
+struct FreeParts {
+  std::vector<StrokePart> parts;  ///< in order and apart
+  double off_mm = 0;              ///< how far beside the stroke was looked; contours are drawn beside their mesh
+};
+
+/// Per stroke of `members` the parts beside which, on one side at least, lies the sheet, or what `kind` says. Both close
+/// beside the stroke, beyond all that counts as on it, and as far off as a gap is wide that its ink leaves open.
+std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
+                                  const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
+                                  ProfileKind kind, double pen_width_mm);
 
 }  // namespace ligne

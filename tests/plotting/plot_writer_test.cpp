@@ -248,6 +248,11 @@ TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
   EXPECT_EQ(table.pen_of("outline", ""), 1u);
   EXPECT_EQ(table.pen_of("outline", "steel"), 4u);
   EXPECT_EQ(table.pen_of("mesh", ""), 2u);
+  add_pen(table, "object:wheel*=5");
+  add_pen(table, "object:wheel 2=6");
+  EXPECT_EQ(table.pen_of("outline", "steel", 0, "wheel 1"), 5u);
+  EXPECT_EQ(table.pen_of("outline", "steel", 0, "wheel 2"), 6u) << "the last that fits";
+  EXPECT_EQ(table.pen_of("outline", "steel", 0, "axle"), 4u);
   EXPECT_EQ(table.pen_of("!5+S30 mine", ""), 5u) << "a layer that another program numbered";
   EXPECT_EQ(table.pen(4).color, (std::array<double, 3>{0, 1, 0}));
   for (const char* wrong : {"", "outline", "=1", "outline=0", "outline=1001", "outline=x", "outline=1,reddish",
@@ -255,11 +260,12 @@ TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
     EXPECT_THROW(add_pen(table, wrong), std::invalid_argument) << wrong;
   }
   const PenTable file = read_pens(
-      "[[pen]]\nnumber = 2\ncolor = \"red\"\nwidth = 0.7\nclasses = [\"outline\", \"border\"]\nmaterials = [\"glass\"]\n"
+      "[[pen]]\nnumber = 2\ncolor = \"red\"\nwidth = 0.7\nclasses = [\"outline\", \"border\"]\nmaterials = [\"glass\"]\nobjects = [\"lid\"]\n"
       "[[pen]]\nnumber = 1\nrest = true\nskip = true\n",
       "pens.toml");
   EXPECT_EQ(file.pen_of("border", ""), 2u);
   EXPECT_EQ(file.pen_of("mesh", "glass"), 2u);
+  EXPECT_EQ(file.pen_of("mesh", "", 0, "lid"), 2u);
   EXPECT_EQ(file.pen_of("mesh", ""), 1u);
   EXPECT_TRUE(file.pen(1).skip);
   for (const char* wrong :
