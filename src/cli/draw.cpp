@@ -57,6 +57,8 @@ void draw(const DrawOptions& options, PictureRequest request) {
   ModelRequest model = options.model;
   model.quality = request.lines.quality;
   model.unit_mm = request.page.unit_mm;
+  model.tell_parts =
+      request.output.group_objects || !request.output.colors.empty() || !request.plotter.pens.pen_of_object.empty();
   LoadedModels models =
       timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
   for (const ObjectColor& color : request.output.colors) require_names(models, "color", {color.pattern});

@@ -122,11 +122,22 @@ Json healed_json(const HealReport& healed) {
   return json;
 }
 
+/// Groups of an OBJ are parts where parts are told apart.
+std::string groups_text(const std::vector<std::string>& groups) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(groups.size(), kMostObjectLines); ++i) {
+    text += (i > 0 ? ", " : "") + printable(groups[i], kLongestName);
+  }
+  if (groups.size() > kMostObjectLines) text += " and " + std::to_string(groups.size() - kMostObjectLines) + " more";
+  return text + " (objects for --only, --hide, --move, --group, --color)";
+}
+
 std::string file_text(const ModelFile& file) {
   std::string text = file.name + "\n";
   text += line("format", std::string(to_string(file.report.format)));
   text += line("as stored", std::to_string(file.report.faces) + " faces, " + std::to_string(file.report.triangles) +
                                 " triangles, " + std::to_string(file.report.vertices) + " vertices");
+  if (!file.report.groups.empty()) text += line("groups", groups_text(file.report.groups));
   for (const auto& [kind, count] : file.warnings.counts()) text += line("mended", std::to_string(count) + " " + kind);
   text += healed_text(file);
   return text;
@@ -202,6 +213,7 @@ Json file_json(const ModelFile& file) {
   json["file"] = file.name;
   json["format"] = to_string(file.report.format);
   json["stored"] = {{"faces", file.report.faces}, {"triangles", file.report.triangles}, {"vertices", file.report.vertices}};
+  if (!file.report.groups.empty()) json["groups"] = file.report.groups;
   json["warnings"] = Json::object();
   for (const auto& [kind, count] : file.warnings.counts()) json["warnings"][kind] = count;
   if (!file.healed.nothing()) json["healed"] = healed_json(file.healed);

@@ -43,9 +43,13 @@ void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_numb
 Scene read(const ModelRequest& request, ModelFile& file, LoadedModels& models) {
   std::optional<Topology>& topology = models.topology;
   topology.reset();
-  const ReadOptions options = request.quality == Quality::exact
-                                  ? ReadOptions{request.weld_distance.value_or(0), request.merge_coplanar}
-                                  : ReadOptions{.shading = true};
+  ReadOptions options;
+  options.groups = request.tell_parts || request.parts.asked();
+  options.shading = request.quality == Quality::clear;
+  if (request.quality == Quality::exact) {
+    options.weld_distance = request.weld_distance.value_or(0);
+    options.merge_coplanar = request.merge_coplanar;
+  }
   Scene scene = read_scene(file.name, options, file.warnings, &file.report);
   const std::size_t first = models.object_names.size();
   for (const Object& object : scene.objects) models.object_names.push_back(object_name(object, models.object_names.size()));

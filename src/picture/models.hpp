@@ -24,11 +24,14 @@ struct PartRequest {
   std::vector<std::string> only;  ///< empty: all
   std::vector<std::string> hide;
   std::vector<PartMove> moves;  ///< all that fit add up
+
+  bool asked() const { return !only.empty() || !hide.empty() || !moves.empty(); }
 };
 
 struct ModelRequest {
   std::vector<std::string> files;
   PartRequest parts{};
+  bool tell_parts = false;          ///< parts are told apart in the picture: so are the groups of an OBJ without objects
   std::optional<double> unit_mm{};  ///< true length of a model unit; nothing: the first scene's
   /// Clear lines: borders of one object that lie so near to each other are sewn, model units; nothing: what is a crack is
   /// found out; 0: none. Exact lines: vertices of one object so near to each other become one; nothing: at equal positions.

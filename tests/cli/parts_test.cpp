@@ -133,6 +133,24 @@ TEST_F(PartsTest, HaveColoursAndPens) {
   EXPECT_EQ(refused({"--color", "*=reddish"}).status, 2);
 }
 
+/// Groups of an OBJ are parts where it has no objects, and where parts are told apart.
+TEST_F(PartsTest, MayBeGroupsOfAnObj) {
+  const std::string vertices = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 4 0 0\nv 4 2 0\n";
+  write("groups.obj", vertices + "g left\nf 1 2 3 4\ng right\nf 2 5 6 3\n");
+  write("objects.obj", vertices + "o all\ng left\nf 1 2 3 4\ng right\nf 2 5 6 3\n");
+  const auto count = [&](std::vector<std::string> options) {
+    options.insert(options.begin() + 1, {"--view", "front"});
+    return drawn(options)["strokes"].size();
+  };
+  EXPECT_EQ(count({"groups.obj"}), 6u) << "one sheet";
+  EXPECT_EQ(count({"groups.obj", "--only", "left"}), 4u);
+  EXPECT_EQ(json::parse(run({"info", "groups.obj", "--json"}).out)["files"][0]["groups"],
+            json::parse(R"(["left", "right"])"));
+  EXPECT_EQ(count({"objects.obj", "--only", "all"}), 6u);
+  EXPECT_EQ(run({"draw", "objects.obj", "--only", "left", "-o", "x.svg"}).status, 2);
+  EXPECT_FALSE(json::parse(run({"info", "objects.obj", "--json"}).out)["files"][0].contains("groups"));
+}
+
 /// A triangle of 0.1 by 0.05 m as glTF.
 TEST_F(PartsTest, AGltfIsInMetres) {
   write("m.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],

@@ -32,8 +32,12 @@ struct ObjVertex {
 /// Delivers the statements for the library, one line each, and keeps the vertices to itself.
 class StatementStream : public std::streambuf {
  public:
-  StatementStream(std::string_view text, const std::string& name, bool with_shading, Warnings& warnings)
-      : lines_(text), name_(name), with_shading_(with_shading), warnings_(warnings) {}
+  StatementStream(std::string_view text, const std::string& name, bool with_shading, bool groups_as_objects,
+                  Warnings& warnings)
+      : lines_(text), name_(name), with_shading_(with_shading), groups_as_objects_(groups_as_objects), warnings_(warnings) {}
+
+  /// Distinct names of groups, in their order; none where the file has objects.
+  std::vector<std::string> groups() const { return has_objects_ ? std::vector<std::string>() : group_names_; }
 
   const std::vector<std::uint32_t>& normals() const { return normals_; }  ///< packed_direction()
   std::uint32_t smoothing_group() const { return group_; }                ///< of the faces that follow; 0: none
@@ -105,6 +109,15 @@ class StatementStream : public std::streambuf {
       write_face(rest);
       return true;
     }
+    if (keyword == "g") {
+      std::string group(trimmed(rest).empty() ? "default" : trimmed(rest));
+      statement_ = "o " + group;
+      if (std::find(group_names_.begin(), group_names_.end(), group) == group_names_.end()) {
+        group_names_.push_back(std::move(group));
+      }
+      return groups_as_objects_ && !has_objects_;
+    }
+    has_objects_ = has_objects_ || keyword == "o";
     if (keyword == "o" || keyword == "usemtl") {
       // A tab after the keyword, or no name at all, would hide it from the library.
       statement_.assign(keyword).append(1, ' ').append(trimmed(rest));
@@ -174,8 +187,10 @@ class StatementStream : public std::streambuf {
 
   LineReader lines_;
   const std::string& name_;
-  bool with_shading_;
+  bool with_shading_, groups_as_objects_;
   Warnings& warnings_;
+  bool has_objects_ = false;
+  std::vector<std::string> group_names_;
   std::string_view whole_;
   std::string joined_;
   std::string statement_;
@@ -272,8 +287,8 @@ class ObjScene {
 }  // namespace
 
 Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
-               FileShading* shading) {
-  StatementStream statements(as_text(bytes, name), name, shading != nullptr, warnings);
+               FileShading* shading, bool groups_as_objects) {
+  StatementStream statements(as_text(bytes, name), name, shading != nullptr, groups_as_objects, warnings);
   ObjScene scene(name, report, statements, shading);
   std::istream stream(&statements);
   stream.exceptions(std::ios::badbit);  // no memory for a statement is no end of the file
@@ -288,6 +303,7 @@ Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadRe
 
   if (statements.error()) throw *statements.error();
   report.vertices += statements.vertices().size();
+  report.groups = statements.groups();
   return scene.finish();
 }
 

@@ -38,14 +38,14 @@ void check_size(const Scene& scene, const std::string& name) {
 }
 
 Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
-               ReadReport& report, Warnings& warnings, FileShading* shading) {
+               ReadReport& report, Warnings& warnings, const ReadOptions& options, FileShading* shading) {
   switch (format) {
     case ModelFormat::gltf:
       return read_gltf(bytes, false, folder, name, report, warnings, shading);
     case ModelFormat::glb:
       return read_gltf(bytes, true, folder, name, report, warnings, shading);
     case ModelFormat::obj:
-      return read_obj(bytes, name, report, warnings, shading);
+      return read_obj(bytes, name, report, warnings, shading, options.groups);
     case ModelFormat::stl_ascii:
       return read_stl_ascii(bytes, name, report, warnings);
     case ModelFormat::stl_binary:
@@ -90,7 +90,7 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs:
   counts = ReadReport{};
   counts.format = format;
   FileShading shading;
-  Scene scene = read_raw(bytes, format, folder, name, counts, warnings, options.shading ? &shading : nullptr);
+  Scene scene = read_raw(bytes, format, folder, name, counts, warnings, options, options.shading ? &shading : nullptr);
   if (scene.faces.empty()) throw InputError(name, "holds no faces");
   check_size(scene, name);
   if (options.shading) mark_smooth_edges(scene, shading);
