@@ -56,7 +56,7 @@ struct Box {
   bool meets(const Box& o) const { return left <= o.right && o.left <= right && top <= o.bottom && o.top <= bottom; }
 };
 
-/// The lines by the cells of a grid that their boxes meet.
+/// The lines by the cells of a grid through which they run.
 class LineGrid {
  public:
   explicit LineGrid(const std::vector<LineOnPage>& lines) : boxes_(lines.size()) {
@@ -70,15 +70,16 @@ class LineGrid {
     size_ = std::ceil(std::max(width, height) / kMostCells);
     columns_ = static_cast<int>(width / size_) + 1;
     begin_.assign(static_cast<std::size_t>(columns_) * (static_cast<std::size_t>(height / size_) + 1) + 1, 0);
-    for (const Box& box : boxes_) for_cells(box, [&](std::size_t cell) { ++begin_[cell + 1]; });
+    for (const LineOnPage& line : lines) for_cells_of(line, [&](std::size_t cell) { ++begin_[cell + 1]; });
     for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     list_.resize(begin_.back());
-    for (std::uint32_t i = 0; i < boxes_.size(); ++i)
-      for_cells(boxes_[i], [&](std::size_t cell) { list_[next[cell]++] = i; });
+    for (std::uint32_t i = 0; i < lines.size(); ++i) {
+      for_cells_of(lines[i], [&](std::size_t cell) { list_[next[cell]++] = i; });
+    }
   }
 
-  /// Calls visit(line) for the lines whose boxes meet this one, some more than once.
+  /// Calls visit(line) for the lines that may run through the box, some more than once.
   template <class Visit>
   void near(const Box& box, Visit visit) const {
     if (!box.meets(all_)) return;
@@ -101,6 +102,27 @@ class LineGrid {
                       bottom = index(std::min(box.bottom, all_.bottom), all_.top);
     for (std::size_t row = top; row <= bottom; ++row) {
       for (std::size_t column = left; column <= right; ++column) visit(row * static_cast<std::size_t>(columns_) + column);
+    }
+  }
+
+  /// Row by row of cells; a step to both sides is for the roundings.
+  template <class Visit>
+  void for_cells_of(const LineOnPage& line, Visit visit) const {
+    Box box;
+    for (const LatticePoint p : line) box.extend(p);
+    const double slope = line[0].y == line[1].y ? 0 : (double(line[1].x) - line[0].x) / (double(line[1].y) - line[0].y);
+    const auto row_of = [&](std::int32_t y) { return std::floor((double(y) - all_.top) / size_); };
+    for (double row = row_of(box.top), last = row_of(box.bottom); row <= last; ++row) {
+      const double top = std::max<double>(box.top, all_.top + row * size_);
+      const double bottom = std::min<double>(box.bottom, all_.top + (row + 1) * size_);
+      double x0 = line[0].x + (top - line[0].y) * slope, x1 = line[0].x + (bottom - line[0].y) * slope;
+      if (line[0].y == line[1].y) x0 = box.left, x1 = box.right;
+      Box part;
+      part.left = std::max<std::int32_t>(box.left, static_cast<std::int32_t>(std::floor(std::min(x0, x1))) - 1);
+      part.right = std::min<std::int32_t>(box.right, static_cast<std::int32_t>(std::ceil(std::max(x0, x1))) + 1);
+      part.top = part.bottom =
+          static_cast<std::int32_t>(std::clamp<double>(std::floor((top + bottom) / 2), box.top, box.bottom));
+      for_cells(part, visit);
     }
   }
 
