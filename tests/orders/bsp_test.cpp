@@ -72,6 +72,25 @@ TEST(Bsp, TakesTheRootOfTheFewestSplits) {
   EXPECT_LE(more.counts().splits, 2u * 3u + 3u) << "a cut meets both triangles, or one on each side of their diagonal";
 }
 
+// The plane x = y through a corner of the triangle and the middle of the side across: two halves of three corners, which
+// have the corner and the middle in common.
+TEST(Bsp, ACutThroughACornerHalvesATriangle) {
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}});
+  ModelPieces pieces(scene);
+  const std::uint32_t behind = pieces.cut(0, {glm::normalize(Point3{1, -1, 0}), {0, 0, 0}});
+  for (const std::uint32_t piece : {0u, behind}) {
+    const auto corners = pieces.corners(piece);
+    ASSERT_EQ(corners.size(), 3u);
+    const Point3 a = pieces.point(corners[0]), b = pieces.point(corners[1]), c = pieces.point(corners[2]);
+    EXPECT_NEAR(glm::length(glm::cross(b - a, c - a)) / 2, 4, 1e-12);
+    for (const std::uint32_t corner : corners) {
+      const Point3 p = pieces.point(corner);
+      EXPECT_GE(piece == 0 ? p.x - p.y : p.y - p.x, -1e-12);
+    }
+  }
+}
+
 TEST(Bsp, CutsOneOfTwoTrianglesThatPassThroughEachOther) {
   Scene scene;
   add_face(scene, {{{-4, 0, -4}, {4, 0, -4}, {0, 0, 4}}});
