@@ -113,8 +113,13 @@ PixelModel paint(const ProjectedScene& scene, const PaintSequence& sequence, con
   return buffer.take_pixels();
 }
 
-std::string why_wrong(const PaintSequence& s) {
-  std::string text;
+/// A depth by which faces can be sorted needs a viewer before the scene.
+bool cut_off_in_perspective(const ProjectedScene& scene) {
+  return scene.view.camera.perspective && !scene.edge_parts.empty();
+}
+
+std::string why_wrong(const ProjectedScene& scene, const PaintSequence& s) {
+  std::string text = cut_off_in_perspective(scene) ? " a part lies outside the view" : "";
   const auto add = [&](std::uint64_t count, const char* one, const char* many) {
     if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? one : many);
   };
@@ -157,7 +162,7 @@ VisibilityResult PainterMethod::study(const ProjectedScene& scene, const StudyOp
   // 2. The order.
   const PaintSequence sequence =
       paint_sequence(scene, facets.facets, grid, options.settings.choice("depth-sort", DepthSort::resolved));
-  result.beyond = why_wrong(sequence);
+  result.beyond = why_wrong(scene, sequence);
   statistics.time("order", clock.lap());
 
   // 3. Lines.
