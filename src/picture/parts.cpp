@@ -56,6 +56,7 @@ Drawing drawing_by_parts(const SceneStudy& study, const Scene& scene, const Pict
   const bool by_object = groups_objects(request) || !request.plotter.pens.pen_of_object.empty();
   const std::vector<std::string> names = object_names(scene);
   std::vector<std::size_t> colors;
+  colors.reserve(names.size());
   for (const std::string& name : names) colors.push_back(color_of(request.output.colors, name));
   const ObjectOfFace object_of(scene);
   const StrokeModel& strokes = *study.result.strokes;

@@ -48,6 +48,7 @@ std::vector<RimLines::Rim> RimLines::find_rims(const Scene& scene, const FaceNei
 
 std::vector<EdgeTree::Segment> RimLines::places_of(const Scene& scene, const std::vector<Rim>& rims) {
   std::vector<EdgeTree::Segment> places;
+  places.reserve(rims.size());
   for (const Rim& r : rims) places.push_back({scene.vertices[r.v0], scene.vertices[r.v1]});
   return places;
 }

@@ -303,7 +303,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     for (int k = top * kSplitSide + left; k <= bottom * kSplitSide + right; ++k) {
       if (k % kSplitSide < left || k % kSplitSide > right) continue;
       if (options.drop_hidden && entry.z_near > covers[k]) continue;
-      const CellSquare child{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
+      const CellSquare child = child_square(square, k);
       double z_near = 0, z_far = 0;
       const Meeting m = meet(g, f, child, options.margin_steps, z_near, z_far);
       if (m == Meeting::apart || (options.drop_hidden && z_near > covers[k])) continue;
@@ -348,15 +348,15 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     Cell child;
     child.occluder_depth = covers[k];
     child.arena = arena_index;
-    const CellSquare child_square{square.x + (k % kSplitSide) * size, square.y + (k / kSplitSide) * size, size};
-    lists[k].resize(drop_covered(child, lists[k].data(), lists[k].size(), child_square, cover));
+    const CellSquare below = child_square(square, k);
+    lists[k].resize(drop_covered(child, lists[k].data(), lists[k].size(), below, cover));
     if (worth_splitting(lists[k].data(), lists[k].size(), size) && progress(lists[k])) {
-      split(child, child_square, lists[k], arena, arena_index,
+      split(child, below, lists[k], arena, arena_index,
             budget * static_cast<double>(lists[k].size()) / static_cast<double>(total), cover);
     } else {
       child.begin = static_cast<std::uint32_t>(arena.list.size());
       child.count = static_cast<std::uint32_t>(lists[k].size());
-      finish_leaf(child, lists[k].data(), lists[k].size(), child_square);
+      finish_leaf(child, lists[k].data(), lists[k].size(), below);
       arena.list.insert(arena.list.end(), lists[k].begin(), lists[k].end());
     }
     arena.children[first + k] = child;

@@ -25,6 +25,13 @@ inline double breadth(const Facet& f, const ProjectedVertex* vertices) {
   return orientation(vertices[f.v[0]].p, vertices[f.v[1]].p, vertices[f.v[2]].p) / f.size;
 }
 
+/// Child k of a split cell, row by row.
+inline CellSquare child_square(const CellSquare& cell, int k) {
+  const double size = cell.size / kSplitSide;
+  const int column = k % kSplitSide, row = k / kSplitSide;
+  return {cell.x + column * size, cell.y + row * size, size};
+}
+
 enum class Meeting { apart, meets, covers };
 
 /// Facet against the square with a margin; for `meets` and `covers` the facet's depths over the square.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "geometry/parallel.hpp"
@@ -174,7 +175,7 @@ class LeafSearch {
   struct SideUse {
     std::uint64_t side;
     std::uint32_t face, item;
-    friend auto operator<=>(const SideUse&, const SideUse&) = default;
+    bool operator<(const SideUse& o) const { return std::tie(side, face, item) < std::tie(o.side, o.face, o.item); }
   };
 
   const ProjectedScene& scene_;
