@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "compiled_method.hpp"
 #include "order_check.hpp"
 #include "tree_scenes.hpp"
 #include "visibility/bsp/bsp.hpp"
@@ -159,20 +160,6 @@ TEST(Bsp, IsTheSameEveryTime) {
   EXPECT_EQ(painted(a, eye_at({9, 8, 7})), painted(b, eye_at({9, 8, 7})));
 }
 
-/// The method with a tree that is there.
-class Compiled final : public Method {
- public:
-  explicit Compiled(const BspTree& tree) : tree_(tree) {}
-  const MethodTraits& traits() const override { return bsp_.traits(); }
-  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override {
-    return BspMethod::study(tree_, scene, options);
-  }
-
- private:
-  const BspTree& tree_;
-  BspMethod bsp_;
-};
-
 TEST(Bsp, OneTreeServesAnyViewpoint) {
   Scene scene;
   std::mt19937 random(11);
@@ -184,7 +171,7 @@ TEST(Bsp, OneTreeServesAnyViewpoint) {
   add_face(scene, {{{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}}, {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -1, 0}}});
   add_box(scene, {-0.5, -0.5, 0}, {1, 1, 1});
   const BspTree tree(scene, {});
-  const Compiled method(tree);
+  const CompiledMethod<BspMethod, BspTree> method(tree);
   const Topology topology = build_topology(scene);
   int covered = 0;
   for (int i = 0; i < 100; ++i) {

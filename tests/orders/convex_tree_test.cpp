@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <random>
 
+#include "compiled_method.hpp"
 #include "order_check.hpp"
 #include "scene/readers/reader.hpp"
 #include "tree_scenes.hpp"
@@ -14,7 +15,7 @@
 namespace ligne::test {
 namespace {
 
-ConvexTree::Counts counts_of(const Scene& scene, const ConvexTreeOptions& options = {}) {
+ConvexTree::Counts counts_of(const Scene& scene, const PlaneChoice& options = {}) {
   const ConvexTree tree(scene, options);
   EXPECT_TRUE(tree.counts().terminates);
   return tree.counts();
@@ -112,20 +113,6 @@ TEST(ConvexTree, LargeSetsAreHalved) {
   EXPECT_LT(counts.splits, 3 * counts.triangles);
 }
 
-/// The method with a tree that is there.
-class Compiled final : public Method {
- public:
-  explicit Compiled(const ConvexTree& tree) : tree_(tree) {}
-  const MethodTraits& traits() const override { return method_.traits(); }
-  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override {
-    return ConvexTreeMethod::study(tree_, scene, options);
-  }
-
- private:
-  const ConvexTree& tree_;
-  ConvexTreeMethod method_;
-};
-
 // Propositions 1 and 2 hold also from inside: every fourth eye is within the boxes' room.
 TEST(ConvexTree, OneTreeServesAnyViewpoint) {
   Scene scene;
@@ -139,7 +126,7 @@ TEST(ConvexTree, OneTreeServesAnyViewpoint) {
   add_box(scene, {-4, -4, -4}, {8, 8, 8});
   const ConvexTree tree(scene, {});
   EXPECT_TRUE(tree.counts().terminates);
-  const Compiled method(tree);
+  const CompiledMethod<ConvexTreeMethod, ConvexTree> method(tree);
   const Topology topology = build_topology(scene);
   int covered = 0;
   for (int i = 0; i < 100; ++i) {

@@ -34,18 +34,6 @@ PaintSequence sequence_of(const ProjectedScene& scene, DepthSort sort) {
   return paint_sequence(scene, facets.facets, CellGrid(scene, facets.facets, options), sort);
 }
 
-/// A face of its own object.
-void add_polygon(Scene& scene, const std::vector<Point3>& corners) {
-  begin_object(scene);
-  std::vector<std::uint32_t> face;
-  for (const Point3& p : corners) {
-    face.push_back(static_cast<std::uint32_t>(scene.vertices.size()));
-    scene.vertices.push_back(p);
-  }
-  scene.faces.add_face(face);
-  end_object(scene);
-}
-
 /// Along +y, z up: y is the depth.
 CameraRequest front() { return along({0, 1, 0}); }
 
@@ -55,9 +43,9 @@ using Faces = std::vector<std::uint32_t>;
 /// mean.
 TEST(Painter, APlaneTellsWhatDepthsDoNot) {
   Scene scene;
-  add_polygon(scene, {{0, 0, 0}, {100, 0, 0}, {100, 100, 50}, {0, 100, 50}});    // a slope, z = y / 2
-  add_polygon(scene, {{20, 30, 0}, {40, 30, 0}, {40, 30, 10}, {20, 30, 10}});    // below it: behind
-  add_polygon(scene, {{60, 60, 40}, {80, 60, 40}, {80, 60, 50}, {60, 60, 50}});  // above it: in front
+  add_face(scene, {{{0, 0, 0}, {100, 0, 0}, {100, 100, 50}, {0, 100, 50}}});    // a slope, z = y / 2
+  add_face(scene, {{{20, 30, 0}, {40, 30, 0}, {40, 30, 10}, {20, 30, 10}}});    // below it: behind
+  add_face(scene, {{{60, 60, 40}, {80, 60, 40}, {80, 60, 50}, {60, 60, 50}}});  // above it: in front
   const ProjectedScene page = projected(scene, front());
   // Means 50, 30, 60; farthest 100, 30, 60.
   EXPECT_EQ(sequence_of(page, DepthSort::mean).faces, (Faces{2, 0, 1}));
@@ -76,7 +64,7 @@ TEST(Painter, FacesOfOneDepthEach) {
   Scene scene;
   for (int i = 0; i < 20; ++i) {
     const double x = 7 * i % 30, y = (11 * i) % 20;
-    add_polygon(scene, {{x, y, x}, {x + 40, y, x}, {x + 40, y, x + 30}, {x, y, x + 30}});
+    add_face(scene, {{{x, y, x}, {x + 40, y, x}, {x + 40, y, x + 30}, {x, y, x + 30}}});
   }
   const PaintSequence sequence = sequence_of(projected(scene, front()), DepthSort::resolved);
   EXPECT_TRUE(sequence.level);

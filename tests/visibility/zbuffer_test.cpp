@@ -37,18 +37,6 @@ DepthBuffer painted(const ProjectedScene& scene, std::uint32_t rows, Filling fil
   return buffer;
 }
 
-/// A face of its own object.
-void add_polygon(Scene& scene, const std::vector<Point3>& corners) {
-  begin_object(scene);
-  std::vector<std::uint32_t> face;
-  for (const Point3& p : corners) {
-    face.push_back(static_cast<std::uint32_t>(scene.vertices.size()));
-    scene.vertices.push_back(p);
-  }
-  scene.faces.add_face(face);
-  end_object(scene);
-}
-
 /// Looking down on the plane z = 0; x is rightwards.
 CameraRequest from_above() { return along({0, 0, -1}); }
 
@@ -62,7 +50,7 @@ TEST(ZBuffer, AStripGetsLargerPixels) {
 TEST(ZBuffer, ARampByHand) {
   // 80 x 80 mm in the middle of the sheet of 100 pixels of 1 mm; from left to right it rises by 40 mm, towards the eye.
   Scene scene;
-  add_polygon(scene, {{0, 0, 0}, {80, 0, 40}, {80, 80, 40}, {0, 80, 0}});
+  add_face(scene, {{{0, 0, 0}, {80, 0, 40}, {80, 80, 40}, {0, 80, 0}}});
   for (const Filling filling : kFillings) {
     const DepthBuffer buffer = painted(projected(scene, view_at(from_above(), scene)), 100, filling);
     EXPECT_EQ(buffer.face(9, 50), DepthBuffer::kNothing);
@@ -84,7 +72,7 @@ TEST(ZBuffer, AHoleShowsWhatIsBehind) {
   scene.faces.add_face(std::vector<std::uint32_t>{0, 1, 2, 3});
   scene.faces.add_hole(std::vector<std::uint32_t>{4, 5, 6, 7});
   end_object(scene);
-  add_polygon(scene, {{0, 0, -10}, {80, 0, -10}, {80, 80, -10}, {0, 80, -10}});
+  add_face(scene, {{{0, 0, -10}, {80, 0, -10}, {80, 80, -10}, {0, 80, -10}}});
   for (const Filling filling : kFillings) {
     const DepthBuffer buffer = painted(projected(scene, view_at(from_above(), scene)), 100, filling);
     std::array<int, 2> pixels{0, 0};
@@ -102,7 +90,7 @@ TEST(ZBuffer, AHoleShowsWhatIsBehind) {
 /// y_2), z_p = z_b - (z_b - z_a)(x_b - x_p)/(x_b - x_a); the fourth corner makes the face skew.
 TEST(ZBuffer, DepthOfASkewFaceIsInterpolated) {
   Scene scene;
-  add_polygon(scene, {{0, 0, 0}, {80, 0, 0}, {80, 80, 40}, {0, 80, 0}});
+  add_face(scene, {{{0, 0, 0}, {80, 0, 0}, {80, 80, 40}, {0, 80, 0}}});
   const DepthBuffer buffer = painted(projected(scene, view_at(from_above(), scene)), 100);
   // On the line whose centre is s above the lower side, the depth runs from 0 on the left to s/2 on the right.
   for (const std::uint32_t row : {20u, 50u, 80u}) {
@@ -116,7 +104,7 @@ TEST(ZBuffer, DepthOfASkewFaceIsInterpolated) {
 
 TEST(ZBuffer, PerspectiveDepthIsLinearOnThePage) {
   Scene scene;
-  add_polygon(scene, {{-40, -40, 0}, {40, -40, 30}, {40, 40, 30}, {-40, 40, 0}});
+  add_face(scene, {{{-40, -40, 0}, {40, -40, 30}, {40, 40, 30}, {-40, 40, 0}}});
   const CameraRequest camera = from_eye({0, 0, 200}, {0, 0, 0}, 40);
   const View view = view_at(camera, scene, 1);
   for (const Filling filling : kFillings) {
@@ -292,8 +280,8 @@ TEST(ZBuffer, OneThreadAndManyPaintTheSame) {
 TEST(ZBuffer, WholeDepths) {
   for (const double distance : {1.0, 0.5}) {
     Scene scene;
-    add_polygon(scene, {{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}});
-    add_polygon(scene, {{20, 20, distance}, {60, 20, distance}, {60, 60, distance}, {20, 60, distance}});
+    add_face(scene, {{{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}}});
+    add_face(scene, {{{20, 20, distance}, {60, 20, distance}, {60, 60, distance}, {20, 60, distance}}});
     const ProjectedScene page = projected(scene, view_at(from_above(), scene));
     const double nearest = -distance / 2;  // the middle of the scene has depth 0
     EXPECT_EQ(painted(page, 100, Filling::table, {nearest - 1, 1}).face(50, 50), distance == 1 ? 1u : 0u);
@@ -303,8 +291,8 @@ TEST(ZBuffer, WholeDepths) {
 
 TEST(ZBuffer, TransparentFacesAreNotInTheWay) {
   Scene scene;
-  add_polygon(scene, {{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}});
-  add_polygon(scene, {{20, 20, 9}, {60, 20, 9}, {60, 60, 9}, {20, 60, 9}});
+  add_face(scene, {{{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}}});
+  add_face(scene, {{{20, 20, 9}, {60, 20, 9}, {60, 60, 9}, {20, 60, 9}}});
   scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
   scene.face_material = {0, 1};
   EXPECT_EQ(painted(projected(scene, view_at(from_above(), scene)), 100).face(50, 50), 0u);
@@ -313,8 +301,8 @@ TEST(ZBuffer, TransparentFacesAreNotInTheWay) {
 /// A line that crosses a plate: hidden behind it but for a pixel at each rim.
 TEST(ZBuffer, LinesEndWithinAPixelOfARim) {
   Scene scene;
-  add_polygon(scene, {{30, 0, 5}, {50, 0, 5}, {50, 80, 5}, {30, 80, 5}});
-  add_polygon(scene, {{0, 40, 0}, {80, 40, 0}, {80, 41, 0}, {0, 41, 0}});
+  add_face(scene, {{{30, 0, 5}, {50, 0, 5}, {50, 80, 5}, {30, 80, 5}}});
+  add_face(scene, {{{0, 40, 0}, {80, 40, 0}, {80, 41, 0}, {0, 41, 0}}});
   const ProjectedScene page = projected(scene, view_at(from_above(), scene));
   const DepthBuffer buffer = painted(page, 100);
   const EdgeSampling sampling(buffer, page.lattice, page.view.window);

@@ -9,6 +9,7 @@
 #include "scene/model/topology.hpp"
 
 namespace ligne {
+
 ChordErrors::ChordErrors(const Scene& scene, const FaceNeighbours& neighbours, std::vector<std::uint32_t> faces,
                          double smooth_degrees)
     : faces_(std::move(faces)), errors_(faces_.size(), 0) {

@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-BspTree::BspTree(const Scene& scene, const BspOptions& options) : pieces_(scene) {
+BspTree::BspTree(const Scene& scene, const PlaneChoice& options) : pieces_(scene) {
   counts_.triangles = pieces_.pieces().size();
   if (pieces_.pieces().empty()) return;
   Task all;
@@ -23,8 +23,8 @@ BspTree::BspTree(const Scene& scene, const BspOptions& options) : pieces_(scene)
   }
 }
 
-void BspTree::divide(Task task, const BspOptions& options, std::vector<Task>& open) {
-  const DividingPlane root = choose_plane(pieces_, task.pieces, {options.candidates, options.free_planes}, task.seed);
+void BspTree::divide(Task task, const PlaneChoice& options, std::vector<Task>& open) {
+  const DividingPlane root = choose_plane(pieces_, task.pieces, options, task.seed);
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   if (task.parent != kNone) (task.front ? nodes_[task.parent].front : nodes_[task.parent].back) = number;
   Node node;

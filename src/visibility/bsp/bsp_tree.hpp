@@ -8,16 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "visibility/common/dividing_plane.hpp"
 #include "visibility/common/model_pieces.hpp"
 
 namespace ligne {
-
-struct BspOptions {
-  unsigned candidates = 5;  ///< roots that are tried, at random
-  /// Sets of many pieces may also be divided by planes of no face. With planes of faces alone a convex body of n faces is a
-  /// tree of depth n.
-  bool free_planes = true;
-};
 
 /// Invariants: the pieces of a node lie in its plane, those of its front subtree in front of it or on it, those of its back
 /// subtree behind it or on it; each within ModelPieces::tolerance(). Pieces of one face have no inner point in common and
@@ -33,7 +27,7 @@ class BspTree {
   };
 
   /// Compiles the scene. Typically n log n in the number of faces; for any input no more memory than there are pieces.
-  BspTree(const Scene& scene, const BspOptions& options);
+  BspTree(const Scene& scene, const PlaneChoice& options);
 
   const ModelPieces& pieces() const { return pieces_; }
   const Counts& counts() const { return counts_; }
@@ -77,7 +71,7 @@ class BspTree {
     std::uint64_t depth = 1, seed = 0;
   };
 
-  void divide(Task task, const BspOptions& options, std::vector<Task>& open);
+  void divide(Task task, const PlaneChoice& options, std::vector<Task>& open);
 
   ModelPieces pieces_;
   std::vector<Node> nodes_;

@@ -6,10 +6,48 @@
 #include <vector>
 
 #include "visibility/common/clock.hpp"
+#include "visibility/common/dividing_plane.hpp"
 #include "visibility/common/paint_pieces.hpp"
 #include "visibility/common/study_edges.hpp"
 
 namespace ligne {
+
+/// The parameters of methods that compile a tree.
+inline constexpr unsigned kMostCandidates = 64;
+inline constexpr std::string_view kPartitionNames[] = {"mixed", "faces"};
+inline constexpr std::string_view kTreeShowNames[] = {"splits"};
+inline constexpr MethodParameter kTreeParameters[] = {
+    {"candidates",
+     "K",
+     "faces that are tried at random to divide a set; that of the fewest splits is taken",
+     "5",
+     {},
+     1,
+     kMostCandidates},
+    {"partition", "HOW", "sets of many faces are divided by planes of no face too, or by planes of faces only", "mixed",
+     kPartitionNames},
+    {"show", "splits", "the pieces of faces that were cut, as layer debug", "", kTreeShowNames},
+};
+
+inline PlaneChoice plane_choice(const MethodSettings& settings) {
+  PlaneChoice choice;
+  choice.candidates = settings.find("candidates").value_or(choice.candidates);
+  choice.free_planes = settings.find("partition").value_or(0) == 0;
+  return choice;
+}
+
+/// Compiles a tree of the scene's model, studies it by study(tree), and puts the time of the first before those of the
+/// second.
+template <class Tree, class Study>
+VisibilityResult compile_and_study(const ProjectedScene& scene, const StudyOptions& options, Study study) {
+  Clock clock;
+  const Tree tree(*scene.model, plane_choice(options.settings));
+  const double seconds = clock.lap();
+  VisibilityResult result = study(tree);
+  auto& times = result.statistics.seconds;
+  times.insert(times.begin(), {"tree", seconds});
+  return result;
+}
 
 /// `Tree` has pieces() and front_to_back(viewpoint, visit(piece, rank)), where pieces of one rank do not hide each other.
 template <class Tree>

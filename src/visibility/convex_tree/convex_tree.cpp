@@ -78,7 +78,7 @@ class HullSearch {
 
 }  // namespace
 
-ConvexTree::ConvexTree(const Scene& scene, const ConvexTreeOptions& options) : pieces_(scene) {
+ConvexTree::ConvexTree(const Scene& scene, const PlaneChoice& options) : pieces_(scene) {
   counts_.triangles = pieces_.pieces().size();
   counted_.assign(pieces_.triangles().size(), 0);
   if (pieces_.pieces().empty()) return;
@@ -118,7 +118,7 @@ bool ConvexTree::is_worth_peeling(const std::vector<std::uint32_t>& set) const {
   return true;
 }
 
-void ConvexTree::compile(Task task, const ConvexTreeOptions& options, std::vector<Task>& open) {
+void ConvexTree::compile(Task task, const PlaneChoice& options, std::vector<Task>& open) {
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   if (task.parent != kNone) (task.front ? nodes_[task.parent].front : nodes_[task.parent].back) = number;
   counts_.depth = std::max(counts_.depth, task.depth);
@@ -167,8 +167,8 @@ void ConvexTree::peel(Task& task, Node& node) {
 }
 
 /// `task.parent` is the number that the node gets.
-void ConvexTree::separate(Task task, Node& node, const ConvexTreeOptions& options, std::vector<Task>& open) {
-  const DividingPlane chosen = choose_plane(pieces_, task.pieces, {options.candidates, options.free_planes}, task.seed);
+void ConvexTree::separate(Task task, Node& node, const PlaneChoice& options, std::vector<Task>& open) {
+  const DividingPlane chosen = choose_plane(pieces_, task.pieces, options, task.seed);
   const std::uint64_t before = count_supports(task.pieces);
   node.plane = chosen.plane;
   Task front, back;

@@ -8,14 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "visibility/common/dividing_plane.hpp"
 #include "visibility/common/model_pieces.hpp"
 
 namespace ligne {
-
-struct ConvexTreeOptions {
-  unsigned candidates = 5;  ///< triangles that are tried, at random, as separating plane
-  bool free_planes = true;  ///< sets of many pieces may also be divided by planes of no triangle
-};
 
 /// Invariants: every piece of a convex node has all other pieces of it and all those below on one side, the inside, or in
 /// its plane; a separating node has its front subtree in front of its plane or in it, its back subtree behind it or in it.
@@ -32,7 +28,7 @@ class ConvexTree {
     bool terminates = true;  ///< the measure fell at every node
   };
 
-  ConvexTree(const Scene& scene, const ConvexTreeOptions& options);
+  ConvexTree(const Scene& scene, const PlaneChoice& options);
 
   const ModelPieces& pieces() const { return pieces_; }
   const Counts& counts() const { return counts_; }
@@ -88,9 +84,9 @@ class ConvexTree {
     bool lies_on_parent = false;                      ///< its pieces in the plane of the parent are part of a convex set
   };
 
-  void compile(Task task, const ConvexTreeOptions& options, std::vector<Task>& open);
+  void compile(Task task, const PlaneChoice& options, std::vector<Task>& open);
   void peel(Task& task, Node& node);
-  void separate(Task task, Node& node, const ConvexTreeOptions& options, std::vector<Task>& open);
+  void separate(Task task, Node& node, const PlaneChoice& options, std::vector<Task>& open);
   bool is_worth_peeling(const std::vector<std::uint32_t>& set) const;
   std::uint64_t count_supports(const std::vector<std::uint32_t>& set);
 

@@ -32,11 +32,11 @@ class PageLevels {
  public:
   /// `page` holds all elements that will be added; about `count` of them.
   PageLevels(const Extents& page, std::size_t count) : x_(page.low[0]), y_(page.low[1]) {
-    const double width = std::max(page.high[0] - x_, 1e-300), height = std::max(page.high[1] - y_, 1e-300);
+    const double width = page.high[0] - x_, height = page.high[1] - y_;
     const double longer = std::max(width, height), shorter = std::min(width, height);
     // As many cells in the finest level as there are elements, in a strip no more than along it.
     const double n = static_cast<double>(std::max<std::size_t>(count, 1));
-    double size = std::max(std::sqrt(longer * shorter / n), longer / n);
+    double size = longer > 0 ? std::max(std::sqrt(longer * shorter / n), longer / n) : 1;
     for (;; size *= 2) {
       const auto columns = static_cast<int>(width / size) + 1, rows = static_cast<int>(height / size) + 1;
       levels_.push_back({size, columns, rows, std::vector<std::vector<Entry>>(std::size_t(columns) * rows)});
