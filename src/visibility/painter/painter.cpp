@@ -119,7 +119,7 @@ bool cut_off_in_perspective(const ProjectedScene& scene) {
 }
 
 std::string why_wrong(const ProjectedScene& scene, const PaintSequence& s) {
-  std::string text = cut_off_in_perspective(scene) ? " a part lies outside the view" : "";
+  std::string text = cut_off_in_perspective(scene) ? "a part lies outside the view" : "";
   const auto add = [&](std::uint64_t count, const char* one, const char* many) {
     if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? one : many);
   };
