@@ -30,9 +30,9 @@ struct Box {
 
 class PageLevels {
  public:
-  /// `page` holds all elements that will be added; about `count` of them.
+  /// `page` holds all elements that will be added; about `count` of them. It may be empty (high < low).
   PageLevels(const Extents& page, std::size_t count) : x_(page.low[0]), y_(page.low[1]) {
-    const double width = page.high[0] - x_, height = page.high[1] - y_;
+    const double width = std::max(page.high[0] - x_, 0.0), height = std::max(page.high[1] - y_, 0.0);
     const double longer = std::max(width, height), shorter = std::min(width, height);
     // As many cells in the finest level as there are elements, in a strip no more than along it.
     const double n = static_cast<double>(std::max<std::size_t>(count, 1));
