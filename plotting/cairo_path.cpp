@@ -123,8 +123,8 @@ void paint_fills(cairo_t* cairo, const std::vector<Fill>& fills, double units_pe
         for (const Point2& p : contour) cairo_line_to(cairo, p.x * units_per_mm, p.y * units_per_mm);
         cairo_close_path(cairo);
       }
-      // Transparent areas one by one: two that lie on each other would be an even number.
-      if (first.opacity < 1) {
+      // Areas that may lie on each other one by one: where two do, that would be an even number.
+      if (first.opacity < 1 || first.overlaps) {
         ++i;
         break;
       }

@@ -265,16 +265,17 @@ void add_fill(const Fill& fill, std::string& text) {
 /// through.
 std::string fills_text(const std::vector<Fill>& fills) {
   if (fills.empty()) return {};
-  std::string text = group_start("fill") + " fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
+  std::string text = group_start("fill") + " fill-rule=\"evenodd\" stroke-width=\"" + number(kFillRimMm) +
+                     "\" stroke-linejoin=\"round\">\n";
   for (std::size_t i = 0; i < fills.size();) {
     const Fill& first = fills[i];
     const std::string color = color_text(first.color);
     text += "<path fill=\"" + color + "\"";
-    text += first.opacity < 1 ? " fill-opacity=\"" + number(first.opacity) + "\" d=\""
-                              : " stroke=\"" + color + "\" stroke-width=\"" + number(kFillRimMm) + "\" d=\"";
+    text += first.opacity < 1 ? " fill-opacity=\"" + number(first.opacity) + "\" d=\"" : " stroke=\"" + color + "\" d=\"";
     do {
       add_fill(fills[i++], text);
-    } while (i < fills.size() && first.opacity >= 1 && fills[i].color == first.color && fills[i].opacity == first.opacity);
+    } while (i < fills.size() && first.opacity >= 1 && !first.overlaps && fills[i].color == first.color &&
+             fills[i].opacity == first.opacity);
     text += "\"/>\n";
   }
   return text + "</g>\n";

@@ -11,7 +11,7 @@ void add_fill_options(CLI::App& app, FillRequest& request) {
       .add(
           "--fill", "HOW", request.kind,
           [](const std::string& text) { return static_cast<FillKind>(parse_choice(text, kFillNames)); },
-          "fill visible faces with colour: none material shade; by a method that gives regions")
+          "visible faces in colour: none material shade paper; by a method that gives regions, or painted in its order")
       .standard("none");
   group.add_repeatable(
       "--light", "X,Y,Z", [&request](const std::string& text) { request.lights.push_back(parse_vector(text)); },

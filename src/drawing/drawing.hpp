@@ -60,6 +60,7 @@ struct Fill {
   std::vector<std::vector<Point2>> contours;  ///< page mm, not closed; what an odd number of them surrounds is filled
   std::array<double, 3> color{0, 0, 0};       ///< red, green, blue in [0, 1]
   double opacity = 1;
+  bool overlaps = false;  ///< it may lie on other areas of its colour: it is painted by itself
 };
 
 /// Layers in the order in which they are painted, over the fills. Layers without lines are left out. Texts are painted last;

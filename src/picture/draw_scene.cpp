@@ -10,6 +10,7 @@
 #include "picture/fills.hpp"
 #include "picture/gray_faces.hpp"
 #include "picture/hatching.hpp"
+#include "picture/hidden_pieces.hpp"
 #include "picture/parts.hpp"
 #include "plotting/writers.hpp"
 #include "scene/clean/named_objects.hpp"
@@ -32,6 +33,17 @@ void add_hatching(Drawing& drawing, std::vector<Layer> hatching) {
                         std::make_move_iterator(hatching.end()));
 }
 
+/// Pieces of faces from the back to the front.
+std::vector<Fill> paint(const PreparedScene& prepared, const PaintOrder& order, RunReport& run) {
+  const Scene& scene = prepared.scene;
+  PaintOrder seen = order;
+  const std::size_t hidden = drop_hidden_pieces(seen, prepared.around.placement.page.sheet(),
+                                                [&](std::uint32_t face) { return material_of(scene, face).opacity >= 1; });
+  run.study.count("pieces painted", seen.pieces.size());
+  run.study.count("pieces not painted, since they are hidden", hidden);
+  return fill_pieces(scene, prepared.view(), seen, prepared.lights, prepared.request.fill.kind);
+}
+
 /// The lines of a study, with hatching, fills and what stands round the picture.
 Drawing compose(const PreparedScene& prepared, const SceneStudy& study, std::vector<Layer> hatching, RunReport& run) {
   const PictureRequest& request = prepared.request;
@@ -42,8 +54,15 @@ Drawing compose(const PreparedScene& prepared, const SceneStudy& study, std::vec
   add_hatching(drawing, std::move(hatching));
   if (result.regions && request.fill.kind != FillKind::none) {
     drawing.fills = fill_regions(prepared.scene, prepared.view(), *result.regions, prepared.lights, request.fill.kind);
+  } else if (result.order && paints_in_order(request, prepared.method)) {
+    drawing.fills = paint(prepared, *result.order, run);
   }
   return drawing;
+}
+
+/// The option that asks for regions.
+const char* field_of_regions(const FillRequest& fill) {
+  return !fill.lights.empty() ? "light" : fill.kind != FillKind::none ? "fill" : "edges";
 }
 
 std::string json_of(const PreparedScene& prepared, const SceneStudy& study, const PlotOptions& plot) {
@@ -84,6 +103,9 @@ void check(const PictureRequest& request) {
     if (request.output.format == OutputFormat::json) throw RequestError("hatch", "a JSON drawing has no hatching");
     if (!(method.traits().products & (kRegions | kSpans))) refuse_hatching(method.traits().name);
     if (request.gray_faces) throw RequestError("hatch", "does not go together with --shade");
+  }
+  if (wants_regions(request, method) && !(method.traits().products & kRegions)) {
+    throw RequestError(field_of_regions(request.fill), "needs a method that gives regions: " + methods_with(kRegions));
   }
   if (!request.output.colors.empty()) {
     if (request.output.format == OutputFormat::json) throw RequestError("color", "a JSON drawing has no colours");

@@ -1,6 +1,7 @@
 #include "picture/fills.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -12,10 +13,37 @@ namespace {
 // Adjustable: how dark what no light reaches is.
 constexpr double kAmbient = 0.35;
 
+constexpr std::uint32_t kAllLights = 0xffffffffu;
+
 /// Behind the viewer, to the upper left: for scenes without a light.
 Light light_over_the_shoulder(const Camera& camera) {
   return {Light::Kind::parallel, camera.forward + 0.5 * camera.right + 0.7 * camera.down};
 }
+
+/// What colour a face is filled with.
+class FillColors {
+ public:
+  FillColors(const Scene& scene, const View& view, std::span<const Light> lights, FillKind kind)
+      : shoulder_(light_over_the_shoulder(view.camera)),
+        light_(scene, view.camera, lights.empty() ? std::span(&shoulder_, 1) : lights),
+        kind_(kind) {}
+
+  std::array<double, 3> of(const Material& material, std::uint32_t face, std::uint32_t lights,
+                           const std::vector<double>& shares) const {
+    if (kind_ == FillKind::paper) return {1, 1, 1};
+    const double brightness = kind_ == FillKind::material ? 1 : kAmbient + (1 - kAmbient) * light_.of(face, lights, shares);
+    std::array<double, 3> color{};
+    for (int c = 0; c < 3; ++c) {
+      color[static_cast<std::size_t>(c)] = std::round(std::clamp(material.color[c] * brightness, 0.0, 1.0) * 255) / 255;
+    }
+    return color;
+  }
+
+ private:
+  Light shoulder_;
+  FaceLight light_;
+  FillKind kind_;
+};
 
 }  // namespace
 
@@ -30,8 +58,7 @@ Material material_of(const Scene& scene, const Region& region) {
 
 std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::vector<Region>& regions,
                                std::span<const Light> lights, FillKind kind) {
-  const Light shoulder = light_over_the_shoulder(view.camera);
-  const FaceLight light(scene, view.camera, lights.empty() ? std::span(&shoulder, 1) : lights);
+  const FillColors colors(scene, view, lights, kind);
   struct LeveledFill {
     std::uint32_t level;
     Fill fill;
@@ -39,15 +66,8 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
   std::vector<LeveledFill> found;
   for (const Region& region : regions) {
     const Material material = material_of(scene, region);
-    const double brightness = kind == FillKind::material
-                                  ? 1
-                                  : kAmbient + (1 - kAmbient) * light.of(region.face, region.lights, region.light_shares);
-    LeveledFill one{region.level, {region.contours, {}, material.opacity}};
-    for (int c = 0; c < 3; ++c) {
-      one.fill.color[static_cast<std::size_t>(c)] =
-          std::round(std::clamp(material.color[c] * brightness, 0.0, 1.0) * 255) / 255;
-    }
-    found.push_back(std::move(one));
+    const auto color = colors.of(material, region.face, region.lights, region.light_shares);
+    found.push_back({region.level, {region.contours, color, material.opacity}});
   }
   // Within a level nothing overlaps, so colours may be put together.
   std::stable_sort(found.begin(), found.end(), [](const LeveledFill& a, const LeveledFill& b) {
@@ -57,6 +77,18 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
   std::vector<Fill> fills;
   fills.reserve(found.size());
   for (LeveledFill& one : found) fills.push_back(std::move(one.fill));
+  return fills;
+}
+
+std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintOrder& order, std::span<const Light> lights,
+                              FillKind kind) {
+  const FillColors colors(scene, view, lights, kind);
+  std::vector<Fill> fills;
+  fills.reserve(order.pieces.size());
+  for (const PaintPiece& piece : order.pieces) {
+    const Material material = material_of(scene, piece.face);
+    fills.push_back({piece.contours, colors.of(material, piece.face, kAllLights, {}), material.opacity, true});
+  }
   return fills;
 }
 

@@ -13,10 +13,14 @@
 namespace ligne {
 
 /// Colours of the regions, in painting order: those seen through most transparent faces first. `material`: the face's
-/// colour; `shade`: darker as the light comes in flatter, darkest where no light comes. Without lights a light stands behind
-/// the viewer, to the upper left.
+/// colour; `shade`: darker as the light comes in flatter, darkest where no light comes; `paper`: white. Without lights a
+/// light stands behind the viewer, to the upper left.
 std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::vector<Region>& regions,
                                std::span<const Light> lights, FillKind kind);
+
+/// The same of an order of painting: every piece an area of its own, over those before it. Nothing casts a shadow.
+std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintOrder& order, std::span<const Light> lights,
+                              FillKind kind);
 
 /// The material of a face.
 Material material_of(const Scene& scene, std::uint32_t face);

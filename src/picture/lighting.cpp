@@ -9,14 +9,6 @@
 #include "picture/shadows.hpp"
 
 namespace ligne {
-namespace {
-
-/// The option that asks for regions.
-const char* field_of_regions(const FillRequest& fill) {
-  return fill.kind != FillKind::none ? "fill" : fill.asked() ? "light" : "edges";
-}
-
-}  // namespace
 
 std::vector<Light> lights_of(const PictureRequest& request, const Scene& scene) {
   std::vector<Light> lights;
@@ -36,10 +28,6 @@ void light_regions(const PreparedScene& prepared, VisibilityResult& result, RunR
   }
   const bool wanted = wants_regions(request, prepared.method);
   if (!wanted && scene.details.empty()) return;
-  if (wanted && !result.regions) {
-    throw RequestError(field_of_regions(request.fill),
-                       std::string(prepared.method.traits().name) + " does not produce regions; atherton-weiler does");
-  }
   timed(run.stages, "regions", [&] {
     if (!result.regions) return;
     if (!scene.details.empty()) *result.regions = cut_details(scene, prepared.view(), std::move(*result.regions));

@@ -102,8 +102,9 @@ struct LineRequest {
   }
 };
 
-enum class FillKind : std::uint8_t { none, material, shade };
-inline constexpr std::string_view kFillNames[] = {"none", "material", "shade"};
+/// `paper`: all in white, for what hides without a colour of its own.
+enum class FillKind : std::uint8_t { none, material, shade, paper };
+inline constexpr std::string_view kFillNames[] = {"none", "material", "shade", "paper"};
 
 /// Visible faces as areas of colour, and light.
 struct FillRequest {

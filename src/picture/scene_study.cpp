@@ -24,6 +24,7 @@ std::uint8_t wanted_products(const PictureRequest& request, const Method& method
   std::uint8_t wanted = kStrokes;
   if (request.gray_faces) wanted |= kSpans | kPixels;
   if (wants_regions(request, method)) wanted |= kRegions;
+  if (paints_in_order(request, method)) wanted |= kOrder;
   return wanted;
 }
 
@@ -96,8 +97,14 @@ const Method& method_of(const PictureRequest& request) {
   return *method;
 }
 
+bool paints_in_order(const PictureRequest& request, const Method& method) {
+  const std::uint8_t products = method.traits().products;
+  return request.fill.kind != FillKind::none && request.fill.lights.empty() && !(products & kRegions) && (products & kOrder);
+}
+
 bool wants_regions(const PictureRequest& request, const Method& method) {
-  return request.fill.asked() || hatches_regions(request, method) || request.lines.classes.has(LineClass::shadow);
+  return (request.fill.asked() && !paints_in_order(request, method)) || hatches_regions(request, method) ||
+         request.lines.classes.has(LineClass::shadow);
 }
 
 SourceEdge SceneStudy::source(const Scene& scene, std::uint32_t number) const {

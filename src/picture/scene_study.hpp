@@ -44,6 +44,9 @@ struct SceneStudy {
 /// regions; else the default one. Throws RequestError.
 const Method& method_of(const PictureRequest& request);
 
+/// Fills are painted from the back to the front, since the method gives an order and no regions.
+bool paints_in_order(const PictureRequest& request, const Method& method);
+
 /// The picture needs regions of its method.
 bool wants_regions(const PictureRequest& request, const Method& method);
 

@@ -1,0 +1,123 @@
+#include "picture/hidden_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "visibility/common/scan_conversion.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kSampleMm = 0.1;
+/// Adjustable: larger pages are sampled wider.
+constexpr double kMostSamples = 0x1p28;
+
+/// One bit for every point of the page that is looked at: whether it is hidden from all that comes.
+class HiddenSamples {
+ public:
+  explicit HiddenSamples(const Rect& page)
+      : origin_(page.min),
+        step_mm_(std::max(kSampleMm, std::sqrt(page.width() * page.height() / kMostSamples))),
+        columns_(static_cast<std::uint32_t>(page.width() / step_mm_) + 1),
+        rows_(static_cast<std::uint32_t>(page.height() / step_mm_) + 1),
+        words_((columns_ + 63) / 64),
+        bits_(std::size_t{words_} * rows_, 0) {}
+
+  bool shows(const PaintPiece& piece) {
+    find_runs(piece);
+    // Beside the points on the piece those next to them: it may show between two points.
+    for (const PolygonRun& run : runs_) {
+      const std::uint32_t first = run.line == 0 ? 0 : run.line - 1, last = std::min(run.line + 1, rows_ - 1);
+      for (std::uint32_t row = first; row <= last; ++row) {
+        if (any_open(row, std::floor(run.u0) - 1, std::ceil(run.u1) + 1)) return true;
+      }
+    }
+    if (!runs_.empty()) return false;
+    const auto first = static_cast<std::uint32_t>(std::clamp(std::floor(low_v_), 0.0, rows_ - 1.0));
+    const auto last = static_cast<std::uint32_t>(std::clamp(std::ceil(high_v_), 0.0, rows_ - 1.0));
+    for (std::uint32_t row = first; row <= last; ++row) {
+      if (any_open(row, std::floor(low_u_), std::ceil(high_u_))) return true;
+    }
+    return false;
+  }
+
+  /// The piece that was asked for last hides what lies behind it.
+  void hide() {
+    for (const PolygonRun& run : runs_) {
+      visit_words(run.line, std::ceil(run.u0), std::ceil(run.u1) - 1, [](std::uint64_t& word, std::uint64_t mask) {
+        word |= mask;
+        return true;
+      });
+    }
+  }
+
+ private:
+  void find_runs(const PaintPiece& piece) {
+    scan_.begin(0, rows_);
+    runs_.clear();
+    low_u_ = low_v_ = 1e300;
+    high_u_ = high_v_ = -1e300;
+    for (const std::vector<Point2>& contour : piece.contours) {
+      for (std::size_t i = 0; i < contour.size(); ++i) {
+        const GridPoint a = grid_point(contour[i]);
+        scan_.add(a, grid_point(contour[i + 1 == contour.size() ? 0 : i + 1]));
+        low_u_ = std::min(low_u_, a.u);
+        high_u_ = std::max(high_u_, a.u);
+        low_v_ = std::min(low_v_, a.v);
+        high_v_ = std::max(high_v_, a.v);
+      }
+    }
+    scan_.scan([&](const PolygonRun& run) { runs_.push_back(run); });
+  }
+
+  GridPoint grid_point(Point2 p) const { return {(p.x - origin_.x) / step_mm_, (p.y - origin_.y) / step_mm_, 0}; }
+
+  bool any_open(std::uint32_t row, double from, double to) {
+    return !visit_words(row, from, to, [](std::uint64_t& word, std::uint64_t mask) { return (~word & mask) == 0; });
+  }
+
+  /// Calls visit(word, mask) for the columns [from, to] of a row until it returns false; returns whether it never did.
+  template <class Visit>
+  bool visit_words(std::uint32_t row, double from, double to, Visit visit) {
+    if (!(to >= 0 && from <= columns_ - 1.0)) return true;
+    const auto first = static_cast<std::uint32_t>(std::max(from, 0.0));
+    const auto last = static_cast<std::uint32_t>(std::min(to, columns_ - 1.0));
+    if (first > last) return true;
+    std::uint64_t* const words = bits_.data() + std::size_t{row} * words_;
+    for (std::uint32_t w = first / 64; w <= last / 64; ++w) {
+      std::uint64_t mask = ~std::uint64_t{0};
+      if (w == first / 64) mask &= ~std::uint64_t{0} << (first % 64);
+      if (w == last / 64) mask &= ~std::uint64_t{0} >> (63 - last % 64);
+      if (!visit(words[w], mask)) return false;
+    }
+    return true;
+  }
+
+  Point2 origin_;
+  double step_mm_;
+  std::uint32_t columns_, rows_, words_;
+  std::vector<std::uint64_t> bits_;
+  PolygonScan scan_;
+  std::vector<PolygonRun> runs_;
+  double low_u_ = 0, low_v_ = 0, high_u_ = 0, high_v_ = 0;
+};
+
+}  // namespace
+
+std::size_t drop_hidden_pieces(PaintOrder& order, const Rect& page, const std::function<bool(std::uint32_t)>& is_opaque) {
+  HiddenSamples samples(page);
+  std::vector<PaintPiece> kept;
+  for (auto piece = order.pieces.rbegin(); piece != order.pieces.rend(); ++piece) {
+    if (!samples.shows(*piece)) continue;
+    if (is_opaque(piece->face)) samples.hide();
+    kept.push_back(std::move(*piece));
+  }
+  std::reverse(kept.begin(), kept.end());
+  const std::size_t dropped = order.pieces.size() - kept.size();
+  order.pieces = std::move(kept);
+  return dropped;
+}
+
+}  // namespace ligne
