@@ -32,7 +32,18 @@ double units_per_point(double largest_mm) {
 
 }  // namespace
 
-std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
+struct PdfDocument::Surface {
+  Surface(double width, double height)
+      : cairo(cairo_pdf_surface_create_for_stream(append_to_string, &bytes, width, height)) {}
+
+  std::string bytes;
+  CairoSurface cairo;
+};
+
+PdfDocument::PdfDocument() = default;
+PdfDocument::~PdfDocument() = default;
+
+void PdfDocument::add_page(const Drawing& drawing, const PlotOptions& options) {
   const double width = options.page.width_mm * kPointsPerMm, height = options.page.height_mm * kPointsPerMm;
   const double units = units_per_point(largest_coordinate(drawing, options.page));
 
@@ -45,29 +56,44 @@ std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
                      {units * kPointsPerMm, kPartsOfUnit * units * kPointsPerMm, options.curves_of(layer)});
   }
 
-  std::string pdf;
-  const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_to_string, &pdf, width, height));
-  // The same input gives the same bytes: no date.
-  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
-  if (!options.title.empty()) {
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, options.title.c_str());
+  if (surface_) {
+    cairo_pdf_surface_set_size(surface_->cairo.get(), width, height);
+  } else {
+    surface_ = std::make_unique<Surface>(width, height);
+    // The same input gives the same bytes: no date.
+    cairo_pdf_surface_set_metadata(surface_->cairo.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
+    if (!options.title.empty()) {
+      cairo_pdf_surface_set_metadata(surface_->cairo.get(), CAIRO_PDF_METADATA_TITLE, options.title.c_str());
+    }
   }
+  cairo_surface_t* const surface = surface_->cairo.get();
   if (!drawing.layers.empty() || !drawing.fills.empty()) {
-    const CairoContext cairo(cairo_create(surface.get()));
+    const CairoContext cairo(cairo_create(surface));
     cairo_scale(cairo.get(), 1 / units, 1 / units);
     cairo_set_source_surface(cairo.get(), recording.get(), 0, 0);
     cairo_paint(cairo.get());
     check_cairo(cairo_status(cairo.get()));
   }
   if (!drawing.texts.empty()) {
-    const CairoContext cairo(cairo_create(surface.get()));
+    const CairoContext cairo(cairo_create(surface));
     cairo_scale(cairo.get(), kPointsPerMm, kPointsPerMm);
     write_texts(cairo.get(), drawing.texts);
   }
-  cairo_surface_show_page(surface.get());
-  cairo_surface_finish(surface.get());
-  check_cairo(cairo_surface_status(surface.get()));
-  return pdf;
+  cairo_surface_show_page(surface);
+  check_cairo(cairo_surface_status(surface));
+}
+
+std::string PdfDocument::finish() {
+  if (!surface_) return {};
+  cairo_surface_finish(surface_->cairo.get());
+  check_cairo(cairo_surface_status(surface_->cairo.get()));
+  return std::move(surface_->bytes);
+}
+
+std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
+  PdfDocument document;
+  document.add_page(drawing, options);
+  return document.finish();
 }
 
 }  // namespace ligne

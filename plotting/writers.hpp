@@ -2,6 +2,7 @@
 /// Writers of drawings. All give their bytes back; writing them to a file is plotting/output_file.hpp's.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,7 +48,21 @@ struct PlotOptions {
 
 /// SVG: width, height and viewBox in mm, one Inkscape layer group per layer with the style on it, one path per polyline.
 std::string write_svg(const Drawing& drawing, const PlotOptions& options);
-/// PDF of true size, one page.
+/// A PDF of true size, page by page.
+class PdfDocument {
+ public:
+  PdfDocument();
+  ~PdfDocument();
+  /// The document's title is that of the first page.
+  void add_page(const Drawing& drawing, const PlotOptions& options);
+  /// The bytes. Nothing can be added afterwards.
+  std::string finish();
+
+ private:
+  struct Surface;
+  std::unique_ptr<Surface> surface_;
+};
+/// The same of one page.
 std::string write_pdf(const Drawing& drawing, const PlotOptions& options);
 /// Pixels of a PNG, width and height.
 struct PixelSize {

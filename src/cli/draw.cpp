@@ -3,13 +3,16 @@
 #include <utility>
 
 #include "cli/fill_options.hpp"
+#include "cli/frame_files.hpp"
 #include "cli/hatch_options.hpp"
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/parse.hpp"
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
-#include "picture/draw_scene.hpp"
+#include "files/message_text.hpp"
+#include "picture/compiled_model.hpp"
+#include "picture/frames.hpp"
 
 namespace ligne {
 namespace {
@@ -34,21 +37,59 @@ void add_profile_option(CLI::App& app, std::optional<ProfileKind>& profile) {
       .standard("off; sheet where --edges names profile");
 }
 
+void add_frame_options(CLI::App& app, DrawOptions& options) {
+  constexpr unsigned kMostFrames = 100'000;
+  constexpr double kMostDegrees = 36'000;
+  OptionGroup group(app, "View");
+  const Option frames = group
+                            .add(
+                                "--frames", "N", options.frames.count,
+                                [](const std::string& text) { return parse_count(text, 2, kMostFrames); },
+                                "successive views of the turning model: files -o name%03d.svg, or the pages of one PDF")
+                            .standard("one view");
+  group
+      .add(
+          "--turn", "DEG", options.frames.turn_degrees,
+          [](const std::string& text) { return parse_within(text, -kMostDegrees, kMostDegrees, "degrees"); },
+          "angle by which they turn the model in all, counter-clockwise as seen from above")
+      .standard("360")
+      .needs(frames);
+}
+
 /// The request that the options come to. A wrong one is refused before anything is read.
 PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory) {
   PictureRequest request = options.picture;
   request.memory = memory;
   request.output.format = format_of(options.output);
+  if (const std::string* file = compiled_file(options.model); file && !request.lines.method) {
+    request.lines.method = method_of_compiled(*file);
+  }
   if (!options.method.edges_given && !request.fill.lights.empty()) request.lines.classes.add(LineClass::shadow);
   if (request.lines.profiles() != ProfileKind::off) request.lines.classes.add(LineClass::profile);
   check(request);
+  if (options.frames.count > 1) {
+    if (!options.plotter.preview.empty()) throw UsageError("--preview", "is of one view");
+    if (options.plotter.choice.request.report) throw UsageError("--report", "is of one view");
+  }
   request.lines.settings = settings_of(options.method, method_of(request));
   return request;
 }
 
+/// A compiled model keeps what it was compiled with.
+void require_no_parameters(const LoadedModels& models, const DrawOptions& options) {
+  for (const auto& [parameter, text] : options.method.parameters) {
+    if (parameter->of_compile) {
+      throw UsageError("--" + std::string(parameter->name),
+                       printable(models.files.front().name, kLongestPath) + " is compiled: give it to ligne compile");
+    }
+  }
+}
+
 void draw(const DrawOptions& options, PictureRequest request) {
+  const bool as_pages = request.output.format == OutputFormat::pdf && !has_number_place(*options.output.file);
+  const std::vector<std::string> outputs = numbered_names(*options.output.file, as_pages ? 1 : options.frames.count);
   RunFiles files;
-  files.will_write("--output", *options.output.file);
+  for (const std::string& name : outputs) files.will_write("--output", name);
   files.will_write("--preview", options.plotter.preview);
   files.will_write("--stats-json", options.run.stats_json);
   RunReport run;
@@ -64,11 +105,23 @@ void draw(const DrawOptions& options, PictureRequest request) {
   for (const ObjectColor& color : request.output.colors) require_names(models, "color", {color.pattern});
   require_names(models, "pen", object_patterns(request.plotter.pens));
   report_healing(models, model, run);
+  if (models.compiled_for && models.compiled_for == request.lines.method) {
+    require_no_parameters(models, options);
+    request.compiled = models.compiled;
+  }
   ProgressBar bar(options.run);
   request.progress = bar.callback();
-  Picture picture = draw_scene(models.scene, request, run, {}, std::move(models.topology));
-  deliver(std::move(picture), *options.output.file, options.plotter.preview, options.model.files.front(), options.run, run,
-          files);
+  const std::string& place = options.model.files.front();
+  if (options.frames.count == 1) {
+    Picture picture = draw_scene(models.scene, request, run, {}, std::move(models.topology));
+    deliver(std::move(picture), outputs.front(), options.plotter.preview, place, options.run, run, files);
+    return;
+  }
+  std::size_t frame = 0;
+  draw_frames(models.scene, request, options.frames, as_pages, run, std::move(models.topology),
+              [&](Picture picture) { files.write(outputs[frame++], std::move(picture.bytes)); });
+  report_warnings(run, place, options.run);
+  finish(options.run, run, files);
 }
 
 }  // namespace
@@ -80,6 +133,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_part_drawing_options(draw, picture.output);
   add_profile_option(draw, picture.lines.profile);
   add_view_options(draw, picture.view);
+  add_frame_options(draw, options);
   add_line_options(draw, picture.lines, options.method);
   add_fill_options(draw, picture.fill);
   add_page_options(draw, picture.page);

@@ -6,6 +6,7 @@
 #include "cli/output_options.hpp"
 #include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
+#include "picture/frames.hpp"
 
 namespace CLI {
 class App;
@@ -17,6 +18,7 @@ struct DrawOptions {
   ModelRequest model;
   PictureRequest picture;
   MethodChoice method;
+  FrameRequest frames;
   OutputOptions output;
   PlotterOptions plotter;
   RunOptions run;

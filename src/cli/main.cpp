@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "cli/compile.hpp"
 #include "cli/devices.hpp"
 #include "cli/draw.hpp"
 #include "cli/errors.hpp"
@@ -61,9 +62,11 @@ int run(int argc, char** argv) {
   DevicesOptions devices;
   PlotCommandOptions plot;
   SurfaceOptions surface;
+  CompileOptions compile;
   setup_draw(app, draw);
   setup_surface(app, surface);
   setup_plot(app, plot);
+  setup_compile(app, compile);
   setup_info(app, info);
   setup_methods(app, methods);
   setup_devices(app, devices);
@@ -82,6 +85,8 @@ int run(int argc, char** argv) {
     run_draw(draw);
   } else if (app.got_subcommand("surface")) {
     run_surface(surface);
+  } else if (app.got_subcommand("compile")) {
+    run_compile(compile);
   } else if (app.got_subcommand("info")) {
     run_info(info);
   } else if (app.got_subcommand("methods")) {
@@ -91,7 +96,7 @@ int run(int argc, char** argv) {
   } else if (app.got_subcommand("devices")) {
     run_devices(devices);
   } else {
-    throw UsageError("there is no command: draw, surface, plot, info, methods or devices; see ligne --help");
+    throw UsageError("there is no command: draw, surface, plot, compile, info, methods or devices; see ligne --help");
   }
   return kDone;
 }

@@ -28,11 +28,12 @@ unsigned parse_value(const std::string& text, const MethodParameter& parameter) 
 }
 
 /// One option for each name, whatever the number of methods that have it.
-void add_parameters(CLI::App& app, MethodChoice& choice) {
+void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false) {
   OptionGroup group(app, "Methods");
   std::vector<std::string_view> names;
   for (const Method* owner : all_methods()) {
     for (const MethodParameter& parameter : owner->traits().parameters) {
+      if (of_compile && !parameter.of_compile) continue;
       if (std::find(names.begin(), names.end(), parameter.name) != names.end()) continue;
       names.push_back(parameter.name);
       std::string owners;
@@ -89,6 +90,17 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice)
       .standard("clear");
   group.add_flag("--cull", request.cull, "leave out back faces of closed, consistently wound objects");
   add_parameters(app, choice);
+}
+
+void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& choice) {
+  std::vector<std::string_view> names;
+  for (const Method* m : all_methods()) {
+    if (m->traits().compiles) names.push_back(m->traits().name);
+  }
+  method = find_method(names.front());
+  const auto parse = [names](const std::string& text) { return find_method(names[parse_choice(text, names)]); };
+  OptionGroup(app, "Methods").add("--method", "NAME", method, parse, list_of(names)).standard(std::string(names.front()));
+  add_parameters(app, choice, true);
 }
 
 MethodSettings settings_of(const MethodChoice& choice, const Method& method) {

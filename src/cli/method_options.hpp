@@ -22,6 +22,9 @@ struct MethodChoice {
 
 void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice);
 
+/// Adds --method for those that compile, and the parameters of that.
+void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& choice);
+
 /// Reads "--hidden".
 HiddenLines parse_hidden(const std::string& text);
 

@@ -34,12 +34,15 @@ void add_run_options(CLI::App& app, RunOptions& options) {
   group.add_flag("-q,--quiet", options.quiet, "no warnings, no progress");
 }
 
+void report_warnings(const RunReport& report, const std::string& place, const RunOptions& options) {
+  if (options.quiet) return;
+  for (const RunWarning& w : report.warnings) warn(w.place.empty() ? place : w.place, w.text);
+}
+
 void deliver(Picture picture, const std::string& output, const std::string& preview, const std::string& place,
              const RunOptions& options, RunReport& report, RunFiles& files) {
   files.were_read(report.files);
-  if (!options.quiet) {
-    for (const RunWarning& w : report.warnings) warn(w.place.empty() ? place : w.place, w.text);
-  }
+  report_warnings(report, place, options);
   std::fputs(picture.plotter_report.c_str(), stderr);
   if (!preview.empty()) files.write(preview, std::move(picture.preview));
   timed(report.stages, "output", [&] { files.write(output, std::move(picture.bytes)); });

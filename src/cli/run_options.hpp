@@ -32,8 +32,10 @@ struct RunOptions {
 
 void add_run_options(CLI::App& app, RunOptions& options);
 
-/// Hands over a picture: its file, the preview beside it, and what was asked for on standard error. `place` stands at the
-/// head of warnings that name no file.
+/// Writes the warnings, but not those of a quiet run. `place` stands at the head of warnings that name no file.
+void report_warnings(const RunReport& report, const std::string& place, const RunOptions& options);
+
+/// Hands over a picture: its file, the preview beside it, and what was asked for on standard error. `place`: as above.
 void deliver(Picture picture, const std::string& output, const std::string& preview, const std::string& place,
              const RunOptions& options, RunReport& report, RunFiles& files);
 

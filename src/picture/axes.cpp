@@ -74,13 +74,15 @@ std::optional<AxesRequest> request_of(const AxesChoice& choice, const std::optio
 Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
                              const PageRequest& page, const AxesChoice& choice, const std::string& heading) {
   std::optional<AxesRequest> request = request_of(choice, box);
-  const Scene extent = request ? box_scene(request->box()) : scene;
+  const Rect extent = page.extent ? *page.extent
+                      : request   ? projected_extent(box_scene(request->box()), camera)
+                                  : projected_extent(scene, camera);
   const MeasureText measure = [&](std::string_view text, double height) { return text_extent(text, height, choice.text); };
 
   Surroundings result;
   Room room;
   for (int trial = 0; trial < kMostTrials; ++trial) {
-    result = {place(extent, camera, page, room), {}, {}};
+    result = {place(extent, scene.unit_mm, camera, page, room), {}, {}};
     const Placement& placement = result.placement;
     if (placement.picture.empty()) return result;
     const double height = text_height_mm(choice, placement.page);
@@ -96,8 +98,7 @@ Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& sce
     }
     if (!heading.empty()) {
       const TextItem item = title_above(all, heading, kTitleHeight * height, placement.page.drawable().width(), measure);
-      const TextExtent extent = measure(item.text, item.height_mm);
-      for (const Point2 p : text_box(item, extent).corners()) all.extend(p);
+      for (const Point2 p : text_box(item, measure(item.text, item.height_mm)).corners()) all.extend(p);
       result.texts.push_back(item);
     }
     const Room need = overhang(placement.picture, all);

@@ -116,7 +116,7 @@ void check(const PictureRequest& request) {
 }
 
 Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport& run, const std::optional<PlotBox>& box,
-                   std::optional<Topology> topology) {
+                   std::optional<Topology> topology, PdfDocument* pages) {
   check(request);
   const bool json = request.output.format == OutputFormat::json;
   PreparedScene prepared = prepare(scene, request, box, run, std::move(topology));
@@ -135,7 +135,7 @@ Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport&
     if (json) return Picture{json_of(prepared, found, plot)};
     const Drawing drawing = compose(prepared, found, std::move(hatching), run);
     const std::optional<GrayPicture> faces = gray_faces(prepared, found.result, plot);
-    return write_picture(drawing, plot, request.plotter, request.output.format, run, faces ? &*faces : nullptr);
+    return write_picture(drawing, plot, request.plotter, request.output.format, run, faces ? &*faces : nullptr, pages);
   });
 }
 

@@ -17,9 +17,10 @@ namespace ligne {
 void check(const PictureRequest& request);
 
 /// Draws a scene: study, hatching, fills, lines, and the file of the format that is asked for. `box` is what axes measure,
-/// where the picture is a plot; `topology` that of the scene, where it is known. Counts, times and warnings go to `run`.
-/// Throws RequestError, std::runtime_error.
+/// where the picture is a plot; `topology` that of the scene, where it is known; `pages`: see write_picture(). Counts, times
+/// and warnings go to `run`. Throws RequestError, std::runtime_error.
 Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport& run,
-                   const std::optional<PlotBox>& box = std::nullopt, std::optional<Topology> topology = {});
+                   const std::optional<PlotBox>& box = std::nullopt, std::optional<Topology> topology = {},
+                   PdfDocument* pages = nullptr);
 
 }  // namespace ligne

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "files/message_text.hpp"
+#include "picture/compiled_model.hpp"
 #include "picture/errors.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/named_objects.hpp"
@@ -67,7 +68,46 @@ Scene read(const ModelRequest& request, ModelFile& file, LoadedModels& models) {
 
 }  // namespace
 
+const std::string* compiled_file(const ModelRequest& request) {
+  const auto found = std::ranges::find_if(request.files, [](const std::string& name) { return method_of_compiled(name); });
+  if (found == request.files.end()) return nullptr;
+  const std::string whole = printable(*found, kLongestPath) + " is compiled: give it to ligne compile";
+  if (request.files.size() > 1) throw RequestError("", printable(*found, kLongestPath) + " is compiled: it is drawn alone");
+  const PartRequest& parts = request.parts;
+  if (parts.asked()) throw RequestError(!parts.only.empty() ? "only" : !parts.hide.empty() ? "hide" : "move", whole);
+  if (request.weld_distance) throw RequestError("weld", whole);
+  if (request.merge_coplanar) throw RequestError("merge-coplanar", whole);
+  return &*found;
+}
+
+namespace {
+
+LoadedModels load_compiled(const std::string& name) {
+  LoadedModels models;
+  ModelFile& file = models.files.emplace_back();
+  file.name = name;
+  CompiledModel model = read_compiled_model(read_input(name, name, file.report.files), name);
+  file.report.format = ModelFormat::ligne_tree;
+  file.report.faces = model.scene.faces.size();
+  for (std::size_t f = 0; f < model.scene.faces.size(); ++f) {
+    for (std::size_t c = 0; c < model.scene.faces.contour_count(f); ++c) {
+      file.report.triangles += model.scene.faces.contour(f, c).size() - 2;
+    }
+  }
+  file.report.vertices = model.scene.vertices.size();
+  for (const Object& object : model.scene.objects) {
+    models.object_names.push_back(object_name(object, models.object_names.size()));
+  }
+  models.scene = std::move(model.scene);
+  models.compiled = std::move(model.compiled);
+  models.compiled_for = model.method;
+  return models;
+}
+
+}  // namespace
+
 LoadedModels load_models(const ModelRequest& request) {
+  if (const std::string* name = compiled_file(request)) return load_compiled(*name);
   LoadedModels models;
   for (const std::string& name : request.files) {
     ModelFile& file = models.files.emplace_back();

@@ -1,6 +1,7 @@
 #pragma once
 /// Several model files read into one scene.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "scene/heal/heal.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/readers/reader.hpp"
+#include "visibility/method.hpp"
 
 namespace ligne {
 
@@ -52,9 +54,15 @@ struct ModelFile {
 struct LoadedModels {
   Scene scene;  ///< all files, in the order of the request; the first decides on the up axis
   std::vector<ModelFile> files;
-  std::optional<Topology> topology;       ///< of the scene, where it is known already
-  std::vector<std::string> object_names;  ///< of all files, also of objects that are not drawn
+  std::optional<Topology> topology;                 ///< of the scene, where it is known already
+  std::vector<std::string> object_names;            ///< of all files, also of objects that are not drawn
+  std::shared_ptr<const CompiledScene> compiled{};  ///< of a file of `ligne compile`, which stands alone; else nullptr
+  const Method* compiled_for = nullptr;
 };
+
+/// The file that was compiled, where the request names one. Throws RequestError where something else is asked for that
+/// would change its model.
+const std::string* compiled_file(const ModelRequest& request);
 
 /// Reads all files; what is hidden is left out and what is moved is moved before anything is mended. Throws InputError, and
 /// RequestError where no object has a name, or none is left.

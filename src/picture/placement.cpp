@@ -54,7 +54,9 @@ Camera camera_of(const ViewRequest& request, const Scene& scene) {
   camera.up = request.up;
   camera.up_axis = request.up_axis.value_or(scene.up_axis);
   try {
-    return make_camera(camera, scene);
+    const Camera made = make_camera(camera, scene);
+    if (request.turn_degrees == 0) return made;
+    return with_model_turned(made, camera.up_axis, bounding_box_centre(scene), request.turn_degrees);
   } catch (const std::invalid_argument& e) {
     throw RequestError("", e.what());
   }
@@ -71,7 +73,10 @@ Page page_for(const PageRequest& request, const Rect& extent) {
 }
 
 Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Room& room) {
-  const Rect extent = projected_extent(scene, camera);
+  return place(projected_extent(scene, camera), scene.unit_mm, camera, request, room);
+}
+
+Placement place(const Rect& extent, double unit_mm, const Camera& camera, const PageRequest& request, const Room& room) {
   Placement placement;
   placement.page = page_for(request, extent);
   Rect area = placement.page.drawable();
@@ -82,7 +87,7 @@ Placement place(const Scene& scene, const Camera& camera, const PageRequest& req
                                    shortest(placement.page.width_mm) + " x " + shortest(placement.page.height_mm) +
                                    " mm; --text-height makes them smaller");
   }
-  placement.view = make_view(scene, camera, {area}, placement.page.sheet(), request.page_mm_per_unit(scene.unit_mm));
+  placement.view = make_view(extent, camera, {area}, placement.page.sheet(), request.page_mm_per_unit(unit_mm));
   if (!extent.empty()) {
     const Point2 size = Point2(extent.width(), extent.height()) * placement.view.scale;
     const Point2 centre = (area.min + area.max) * 0.5;

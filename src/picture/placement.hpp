@@ -31,8 +31,12 @@ Camera camera_of(const ViewRequest& request, const Scene& scene);
 /// named when both are alike).
 Page page_for(const PageRequest& request, const Rect& extent);
 
-/// Chooses the page's orientation and puts the camera's picture on it, in the middle of what the margins and the room leave.
-/// Throws RequestError when they leave nothing.
+/// Chooses the page's orientation and puts the camera's picture, of that extent (see projected_extent), on it, in the middle
+/// of what the margins and the room leave. `unit_mm`: true length of a model unit. Throws RequestError when they leave
+/// nothing.
+Placement place(const Rect& extent, double unit_mm, const Camera& camera, const PageRequest& request, const Room& room = {});
+
+/// The same with the extent of the scene.
 Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Room& room = {});
 
 }  // namespace ligne

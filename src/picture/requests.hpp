@@ -24,6 +24,7 @@
 
 namespace ligne {
 
+class CompiledScene;
 class Method;
 
 /// From where the scene is seen.
@@ -35,6 +36,8 @@ struct ViewRequest {
   double fov_degrees = 35;                ///< vertical angle of view
   std::optional<Point3> up;               ///< default: the up axis
   std::optional<Axis> up_axis;            ///< default: the scene's
+  /// The model is turned so far about its vertical axis, counter-clockwise as seen from above, before it is looked at.
+  double turn_degrees = 0;
 };
 
 /// A page as written on the command line.
@@ -52,6 +55,7 @@ struct PageRequest {
   LineWidths widths_mm{};           ///< of layers by their names
   std::optional<double> scale;      ///< page length per true length; nothing: fit
   std::optional<double> unit_mm{};  ///< true length of one model unit; nothing: the scene's
+  std::optional<Rect> extent{};     ///< what the page is to hold, see projected_extent(); nothing: what is drawn
 
   /// Page mm per model unit, or nothing when the picture is to fit.
   std::optional<double> page_mm_per_unit(double scene_unit_mm) const {
@@ -184,7 +188,8 @@ struct PictureRequest {
   AxesChoice axes{};
   PlotterRequest plotter{};
   OutputRequest output{};
-  std::string heading{};  ///< title above the picture on the page, may be empty
+  std::string heading{};                            ///< title above the picture on the page, may be empty
+  std::shared_ptr<const CompiledScene> compiled{};  ///< of the scene, by the method; nullptr: it is made when it is needed
   MemoryLimit memory{};
   std::function<void(double)> progress{};  ///< called with the fraction of the study done, from one thread at a time
 };

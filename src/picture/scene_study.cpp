@@ -157,6 +157,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
     options.settings = request.lines.settings;
     options.wanted = wanted_products(request, prepared.method);
     options.progress = request.progress;
+    options.compiled = request.compiled.get();
     return prepared.method.study(prepared.projected, options);
   });
   if (!found.result.strokes) {

@@ -12,7 +12,12 @@
 namespace ligne {
 namespace {
 
-std::string written_as(OutputFormat format, const Drawing& drawing, const PlotOptions& style, const GrayPicture* under) {
+std::string written_as(OutputFormat format, const Drawing& drawing, const PlotOptions& style, const GrayPicture* under,
+                       PdfDocument* pages) {
+  if (pages) {
+    pages->add_page(drawing, style);
+    return {};
+  }
   return format == OutputFormat::pdf   ? write_pdf(drawing, style)
          : format == OutputFormat::png ? write_png(drawing, style, under)
                                        : write_svg(drawing, style);
@@ -61,10 +66,10 @@ std::string report_of(const ReportRow& before, const ReportRow& after, const Dev
 }
 
 Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
-                        RunReport& run, const GrayPicture* under) {
+                        RunReport& run, const GrayPicture* under, PdfDocument* pages) {
   const PathOptions paths{plotter.path_work(), plotter.tolerances, {}};
   if (paths.optimize == Optimize::off && !plotter.report && !plotter.preview) {
-    return {written_as(format, drawing, style, under)};
+    return {written_as(format, drawing, style, under, pages)};
   }
   const Drawing better = timed(run.stages, "paths", [&] { return optimize_layers(drawing, paths); });
   Picture picture;
@@ -76,12 +81,12 @@ Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const 
     const PlotRequest request{style, {}, true, {Optimize::off, {}, {}}};
     picture.preview = write_preview(deal_to_pens(better, request), {}, false);
   }
-  picture.bytes = written_as(format, better, style, under);
+  picture.bytes = written_as(format, better, style, under, pages);
   return picture;
 }
 
 Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
-                      RunReport& run, const GrayPicture* under) {
+                      RunReport& run, const GrayPicture* under, PdfDocument* pages) {
   const Device* device = plotter.device.get();
   PlotRequest request{
       style, plotter.pens, device && device->language == DeviceLanguage::svg, {plotter.path_work(), plotter.tolerances, {}}};
@@ -112,7 +117,7 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
   PlotOptions by_pen = style;
   by_pen.style = styles_of(plot);
   by_pen.curves = false;  // the way of the pen is measured and simplified along its points
-  picture.bytes = written_as(format, drawing_of(plot), by_pen, under);
+  picture.bytes = written_as(format, drawing_of(plot), by_pen, under, pages);
   return picture;
 }
 
@@ -144,9 +149,9 @@ void check_png(const Page& page, double dpi, const MemoryLimit& memory) {
 }
 
 Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
-                      RunReport& run, const GrayPicture* under) {
-  return plotter.by_pens() ? write_by_pens(drawing, style, plotter, format, run, under)
-                           : write_by_layers(drawing, style, plotter, format, run, under);
+                      RunReport& run, const GrayPicture* under, PdfDocument* pages) {
+  return plotter.by_pens() ? write_by_pens(drawing, style, plotter, format, run, under, pages)
+                           : write_by_layers(drawing, style, plotter, format, run, under, pages);
 }
 
 }  // namespace ligne

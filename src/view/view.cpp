@@ -64,6 +64,8 @@ bool parallel(const Point3& a, const Point3& b) {
 
 bool finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
+}  // namespace
+
 Point3 bounding_box_centre(const Scene& scene) {
   if (scene.vertices.empty()) return {0, 0, 0};
   Point3 low = scene.vertices[0], high = low;
@@ -73,8 +75,6 @@ Point3 bounding_box_centre(const Scene& scene) {
   }
   return low + (high - low) * 0.5;
 }
-
-}  // namespace
 
 Camera make_camera(const CameraRequest& request, const Scene& scene) {
   const ModelFrame frame = model_frame(request.up_axis);
@@ -150,12 +150,30 @@ Rect projected_extent(const Scene& scene, const Camera& camera) {
   return extent;
 }
 
+Camera with_model_turned(const Camera& camera, Axis axis, const Point3& centre, double degrees) {
+  const double angle = -degrees * 3.14159265358979323846 / 180, cosine = std::cos(angle), sine = std::sin(angle);
+  Point3 up{0, 0, 0};
+  up[static_cast<int>(axis)] = 1;
+  const auto turned = [&](const Point3& v) {
+    return v * cosine + glm::cross(up, v) * sine + up * (glm::dot(up, v) * (1 - cosine));
+  };
+  Camera result = camera;
+  result.eye = centre + turned(camera.eye - centre);
+  result.right = turned(camera.right);
+  result.down = turned(camera.down);
+  result.forward = turned(camera.forward);
+  return result;
+}
+
 View make_view(const Scene& scene, const Camera& camera, const Frame& frame, const Rect& window,
                std::optional<double> scale) {
+  return make_view(projected_extent(scene, camera), camera, frame, window, scale);
+}
+
+View make_view(Rect extent, const Camera& camera, const Frame& frame, const Rect& window, std::optional<double> scale) {
   View view;
   view.camera = camera;
   view.window = window;
-  Rect extent = projected_extent(scene, camera);
   if (extent.empty()) extent = {{0, 0}, {0, 0}};
   // A drawing without extent in one direction is scaled by the other; a point is drawn at 1:1.
   double fit = 1e300;

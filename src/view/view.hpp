@@ -89,8 +89,19 @@ Point3 camera_coordinates(const Camera& camera, const Point3& p);
 /// Empty when nothing is in view.
 Rect projected_extent(const Scene& scene, const Camera& camera);
 
-/// Places the camera's picture on the page: centred on `frame`, scaled to fit it, or at `scale` page mm per model unit when
-/// that is given; then what would leave `window` (the page) is clipped.
+/// The camera as it sees the model turned about the axis through `centre`, counter-clockwise where the axis points to the
+/// viewer.
+Camera with_model_turned(const Camera& camera, Axis axis, const Point3& centre, double degrees);
+
+/// The middle of the scene's bounding box; the origin without vertices.
+Point3 bounding_box_centre(const Scene& scene);
+
+/// Places the camera's picture on the page: `extent` (see projected_extent) centred on `frame`, scaled to fit it, or at
+/// `scale` page mm per model unit when that is given; then what would leave `window` (the page) is clipped.
+View make_view(Rect extent, const Camera& camera, const Frame& frame, const Rect& window,
+               std::optional<double> scale = std::nullopt);
+
+/// The same with the extent of the scene.
 View make_view(const Scene& scene, const Camera& camera, const Frame& frame, const Rect& window,
                std::optional<double> scale = std::nullopt);
 

@@ -18,6 +18,9 @@
 
 namespace ligne {
 
+class ByteReader;
+class ByteWriter;
+
 /// What a method can produce.
 enum Product : std::uint8_t {
   kStrokes = 1,
@@ -25,6 +28,13 @@ enum Product : std::uint8_t {
   kOrder = 4,
   kSpans = 8,
   kPixels = 16,
+};
+
+/// What a method makes of a scene once, for all views of it.
+class CompiledScene {
+ public:
+  virtual ~CompiledScene() = default;
+  virtual void write(ByteWriter& bytes) const = 0;
 };
 
 struct MethodTraits {
@@ -39,14 +49,16 @@ struct MethodTraits {
   std::span<const MethodParameter> parameters{};  ///< options of its own
   /// The scenes for which its drawings hold, in words; empty: all. For others VisibilityResult::beyond says why not.
   std::string_view only_for{};
+  bool compiles = false;  ///< part of its work is done once for all views of a scene
 };
 
 struct StudyOptions {
-  bool hidden_strokes = false;             ///< give the hidden pieces too
-  std::function<void(double)> progress{};  ///< called with the fraction done, from one thread at a time; may be empty
-  std::optional<SpanLines> span_lines{};   ///< the lines for which a method that produces spans gives them
-  MethodSettings settings{};               ///< values of the method's own parameters, each within its range
-  std::uint8_t wanted = 0xff;              ///< products; a method may leave others out
+  bool hidden_strokes = false;              ///< give the hidden pieces too
+  std::function<void(double)> progress{};   ///< called with the fraction done, from one thread at a time; may be empty
+  std::optional<SpanLines> span_lines{};    ///< the lines for which a method that produces spans gives them
+  MethodSettings settings{};                ///< values of the method's own parameters, each within its range
+  std::uint8_t wanted = 0xff;               ///< products; a method may leave others out
+  const CompiledScene* compiled = nullptr;  ///< by this method's compile(), of the model that is projected; or nullptr
 };
 
 /// What was found. Models that a method does not produce stay empty.
@@ -69,6 +81,11 @@ class Method {
   virtual ~Method() = default;
   virtual const MethodTraits& traits() const = 0;
   virtual VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const = 0;
+
+  /// For methods that compile; others return nullptr.
+  virtual std::shared_ptr<const CompiledScene> compile(const Scene&, const MethodSettings&) const { return nullptr; }
+  /// What CompiledScene::write() has written for that scene. Throws InputError.
+  virtual std::shared_ptr<const CompiledScene> read_compiled(ByteReader&, const Scene&) const { return nullptr; }
 };
 
 }  // namespace ligne

@@ -22,6 +22,7 @@ struct MethodParameter {
   std::string_view standard;  ///< what holds when it is not given, as in a help text; may be empty
   std::span<const std::string_view> words{};
   unsigned low = 0, high = 0;
+  bool of_compile = false;  ///< a parameter of Method::compile()
 };
 
 /// The values given. A parameter that is not here has the method's own default.

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "picture/compiled_model.hpp"
+#include "picture/draw_scene.hpp"
 #include "plotting/drawing_reader.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "scene/creases/find_creases.hpp"
@@ -103,6 +105,26 @@ void read_formula_as_fuzzer(std::span<const std::byte> bytes) {
   }
 }
 
+/// Compiled models are read as if their checksum were right, and drawn with the tree.
+void read_tree_as_fuzzer(std::span<const std::byte> bytes) {
+  std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  sign_compiled_model(text);
+  try {
+    const CompiledModel model = read_compiled_model(std::as_bytes(std::span(text)), "fuzz");
+    check_scene(model.scene);
+    constexpr std::size_t kFaces = 500;
+    if (model.scene.faces.size() > kFaces) return;
+    PictureRequest request;
+    request.lines.method = model.method;
+    request.compiled = model.compiled;
+    request.output.format = OutputFormat::json;
+    RunReport run;
+    draw_scene(model.scene, request, run);
+  } catch (const InputError& error) {
+    need_one_line(error);
+  }
+}
+
 /// Drawings are read, "svg" or "drawing", and their first strokes made ready for a pen.
 void read_drawing_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -130,6 +152,7 @@ void read_drawing_as_fuzzer(std::string_view kind, std::span<const std::byte> by
 
 void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   if (kind == "svg" || kind == "drawing") return read_drawing_as_fuzzer(kind, bytes);
+  if (kind == "tree") return read_tree_as_fuzzer(bytes);
   if (kind == "grid") return read_grid_as_fuzzer(bytes);
   if (kind == "formula") return read_formula_as_fuzzer(bytes);
   try {

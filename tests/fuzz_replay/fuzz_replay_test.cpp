@@ -34,7 +34,7 @@ TEST_P(FuzzReplay, EveryFileIsReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, FuzzReplay,
-                         testing::Values("gltf", "glb", "obj", "stl", "ply", "asc", "scene", "grid", "formula", "svg",
+                         testing::Values("gltf", "glb", "obj", "stl", "ply", "asc", "scene", "tree", "grid", "formula", "svg",
                                          "drawing"),
                          [](const auto& info) { return std::string(info.param); });
 

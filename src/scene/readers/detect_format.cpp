@@ -109,6 +109,8 @@ std::string_view to_string(ModelFormat format) {
       return "PLY";
     case ModelFormat::asc_3d_studio:
       return "3D Studio ASCII";
+    case ModelFormat::ligne_tree:
+      return "compiled model";
     case ModelFormat::ligne_scene:
       break;
   }

@@ -21,9 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Products of five coordinates stay finite, which is more than any computation here multiplies; float32 files reach 3.4e38.
-constexpr double kLargestCoordinate = 0x1p200;
-
 /// Throws InputError when a coordinate is too large to compute with, or not finite: readers refuse what the file says, but
 /// the transforms of a glTF may lead there too.
 void check_size(const Scene& scene, const std::string& name) {
@@ -54,6 +51,8 @@ Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::p
       return read_ply(bytes, name, report, warnings, shading);
     case ModelFormat::asc_3d_studio:
       return read_asc(bytes, name, report, warnings, shading);
+    case ModelFormat::ligne_tree:
+      throw InputError(name, "a compiled model is read by the programs that draw it");
     case ModelFormat::ligne_scene:
       break;
   }

@@ -14,7 +14,10 @@
 
 namespace ligne {
 
-enum class ModelFormat { gltf, glb, obj, stl_ascii, stl_binary, ply, asc_3d_studio, ligne_scene };
+enum class ModelFormat { gltf, glb, obj, stl_ascii, stl_binary, ply, asc_3d_studio, ligne_scene, ligne_tree };
+
+/// Products of five coordinates stay finite, which is more than any computation here multiplies; float32 files reach 3.4e38.
+inline constexpr double kLargestCoordinate = 0x1p200;
 
 /// Name as shown to people, "glTF binary" and the like.
 std::string_view to_string(ModelFormat format);

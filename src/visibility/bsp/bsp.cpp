@@ -16,12 +16,22 @@ const MethodTraits& BspMethod::traits() const {
       true,
       "H. Fuchs, Z. Kedem, B. Naylor, On visible surface generation by a priori tree structures, 1980",
       MethodTraits{}.tolerance_mm,
-      kTreeParameters};
+      kTreeParameters,
+      {},
+      true};
   return traits;
 }
 
 VisibilityResult BspMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
   return compile_and_study<BspTree>(scene, options, [&](const BspTree& tree) { return study(tree, scene, options); });
+}
+
+std::shared_ptr<const CompiledScene> BspMethod::compile(const Scene& scene, const MethodSettings& settings) const {
+  return std::make_shared<BspTree>(scene, plane_choice(settings));
+}
+
+std::shared_ptr<const CompiledScene> BspMethod::read_compiled(ByteReader& bytes, const Scene& scene) const {
+  return std::make_shared<BspTree>(bytes, scene);
 }
 
 VisibilityResult BspMethod::study(const BspTree& tree, const ProjectedScene& scene, const StudyOptions& options) {

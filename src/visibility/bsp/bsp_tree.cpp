@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "files/bytes.hpp"
 #include "visibility/common/dividing_plane.hpp"
 
 namespace ligne {
@@ -21,6 +22,43 @@ BspTree::BspTree(const Scene& scene, const PlaneChoice& options) : pieces_(scene
     open.pop_back();
     divide(std::move(task), options, open);
   }
+}
+
+BspTree::BspTree(ByteReader& bytes, const Scene& scene) : pieces_(bytes, scene) {
+  for (std::uint64_t* count : {&counts_.triangles, &counts_.nodes, &counts_.splits, &counts_.depth, &counts_.free_planes}) {
+    *count = bytes.number<std::uint64_t>();
+  }
+  nodes_ = bytes.list<Node>();
+  in_planes_ = bytes.list<std::uint32_t>();
+  // As it is compiled: nodes own ranges that follow each other, and stand before their subtrees.
+  std::vector<std::uint8_t> is_child(nodes_.size(), 0);
+  std::uint32_t end = 0;
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    bytes.need(node.begin == end && node.begin <= node.end && node.end <= in_planes_.size(), "a node has no pieces");
+    end = node.end;
+    bytes.need(node.plane.is_finite(), "a plane is not finite");
+    for (const std::uint32_t child : {node.front, node.back}) {
+      if (child == kNone) continue;
+      bytes.need(child > i && child < nodes_.size() && !is_child[child], "a subtree is not there, or twice");
+      is_child[child] = 1;
+    }
+  }
+  bytes.need(end == in_planes_.size() && in_planes_.size() == pieces_.pieces().size(), "a piece is in no node");
+  std::vector<std::uint8_t> is_there(in_planes_.size(), 0);
+  for (const std::uint32_t piece : in_planes_) {
+    bytes.need(piece < is_there.size() && !is_there[piece], "a piece is in two nodes");
+    is_there[piece] = 1;
+  }
+}
+
+void BspTree::write(ByteWriter& bytes) const {
+  pieces_.write(bytes);
+  for (const std::uint64_t count : {counts_.triangles, counts_.nodes, counts_.splits, counts_.depth, counts_.free_planes}) {
+    bytes.number(count);
+  }
+  bytes.list(std::span<const Node>(nodes_));
+  bytes.list(std::span<const std::uint32_t>(in_planes_));
 }
 
 void BspTree::divide(Task task, const PlaneChoice& options, std::vector<Task>& open) {

@@ -10,13 +10,14 @@
 
 #include "visibility/common/dividing_plane.hpp"
 #include "visibility/common/model_pieces.hpp"
+#include "visibility/method.hpp"
 
 namespace ligne {
 
 /// Invariants: the pieces of a node lie in its plane, those of its front subtree in front of it or on it, those of its back
 /// subtree behind it or on it; each within ModelPieces::tolerance(). Pieces of one face have no inner point in common and
 /// together are the face.
-class BspTree {
+class BspTree final : public CompiledScene {
  public:
   struct Counts {
     std::uint64_t triangles = 0;  ///< of the scene, with area
@@ -28,6 +29,9 @@ class BspTree {
 
   /// Compiles the scene. Typically n log n in the number of faces; for any input no more memory than there are pieces.
   BspTree(const Scene& scene, const PlaneChoice& options);
+  /// A tree of that scene that was written. Throws InputError.
+  BspTree(ByteReader& bytes, const Scene& scene);
+  void write(ByteWriter& bytes) const override;
 
   const ModelPieces& pieces() const { return pieces_; }
   const Counts& counts() const { return counts_; }

@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "files/bytes.hpp"
+
 namespace ligne {
 namespace {
 
@@ -37,21 +39,56 @@ ModelPlane plane_through(const Point3& a, const Point3& b, const Point3& c) {
   return {glm::normalize(n / size), a};
 }
 
-ModelPieces::ModelPieces(const Scene& scene) : triangles_(triangulate_faces(scene)), points_(scene.vertices) {
+ModelPieces::ModelPieces(const Scene& scene)
+    : triangles_(triangulate_faces(scene)), points_(scene.vertices), vertices_(points_.size()) {
+  find_planes();
+  pieces_.reserve(triangles_.size());
+  corners_.reserve(3 * triangles_.size());
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    if (normals_[t] == Point3(0)) continue;
+    const auto begin = static_cast<std::uint32_t>(corners_.size());
+    corners_.insert(corners_.end(), triangles_[t].v.begin(), triangles_[t].v.end());
+    pieces_.push_back({begin, begin + 3, t});
+  }
+}
+
+/// Of the triangles, and how far rounding moves what lies in them.
+void ModelPieces::find_planes() {
   double largest = 0;
   for (const Point3& p : points_) largest = std::max(largest, largest_part(p));
   tolerance_ = kModelHeightRounding * largest;
-  pieces_.reserve(triangles_.size());
   normals_.reserve(triangles_.size());
-  corners_.reserve(3 * triangles_.size());
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    const auto& v = triangles_[t].v;
-    normals_.push_back(plane_through(points_[v[0]], points_[v[1]], points_[v[2]]).normal);
-    if (normals_.back() == Point3(0)) continue;
-    const auto begin = static_cast<std::uint32_t>(corners_.size());
-    corners_.insert(corners_.end(), v.begin(), v.end());
-    pieces_.push_back({begin, begin + 3, t});
+  for (const Triangle& t : triangles_)
+    normals_.push_back(plane_through(points_[t.v[0]], points_[t.v[1]], points_[t.v[2]]).normal);
+}
+
+ModelPieces::ModelPieces(ByteReader& bytes, const Scene& scene)
+    : triangles_(bytes.list<Triangle>()), points_(scene.vertices), vertices_(points_.size()) {
+  for (const Triangle& t : triangles_) {
+    bytes.need(t.face < scene.faces.size(), "a triangle is of no face");
+    for (const std::uint32_t v : t.v) bytes.need(v < points_.size(), "a triangle has a vertex that is not there");
   }
+  find_planes();
+  // Corners of cuts lie between vertices: the tolerance is that of the vertices.
+  for (const Point3& p : bytes.list<Point3>()) {
+    bytes.need(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "the corner of a cut is not a point");
+    points_.push_back(p);
+  }
+  corners_ = bytes.list<std::uint32_t>();
+  for (const std::uint32_t corner : corners_) bytes.need(corner < points_.size(), "a piece has a corner that is not there");
+  pieces_ = bytes.list<ModelPiece>();
+  for (const ModelPiece& piece : pieces_) {
+    bytes.need(piece.begin < piece.end && piece.end <= corners_.size() && piece.end - piece.begin >= 3,
+               "a piece has fewer than three corners");
+    bytes.need(piece.triangle < triangles_.size() && normals_[piece.triangle] != Point3(0), "a piece has no plane");
+  }
+}
+
+void ModelPieces::write(ByteWriter& bytes) const {
+  bytes.list(std::span<const Triangle>(triangles_));
+  bytes.list(std::span<const Point3>(points_).subspan(vertices_));
+  bytes.list(std::span<const std::uint32_t>(corners_));
+  bytes.list(std::span<const ModelPiece>(pieces_));
 }
 
 PlaneSide ModelPieces::side(std::uint32_t piece, const ModelPlane& plane) const {

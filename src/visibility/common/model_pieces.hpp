@@ -8,6 +8,7 @@
 /// Two pieces that a plane separates hide each other the wrong way round by no more than two tolerances, which is far below
 /// the depth tolerance of surfaces that touch (docs/numerics.md).
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,12 +20,18 @@
 
 namespace ligne {
 
+class ByteReader;
+class ByteWriter;
+
 struct ModelPlane {
   Point3 normal{0, 0, 1};  ///< unit vector
   Point3 point{0, 0, 0};
 
   double height(const Point3& p) const {
     return (p.x - point.x) * normal.x + (p.y - point.y) * normal.y + (p.z - point.z) * normal.z;
+  }
+  bool is_finite() const {
+    return std::isfinite(normal.x + normal.y + normal.z) && std::isfinite(point.x + point.y + point.z);
   }
 };
 
@@ -56,6 +63,9 @@ class ModelPieces {
  public:
   /// Triangles without area are left out.
   explicit ModelPieces(const Scene& scene);
+  /// Those of that scene that were written. Throws InputError.
+  ModelPieces(ByteReader& bytes, const Scene& scene);
+  void write(ByteWriter& bytes) const;
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<ModelPiece>& pieces() const { return pieces_; }
@@ -78,6 +88,7 @@ class ModelPieces {
   std::uint32_t cut(std::uint32_t piece, const ModelPlane& plane);
 
  private:
+  void find_planes();
   std::uint32_t crossing(std::uint32_t a, std::uint32_t b, const ModelPlane& plane);
 
   std::vector<Triangle> triangles_;
@@ -85,6 +96,7 @@ class ModelPieces {
   std::vector<Point3> points_;
   std::vector<std::uint32_t> corners_;
   std::vector<ModelPiece> pieces_;
+  std::size_t vertices_ = 0;  ///< of the scene; the points behind them are corners of cuts
   double tolerance_ = 0;
   std::vector<std::uint32_t> front_, back_;  ///< corners, while a piece is cut
 };

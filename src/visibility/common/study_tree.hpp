@@ -23,9 +23,10 @@ inline constexpr MethodParameter kTreeParameters[] = {
      "5",
      {},
      1,
-     kMostCandidates},
+     kMostCandidates,
+     true},
     {"partition", "HOW", "sets of many faces are divided by planes of no face too, or by planes of faces only", "mixed",
-     kPartitionNames},
+     kPartitionNames, 0, 0, true},
     {"show", "splits", "the pieces of faces that were cut, as layer debug", "", kTreeShowNames},
 };
 
@@ -36,10 +37,10 @@ inline PlaneChoice plane_choice(const MethodSettings& settings) {
   return choice;
 }
 
-/// Compiles a tree of the scene's model, studies it by study(tree), and puts the time of the first before those of the
-/// second.
+/// Studies by study(tree) with the tree that is there, or compiles one and puts the time of that before those of the study.
 template <class Tree, class Study>
 VisibilityResult compile_and_study(const ProjectedScene& scene, const StudyOptions& options, Study study) {
+  if (options.compiled) return study(dynamic_cast<const Tree&>(*options.compiled));
   Clock clock;
   const Tree tree(*scene.model, plane_choice(options.settings));
   const double seconds = clock.lap();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "files/bytes.hpp"
 #include "visibility/common/dividing_plane.hpp"
 #include "visibility/convex_tree/point_boxes.hpp"
 
@@ -101,6 +102,72 @@ std::uint64_t ConvexTree::count_supports(const std::vector<std::uint32_t>& set) 
     last = counted_sets_;
   }
   return count;
+}
+
+ConvexTree::ConvexTree(ByteReader& bytes, const Scene& scene) : pieces_(bytes, scene) {
+  for (std::uint64_t* count :
+       {&counts_.triangles, &counts_.convex_sets, &counts_.planes, &counts_.free_planes, &counts_.splits, &counts_.depth}) {
+    *count = bytes.number<std::uint64_t>();
+  }
+  const std::vector<ModelPlane> planes = bytes.list<ModelPlane>();
+  const std::vector<std::uint32_t> pieces = bytes.list<std::uint32_t>();
+  bytes.need(planes.size() == pieces.size() && pieces.size() == pieces_.pieces().size(), "a piece is in no convex set");
+  std::vector<std::uint8_t> is_there(pieces.size(), 0);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    bytes.need(pieces[i] < is_there.size() && !is_there[pieces[i]] && planes[i].is_finite(),
+               "a piece is in two convex sets, or has no plane");
+    is_there[pieces[i]] = 1;
+    inward_.push_back({pieces[i], planes[i]});
+  }
+  const auto count = bytes.number<std::uint64_t>();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Node& node = nodes_.emplace_back();
+    node.convex = bytes.number<std::uint8_t>() != 0;
+    for (std::uint32_t* n : {&node.begin, &node.end, &node.front, &node.back}) *n = bytes.number<std::uint32_t>();
+    for (Point3* p : {&node.plane.normal, &node.plane.point}) {
+      for (int k = 0; k < 3; ++k) (*p)[k] = bytes.number<double>();
+    }
+    bytes.need(node.plane.is_finite() && node.begin <= node.end && node.end <= inward_.size(), "a node has no plane");
+  }
+  // As it is compiled: nodes stand before their subtrees. Convex sets have no common piece.
+  std::vector<std::uint8_t> is_child(nodes_.size(), 0);
+  std::vector<std::uint8_t> is_owned(inward_.size(), 0);
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    for (const std::uint32_t child : {node.front, node.back}) {
+      if (child == kNone) continue;
+      bytes.need(child > i && child < nodes_.size() && !is_child[child], "a subtree is not there, or twice");
+      is_child[child] = 1;
+    }
+    for (std::uint32_t k = node.begin; k < node.end; ++k) {
+      bytes.need(node.convex && !is_owned[k], "two convex sets have a common piece");
+      is_owned[k] = 1;
+    }
+  }
+}
+
+void ConvexTree::write(ByteWriter& bytes) const {
+  pieces_.write(bytes);
+  for (const std::uint64_t count :
+       {counts_.triangles, counts_.convex_sets, counts_.planes, counts_.free_planes, counts_.splits, counts_.depth}) {
+    bytes.number(count);
+  }
+  std::vector<ModelPlane> planes;
+  std::vector<std::uint32_t> pieces;
+  for (const Inward& inward : inward_) {
+    planes.push_back(inward.plane);
+    pieces.push_back(inward.piece);
+  }
+  bytes.list(std::span<const ModelPlane>(planes));
+  bytes.list(std::span<const std::uint32_t>(pieces));
+  bytes.number(static_cast<std::uint64_t>(nodes_.size()));
+  for (const Node& node : nodes_) {
+    bytes.number(static_cast<std::uint8_t>(node.convex));
+    for (const std::uint32_t n : {node.begin, node.end, node.front, node.back}) bytes.number(n);
+    for (const Point3& p : {node.plane.normal, node.plane.point}) {
+      for (int k = 0; k < 3; ++k) bytes.number(p[k]);
+    }
+  }
 }
 
 bool ConvexTree::is_worth_peeling(const std::vector<std::uint32_t>& set) const {

@@ -10,13 +10,14 @@
 
 #include "visibility/common/dividing_plane.hpp"
 #include "visibility/common/model_pieces.hpp"
+#include "visibility/method.hpp"
 
 namespace ligne {
 
 /// Invariants: every piece of a convex node has all other pieces of it and all those below on one side, the inside, or in
 /// its plane; a separating node has its front subtree in front of its plane or in it, its back subtree behind it or in it.
 /// Each within ModelPieces::tolerance().
-class ConvexTree {
+class ConvexTree final : public CompiledScene {
  public:
   struct Counts {
     std::uint64_t triangles = 0;    ///< of the scene, with area
@@ -29,6 +30,9 @@ class ConvexTree {
   };
 
   ConvexTree(const Scene& scene, const PlaneChoice& options);
+  /// A tree of that scene that was written. Throws InputError.
+  ConvexTree(ByteReader& bytes, const Scene& scene);
+  void write(ByteWriter& bytes) const override;
 
   const ModelPieces& pieces() const { return pieces_; }
   const Counts& counts() const { return counts_; }

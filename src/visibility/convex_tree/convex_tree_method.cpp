@@ -16,12 +16,22 @@ const MethodTraits& ConvexTreeMethod::traits() const {
       true,
       "S. Huet, Compilation d'objets 3D, 1994",
       MethodTraits{}.tolerance_mm,
-      kTreeParameters};
+      kTreeParameters,
+      {},
+      true};
   return traits;
 }
 
 VisibilityResult ConvexTreeMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
   return compile_and_study<ConvexTree>(scene, options, [&](const ConvexTree& tree) { return study(tree, scene, options); });
+}
+
+std::shared_ptr<const CompiledScene> ConvexTreeMethod::compile(const Scene& scene, const MethodSettings& settings) const {
+  return std::make_shared<ConvexTree>(scene, plane_choice(settings));
+}
+
+std::shared_ptr<const CompiledScene> ConvexTreeMethod::read_compiled(ByteReader& bytes, const Scene& scene) const {
+  return std::make_shared<ConvexTree>(bytes, scene);
 }
 
 VisibilityResult ConvexTreeMethod::study(const ConvexTree& tree, const ProjectedScene& scene, const StudyOptions& options) {

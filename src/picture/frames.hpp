@@ -1,0 +1,23 @@
+#pragma once
+/// Successive views of one model: the pictures of a film, or of a model that is turned by hand.
+
+#include <functional>
+#include <optional>
+
+#include "picture/draw_scene.hpp"
+
+namespace ligne {
+
+struct FrameRequest {
+  unsigned count = 1;
+  double turn_degrees = 360;  ///< frame i is turned by i / count of it
+};
+
+/// Draws the frames and hands each to take(), in their order; those of a PDF become pages of one document when `as_pages`
+/// is set, which is handed over once. What does not depend on the view is made once: topology, and what the method compiles.
+/// All frames have one scale and one place on the page, so that the model turns about an axis that stands still. Counts and
+/// times of `run` are sums over all frames; a warning that several frames give is there once. Throws as draw_scene() does.
+void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest& frames, bool as_pages, RunReport& run,
+                 std::optional<Topology> topology, const std::function<void(Picture)>& take);
+
+}  // namespace ligne
