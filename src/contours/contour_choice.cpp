@@ -14,6 +14,10 @@ namespace {
 /// A line that turns by less, in radians, runs straight on: float32 coordinates turn short edges by about this much.
 constexpr double kStraightTurn = 5e-3;
 
+/// Contours of surfaces that bend evenly lie beside their meshes by no more than so many times their average: 5 on models
+/// whose facets are all coarse, 6 to 33 where flat faces have narrow roundings.
+constexpr double kUneven = 5.5;
+
 /// What hangs together.
 struct Group {
   std::vector<std::uint32_t> chains, sides;
@@ -80,16 +84,20 @@ class Chooser {
     return !path.empty() && turns(path) <= 1;
   }
 
-  /// The contours of the group lie farther beside the mesh on the page, on the average: the facets are what is seen.
+  /// The contours of the group lie farther beside the mesh on the page, on the average: the facets are what is seen. Or they
+  /// do so in one place alone: there a face is flat and long, with a narrow rounding along it, and a surface that bends
+  /// evenly is not what the mesh stands for.
   bool is_coarse(const Group& group, double most_mm) const {
-    double sum = 0, count = 0;
+    double sum = 0, farthest = 0, count = 0;
     for (const std::uint32_t c : group.chains) {
       for (const ContourNode& node : chains_[c].nodes) {
-        sum += glm::length(page_point(view_, node.on_surface) - page_point(view_, node.on_mesh));
+        const double off_mm = glm::length(page_point(view_, node.on_surface) - page_point(view_, node.on_mesh));
+        farthest = std::max(farthest, off_mm);
+        sum += off_mm;
         ++count;
       }
     }
-    return sum > most_mm * count;
+    return sum > most_mm * count || (farthest > most_mm && farthest * count > kUneven * sum);
   }
 
   /// A triangle at the group's edges is seen edge on, and its neighbours are not all round a contour.
