@@ -1,6 +1,7 @@
 #pragma once
 /// Elements by where they lie on the page: grids of rising cell size, each element in the grid whose cells are as large as
-/// it is, and so in four cells at the most.
+/// it is, and so in four cells at the most. In a cell they lie by how far they reach. The list is worked off from the back
+/// to the front, so what is asked for, and what is forgotten, lies at the end.
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,10 @@ class PageLevels {
     const double size = std::max(e.high[0] - e.low[0], e.high[1] - e.low[1]);
     std::size_t k = 0;
     while (k + 1 < levels_.size() && levels_[k].size < size) ++k;
-    visit_cells(levels_[k], e, [&](std::vector<Entry>& cell) { cell.push_back({e, element}); });
+    const Entry entry{e, element};
+    visit_cells(levels_[k], e, [&](std::vector<Entry>& cell) {
+      cell.insert(std::upper_bound(cell.begin(), cell.end(), entry, reaches_less_far), entry);
+    });
   }
 
   /// Calls visit(element) for the elements that the extents meet, see Box, some several times, and forgets those for which
@@ -58,7 +62,10 @@ class PageLevels {
     const Box box(e);
     for (Level& level : levels_) {
       visit_cells(level, e, [&](std::vector<Entry>& cell) {
-        std::erase_if(cell, [&](const Entry& entry) { return box.meets(entry.box) && !visit(entry.element); });
+        const auto reaches = [](float z, const Entry& entry) { return z < entry.box.z1; };
+        const auto first = std::upper_bound(cell.begin(), cell.end(), box.z0, reaches);
+        const auto forget = [&](const Entry& entry) { return box.meets(entry.box) && !visit(entry.element); };
+        cell.erase(std::remove_if(first, cell.end(), forget), cell.end());
       });
     }
   }
@@ -73,6 +80,8 @@ class PageLevels {
     int columns, rows;
     std::vector<std::vector<Entry>> cells;
   };
+
+  static bool reaches_less_far(const Entry& a, const Entry& b) { return a.box.z1 < b.box.z1; }
 
   template <class Visit>
   void visit_cells(Level& level, const Extents& e, Visit visit) {

@@ -25,7 +25,12 @@ Extents extents_of_all(const PaintElements& elements) {
 
 PriorityList::PriorityList(PaintElements& elements)
     : elements_(elements), levels_(extents_of_all(elements), elements.size()) {
-  for (std::uint32_t i = 0; i < elements.size(); ++i) levels_.add(i, elements[i].extents);
+  for (std::uint32_t i = 0; i < elements.size(); ++i) farthest_.push_back(elements[i].extents.high[2]);
+  Set by_depth(elements.size());
+  std::iota(by_depth.begin(), by_depth.end(), 0u);
+  std::stable_sort(by_depth.begin(), by_depth.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return farthest(a) < farthest(b); });
+  for (const std::uint32_t i : by_depth) levels_.add(i, elements[i].extents);
 }
 
 std::vector<std::uint32_t> PriorityList::sort() {
@@ -107,6 +112,7 @@ void PriorityList::remove(std::uint32_t element) {
 
 void PriorityList::insert(std::uint32_t element) {
   state_.resize(elements_.size(), State::waiting);
+  for (std::size_t i = farthest_.size(); i < elements_.size(); ++i) farthest_.push_back(elements_[i].extents.high[2]);
   inserted_.emplace(-farthest(element), element);
   levels_.add(element, elements_[element].extents);
 }
@@ -118,14 +124,16 @@ PriorityList::Comparison& PriorityList::comparison_of(std::uint32_t p) {
   if (!is_new) return result;
   result.known = static_cast<std::uint32_t>(elements_.size());
   seen_.resize(elements_.size(), 0);
+  found_.clear();
   levels_.visit(elements_[p].extents, [&](std::uint32_t q) {
     if (state_[q] == State::gone) return false;
-    if (seen_[q] != p + 1 && q != p) result.others.push_back(q);
+    if (seen_[q] != p + 1 && q != p) found_.emplace_back(-farthest(q), q);
     seen_[q] = p + 1;
     return true;
   });
-  std::sort(result.others.begin(), result.others.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return std::pair(-farthest(a), a) < std::pair(-farthest(b), b); });
+  std::sort(found_.begin(), found_.end());
+  result.others.reserve(found_.size());
+  for (const auto& [depth, q] : found_) result.others.push_back(q);
   return result;
 }
 

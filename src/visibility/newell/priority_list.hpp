@@ -55,8 +55,7 @@ class PriorityList {
   bool replace(std::uint32_t element, const ModelPlane& plane, std::uint64_t& count);
   void remove(std::uint32_t element);
   void insert(std::uint32_t element);
-  double farthest(std::uint32_t element) const { return elements_[element].extents.high[2]; }
-  double nearest(std::uint32_t element) const { return elements_[element].extents.low[2]; }
+  double farthest(std::uint32_t element) const { return farthest_[element]; }
 
   /// How far the comparison of an element with its set Q_p has come. What was found of a pair stays true.
   struct Comparison {
@@ -68,6 +67,8 @@ class PriorityList {
 
   PaintElements& elements_;
   PageLevels levels_;
+  std::vector<double> farthest_;  ///< depth of every element; by itself, since sorts ask for little else
+  std::vector<std::pair<double, std::uint32_t>> found_;  ///< minus the farthest depth, and number, while a set is collected
   ListCounts counts_;
   std::vector<std::uint32_t> order_;
 
