@@ -175,6 +175,9 @@ std::string text_of(const Info& info) {
                         " border, " + std::to_string(sum(scene, &ObjectFacts::many_face_edges)) + " of more than two faces");
   text += line("bounding box", point_text(scene.bounds[0]) + " to " + point_text(scene.bounds[1]));
   text += line("up axis", axis_name(info.up_axis));
+  std::string cameras;
+  for (const SceneCamera& c : info.models.scene.cameras) cameras += (cameras.empty() ? "" : ", ") + printable(c.name);
+  if (!cameras.empty()) text += line("cameras", cameras);
   text += line("unit", shortest(info.models.scene.unit_mm) + " mm");
   text += line("precision", rounded(scene.precision, 3) + " model units");
 
@@ -249,6 +252,8 @@ std::string json_of(const Info& info) {
   scene["many_face_edges"] = sum(facts, &ObjectFacts::many_face_edges);
   scene["bounds"] = Json::array({json_of(facts.bounds[0]), json_of(facts.bounds[1])});
   scene["up_axis"] = axis_name(info.up_axis);
+  scene["cameras"] = Json::array();
+  for (const SceneCamera& c : info.models.scene.cameras) scene["cameras"].push_back(c.name);
   scene["unit_mm"] = info.models.scene.unit_mm;
   scene["precision"] = facts.precision;
   scene["objects"] = Json::array();
@@ -298,7 +303,9 @@ void inform(const InfoOptions& options) {
   files.will_write("--stats-json", options.run.stats_json);
   Info info;
   RunReport run;
-  info.method = &method_of(PictureRequest{.lines = options.lines});
+  PictureRequest request;
+  request.lines = options.lines;
+  info.method = &method_of(request);
   settings_of(options.method, *info.method);
   ModelRequest model = options.model;
   model.quality = options.lines.quality;

@@ -5,8 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
+#include "scene/clean/named_objects.hpp"
 
 namespace ligne {
 namespace {
@@ -27,6 +30,34 @@ double fitting_scale(const Page& page, const Rect& extent) {
   const double across = extent.width() > 0 ? area.width() / extent.width() : unbounded;
   const double down = extent.height() > 0 ? area.height() / extent.height() : unbounded;
   return std::min(across, down);
+}
+
+/// The camera of the file that the request names. Throws RequestError.
+const SceneCamera& file_camera(const std::string& name, const Scene& scene) {
+  if (scene.cameras.empty()) throw RequestError("view", "the model has no camera");
+  if (name.empty()) return scene.cameras.front();
+  const auto found = std::ranges::find_if(scene.cameras, [&](const SceneCamera& c) { return name_fits(name, c.name); });
+  if (found != scene.cameras.end()) return *found;
+  std::string names;
+  for (const SceneCamera& c : scene.cameras) names += (names.empty() ? "" : ", ") + printable(c.name);
+  throw RequestError(
+      "view", "no camera is called " + shown(name, '"') + "; there " + (scene.cameras.size() == 1 ? "is " : "are ") + names);
+}
+
+/// What a camera of the file asks for. The true scale of a perspective holds where the middle of the scene is.
+void look_through(const SceneCamera& from, const Scene& scene, CameraRequest& to) {
+  const double length = glm::length(from.forward);
+  if (!to.up) to.up = from.up;
+  if (!from.perspective) {
+    to.direction = from.forward;
+    return;
+  }
+  const Point3 forward = from.forward / length;
+  const double middle = glm::dot(bounding_box_centre(scene) - from.eye, forward);
+  to.eye = from.eye;
+  to.target = from.eye + forward * (middle > 0 ? middle : length);
+  to.fov_degrees = from.fov_degrees;
+  to.aspect = from.aspect;
 }
 
 }  // namespace
@@ -53,6 +84,7 @@ Camera camera_of(const ViewRequest& request, const Scene& scene) {
   camera.fov_degrees = request.fov_degrees;
   camera.up = request.up;
   camera.up_axis = request.up_axis.value_or(scene.up_axis);
+  if (request.camera) look_through(file_camera(*request.camera, scene), scene, camera);
   try {
     const Camera made = make_camera(camera, scene);
     if (request.turn_degrees == 0) return made;

@@ -30,6 +30,7 @@ class Method;
 /// From where the scene is seen.
 struct ViewRequest {
   std::optional<std::string> named_view;  ///< one of kNamedViews; without it, a direction or an eye: "iso"
+  std::optional<std::string> camera{};    ///< of the model's file, by its name (name_fits()); empty: the first
   std::optional<Point3> direction;        ///< line of sight, from the viewer into the scene: parallel projection
   std::optional<Point3> eye;              ///< perspective
   std::optional<Point3> target;           ///< default: the centre of the scene's bounding box

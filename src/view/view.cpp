@@ -93,6 +93,7 @@ Camera make_camera(const CameraRequest& request, const Scene& scene) {
     }
     camera.fov_degrees = request.fov_degrees;
     camera.target_distance = glm::length(sight.forward);
+    if (request.aspect) camera.aspect = *request.aspect;
   } else {
     camera.eye = centre;
     if (request.direction) {

@@ -19,6 +19,7 @@ struct CameraRequest {
   std::optional<Point3> eye;            ///< perspective
   std::optional<Point3> target;         ///< default: the centre of the scene's bounding box
   double fov_degrees = 35;              ///< vertical angle of view
+  std::optional<double> aspect{};       ///< perspective: width by height of the field of view; else that of a sheet
   std::optional<Point3> up;
   Axis up_axis = Axis::z;
 };

@@ -2,6 +2,7 @@
 /// The description model: objects made of polygon faces with holes, materials, lights, details.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,17 @@ struct Light {
   enum class Kind : std::uint8_t { parallel, point };
   Kind kind = Kind::parallel;
   Point3 vector{0, 0, -1};  ///< parallel: direction in which the light travels; point: position
+};
+
+/// A camera of the file. Angles in degrees.
+struct SceneCamera {
+  std::string name;
+  Point3 eye{0, 0, 0};
+  Point3 forward{0, 0, -1};        ///< line of sight, of any length
+  std::optional<Point3> up{};      ///< without it, the up axis
+  bool perspective = true;         ///< else a parallel projection along the line of sight
+  double fov_degrees = 35;         ///< vertical angle of view
+  std::optional<double> aspect{};  ///< of the field of view: width by height
 };
 
 /// A contour of another colour that lies on a face.
@@ -63,6 +75,7 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Material> materials;
   std::vector<Light> lights;
+  std::vector<SceneCamera> cameras;
   std::vector<Detail> details;
   Axis up_axis = Axis::z;
   double unit_mm = 1;  ///< true length of one model unit, where the format says it: glTF counts in metres

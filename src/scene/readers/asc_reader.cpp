@@ -14,8 +14,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "scene/model/precision.hpp"
 #include "scene/readers/scene_builder.hpp"
@@ -98,18 +102,21 @@ class AscReader {
       end_object();
       part_ = Part::light;
     } else if (take_key(line, "Camera")) {
-      end_object();
-      part_ = Part::camera;
+      begin_camera(line);
     } else if (take_key(line, "Position:")) {
       add_position(line);
+    } else if (part_ == Part::camera && take_key(line, "Target:")) {
+      end_camera(line);
+    } else if (take_key(line, "Bank angle:")) {
+      bank(line);
     } else if (!is_left_out(line)) {
       warnings_.add("3D Studio lines of an unknown kind left out");
     }
   }
 
   static bool is_left_out(std::string_view line) {
-    for (const std::string_view key : {"Ambient light color:", "Light color:", "Target:", "Bank angle:", "Mapped", "Hotspot",
-                                       "Falloff", "Background", "Layer:"}) {
+    for (const std::string_view key :
+         {"Ambient light color:", "Light color:", "Target:", "Mapped", "Hotspot", "Falloff", "Background", "Layer:"}) {
       if (take_key(line, key)) return true;
     }
     return false;
@@ -194,8 +201,44 @@ class AscReader {
     line.remove_prefix(colon + 1);
   }
 
+  /// "(50mm)": the focal length, for a film 36 mm wide and 24 high.
+  void begin_camera(std::string_view line) {
+    end_object();
+    part_ = Part::camera;
+    camera_ = {};
+    camera_.name = object_name_;
+    constexpr double kFilmHeightMm = 24, kFilmWidthMm = 36, kUsualLensMm = 50;
+    const std::size_t open = line.find('('), unit = line.find("mm");
+    const bool told = open != std::string_view::npos && unit != std::string_view::npos && open < unit;
+    const double lens_mm = (told ? number_in(line.substr(open + 1, unit - open - 1)) : std::nullopt).value_or(kUsualLensMm);
+    camera_.fov_degrees = 2 * std::atan2(kFilmHeightMm / 2, std::max(lens_mm, 0.0)) * 180 / std::numbers::pi;
+    camera_.aspect = kFilmWidthMm / kFilmHeightMm;
+  }
+
+  void end_camera(std::string_view line) {
+    DecimalPrecision unused;
+    camera_.forward = take_point(line, unused) - camera_.eye;
+    if (glm::length(camera_.forward) > 0 && camera_.fov_degrees < 180) builder_.scene().cameras.push_back(camera_);
+    part_ = Part::none;
+  }
+
+  /// Of the camera that was read last: it is turned so far about the line of sight.
+  void bank(std::string_view line) {
+    const std::optional<double> degrees = number_in(take_word(line));
+    if (!degrees || *degrees == 0 || builder_.scene().cameras.empty()) return;
+    SceneCamera& camera = builder_.scene().cameras.back();
+    const Point3 forward = glm::normalize(camera.forward), right = glm::cross(forward, Point3{0, 0, 1});
+    if (glm::length(right) == 0) return;  // straight down there is nothing to be turned from
+    const double angle = *degrees * std::numbers::pi / 180;
+    camera.up = glm::cross(glm::normalize(right), forward) * std::cos(angle) + glm::normalize(right) * std::sin(angle);
+  }
+
   void add_position(std::string_view line) {
-    if (part_ == Part::camera) return;
+    if (part_ == Part::camera) {
+      DecimalPrecision unused;
+      camera_.eye = take_point(line, unused);
+      return;
+    }
     if (part_ != Part::light) throw error("position outside a light or camera");
     DecimalPrecision unused;
     builder_.scene().lights.push_back({Light::Kind::point, take_point(line, unused)});
@@ -233,6 +276,7 @@ class AscReader {
   SceneBuilder builder_;
   FileShading* shading_;  ///< or nullptr
   Part part_ = Part::none;
+  SceneCamera camera_;  ///< that is being read
   std::string object_name_;
   std::uint32_t vertex_count_ = 0, face_count_ = 0;  ///< as the mesh's heading says
   std::uint32_t vertices_ = 0;                       ///< read so far

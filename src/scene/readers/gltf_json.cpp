@@ -179,6 +179,7 @@ class Checker {
     text["accessors"] = each("accessors", "accessor ", [&](const Item& item) { return accessor(item); });
     text["materials"] = each("materials", "material ", [&](const Item& item) { return material(item); });
     text["meshes"] = list_meshes();
+    text["cameras"] = list_cameras();
     text["nodes"] = each("nodes", "node ", [&](const Item& item) { return node(item); });
     text["scenes"] = each("scenes", "scene ", [&](const Item& item) {
       return json{{"nodes", item.indices("nodes", nodes_)}};
@@ -316,10 +317,40 @@ class Checker {
     return out;
   }
 
+  /// One that is broken has an angle of 0: how a model could be looked at is no reason to refuse it.
+  json list_cameras() const {
+    json out = json::array();
+    const json* const list = root_.find("cameras");
+    if (!list || !list->is_array()) return out;
+    const auto number = [](const json& object, const char* key) {
+      const auto found = object.is_object() ? object.find(key) : object.end();
+      return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
+    };
+    for (const json& camera : *list) {
+      const auto part = [&](const char* key) { return camera.is_object() && camera.contains(key) ? camera[key] : json(); };
+      const json name = part("name"), perspective = part("perspective");
+      json to{{"name", name.is_string() ? name : json("")}};
+      if (part("type") == "orthographic") {
+        to["type"] = "orthographic";
+        to["orthographic"] = {{"xmag", 1}, {"ymag", 1}, {"znear", 0}, {"zfar", 1}};
+      } else {
+        to["type"] = "perspective";
+        to["perspective"] = {{"yfov", number(perspective, "yfov")}, {"znear", 1}};
+        if (const double aspect = number(perspective, "aspectRatio"); aspect > 0) to["perspective"]["aspectRatio"] = aspect;
+      }
+      out.push_back(std::move(to));
+    }
+    return out;
+  }
+
   json node(const Item& item) const {
     json out{{"name", item.text("name")}, {"children", item.indices("children", nodes_)}};
     if (const auto mesh = item.index("mesh", meshes_)) out["mesh"] = *mesh;
     if (item.find("skin")) out["skin"] = 0;
+    const json* const camera = item.find("camera");
+    const json* const cameras = root_.find("cameras");
+    const std::size_t count = cameras && cameras->is_array() ? cameras->size() : 0;
+    if (camera && camera->is_number_unsigned() && camera->get<std::size_t>() < count) out["camera"] = *camera;
     for (const auto& [key, size] : {std::pair{"matrix", 16}, {"rotation", 4}, {"scale", 3}, {"translation", 3}}) {
       json numbers = item.numbers(key, static_cast<std::size_t>(size));
       if (!numbers.is_null()) out[key] = std::move(numbers);

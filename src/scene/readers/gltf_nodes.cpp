@@ -65,7 +65,7 @@ std::vector<std::uint32_t> find_parents(const GltfDocument& document) {
 
 }  // namespace
 
-std::vector<GltfInstance> list_instances(const GltfDocument& document) {
+GltfNodes list_nodes(const GltfDocument& document) {
   const tinygltf::Model& model = document.model;
   const std::vector<std::uint32_t> parent = find_parents(document);
   struct Visit {
@@ -84,7 +84,7 @@ std::vector<GltfInstance> list_instances(const GltfDocument& document) {
   }
   std::reverse(stack.begin(), stack.end());
   std::vector<std::uint8_t> visited(model.nodes.size(), 0);
-  std::vector<GltfInstance> instances;
+  GltfNodes found;
   while (!stack.empty()) {
     const Visit visit = stack.back();
     stack.pop_back();
@@ -93,12 +93,14 @@ std::vector<GltfInstance> list_instances(const GltfDocument& document) {
     visited[visit.node] = 1;
     const tinygltf::Node& node = model.nodes[visit.node];
     const glm::dmat4 to_world = visit.parent_to_world * local_matrix(node);
-    if (node.mesh >= 0) instances.push_back({visit.node, static_cast<std::size_t>(node.mesh), to_world});
+    if (node.mesh >= 0) found.instances.push_back({visit.node, static_cast<std::size_t>(node.mesh), to_world});
+    const auto camera = static_cast<std::size_t>(node.camera);
+    if (node.camera >= 0 && camera < model.cameras.size()) found.cameras.push_back({visit.node, camera, to_world});
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
       stack.push_back({static_cast<std::size_t>(*child), to_world});
     }
   }
-  return instances;
+  return found;
 }
 
 double largest_stretch(const glm::dmat4& matrix) {

@@ -16,9 +16,21 @@ struct GltfInstance {
   glm::dmat4 to_world{1};
 };
 
-/// The nodes with a mesh of the default scene, or below all root nodes when the file names no scene, parents before
-/// children. Throws InputError when the nodes are not a strict tree.
-std::vector<GltfInstance> list_instances(const GltfDocument& document);
+/// A camera as it stands in the world.
+struct GltfCamera {
+  std::size_t node = 0;
+  std::size_t camera = 0;
+  glm::dmat4 to_world{1};
+};
+
+struct GltfNodes {
+  std::vector<GltfInstance> instances;
+  std::vector<GltfCamera> cameras;
+};
+
+/// The nodes with a mesh or a camera of the default scene, or below all root nodes when the file names no scene, parents
+/// before children. Throws InputError when the nodes are not a strict tree.
+GltfNodes list_nodes(const GltfDocument& document);
 
 /// Largest stretch of a direction by the linear part of a transform: its largest singular value.
 double largest_stretch(const glm::dmat4& m);

@@ -8,8 +8,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 #include "scene/readers/gltf_accessor.hpp"
 #include "scene/readers/gltf_document.hpp"
@@ -56,7 +59,8 @@ class Reader {
       : document_(document), model_(document.model), warnings_(warnings), shading_(shading) {}
 
   Scene run(ReadReport& report) {
-    const std::vector<GltfInstance> instances = list_instances(document_);
+    const GltfNodes nodes = list_nodes(document_);
+    const std::vector<GltfInstance>& instances = nodes.instances;
     meshes_.resize(model_.meshes.size());
     count(instances);
     scene_.up_axis = Axis::y;
@@ -66,12 +70,33 @@ class Reader {
     scene_.faces.reserve_corners(3 * triangles_);
     for (const GltfInstance& instance : instances) add_object(instance);
     write_materials();
+    for (const GltfCamera& camera : nodes.cameras) add_camera(camera);
     report.faces = report.triangles = triangles_;
     report.vertices = vertices_;
     return std::move(scene_);
   }
 
  private:
+  /// It looks along -z of its node, with y up. One whose numbers mean nothing is left out.
+  void add_camera(const GltfCamera& from) {
+    const tinygltf::Camera& camera = model_.cameras[from.camera];
+    const tinygltf::Node& node = model_.nodes[from.node];
+    const auto axis = [&](int k) { return Point3(from.to_world[k][0], from.to_world[k][1], from.to_world[k][2]); };
+    SceneCamera to;
+    to.name = !node.name.empty() ? node.name : camera.name;
+    to.eye = axis(3);
+    to.forward = -axis(2);
+    to.up = axis(1);
+    to.perspective = camera.type != "orthographic";
+    if (to.perspective) {
+      to.fov_degrees = camera.perspective.yfov * 180 / std::numbers::pi;
+      if (camera.perspective.aspectRatio > 0) to.aspect = camera.perspective.aspectRatio;
+    }
+    const double size = glm::length(to.eye) + glm::length(to.forward) + glm::length(*to.up);
+    const bool looks = std::isfinite(size) && glm::length(glm::cross(to.forward, *to.up)) > 0;
+    if (looks && to.fov_degrees > 0 && to.fov_degrees < 180) scene_.cameras.push_back(std::move(to));
+  }
+
   // ---- first pass
 
   void count(const std::vector<GltfInstance>& instances) {

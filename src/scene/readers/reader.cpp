@@ -143,6 +143,7 @@ void append_scene(Scene& a, Scene&& b) {
   }
   std::move(b.materials.begin(), b.materials.end(), std::back_inserter(a.materials));
   a.lights.insert(a.lights.end(), b.lights.begin(), b.lights.end());
+  std::move(b.cameras.begin(), b.cameras.end(), std::back_inserter(a.cameras));
 }
 
 }  // namespace ligne

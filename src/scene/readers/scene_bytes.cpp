@@ -134,6 +134,35 @@ void read_lights(ByteReader& bytes, Scene& scene) {
   }
 }
 
+void write_camera(ByteWriter& bytes, const SceneCamera& camera) {
+  bytes.text(camera.name);
+  write_point(bytes, camera.eye);
+  write_point(bytes, camera.forward);
+  bytes.number(static_cast<std::uint8_t>(camera.up.has_value()));
+  write_point(bytes, camera.up.value_or(Point3{0, 0, 0}));
+  bytes.number(static_cast<std::uint8_t>(camera.perspective));
+  bytes.number(camera.fov_degrees);
+  bytes.number(camera.aspect.value_or(0));
+}
+
+void read_cameras(ByteReader& bytes, Scene& scene) {
+  const auto count = bytes.number<std::uint64_t>();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    SceneCamera& camera = scene.cameras.emplace_back();
+    camera.name = bytes.text();
+    camera.eye = read_point(bytes);
+    camera.forward = read_point(bytes);
+    const bool has_up = bytes.number<std::uint8_t>() != 0;
+    const Point3 up = read_point(bytes);
+    if (has_up) camera.up = up;
+    camera.perspective = bytes.number<std::uint8_t>() != 0;
+    camera.fov_degrees = bytes.number<double>();
+    const auto aspect = bytes.number<double>();
+    bytes.need(std::isfinite(camera.fov_degrees) && std::isfinite(aspect) && aspect >= 0, "a camera has no field of view");
+    if (aspect > 0) camera.aspect = aspect;
+  }
+}
+
 void read_details(ByteReader& bytes, Scene& scene) {
   const auto count = bytes.number<std::uint64_t>();
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -168,6 +197,8 @@ void write_scene(ByteWriter& bytes, const Scene& scene) {
     bytes.number(static_cast<std::uint8_t>(light.kind));
     write_point(bytes, light.vector);
   }
+  bytes.number(static_cast<std::uint64_t>(scene.cameras.size()));
+  for (const SceneCamera& camera : scene.cameras) write_camera(bytes, camera);
   bytes.number(static_cast<std::uint64_t>(scene.details.size()));
   for (const Detail& detail : scene.details) {
     bytes.number(detail.face);
@@ -191,6 +222,7 @@ Scene read_scene(ByteReader& bytes) {
   read_objects(bytes, scene);
   read_materials(bytes, scene);
   read_lights(bytes, scene);
+  read_cameras(bytes, scene);
   read_details(bytes, scene);
   return scene;
 }
