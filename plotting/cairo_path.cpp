@@ -1,4 +1,5 @@
 #include "plotting/cairo_path.hpp"
+#include "plotting/fill_rim.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -51,11 +51,8 @@ struct PathForm {
 void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& style, const PathForm& form);
 
 /// Fills the areas in their order; those of one colour that follow each other as one path, since Cairo's vector surfaces
-/// take time with the square of the number of calls. Neighbours of different colours would let the page shine through
-/// between them, so opaque ones get a rim of kFillRimMm of their own colour: wide enough to close the seams at 150 dpi,
-/// narrower than the lines above.
+/// take time with the square of the number of calls. Opaque ones get a rim (fill_rim.hpp).
 void paint_fills(cairo_t* cairo, const std::vector<Fill>& fills, double units_per_mm);
-inline constexpr double kFillRimMm = 0.15;
 
 /// Keeps what Cairo writes in a string.
 cairo_status_t append_to_string(void* string, const unsigned char* bytes, unsigned int count);

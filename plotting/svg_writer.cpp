@@ -15,6 +15,7 @@
 #include "geometry/parallel.hpp"
 #include "plotting/cairo_path.hpp"
 #include "plotting/cairo_text.hpp"
+#include "plotting/fill_rim.hpp"
 #include "plotting/number_text.hpp"
 #include "plotting/paths/fit_curves.hpp"
 #include "plotting/utf8.hpp"

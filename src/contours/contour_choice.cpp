@@ -14,9 +14,10 @@ namespace {
 /// A line that turns by less, in radians, runs straight on: float32 coordinates turn short edges by about this much.
 constexpr double kStraightTurn = 5e-3;
 
-/// Contours of surfaces that bend evenly lie beside their meshes by no more than so many times their average: 5 on models
-/// whose facets are all coarse, 6 to 33 where flat faces have narrow roundings.
-constexpr double kUneven = 5.5;
+/// Adjustable: edges of surfaces that bend evenly are no more than so many times as long as they are on the average.
+constexpr double kUneven = 4;
+/// Adjustable: of the distance from which on a mesh is coarse, as much as is seen between an area and its outline.
+constexpr double kSeenPart = 0.25;
 
 /// What hangs together.
 struct Group {
@@ -85,19 +86,22 @@ class Chooser {
   }
 
   /// The contours of the group lie farther beside the mesh on the page, on the average: the facets are what is seen. Or they
-  /// do so in one place alone: there a face is flat and long, with a narrow rounding along it, and a surface that bends
-  /// evenly is not what the mesh stands for.
+  /// are lifted off an edge that is long among the others: there a face is flat, with a narrow rounding along it, and a
+  /// surface that bends evenly is not what the mesh stands for.
   bool is_coarse(const Group& group, double most_mm) const {
-    double sum = 0, farthest = 0, count = 0;
+    double off_sum = 0, length_sum = 0, count = 0, longest = 0;
     for (const std::uint32_t c : group.chains) {
       for (const ContourNode& node : chains_[c].nodes) {
         const double off_mm = glm::length(page_point(view_, node.on_surface) - page_point(view_, node.on_mesh));
-        farthest = std::max(farthest, off_mm);
-        sum += off_mm;
+        const double length =
+            glm::length(scene_.vertices[vertex(next_corner(node.side))] - scene_.vertices[vertex(node.side)]);
+        off_sum += off_mm;
+        length_sum += length;
         ++count;
+        if (off_mm > kSeenPart * most_mm) longest = std::max(longest, length);
       }
     }
-    return sum > most_mm * count || (farthest > most_mm && farthest * count > kUneven * sum);
+    return off_sum > most_mm * count || longest * count > kUneven * length_sum;
   }
 
   /// A triangle at the group's edges is seen edge on, and its neighbours are not all round a contour.

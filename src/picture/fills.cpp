@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "plotting/fill_rim.hpp"
 #include "view/brightness.hpp"
 
 namespace ligne {
@@ -18,6 +19,20 @@ constexpr std::uint32_t kAllLights = 0xffffffffu;
 /// Behind the viewer, to the upper left: for scenes without a light.
 Light light_over_the_shoulder(const Camera& camera) {
   return {Light::Kind::parallel, camera.forward + 0.5 * camera.right + 0.7 * camera.down};
+}
+
+/// Narrower, on the average, than the rims of its neighbours reach over it. The normals of slivers say little about a
+/// surface, and in colours of their own they are streaks.
+bool is_narrow(const Region& region) {
+  double twice_area = 0, length = 0;
+  for (const std::vector<Point2>& contour : region.contours) {
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const Point2 p = contour[i], q = contour[i + 1 == contour.size() ? 0 : i + 1];
+      twice_area += p.x * q.y - p.y * q.x;
+      length += std::hypot(q.x - p.x, q.y - p.y);
+    }
+  }
+  return std::abs(twice_area) < kFillRimMm / 2 * length;
 }
 
 /// What colour a face is filled with.
@@ -61,17 +76,19 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
   const FillColors colors(scene, view, lights, kind);
   struct LeveledFill {
     std::uint32_t level;
+    bool narrow;
     Fill fill;
   };
   std::vector<LeveledFill> found;
   for (const Region& region : regions) {
     const Material material = material_of(scene, region);
     const auto color = colors.of(material, region.face, region.lights, region.light_shares);
-    found.push_back({region.level, {region.contours, color, material.opacity}});
+    found.push_back({region.level, is_narrow(region), {region.contours, color, material.opacity}});
   }
-  // Within a level nothing overlaps, so colours may be put together.
+  // Within a level nothing overlaps but rims, which hide what is narrow. So colours may be put together.
   std::stable_sort(found.begin(), found.end(), [](const LeveledFill& a, const LeveledFill& b) {
     if (a.level != b.level) return a.level > b.level;
+    if (a.narrow != b.narrow) return a.narrow;
     return std::tie(a.fill.opacity, a.fill.color) > std::tie(b.fill.opacity, b.fill.color);
   });
   std::vector<Fill> fills;
