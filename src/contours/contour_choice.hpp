@@ -33,9 +33,8 @@ struct ContourChoice {
 ///   one corner (a cylinder, a cone): the mesh's outline stays;
 /// - a triangle of it is seen exactly edge on (a flat side in the direction of the view), and its contours, if any, end at
 ///   borders: the mesh's outline stays, since a line on the page is all of that triangle;
-/// - the contours lie more than `most_mm` beside the mesh on the average, so that a coarse mesh is drawn as it is, or in a
-/// few
-///   places alone, where flat faces have narrow roundings;
+/// - the contours lie more than `most_mm` beside the mesh on the average, so that a coarse mesh is drawn as it is, or are
+///   lifted off long edges of flat faces that have narrow roundings: the mesh's outline stays;
 /// - else the contours.
 ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
                               std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double most_mm);
