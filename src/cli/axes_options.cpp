@@ -1,8 +1,8 @@
 #include "cli/axes_options.hpp"
 
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
 #include "files/message_text.hpp"
+#include "picture/parse.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/errors.hpp"
+#include "picture/parse.hpp"
 
 namespace ligne {
 namespace {

@@ -1,7 +1,7 @@
 #include "cli/curve_options.hpp"
 
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
+#include "picture/parse.hpp"
 
 namespace ligne {
 namespace {
@@ -49,18 +49,6 @@ void add_curve_options(CLI::App& app, CurveRequest& request) {
         if (!text.empty()) request.ridgeline_overlap = parse_number(text);
       },
       "rows lifted one above the other, as on the cover of Unknown Pleasures; heights reach over K rows (default: 6)");
-}
-
-void check(const CurveRequest& request) {
-  if (request.contours && request.contour_step) throw UsageError("--contours, --contour-step", "do not go together");
-  const bool contours = request.contours || request.contour_step || request.contours_base;
-  if (request.hidden_by == HiddenBy::curves && contours)
-    throw UsageError("--hidden-by", "curves knows no surface for contours to lie on");
-  if (request.hidden_by == HiddenBy::curves && request.outline.value_or(false))
-    throw UsageError("--hidden-by", "curves knows no surface that has an outline");
-  if (request.ridgeline && (contours || request.outline.value_or(false)))
-    throw UsageError("--ridgeline", "is made of rows alone");
-  if (request.ridgeline && !(request.ridgeline_overlap > 0)) throw UsageError("--ridgeline", "the overlap is not above 0");
 }
 
 }  // namespace ligne

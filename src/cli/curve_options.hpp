@@ -11,7 +11,4 @@ namespace ligne {
 
 void add_curve_options(CLI::App& app, CurveRequest& request);
 
-/// Throws UsageError for options that do not go together.
-void check(const CurveRequest& request);
-
 }  // namespace ligne

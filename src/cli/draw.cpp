@@ -7,12 +7,13 @@
 #include "cli/hatch_options.hpp"
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
-#include "cli/parse.hpp"
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
 #include "files/message_text.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/frames.hpp"
+#include "picture/parse.hpp"
+#include "picture/parse_options.hpp"
 
 namespace ligne {
 namespace {
@@ -30,10 +31,8 @@ std::vector<std::string> object_patterns(const PenTable& pens) {
 
 void add_profile_option(CLI::App& app, std::optional<ProfileKind>& profile) {
   OptionGroup(app, "Lines")
-      .add(
-          "--profile", "HOW", profile,
-          [](const std::string& text) { return static_cast<ProfileKind>(parse_choice(text, kProfileNames)); },
-          "outer outlines wide, in a layer of their own: sheet, where the sheet is behind; parts, another object too; off")
+      .add("--profile", "HOW", profile, parse_profile,
+           "outer outlines wide, in a layer of their own: sheet, where the sheet is behind; parts, another object too; off")
       .standard("off; sheet where --edges names profile");
 }
 

@@ -1,17 +1,16 @@
 #include "cli/fill_options.hpp"
 
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
+#include "picture/parse.hpp"
+#include "picture/parse_options.hpp"
 
 namespace ligne {
 
 void add_fill_options(CLI::App& app, FillRequest& request) {
   OptionGroup group(app, "Fills");
   group
-      .add(
-          "--fill", "HOW", request.kind,
-          [](const std::string& text) { return static_cast<FillKind>(parse_choice(text, kFillNames)); },
-          "visible faces in colour: none material shade paper; by a method that gives regions, or painted in its order")
+      .add("--fill", "HOW", request.kind, parse_fill,
+           "visible faces in colour: none material shade paper; by a method that gives regions, or painted in its order")
       .standard("none");
   group.add_repeatable(
       "--light", "X,Y,Z", [&request](const std::string& text) { request.lights.push_back(parse_vector(text)); },

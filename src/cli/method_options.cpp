@@ -6,26 +6,12 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
-#include "files/message_text.hpp"
+#include "picture/parse.hpp"
+#include "picture/parse_options.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
-
-const Method* parse_method(const std::string& text) {
-  if (const Method* method = find_method(text)) return method;
-  std::vector<std::string_view> names{"auto"};
-  for (const Method* method : all_methods()) names.push_back(method->traits().name);
-  throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(names));
-}
-
-unsigned parse_value(const std::string& text, const MethodParameter& parameter) {
-  if (parameter.words.empty()) return parse_count(text, parameter.low, parameter.high);
-  const bool number = parameter.high > 0 && !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  if (number) return parse_count(text, parameter.low, parameter.high);
-  return static_cast<unsigned>(parse_choice(text, parameter.words)) + (parameter.high > 0 ? parameter.high + 1 : 0);
-}
 
 /// One option for each name, whatever the number of methods that have it.
 void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false) {
@@ -53,14 +39,6 @@ void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false
 
 }  // namespace
 
-double parse_min_length(const std::string& text) {
-  const double length = parse_length_mm(text);
-  if (length < 0) throw std::invalid_argument("a length is not negative");
-  return length;
-}
-
-HiddenLines parse_hidden(const std::string& text) { return static_cast<HiddenLines>(parse_choice(text, kHiddenLinesNames)); }
-
 void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice) {
   OptionGroup group(app, "Lines");
   group.add("--method", "NAME", request.method, parse_method, "visibility method, see: ligne methods").standard("auto");
@@ -72,21 +50,15 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice)
       .add("--edges", "LIST", request.classes, parse_given_edges,
            "of outline,crease,border,intersection,mesh,shadow,profile; feature: the first four; all: all of the model")
       .standard("feature");
-  group
-      .add(
-          "--crease", "DEG", request.crease_degrees,
-          [](const std::string& text) { return parse_within(text, 0, 180, "degrees"); },
-          "angle between normals above which an edge is a crease")
+  group.add("--crease", "DEG", request.crease_degrees, parse_crease, "angle between normals above which an edge is a crease")
       .standard("30");
   group.add("--min-length", "LEN", request.least_mm, parse_min_length, "leave out visible bits of lines that are shorter")
       .standard("1.5 pens; 0 for exact lines");
   group.add("--hidden", "HOW", request.hidden, parse_hidden, "hidden lines in a layer of their own: none dashed solid")
       .standard("none");
   group
-      .add(
-          "--quality", "HOW", request.quality,
-          [](const std::string& text) { return static_cast<Quality>(parse_choice(text, kQualityNames)); },
-          "clear: the lines of the shape that the mesh stands for; exact: of every edge as stored")
+      .add("--quality", "HOW", request.quality, parse_quality,
+           "clear: the lines of the shape that the mesh stands for; exact: of every edge as stored")
       .standard("clear");
   group.add_flag("--cull", request.cull, "leave out back faces of closed, consistently wound objects");
   add_parameters(app, choice);
@@ -112,7 +84,7 @@ MethodSettings settings_of(const MethodChoice& choice, const Method& method) {
     const auto found = std::find_if(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == name; });
     if (found == own.end()) throw UsageError(option, "method " + std::string(method.traits().name) + " has no such option");
     try {
-      settings.set(found->name, parse_value(text, *found));
+      settings.set(found->name, parse_parameter(text, *found));
     } catch (const std::invalid_argument& e) {
       throw UsageError(option, e.what());
     }

@@ -25,9 +25,6 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice)
 /// Adds --method for those that compile, and the parameters of that.
 void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& choice);
 
-/// Reads "--hidden".
-HiddenLines parse_hidden(const std::string& text);
-
 /// The values for the method's own parameters. Throws UsageError for one that it does not have, or not with this value.
 MethodSettings settings_of(const MethodChoice& choice, const Method& method);
 

@@ -2,19 +2,11 @@
 
 #include "cli/messages.hpp"
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
 #include "files/message_text.hpp"
+#include "picture/parse.hpp"
+#include "picture/parse_options.hpp"
 
 namespace ligne {
-
-namespace {
-
-std::optional<double> parse_weld(const std::string& text) {
-  if (text == "auto") return std::nullopt;
-  return text == "off" ? 0 : parse_positive(text);
-}
-
-}  // namespace
 
 void add_model_options(CLI::App& app, ModelRequest& request) {
   add_arguments(app, "MODEL", request.files, true,

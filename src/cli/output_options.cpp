@@ -1,14 +1,10 @@
 #include "cli/output_options.hpp"
 
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
+#include "picture/parse.hpp"
+#include "picture/parse_options.hpp"
 
 namespace ligne {
-namespace {
-
-constexpr double kLowestDpi = 1, kHighestDpi = 9600;
-
-}  // namespace
 
 void add_output_options(CLI::App& app, OutputOptions& options, const std::string& formats) {
   OptionGroup group(app, "Output");
@@ -17,12 +13,7 @@ void add_output_options(CLI::App& app, OutputOptions& options, const std::string
 }
 
 void add_dpi_option(CLI::App& app, double& dpi) {
-  OptionGroup(app, "Output")
-      .add(
-          "--dpi", "N", dpi,
-          [](const std::string& text) { return parse_within(text, kLowestDpi, kHighestDpi, "dots per inch"); },
-          "resolution of a PNG")
-      .standard("150");
+  OptionGroup(app, "Output").add("--dpi", "N", dpi, parse_dpi, "resolution of a PNG").standard("150");
 }
 
 void add_curves_option(CLI::App& app, std::optional<bool>& curves, const std::string& standard) {

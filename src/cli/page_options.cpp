@@ -1,56 +1,10 @@
 #include "cli/page_options.hpp"
 
-#include <algorithm>
-#include <cctype>
-#include <string_view>
-#include <vector>
-
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
-#include "drawing/drawing.hpp"
-#include "files/message_text.hpp"
+#include "picture/parse.hpp"
+#include "picture/parse_options.hpp"
 
 namespace ligne {
-namespace {
-
-constexpr double kWidestPenMm = 50;
-
-}  // namespace
-
-double parse_pen_width(const std::string& text) {
-  const double width = parse_length_mm(text);
-  if (!(width > 0 && width <= kWidestPenMm)) {
-    throw std::invalid_argument(printable(text) + " is not above 0 and at most " + shortest(kWidestPenMm) + " mm");
-  }
-  return width;
-}
-
-LineWidths parse_widths(const std::string& text) {
-  LineWidths widths;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
-    const std::size_t equals = part.rfind('=');
-    if (equals == std::string::npos || equals == 0) throw std::invalid_argument(shown(part, '"') + " is not CLASS=LEN");
-    widths[part.substr(0, equals)] = parse_pen_width(part.substr(equals + 1));
-    begin = end + 1;
-  }
-  return widths;
-}
-
-void require_layers(const LineWidths& widths) {
-  std::vector<std::string_view> names{"hatch", "underside", "contour-base", "text", "debug"};
-  for (std::size_t l = kStrokeLayerCount; l > 0; --l) names.insert(names.end() - 5, stroke_layer_name(l - 1));
-  for (const auto& [name, width] : widths) parse_choice(name, names);
-}
-
-PageSize parse_page_size(const std::string& text) {
-  PageSize size;
-  size.page = parse_page(text);
-  const unsigned char first = text.empty() ? 0 : static_cast<unsigned char>(text[0]);
-  size.explicit_size = !std::isalpha(first);
-  return size;
-}
 
 void add_width_option(CLI::App& app, LineWidths& widths, bool own_layers) {
   OptionGroup(app, "Page")

@@ -1,7 +1,7 @@
 #include "cli/plotter_options.hpp"
 
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
+#include "picture/parse.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {

@@ -5,7 +5,7 @@
 
 #include "cli/messages.hpp"
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
+#include "picture/parse.hpp"
 
 namespace ligne {
 namespace {

@@ -1,7 +1,6 @@
 #include "cli/surface_options.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "cli/axes_options.hpp"
@@ -10,18 +9,18 @@
 #include "cli/method_options.hpp"
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
-#include "cli/parse.hpp"
 #include "cli/view_options.hpp"
 #include "files/message_text.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/hatching.hpp"
-#include "scene/surfaces/surface_points.hpp"
+#include "picture/parse.hpp"
+#include "picture/parse_options.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
 
-constexpr unsigned kMostCurves = 20'000, kMostSamples = 1'000'000, kHighestResolution = 1'000'000, kResolution = 2000;
+constexpr unsigned kMostSamples = 1'000'000, kHighestResolution = 1'000'000, kResolution = 2000;
 
 constexpr const char* kExamples = R"help(Examples:
   ligne surface "sin(r)/r" -x -12:12:60 -y -12:12:60 -o sombrero.svg
@@ -29,71 +28,6 @@ constexpr const char* kExamples = R"help(Examples:
   ligne surface "sin(x*y)" -x -3:3 -y -3:3 --lines x --eye 8,-6,5 --pen-width 0.2 -o waves.svg
   ligne surface "x^2+y^2" "8-x^2-y^2" --z-range 0:8 --hidden dashed -o bowls.svg
   ligne surface --parametric "(3+cos(v))*cos(u)" "(3+cos(v))*sin(u)" "sin(v)" -o torus.svg)help";
-
-/// A number, or a formula of numbers such as 2*pi.
-double parse_constant(const std::string& text) {
-  try {
-    const double value = constant_of(text);
-    if (std::isfinite(value)) return value;
-  } catch (const InputError& e) {
-    throw std::invalid_argument(e.what());
-  }
-  throw std::invalid_argument(shown(text, '"') + " is not a finite number");
-}
-
-/// "A:B", and what stands behind the second colon.
-struct Ends {
-  double from, to;
-  std::optional<std::string> rest;
-};
-
-Ends parse_ends(const std::string& text, const std::string& form) {
-  const std::size_t first = text.find(':');
-  if (first == std::string::npos) throw std::invalid_argument(shown(text, '"') + " is not " + form);
-  const std::size_t second = text.find(':', first + 1);
-  Ends ends{parse_constant(text.substr(0, first)), 0, {}};
-  ends.to = parse_constant(text.substr(first + 1, second == std::string::npos ? second : second - first - 1));
-  if (second != std::string::npos) ends.rest = text.substr(second + 1);
-  if (!(ends.from < ends.to)) throw std::invalid_argument("the range " + printable(text) + " does not ascend");
-  if (!std::isfinite(ends.to - ends.from)) throw std::invalid_argument("the range " + printable(text) + " is too large");
-  return ends;
-}
-
-/// "A:B" or "A:B:N".
-CurveRange parse_range(const std::string& text) {
-  const Ends ends = parse_ends(text, "A:B or A:B:N");
-  CurveRange range{ends.from, ends.to, {}};
-  if (ends.rest) range.curves = parse_count(*ends.rest, 2, kMostCurves);
-  return range;
-}
-
-std::array<double, 2> parse_heights(const std::string& text) {
-  const Ends ends = parse_ends(text, "A:B");
-  if (ends.rest) throw std::invalid_argument(shown(text, '"') + " is not A:B");
-  return {ends.from, ends.to};
-}
-
-void check_sources(const SurfaceRequest& request) {
-  const bool formulas = !request.formulas.empty(), grids = !request.grids.empty(), parametric = !request.parametric.empty();
-  if (!formulas && !grids && !parametric) {
-    throw UsageError("surface: give a formula in x and y, or --grid FILE, or --parametric X Y Z");
-  }
-  if (!formulas && !grids) {
-    if (request.x || request.y) throw UsageError("-x, -y", "go with z = f(x, y); a parametric surface has -u and -v");
-    if (request.log_z) throw UsageError("--log-z", "goes with z = f(x, y)");
-  }
-  if (parametric && request.skirt)
-    throw UsageError("--skirt", "goes with z = f(x, y), which has a rim, not with --parametric");
-  if (std::max(request.u.size(), request.v.size()) > request.parametric.size()) {
-    throw UsageError("-u, -v", parametric ? "there are more of them than parametric surfaces" : "go with --parametric");
-  }
-  if (!formulas && !parametric && request.samples) throw UsageError("--samples", "a grid has its own samples");
-  if (!formulas && ((request.x && request.x->curves) || (request.y && request.y->curves))) {
-    throw UsageError("-x, -y", "a grid takes A:B, a window; --every N says which curves are drawn");
-  }
-  if (!grids && request.every)
-    throw UsageError("--every", "goes with --grid; a formula has its number of curves in -x A:B:N");
-}
 
 /// What only the horizon draws does not go together with what only meshes can.
 void check_engines(const SurfaceOptions& options, const SurfaceRequest& request) {
@@ -250,7 +184,7 @@ SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit&
   SurfaceRequest request = options.request;
   PictureRequest& picture = request.picture;
   picture.memory = memory;
-  check_sources(request);
+  check(request);
   if (options.as_mesh) {
     mesh_format_of(options.output);
   } else {
@@ -264,9 +198,6 @@ SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit&
   }
   if (options.resolution && !options.pixels) throw UsageError("--resolution", "goes with --horizon pixels");
   if (options.pixels) request.pixel_columns = options.resolution.value_or(kResolution);
-  check(request.curves);
-  if (request.lines == CurveFamilies::none && request.curves.hidden_by == HiddenBy::curves)
-    throw UsageError("--hidden-by", "curves needs --lines that hide");
   check_axes(picture.axes, options.axes_style);
   if (request.curves.ridgeline && (view_given || angles_given)) throw UsageError("--ridgeline", "has its own view");
   check_engines(options, request);

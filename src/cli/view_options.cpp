@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "cli/parse.hpp"
+#include "picture/parse.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

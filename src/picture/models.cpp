@@ -39,11 +39,7 @@ void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_numb
   if (std::find(keep.begin(), keep.end(), 0) != keep.end()) keep_objects(scene, keep, first_number);
 }
 
-/// A file's scene with the objects that are drawn, healed where clear lines are wanted. `topology` is known afterwards when
-/// it had to be found for that.
-Scene read(const ModelRequest& request, ModelFile& file, LoadedModels& models) {
-  std::optional<Topology>& topology = models.topology;
-  topology.reset();
+ReadOptions read_options(const ModelRequest& request) {
   ReadOptions options;
   options.groups = request.tell_parts || request.parts.asked();
   options.shading = request.quality == Quality::clear;
@@ -51,7 +47,14 @@ Scene read(const ModelRequest& request, ModelFile& file, LoadedModels& models) {
     options.weld_distance = request.weld_distance.value_or(0);
     options.merge_coplanar = request.merge_coplanar;
   }
-  Scene scene = read_scene(file.name, options, file.warnings, &file.report);
+  return options;
+}
+
+/// A file's scene with the objects that are drawn, healed where clear lines are wanted. `topology` is known afterwards when
+/// it had to be found for that.
+Scene choose_and_heal(const ModelRequest& request, ModelFile& file, LoadedModels& models, Scene scene) {
+  std::optional<Topology>& topology = models.topology;
+  topology.reset();
   const std::size_t first = models.object_names.size();
   for (const Object& object : scene.objects) models.object_names.push_back(object_name(object, models.object_names.size()));
   const double scene_unit_mm = models.files.size() > 1 ? models.scene.unit_mm : scene.unit_mm;
@@ -64,6 +67,15 @@ Scene read(const ModelRequest& request, ModelFile& file, LoadedModels& models) {
     merge_coplanar_faces(scene);
   }
   return scene;
+}
+
+void check_parts(const LoadedModels& models, const PartRequest& parts) {
+  require_names(models, "only", parts.only);
+  require_names(models, "hide", parts.hide);
+  for (const PartMove& move : parts.moves) require_names(models, "move", {move.pattern});
+  if (models.scene.objects.empty()) {
+    throw RequestError(parts.hide.empty() ? "only" : "hide", "no object is left to be drawn");
+  }
 }
 
 }  // namespace
@@ -112,7 +124,8 @@ LoadedModels load_models(const ModelRequest& request) {
   for (const std::string& name : request.files) {
     ModelFile& file = models.files.emplace_back();
     file.name = name;
-    Scene scene = read(request, file, models);
+    Scene scene = read_scene(name, read_options(request), file.warnings, &file.report);
+    scene = choose_and_heal(request, file, models, std::move(scene));
     if (models.files.size() == 1) {
       models.scene = std::move(scene);
       continue;
@@ -132,12 +145,19 @@ LoadedModels load_models(const ModelRequest& request) {
     models.scene.up_axis = up_axis;
     models.scene.unit_mm = unit_mm;
   }
-  require_names(models, "only", request.parts.only);
-  require_names(models, "hide", request.parts.hide);
-  for (const PartMove& move : request.parts.moves) require_names(models, "move", {move.pattern});
-  if (models.scene.objects.empty()) {
-    throw RequestError(request.parts.hide.empty() ? "only" : "hide", "no object is left to be drawn");
-  }
+  check_parts(models, request.parts);
+  return models;
+}
+
+LoadedModels load_model(const ModelRequest& request, Scene scene, const std::string& name) {
+  LoadedModels models;
+  ModelFile& file = models.files.emplace_back();
+  file.name = name;
+  file.report.faces = scene.faces.size();
+  file.report.vertices = scene.vertices.size();
+  clean_read_scene(scene, name, read_options(request), file.warnings);
+  models.scene = choose_and_heal(request, file, models, std::move(scene));
+  check_parts(models, request.parts);
   return models;
 }
 

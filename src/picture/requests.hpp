@@ -184,6 +184,7 @@ struct PictureRequest {
   LineRequest lines{};
   PageRequest page{};
   FillRequest fill{};
+  bool regions = false;  ///< visible faces as areas are wanted for themselves
   HatchRequest hatch{};
   bool gray_faces = false;  ///< PNG: faces in gray, lit from the eye, by a method that gives spans or pixels
   AxesChoice axes{};

@@ -18,16 +18,6 @@
 namespace ligne {
 namespace {
 
-/// Products that the picture is made of; a JSON drawing holds all that there are but pixels.
-std::uint8_t wanted_products(const PictureRequest& request, const Method& method) {
-  if (request.output.format == OutputFormat::json) return 0xff & ~kPixels;
-  std::uint8_t wanted = kStrokes;
-  if (request.gray_faces) wanted |= kSpans | kPixels;
-  if (wants_regions(request, method)) wanted |= kRegions;
-  if (paints_in_order(request, method)) wanted |= kOrder;
-  return wanted;
-}
-
 /// What a surface hides of the axes is not drawn, not even where hidden lines are.
 void remove_hidden_axes(StrokeModel& model) {
   std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
@@ -90,7 +80,8 @@ double least_bytes(const Scene& scene) {
 
 const Method& method_of(const PictureRequest& request) {
   if (request.lines.method) return *request.lines.method;
-  const bool regions = request.fill.asked() || request.hatch.asked() || request.lines.classes.has(LineClass::shadow);
+  const bool regions =
+      request.regions || request.fill.asked() || request.hatch.asked() || request.lines.classes.has(LineClass::shadow);
   if (regions) return region_method();
   const Method* method = find_method("auto");
   if (!method) throw RequestError("method", "there is no default method");
@@ -102,9 +93,18 @@ bool paints_in_order(const PictureRequest& request, const Method& method) {
   return request.fill.kind != FillKind::none && request.fill.lights.empty() && !(products & kRegions) && (products & kOrder);
 }
 
+std::uint8_t wanted_products(const PictureRequest& request, const Method& method) {
+  if (request.output.format == OutputFormat::json) return 0xff & ~kPixels;
+  std::uint8_t wanted = kStrokes;
+  if (request.gray_faces) wanted |= kSpans | kPixels;
+  if (wants_regions(request, method)) wanted |= kRegions;
+  if (paints_in_order(request, method)) wanted |= kOrder;
+  return wanted;
+}
+
 bool wants_regions(const PictureRequest& request, const Method& method) {
-  return (request.fill.asked() && !paints_in_order(request, method)) || hatches_regions(request, method) ||
-         request.lines.classes.has(LineClass::shadow);
+  return request.regions || (request.fill.asked() && !paints_in_order(request, method)) ||
+         hatches_regions(request, method) || request.lines.classes.has(LineClass::shadow);
 }
 
 SourceEdge SceneStudy::source(const Scene& scene, std::uint32_t number) const {

@@ -1,6 +1,7 @@
 #pragma once
 /// What of a scene is seen, and where on the page: the part of a picture that knows nothing of pens and files.
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -46,6 +47,9 @@ const Method& method_of(const PictureRequest& request);
 
 /// Fills are painted from the back to the front, since the method gives an order and no regions.
 bool paints_in_order(const PictureRequest& request, const Method& method);
+
+/// Products that the picture is made of; a JSON drawing holds all that there are but pixels.
+std::uint8_t wanted_products(const PictureRequest& request, const Method& method);
 
 /// The picture needs regions of its method.
 bool wants_regions(const PictureRequest& request, const Method& method);

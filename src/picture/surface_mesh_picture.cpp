@@ -54,9 +54,7 @@ std::optional<double> base_of(const SurfaceRequest& request, const std::vector<S
 }
 
 /// One surface z = f(x, y) can not penetrate itself.
-bool may_cross(const SurfaceRequest& request) {
-  return request.formulas.size() + request.grids.size() > 1 || !request.parametric.empty();
-}
+bool may_cross(const SurfaceRequest& request) { return height_count(request) > 1 || !request.parametric.empty(); }
 
 /// What all surfaces take together, with the base; nothing where there are none. Of z = f(x, y) it is the ground of all
 /// samples, whether there is a height or not.
@@ -129,15 +127,20 @@ LineClasses classes_of(const SurfaceRequest& request) {
 
 }  // namespace
 
-Picture draw_surface_mesh(const SurfaceRequest& request, RunReport& run) {
-  const MeshPlot plot = timed(run.stages, "read", [&] { return make_meshes(request, true, run); });
+SurfaceScene make_surface_scene(const SurfaceRequest& request, RunReport& run) {
+  MeshPlot plot = timed(run.stages, "read", [&] { return make_meshes(request, true, run); });
   PictureRequest picture = request.picture;
   picture.view = view_of(request);
   picture.lines.classes = classes_of(request);
   picture.lines.crease_degrees = kCrease;
   picture.lines.quality = Quality::exact;  // samples of ours: there is nothing to heal
   if (picture.output.format != OutputFormat::json) picture.heading = picture.output.title;
-  return draw_scene(plot.scene, picture, run, plot.box);
+  return {std::move(plot.scene), plot.box, std::move(picture)};
+}
+
+Picture draw_surface_mesh(const SurfaceRequest& request, RunReport& run) {
+  const SurfaceScene surface = make_surface_scene(request, run);
+  return draw_scene(surface.scene, surface.picture, run, surface.box);
 }
 
 std::string write_surface_mesh(const SurfaceRequest& request, MeshFormat format, RunReport& run) {

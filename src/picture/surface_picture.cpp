@@ -123,7 +123,9 @@ void warn_of_empty_or_cut(const Drawing& drawing, const Placement& placement, Ru
   }
 }
 
-Picture draw_horizon(const SurfaceRequest& request, RunReport& run) {
+}  // namespace
+
+HorizonDrawing draw_horizon(const SurfaceRequest& request, RunReport& run) {
   PictureRequest picture = request.picture;
   picture.lines.quality = Quality::exact;  // curves of ours, not a mesh that stands for a shape
   run.method = "horizon";
@@ -146,15 +148,18 @@ Picture draw_horizon(const SurfaceRequest& request, RunReport& run) {
   warn_of_empty_or_cut(drawing, around.placement, run);
   if (Polylines axes = axes_of(lines, around); axes.size() > 0) drawing.layers.push_back({"axes", std::move(axes)});
   add_surroundings(drawing, around, picture.axes, run);
+  return {std::move(drawing), around.placement.page, std::move(picture)};
+}
+
+Picture write_horizon(const HorizonDrawing& drawn, RunReport& run) {
+  const PictureRequest& picture = drawn.picture;
   return timed(run.stages, "write", [&] {
-    return write_picture(drawing, plot_options(picture, around.placement.page), picture.plotter, picture.output.format, run);
+    return write_picture(drawn.drawing, plot_options(picture, drawn.page), picture.plotter, picture.output.format, run);
   });
 }
 
-}  // namespace
-
 Picture draw_surface(const SurfaceRequest& request, RunReport& run) {
-  return drawn_by_horizon(request) ? draw_horizon(request, run) : draw_surface_mesh(request, run);
+  return drawn_by_horizon(request) ? write_horizon(draw_horizon(request, run), run) : draw_surface_mesh(request, run);
 }
 
 }  // namespace ligne

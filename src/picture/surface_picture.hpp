@@ -1,10 +1,23 @@
 #pragma once
 /// Pictures of surfaces z = f(x, y) and of parametric ones.
 
+#include "drawing/drawing.hpp"
 #include "picture/surface_request.hpp"
 #include "picture/write_picture.hpp"
+#include "plotting/page.hpp"
 
 namespace ligne {
+
+/// What the floating horizon drew, to be written in any format but JSON.
+struct HorizonDrawing {
+  Drawing drawing;
+  Page page;
+  PictureRequest picture;  ///< what write_horizon() looks at
+};
+
+/// Draws a surface for which drawn_by_horizon() holds. Throws as draw_surface().
+HorizonDrawing draw_horizon(const SurfaceRequest& request, RunReport& run);
+Picture write_horizon(const HorizonDrawing& drawn, RunReport& run);
 
 /// Draws the surfaces by the floating horizon where it can, else as meshes. Warnings go to `run`, as do the grids that were
 /// read. Throws RequestError, InputError, std::runtime_error.

@@ -1,5 +1,6 @@
 #include "picture/surface_request.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/degrees.hpp"
@@ -13,11 +14,66 @@ constexpr unsigned kMostContours = 10'000, kContours = 10;
 /// How far below the lowest height the contours of the base lie, as a part of the range of heights.
 constexpr double kBaseDepth = 0.3;
 
+void check_sources(const SurfaceRequest& request) {
+  const bool formulas = !request.formulas.empty(), parametric = !request.parametric.empty();
+  const bool grids = !request.grids.empty() || !request.heights.empty();
+  if (!formulas && !grids && !parametric) {
+    throw RequestError("", "surface: give a formula in x and y, or --grid FILE, or --parametric X Y Z");
+  }
+  if (!formulas && !grids) {
+    if (request.x || request.y) {
+      throw RequestError("", "-x, -y: go with z = f(x, y); a parametric surface has -u and -v");
+    }
+    if (request.log_z) throw RequestError("log-z", "goes with z = f(x, y)");
+  }
+  if (parametric && request.skirt) {
+    throw RequestError("skirt", "goes with z = f(x, y), which has a rim, not with --parametric");
+  }
+  if (std::max(request.u.size(), request.v.size()) > request.parametric.size()) {
+    throw RequestError(
+        "", parametric ? "-u, -v: there are more of them than parametric surfaces" : "-u, -v: go with --parametric");
+  }
+  if (!formulas && !parametric && request.samples) throw RequestError("samples", "a grid has its own samples");
+  if (!formulas && ((request.x && request.x->curves) || (request.y && request.y->curves))) {
+    throw RequestError("", "-x, -y: a grid takes A:B, a window; --every N says which curves are drawn");
+  }
+  if (!grids && request.every) {
+    throw RequestError("every", "goes with --grid; a formula has its number of curves in -x A:B:N");
+  }
+}
+
+void check_curves(const SurfaceRequest& surface) {
+  const CurveRequest& request = surface.curves;
+  const bool curves_hide = request.hidden_by == HiddenBy::curves;
+  if (request.contours && request.contour_step) {
+    throw RequestError("", "--contours, --contour-step: do not go together");
+  }
+  const bool contours = request.contours || request.contour_step || request.contours_base;
+  if (curves_hide && contours) {
+    throw RequestError("hidden-by", "curves knows no surface for contours to lie on");
+  }
+  if (curves_hide && request.outline.value_or(false)) {
+    throw RequestError("hidden-by", "curves knows no surface that has an outline");
+  }
+  if (request.ridgeline && (contours || request.outline.value_or(false))) {
+    throw RequestError("ridgeline", "is made of rows alone");
+  }
+  if (request.ridgeline && !(request.ridgeline_overlap > 0)) {
+    throw RequestError("ridgeline", "the overlap is not above 0");
+  }
+  if (surface.lines == CurveFamilies::none && curves_hide) throw RequestError("hidden-by", "curves needs --lines that hide");
+}
+
 }  // namespace
+
+void check(const SurfaceRequest& request) {
+  check_sources(request);
+  check_curves(request);
+}
 
 std::string needs_mesh(const SurfaceRequest& request) {
   if (!request.parametric.empty()) return "--parametric";
-  if (request.formulas.size() + request.grids.size() > 1) return "several surfaces";
+  if (height_count(request) > 1) return "several surfaces";
   if (request.z_range) return "--z-range";
   if (request.skirt) return "--skirt";
   if (request.picture.lines.hidden != HiddenLines::none) return "--hidden";
@@ -50,7 +106,7 @@ ViewRequest view_of(const SurfaceRequest& request) {
 }
 
 std::string place_of_warnings(const SurfaceRequest& request) {
-  const bool one_grid = request.grids.size() == 1 && request.formulas.empty() && request.parametric.empty();
+  const bool one_grid = request.grids.size() == 1 && height_count(request) == 1 && request.parametric.empty();
   return one_grid ? request.grids.front() : "surface";
 }
 

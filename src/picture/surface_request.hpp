@@ -2,6 +2,7 @@
 /// What a picture of surfaces is to be: plain values, with the defaults of the command line.
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,9 +35,16 @@ struct CurveRequest {
   double ridgeline_overlap = 6;  ///< range of heights in distances of rows
 };
 
+/// Heights in memory: z[j * x.size() + i] over x[i], y[j], which ascend; NaN where there is none.
+struct GivenHeights {
+  std::string name;
+  std::vector<double> x, y, z;
+};
+
 /// Surfaces z = f(x, y) and parametric ones. Of `picture` the line classes and the crease angle are not looked at.
 struct SurfaceRequest {
   std::vector<std::string> formulas, grids;
+  std::vector<GivenHeights> heights{};                 ///< treated as grids are
   std::vector<std::array<std::string, 3>> parametric;  ///< formulas of x, y and z in u and v
   std::optional<CurveRange> x, y;
   std::vector<CurveRange> u, v;  ///< of the parametric surfaces in their order; the last serves for all that follow
@@ -54,6 +62,14 @@ struct SurfaceRequest {
   CurveRequest curves;
   PictureRequest picture;
 };
+
+/// Surfaces of z = f(x, y), from wherever they come.
+inline std::size_t height_count(const SurfaceRequest& request) {
+  return request.formulas.size() + request.grids.size() + request.heights.size();
+}
+
+/// Throws RequestError when parts of the request do not go together: sources and their ranges, curves.
+void check(const SurfaceRequest& request);
 
 /// What only meshes can draw of the request, as a word for messages; empty where the floating horizon can draw it all.
 std::string needs_mesh(const SurfaceRequest& request);

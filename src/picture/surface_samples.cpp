@@ -6,6 +6,7 @@
 
 #include "picture/errors.hpp"
 #include "scene/surfaces/height_filters.hpp"
+#include "scene/surfaces/held_heights.hpp"
 
 namespace ligne {
 namespace {
@@ -86,6 +87,16 @@ Surface grid_surface(const SurfaceRequest& request, const std::string& file, Run
   return surface;
 }
 
+Surface given_surface(const SurfaceRequest& request, const GivenHeights& given) {
+  Surface surface{given.name,
+                  held_heights(given.x, given.y, given.z, SampleOrder::first_row_lowest(given.x.size()), given.name)};
+  if (request.x || request.y) {
+    surface.heights = window_heights(std::move(surface.heights), window_of(request.x), window_of(request.y), given.name);
+  }
+  surface.x_stride = surface.y_stride = request.every.value_or(1);
+  return surface;
+}
+
 /// The range of a formula's variable: as given, else that of the grids, else the default.
 CurveRange range_of(const std::optional<CurveRange>& given, const std::vector<Surface>& grids,
                     const std::vector<double>& (HeightSource::*axis)() const) {
@@ -118,6 +129,7 @@ void choose_curves(AnySurface& surface, const SurfaceRequest& request) {
 std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) {
   std::vector<Surface> grids;
   for (const std::string& file : request.grids) grids.push_back(grid_surface(request, file, run));
+  for (const GivenHeights& given : request.heights) grids.push_back(given_surface(request, given));
   // What hides is fine in both directions, unless it is the curves alone.
   const bool by_curves = request.curves.hidden_by == HiddenBy::curves || request.curves.ridgeline;
   const CurveRange x_range = range_of(request.x, grids, &HeightSource::x),

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "cli/page_options.hpp"
 #include "picture/errors.hpp"
+#include "picture/parse_options.hpp"
 #include "picture/placement.hpp"
 
 namespace ligne {

@@ -1,4 +1,4 @@
-#include "cli/parse.hpp"
+#include "picture/parse.hpp"
 
 #include <gtest/gtest.h>
 

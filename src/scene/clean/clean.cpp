@@ -70,12 +70,14 @@ void drop_triangles(Scene& scene, Warnings& warnings) {
     std::copy_n(t, 3, &corners[3 * kept]);
     if (!scene.corner_flags.empty()) std::copy_n(&scene.corner_flags[3 * f], 3, &scene.corner_flags[3 * kept]);
     if (!scene.face_material.empty()) scene.face_material[kept] = scene.face_material[f];
+    if (!scene.face_source.empty()) scene.face_source[kept] = scene.face_source[f];
     ++kept;
   }
   first_new[n] = kept;
   scene.faces.truncate_triangles(kept);
   if (!scene.corner_flags.empty()) scene.corner_flags.resize(3 * std::size_t{kept});
   if (!scene.face_material.empty()) scene.face_material.resize(kept);
+  if (!scene.face_source.empty()) scene.face_source.resize(kept);
   renumber_faces(scene, first_new, warnings);
 }
 
@@ -120,6 +122,7 @@ class PolygonCleaner {
     scene_.faces = std::move(faces_);
     scene_.corner_flags = std::move(flags_);
     if (!scene_.face_material.empty()) scene_.face_material = std::move(material_);
+    if (!scene_.face_source.empty()) scene_.face_source = std::move(source_);
     renumber_faces(scene_, first_new, warnings_);
     return dropped_;
   }
@@ -188,6 +191,7 @@ class PolygonCleaner {
       }
     }
     if (!scene_.face_material.empty()) material_.resize(faces_.size(), scene_.face_material[f]);
+    if (!scene_.face_source.empty()) source_.resize(faces_.size(), scene_.face_source[f]);
   }
 
   void add(const LooseFace& face) {
@@ -217,7 +221,7 @@ class PolygonCleaner {
   LooseFace face_;
   PolygonFaces faces_;
   std::vector<std::uint8_t> flags_;
-  std::vector<std::uint32_t> material_;
+  std::vector<std::uint32_t> material_, source_;
   Dropped dropped_;
 };
 

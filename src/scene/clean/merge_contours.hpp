@@ -25,7 +25,8 @@ struct Contour {
 struct MergedFace {
   std::uint32_t material = 0;
   bool merged = false;  ///< made of several faces
-  std::vector<Contour> contours;
+  std::vector<Contour> contours{};
+  std::uint32_t source = 0;  ///< Scene::face_source of the first of its faces
 };
 
 /// The two model axes along which a plane is drawn, so that its normal points at the viewer.

@@ -52,6 +52,7 @@ class ObjectMerger {
       begin_[r] = static_cast<std::uint32_t>(faces.size());
       for (MergedFace& face : regions_[r].faces.size() == 1 ? keep(f) : merge(regions_[r])) {
         face.material = material(f);
+        face.source = source(f);
         faces.push_back(std::move(face));
       }
       end_[r] = static_cast<std::uint32_t>(faces.size());
@@ -90,6 +91,9 @@ class ObjectMerger {
   }
   std::uint8_t flags(std::uint32_t corner) const {
     return scene_.corner_flags.empty() ? 0 : scene_.corner_flags[first_corner_ + corner];
+  }
+  std::uint32_t source(std::uint32_t f) const {
+    return scene_.face_source.empty() ? 0 : scene_.face_source[object_.face_begin + f];
   }
   std::uint32_t material(std::uint32_t f) const {
     return scene_.face_material.empty() ? 0 : scene_.face_material[object_.face_begin + f];
@@ -220,6 +224,7 @@ class FaceWriter {
       flags_.insert(flags_.end(), contour.flags.begin(), contour.flags.end());
     }
     material_.push_back(face.material);
+    source_.push_back(face.source);
   }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(faces_.size()); }
@@ -227,13 +232,14 @@ class FaceWriter {
   void replace_faces_of(Scene& scene) {
     scene.faces = std::move(faces_);
     if (!scene.face_material.empty()) scene.face_material = std::move(material_);
+    if (!scene.face_source.empty()) scene.face_source = std::move(source_);
     if (!scene.corner_flags.empty()) scene.corner_flags = std::move(flags_);
   }
 
  private:
   PolygonFaces faces_;
   std::vector<std::uint8_t> flags_;
-  std::vector<std::uint32_t> material_;
+  std::vector<std::uint32_t> material_, source_;
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ void keep_objects(Scene& scene, const std::vector<std::uint8_t>& keep, std::size
     scene.objects[i].name = object_name(scene.objects[i], first_number + i);
   }
   PolygonFaces faces;
-  std::vector<std::uint32_t> material, first_new;
+  std::vector<std::uint32_t> material, source, first_new;
   std::vector<std::uint8_t> flags;
   first_new.reserve(scene.faces.size() + 1);
   std::size_t object = 0;
@@ -43,10 +43,12 @@ void keep_objects(Scene& scene, const std::vector<std::uint8_t>& keep, std::size
       flags.insert(flags.end(), first, first + static_cast<std::ptrdiff_t>(contour.size()));
     }
     if (!scene.face_material.empty()) material.push_back(scene.face_material[f]);
+    if (!scene.face_source.empty()) source.push_back(scene.face_source[f]);
   }
   first_new.push_back(static_cast<std::uint32_t>(faces.size()));
   scene.faces = std::move(faces);
   scene.face_material = std::move(material);
+  scene.face_source = std::move(source);
   scene.corner_flags = std::move(flags);
   Warnings none;  // details of objects that are not wanted are not wanted
   renumber_faces(scene, first_new, none);

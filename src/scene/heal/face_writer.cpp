@@ -27,7 +27,7 @@ void FaceWriter::keep(std::uint32_t f) {
     count += contour.size();
   }
   if (!scene_.corner_flags.empty()) add_flags(std::span(scene_.corner_flags).subspan(faces.corner_index(f, 0), count));
-  add_material(f);
+  add_origin(f);
 }
 
 void FaceWriter::replace(std::uint32_t f, const LooseFace& face) {
@@ -41,13 +41,13 @@ void FaceWriter::replace(std::uint32_t f, const LooseFace& face) {
     begin = end;
   }
   add_flags(face.flags);
-  add_material(f);
+  add_origin(f);
 }
 
 void FaceWriter::replace(std::uint32_t f, const CutTriangle& triangle) {
   faces_.add_face(triangle.vertices);
   add_flags(triangle.flags);
-  add_material(f);
+  add_origin(f);
 }
 
 void FaceWriter::finish() {
@@ -57,6 +57,7 @@ void FaceWriter::finish() {
   scene_.faces = std::move(faces_);
   scene_.corner_flags = std::move(flags_);
   if (!scene_.face_material.empty()) scene_.face_material = std::move(material_);
+  if (!scene_.face_source.empty()) scene_.face_source = std::move(source_);
   Warnings none;  // details stand on faces that stay
   renumber_faces(scene_, first_new_, none);
 }
@@ -68,8 +69,9 @@ void FaceWriter::add_flags(std::span<const std::uint8_t> flags) {
   flags_.insert(flags_.end(), flags.begin(), flags.end());
 }
 
-void FaceWriter::add_material(std::uint32_t f) {
+void FaceWriter::add_origin(std::uint32_t f) {
   if (!scene_.face_material.empty()) material_.push_back(scene_.face_material[f]);
+  if (!scene_.face_source.empty()) source_.push_back(scene_.face_source[f]);
 }
 
 LooseFace loose_face(const Scene& scene, std::uint32_t f) {

@@ -25,12 +25,12 @@ class FaceWriter {
 
  private:
   void add_flags(std::span<const std::uint8_t> flags);
-  void add_material(std::uint32_t f);
+  void add_origin(std::uint32_t f);
 
   Scene& scene_;
   PolygonFaces faces_;
   std::vector<std::uint8_t> flags_;
-  std::vector<std::uint32_t> material_;
+  std::vector<std::uint32_t> material_, source_;
   std::vector<std::uint32_t> first_new_;
 };
 

@@ -72,6 +72,8 @@ struct Scene {
   PolygonFaces faces;
   std::vector<std::uint32_t> face_material;  ///< per face, or empty when every face has material 0
   std::vector<std::uint8_t> corner_flags;    ///< CornerFlag per corner, or empty when no corner has any
+  /// Per face, that of the input from which it is: mending drops, cuts and joins faces. Empty when nobody asks.
+  std::vector<std::uint32_t> face_source{};
   std::vector<Object> objects;
   std::vector<Material> materials;
   std::vector<Light> lights;

@@ -34,6 +34,12 @@ void check_size(const Scene& scene, const std::string& name) {
   }
 }
 
+void weld_and_finish(Scene& scene, const ReadOptions& options, Warnings& warnings) {
+  if (options.weld_distance > 0) weld_near_vertices(scene, options.weld_distance);
+  finish_scene(scene, warnings);
+  if (options.merge_coplanar) merge_coplanar_faces(scene);
+}
+
 Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
                ReadReport& report, Warnings& warnings, const ReadOptions& options, FileShading* shading) {
   switch (format) {
@@ -93,10 +99,14 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs:
   if (scene.faces.empty()) throw InputError(name, "holds no faces");
   check_size(scene, name);
   if (options.shading) mark_smooth_edges(scene, shading);
-  if (options.weld_distance > 0) weld_near_vertices(scene, options.weld_distance);
-  finish_scene(scene, warnings);
-  if (options.merge_coplanar) merge_coplanar_faces(scene);
+  weld_and_finish(scene, options, warnings);
   return scene;
+}
+
+void clean_read_scene(Scene& scene, const std::string& name, const ReadOptions& options, Warnings& warnings) {
+  if (scene.faces.empty()) throw InputError(name, "holds no faces");
+  check_size(scene, name);
+  weld_and_finish(scene, options, warnings);
 }
 
 void append_scene(Scene& a, Scene&& b) {

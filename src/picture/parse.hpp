@@ -1,5 +1,5 @@
 #pragma once
-/// From the words of the command line to values.
+/// From the words of options to values: what all front ends let people write.
 ///
 /// Every function takes the whole text of one option and throws std::invalid_argument when it has no meaning; what() is a
 /// phrase that reads well behind the option's name, such as "200 is not between 0 and 180 degrees".

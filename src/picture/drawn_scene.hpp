@@ -1,0 +1,52 @@
+#pragma once
+/// A scene that was studied once, and can be written as several files.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "picture/axes.hpp"
+#include "picture/requests.hpp"
+#include "picture/run_report.hpp"
+#include "picture/scene_study.hpp"
+#include "picture/write_picture.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/model/topology.hpp"
+
+namespace ligne {
+
+class DrawnScene {
+ public:
+  /// Studies the scene, which must outlive this, and hatches it; arguments as for draw_scene(). `keep_edges`: study() can
+  /// tell sources, whatever the format. Throws RequestError.
+  DrawnScene(const Scene& scene, PictureRequest request, RunReport& run, const std::optional<PlotBox>& box = std::nullopt,
+             std::optional<Topology> topology = {}, bool keep_edges = false);
+  DrawnScene(const DrawnScene&) = delete;
+  DrawnScene& operator=(const DrawnScene&) = delete;
+
+  const PictureRequest& request() const { return request_; }
+  const PreparedScene& prepared() const { return prepared_; }  ///< its topology and its projection are given up
+  const SceneStudy& study() const { return study_; }
+
+  /// Lines joined, hatching, fills, and what stands round the picture. Counts and warnings go to `run`.
+  Drawing drawing(RunReport& run) const;
+
+  /// Whether what was studied is all that another file needs: the same lines as in that format, for these pens.
+  bool serves(const OutputRequest& output, const PlotterRequest& plotter) const;
+  /// What write() makes from now on; serves() says that it can. Throws RequestError.
+  void choose(OutputRequest output, PlotterRequest plotter);
+  /// The file; `pages`: see write_picture().
+  Picture write(RunReport& run, PdfDocument* pages = nullptr) const;
+
+ private:
+  std::string json(const PlotOptions& plot) const;
+
+  PictureRequest request_;
+  PreparedScene prepared_;
+  std::vector<Layer> hatching_;
+  SceneStudy study_;
+  bool has_edges_ = false;
+};
+
+}  // namespace ligne
