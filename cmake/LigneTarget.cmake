@@ -9,6 +9,10 @@ target_compile_options(ligne_flags INTERFACE -Wall -Wextra -ffp-contract=off -fn
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(ligne_flags INTERFACE -Wno-restrict)
 endif()
+# Functions of a shared library call each other directly, as in a program.
+if(CMAKE_POSITION_INDEPENDENT_CODE)
+  target_compile_options(ligne_flags INTERFACE -fno-semantic-interposition)
+endif()
 if(LIGNE_WERROR)
   target_compile_options(ligne_flags INTERFACE -Werror)
 endif()

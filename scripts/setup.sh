@@ -1,6 +1,7 @@
 # Set-up shared by ligne.sh and test.sh: the packages, and the build. To be sourced by bash; $root is the project's folder.
 
-# One package a line: Debian package, what shows that it is there (command, pkg-config name, header or file of a font), why.
+# One package a line: Debian package, what shows that it is there (command, pkg-config name, header, file of a font, other
+# file, or module of the system's Python), why.
 # A line that begins with "optional" is a package that the build can do without.
 readonly build_packages='
 g++                  cmd:c++                         C++20 compiler
@@ -30,6 +31,13 @@ librsvg2-bin         cmd:rsvg-convert                an independent reader of ou
 poppler-utils        cmd:pdftotext                   an independent reader of our PDF
 hp2xx                cmd:hp2xx                       an independent reader of our HPGL
 libpolyclipping-dev  hdr:polyclipping/clipper.hpp    an independent clipper of polygons
+pybind11-dev         hdr:pybind11/pybind11.h         the Python module
+python3-dev          file:/usr/bin/python3-config    headers of Python
+python3-numpy        python:numpy                    arrays of the Python module
+python3-pytest       python:pytest                   tests of the Python module
+python3-hypothesis   python:hypothesis               the same with made up arrays
+python3-matplotlib   python:matplotlib               recipes of docs/python.md
+python3-shapely      python:shapely                  the same
 '
 readonly check_packages='
 clang-format         cmd:clang-format                format of the sources
@@ -38,12 +46,14 @@ python3              cmd:python3                     checks of the documentation
 patch                cmd:patch                       planted faults
 '
 
-# True when the probe (cmd:, pc:, hdr: or font:) finds its thing.
+# True when the probe (cmd:, pc:, hdr:, font:, file: or python:) finds its thing.
 is_there() {
   case $1 in
     cmd:*) command -v "${1#cmd:}" >/dev/null 2>&1 ;;
     pc:*) pkg-config --exists "${1#pc:}" >/dev/null 2>&1 ;;
     hdr:*) printf '#if !__has_include(<%s>)\n#error missing\n#endif\n' "${1#hdr:}" | c++ -x c++ -E - >/dev/null 2>&1 ;;
+    file:*) [[ -e ${1#file:} ]] ;;
+    python:*) /usr/bin/python3 -c "import ${1#python:}" >/dev/null 2>&1 ;;
     font:*) fc-list 2>/dev/null | grep -qF "/${1#font:}:" ;;
   esac
 }

@@ -1,0 +1,30 @@
+#pragma once
+/// Arrays of numpy: what comes in is looked at where it lies, what goes out keeps alive what it is part of.
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <pybind11/numpy.h>
+
+namespace ligne::python {
+
+/// A read-only array over `data`, which belongs to `owner`.
+template <class T>
+pybind11::array_t<T> view(const T* data, std::vector<pybind11::ssize_t> shape, pybind11::handle owner) {
+  pybind11::array_t<T> array(std::move(shape), data, owner);
+  pybind11::detail::array_proxy(array.ptr())->flags &= ~pybind11::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
+/// An array that owns the values.
+template <class T>
+pybind11::array_t<T> owned(std::vector<T>&& values, std::vector<pybind11::ssize_t> shape) {
+  auto held = std::make_unique<std::vector<T>>(std::move(values));
+  const pybind11::capsule owner(held.get(), [](void* p) { delete static_cast<std::vector<T>*>(p); });
+  const T* data = held.release()->data();
+  return pybind11::array_t<T>(std::move(shape), data, owner);
+}
+
+}  // namespace ligne::python

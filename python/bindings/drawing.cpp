@@ -1,0 +1,279 @@
+#include "bindings/drawing.hpp"
+
+#include <array>
+#include <utility>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "bindings/arrays.hpp"
+#include "bindings/work.hpp"
+#include "picture/errors.hpp"
+#include "plotting/output_file.hpp"
+
+namespace py = pybind11;
+
+namespace ligne::python {
+namespace {
+
+py::ssize_t rows(std::size_t n) { return static_cast<py::ssize_t>(n); }
+
+/// The number of a face as it was given, -1 for none.
+std::int64_t given_face(const Scene& scene, std::uint32_t face) {
+  if (face == kNone) return -1;
+  return face < scene.face_source.size() ? scene.face_source[face] : face;
+}
+
+const DrawnScene& drawn_of(const DrawingHolder& holder) {
+  if (const DrawnScene* drawn = holder.drawn()) return *drawn;
+  throw RequestError("method", "the floating horizon gives polylines alone; a mesh method gives strokes of edges");
+}
+
+Point3 point_at(const SourceEdge& edge, double t) { return edge.ends[0] + t * (edge.ends[1] - edge.ends[0]); }
+
+/// What is known of every stroke, as arrays of as many rows.
+py::dict strokes(const DrawingHolder& holder) {
+  const DrawnScene& drawn = drawn_of(holder);
+  const SceneStudy& study = drawn.study();
+  const StrokeModel& model = *study.result.strokes;
+  const Scene& scene = drawn.prepared().scene;
+  const std::size_t n = model.strokes.size();
+  std::vector<double> points(4 * n), parameter(2 * n), space(6 * n);
+  std::vector<std::uint8_t> kind(n), level(n);
+  std::vector<std::uint8_t> visible(n);
+  std::vector<std::int64_t> edge(2 * n), faces(2 * n);
+  {
+    const py::gil_scoped_release released;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Stroke& stroke = model.strokes[i];
+      const Point2 from = model.lattice.to_mm(stroke.from), to = model.lattice.to_mm(stroke.to);
+      points[4 * i] = from.x, points[4 * i + 1] = from.y, points[4 * i + 2] = to.x, points[4 * i + 3] = to.y;
+      parameter[2 * i] = stroke.t_from, parameter[2 * i + 1] = stroke.t_to;
+      kind[i] = static_cast<std::uint8_t>(stroke.line_class);
+      visible[i] = stroke.visible ? 1 : 0;
+      level[i] = stroke.level;
+      const SourceEdge source = study.source(scene, stroke.source);
+      const bool of_scene = stroke.source < model.edge_count;
+      const std::array<double, 2> t{stroke.t_from, stroke.t_to};
+      for (std::size_t k = 0; k < 2; ++k) {
+        faces[2 * i + k] = given_face(scene, source.faces[k]);
+        edge[2 * i + k] = !of_scene ? -1 : k == 0 ? study.edges[stroke.source].v0 : study.edges[stroke.source].v1;
+        const Point3 p = point_at(source, t[k]);
+        for (int c = 0; c < 3; ++c) space[6 * i + 3 * k + static_cast<std::size_t>(c)] = p[c];
+      }
+    }
+  }
+  py::dict arrays;
+  arrays["points"] = owned(std::move(points), {rows(2 * n), 2});
+  arrays["points3d"] = owned(std::move(space), {rows(2 * n), 3});
+  arrays["parameter"] = owned(std::move(parameter), {rows(n), 2});
+  arrays["kind"] = owned(std::move(kind), {rows(n)});
+  arrays["visible"] = owned(std::move(visible), {rows(n)});
+  arrays["level"] = owned(std::move(level), {rows(n)});
+  arrays["edge"] = owned(std::move(edge), {rows(n), 2});
+  arrays["faces"] = owned(std::move(faces), {rows(n), 2});
+  return arrays;
+}
+
+std::size_t stroke_count(const DrawingHolder& holder) {
+  return holder.drawn() ? holder.drawn()->study().result.strokes->strokes.size() : 0;
+}
+
+py::array_t<double> polyline(std::span<const Point2> points) {
+  py::array_t<double> array({rows(points.size()), py::ssize_t{2}});
+  double* to = array.mutable_data();
+  for (const Point2& p : points) *to++ = p.x, *to++ = p.y;
+  return array;
+}
+
+/// (name, object, list of polylines) of each layer, in the order in which they are painted.
+py::list layers(DrawingHolder& holder) {
+  Drawing drawing;
+  {
+    const py::gil_scoped_release released;
+    drawing = holder.layers();
+  }
+  py::list list;
+  for (const Layer& layer : drawing.layers) {
+    py::list lines;
+    for (std::size_t i = 0; i < layer.lines.size(); ++i) lines.append(polyline(layer.lines[i]));
+    list.append(py::make_tuple(layer.name, layer.object, lines));
+  }
+  return list;
+}
+
+/// (face, contours, level, lights) of each region; None where there are none.
+py::object regions(const DrawingHolder& holder) {
+  const DrawnScene& drawn = drawn_of(holder);
+  if (!drawn.study().result.regions) return py::none();
+  py::list list;
+  for (const Region& region : *drawn.study().result.regions) {
+    py::list contours;
+    for (const std::vector<Point2>& contour : region.contours) contours.append(polyline(contour));
+    list.append(py::make_tuple(given_face(drawn.prepared().scene, region.face), contours, region.level, region.lights));
+  }
+  return list;
+}
+
+/// Model coordinates to page mm, see View::model_to_page.
+py::array_t<double> matrix(const DrawingHolder& holder) {
+  const glm::dmat4& m = drawn_of(holder).prepared().view().model_to_page;
+  py::array_t<double> array({4, 4});
+  auto to = array.mutable_unchecked<2>();
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) to(row, column) = m[column][row];
+  }
+  return array;
+}
+
+py::dict report(const DrawingHolder& holder) {
+  const RunReport& run = holder.report();
+  py::dict counts, seconds, clear, stages;
+  for (const auto& [name, n] : run.study.counts) counts[py::str(name)] = n;
+  for (const auto& [name, s] : run.study.seconds) seconds[py::str(name)] = s;
+  for (const auto& [name, n] : run.clear.counts) clear[py::str(name)] = n;
+  for (const auto& [name, s] : run.stages.seconds) stages[py::str(name)] = s;
+  py::dict all;
+  all["method"] = run.method;
+  all["counts"] = counts;
+  all["seconds"] = seconds;
+  all["clear"] = clear;
+  all["stages"] = stages;
+  return all;
+}
+
+std::vector<std::string> warnings(const DrawingHolder& holder) {
+  std::vector<std::string> texts;
+  for (const RunWarning& w : holder.report().warnings) texts.push_back(w.place.empty() ? w.text : w.place + ": " + w.text);
+  return texts;
+}
+
+}  // namespace
+
+std::shared_ptr<DrawingHolder> DrawingHolder::of_scene(std::shared_ptr<const SceneHolder> scene, Options options,
+                                                       const py::object& progress) {
+  auto holder = std::make_shared<DrawingHolder>();
+  options.picture.lines.quality = scene->request.quality;
+  if (!options.picture.page.unit_mm) options.picture.page.unit_mm = scene->request.unit_mm;
+  holder->scene_ = std::move(scene);
+  holder->options_ = std::move(options);
+  const PictureRequest request = holder->options_.request();
+  run(progress, holder->options_.threads, [&](const Progress& report) { holder->draw(request, report); });
+  return holder;
+}
+
+std::shared_ptr<DrawingHolder> DrawingHolder::of_surface(SurfaceRequest surface, Options options,
+                                                         const py::object& progress) {
+  auto holder = std::make_shared<DrawingHolder>();
+  options.picture.axes = surface.picture.axes;
+  holder->surface_ = std::move(surface);
+  holder->options_ = std::move(options);
+  const PictureRequest request = holder->options_.request();
+  run(progress, holder->options_.threads, [&](const Progress& report) { holder->draw(request, report); });
+  return holder;
+}
+
+void DrawingHolder::draw(const PictureRequest& request, const Progress& progress) {
+  PictureRequest picture = request;
+  picture.progress = progress;
+  RunReport report;
+  if (!surface_) {
+    drawn_ = std::make_unique<DrawnScene>(scene_->scene, std::move(picture), report, std::nullopt, scene_->topology, true);
+  } else {
+    SurfaceRequest surface = *surface_;
+    surface.picture = std::move(picture);
+    check(surface);
+    const std::string mesh = needs_mesh(surface), horizon = needs_horizon(surface);
+    if (options_.horizon_given && !mesh.empty()) {
+      throw RequestError("method", "horizon draws no " + mesh + "; a mesh method does");
+    }
+    if (!horizon.empty() && !drawn_by_horizon(surface)) {
+      throw RequestError("method", horizon + " is drawn by the method horizon alone, and does not go with " +
+                                       (mesh.empty() ? "a mesh method" : mesh));
+    }
+    drawn_.reset();
+    horizon_.reset();
+    if (drawn_by_horizon(surface)) {
+      horizon_ = draw_horizon(surface, report);
+      horizon_->picture.progress = {};
+    } else {
+      surface_scene_ = make_surface_scene(surface, report);
+      drawn_ = std::make_unique<DrawnScene>(surface_scene_->scene, surface_scene_->picture, report, surface_scene_->box,
+                                            std::nullopt, true);
+    }
+  }
+  run_ = std::move(report);
+}
+
+Picture DrawingHolder::write(const py::dict& keywords, const py::object& progress) {
+  Options options = options_;
+  options.take(keywords);
+  const PictureRequest request = options.request();
+  Picture picture;
+  run(progress, options.threads, [&](const Progress& report) {
+    const std::lock_guard lock(mutex_);
+    RunReport run;
+    if (horizon_ && request.output.format != OutputFormat::json) {
+      horizon_->picture.output = request.output;
+      horizon_->picture.plotter = request.plotter;
+      picture = write_horizon(*horizon_, run);
+      return;
+    }
+    if (drawn_ && !request.gray_faces && drawn_->serves(request.output, request.plotter)) {
+      drawn_->choose(request.output, request.plotter);
+    } else {
+      draw(request, report);
+    }
+    picture = drawn_->write(run);
+  });
+  return picture;
+}
+
+Drawing DrawingHolder::layers() {
+  const std::lock_guard lock(mutex_);
+  RunReport run;
+  return drawn_ ? drawn_->drawing(run) : horizon_->drawing;
+}
+
+const Page& DrawingHolder::page() const { return drawn_ ? drawn_->prepared().around.placement.page : horizon_->page; }
+
+void add_drawing(py::module_& module) {
+  py::class_<DrawingHolder, std::shared_ptr<DrawingHolder>>(module, "Drawing", "What was drawn.")
+      .def("strokes", &strokes)
+      .def_property_readonly("stroke_count", &stroke_count)
+      .def("layers", &layers)
+      .def("regions", &regions)
+      .def_property_readonly("matrix", &matrix)
+      .def_property_readonly(
+          "page_mm",
+          [](const DrawingHolder& holder) { return py::make_tuple(holder.page().width_mm, holder.page().height_mm); })
+      .def_property_readonly("report", &report)
+      .def_property_readonly("warnings", &warnings)
+      .def("write",
+           [](DrawingHolder& holder, const py::dict& options, const py::object& progress) {
+             const Picture picture = holder.write(options, progress);
+             return py::make_tuple(py::bytes(picture.bytes), picture.preview, picture.plotter_report);
+           })
+      .def("save", [](DrawingHolder& holder, const std::string& file, const std::string& preview, const py::dict& options,
+                      const py::object& progress) {
+        Picture picture = holder.write(options, progress);
+        const py::gil_scoped_release released;
+        OutputFiles files;
+        files.add(file, std::move(picture.bytes));
+        if (!preview.empty()) files.add(preview, std::move(picture.preview));
+        files.commit();
+        return picture.plotter_report;
+      });
+  module.def(
+      "draw",
+      [](std::shared_ptr<SceneHolder> scene, const py::dict& keywords, const py::object& progress) {
+        Options options;
+        options.take(keywords);
+        return DrawingHolder::of_scene(std::move(scene), std::move(options), progress);
+      },
+      py::arg("scene"), py::arg("options"), py::arg("progress"));
+  std::vector<std::string> kinds(kLineClassNames.begin(), kLineClassNames.end());
+  module.attr("kinds") = kinds;
+}
+
+}  // namespace ligne::python

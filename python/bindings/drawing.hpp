@@ -1,0 +1,57 @@
+#pragma once
+/// Drawings as Python holds them.
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+
+#include "bindings/options.hpp"
+#include "bindings/scene.hpp"
+#include "bindings/work.hpp"
+#include "picture/drawn_scene.hpp"
+#include "picture/surface_mesh_picture.hpp"
+#include "picture/surface_picture.hpp"
+
+namespace ligne::python {
+
+/// What was drawn, of a scene or by the floating horizon, and with what options.
+class DrawingHolder {
+ public:
+  /// Draws a scene that stays in memory.
+  static std::shared_ptr<DrawingHolder> of_scene(std::shared_ptr<const SceneHolder> scene, Options options,
+                                                 const pybind11::object& progress);
+  /// Draws surfaces.
+  static std::shared_ptr<DrawingHolder> of_surface(SurfaceRequest surface, Options options,
+                                                   const pybind11::object& progress);
+
+  /// The file of another format or for other pens.
+  Picture write(const pybind11::dict& keywords, const pybind11::object& progress);
+
+  /// Layers of polylines.
+  Drawing layers();
+  /// Nothing where the floating horizon drew.
+  const DrawnScene* drawn() const { return drawn_.get(); }
+  const Page& page() const;
+  const RunReport& report() const { return run_; }
+
+ private:
+  void draw(const PictureRequest& request, const Progress& progress);
+
+  std::shared_ptr<const SceneHolder> scene_;  ///< of a model
+  std::optional<SurfaceRequest> surface_;
+  Options options_;
+  RunReport run_;
+  std::optional<SurfaceScene> surface_scene_;
+  std::unique_ptr<DrawnScene> drawn_;
+  std::optional<HorizonDrawing> horizon_;
+  std::mutex mutex_;  ///< of whoever writes: that may draw anew
+};
+
+void add_drawing(pybind11::module_& module);
+void add_surface(pybind11::module_& module);
+
+}  // namespace ligne::python

@@ -1,0 +1,56 @@
+#pragma once
+/// From arrays to a scene.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/model/scene.hpp"
+
+namespace ligne::python {
+
+/// A matrix of numbers where numpy holds them: any strides.
+template <class T>
+struct MatrixView {
+  const std::byte* data = nullptr;
+  std::size_t rows = 0, columns = 0;
+  std::ptrdiff_t row_step = 0, column_step = 0;  ///< bytes
+
+  T operator()(std::size_t row, std::size_t column) const {
+    T value;
+    const auto offset = static_cast<std::ptrdiff_t>(row) * row_step + static_cast<std::ptrdiff_t>(column) * column_step;
+    __builtin_memcpy(&value, data + offset, sizeof value);
+    return value;
+  }
+};
+
+/// Faces as corners: those of face f are [begin[f], begin[f + 1]); of equal length when `begin` is empty.
+struct FaceLists {
+  std::vector<std::uint32_t> contour_end;  ///< in corners; empty: every face is one contour of as many corners as columns
+  std::vector<std::uint32_t> face_end;     ///< in contours
+};
+
+/// Objects and materials of faces, by number.
+struct FaceLabels {
+  std::vector<std::uint32_t> object;  ///< per face, or empty: one object
+  std::vector<std::string> object_names;
+  std::vector<std::uint32_t> material;  ///< per face, or empty
+  std::vector<Material> materials;
+};
+
+/// The vertices. Throws InputError for one that is not finite.
+template <class T>
+std::vector<Point3> read_vertices(const MatrixView<T>& vertices);
+
+/// The faces, all of one kind. Throws InputError for an index that is not below `vertex_count`.
+template <class T>
+void read_faces(const MatrixView<T>& corners, const FaceLists& lists, std::size_t vertex_count, PolygonFaces& faces);
+
+/// Puts the scene together: objects own ranges of vertices and faces, so where there are several, faces are put in the order
+/// of their objects and vertices that several use are doubled. face_source tells each face's number as given. `precision`:
+/// of all coordinates.
+Scene assemble(std::vector<Point3> vertices, PolygonFaces faces, FaceLabels labels, double precision);
+
+}  // namespace ligne::python

@@ -1,0 +1,89 @@
+/// The compiled part of the Python package ligne; python/ligne holds what people call.
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "bindings/drawing.hpp"
+#include "bindings/errors.hpp"
+#include "bindings/scene.hpp"
+#include "plotting/device.hpp"
+#include "view/view.hpp"
+#include "visibility/registry.hpp"
+
+namespace py = pybind11;
+
+namespace ligne::python {
+namespace {
+
+py::list methods() {
+  constexpr std::pair<std::uint8_t, const char*> kProducts[] = {
+      {kStrokes, "strokes"}, {kRegions, "regions"}, {kOrder, "order"}, {kSpans, "spans"}, {kPixels, "pixels"}};
+  py::list list;
+  for (const Method* method : all_methods()) {
+    const MethodTraits& traits = method->traits();
+    py::list products, parameters;
+    for (const auto& [bit, name] : kProducts) {
+      if (traits.products & bit) products.append(name);
+    }
+    for (const MethodParameter& parameter : traits.parameters) parameters.append(std::string(parameter.name));
+    py::dict entry;
+    entry["name"] = std::string(traits.name);
+    entry["summary"] = std::string(traits.summary);
+    entry["products"] = products;
+    entry["exact"] = traits.exact;
+    entry["penetration"] = traits.penetration;
+    entry["paper"] = std::string(traits.paper);
+    entry["parameters"] = parameters;
+    list.append(entry);
+  }
+  return list;
+}
+
+py::list device_list() {
+  py::list list;
+  for (const Device& device : devices()) {
+    py::dict entry;
+    entry["name"] = device.name;
+    entry["title"] = device.title;
+    entry["language"] = std::string(kDeviceLanguageNames[static_cast<std::size_t>(device.language)]);
+    entry["pens"] = device.pens;
+    list.append(entry);
+  }
+  return list;
+}
+
+Point3 point_of(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
+
+/// Rows right, up and towards the viewer, of the camera that looks at a scene whose bounding box is centred on the origin.
+std::vector<std::array<double, 3>> camera_frame(const std::optional<std::string>& named,
+                                                const std::optional<std::array<double, 3>>& direction,
+                                                const std::optional<std::array<double, 3>>& up, const std::string& up_axis) {
+  CameraRequest request;
+  if (named) request.named_view = *named;
+  if (direction) request.direction = point_of(*direction);
+  if (up) request.up = point_of(*up);
+  request.up_axis = up_axis == "x" ? Axis::x : up_axis == "y" ? Axis::y : Axis::z;
+  const Camera camera = make_camera(request, Scene{});
+  const Point3 rows[] = {camera.right, -camera.down, -camera.forward};
+  std::vector<std::array<double, 3>> frame;
+  for (const Point3& r : rows) frame.push_back({r.x, r.y, r.z});
+  return frame;
+}
+
+}  // namespace
+}  // namespace ligne::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace ligne::python;
+  module.doc() = "The compiled part of ligne.";
+  add_errors(module);
+  add_scene(module);
+  add_drawing(module);
+  add_surface(module);
+  module.def("methods", &methods);
+  module.def("devices", &device_list);
+  module.def("camera_frame", &camera_frame, py::arg("named"), py::arg("direction"), py::arg("up"), py::arg("up_axis"));
+  std::vector<std::string> views(std::begin(ligne::kNamedViews), std::end(ligne::kNamedViews));
+  module.attr("named_views") = views;
+  module.attr("__version__") = LIGNE_VERSION;
+}

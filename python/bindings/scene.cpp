@@ -1,0 +1,180 @@
+#include "bindings/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "bindings/arrays.hpp"
+#include "bindings/errors.hpp"
+#include "bindings/mesh_scene.hpp"
+#include "bindings/options.hpp"
+#include "bindings/work.hpp"
+#include "picture/errors.hpp"
+#include "picture/parse.hpp"
+#include "scene/clean/named_objects.hpp"
+#include "scene/model/precision.hpp"
+
+namespace py = pybind11;
+
+namespace ligne::python {
+namespace {
+
+std::shared_ptr<SceneHolder> hold(LoadedModels models, ModelRequest request) {
+  auto holder = std::make_shared<SceneHolder>();
+  RunReport run;
+  report_healing(models, request, run);
+  for (const ModelFile& file : models.files) {
+    for (const auto& [kind, count] : file.warnings.counts()) {
+      holder->warnings.push_back(file.name + ": " + std::to_string(count) + " " + kind);
+    }
+    for (const std::string& remark : file.remarks) holder->warnings.push_back(file.name + ": " + remark);
+  }
+  for (const RunWarning& warning : run.warnings) holder->warnings.push_back(warning.place + ": " + warning.text);
+  holder->scene = std::move(models.scene);
+  holder->topology = models.topology ? std::move(*models.topology) : build_topology(holder->scene);
+  holder->request = std::move(request);
+  return holder;
+}
+
+std::shared_ptr<SceneHolder> read_files(std::vector<std::string> files, const py::dict& options, py::handle threads) {
+  ModelRequest request = model_request(options);
+  request.files = std::move(files);
+  std::shared_ptr<SceneHolder> holder;
+  run(py::none(), threads_of(threads), [&](const Progress&) { holder = hold(load_models(request), request); });
+  return holder;
+}
+
+template <class T>
+MatrixView<T> matrix(const py::array& array) {
+  MatrixView<T> m;
+  m.data = static_cast<const std::byte*>(array.data());
+  m.rows = static_cast<std::size_t>(array.shape(0));
+  m.columns = array.ndim() > 1 ? static_cast<std::size_t>(array.shape(1)) : 1;
+  m.row_step = array.strides(0);
+  m.column_step = array.ndim() > 1 ? array.strides(1) : 0;
+  return m;
+}
+
+/// What the conversion reads, with the interpreter's lock given up.
+struct MeshArrays {
+  py::array vertices, corners;
+  FaceLists lists;
+  FaceLabels labels;
+  std::optional<double> precision;
+};
+
+Scene scene_of(MeshArrays& arrays) {
+  const bool single = arrays.vertices.itemsize() == sizeof(float);
+  std::vector<Point3> points =
+      single ? read_vertices(matrix<float>(arrays.vertices)) : read_vertices(matrix<double>(arrays.vertices));
+  PolygonFaces faces;
+  const bool is_signed = arrays.corners.dtype().kind() == 'i', wide = arrays.corners.itemsize() == 8;
+  if (is_signed && wide) {
+    read_faces(matrix<std::int64_t>(arrays.corners), arrays.lists, points.size(), faces);
+  } else if (is_signed) {
+    read_faces(matrix<std::int32_t>(arrays.corners), arrays.lists, points.size(), faces);
+  } else if (wide) {
+    read_faces(matrix<std::uint64_t>(arrays.corners), arrays.lists, points.size(), faces);
+  } else {
+    read_faces(matrix<std::uint32_t>(arrays.corners), arrays.lists, points.size(), faces);
+  }
+  double largest = 0;
+  for (const Point3& p : points) {
+    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(p[k]));
+  }
+  const double stored = single ? half_ulp_float32(largest) : half_ulp_double(largest);
+  const double precision = std::max(arrays.precision.value_or(stored), half_ulp_double(largest));
+  return assemble(std::move(points), std::move(faces), std::move(arrays.labels), precision);
+}
+
+std::shared_ptr<SceneHolder> make_mesh(py::array vertices, py::array corners, std::vector<std::uint32_t> contour_end,
+                                       std::vector<std::uint32_t> face_end, std::vector<std::uint32_t> object,
+                                       std::vector<std::string> object_names, std::vector<std::uint32_t> material,
+                                       const std::vector<std::tuple<std::string, double, double, double, double>>& materials,
+                                       std::optional<double> precision, const std::string& up_axis, const py::dict& options,
+                                       py::handle threads) {
+  ModelRequest request = model_request(options);
+  MeshArrays arrays{std::move(vertices), std::move(corners), {std::move(contour_end), std::move(face_end)}, {}, precision};
+  arrays.labels = {std::move(object), std::move(object_names), std::move(material), {}};
+  for (const auto& [name, red, green, blue, opacity] : materials) {
+    arrays.labels.materials.push_back({name, {red, green, blue}, opacity});
+  }
+  Axis up = Axis::z;
+  try {
+    up = parse_axis(up_axis);
+  } catch (const std::invalid_argument& e) {
+    throw RequestError("up-axis", e.what());
+  }
+  std::shared_ptr<SceneHolder> holder;
+  run(py::none(), threads_of(threads), [&](const Progress&) {
+    Scene scene = scene_of(arrays);
+    scene.up_axis = up;
+    if (request.unit_mm) scene.unit_mm = *request.unit_mm;
+    holder = hold(load_model(request, std::move(scene), "mesh"), request);
+  });
+  return holder;
+}
+
+py::object faces_of(const std::shared_ptr<SceneHolder>& holder) {
+  const PolygonFaces& faces = holder->scene.faces;
+  if (faces.all_triangles()) {
+    return view(faces.corners().data(), {static_cast<py::ssize_t>(faces.size()), 3}, py::cast(holder));
+  }
+  py::list list;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    py::list contours;
+    for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
+      const auto contour = faces.contour(f, c);
+      contours.append(view(contour.data(), {static_cast<py::ssize_t>(contour.size())}, py::cast(holder)));
+    }
+    list.append(faces.contour_count(f) == 1 ? py::object(contours[0]) : py::object(contours));
+  }
+  return list;
+}
+
+py::object face_source_of(const std::shared_ptr<SceneHolder>& holder) {
+  const std::vector<std::uint32_t>& source = holder->scene.face_source;
+  if (source.empty()) return py::none();
+  return view(source.data(), {static_cast<py::ssize_t>(source.size())}, py::cast(holder));
+}
+
+std::vector<std::string> object_names_of(const SceneHolder& holder) {
+  std::vector<std::string> names;
+  for (const Object& object : holder.scene.objects) names.push_back(object_name(object, names.size()));
+  return names;
+}
+
+}  // namespace
+
+void add_scene(py::module_& module) {
+  py::class_<SceneHolder, std::shared_ptr<SceneHolder>>(module, "Scene", "A scene that was read and mended.")
+      .def_property_readonly("vertices",
+                             [](const std::shared_ptr<SceneHolder>& holder) {
+                               const std::vector<Point3>& points = holder->scene.vertices;
+                               return view(points.empty() ? nullptr : &points.front().x,
+                                           {static_cast<py::ssize_t>(points.size()), 3}, py::cast(holder));
+                             })
+      .def_property_readonly("faces", &faces_of)
+      .def_property_readonly("face_source", &face_source_of)
+      .def_property_readonly("object_names", &object_names_of)
+      .def_property_readonly("face_count", [](const SceneHolder& holder) { return holder.scene.faces.size(); })
+      .def_property_readonly("edge_count", [](const SceneHolder& holder) { return holder.topology.edges.size(); })
+      .def_property_readonly("unit_mm", [](const SceneHolder& holder) { return holder.scene.unit_mm; })
+      .def_property_readonly(
+          "up_axis",
+          [](const SceneHolder& holder) { return std::string(1, "xyz"[static_cast<unsigned>(holder.scene.up_axis)]); })
+      .def_property_readonly("quality",
+                             [](const SceneHolder& holder) {
+                               return std::string(kQualityNames[static_cast<std::size_t>(holder.request.quality)]);
+                             })
+      .def_property_readonly("warnings", [](const SceneHolder& holder) { return holder.warnings; });
+  module.def("read", &read_files, py::arg("files"), py::arg("options"), py::arg("threads"));
+  module.def("mesh", &make_mesh, py::arg("vertices"), py::arg("corners"), py::arg("contour_end"), py::arg("face_end"),
+             py::arg("object"), py::arg("object_names"), py::arg("material"), py::arg("materials"), py::arg("precision"),
+             py::arg("up_axis"), py::arg("options"), py::arg("threads"));
+}
+
+}  // namespace ligne::python

@@ -1,0 +1,35 @@
+"""Exact hidden-line drawings of 3D meshes and surfaces.
+
+    >>> import ligne
+    >>> drawing = ligne.draw(ligne.read("gearbox.stl"), "iso", hidden="dashed")
+    >>> drawing.save("gearbox.svg")
+
+Options have the names and the defaults of the command's (an underscore for a dash); lengths are in mm, or texts with a
+unit ("1.5cm"); angles are in degrees. docs/python.md has recipes.
+"""
+
+from ._core import DtypeError, Error, InputError, MemoryLimitError, RequestError, __version__
+from ._drawing import Drawing, Region, draw
+from ._lists import devices, methods
+from ._scene import Mesh, Scene, read
+from ._surface import surface
+from ._view import View
+
+__all__ = [
+    "Drawing",
+    "DtypeError",
+    "Error",
+    "InputError",
+    "MemoryLimitError",
+    "Mesh",
+    "Region",
+    "RequestError",
+    "Scene",
+    "View",
+    "__version__",
+    "devices",
+    "draw",
+    "methods",
+    "read",
+    "surface",
+]

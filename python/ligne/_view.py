@@ -1,0 +1,103 @@
+"""From where a scene is seen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Dict, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _core
+from ._core import RequestError
+
+Vector = Sequence[float]
+
+
+def _vector(name: str, value: Vector) -> Tuple[float, float, float]:
+    try:
+        x, y, z = (float(v) for v in value)
+    except (TypeError, ValueError):
+        raise RequestError(f"{name}: is not three numbers") from None
+    return (x, y, z)
+
+
+@dataclass(frozen=True)
+class View:
+    """A view of a scene: one of named(), parallel() and perspective().
+
+    All coordinates are the model's. `up` is what is up on the page, by default the up axis; `up_axis` is "x", "y" or "z",
+    by default the scene's.
+    """
+
+    name: Optional[str] = None
+    direction: Optional[Tuple[float, float, float]] = None
+    eye: Optional[Tuple[float, float, float]] = None
+    target: Optional[Tuple[float, float, float]] = None
+    fov: float = 35
+    up: Optional[Tuple[float, float, float]] = None
+    up_axis: Optional[str] = None
+
+    @staticmethod
+    def named(name: str, up: Optional[Vector] = None, up_axis: Optional[str] = None) -> View:
+        """front, back, left, right, top, bottom, iso, dimetric or trimetric."""
+        if name not in _core.named_views:
+            raise RequestError(f"view: {name!r} is not one of {', '.join(_core.named_views)}")
+        return View(name=name, up=None if up is None else _vector("up", up), up_axis=up_axis)
+
+    @staticmethod
+    def parallel(direction: Vector, up: Optional[Vector] = None, up_axis: Optional[str] = None) -> View:
+        """Along `direction`, from the viewer into the scene."""
+        sight = _vector("direction", direction)
+        if sight == (0, 0, 0):
+            raise RequestError("direction: has no direction")
+        return View(direction=sight, up=None if up is None else _vector("up", up), up_axis=up_axis)
+
+    @staticmethod
+    def perspective(
+        eye: Vector,
+        target: Optional[Vector] = None,
+        fov: float = 35,
+        up: Optional[Vector] = None,
+        up_axis: Optional[str] = None,
+    ) -> View:
+        """From `eye` towards `target` (the centre of the model), with the vertical angle `fov` in degrees."""
+        return View(
+            eye=_vector("eye", eye),
+            target=None if target is None else _vector("target", target),
+            fov=float(fov),
+            up=None if up is None else _vector("up", up),
+            up_axis=up_axis,
+        )
+
+    @property
+    def matrix(self) -> np.ndarray:
+        """(3, 3) float64, a rotation: its rows are what is right, up, and towards the viewer, in model coordinates.
+
+        Without an up_axis of its own the view takes z for it. A perspective view has one only with a target. The matrix
+        from the model to the page, which depends on scale and page too, is Drawing.matrix.
+        """
+        direction = self.direction
+        if self.eye is not None:
+            if self.target is None:
+                raise RequestError("target: a perspective view without a target has a matrix only with a scene: Drawing.matrix")
+            x, y, z = (t - e for t, e in zip(self.target, self.eye))
+            direction = (x, y, z)
+        return np.array(_core.camera_frame(self.name, direction, self.up, self.up_axis or "z"))
+
+    def options(self) -> Dict[str, Any]:
+        """As options of the command."""
+        given = {"view": self.name, "direction": self.direction, "up": self.up, "up_axis": self.up_axis}
+        if self.eye is not None:
+            given.update(eye=self.eye, target=self.target, fov=self.fov)
+        return given
+
+
+def view_options(view: Union[str, View, None]) -> Dict[str, Any]:
+    """The options of a view that is given by its name or as a View."""
+    if view is None:
+        return {}
+    if isinstance(view, str):
+        return View.named(view).options()
+    if isinstance(view, View):
+        return view.options()
+    raise RequestError(f"view: {type(view).__name__} is neither a name nor a View")
