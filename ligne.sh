@@ -32,7 +32,7 @@ if ! is_built; then
       # What is edited while the build runs is newer than this mark, and is built the next time.
       touch "$folder/.ligne-started"
       install_packages "$build_packages"
-      build "$folder" -DCMAKE_BUILD_TYPE=Release -DLIGNE_TESTS=OFF -DLIGNE_BENCH=OFF
+      build "$folder" -DCMAKE_BUILD_TYPE=Release -DLIGNE_TESTS=OFF -DLIGNE_BENCH=OFF -DLIGNE_INSTALL=OFF
       mv "$folder/.ligne-started" "$stamp"
     fi
   )

@@ -8,16 +8,10 @@
 #include <sstream>
 #include <string>
 
-#include "cli/compile.hpp"
-#include "cli/devices.hpp"
-#include "cli/draw.hpp"
+#include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
-#include "cli/info.hpp"
 #include "cli/messages.hpp"
-#include "cli/methods.hpp"
-#include "cli/plot.hpp"
-#include "cli/surface.hpp"
 #include "picture/errors.hpp"
 #include "picture/memory.hpp"
 #include "plotting/output_file.hpp"
@@ -56,20 +50,8 @@ int run(int argc, char** argv) {
   app.footer(kFooter);
   app.require_subcommand(0, 1);
 
-  DrawOptions draw;
-  InfoOptions info;
-  MethodsOptions methods;
-  DevicesOptions devices;
-  PlotCommandOptions plot;
-  SurfaceOptions surface;
-  CompileOptions compile;
-  setup_draw(app, draw);
-  setup_surface(app, surface);
-  setup_plot(app, plot);
-  setup_compile(app, compile);
-  setup_info(app, info);
-  setup_methods(app, methods);
-  setup_devices(app, devices);
+  Commands commands;
+  setup_commands(app, commands);
 
   try {
     app.parse(argc, argv);
@@ -82,19 +64,19 @@ int run(int argc, char** argv) {
   }
 
   if (app.got_subcommand("draw")) {
-    run_draw(draw);
+    run_draw(commands.draw);
   } else if (app.got_subcommand("surface")) {
-    run_surface(surface);
+    run_surface(commands.surface);
   } else if (app.got_subcommand("compile")) {
-    run_compile(compile);
+    run_compile(commands.compile);
   } else if (app.got_subcommand("info")) {
-    run_info(info);
+    run_info(commands.info);
   } else if (app.got_subcommand("methods")) {
-    run_methods(methods);
+    run_methods(commands.methods);
   } else if (app.got_subcommand("plot")) {
-    run_plot(plot);
+    run_plot(commands.plot);
   } else if (app.got_subcommand("devices")) {
-    run_devices(devices);
+    run_devices(commands.devices);
   } else {
     throw UsageError("there is no command: draw, surface, plot, compile, info, methods or devices; see ligne --help");
   }
