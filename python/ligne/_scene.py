@@ -158,7 +158,7 @@ class Mesh(Scene):
     @staticmethod
     def from_pyvista(mesh: Any, **options: Any) -> Mesh:
         """A pyvista.PolyData, or another data set of pyvista's, of which the surface is taken."""
-        if not hasattr(mesh, "faces") or hasattr(mesh, "cells"):
+        if not hasattr(mesh, "faces"):
             mesh = mesh.extract_surface()
         flat = np.asarray(mesh.faces)
         if len(flat) and len(flat) % (int(flat[0]) + 1) == 0 and np.all(flat.reshape(-1, int(flat[0]) + 1)[:, 0] == flat[0]):
