@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "geometry/parallel.hpp"
+#include "geometry/stop.hpp"
 
 namespace py = pybind11;
 
@@ -17,8 +18,6 @@ namespace {
 
 /// Adjustable: short for somebody who waits for Ctrl-C, long beside what a look costs.
 constexpr std::chrono::milliseconds kLook{50};
-
-struct Interrupted {};
 
 /// What the two threads know of each other.
 struct Shared {
@@ -48,13 +47,13 @@ void run(const py::object& progress, unsigned threads, const std::function<void(
   std::optional<py::error_already_set> raised;
   const Progress report = [&shared](double fraction) {
     shared.fraction = fraction;
-    if (shared.stop) throw Interrupted();
+    if (shared.stop) throw Stopped();
   };
   {
     const py::gil_scoped_release released;
     std::thread worker([&] {
       try {
-        run_with_threads(threads, [&] { work(report); });
+        run_with_threads(threads, [&] { run_until(shared.stop, [&] { work(report); }); });
       } catch (...) {
         shared.failure = std::current_exception();
       }

@@ -9,20 +9,30 @@
 #include <chrono>
 #include <thread>
 
+#include "geometry/stop.hpp"
+
 namespace ligne {
+namespace {
 
-void parallel_for(std::size_t count, FunctionRef<void(std::size_t)> work) {
-  tbb::parallel_for(std::size_t{0}, count, [work](std::size_t i) { work(i); });
+/// Calls work(i) for all i; every task looks whether it is to end.
+template <class Partitioner>
+void loop(std::size_t count, FunctionRef<void(std::size_t)> work, const Partitioner& partitioner) {
+  const auto task = [work, stop = StopScope::current()](const tbb::blocked_range<std::size_t>& range) {
+    const StopScope scope(stop);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) work(i);
+  };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), task, partitioner);
 }
 
-void parallel_tasks(std::size_t count, FunctionRef<void(std::size_t)> work) {
-  tbb::parallel_for(
-      std::size_t{0}, count, [work](std::size_t i) { work(i); }, tbb::simple_partitioner{});
-}
+}  // namespace
+
+void parallel_for(std::size_t count, FunctionRef<void(std::size_t)> work) { loop(count, work, tbb::auto_partitioner{}); }
+
+void parallel_tasks(std::size_t count, FunctionRef<void(std::size_t)> work) { loop(count, work, tbb::simple_partitioner{}); }
 
 void parallel_blocks(std::size_t count, std::size_t size, FunctionRef<void(std::size_t, std::size_t)> work) {
-  tbb::parallel_for(std::size_t{0}, block_count(count, size),
-                    [=](std::size_t block) { work(block * size, std::min(count, (block + 1) * size)); });
+  const auto block = [=](std::size_t i) { work(i * size, std::min(count, (i + 1) * size)); };
+  loop(block_count(count, size), block, tbb::auto_partitioner{});
 }
 
 std::size_t thread_count() { return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()); }

@@ -7,7 +7,7 @@ from hypothesis.extra import numpy as arrays
 
 import ligne
 
-settings.register_profile("ligne", max_examples=150, deadline=None, derandomize=True, database=None)
+settings.register_profile("ligne", max_examples=400, deadline=None, derandomize=True, database=None)
 settings.load_profile("ligne")
 
 NUMBERS = st.one_of(

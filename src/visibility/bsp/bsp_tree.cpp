@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "files/bytes.hpp"
+#include "geometry/stop.hpp"
 #include "visibility/common/dividing_plane.hpp"
 
 namespace ligne {
@@ -18,6 +19,7 @@ BspTree::BspTree(const Scene& scene, const PlaneChoice& options) : pieces_(scene
   std::vector<Task> open;
   open.push_back(std::move(all));
   while (!open.empty()) {
+    check_stop();
     Task task = std::move(open.back());
     open.pop_back();
     divide(std::move(task), options, open);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/stop.hpp"
+
 // [Boulle1980] 2.5.2.4. P, the head of the list, is compared with those that reach farther than it begins. If it may hide
 // none of them it is done: it is painted. If it may hide Q, Q is marked and becomes the head. Where Q was marked before
 // there is no order, or may be none; and where either may hide the other there is none: one of the two is cut.
@@ -83,6 +85,7 @@ void PriorityList::sort_list(const Set& set) {
             [&](std::uint32_t a, std::uint32_t b) { return std::pair(-farthest(a), a) < std::pair(-farthest(b), b); });
   first_ = 0;
   for (std::uint32_t p = head(); p != kNone; p = head()) {
+    check_stop();
     if (!settle(p)) continue;
     remove(p);
     output(p);

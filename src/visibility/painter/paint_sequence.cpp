@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "geometry/parallel.hpp"
+#include "geometry/stop.hpp"
 #include "visibility/common/facet_order.hpp"
 
 namespace ligne::painter {
@@ -160,6 +161,7 @@ void resolve(const ProjectedScene& scene, const std::vector<Facet>& facets, cons
   std::vector<std::uint8_t> painted(faces.size(), 0);
   std::size_t oldest = 0;
   while (sequence.faces.size() < sorted.size()) {
+    check_stop();
     if (free.empty()) {
       while (painted[sorted[oldest]]) ++oldest;
       ++sequence.in_rings;
