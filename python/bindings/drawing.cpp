@@ -18,6 +18,17 @@ namespace {
 
 py::ssize_t rows(std::size_t n) { return static_cast<py::ssize_t>(n); }
 
+/// A compiled model keeps what it was compiled with.
+void require_no_parameters(const Options& options) {
+  for (const auto& [name, value] : options.parameters) {
+    for (const MethodParameter& parameter : options.picture.lines.method->traits().parameters) {
+      if (parameter.name == name && parameter.of_compile) {
+        throw RequestError(name, "the model is compiled: give it to ligne compile");
+      }
+    }
+  }
+}
+
 /// The number of a face as it was given, -1 for none.
 std::int64_t given_face(const Scene& scene, std::uint32_t face) {
   if (face == kNone) return -1;
@@ -155,6 +166,11 @@ std::shared_ptr<DrawingHolder> DrawingHolder::of_scene(std::shared_ptr<const Sce
   auto holder = std::make_shared<DrawingHolder>();
   options.picture.lines.quality = scene->request.quality;
   if (!options.picture.page.unit_mm) options.picture.page.unit_mm = scene->request.unit_mm;
+  if (scene->compiled_for && !options.picture.lines.method) options.picture.lines.method = scene->compiled_for;
+  if (scene->compiled_for && scene->compiled_for == options.picture.lines.method) {
+    require_no_parameters(options);
+    options.picture.compiled = scene->compiled;
+  }
   holder->scene_ = std::move(scene);
   holder->options_ = std::move(options);
   const PictureRequest request = holder->options_.request();

@@ -36,6 +36,8 @@ std::shared_ptr<SceneHolder> hold(LoadedModels models, ModelRequest request) {
   holder->scene = std::move(models.scene);
   holder->topology = models.topology ? std::move(*models.topology) : build_topology(holder->scene);
   holder->request = std::move(request);
+  holder->compiled = std::move(models.compiled);
+  holder->compiled_for = models.compiled_for;
   return holder;
 }
 

@@ -16,7 +16,9 @@ namespace ligne::python {
 struct SceneHolder {
   Scene scene;
   Topology topology;
-  ModelRequest request;  ///< what it was read with
+  ModelRequest request;                             ///< what it was read with
+  std::shared_ptr<const CompiledScene> compiled{};  ///< of a file of `ligne compile`, for that method
+  const Method* compiled_for = nullptr;
   std::vector<std::string> warnings;
 };
 

@@ -26,6 +26,14 @@ struct Commands {
 };
 
 /// Adds the commands to the program; `commands` must outlive the parse.
-void setup_commands(CLI::App& app, Commands& commands);
+inline void setup_commands(CLI::App& app, Commands& commands) {
+  setup_draw(app, commands.draw);
+  setup_surface(app, commands.surface);
+  setup_plot(app, commands.plot);
+  setup_compile(app, commands.compile);
+  setup_info(app, commands.info);
+  setup_methods(app, commands.methods);
+  setup_devices(app, commands.devices);
+}
 
 }  // namespace ligne

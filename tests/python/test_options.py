@@ -7,8 +7,8 @@ import subprocess
 
 import ligne
 
-# Options of the command line itself: files, what goes to a terminal.
-OF_THE_COMMAND = {"help", "output", "stats", "stats-json", "quiet"}
+# Options of the command line itself: files, what goes to a terminal, several files at once.
+OF_THE_COMMAND = {"help", "output", "stats", "stats-json", "quiet", "frames", "turn"}
 OF_METHODS = {name for method in ligne.methods() for name in method["parameters"]}
 
 

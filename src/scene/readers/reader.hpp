@@ -52,10 +52,6 @@ Scene read_scene(const std::filesystem::path& file, const ReadOptions& options, 
 Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const std::filesystem::path& folder,
                  const std::string& name, const ReadOptions& options, Warnings& warnings, ReadReport* report = nullptr);
 
-/// Larger coordinates are refused. Products of five stay finite, which is more than any computation multiplies; float32
-/// files reach 3.4e38.
-inline constexpr double kLargestCoordinate = 0x1p200;
-
 /// What reading does with a scene as it stands in its file: checks its coordinates, welds and cleans it. `name` stands in
 /// error messages. Throws InputError.
 void clean_read_scene(Scene& scene, const std::string& name, const ReadOptions& options, Warnings& warnings);
