@@ -43,6 +43,7 @@ const std::map<std::string, Words, std::less<>>& words_by_name() {
         {"--weld", {"auto", "off"}},
         {"--method", {"auto"}},
         {"--axes", {"back", "grid", "box", "base"}}};
+    all["--view"].emplace_back("camera");
     for (std::size_t i = 0; i < kEdgeClassCount; ++i) all["--edges"].emplace_back(kLineClassNames[i]);
     for (const Device& device : devices()) all["--device"].push_back(device.name);
     for (const Method* method : all_methods()) {

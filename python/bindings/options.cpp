@@ -13,7 +13,6 @@
 #include "picture/parse.hpp"
 #include "picture/parse_options.hpp"
 #include "picture/scene_study.hpp"
-#include "view/view.hpp"
 #include "visibility/registry.hpp"
 
 namespace py = pybind11;
@@ -61,8 +60,7 @@ const std::map<std::string, Setter, std::less<>>& setters() {
 #define LIGNE_FIELD(field) \
   [](Options & o) -> auto& { return o.field; }
   static const std::map<std::string, Setter, std::less<>> table{
-      {"view", text([](const std::string& t) { return std::string(kNamedViews[parse_choice(t, kNamedViews)]); },
-                    LIGNE_FIELD(picture.view.named_view))},
+      {"view", each([](Options& o, const std::string& t) { parse_view(t, o.picture.view); })},
       {"direction", text(parse_vector, LIGNE_FIELD(picture.view.direction))},
       {"eye", text(parse_point, LIGNE_FIELD(picture.view.eye))},
       {"target", text(parse_point, LIGNE_FIELD(picture.view.target))},
@@ -185,7 +183,7 @@ void Options::take(const py::dict& keywords) {
 PictureRequest Options::request() const {
   PictureRequest request = picture;
   const ViewRequest& view = request.view;
-  if (view.named_view.has_value() + view.direction.has_value() + view.eye.has_value() > 1) {
+  if (view.named_view.has_value() + view.camera.has_value() + view.direction.has_value() + view.eye.has_value() > 1) {
     throw RequestError("view", "of view, direction and eye only one can be given");
   }
   if (!edges_given && !request.fill.lights.empty()) request.lines.classes.add(LineClass::shadow);

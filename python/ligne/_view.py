@@ -39,9 +39,9 @@ class View:
 
     @staticmethod
     def named(name: str, up: Optional[Vector] = None, up_axis: Optional[str] = None) -> View:
-        """front, back, left, right, top, bottom, iso, dimetric or trimetric."""
-        if name not in _core.named_views:
-            raise RequestError(f"view: {name!r} is not one of {', '.join(_core.named_views)}")
+        """front, back, left, right, top, bottom, iso, dimetric or trimetric; or "camera" or "camera:NAME", of the file."""
+        if name not in _core.named_views and name.partition(":")[0] != "camera":
+            raise RequestError(f"view: {name!r} is not one of {', '.join(_core.named_views)} or camera[:NAME]")
         return View(name=name, up=None if up is None else _vector("up", up), up_axis=up_axis)
 
     @staticmethod
@@ -76,6 +76,8 @@ class View:
         Without an up_axis of its own the view takes z for it. A perspective view has one only with a target. The matrix
         from the model to the page, which depends on scale and page too, is Drawing.matrix.
         """
+        if self.name is not None and self.name not in _core.named_views:
+            raise RequestError("view: a camera of the file has a matrix only with its scene: Drawing.matrix")
         direction = self.direction
         if self.eye is not None:
             if self.target is None:

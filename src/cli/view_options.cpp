@@ -1,32 +1,13 @@
 #include "cli/view_options.hpp"
 
-#include <iterator>
-#include <string_view>
-#include <vector>
-
 #include "cli/options.hpp"
 #include "picture/parse.hpp"
-#include "view/view.hpp"
+#include "picture/parse_options.hpp"
 
 namespace ligne {
-namespace {
-
-/// The view of a camera of the file: "camera" or "camera:NAME".
-constexpr std::string_view kFileCamera = "camera";
-
-}  // namespace
-
 void add_view_options(CLI::App& app, ViewRequest& request, const std::string& standard) {
   OptionGroup group(app, "View");
-  const auto take_view = [&request](const std::string& text) {
-    if (text == kFileCamera || text.starts_with(std::string(kFileCamera) + ":")) {
-      request.camera = text.size() > kFileCamera.size() ? text.substr(kFileCamera.size() + 1) : "";
-    } else {
-      std::vector<std::string_view> names(std::begin(kNamedViews), std::end(kNamedViews));
-      names.push_back(kFileCamera);
-      request.named_view = kNamedViews[parse_choice(text, names)];
-    }
-  };
+  const auto take_view = [&request](const std::string& text) { parse_view(text, request); };
   const auto parse_fov = [](const std::string& text) { return parse_between(text, 0, 180, "degrees"); };
 
   const Option view =

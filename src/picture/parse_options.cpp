@@ -13,6 +13,7 @@
 #include "picture/parse.hpp"
 #include "plotting/page.hpp"
 #include "scene/surfaces/surface_points.hpp"
+#include "view/view.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -52,6 +53,17 @@ Ends parse_ends(const std::string& text, const std::string& form) {
 }
 
 }  // namespace
+
+void parse_view(const std::string& text, ViewRequest& request) {
+  constexpr std::string_view kFileCamera = "camera";
+  if (text == kFileCamera || text.starts_with(std::string(kFileCamera) + ":")) {
+    request.camera = text.size() > kFileCamera.size() ? text.substr(kFileCamera.size() + 1) : "";
+    return;
+  }
+  std::vector<std::string_view> names(std::begin(kNamedViews), std::end(kNamedViews));
+  names.push_back(kFileCamera);
+  request.named_view = kNamedViews[parse_choice(text, names)];
+}
 
 PageSize parse_page_size(const std::string& text) {
   PageSize size;

@@ -13,6 +13,9 @@
 
 namespace ligne {
 
+/// The name of a view, or "camera" or "camera:NAME", the view of a camera of the file.
+void parse_view(const std::string& text, ViewRequest& request);
+
 PageSize parse_page_size(const std::string& text);
 
 /// A width above 0 that a pen may have, mm.

@@ -34,6 +34,7 @@ expect() {
 }
 expect "draw devices" d
 expect "iso" draw --view i
+expect "camera" draw --view c
 expect "none dashed solid" draw --hidden ""
 expect "dashed" draw --hidden = d
 expect "--hatch --hatch-spacing --hatch-angle --hatch-levels --hatch-cross" draw model.obj --hatch

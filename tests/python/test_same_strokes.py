@@ -1,5 +1,8 @@
 """The module draws what the command draws, to the last bit."""
 
+import base64
+import json
+
 import numpy as np
 import pytest
 from conftest import CUBE_FACES, CUBE_VERTICES, MODELS, SOURCE
@@ -90,6 +93,28 @@ def test_a_mesh_of_arrays_is_the_mesh_of_a_file(command, tmp_path):
     file.write_text(head + "\n".join(lines) + "\n")
     drawing = ligne.draw(ligne.Mesh(CUBE_VERTICES, CUBE_FACES))
     assert drawing.to_bytes("json") == command("draw", file)
+
+
+def test_a_camera_of_the_file(command, tmp_path):
+    file = tmp_path / "triangle.gltf"
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32).tobytes()
+    uri = "data:application/octet-stream;base64," + base64.b64encode(points).decode()
+    gltf = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0, 1]}],
+        "scene": 0,
+        "nodes": [{"mesh": 0}, {"camera": 0, "name": "near", "translation": [0.3, 0.3, 4]}],
+        "cameras": [{"type": "perspective", "name": "near", "perspective": {"yfov": 0.7, "znear": 0.1}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(points)}],
+        "buffers": [{"byteLength": len(points), "uri": uri}],
+    }
+    file.write_text(json.dumps(gltf))
+    for view in ("camera", "camera:near"):
+        assert ligne.draw(file, view).to_bytes("json") == command("draw", file, "--view", view)
+    with pytest.raises(ligne.RequestError, match="camera"):
+        ligne.draw(file, "camera:far")
 
 
 @pytest.mark.parametrize("threads", [1, 2])
