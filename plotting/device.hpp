@@ -38,7 +38,7 @@ struct Device {
   Rect limits_mm;                   ///< of a device that takes sheets of any size; may be infinite
   std::vector<DevicePaper> papers;  ///< empty: sheets of any size, origin in the corner with the least coordinates
   std::vector<std::string> begin, end, up, down, pen_change;
-  std::string pen_select, travel, draw, dot, velocity;
+  std::string pen_select, travel, draw, dot, velocity, delay;
   std::size_t points_per_command = 0;  ///< 0: any number
   bool returns = false;                ///< the pen goes back to (0, 0) at the end
   double down_mm_s = 0, up_mm_s = 0, lift_s = 0, pen_change_s = 0;

@@ -90,6 +90,7 @@ constexpr DeviceCommand kDeviceCommands[] = {{"begin", {"paper"}},
                                              {"travel", {"x", "y"}},
                                              {"pen_select", {"pen", "width"}},
                                              {"velocity", {"cm_per_s"}},
+                                             {"delay", {"seconds"}},
                                              {"draw", {"x", "y", "feed"}}};
 
 std::span<const std::string_view> placeholders(const DeviceCommand& command, DeviceLanguage language) {
@@ -131,6 +132,7 @@ void read_commands(const TomlTable& table, Device& device) {
   device.draw = table.text("draw").value_or("");
   device.dot = table.text("dot").value_or("");
   device.velocity = table.text("velocity").value_or("");
+  device.delay = table.text("delay").value_or("");
   device.points_per_command = table.count("points_per_command", 0, kMostPoints).value_or(0);
   for (const DeviceCommand& command : kDeviceCommands) {
     const std::span<const std::string_view> known = placeholders(command, device.language);
@@ -179,6 +181,7 @@ Device read_device(std::string_view toml, const std::string& file) {
               "draw",
               "dot",
               "velocity",
+              "delay",
               "points_per_command",
               "returns",
               "speed_down",

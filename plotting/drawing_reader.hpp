@@ -16,6 +16,12 @@ struct ReadDrawing {
   Page page;                                    ///< margin 0 where the file tells none
   bool dashes_cut = false;                      ///< dashes are strokes already
   std::map<std::string, std::size_t> left_out;  ///< what was skipped because the caller allowed it, with counts
+  std::map<std::string, std::size_t> unknown;   ///< elements that SVG does not know, by name, with counts: left out
+  std::size_t outlined = 0;                     ///< filled areas that were drawn by their contours only
+  std::size_t simplified_paints = 0;            ///< gradients and patterns drawn in one colour
+  std::size_t filters = 0;                      ///< filters that were not applied
+  std::size_t boxes = 0;                        ///< characters that the font lacks, drawn as boxes
+  bool size_assumed = false;                    ///< the file tells no size of the page
 };
 
 /// No coordinate of a drawing is farther from the corner of its page, in mm.
@@ -25,12 +31,12 @@ inline constexpr double kFarthestMm = 1e6;
 /// InputError, "FILE: what is wrong and where".
 ReadDrawing read_json_drawing(std::string_view json, const std::string& file);
 
-/// What becomes of filled areas of an SVG. White ones below everything are paper; white ones above something hide it, and
-/// are refused.
+/// What becomes of filled areas of an SVG. White ones are paper: they are not drawn, and hide what lies under them.
 struct FillReading {
   enum class How { refuse, outline, hatch };
-  How how = How::refuse;       ///< or their contours are drawn, or these and strokes inside
+  How how = How::outline;      ///< or they are refused, or contours are drawn and strokes inside
   double pen_width_mm = 0.35;  ///< of the pen that hatches
+  bool occlude = false;        ///< opaque areas of every colour hide what lies under them
 };
 inline constexpr std::string_view kFillReadingNames[] = {"refuse", "outline", "hatch"};
 

@@ -59,6 +59,7 @@ std::array<double, 3> parse_color(std::string_view text) {
 }
 
 std::string layer_label(const Pen& pen) {
+  if (!pen.label.empty()) return pen.label;
   std::string label;
   if (pen.skip) label += '%';
   if (pen.pause) label += '!';
@@ -70,8 +71,49 @@ std::string layer_label(const Pen& pen) {
   return label;
 }
 
-unsigned PenTable::pen_of(std::string_view layer, std::string_view material, unsigned shade,
-                          const std::string& object) const {
+LayerLabel parse_layer_label(std::string_view text) {
+  LayerLabel label;
+  const auto skip_blanks = [&text] { text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size())); };
+  const auto take_number = [&text]() -> std::optional<unsigned> {
+    unsigned value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc()) return {};
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return value;
+  };
+  for (skip_blanks(); !text.empty() && (text[0] == '%' || text[0] == '!'); skip_blanks()) {
+    (text[0] == '%' ? label.skip : label.pause) = true;
+    text.remove_prefix(1);
+  }
+  const std::string_view unnumbered = text;
+  const unsigned number = take_number().value_or(0);
+  if (number <= kMostPens) {
+    label.number = number;
+  } else {
+    text = unnumbered;
+  }
+  while (text.size() > 2 && text[0] == '+' && text[2] >= '0' && text[2] <= '9') {
+    const char key = text[1];
+    std::optional<unsigned>* const setting = key == 'S' || key == 's'   ? &label.speed
+                                             : key == 'H' || key == 'h' ? &label.height
+                                             : key == 'D' || key == 'd' ? &label.delay_ms
+                                                                        : nullptr;
+    if (!setting) break;
+    text.remove_prefix(2);
+    const std::optional<unsigned> value = take_number();
+    if (!value) break;
+    const bool known = setting == &label.speed    ? *value > 0 && *value <= kMostPercent
+                       : setting == &label.height ? *value <= kMostPercent
+                                                  : *value <= kMostDelayMs;
+    if (known) *setting = value;
+  }
+  skip_blanks();
+  label.name = text;
+  return label;
+}
+
+std::optional<unsigned> PenTable::named_pen_of(std::string_view layer, std::string_view material, unsigned shade,
+                                               const std::string& object) const {
   if (const auto found = pen_of_shade.find(shade); shade > 0 && found != pen_of_shade.end()) return found->second;
   if (!object.empty()) {
     const auto found = std::find_if(pen_of_object.rbegin(), pen_of_object.rend(),
@@ -81,14 +123,14 @@ unsigned PenTable::pen_of(std::string_view layer, std::string_view material, uns
   if (const auto found = pen_of_material.find(material); !material.empty() && found != pen_of_material.end())
     return found->second;
   if (const auto found = pen_of_layer.find(layer); found != pen_of_layer.end()) return found->second;
-  // As in labels of ours and of others: signs before the number.
-  const std::size_t digit = layer.find_first_not_of("%! ");
-  if (digit != std::string_view::npos) {
-    unsigned number = 0;
-    const auto [end, error] = std::from_chars(layer.data() + digit, layer.data() + layer.size(), number);
-    if (error == std::errc() && number >= 1 && number <= kMostPens) return number;
-  }
-  return rest;
+  return {};
+}
+
+unsigned PenTable::pen_of(std::string_view layer, std::string_view material, unsigned shade,
+                          const std::string& object) const {
+  if (const auto named = named_pen_of(layer, material, shade, object)) return *named;
+  const unsigned number = parse_layer_label(layer).number;
+  return number > 0 ? number : rest;
 }
 
 Pen PenTable::pen(unsigned number) const {

@@ -21,13 +21,23 @@ struct Pen {
   std::optional<unsigned> speed;     ///< "+S": percent
   std::optional<unsigned> height;    ///< "+H": percent
   std::optional<unsigned> delay_ms;  ///< "+D"
+  std::string label;                 ///< of its layer, where that has one already; empty: made of the above
 };
 
-inline constexpr unsigned kMostPens = 1000, kMostPenShades = 4;
+inline constexpr unsigned kMostPens = 1000, kMostPenShades = 4, kMostPercent = 100, kMostDelayMs = 600'000;
 
 /// Name of a pen's layer in an SVG as Inkscape, vpype and the AxiDraw software read it: "2 name", with the signs before the
 /// number and the settings behind it.
 std::string layer_label(const Pen& pen);
+
+/// What the name of a layer says of its pen, in the same words. What follows a "%" is not plotted.
+struct LayerLabel {
+  unsigned number = 0;  ///< 0: it tells none
+  bool skip = false, pause = false;
+  std::optional<unsigned> speed, height, delay_ms;
+  std::string name;  ///< what is left
+};
+LayerLabel parse_layer_label(std::string_view label);
 
 /// The pens, and for layers their number. What is not named goes to pen `rest`.
 struct PenTable {
@@ -39,6 +49,9 @@ struct PenTable {
   unsigned rest = 1;
 
   bool empty() const { return pens.empty(); }
+  /// Number of the pen that the table names for a layer; nothing where it names none.
+  std::optional<unsigned> named_pen_of(std::string_view layer, std::string_view material, unsigned shade = 0,
+                                       const std::string& object = {}) const;
   /// Number of the pen of a layer: by its shade, its object, its material, its name, whatever is named, in this order. A
   /// layer that nothing is said of and whose name begins with a number has the pen of that number.
   unsigned pen_of(std::string_view layer, std::string_view material, unsigned shade = 0,

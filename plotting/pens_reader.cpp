@@ -8,7 +8,6 @@
 namespace ligne {
 namespace {
 
-constexpr unsigned kMostPercent = 100, kMostDelayMs = 600'000;
 constexpr double kWidestPenMm = 50;
 
 Pen read_pen(const TomlTable& table) {

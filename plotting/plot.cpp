@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "geometry/parallel.hpp"
@@ -14,6 +16,7 @@ namespace {
 /// Lines of one style.
 struct StyledLines {
   std::vector<double> dashes_mm;
+  StrokeLook look;
   Polylines lines;
 };
 
@@ -28,77 +31,158 @@ bool empty(const Polylines& lines) {
   return std::all_of(lines.begin.begin(), lines.begin.end(), [](std::uint32_t b) { return b == 0; });
 }
 
+/// Deals layers to pens.
+class Dealer {
+ public:
+  Dealer(const Drawing& drawing, const PlotRequest& request) : request_(request) {
+    for (const Layer& layer : drawing.layers) {
+      if (!empty(layer.lines)) taken_.insert(parse_layer_label(layer.name).number);
+    }
+    taken_.insert(0);
+  }
+
+  Pen pen_of(const Layer& layer) {
+    const PenTable& table = request_.pens;
+    const auto named = table.named_pen_of(layer.name, layer.material, layer.shade, layer.object);
+    if (named) return table.pen(*named);
+    const LayerLabel label = parse_layer_label(layer.name);
+    const bool per_layer = table.empty() && request_.pen_per_layer;
+    Pen pen = table.pen(label.number > 0 ? label.number : table.rest);
+    if (per_layer && label.number == 0 && !label.skip) pen.number = next_number(layer.name);
+    if (per_layer || label.number > 0) pen.name = label.name;
+    if (per_layer && (label.number > 0 || label.skip)) pen.label = layer.name;
+    pen.skip = pen.skip || label.skip;
+    pen.pause = pen.pause || label.pause;
+    if (label.speed) pen.speed = label.speed;
+    if (label.height) pen.height = label.height;
+    if (label.delay_ms) pen.delay_ms = label.delay_ms;
+    return pen;
+  }
+
+ private:
+  /// Parts of one layer have one pen.
+  unsigned next_number(const std::string& layer) {
+    const auto [entry, added] = number_of_.emplace(layer, 0);
+    if (!added) return entry->second;
+    while (taken_.contains(next_)) ++next_;
+    return entry->second = next_++;
+  }
+
+  const PlotRequest& request_;
+  std::set<unsigned> taken_;
+  std::map<std::string, unsigned> number_of_;
+  unsigned next_ = 1;
+};
+
+/// Whether lines of the two may be drawn in turn, as by one pen.
+bool one_pen(const Pen& a, const Pen& b) {
+  return std::tie(a.number, a.label, a.skip, a.pause, a.speed, a.height, a.delay_ms) ==
+         std::tie(b.number, b.label, b.skip, b.pause, b.speed, b.height, b.delay_ms);
+}
+
 /// Layers by pen, in the order of the pens' numbers.
 std::vector<PenWork> work_of(const Drawing& given, const PlotRequest& request) {
   Drawing drawing = given;
   draw_texts_as_strokes(drawing);
-  std::map<unsigned, PenWork> work;
-  unsigned next = 1;
+  std::vector<PenWork> work;
+  Dealer dealer(drawing, request);
   for (Layer& layer : drawing.layers) {
     if (empty(layer.lines)) continue;
-    Pen pen;
-    if (!request.pens.empty()) {
-      pen = request.pens.pen(request.pens.pen_of(layer.name, layer.material, layer.shade, layer.object));
-    } else if (request.pen_per_layer) {
-      pen.number = next++;
-      pen.name = layer.name;
-    } else {
-      pen.number = request.pens.pen_of(layer.name, layer.material, layer.shade, layer.object);
-    }
+    Pen pen = dealer.pen_of(layer);
     const LineStyle style = request.style.style_of(layer);
-    if (request.pens.empty() && request.pen_per_layer) pen.color = style.color;
-    PenWork& entry = work[pen.number];
+    const bool keeps_look = request.keep_looks && !request.pens.pens.contains(pen.number);
+    auto entry = std::find_if(work.begin(), work.end(), [&](const PenWork& other) { return one_pen(other.pen, pen); });
+    if (entry == work.end()) {
+      if (keeps_look) pen.color = style.color;
+      entry = work.insert(work.end(), {pen, 0, {}});
+    }
     const double width = pen.width_mm.value_or(style.width_mm);
-    entry.width_mm = std::max(entry.width_mm, width);
-    entry.pen = pen;
+    entry->width_mm = std::max(entry->width_mm, width);
     // Dashes are told in widths of the pen that draws them.
     std::vector<double> dashes = style.dashes_mm;
     for (double& dash : dashes) dash *= width / style.width_mm;
-    const auto same =
-        std::find_if(entry.styles.begin(), entry.styles.end(), [&](const StyledLines& s) { return s.dashes_mm == dashes; });
-    if (same == entry.styles.end()) {
-      entry.styles.push_back({std::move(dashes), std::move(layer.lines)});
+    const StrokeLook look = keeps_look ? StrokeLook{style.color, width} : StrokeLook{};
+    const auto same = std::find_if(entry->styles.begin(), entry->styles.end(),
+                                   [&](const StyledLines& s) { return s.dashes_mm == dashes && s.look == look; });
+    if (same == entry->styles.end()) {
+      entry->styles.push_back({std::move(dashes), look, std::move(layer.lines)});
     } else {
       append(same->lines, layer.lines);
     }
   }
-  std::vector<PenWork> list;
-  for (auto& [number, entry] : work) {
+  for (PenWork& entry : work) {
     if (!entry.pen.width_mm) entry.pen.width_mm = entry.width_mm;
-    list.push_back(std::move(entry));
   }
-  return list;
+  std::stable_sort(work.begin(), work.end(), [](const PenWork& a, const PenWork& b) { return a.pen.number < b.pen.number; });
+  return work;
 }
 
 Polylines cut(const StyledLines& style, const Pen& pen) {
   return style.dashes_mm.empty() ? style.lines : cut_dashes(style.lines, style.dashes_mm, *pen.width_mm);
 }
 
-Polylines optimized(PenWork& work, const PathOptions& paths) {
-  Polylines lines;
-  for (StyledLines& style : work.styles) {
-    if (paths.optimize != Optimize::off) style.lines = join_strokes(style.lines, paths.tolerances);
-    append(lines, cut(style, work.pen));
+/// The lines of a pen as they are, or with those of each style joined.
+PenLines lines_of(const PenWork& work, const JoinTolerances* join) {
+  PenLines pen{work.pen, {}};
+  std::vector<StrokeLook>& looks = pen.looks;
+  for (const StyledLines& style : work.styles) {
+    const Polylines strokes =
+        join ? cut({style.dashes_mm, style.look, join_strokes(style.lines, *join)}, work.pen) : cut(style, work.pen);
+    append(pen.lines, strokes);
+    const auto look = static_cast<std::uint32_t>(std::find(looks.begin(), looks.end(), style.look) - looks.begin());
+    if (look == looks.size()) looks.push_back(style.look);
+    pen.look_of.resize(pen.lines.size(), look);
   }
-  return paths.optimize == Optimize::full ? order_strokes(lines, paths.order) : lines;
+  if (looks.size() > 1) return pen;
+  looks.clear();
+  pen.look_of.clear();
+  return pen;
+}
+
+void put_in_order(PenLines& pen, const OrderOptions& options) {
+  std::vector<std::uint32_t> order;
+  pen.lines = order_strokes(pen.lines, options, &order);
+  if (pen.looks.empty()) return;
+  std::vector<std::uint32_t> look_of;
+  for (const std::uint32_t stroke : order) look_of.push_back(pen.look_of[stroke]);
+  pen.look_of = std::move(look_of);
+}
+
+/// Joined and ordered, and never so that the plot takes longer than in the order of the drawing: then without leaving out
+/// what is there twice, then without joining.
+PenLines optimized(const PenWork& work, const PathOptions& paths) {
+  PenLines before = lines_of(work, nullptr);
+  if (paths.optimize == Optimize::off) return before;
+  const auto seconds = [&](const PenLines& pen) {
+    return paths.pace.seconds(measure(pen.lines, paths.order.home, paths.order.returns));
+  };
+  const double allowed = seconds(before);
+  const bool orders = paths.optimize != Optimize::join;
+  if (paths.optimize != Optimize::order) {
+    JoinTolerances twice = paths.tolerances;
+    twice.overlap_mm = 0;
+    for (const JoinTolerances& tolerances : {paths.tolerances, twice}) {
+      PenLines pen = lines_of(work, &tolerances);
+      if (orders) put_in_order(pen, paths.order);
+      if (seconds(pen) <= allowed) return pen;
+    }
+  }
+  if (orders) put_in_order(before, paths.order);
+  return before;
 }
 
 }  // namespace
 
 Plot deal_to_pens(const Drawing& drawing, const PlotRequest& request) {
   Plot plot{request.style.page, {}};
-  for (const PenWork& work : work_of(drawing, request)) {
-    Polylines lines;
-    for (const StyledLines& style : work.styles) append(lines, cut(style, work.pen));
-    plot.pens.push_back({work.pen, std::move(lines)});
-  }
+  for (const PenWork& work : work_of(drawing, request)) plot.pens.push_back(lines_of(work, nullptr));
   return plot;
 }
 
 Plot make_plot(const Drawing& drawing, const PlotRequest& request) {
   std::vector<PenWork> work = work_of(drawing, request);
   Plot plot{request.style.page, std::vector<PenLines>(work.size())};
-  parallel_for(work.size(), [&](std::size_t i) { plot.pens[i] = {work[i].pen, optimized(work[i], request.paths)}; });
+  parallel_for(work.size(), [&](std::size_t i) { plot.pens[i] = optimized(work[i], request.paths); });
   return plot;
 }
 
@@ -112,6 +196,7 @@ Drawing optimize_layers(const Drawing& drawing, const PathOptions& options) {
 Rect ink_of(const Plot& plot) {
   Rect ink;
   for (const PenLines& pen : plot.pens) {
+    if (pen.pen.skip) continue;
     for (const Point2 p : pen.lines.points) ink.extend(p);
   }
   return ink;
@@ -127,7 +212,9 @@ Rect ink_of(const Drawing& drawing) {
 
 PathLengths measure(const Plot& plot, Point2 home, bool returns) {
   PathLengths sum;
-  for (const PenLines& pen : plot.pens) sum += measure(pen.lines, home, returns);
+  for (const PenLines& pen : plot.pens) {
+    if (!pen.pen.skip) sum += measure(pen.lines, home, returns);
+  }
   return sum;
 }
 
@@ -137,10 +224,18 @@ PathLengths measure(const Drawing& drawing, Point2 home, bool returns) {
   return sum;
 }
 
-double plot_seconds(const Device& device, const PathLengths& lengths, std::size_t pens) {
-  return lengths.down_mm / device.down_mm_s + lengths.up_mm / device.up_mm_s +
-         static_cast<double>(lengths.strokes) * device.lift_s +
-         (pens > 1 ? static_cast<double>(pens - 1) * device.pen_change_s : 0);
+std::size_t pen_changes(const Plot& plot) {
+  std::set<unsigned> numbers;
+  for (const PenLines& pen : plot.pens) {
+    if (!pen.pen.skip) numbers.insert(pen.pen.number);
+  }
+  return numbers.empty() ? 0 : numbers.size() - 1;
+}
+
+PathPace pace_of(const Device& device) { return {device.down_mm_s, device.up_mm_s, device.lift_s}; }
+
+double plot_seconds(const Device& device, const PathLengths& lengths, std::size_t pen_changes) {
+  return pace_of(device).seconds(lengths) + static_cast<double>(pen_changes) * device.pen_change_s;
 }
 
 }  // namespace ligne

@@ -1,6 +1,8 @@
 #pragma once
 /// A drawing dealt out to pens: what a plotter draws, stroke by stroke.
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,13 +15,23 @@
 
 namespace ligne {
 
+/// How strokes look in a picture.
+struct StrokeLook {
+  std::array<double, 3> color{0, 0, 0};
+  double width_mm = 0;
+  friend bool operator==(const StrokeLook&, const StrokeLook&) = default;
+};
+
 /// What one pen draws, in order, page mm.
 struct PenLines {
   Pen pen;
   Polylines lines;
+  std::vector<StrokeLook> looks{};       ///< where strokes do not all look like their pen
+  std::vector<std::uint32_t> look_of{};  ///< with `looks`: of each stroke the index of its own
 };
 
-/// Pens in the order in which they are used, by number; each is there once and has lines.
+/// Pens in the order in which they are used, by number. One is there several times where layers give it other settings,
+/// or, in pictures, other names.
 struct Plot {
   Page page;
   std::vector<PenLines> pens;
@@ -28,7 +40,8 @@ struct Plot {
 struct PlotRequest {
   PlotOptions style;           ///< page and line styles of the layers
   PenTable pens;               ///< empty: everything to pen 1
-  bool pen_per_layer = false;  ///< with an empty table: a pen for every layer, numbered from 1
+  bool pen_per_layer = false;  ///< with an empty table: a pen for every layer, of the number in its name, else numbered on
+  bool keep_looks = false;     ///< strokes of pens that the table does not describe keep their colours and widths
   PathOptions paths;
 };
 
@@ -46,11 +59,15 @@ Drawing optimize_layers(const Drawing& drawing, const PathOptions& options);
 Rect ink_of(const Plot& plot);
 Rect ink_of(const Drawing& drawing);
 
-/// Sum over the pens, each from the home position.
+/// Sum over the pens that are not skipped, each from the home position.
 PathLengths measure(const Plot& plot, Point2 home, bool returns);
 PathLengths measure(const Drawing& drawing, Point2 home, bool returns);
 
+/// How often a plotter changes its pen.
+std::size_t pen_changes(const Plot& plot);
+
+PathPace pace_of(const Device& device);
 /// Time that the device takes, in seconds: ways at its speeds, lifts, changes of pens.
-double plot_seconds(const Device& device, const PathLengths& lengths, std::size_t pens);
+double plot_seconds(const Device& device, const PathLengths& lengths, std::size_t pen_changes);
 
 }  // namespace ligne

@@ -35,7 +35,23 @@ void add(Polylines& to, std::span<const Point2> line) {
 
 Drawing drawing_of(const Plot& plot) {
   Drawing drawing;
-  for (const PenLines& pen : plot.pens) drawing.layers.push_back({layer_label(pen.pen), pen.lines});
+  for (const PenLines& pen : plot.pens) {
+    const std::string label = layer_label(pen.pen);
+    if (pen.looks.empty()) {
+      drawing.layers.push_back({label, pen.lines});
+      continue;
+    }
+    // Strokes stay in their order: those that look alike are together only where they follow each other.
+    for (std::size_t i = 0; i < pen.lines.size(); ++i) {
+      if (i == 0 || pen.look_of[i] != pen.look_of[i - 1]) {
+        const StrokeLook& look = pen.looks[pen.look_of[i]];
+        Layer& part = drawing.layers.emplace_back(Layer{label, {}});
+        part.color = look.color;
+        part.width_mm = look.width_mm;
+      }
+      drawing.layers.back().lines.add(pen.lines[i]);
+    }
+  }
   return drawing;
 }
 
@@ -50,6 +66,7 @@ std::string write_preview(const Plot& plot, Point2 home, bool returns) {
   std::size_t count = 0;
   double width = kTravelWidthMm;
   for (const PenLines& pen : plot.pens) {
+    if (pen.pen.skip) continue;
     count += pen.lines.size();
     width = std::max(width, pen.pen.width_mm.value_or(width));
   }
@@ -57,6 +74,7 @@ std::string write_preview(const Plot& plot, Point2 home, bool returns) {
   drawing.layers.push_back({"pen-up", {}});
   std::size_t number = 0;
   for (const PenLines& pen : plot.pens) {
+    if (pen.pen.skip) continue;
     Point2 at = home;
     for (std::size_t i = 0; i < pen.lines.size(); ++i, ++number) {
       const auto line = pen.lines[i];

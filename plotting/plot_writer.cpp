@@ -65,11 +65,11 @@ class PlotWriter {
   std::string write(const Plot& plot) {
     lines(device_.begin, {{"paper", frame_.paper ? frame_.paper->select : std::string_view{}}});
     if (device_.language == DeviceLanguage::gcode) lines(device_.up, {});
-    bool first = true;
+    const Pen* held = nullptr;
     for (const PenLines& pen : plot.pens) {
       if (pen.pen.skip) continue;
-      begin_pen(pen.pen, first);
-      first = false;
+      begin_pen(pen.pen, held);
+      held = &pen.pen;
       for (std::size_t i = 0; i < pen.lines.size(); ++i) stroke(pen.lines[i]);
     }
     lines(device_.end, {});
@@ -93,7 +93,7 @@ class PlotWriter {
     return {std::llround(mm.x / device_.step_mm), std::llround(mm.y / device_.step_mm)};
   }
 
-  void begin_pen(const Pen& pen, bool first);
+  void begin_pen(const Pen& pen, const Pen* held);
   void stroke(std::span<const Point2> points);
   void draw_points();
 
@@ -105,7 +105,8 @@ class PlotWriter {
   std::vector<Unit> units_;
 };
 
-void PlotWriter::begin_pen(const Pen& pen, bool first) {
+/// `held` is the pen before, nullptr at the beginning.
+void PlotWriter::begin_pen(const Pen& pen, const Pen* held) {
   if (device_.pens > 0 && pen.number > device_.pens) {
     throw std::runtime_error("device " + printable(device_.name) + " holds " + std::to_string(device_.pens) +
                              " pens, and the drawing wants pen " + std::to_string(pen.number));
@@ -115,9 +116,12 @@ void PlotWriter::begin_pen(const Pen& pen, bool first) {
   feed_ = number(std::max(1.0, speed * kSecondsPerMinute), 0);  // a feed of 0 stops the machine
   const std::string pen_number = std::to_string(pen.number), name = comment(pen.name),
                     width = number(pen.width_mm.value_or(0), 2);
-  if (!first || pen.pause) lines(device_.pen_change, {{"pen", pen_number}, {"name", name}});
-  line(device_.pen_select, {{"pen", pen_number}, {"width", width}});
-  if (pen.speed) line(device_.velocity, {{"cm_per_s", std::to_string(std::max(1ll, std::llround(speed / kMmPerCm)))}});
+  const bool changes = !held || held->number != pen.number;
+  if ((held && changes) || pen.pause) lines(device_.pen_change, {{"pen", pen_number}, {"name", name}});
+  if (changes) line(device_.pen_select, {{"pen", pen_number}, {"width", width}});
+  if (pen.delay_ms) line(device_.delay, {{"seconds", number(*pen.delay_ms / 1000.0, kDecimals)}});
+  if (pen.speed || (held && held->speed))
+    line(device_.velocity, {{"cm_per_s", std::to_string(std::max(1ll, std::llround(speed / kMmPerCm)))}});
 }
 
 void PlotWriter::stroke(std::span<const Point2> points) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "files/input_error.hpp"
+#include "plotting/pens.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne {
@@ -16,7 +17,7 @@ namespace {
 constexpr int kDeepest = 200, kMostLinks = 16;
 /// Elements that are shown by links, in all.
 constexpr std::size_t kMostLinked = 1'000'000;
-constexpr double kLargestPageMm = 100000;
+constexpr double kLargestPageMm = 100000, kAssumedPx = 1000;
 
 }  // namespace
 
@@ -34,8 +35,15 @@ void SvgReader::refuse(std::string_view name, const pugi::xml_node& node) {
     ++result_.left_out[std::string(name)];
     return;
   }
-  fail(node, "<" + printable(local_name(node)) + "> has " + std::string(name) +
-                 ", which can not be drawn as strokes; --skip " + std::string(name) + " leaves it out");
+  if (name == "filter") {
+    ++result_.filters;
+    return;
+  }
+  const std::string what = name == "text"   ? "convert the text to paths, or "
+                           : name == "fill" ? "--fill outline or --fill hatch draws it, "
+                                            : "";
+  fail(node, "<" + printable(local_name(node)) + "> has " + std::string(name) + ", which can not be drawn as strokes; " +
+                 what + "--skip " + std::string(name) + " leaves it out");
 }
 
 /// Finds ids and style sheets.
@@ -64,15 +72,17 @@ void SvgReader::survey(const pugi::xml_node& root) {
   }
 }
 
-/// Size of the page and where its units lie on it.
+/// Size of the page and where its units lie on it. A file that tells none has that which vpype gives it.
 Context SvgReader::place_page(const pugi::xml_node& root) {
   const std::vector<double> box = numbers(root.attribute("viewBox").value());
   const auto side = [&](const char* name, std::size_t of_box) {
     const std::string_view value = root.attribute(name).value();
     if (!value.empty() && !value.ends_with('%')) return length(root, name);
-    if (!root.attribute("viewBox"))
-      throw std::invalid_argument(std::string("there is neither a ") + name + " nor a viewBox");
-    return box.size() == 4 ? box[of_box] : 0;
+    if (!root.attribute("viewBox")) {
+      result_.size_assumed = true;
+      return kAssumedPx;
+    }
+    return box.size() == 4 ? box[of_box] : 0.0;
   };
   Context context;
   const double width = side("width", 2), height = side("height", 3);
@@ -111,15 +121,35 @@ ReadDrawing SvgReader::read() {
     fail(root, e.what());
   }
   result_.dashes_cut = true;
+  try {
+    remove_hidden();
+  } catch (const std::invalid_argument& e) {
+    fail(root, e.what());
+  }
+  for (std::vector<PaintedLines>& parts : layers_) {
+    for (PaintedLines& part : parts) {
+      if (part.layer.lines.size() > 0) result_.drawing.layers.push_back(std::move(part.layer));
+    }
+  }
   return std::move(result_);
 }
 
-Polylines& SvgReader::layer_named(const std::string& name) {
-  for (Layer& layer : result_.drawing.layers) {
-    if (layer.name == name) return layer.lines;
+/// The lines of one look in a layer. `width_mm` 0: that of the pen.
+PaintedLines& SvgReader::layer_of(const std::string& name, const std::string& color, double width_mm) {
+  const auto [number, is_new] = layer_numbers_.emplace(name, layers_.size());
+  if (is_new) layers_.emplace_back();
+  std::vector<PaintedLines>& parts = layers_[number->second];
+  const auto [part, added] = parts_.emplace(std::tuple(number->second, color, width_mm), parts.size());
+  if (added) {
+    Layer& layer = parts.emplace_back(PaintedLines{{name, {}}, {}}).layer;
+    try {
+      layer.color = parse_color(color);
+    } catch (const std::invalid_argument&) {
+      // A name of a colour that is not known is drawn in black.
+    }
+    if (width_mm > 0) layer.width_mm = width_mm;
   }
-  result_.drawing.layers.push_back({name, {}});
-  return result_.drawing.layers.back().lines;
+  return parts[part->second];
 }
 
 /// Takes over the style, the transform and the clip path of an element. False when it does not show.
@@ -127,6 +157,7 @@ bool SvgReader::enter(const pugi::xml_node& node, Context& context) {
   bool displayed = true;
   context.style = styled(node, context.style, displayed);
   if (!displayed) return false;
+  context.opacity *= context.style.opacity;
   if (const pugi::xml_attribute placing = node.attribute("transform"))
     context.to_mm = context.to_mm * transform(placing.value());
   if (!context.style.clip.empty()) context.clip = clip_of(context.style.clip, node, context);
@@ -151,7 +182,7 @@ void SvgReader::walk(const pugi::xml_node& node, const Context& around) {
                                         "radialGradient", "pattern", "clipPath", "mask", "filter", "marker", "symbol"}) {
     if (name == unseen) return;
   }
-  for (const std::string_view known : {"image", "foreignObject", "switch"}) {
+  for (const std::string_view known : {"image", "foreignObject"}) {
     if (name == known) return refuse(known, node);
   }
   if (name == "animate" || name == "animateTransform" || name == "animateMotion" || name == "set")
@@ -165,13 +196,28 @@ void SvgReader::walk(const pugi::xml_node& node, const Context& around) {
       if (is_layer && !label.empty()) context.layer = label;
       return walk_children(node, context);
     }
+    if (name == "switch") return walk_switch(node, context);
     if (name == "svg") return walk_viewport(node, context, node);
     if (name == "use") return follow_use(node, context);
     if (name == "text") return context.style.visible ? draw_text(node, context) : void();
-    if (!draw_shape(name, node, context))
-      fail(node, "<" + printable(name) + "> is not known, and could be something that shows");
+    // No viewer shows what SVG does not know, nor what is in it: notes of editors and of plotters' software.
+    if (!draw_shape(name, node, context)) ++result_.unknown["<" + printable(name) + ">"];
   } catch (const std::invalid_argument& e) {
     fail(node, "<" + printable(name) + "> " + e.what());
+  }
+}
+
+/// The first of the alternatives that is meant for everybody and can be drawn.
+void SvgReader::walk_switch(const pugi::xml_node& node, const Context& context) {
+  Context inside = context;
+  ++inside.depth;
+  if (inside.depth > kDeepest) fail(node, "is nested deeper than " + std::to_string(kDeepest) + " elements");
+  for (const pugi::xml_node& child : node) {
+    if (child.type() != pugi::node_element || local_name(child) == "foreignObject") continue;
+    if (child.attribute("requiredExtensions") || child.attribute("requiredFormats")) continue;
+    const std::string_view language = child.attribute("systemLanguage").value();
+    if (!language.empty() && !language.starts_with("en")) continue;
+    return walk(child, inside);
   }
 }
 

@@ -317,13 +317,14 @@ class ObjectIds {
   std::set<std::string> used_;
 };
 
-/// The lines of one object or colour inside a layer.
-std::string part_start(const Layer& layer, ObjectIds& ids) {
+/// The lines of one object, colour or width inside a layer.
+std::string part_start(const Layer& layer, const LineStyle& style, ObjectIds& ids) {
   std::string text = "<g";
   if (!layer.object.empty()) {
     text += " inkscape:label=\"" + xml_text(layer.object) + "\" id=\"" + xml_text(ids.id(layer)) + "\"";
   }
   if (layer.color) text += " stroke=\"" + color_text(*layer.color) + "\"";
+  if (layer.width_mm) text += " stroke-width=\"" + number(style.width_mm) + "\"";
   return text + ">\n";
 }
 
@@ -360,11 +361,15 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
   ObjectIds ids(drawing);
   for (std::size_t l = 0; l < drawing.layers.size(); ++l) {
     const Layer& layer = drawing.layers[l];
-    const auto is_part = [](const Layer& of) { return !of.object.empty() || of.color; };
+    const auto is_part = [](const Layer& of) { return !of.object.empty() || of.color || of.width_mm; };
     const auto continues = [&](std::size_t a, std::size_t b) {
+      if (b >= drawing.layers.size()) return false;
       const Layer &first = drawing.layers[a], &second = drawing.layers[b];
       return first.name == second.name && (is_part(first) || is_part(second));
     };
+    const bool begins = l == 0 || !continues(l - 1, l), ends = !continues(l, l + 1);
+    // The look of a part that is alone in its layer is that of the layer.
+    const bool alone = layer.object.empty() && begins && ends;
     const std::vector<Chunk> chunks = chunks_of(layer.lines);
     std::vector<std::string> texts(chunks.size());
     const std::optional<CurveLimits> curves = options.curves_of(layer);
@@ -374,11 +379,11 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
     std::size_t size = svg.size();
     for (const std::string& text : texts) size += text.size();
     svg.reserve(size);
-    if (l == 0 || !continues(l - 1, l)) svg += layer_start(layer, options.style_of(layer.name));
-    if (is_part(layer)) svg += part_start(layer, ids);
+    if (begins) svg += layer_start(layer, alone ? options.style_of(layer) : options.style_of(layer.name));
+    if (is_part(layer) && !alone) svg += part_start(layer, options.style_of(layer), ids);
     for (const std::string& text : texts) svg += text;
-    if (is_part(layer)) svg += "</g>\n";
-    if (l + 1 == drawing.layers.size() || !continues(l, l + 1)) svg += "</g>\n";
+    if (is_part(layer) && !alone) svg += "</g>\n";
+    if (ends) svg += "</g>\n";
   }
   if (!drawing.texts.empty()) svg += text_layer(drawing.texts);
   return svg + "</svg>\n";

@@ -36,6 +36,7 @@ struct PlotOptions {
   LineStyle style_of(const Layer& layer) const {
     LineStyle found = style_of(layer.name);
     if (layer.color) found.color = *layer.color;
+    if (layer.width_mm && !widths_mm.contains(layer.name)) found = with_width(found, *layer.width_mm);
     return found;
   }
   /// Nothing where the lines of the layer stay as they are.

@@ -4,7 +4,8 @@
 /// 2. Points that a quarter of the tolerance does not need are dropped, except where lines share a point: the segments of a
 /// curve become long enough that
 ///    two of them can be seen to lie on each other.
-/// 3. Segments that lie on each other are drawn once (remove_coincident_strokes of the drawing).
+/// 3. Segments that lie on each other are drawn once (remove_coincident_strokes of the drawing), but where that only costs
+/// lifts (bridge_cuts).
 /// 4. Ends in one lattice point are paired, the straightest first, the rest in their order. This makes chains and rings. A
 /// ring R that touches another chain C in a
 ///    node is taken into it: pairs (r1, r2) and (c1, c2) become (c1, r1) and (r2, c2), which cuts both there and ties them
@@ -23,6 +24,7 @@
 #include <glm/geometric.hpp>
 
 #include "drawing/node_pairs.hpp"
+#include "plotting/paths/bridge_cuts.hpp"
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/simplify.hpp"
 
@@ -80,8 +82,9 @@ std::vector<char> shared_points(const LatticeLines& lines) {
   return shared;
 }
 
-/// Segments of the lines as strokes of a model, numbered by source in their order.
-StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm) {
+/// Segments of the lines as strokes of a model, numbered by source in their order; those of line i begin at
+/// line_begin[i].
+StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, std::vector<std::uint32_t>& line_begin) {
   StrokeModel model;
   model.lattice = lines.lattice;
   const std::vector<char> shared = tolerance_mm > 0 ? shared_points(lines) : std::vector<char>{};
@@ -101,6 +104,7 @@ StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm) {
   for (std::size_t i = 0; i + 1 < lines.begin.size(); ++i) {
     piece.clear();
     where.clear();
+    line_begin.push_back(static_cast<std::uint32_t>(model.strokes.size()));
     for (std::uint32_t j = lines.begin[i]; j < lines.begin[i + 1]; ++j) {
       piece.push_back(lines.lattice.to_mm(lines.points[j]));
       where.push_back(j);
@@ -112,6 +116,7 @@ StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm) {
       }
     }
   }
+  line_begin.push_back(static_cast<std::uint32_t>(model.strokes.size()));
   model.edge_count = static_cast<std::uint32_t>(model.strokes.size());
   return model;
 }
@@ -298,12 +303,19 @@ Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances)
   const LatticeLines snapped = on_lattice(lines);
   const bool once = tolerances.overlap_mm > 0;
   const double early = once ? kEarlyPart * tolerances.simplify_mm : 0;
-  StrokeModel model = segments_of(snapped, early);
+  std::vector<std::uint32_t> line_begin;
+  StrokeModel model = segments_of(snapped, early, line_begin);
   if (once) {
+    const std::vector<Stroke> whole = model.strokes;
     remove_equal(model.strokes);
     remove_coincident_strokes(model, tolerances.overlap_mm);
-    std::sort(model.strokes.begin(), model.strokes.end(),
-              [](const Stroke& l, const Stroke& r) { return std::tie(l.source, l.t_from) < std::tie(r.source, r.t_from); });
+    const auto by_place = [](const Stroke& l, const Stroke& r) {
+      return std::tie(l.source, l.t_from) < std::tie(r.source, r.t_from);
+    };
+    std::sort(model.strokes.begin(), model.strokes.end(), by_place);
+    if (bridge_cuts(whole, line_begin, tolerances.lift_mm, model)) {
+      std::sort(model.strokes.begin(), model.strokes.end(), by_place);
+    }
     std::erase_if(model.strokes, [](const Stroke& s) { return s.from == s.to; });
   }
   const Polylines joined = join_near_ends(Chains(model).polylines(), tolerances.ends_mm);

@@ -6,8 +6,13 @@ namespace ligne {
 
 Polylines optimize_paths(const Polylines& lines, const PathOptions& options) {
   if (options.optimize == Optimize::off) return lines;
+  if (options.optimize == Optimize::order) return order_strokes(lines, options.order);
   Polylines joined = join_strokes(lines, options.tolerances);
   return options.optimize == Optimize::full ? order_strokes(joined, options.order) : joined;
+}
+
+double PathPace::seconds(const PathLengths& lengths) const {
+  return lengths.down_mm / down_mm_s + lengths.up_mm / up_mm_s + static_cast<double>(lengths.strokes) * lift_s;
 }
 
 PathLengths& PathLengths::operator+=(const PathLengths& other) {

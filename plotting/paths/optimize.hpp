@@ -9,20 +9,12 @@
 namespace ligne {
 
 enum class Optimize {
-  off,   ///< as the drawing is
-  join,  ///< every line once, ends joined, points that are not needed left out
-  full,  ///< and in the order that makes the way of the raised pen short
+  off,    ///< as the drawing is
+  order,  ///< strokes as they are, in the order that makes the way of the raised pen short
+  join,   ///< every line once, ends joined, points that are not needed left out
+  full,   ///< both
 };
-inline constexpr std::string_view kOptimizeNames[] = {"off", "join", "full"};
-
-struct PathOptions {
-  Optimize optimize = Optimize::full;
-  JoinTolerances tolerances;
-  OrderOptions order;
-};
-
-/// Strokes of one pen, page mm.
-Polylines optimize_paths(const Polylines& lines, const PathOptions& options);
+inline constexpr std::string_view kOptimizeNames[] = {"off", "order", "join", "full"};
 
 /// How far a pen goes.
 struct PathLengths {
@@ -34,5 +26,24 @@ struct PathLengths {
 };
 
 PathLengths measure(const Polylines& lines, Point2 home, bool returns);
+
+/// How fast a plotter is. Adjustable where no device is named: a small one with a servo.
+struct PathPace {
+  double down_mm_s = 40, up_mm_s = 80, lift_s = 0.25;
+
+  double seconds(const PathLengths& lengths) const;
+  /// A line of this length takes as long to draw as the pen to be lifted and lowered.
+  double lift_mm() const { return lift_s * down_mm_s; }
+};
+
+struct PathOptions {
+  Optimize optimize = Optimize::full;
+  JoinTolerances tolerances;
+  OrderOptions order;
+  PathPace pace;  ///< by which the way is judged; tolerances.lift_mm should follow from it
+};
+
+/// Strokes of one pen, page mm.
+Polylines optimize_paths(const Polylines& lines, const PathOptions& options);
 
 }  // namespace ligne

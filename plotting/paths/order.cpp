@@ -19,6 +19,8 @@ class Strokes {
   Strokes(const Polylines& lines, const OrderOptions& options) : lines_(lines), options_(options), start_(lines.size(), 0) {}
 
   Tour nearest_neighbours();
+  Tour as_given();
+  double way_up(const Tour& tour) const;
   void choose_starts(const Tour& tour);
   std::vector<Point2> ends() const;
   Polylines in_order(const Tour& tour) const;
@@ -75,6 +77,23 @@ Tour Strokes::nearest_neighbours() {
   return tour;
 }
 
+/// The order of the drawing, every loop from its first point.
+Tour Strokes::as_given() {
+  std::fill(start_.begin(), start_.end(), 0);
+  Tour tour;
+  tour.entries.push_back(2 * count());
+  for (std::uint32_t s = 0; s < count(); ++s) tour.entries.push_back(2 * s);
+  if (options_.returns) tour.entries.push_back(2 * count() + 2);
+  return tour;
+}
+
+double Strokes::way_up(const Tour& tour) const {
+  double way = 0;
+  for (std::size_t i = 1; i < tour.entries.size(); ++i)
+    way += glm::distance(end_point(tour.entries[i - 1] ^ 1), end_point(tour.entries[i]));
+  return way;
+}
+
 /// Each loop is entered at the point that is best between its neighbours in the tour.
 void Strokes::choose_starts(const Tour& tour) {
   for (std::size_t i = 1; i < tour.entries.size(); ++i) {
@@ -123,15 +142,30 @@ Polylines Strokes::in_order(const Tour& tour) const {
 
 }  // namespace
 
-Polylines order_strokes(const Polylines& lines, const OrderOptions& options) {
+Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std::vector<std::uint32_t>* order) {
+  if (order) order->clear();
   if (lines.size() == 0) return lines;
   Strokes strokes(lines, options);
-  Tour tour = strokes.nearest_neighbours();
+  const double given = strokes.way_up(strokes.as_given());
   std::uint64_t work = options.most_work;
   // The starts of loops depend on the order, and the order on the starts: one round each, and a second.
-  for (int round = 0; round < 2; ++round) {
-    improve(tour, strokes.ends(), options.returns, work);
-    strokes.choose_starts(tour);
+  const auto improved = [&](Tour tour) {
+    for (int round = 0; round < 2; ++round) {
+      improve(tour, strokes.ends(), options.returns, work);
+      strokes.choose_starts(tour);
+    }
+    return tour;
+  };
+  Tour tour = improved(strokes.nearest_neighbours());
+  // Nearest neighbours leave some strokes for the end; an order that was good before may be better than what became of that.
+  if (strokes.way_up(tour) > given) {
+    work = options.most_work;
+    tour = improved(strokes.as_given());
+  }
+  if (order) {
+    for (const std::uint32_t entry : tour.entries) {
+      if (entry / 2 < lines.size()) order->push_back(entry / 2);
+    }
   }
   return strokes.in_order(tour);
 }

@@ -2,6 +2,7 @@
 /// The order in which a pen draws its strokes.
 
 #include <cstdint>
+#include <vector>
 
 #include "drawing/drawing.hpp"
 
@@ -16,6 +17,8 @@ struct OrderOptions {
 
 /// The same strokes in an order, and each in a direction, that makes the way with the pen up short: nearest neighbour first,
 /// then 2-opt and or-opt until nothing is gained or the work is done. Closed lines start where that is best.
-Polylines order_strokes(const Polylines& lines, const OrderOptions& options);
+/// The way with the pen up is never longer than in the given order. `order`, if not null, gets the given numbers of the
+/// strokes in their new order.
+Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std::vector<std::uint32_t>* order = nullptr);
 
 }  // namespace ligne

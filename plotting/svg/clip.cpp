@@ -37,10 +37,6 @@ void add(Polylines& out, std::vector<Point2>& line) {
   line.clear();
 }
 
-bool shows(const Clip& clip, Point2 p) {
-  return std::any_of(clip.any_of.begin(), clip.any_of.end(), [&](const Area& area) { return area.contains(p); });
-}
-
 Polylines clipped_by_one(const Polylines& lines, const Clip& clip) {
   Polylines out;
   std::vector<double> at;
@@ -56,7 +52,7 @@ Polylines clipped_by_one(const Polylines& lines, const Clip& clip) {
       for (std::size_t n = 1; n < at.size(); ++n) {
         if (at.size() > 2 && at[n] - at[n - 1] <= kLeastPart) continue;
         const Point2 from = a + (b - a) * at[n - 1], to = at[n] == 1 ? b : a + (b - a) * at[n];
-        if (!shows(clip, a + (b - a) * ((at[n - 1] + at[n]) / 2))) {
+        if (!clip.shows(a + (b - a) * ((at[n - 1] + at[n]) / 2))) {
           add(out, line);
           shown = false;
           continue;
@@ -103,19 +99,29 @@ std::size_t Area::row(double y) const {
       std::clamp((y - box_.min.y) / height * static_cast<double>(rows_.size()), 0.0, static_cast<double>(rows_.size() - 1)));
 }
 
-bool Area::contains(Point2 p) const {
-  if (edges_.empty() || p.x < box_.min.x || p.x > box_.max.x || p.y < box_.min.y || p.y > box_.max.y) return false;
+bool Area::contains(Point2 p) const { return place_of(p) != Place::outside; }
+bool Area::surrounds(Point2 p) const { return place_of(p) == Place::inside; }
+
+bool Clip::shows(Point2 p) const {
+  for (std::size_t i = any_of.size(); i-- > 0;) {
+    if (any_of[i].contains(p)) return opens.empty() || opens[i];
+  }
+  return false;
+}
+
+Area::Place Area::place_of(Point2 p) const {
+  if (edges_.empty() || p.x < box_.min.x || p.x > box_.max.x || p.y < box_.min.y || p.y > box_.max.y) return Place::outside;
   const std::vector<std::uint32_t>& near = rows_[row(p.y)];
   count(near.size());
   int winding = 0;
   for (const std::uint32_t i : near) {
     const Edge& e = edges_[i];
-    if (near_edge(p, e.a, e.b)) return true;  // half the width of a line along the rim shows
+    if (near_edge(p, e.a, e.b)) return Place::rim;
     if ((e.a.y <= p.y) == (e.b.y <= p.y)) continue;
     const bool up = e.b.y > e.a.y;
     if ((cross(e.b - e.a, p - e.a) > 0) == up) winding += up ? 1 : -1;
   }
-  return rule_ == FillRule::nonzero ? winding != 0 : winding % 2 != 0;
+  return (rule_ == FillRule::nonzero ? winding != 0 : winding % 2 != 0) ? Place::inside : Place::outside;
 }
 
 void Area::crossings(Point2 a, Point2 b, std::vector<double>& out) const {

@@ -21,7 +21,8 @@ class Area {
  public:
   Area(const Polylines& contours, FillRule rule, ClipWork work);
 
-  bool contains(Point2 p) const;
+  bool contains(Point2 p) const;   ///< the rim too: half the width of a line along it shows
+  bool surrounds(Point2 p) const;  ///< not the rim
   /// Parameters of the segment, in (0, 1), at which it crosses the contours; appends them.
   void crossings(Point2 a, Point2 b, std::vector<double>& out) const;
   const Rect& box() const { return box_; }
@@ -31,6 +32,8 @@ class Area {
   struct Edge {
     Point2 a, b;
   };
+  enum class Place { outside, rim, inside };
+  Place place_of(Point2 p) const;
   std::size_t row(double y) const;
 
   std::vector<Edge> edges_;
@@ -42,10 +45,13 @@ class Area {
   ClipWork work_;
 };
 
-/// What shows through one or several clip paths, one inside the other.
+/// What shows through one or several clip paths or masks, one inside the other.
 struct Clip {
-  std::vector<Area> any_of;           ///< inside one of these
+  std::vector<Area> any_of;  ///< inside one of these
+  std::vector<char> opens;   ///< of a mask: whether an area shows or hides, the last painted decides; empty: all show
   std::shared_ptr<const Clip> outer;  ///< and of this; nullptr: nothing more
+
+  bool shows(Point2 p) const;  ///< without the outer ones
 };
 
 /// The parts of the lines that show.

@@ -1,10 +1,12 @@
 #pragma once
 /// The walk over the tree of an SVG. Private to plotting: plotting/drawing_reader.hpp is for others.
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -12,6 +14,7 @@
 
 #include "plotting/drawing_reader.hpp"
 #include "plotting/svg/clip.hpp"
+#include "plotting/svg/cover.hpp"
 #include "plotting/svg/shapes.hpp"
 #include "plotting/svg/style.hpp"
 
@@ -25,8 +28,15 @@ struct Context {
   Matrix to_mm;
   std::string layer;
   Viewport port;
-  ClipPointer clip;  ///< nullptr: everything shows
+  ClipPointer clip;    ///< nullptr: everything shows
+  double opacity = 1;  ///< of the groups around
   int depth = 0, links = 0;
+};
+
+/// Lines of one look in a layer, and when each was painted.
+struct PaintedLines {
+  Layer layer;
+  std::vector<std::uint32_t> painted;
 };
 
 class SvgReader {
@@ -44,6 +54,7 @@ class SvgReader {
   bool enter(const pugi::xml_node& node, Context& context);
   void walk(const pugi::xml_node& node, const Context& around);
   void walk_children(const pugi::xml_node& node, const Context& context);
+  void walk_switch(const pugi::xml_node& node, const Context& context);
   void walk_viewport(const pugi::xml_node& node, Context context, const pugi::xml_node& size);
   void follow_use(const pugi::xml_node& node, const Context& context);
   pugi::xml_node target_of(const pugi::xml_node& use) const;
@@ -51,11 +62,12 @@ class SvgReader {
   void add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, std::vector<Area>& areas, int links);
   bool draw_shape(std::string_view name, const pugi::xml_node& node, const Context& context);
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);
-  void add_lines(const Polylines& lines, const Context& context, const std::string& color);
+  void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);
   void draw_text(const pugi::xml_node& node, const Context& context);
-  void draw_text_run(const pugi::xml_node& node, const std::string& text, Point2 at, const Style& style,
-                     const Context& context);
-  Polylines& layer_named(const std::string& name);
+  std::string color_of(const Paint& paint, const pugi::xml_node& node);
+  void hide(const Polylines& contours, const Context& context);
+  void remove_hidden();
+  PaintedLines& layer_of(const std::string& name, const std::string& color, double width_mm);
   Style styled(const pugi::xml_node& node, const Style& inherited, bool& displayed) {
     return style_of(node, inherited, sheet_, displayed,
                     [this](std::string_view what, const pugi::xml_node& where) { refuse(what, where); });
@@ -66,10 +78,15 @@ class SvgReader {
   const std::set<std::string>& skip_;
   FillReading fills_;
   ReadDrawing result_;
+  std::vector<std::vector<PaintedLines>> layers_;  ///< by name, each by colours and widths
+  std::unordered_map<std::string, std::size_t> layer_numbers_;
+  std::map<std::tuple<std::size_t, std::string, double>, std::size_t> parts_;  ///< of layers_[first]
   std::unordered_map<std::string, pugi::xml_node> ids_;
   StyleSheet sheet_;
   std::size_t linked_ = 0, clip_points_ = 0;
   ClipWork clip_work_ = std::make_shared<std::size_t>(0);
+  std::vector<Cover> covers_;
+  std::uint32_t painted_ = 0;  ///< shapes and texts so far
   double fill_work_ = 0;
   std::string last_clip_;  ///< the clip path that was made last, as its id and where it lies
   ClipPointer last_made_;

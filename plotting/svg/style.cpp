@@ -14,9 +14,12 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-bool is_zero(std::string_view text) {
+/// From 0 to 1; what has no meaning says nothing.
+double opacity_of(std::string_view text) {
   Scanner scanner(text);
-  return scanner.number() == 0;
+  if (!scanner.at_number()) return 1;
+  const double value = scanner.number();
+  return std::clamp(scanner.peek() == '%' ? value / 100 : value, 0.0, 1.0);
 }
 
 class StyleReader {
@@ -32,12 +35,14 @@ class StyleReader {
       set_paint(style_.fill, value);
     else if (name == "color")
       style_.color = paint(value).value_or("#000000");
+    else if (name == "stop-color")
+      style_.stop_color = paint(value) == "currentColor" ? style_.color : paint(value);
     else if (name == "stroke-opacity")
-      style_.stroke_seen = !is_zero(value);
+      style_.stroke_seen = opacity_of(value) > 0;
     else if (name == "fill-opacity")
-      style_.fill_seen = !is_zero(value);
+      set_fill_opacity(opacity_of(value));
     else if (name == "opacity")
-      show(none_, is_zero(value));
+      show(none_, (style_.opacity = opacity_of(value)) == 0);
     else if (name == "display")
       show(value == "none", clear_);
     else if (name == "visibility")
@@ -62,6 +67,20 @@ class StyleReader {
       style_.overflow = value == "visible" || value == "auto";
     else if (name == "text-anchor")
       style_.anchor = value;
+    else if (name == "vector-effect")
+      style_.non_scaling = value == "non-scaling-stroke";
+    else if (name == "letter-spacing")
+      style_.letter_spacing = spacing(value);
+    else if (name == "word-spacing")
+      style_.word_spacing = spacing(value);
+    else if (name == "dominant-baseline" || name == "alignment-baseline")
+      set_baseline(value);
+    else if (name == "baseline-shift")
+      set_baseline_shift(value);
+    else if (name == "xml:space")
+      style_.keep_blanks = value == "preserve";
+    else if (name == "white-space")
+      style_.keep_blanks = value == "pre" || value == "pre-wrap" || value == "break-spaces";
     else if (value == "none" || value == "normal" || value == "auto")
       return;
     else if (name == "clip-path")
@@ -70,10 +89,6 @@ class StyleReader {
       refuse_(name, node_);
     else if (name.starts_with("marker"))
       refuse_("marker", node_);
-    else if (name == "letter-spacing" || name == "word-spacing")
-      refuse_unless_zero(value);
-    else if (name == "dominant-baseline" || name == "alignment-baseline")
-      refuse_unless(value, {"alphabetic", "baseline"});
     else if (name == "writing-mode")
       refuse_unless(value, {"lr-tb", "lr", "horizontal-tb"});
   }
@@ -86,19 +101,52 @@ class StyleReader {
   }
 
  private:
-  void set_paint(std::optional<std::string>& target, std::string_view value) {
+  /// A colour, or "url(#id)" with a colour behind it for those that do not find it.
+  void set_paint(std::optional<Paint>& target, std::string_view value) {
+    if (value == "context-fill" || value == "context-stroke") return;
+    std::string server;
     if (value.starts_with("url(")) {
-      refuse_("paint", node_);
-      return;
+      const std::size_t end = std::min(value.find(')'), value.size());
+      server = id_in(value.substr(0, std::min(end + 1, value.size())));
+      value = trimmed(value.substr(std::min(end + 1, value.size())));
     }
-    target = paint(value);
+    std::optional<std::string> color;
+    if (!value.empty()) color = paint(value);
     // Resolved where it is written, as CSS has it, but after `color` of the same element: see style_of.
-    if (target == "currentColor") target = style_.color;
+    if (color == "currentColor") color = style_.color;
+    target.reset();
+    if (color || !server.empty()) target = Paint{color.value_or(""), server};
+  }
+  void set_fill_opacity(double opacity) {
+    style_.fill_seen = opacity > 0;
+    style_.fill_opaque = opacity == 1;
+  }
+  double spacing(std::string_view value) const { return value == "normal" ? 0 : length_px(value, {}, style_.font_size); }
+  /// What CSS calls its base lines, by those of the letters at hand: capitals, the lower case, and what hangs below.
+  void set_baseline(std::string_view value) {
+    constexpr double kCapitals = 0.73, kLowerCase = 0.52, kBelow = 0.21;
+    if (value == "middle")
+      style_.baseline_em = kLowerCase / 2;
+    else if (value == "central" || value == "mathematical")
+      style_.baseline_em = kCapitals / 2;
+    else if (value == "hanging" || value.starts_with("text-before") || value == "text-top" || value == "before-edge")
+      style_.baseline_em = kCapitals;
+    else if (value.starts_with("text-after") || value == "ideographic" || value == "text-bottom" || value == "after-edge")
+      style_.baseline_em = -kBelow;
+    else
+      style_.baseline_em = 0;
+  }
+  void set_baseline_shift(std::string_view value) {
+    constexpr double kSub = -0.2, kSuper = 0.4;
+    style_.baseline_shift = value == "sub"        ? kSub * style_.font_size
+                            : value == "super"    ? kSuper * style_.font_size
+                            : value == "baseline" ? 0
+                                                  : length_px(value, style_.font_size, style_.font_size);
   }
   void set_dashes(std::string_view value) {
     style_.dashes.clear();
-    if (value == "none") return;
     Scanner scanner(value);
+    if (!scanner.at_number()) return;  // "none", and what has no meaning
     double sum = 0;
     while (!scanner.done()) {
       const double dash = scanner.number();
@@ -111,12 +159,19 @@ class StyleReader {
     if (sum == 0) style_.dashes.clear();
   }
   void set_font_size(std::string_view value) {
+    // CSS Fonts 3, in px.
+    constexpr std::pair<std::string_view, double> kSizes[] = {
+        {"xx-small", 9}, {"x-small", 10}, {"small", 13}, {"medium", 16}, {"large", 18}, {"x-large", 24}, {"xx-large", 32}};
+    constexpr double kLarger = 1.2;
     Scanner scanner(value);
-    if (!scanner.at_number()) return refuse_("text", node_);  // "medium", "larger"
-    if (value.ends_with("em")) {
-      style_.font_size *= scanner.number();
-    } else {
-      style_.font_size = length_px(value, style_.font_size);
+    if (scanner.at_number()) {
+      style_.font_size = length_px(value, style_.font_size, style_.font_size);
+      return;
+    }
+    if (value == "larger") style_.font_size *= kLarger;
+    if (value == "smaller") style_.font_size /= kLarger;
+    for (const auto& [name, px] : kSizes) {
+      if (name == value) style_.font_size = px;
     }
   }
 
@@ -130,26 +185,23 @@ class StyleReader {
       const bool weight = word.size() == 3 && word.find_first_not_of("0123456789") == std::string_view::npos;
       if (scanner.at_number() && !weight) return set_font_size(word.substr(0, word.find('/')));
     }
-    refuse_("text", node_);
   }
   /// "url(#id)", with or without quotes.
   void set_clip(std::string_view value) {
-    style_.clip.clear();
-    if (!value.starts_with("url(") || !value.ends_with(")")) return refuse_("clip-path", node_);
+    style_.clip = id_in(value);
+    if (style_.clip.empty()) refuse_("clip-path", node_);
+  }
+  /// "id" of "url(#id)"; empty when it is something else.
+  static std::string id_in(std::string_view value) {
+    if (!value.starts_with("url(") || !value.ends_with(")")) return {};
     value = trimmed(value.substr(4, value.size() - 5));
     if (value.size() >= 2 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front())
       value = value.substr(1, value.size() - 2);
-    if (!value.starts_with('#')) return refuse_("clip-path", node_);
-    style_.clip = value.substr(1);
+    return value.starts_with('#') ? std::string(value.substr(1)) : std::string();
   }
   void refuse_unless(std::string_view value, std::initializer_list<std::string_view> plain) {
     if (std::find(plain.begin(), plain.end(), value) == plain.end()) refuse_("text", node_);
   }
-  void refuse_unless_zero(std::string_view value) {
-    Scanner scanner(value);
-    if (!scanner.at_number() || scanner.number() != 0) refuse_("text", node_);
-  }
-
   void show(bool none, bool clear) {
     none_ = none;
     clear_ = clear;
@@ -175,7 +227,10 @@ Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSh
                const Refuse& refuse) {
   Style style = inherited;
   style.clip.clear();
-  style.overflow = false;
+  style.overflow = style.non_scaling = false;
+  style.opacity = 1;
+  style.stop_color.reset();
+  style.baseline_shift = 0;
   StyleReader reader(node, style, displayed, refuse);
   const std::vector<const StyleSheet::Declaration*> rules =
       sheet.empty() ? std::vector<const StyleSheet::Declaration*>() : sheet.of(node);

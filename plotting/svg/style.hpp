@@ -14,22 +14,36 @@
 
 namespace ligne::svg {
 
+/// A colour, or the id of a gradient or pattern with the colour that stands in for it.
+struct Paint {
+  std::string color;
+  std::string server;  ///< empty: the colour as it is
+};
+
 struct Style {
-  std::optional<std::string> stroke;  ///< nothing: none
-  std::optional<std::string> fill = "#000000";
+  std::optional<Paint> stroke;  ///< nothing: none
+  std::optional<Paint> fill = Paint{"#000000", {}};
   std::string color = "#000000";              ///< what currentColor means
   bool stroke_seen = true, fill_seen = true;  ///< opacity above zero
+  bool fill_opaque = true;
   bool visible = true;
   double stroke_width = 1;
   std::vector<double> dashes;  ///< of the element's units
   double dash_offset = 0;
   double font_size = 16;
+  double letter_spacing = 0, word_spacing = 0;
+  double baseline_em = 0;    ///< how far below the given point the base line lies
+  bool keep_blanks = false;  ///< of a text
   std::string anchor = "start";
   bool round_caps = false;  ///< or square ones: dots show
   bool fill_even_odd = false, clip_even_odd = false;
   // Not inherited.
-  std::string clip;       ///< id of a clip path
-  bool overflow = false;  ///< what lies outside a viewport is seen
+  double opacity = 1;
+  std::optional<std::string> stop_color;  ///< of a gradient
+  double baseline_shift = 0;              ///< upwards, of the element's units
+  bool non_scaling = false;               ///< the stroke is as wide whatever the transforms
+  std::string clip;                       ///< id of a clip path
+  bool overflow = false;                  ///< what lies outside a viewport is seen
 };
 
 /// Something of SVG that can not be drawn as strokes, by its name in drawing_reader.hpp.

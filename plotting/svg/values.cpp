@@ -38,6 +38,8 @@ double Matrix::stretch() const {
   return std::sqrt((sum + std::sqrt(std::max(sum * sum - 4 * det * det, 0.0))) / 2);
 }
 
+double Matrix::mean_stretch() const { return std::sqrt(std::abs(a * d - b * c)); }
+
 bool Matrix::is_similarity() const {
   constexpr double kRelative = 1e-6;  // numbers in SVG are often written with six digits
   const double size = stretch() * kRelative;
@@ -115,7 +117,7 @@ std::vector<double> numbers(std::string_view text) {
   return values;
 }
 
-double length_px(std::string_view text, std::optional<double> whole) {
+double length_px(std::string_view text, std::optional<double> whole, std::optional<double> em) {
   constexpr std::pair<std::string_view, double> units[] = {{"", 1},           {"px", 1},        {"mm", 96 / 25.4},
                                                            {"cm", 96 / 2.54}, {"in", 96},       {"pt", 96.0 / 72},
                                                            {"pc", 16},        {"Q", 96 / 101.6}};
@@ -125,6 +127,12 @@ double length_px(std::string_view text, std::optional<double> whole) {
   if (scanner.peek() == '%' && whole) {
     scanner.take();
     if (scanner.done()) return value * *whole / 100;
+  }
+  constexpr double kExOfEm = 0.5;  // as CSS has it where the font does not tell
+  if (em && scanner.peek() == 'e') {
+    const std::string_view of_font = scanner.word();
+    if (of_font == "em" && scanner.done()) return value * *em;
+    if (of_font == "ex" && scanner.done()) return value * *em * kExOfEm;
   }
   const std::string_view unit = scanner.word();
   for (const auto& [name, px] : units) {
@@ -173,10 +181,55 @@ Matrix transform(std::string_view text) {
   return result;
 }
 
+namespace {
+
+/// "hsl(210, 50%, 40%)", with "deg", slashes and an opacity or without.
+std::optional<std::string> hsl(std::string_view text) {
+  const std::size_t open = text.find('(');
+  if (!text.ends_with(')')) fail(text, "is not a colour that is known");
+  Scanner scanner(text.substr(open + 1, text.size() - open - 2));
+  std::array<double, 4> values{0, 0, 0, 1};
+  for (std::size_t i = 0; i < values.size() && !scanner.done(); ++i) {
+    if (scanner.peek() == '/') scanner.take();
+    scanner.skip_blanks();
+    values[i] = scanner.number();
+    const bool percent = scanner.peek() == '%';
+    if (percent) scanner.take();
+    const std::string_view unit = scanner.word();
+    if (!unit.empty() && unit != "deg") fail(text, "is not a colour that is known");
+    if (i == 3 && percent) values[i] /= 100;
+    scanner.skip_separator();
+  }
+  if (values[3] == 0) return std::nullopt;
+  const double hue = values[0] - 360 * std::floor(values[0] / 360), full = std::clamp(values[1], 0.0, 100.0) / 100,
+               light = std::clamp(values[2], 0.0, 100.0) / 100;
+  // CSS Color 3, 4.2.4.
+  const auto level = [&](double n) {
+    const double k = std::fmod(n + hue / 30, 12), a = full * std::min(light, 1 - light);
+    return light - a * std::max(-1.0, std::min({k - 3, 9 - k, 1.0}));
+  };
+  std::string code = "#";
+  for (const double n : {0.0, 8.0, 4.0}) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    const auto whole = static_cast<unsigned>(std::lround(level(n) * 255));
+    code += {digits[whole / 16], digits[whole % 16]};
+  }
+  return code;
+}
+
+}  // namespace
+
 std::optional<std::string> paint(std::string_view text) {
   const std::string_view clean = trimmed(text);
   if (clean == "none" || clean == "transparent") return std::nullopt;
   if (clean == "currentColor" || clean == "currentcolor") return "currentColor";
+  // With an opacity behind the colour.
+  if (clean.starts_with('#') && (clean.size() == 5 || clean.size() == 9)) {
+    const std::size_t digits = clean.size() == 5 ? 1 : 2;
+    const bool clear = clean.substr(clean.size() - digits).find_first_not_of('0') == std::string_view::npos;
+    return clear ? std::nullopt : paint(clean.substr(0, clean.size() - digits));
+  }
+  if (clean.starts_with("hsl(") || clean.starts_with("hsla(")) return hsl(clean);
   const bool alpha = clean.starts_with("rgba(");
   if ((clean.starts_with("rgb(") || alpha) && clean.ends_with(")")) {
     std::string code = "#";

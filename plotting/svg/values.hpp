@@ -21,6 +21,8 @@ struct Matrix {
   Matrix operator*(const Matrix& other) const;
   /// Largest factor by which it stretches.
   double stretch() const;
+  /// By how much a line's width grows, over all directions.
+  double mean_stretch() const;
   /// Turns and scales alike in all directions, without a mirror.
   bool is_similarity() const;
   bool finite() const;
@@ -51,8 +53,8 @@ class Scanner {
 /// All numbers of a list with blanks or commas.
 std::vector<double> numbers(std::string_view text);
 
-/// "12", "12px", "3mm" in CSS pixels of 1/96 in. A percentage is of `whole`, where there is one.
-double length_px(std::string_view text, std::optional<double> whole = std::nullopt);
+/// "12", "12px", "3mm" in CSS pixels of 1/96 in. A percentage is of `whole`, "em" and "ex" are of `em`, where there is one.
+double length_px(std::string_view text, std::optional<double> whole = std::nullopt, std::optional<double> em = std::nullopt);
 
 /// A list of transforms.
 Matrix transform(std::string_view text);

@@ -14,13 +14,14 @@
 #include "picture/write_picture.hpp"
 #include "plotting/drawing_reader.hpp"
 #include "plotting/plot.hpp"
-#include "plotting/stroke_text.hpp"
 
 namespace ligne {
 namespace {
 
 /// A larger file is refused before it is read: a drawing of it would have hundreds of millions of points.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
+
+constexpr double kPenWidthMm = 0.35;
 
 constexpr const char* kExamples = R"(Examples:
   ligne plot sombrero.svg --device hp7475a --report -o sombrero.hpgl
@@ -81,11 +82,33 @@ double place(const PlotCommandOptions& options, ReadDrawing& read) {
   return scale;
 }
 
-void warn_of_left_out(const PlotCommandOptions& options, const ReadDrawing& read, std::size_t unknown) {
+std::string times(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+void warn_of_left_out(const PlotCommandOptions& options, const ReadDrawing& read) {
   if (options.run.quiet) return;
   for (const auto& [name, count] : read.left_out)
     warn(options.drawing, std::to_string(count) + " times " + name + " left out, as asked");
-  if (unknown > 0) warn(options.drawing, std::to_string(unknown) + " characters are not in the font: drawn as boxes");
+  if (!read.unknown.empty()) {
+    std::string names;
+    for (const auto& [name, count] : read.unknown)
+      names += (names.empty() ? "" : ", ") + name + (count > 1 ? " (" + std::to_string(count) + " times)" : "");
+    warn(options.drawing, "elements that SVG does not know are left out: " + names);
+  }
+  if (read.size_assumed) warn(options.drawing, "tells no size: taken as 1000 px where it does not, 264.58 mm");
+  if (read.outlined > 0 && !options.fills) {
+    warn(options.drawing, times(read.outlined, "filled area is", "filled areas are") +
+                              " drawn by the outline; --fill hatch fills, --skip fill leaves out, --fill outline is silent");
+  }
+  if (read.simplified_paints > 0) {
+    warn(options.drawing,
+         times(read.simplified_paints, "gradient or pattern is", "gradients and patterns are") + " drawn in one colour");
+  }
+  if (read.filters > 0)
+    warn(options.drawing, times(read.filters, "filter is", "filters are") + " not applied; lines are drawn without");
+  if (read.boxes > 0)
+    warn(options.drawing, times(read.boxes, "character is", "characters are") + " not in the font: drawn as boxes");
   if (read.drawing.layers.empty()) warn(options.drawing, "there is no stroke in the drawing");
 }
 
@@ -96,15 +119,18 @@ ReadDrawing placed_drawing(const PlotCommandOptions& options, RunFiles& files) {
   const std::vector<std::byte> bytes = read_input(options.drawing, options.drawing, opened, kMostBytes);
   files.were_read(opened);
   const std::string_view text = as_characters(bytes);
-  FillReading fills{options.fills, options.pen_width_mm / options.scale};
+  const double pen_mm = options.pen_width_mm.value_or(kPenWidthMm);
+  FillReading fills{options.fills.value_or(FillReading::How::outline), pen_mm / options.scale, options.occlude};
   if (options.fit && fills.how == FillReading::How::hatch) {
-    ReadDrawing contours = read_drawing(options, text, {FillReading::How::outline, options.pen_width_mm});
-    draw_texts_as_strokes(contours.drawing);
-    fills.pen_width_mm = options.pen_width_mm / place(options, contours);
+    ReadDrawing contours = read_drawing(options, text, {FillReading::How::outline, pen_mm, options.occlude});
+    fills.pen_width_mm = pen_mm / place(options, contours);
   }
   ReadDrawing read = read_drawing(options, text, fills);
-  warn_of_left_out(options, read, draw_texts_as_strokes(read.drawing));
+  warn_of_left_out(options, read);
   place(options, read);
+  if (options.pen_width_mm) {
+    for (Layer& layer : read.drawing.layers) layer.width_mm.reset();
+  }
   return read;
 }
 
@@ -136,11 +162,11 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
   if (format == OutputFormat::png) check_png(read.page, options.dpi, memory);
   PlotOptions style;
   style.page = read.page;
-  style.pen_width_mm = options.pen_width_mm;
+  style.pen_width_mm = options.pen_width_mm.value_or(kPenWidthMm);
   style.widths_mm = options.widths_mm;
   style.hidden_solid = read.dashes_cut;
   style.dpi = options.dpi;
-  style.style = [&](const std::string& layer) { return style_of_layer(layer, options.pen_width_mm, style.hidden_solid); };
+  style.style = [&](const std::string& layer) { return style_of_layer(layer, style.pen_width_mm, style.hidden_solid); };
   Picture picture = timed(run.stages, "write", [&] { return write_picture(read.drawing, style, plotter, format, run); });
   deliver(std::move(picture), *options.output.file, options.plotter.preview, options.drawing, options.run, run, files);
 }
@@ -159,7 +185,7 @@ void add_placing_options(CLI::App& app, PlotCommandOptions& options) {
           "empty rim of the page when the drawing is to fit")
       .standard("10mm");
   group.add("--pen-width", "LEN", options.pen_width_mm, parse_pen_width, "width of the lines, where no pen has its own")
-      .standard("0.35mm");
+      .standard("the drawing's");
   add_width_option(app, options.widths_mm, false);
   const auto parse_scale_or_fit = [&options](const std::string& t) {
     const std::optional<double> ratio = parse_scale(t);
@@ -197,7 +223,8 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
           "--fill", "HOW", options.fills,
           [](const std::string& text) { return static_cast<FillReading::How>(parse_choice(text, kFillReadingNames)); },
           "filled areas of an SVG: refuse; outline, their contours; hatch, strokes inside too")
-      .standard("refuse");
+      .standard("outline");
+  input.add_flag("--occlude", options.occlude, "opaque areas of an SVG hide what lies under them, as white ones always do");
   add_placing_options(plot, options);
   add_output_options(plot, options.output, "svg pdf png hpgl gcode (default: by the suffix)");
   add_dpi_option(plot, options.dpi);

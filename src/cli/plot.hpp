@@ -17,12 +17,13 @@ struct PlotCommandOptions {
   std::optional<PageSize> page;  ///< nothing: that of the drawing
   bool landscape = false, portrait = false;
   double margin_mm = 10;
-  double pen_width_mm = 0.35;
-  LineWidths widths_mm{};  ///< of layers by their names
-  bool fit = false;        ///< fill the page
+  std::optional<double> pen_width_mm;  ///< nothing: the widths of the drawing, and 0.35 mm where it tells none
+  LineWidths widths_mm{};              ///< of layers by their names
+  bool fit = false;                    ///< fill the page
   double scale = 1;
-  std::set<std::string> skip;  ///< kinds of SVG content that may be left out
-  FillReading::How fills = FillReading::How::refuse;
+  std::set<std::string> skip;             ///< kinds of SVG content that may be left out
+  std::optional<FillReading::How> fills;  ///< nothing: outline
+  bool occlude = false;
   double dpi = 150;
   OutputOptions output;
   PlotterOptions plotter;

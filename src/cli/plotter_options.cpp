@@ -24,7 +24,7 @@ void add_plotter_options(CLI::App& app, PlotterOptions& options) {
       .add(
           "--optimize", "HOW", request.optimize,
           [](const std::string& t) { return static_cast<Optimize>(parse_choice(t, kOptimizeNames)); },
-          "off; join: lines once, ends joined; full: ordered too")
+          "off; order: the order of strokes only; join: lines once, ends joined; full: both")
       .standard("full for pens");
   const auto length = [](const std::string& t) { return parse_length_mm(t); };
   group.add("--join", "LEN", request.tolerances.ends_mm, length, "ends so near are joined").standard("0.05mm");

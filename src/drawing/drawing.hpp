@@ -45,7 +45,7 @@ std::size_t stroke_layer(LineClass line_class, bool visible, unsigned level);
 std::string_view stroke_layer_name(std::size_t layer);
 
 /// A layer's name is also its id: those of strokes, "underside", "contour-base", "text", "debug", "hatch". Layers of one
-/// name that follow each other are one layer by objects and colours.
+/// name that follow each other are one layer by objects, colours and widths.
 struct Layer {
   std::string name;
   Polylines lines;
@@ -53,6 +53,7 @@ struct Layer {
   unsigned shade = 0;      ///< hatching of one degree of darkness only: 1 the darkest; 0: of all
   std::string object{};    ///< name of the object, where the layer holds the lines of one object only
   std::optional<std::array<double, 3>> color{};  ///< of the lines, where it is not that of all lines
+  std::optional<double> width_mm{};              ///< of the lines, where it is not that of all lines
 };
 
 /// An area of one colour.

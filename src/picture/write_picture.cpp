@@ -45,7 +45,7 @@ std::string minutes(double seconds) {
 struct ReportRow {
   const char* name;
   PathLengths lengths;
-  std::size_t pens;
+  std::size_t pen_changes;
 };
 
 std::string report_of(const ReportRow& before, const ReportRow& after, const Device* device) {
@@ -59,7 +59,7 @@ std::string report_of(const ReportRow& before, const ReportRow& after, const Dev
     name.resize(8, ' ');
     text += name + padded(std::to_string(row->lengths.strokes), kColumn) + padded(metres(row->lengths.down_mm), kColumn) +
             padded(metres(row->lengths.up_mm), kColumn) + padded(std::to_string(row->lengths.strokes), kColumn);
-    if (device) text += padded(minutes(plot_seconds(*device, row->lengths, row->pens)), kColumn);
+    if (device) text += padded(minutes(plot_seconds(*device, row->lengths, row->pen_changes)), kColumn);
     text += "\n";
   }
   return text;
@@ -67,7 +67,7 @@ std::string report_of(const ReportRow& before, const ReportRow& after, const Dev
 
 Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
                         RunReport& run, const GrayPicture* under, PdfDocument* pages) {
-  const PathOptions paths{plotter.path_work(), plotter.tolerances, {}};
+  const PathOptions paths{plotter.path_work(), plotter.tolerances, {}, {}};
   if (paths.optimize == Optimize::off && !plotter.report && !plotter.preview) {
     return {written_as(format, drawing, style, under, pages)};
   }
@@ -78,7 +78,7 @@ Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const 
         report_of({"before", measure(drawing, {}, false), 0}, {"after", measure(better, {}, false), 0}, nullptr);
   }
   if (plotter.preview) {
-    const PlotRequest request{style, {}, true, {Optimize::off, {}, {}}};
+    const PlotRequest request{style, {}, true, false, {Optimize::off, {}, {}, {}}};
     picture.preview = write_preview(deal_to_pens(better, request), {}, false);
   }
   picture.bytes = written_as(format, better, style, under, pages);
@@ -88,8 +88,13 @@ Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const 
 Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
                       RunReport& run, const GrayPicture* under, PdfDocument* pages) {
   const Device* device = plotter.device.get();
-  PlotRequest request{
-      style, plotter.pens, device && device->language == DeviceLanguage::svg, {plotter.path_work(), plotter.tolerances, {}}};
+  const bool picture_of_pens = format != OutputFormat::hpgl && format != OutputFormat::gcode;
+  PlotRequest request{style,
+                      plotter.pens,
+                      picture_of_pens && device,
+                      picture_of_pens,
+                      {plotter.path_work(), plotter.tolerances, {}, device ? pace_of(*device) : PathPace{}}};
+  request.paths.tolerances.lift_mm = request.paths.pace.lift_mm();
   const Plot before = deal_to_pens(drawing, request);
   std::optional<DeviceFrame> frame;
   OrderOptions& order = request.paths.order;
@@ -101,11 +106,11 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
   Plot plot = timed(run.stages, "paths", [&] { return make_plot(drawing, request); });
   Picture picture;
   if (plotter.report) {
-    picture.plotter_report = report_of({"before", measure(before, order.home, order.returns), before.pens.size()},
-                                       {"after", measure(plot, order.home, order.returns), plot.pens.size()}, device);
+    picture.plotter_report = report_of({"before", measure(before, order.home, order.returns), pen_changes(before)},
+                                       {"after", measure(plot, order.home, order.returns), pen_changes(plot)}, device);
   }
   if (plotter.preview) picture.preview = write_preview(plot, order.home, order.returns);
-  if (format == OutputFormat::hpgl || format == OutputFormat::gcode) {
+  if (!picture_of_pens) {
     picture.bytes = write_plot(plot, *device, *frame);
     return picture;
   }

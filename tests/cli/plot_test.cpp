@@ -75,6 +75,57 @@ TEST_F(PlotTest, ColoursStay) {
   EXPECT_EQ(count(svg, "<path"), 2u) << "the two black lines are one";
 }
 
+constexpr const char* kLayered =
+    "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' width='100mm' "
+    "height='60mm' viewBox='0 0 100 60' fill='none' stroke='black' stroke-width='0.5'>\n"
+    "<g inkscape:groupmode='layer' inkscape:label='3 red'><path d='M20 20H45' stroke='red'/><path d='M20 25H45' stroke='#800000' "
+    "stroke-width='0.8'/></g>\n"
+    "<g inkscape:groupmode='layer' inkscape:label='1 black'><path d='M20 30H45'/></g>\n"
+    "<g inkscape:groupmode='layer' inkscape:label='%2 draft'><path d='M20 40H45'/></g>\n</svg>\n";
+
+TEST_F(PlotTest, LayersKeepNamesColoursAndWidthsHoweverOften) {
+  write("a.svg", kLayered);
+  const std::string first = written("b.svg", {"plot", "a.svg", "--device", "axidraw-v3"}),
+                    second = written("c.svg", {"plot", "b.svg", "--device", "axidraw-v3"});
+  for (const char* label : {"\"3 red\"", "\"1 black\"", "\"%2 draft\""})
+    EXPECT_EQ(count(first, std::string("inkscape:label=") + label), 1u) << first;
+  EXPECT_EQ(count(first, "<g stroke=\"#f00\" stroke-width=\"0.5\""), 1u) << first;
+  EXPECT_EQ(count(first, "stroke=\"#800000\" stroke-width=\"0.8\""), 1u) << first;
+  EXPECT_EQ(second, first) << "a second pass changes nothing";
+  const std::string plain = written("d.svg", {"plot", "a.svg"});
+  EXPECT_EQ(count(plain, "inkscape:label=\"%2 draft\""), 1u);
+  EXPECT_EQ(count(plain, "stroke-width=\"0.8\""), 1u) << plain;
+  EXPECT_EQ(count(written("e.svg", {"plot", "a.svg", "--pen-width", "0.3"}), "stroke-width=\"0.8\""), 0u);
+  const std::string hpgl = written("a.hpgl", {"plot", "a.svg"});
+  EXPECT_NE(hpgl.find("SP1;"), std::string::npos);
+  EXPECT_NE(hpgl.find("SP3;"), std::string::npos);
+  EXPECT_EQ(hpgl.find("SP2;"), std::string::npos) << "a layer that is not plotted";
+}
+
+TEST_F(PlotTest, FillsAreOutlinedWithOneWarning) {
+  write(
+      "a.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60'>\n"
+      "<rect x='10' y='10' width='9' height='9'/><rect x='30' y='10' width='9' height='9' fill='url(#g)'/><plotdata/></svg>");
+  const Outcome plain = run({"plot", "a.svg", "-o", "a.hpgl"});
+  EXPECT_EQ(plain.status, 0);
+  EXPECT_EQ(count(plain.err, "2 filled areas are drawn by the outline"), 1u) << plain.err;
+  EXPECT_EQ(count(plain.err, "elements that SVG does not know are left out: <plotdata>"), 1u) << plain.err;
+  EXPECT_EQ(count(run({"plot", "a.svg", "--fill", "outline", "-o", "a.hpgl"}).err, "filled"), 0u);
+  const Outcome refused = run({"plot", "a.svg", "--fill", "refuse", "-o", "b.hpgl"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("--fill outline or --fill hatch draws it"), std::string::npos) << refused.err;
+}
+
+TEST_F(PlotTest, OrderingCutsAndJoinsNothing) {
+  write(
+      "a.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
+      "<path d='M20 20H90'/><path d='M20 50H30'/><path d='M20 20H90'/></svg>");
+  EXPECT_EQ(count(written("a.hpgl", {"plot", "a.svg", "--optimize", "order"}), "PD"), 3u);
+  EXPECT_EQ(count(written("b.hpgl", {"plot", "a.svg"}), "PD"), 2u);
+}
+
 TEST_F(PlotTest, DrawingsOfOursComeAsJsonAndAsSvg) {
   ASSERT_EQ(run({"draw", "cube.obj", "--margin", "20", "-o", "cube.json"}).status, 0);
   ASSERT_EQ(run({"draw", "cube.obj", "--margin", "20", "-o", "cube.svg"}).status, 0);

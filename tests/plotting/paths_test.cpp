@@ -270,6 +270,53 @@ TEST(OptimizePaths, ADrawingIsTheSameSetOfPoints) {
   }
 }
 
+/// A line that comes back along itself and crosses itself at very small angles: one stroke, and no reason to lift.
+TEST(OptimizePaths, NearTouchesDoNotCutALongStroke) {
+  std::vector<Point2> squiggle;
+  for (int k = 0; k <= 1000; ++k) squiggle.push_back({10 + k * 0.1, 60 + 0.6 * std::sin(k * 0.1)});
+  for (int k = 1000; k >= 0; --k)
+    squiggle.push_back({10 + k * 0.1, 60 + 0.6 * std::sin(k * 0.1) + 0.06 * std::sin(k * 0.3)});
+  const Polylines lines = lines_of({squiggle});
+  EXPECT_EQ(join_strokes(lines, {}).size(), 1u);
+  JoinTolerances no_lift;
+  no_lift.lift_mm = 0;
+  EXPECT_GT(join_strokes(lines, no_lift).size(), 20u) << "there is something to cut";
+}
+
+TEST(OptimizePaths, LongPiecesAreStillDrawnOnce) {
+  // A bar of 100 mm, and a line that leaves it, lies on it for so long, and leaves it again.
+  const auto lines = [](double on) {
+    return lines_of({{{0, 0}, {100, 0}}, {{10, 20}, {20, 0.001}, {20 + on, 0.001}, {30 + on, 20}}});
+  };
+  EXPECT_EQ(join_strokes(lines(5), {}).size(), 2u);
+  EXPECT_NEAR(total_length(join_strokes(lines(5), {})), total_length(lines(5)), 0.01);
+  EXPECT_EQ(join_strokes(lines(40), {}).size(), 3u);
+  EXPECT_NEAR(total_length(join_strokes(lines(40), {})), total_length(lines(40)) - 40, 0.01);
+  // A line that is there twice spares nothing by its second time.
+  const Polylines twice = lines_of({{{0, 0}, {5, 0}, {5, 5}}, {{5, 5}, {5, 0}, {0, 0}}});
+  EXPECT_NEAR(total_length(join_strokes(twice, {})), 10, 0.01);
+}
+
+TEST(OptimizePaths, AnOrderThatWasGoodIsNotMadeWorse) {
+  // Rows drawn to and fro, then a last one far away: nearest neighbours from a home in the middle leave some behind.
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    Polylines lines = random_drawing(seed);
+    for (const bool returns : {false, true}) {
+      OrderOptions options;
+      options.home = {50, 50};
+      options.returns = returns;
+      std::vector<std::uint32_t> order;
+      for (int round = 0; round < 3; ++round) {
+        const Polylines better = order_strokes(lines, options, &order);
+        EXPECT_LE(measure(better, options.home, returns).up_mm, measure(lines, options.home, returns).up_mm + 1e-9) << seed;
+        ASSERT_EQ(order.size(), lines.size());
+        for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(better[i].size(), lines[order[i]].size());
+        lines = better;
+      }
+    }
+  }
+}
+
 TEST(OptimizePaths, OrderingAloneKeepsEveryPoint) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     const Polylines lines = join_strokes(random_drawing(seed), {});

@@ -1,0 +1,201 @@
+/// What an SVG writes, in letters of single strokes.
+///
+/// Characters are gathered with what the elements around them say; those that begin with a place of their own begin a
+/// chunk, which the anchor shifts as a whole (SVG 1.1, 10.5).
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "plotting/stroke_text.hpp"
+#include "plotting/svg/reader.hpp"
+
+namespace ligne::svg {
+namespace {
+
+/// Height of capitals by size of the font, as our own SVG writes it.
+constexpr double kCapitals = 1493.0 / 2048;
+
+struct Character {
+  std::string utf8;
+  Style style;
+  std::optional<double> x, y, rotate;
+  double dx = 0, dy = 0;
+  double advance = 0, stretch = 1;  ///< of its letter
+  bool blank() const { return utf8 == " "; }
+};
+
+bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+
+/// "12 3em 4%": lengths of a list.
+std::vector<double> lengths(std::string_view list, double whole, double em) {
+  std::vector<double> values;
+  while (!list.empty()) {
+    const std::size_t begin = std::min(list.find_first_not_of(" ,\t\n\r"), list.size());
+    list.remove_prefix(begin);
+    const std::size_t end = std::min(list.find_first_of(" ,\t\n\r"), list.size());
+    if (end > 0) values.push_back(length_px(list.substr(0, end), whole > 0 ? std::optional(whole) : std::nullopt, em));
+    list.remove_prefix(end);
+  }
+  return values;
+}
+
+class TextReader {
+ public:
+  using Styled = std::function<Style(const pugi::xml_node&, const Style&, bool&)>;
+  TextReader(const Viewport& port, Styled styled) : port_(port), styled_(std::move(styled)) {}
+
+  /// Gathers what is inside the element, whose style is given.
+  void gather(const pugi::xml_node& node, const Style& style, int depth);
+  /// Without blanks at the end, which no viewer shows.
+  void trim() {
+    while (!characters.empty() && characters.back().blank() && !characters.back().style.keep_blanks) characters.pop_back();
+  }
+
+  std::vector<Character> characters;
+  pugi::xml_node unknown;  ///< an element that a text can not have here
+
+ private:
+  void add(std::string_view text, const Style& style);
+  void place(const pugi::xml_node& node, const Style& style, std::size_t first);
+  void stretch(const pugi::xml_node& node, const Style& style, std::size_t first);
+
+  const Viewport& port_;
+  Styled styled_;
+};
+
+void TextReader::add(std::string_view text, const Style& style) {
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t n = 1;  // bytes of the character
+    while (i + n < text.size() && (static_cast<unsigned char>(text[i + n]) & 0xc0) == 0x80) ++n;
+    const bool blank = is_blank(text[i]);
+    const bool dropped = blank && !style.keep_blanks && (characters.empty() || characters.back().blank());
+    if (!dropped) {
+      Character character;
+      character.utf8 = blank ? " " : std::string(text.substr(i, n));
+      character.style = style;
+      const double height = style.font_size * kCapitals;
+      character.advance = text_extent(character.utf8, height, TextStyle::stroke).width + style.letter_spacing +
+                          (blank ? style.word_spacing : 0);
+      characters.push_back(std::move(character));
+    }
+    i += n;
+  }
+}
+
+/// x, y, dx, dy and rotate of an element, as far as those inside it say nothing.
+void TextReader::place(const pugi::xml_node& node, const Style& style, std::size_t first) {
+  const auto each = [&](const char* name, double whole, auto&& set) {
+    const std::vector<double> values = lengths(node.attribute(name).value(), whole, style.font_size);
+    for (std::size_t i = 0; i < values.size() && first + i < characters.size(); ++i) set(characters[first + i], values[i]);
+    return values;
+  };
+  each("x", port_.width, [](Character& c, double v) {
+    if (!c.x) c.x = v;
+  });
+  each("y", port_.height, [](Character& c, double v) {
+    if (!c.y) c.y = v;
+  });
+  each("dx", port_.width, [](Character& c, double v) { c.dx += v; });
+  each("dy", port_.height, [](Character& c, double v) { c.dy += v; });
+  const std::vector<double> turns = each("rotate", 0, [](Character& c, double v) {
+    if (!c.rotate) c.rotate = v;
+  });
+  if (turns.empty()) return;
+  for (std::size_t i = first + turns.size(); i < characters.size(); ++i) {
+    if (!characters[i].rotate) characters[i].rotate = turns.back();
+  }
+}
+
+/// `textLength`: blanks between the letters, or the letters themselves, take up the difference.
+void TextReader::stretch(const pugi::xml_node& node, const Style& style, std::size_t first) {
+  if (!node.attribute("textLength") || first >= characters.size()) return;
+  const double wanted = length_px(node.attribute("textLength").value(), port_.width, style.font_size);
+  double natural = 0;
+  for (std::size_t i = first; i < characters.size(); ++i) natural += characters[i].advance;
+  if (!(natural > 0 && wanted > 0)) return;
+  const std::size_t count = characters.size() - first;
+  const bool letters = std::string_view(node.attribute("lengthAdjust").value()) == "spacingAndGlyphs";
+  for (std::size_t i = first; i < characters.size(); ++i) {
+    if (letters) {
+      characters[i].stretch *= wanted / natural;
+      characters[i].advance *= wanted / natural;
+    } else if (count > 1 && i + 1 < characters.size()) {
+      characters[i].advance += (wanted - natural) / static_cast<double>(count - 1);
+    }
+  }
+}
+
+void TextReader::gather(const pugi::xml_node& node, const Style& style, int depth) {
+  constexpr int kDeepest = 50;
+  if (depth > kDeepest) throw std::invalid_argument("is nested deeper than 50 elements");
+  const std::size_t first = characters.size();
+  for (const pugi::xml_node& child : node) {
+    if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
+      add(child.value(), style);
+    } else if (child.type() == pugi::node_element) {
+      const std::string_view name = local_name(child);
+      if (name == "tspan" || name == "a") {
+        bool displayed = true;
+        const Style inside = styled_(child, style, displayed);
+        if (displayed) gather(child, inside, depth + 1);
+      } else if (name != "title" && name != "desc" && !unknown) {
+        unknown = child;
+      }
+    }
+  }
+  place(node, style, first);
+  stretch(node, style, first);
+}
+
+}  // namespace
+
+void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
+  if (skip_.contains("text")) return refuse("text", node);
+  TextReader text(context.port, [this](const pugi::xml_node& child, const Style& inherited, bool& displayed) {
+    return styled(child, inherited, displayed);
+  });
+  text.gather(node, context.style, 0);
+  text.trim();
+  if (text.unknown) return refuse("text", text.unknown);
+  std::vector<Character>& characters = text.characters;
+  if (characters.empty()) return;
+  ++painted_;
+  Point2 pen{0, 0};
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    const Character& c = characters[i];
+    if (entities_ && c.utf8 == "&") fail(node, "<text> uses an entity of the document, which is not read");
+    if (i == 0 || c.x || c.y) {
+      double length = 0;
+      for (std::size_t k = i; k < characters.size() && (k == i || !(characters[k].x || characters[k].y)); ++k)
+        length += characters[k].advance + (k > i ? characters[k].dx : 0);
+      const double before = c.style.anchor == "middle" ? 0.5 : c.style.anchor == "end" ? 1 : 0;
+      pen = {c.x.value_or(pen.x) - before * length, c.y.value_or(pen.y)};
+    }
+    pen += Point2{c.dx, c.dy};
+    const Style& style = c.style;
+    const std::optional<Paint>& paint = style.fill && style.fill_seen ? style.fill : style.stroke;
+    if (!c.blank() && paint && style.visible && style.font_size > 0) {
+      TextItem item;
+      item.text = c.utf8;
+      item.height_mm = style.font_size * kCapitals;
+      item.rotation_degrees = -c.rotate.value_or(0);
+      Polylines lines;
+      result_.boxes += append_stroke_text(item, lines);
+      const Point2 at = pen + Point2{0, style.baseline_em * style.font_size - style.baseline_shift};
+      for (Point2& p : lines.points) {
+        p = context.to_mm(Point2{p.x * c.stretch, p.y} + at);
+        if (!(std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm))
+          throw std::invalid_argument("is farther than a kilometre away");
+      }
+      const std::string color = color_of(*paint, node);
+      Context inside = context;
+      if (inside.layer.empty()) inside.layer = "text";
+      add_lines(lines, inside, color, 0);
+    }
+    pen.x += c.advance;
+  }
+}
+
+}  // namespace ligne::svg
