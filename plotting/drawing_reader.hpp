@@ -1,18 +1,32 @@
 #pragma once
 /// Drawings read back from files: ours as JSON, anybody's as SVG.
 
+#include <array>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "drawing/drawing.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {
 
+/// A visible part of a face as a ligne-drawing keeps it.
+struct ReadRegion {
+  std::vector<std::vector<Point2>> contours;  ///< page mm
+  std::uint32_t patch = 0;                    ///< regions of one patch are hatched as one area
+  std::optional<double> light;                ///< 0 dark to 1; nothing: the file does not tell
+  std::array<double, 3> color{0, 0, 0};
+  std::string material;                       ///< its name, or empty
+};
+
 struct ReadDrawing {
   Drawing drawing;                              ///< page mm, true to scale
+  std::vector<ReadRegion> regions;              ///< of a ligne-drawing that has them
   Page page;                                    ///< margin 0 where the file tells none
   bool dashes_cut = false;                      ///< dashes are strokes already
   std::map<std::string, std::size_t> left_out;  ///< what was skipped because the caller allowed it, with counts
@@ -31,14 +45,37 @@ inline constexpr double kFarthestMm = 1e6;
 /// InputError, "FILE: what is wrong and where".
 ReadDrawing read_json_drawing(std::string_view json, const std::string& file);
 
+/// How areas are filled with strokes.
+struct FillHatch {
+  std::optional<double> spacing_mm;  ///< nothing: so close that the area is covered, or by the tone
+  double angle_degrees = 45;         ///< counter-clockwise as seen
+  bool cross = false;                ///< a second family at right angles
+  bool tone = false;                 ///< the lighter the fill, the farther apart
+};
+
+/// Hatches of layers and colours that differ from the others, by their names; what is not named is as in `all`. A layer goes
+/// before a colour.
+struct FillHatches {
+  FillHatch all{};
+  std::map<std::string, double, std::less<>> spacing_mm_of{}, degrees_of{};
+  std::set<std::string, std::less<>> crossed{};
+
+  FillHatch of(std::string_view layer, std::string_view color) const;
+};
+
 /// What becomes of filled areas of an SVG. White ones are paper: they are not drawn, and hide what lies under them.
 struct FillReading {
   enum class How { refuse, outline, hatch };
   How how = How::outline;      ///< or they are refused, or contours are drawn and strokes inside
   double pen_width_mm = 0.35;  ///< of the pen that hatches
   bool occlude = false;        ///< opaque areas of every colour hide what lies under them
+  FillHatches hatches{};
 };
 inline constexpr std::string_view kFillReadingNames[] = {"refuse", "outline", "hatch"};
+
+/// Hatches the regions of a drawing: layers "hatch", by materials. Regions of one patch are one area. By their tone, darker
+/// ones are hatched more closely. Throws std::runtime_error where the drawing has no regions.
+void hatch_regions(ReadDrawing& drawing, const FillReading& fills);
 
 /// The strokes of an SVG; docs/plotting.md says what of SVG is known. Whatever else shows on the page is refused by its
 /// name, unless that is in `skip`. Reads nothing but the text: no entity, no link. Throws InputError, "FILE:LINE:

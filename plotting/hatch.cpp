@@ -11,13 +11,14 @@
 /// A surface of n rows has the row k when the bits of k mod 16, read backwards, are less than n: every number of rows is
 /// spread, and contains the smaller ones.
 
-#include "plotting/hatch.hpp"
+#include "plotting/hatch_rim.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -38,9 +39,7 @@ constexpr double kLinesPerPen = 6, kFinestPenMm = 0.1;
 constexpr double kShortestPens = 1;  ///< shorter strokes are blots
 constexpr double kLongestTie = 4;    ///< how much longer than the distance of its rows
 
-struct Interval {
-  double from, to;
-};
+using Interval = HatchInterval;
 using Line = std::vector<Interval>;
 
 /// Half the width that must be free on the lines about the middle of the pen: that of its tip on the line before, so that a
@@ -83,6 +82,7 @@ class Hatcher {
   Hatcher(const HatchFrame& frame, double line_mm, std::uint32_t every, double pen_mm, std::span<const GroupRun> runs);
 
   void run(std::uint32_t layer, Polylines& out);
+  void rim(Polylines& out) const { trace_rim(free_, first_, frame_, line_mm_, out); }
 
  private:
   /// A stroke that may go on.
@@ -300,6 +300,10 @@ double hatch_line_mm(double spacing_mm, double pen_mm) {
   return spacing_mm / std::max(1.0, std::ceil(spacing_mm / wanted));
 }
 
+double hatch_line_mm(const HatchOptions& options) {
+  return hatch_line_mm(options.spacing_mm, options.rim ? options.pen_width_mm / 2 : options.pen_width_mm);
+}
+
 void add_runs(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm,
               std::vector<SurfaceRun>& runs, bool even_odd) {
   double low = 1e300, high = -1e300;
@@ -351,8 +355,10 @@ void hatch_runs(const HatchFrame& frame, double line_mm, std::span<const Surface
     throw std::invalid_argument("spacing and pen width of a hatch are above zero");
   }
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<GroupRun>> groups;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> rims;
   for (const SurfaceRun& run : runs) {
     const SurfaceHatch& how = surfaces[run.surface];
+    if (how.rim) rims.insert({how.group, how.every});
     if (how.every > 0) groups[{how.group, how.every}].push_back({run.line, run.from, run.to, how.rows, how.layer});
   }
   for (auto& [group, runs] : groups) {
@@ -361,13 +367,15 @@ void hatch_runs(const HatchFrame& frame, double line_mm, std::span<const Surface
     });
     for (std::uint32_t layer = 0; layer < layers.size(); ++layer) {
       if (std::none_of(runs.begin(), runs.end(), [&](const GroupRun& run) { return run.layer == layer; })) continue;
-      Hatcher(frame, line_mm, group.second, pen_mm[layer], runs).run(layer, layers[layer]);
+      Hatcher hatcher(frame, line_mm, group.second, pen_mm[layer], runs);
+      if (rims.contains(group)) hatcher.rim(layers[layer]);
+      hatcher.run(layer, layers[layer]);
     }
   }
 }
 
 Polylines hatch(std::span<const std::vector<Point2>> contours, const HatchOptions& options) {
-  const double line_mm = hatch_line_mm(options.spacing_mm, options.pen_width_mm);
+  const double line_mm = hatch_line_mm(options);
   Polylines out;
   for (const double turn : {0.0, 90.0}) {
     if (turn > 0 && !options.cross) break;
@@ -383,7 +391,8 @@ Polylines hatch(std::span<const std::vector<Point2>> contours, const HatchOption
       throw std::invalid_argument("a hatch has more than a million rows");
     std::vector<SurfaceRun> runs;
     add_runs(contours, 0, frame, line_mm, runs, options.even_odd);
-    const SurfaceHatch how{static_cast<std::uint32_t>(std::lround(options.spacing_mm / line_mm)), kRowCycle, 0, 0};
+    const SurfaceHatch how{static_cast<std::uint32_t>(std::lround(options.spacing_mm / line_mm)), kRowCycle, 0, 0,
+                           options.rim && turn == 0};
     hatch_runs(frame, line_mm, runs, {&how, 1}, {&options.pen_width_mm, 1}, {&out, 1});
   }
   return out;

@@ -42,6 +42,7 @@ struct SurfaceHatch {
                                    ///< one with fewer, and strokes run on over both
   std::uint32_t group = 0;         ///< surfaces of one group are one area, those of different groups have a rim between them
   std::uint32_t layer = 0;         ///< of the strokes
+  bool rim = false;                ///< a stroke round the area too, half a pen inside it
 };
 
 /// Distance of the lines of the runs for rows at this spacing: a whole part of it, and at most a sixth of the pen (of a
@@ -67,9 +68,13 @@ struct HatchOptions {
   double pen_width_mm = 0.35;
   bool even_odd = true;  ///< see add_runs
   bool cross = false;    ///< a second family at right angles
+  bool rim = false;      ///< a stroke round the area too: with rows no farther apart than the pen is wide nothing stays white
   Point2 origin{0,
                 0};  ///< a stroke would run through this point: areas with one origin have hatches that continue each other
 };
+
+/// Distance of the lines of an area's runs; finer where a rim must not leave anything white.
+double hatch_line_mm(const HatchOptions& options);
 
 /// Hatches one area, page mm. An area that is narrower than the pen gets nothing. Throws std::invalid_argument for a spacing
 /// or a pen width that is not above zero, and for more than `kMostHatchRows` rows.

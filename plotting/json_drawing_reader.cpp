@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -36,6 +37,7 @@ class DrawingReader {
     if (!has_strokes_) fail("there are no strokes in the drawing");
     ReadDrawing result;
     result.page = page_of(root);
+    result.regions = std::move(regions_);
     for (Layer& layer : layers_) {
       if (layer.lines.size() > 0) result.drawing.layers.push_back(std::move(layer));
     }
@@ -51,7 +53,14 @@ class DrawingReader {
       in_strokes_ = value == "strokes";
       if (in_strokes_ && has_strokes_) fail("there are two lists of strokes");
       has_strokes_ = has_strokes_ || in_strokes_;
+      in_regions_ = value == "regions";
       return true;
+    }
+    if (in_regions_) {
+      if (event == json::parse_event_t::object_start && depth > 2) fail_region("has an object inside");
+      if (event != json::parse_event_t::object_end || depth != 2) return true;
+      add_region(value);
+      return false;
     }
     if (!in_strokes_) return depth < 3 || event == json::parse_event_t::key;
     if (event == json::parse_event_t::object_start && depth > 2) return false;  // the source edge
@@ -83,6 +92,46 @@ class DrawingReader {
     ++count_;
   }
 
+  [[noreturn]] void fail_region(const std::string& cause) const {
+    fail("region " + std::to_string(regions_.size()) + ": " + cause);
+  }
+
+  void add_contour(const json& contour, ReadRegion& region) const {
+    if (!contour.is_array() || contour.size() < 3) fail_region("a contour has no three points");
+    std::vector<Point2>& points = region.contours.emplace_back();
+    for (const json& p : contour) {
+      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) fail_region("a point is not two numbers");
+      points.push_back({p[0].get<double>(), p[1].get<double>()});
+      if (!(std::abs(points.back().x) <= kFarthestMm && std::abs(points.back().y) <= kFarthestMm))
+        fail_region("a point is farther than a kilometre away");
+    }
+  }
+
+  /// What is seen through transparent faces is not hatched.
+  void add_region(const json& value) {
+    const auto level = value.find("level"), outer = value.find("outer"), holes = value.find("holes");
+    if (level != value.end() && level->is_number() && level->get<double>() > 0) return;
+    ReadRegion region;
+    if (outer == value.end()) fail_region("has no outer contour");
+    add_contour(*outer, region);
+    if (holes != value.end() && holes->is_array()) {
+      for (const json& hole : *holes) add_contour(hole, region);
+    }
+    // Files of earlier versions tell neither: each region is an area of its own.
+    const auto patch = value.find("patch"), light = value.find("light"), color = value.find("color"),
+               material = value.find("material_name");
+    region.patch = patch != value.end() && patch->is_number_unsigned() ? patch->get<std::uint32_t>()
+                                                                       : static_cast<std::uint32_t>(regions_.size());
+    if (light != value.end() && light->is_number()) region.light = std::clamp(light->get<double>(), 0.0, 1.0);
+    if (color != value.end() && color->is_array() && color->size() == region.color.size()) {
+      for (std::size_t i = 0; i < region.color.size(); ++i) {
+        if ((*color)[i].is_number()) region.color[i] = std::clamp((*color)[i].get<double>(), 0.0, 1.0);
+      }
+    }
+    if (material != value.end() && material->is_string()) region.material = material->get<std::string>();
+    regions_.push_back(std::move(region));
+  }
+
   Polylines& layer_of(const std::string& line_class, bool visible, bool through_transparent) {
     for (std::size_t c = 0; c < kLineClassCount; ++c) {
       if (kLineClassNames[c] == line_class)
@@ -108,7 +157,8 @@ class DrawingReader {
   }
 
   std::string file_;
-  bool in_strokes_ = false, has_strokes_ = false;
+  bool in_strokes_ = false, has_strokes_ = false, in_regions_ = false;
+  std::vector<ReadRegion> regions_;
   std::size_t count_ = 0;
   /// In the order of painting.
   std::array<Layer, kStrokeLayerCount> layers_ = [] {

@@ -147,7 +147,7 @@ void append_area(std::string& out, std::uint32_t face, const std::vector<std::ve
   out += ']';
 }
 
-void append_region(std::string& out, const Region& region) {
+void append_region(std::string& out, const Region& region, const RegionLook* look) {
   append_area(out, region.face, region.contours);
   if (region.level > 0) out += ",\"level\":" + std::to_string(region.level);
   if (region.lights != 0xffffffffu) {
@@ -170,6 +170,20 @@ void append_region(std::string& out, const Region& region) {
     out += ']';
   }
   if (region.material != 0xffffffffu) out += ",\"material\":" + std::to_string(region.material);
+  if (look) {
+    out += ",\"patch\":" + std::to_string(look->patch) + ",\"light\":";
+    append_shortest(out, look->light);
+    out += ",\"color\":[";
+    for (std::size_t i = 0; i < look->color.size(); ++i) {
+      if (i > 0) out += ',';
+      append_shortest(out, look->color[i]);
+    }
+    out += ']';
+    if (!look->material.empty()) {
+      out += ",\"material_name\":";
+      out += json_string(look->material);
+    }
+  }
   out += '}';
 }
 
@@ -286,7 +300,7 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
   if (document.regions) {
     out += ",\n\"regions\":";
     append_array(out, document.regions->size(),
-                 [&](std::string& text, std::size_t i) { append_region(text, (*document.regions)[i]); });
+                 [&](std::string& text, std::size_t i) { append_region(text, (*document.regions)[i], document.region_looks.empty() ? nullptr : &document.region_looks[i]); });
   }
   if (document.order) {
     out += ",\n\"order\":";

@@ -1,6 +1,7 @@
 #include "plotting/plot.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -121,6 +122,15 @@ Polylines cut(const StyledLines& style, const Pen& pen) {
   return style.dashes_mm.empty() ? style.lines : cut_dashes(style.lines, style.dashes_mm, *pen.width_mm);
 }
 
+void drop_short(PenLines& pen, double min_length_mm) {
+  if (!(min_length_mm > 0)) return;
+  const std::vector<std::uint32_t> kept = long_strokes(pen.lines, min_length_mm);
+  pen.lines = picked(pen.lines, kept);
+  if (pen.looks.empty()) return;
+  for (std::size_t i = 0; i < kept.size(); ++i) pen.look_of[i] = pen.look_of[kept[i]];
+  pen.look_of.resize(kept.size());
+}
+
 /// The lines of a pen as they are, or with those of each style joined.
 PenLines lines_of(const PenWork& work, const JoinTolerances* join) {
   PenLines pen{work.pen, {}};
@@ -152,17 +162,20 @@ void put_in_order(PenLines& pen, const OrderOptions& options) {
 /// what is there twice, then without joining.
 PenLines optimized(const PenWork& work, const PathOptions& paths) {
   PenLines before = lines_of(work, nullptr);
+  drop_short(before, paths.min_length_mm);
   if (paths.optimize == Optimize::off) return before;
   const auto seconds = [&](const PenLines& pen) {
     return paths.pace.seconds(measure(pen.lines, paths.order.home, paths.order.returns));
   };
-  const double allowed = seconds(before);
+  // What is left out where strokes are joined is less: a piece of a long line is long.
+  const double allowed = paths.min_length_mm > 0 ? std::numeric_limits<double>::infinity() : seconds(before);
   const bool orders = paths.optimize != Optimize::join;
   if (paths.optimize != Optimize::order) {
     JoinTolerances twice = paths.tolerances;
     twice.overlap_mm = 0;
     for (const JoinTolerances& tolerances : {paths.tolerances, twice}) {
       PenLines pen = lines_of(work, &tolerances);
+      drop_short(pen, paths.min_length_mm);
       if (orders) put_in_order(pen, paths.order);
       if (seconds(pen) <= allowed) return pen;
     }

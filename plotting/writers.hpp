@@ -1,10 +1,13 @@
 #pragma once
 /// Writers of drawings. All give their bytes back; writing them to a file is plotting/output_file.hpp's.
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -77,10 +80,19 @@ inline double png_bytes(const PixelSize& size) { return 4.0 * size.width * size.
 /// PNG on white, for looking; `under` lies below the lines and is as large as png_size() says, or null.
 std::string write_png(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
 
+/// What hatching needs to know of a region beyond its contours.
+struct RegionLook {
+  double light = 1;                    ///< 0 dark to 1
+  std::array<double, 3> color{0, 0, 0};
+  std::uint32_t patch = 0;             ///< faces that meet smoothly have one: strokes go on over their borders
+  std::string material{};              ///< its name
+};
+
 /// What the JSON drawing holds beside page and pens: docs/drawing-format.md.
 struct DrawingDocument {
   const StrokeModel* strokes = nullptr;
   const std::vector<Region>* regions = nullptr;
+  std::vector<RegionLook> region_looks{};  ///< one for each region, or none
   const PaintOrder* order = nullptr;
   const SpanModel* spans = nullptr;
   const std::vector<std::vector<Point2>>* debug = nullptr;  ///< polylines that show how the method worked

@@ -4,11 +4,29 @@
 
 namespace ligne {
 
+std::vector<std::uint32_t> long_strokes(const Polylines& lines, double min_length_mm) {
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    const auto line = lines[i];
+    double length = 0;
+    for (std::size_t k = 1; k < line.size() && length < min_length_mm; ++k) length += glm::distance(line[k - 1], line[k]);
+    if (length >= min_length_mm) kept.push_back(i);
+  }
+  return kept;
+}
+
+Polylines picked(const Polylines& lines, std::span<const std::uint32_t> numbers) {
+  Polylines some;
+  for (const std::uint32_t i : numbers) some.add(lines[i]);
+  return some;
+}
+
 Polylines optimize_paths(const Polylines& lines, const PathOptions& options) {
-  if (options.optimize == Optimize::off) return lines;
-  if (options.optimize == Optimize::order) return order_strokes(lines, options.order);
-  Polylines joined = join_strokes(lines, options.tolerances);
-  return options.optimize == Optimize::full ? order_strokes(joined, options.order) : joined;
+  const bool joins = options.optimize == Optimize::join || options.optimize == Optimize::full,
+             orders = options.optimize == Optimize::order || options.optimize == Optimize::full;
+  Polylines strokes = joins ? join_strokes(lines, options.tolerances) : lines;
+  if (options.min_length_mm > 0) strokes = picked(strokes, long_strokes(strokes, options.min_length_mm));
+  return orders ? order_strokes(strokes, options.order) : strokes;
 }
 
 double PathPace::seconds(const PathLengths& lengths) const {

@@ -1,7 +1,9 @@
 #pragma once
 /// The shortest way for the pen.
 
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "plotting/paths/join.hpp"
 #include "plotting/paths/order.hpp"
@@ -40,8 +42,14 @@ struct PathOptions {
   Optimize optimize = Optimize::full;
   JoinTolerances tolerances;
   OrderOptions order;
+  double min_length_mm = 0;  ///< strokes that are shorter are left out, dots too
   PathPace pace;  ///< by which the way is judged; tolerances.lift_mm should follow from it
 };
+
+/// Numbers of the strokes that are not shorter.
+std::vector<std::uint32_t> long_strokes(const Polylines& lines, double min_length_mm);
+/// The strokes of these numbers.
+Polylines picked(const Polylines& lines, std::span<const std::uint32_t> numbers);
 
 /// Strokes of one pen, page mm.
 Polylines optimize_paths(const Polylines& lines, const PathOptions& options);

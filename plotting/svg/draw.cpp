@@ -1,6 +1,7 @@
 /// What an SVG draws: shapes, fills and text.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -21,6 +22,19 @@ constexpr std::string_view kWhite = "#ffffff";
 constexpr double kFillSpacing = 0.8;
 /// Crossings of contours with the lines of hatches, in all.
 constexpr double kMostFillWork = 5e7;
+
+/// Adjustable: what is not darker than that is left white.
+constexpr double kLightest = 0.05;
+
+/// From 0, white, to 1. A colour that is only a name is black.
+double darkness(const std::string& color) {
+  try {
+    const std::array<double, 3> rgb = parse_color(color);
+    return 1 - (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);  // ITU-R BT.709
+  } catch (const std::invalid_argument&) {
+    return 1;
+  }
+}
 
 /// Whether a fill of these lines would show: some line leaves its first chord.
 bool has_area(const Polylines& lines) {
@@ -104,7 +118,7 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   const std::string color = color_of(*style.fill, node);
   const bool white = color == kWhite || color == "white";
   if (skip_.contains("fill")) return refuse("fill", node);
-  const bool opaque = style.fill_opaque && context.opacity == 1;
+  const bool opaque = style.fill_opacity == 1 && context.opacity == 1;
   if (opaque && (white || fills_.occlude)) hide(lines, context);
   if (white) return;
   if (fills_.how == FillReading::How::refuse) return refuse("fill", node);
@@ -121,12 +135,24 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   if (fills_.how != FillReading::How::hatch) return;
   std::vector<std::vector<Point2>> area;
   for (std::size_t i = 0; i < contours.size(); ++i) area.emplace_back(contours[i].begin(), contours[i].end());
+  const FillHatch how = fills_.hatches.of(context.layer, color);
   HatchOptions options;
   options.pen_width_mm = fills_.pen_width_mm;
-  options.spacing_mm = kFillSpacing * fills_.pen_width_mm;
+  options.spacing_mm = how.spacing_mm.value_or(kFillSpacing * fills_.pen_width_mm);
+  options.angle_degrees = how.angle_degrees;
+  options.cross = how.cross;
+  if (how.tone) {
+    const double dark = darkness(color) * style.fill_opacity * context.opacity;
+    if (dark < kLightest) return;
+    // So much of the paper is covered; of two families each half.
+    const double families = how.cross ? 2 : 1;
+    options.spacing_mm = std::max(options.spacing_mm, families * options.pen_width_mm / dark);
+  }
   options.even_odd = style.fill_even_odd;
+  // Beside a rim that runs along the rows, and in corners, rows leave white.
+  options.rim = options.spacing_mm <= options.pen_width_mm;
   // What the engine has to do grows with how often the contours cross its lines.
-  const double line_mm = hatch_line_mm(options.spacing_mm, options.pen_width_mm);
+  const double line_mm = hatch_line_mm(options);
   for (std::size_t i = 0; i < contours.size(); ++i) {
     for (std::size_t k = 1; k < contours[i].size(); ++k)
       fill_work_ += 1 + glm::distance(contours[i][k - 1], contours[i][k]) / line_mm;

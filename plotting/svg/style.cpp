@@ -119,7 +119,7 @@ class StyleReader {
   }
   void set_fill_opacity(double opacity) {
     style_.fill_seen = opacity > 0;
-    style_.fill_opaque = opacity == 1;
+    style_.fill_opacity = opacity;
   }
   double spacing(std::string_view value) const { return value == "normal" ? 0 : length_px(value, {}, style_.font_size); }
   /// What CSS calls its base lines, by those of the letters at hand: capitals, the lower case, and what hangs below.

@@ -25,7 +25,7 @@ struct Style {
   std::optional<Paint> fill = Paint{"#000000", {}};
   std::string color = "#000000";              ///< what currentColor means
   bool stroke_seen = true, fill_seen = true;  ///< opacity above zero
-  bool fill_opaque = true;
+  double fill_opacity = 1;
   bool visible = true;
   double stroke_width = 1;
   std::vector<double> dashes;  ///< of the element's units

@@ -1,5 +1,6 @@
 #include "cli/draw.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "cli/fill_options.hpp"
@@ -11,6 +12,8 @@
 #include "cli/view_options.hpp"
 #include "files/message_text.hpp"
 #include "picture/compiled_model.hpp"
+#include "picture/draw_scene.hpp"
+#include "picture/errors.hpp"
 #include "picture/frames.hpp"
 #include "picture/parse.hpp"
 #include "picture/parse_options.hpp"
@@ -27,6 +30,21 @@ std::vector<std::string> object_patterns(const PenTable& pens) {
   std::vector<std::string> patterns;
   for (const auto& [pattern, number] : pens.pen_of_object) patterns.push_back(pattern);
   return patterns;
+}
+
+/// Throws RequestError where a pen is for a material that the scene does not have.
+void require_materials(const Scene& scene, const PenTable& pens) {
+  for (const auto& [asked, number] : pens.pen_of_material) {
+    const auto is_it = [&](const Material& material) { return material.name == asked; };
+    if (std::any_of(scene.materials.begin(), scene.materials.end(), is_it)) continue;
+    constexpr std::size_t kMostListed = 20;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(scene.materials.size(), kMostListed); ++i)
+      list += (i > 0 ? ", " : "") + printable(scene.materials[i].name);
+    throw RequestError("pen", "no material is called " + shown(asked, '"') +
+                                  (list.empty() ? "; the scene names none" : "; there are " + list) +
+                                  (scene.materials.size() > kMostListed ? " and more: ligne info --json names all" : ""));
+  }
 }
 
 void add_profile_option(CLI::App& app, std::optional<ProfileKind>& profile) {
@@ -103,6 +121,8 @@ void draw(const DrawOptions& options, PictureRequest request) {
       timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
   for (const ObjectColor& color : request.output.colors) require_names(models, "color", {color.pattern});
   require_names(models, "pen", object_patterns(request.plotter.pens));
+  require_materials(models.scene, request.plotter.asked_pens);
+  request.plotter.fit_drawing = !request.page.scale;
   report_healing(models, model, run);
   if (models.compiled_for && models.compiled_for == request.lines.method) {
     require_no_parameters(models, options);

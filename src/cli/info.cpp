@@ -1,6 +1,7 @@
 #include "cli/info.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -143,6 +144,44 @@ std::string file_text(const ModelFile& file) {
   return text;
 }
 
+/// "#c0c0c0".
+std::string color_code(const Point3& color) {
+  char text[16];
+  const auto level = [](double v) { return static_cast<unsigned>(std::lround(std::clamp(v, 0.0, 1.0) * 255)); };
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", level(color.x), level(color.y), level(color.z));
+  return text;
+}
+
+std::string material_text(const MaterialFacts& material, std::size_t number) {
+  return (material.name.empty() ? "material " + std::to_string(number) : printable(material.name, kLongestName)) + " " +
+         color_code(material.color);
+}
+
+/// The colours of an object, by its materials.
+std::string colors_of(const SceneFacts& scene, const ObjectFacts& object) {
+  constexpr std::size_t kMostNamed = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(object.materials.size(), kMostNamed); ++i)
+    text += ", " + material_text(scene.materials[object.materials[i]], object.materials[i]);
+  if (object.materials.size() > kMostNamed)
+    text += " and " + std::to_string(object.materials.size() - kMostNamed) + " materials more";
+  return text;
+}
+
+/// Their names are those for --pen material:NAME.
+std::string materials_text(const SceneFacts& scene) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(scene.materials.size(), kMostObjectLines); ++i) {
+    const MaterialFacts& material = scene.materials[i];
+    std::string value = material_text(material, i) + ": " + std::to_string(material.faces) + " faces";
+    if (material.opacity < 1) value += ", opacity " + rounded(material.opacity, 3);
+    text += line(i == 0 ? "materials" : "", value);
+  }
+  if (scene.materials.size() > kMostObjectLines)
+    text += line("", "and " + std::to_string(scene.materials.size() - kMostObjectLines) + " more");
+  return text;
+}
+
 std::string objects_text(const SceneFacts& scene) {
   std::size_t closed = 0, solid = 0;
   for (const ObjectFacts& object : scene.objects) {
@@ -154,7 +193,7 @@ std::string objects_text(const SceneFacts& scene) {
   for (std::size_t i = 0; i < std::min(scene.objects.size(), kMostObjectLines); ++i) {
     const ObjectFacts& object = scene.objects[i];
     text += line("", (object.name.empty() ? "object " + std::to_string(i) : printable(object.name, kLongestName)) + ": " +
-                         std::to_string(object.faces) + " faces, " + closedness(object));
+                         std::to_string(object.faces) + " faces, " + closedness(object) + colors_of(scene, object));
   }
   if (scene.objects.size() > kMostObjectLines) {
     text += line("", "and " + std::to_string(scene.objects.size() - kMostObjectLines) + " more");
@@ -167,6 +206,7 @@ std::string text_of(const Info& info) {
   for (const ModelFile& file : info.models.files) text += file_text(file);
   const SceneFacts& scene = info.scene;
   text += "scene\n" + objects_text(scene);
+  text += materials_text(scene);
   text += line("vertices", std::to_string(scene.vertices));
   text += line("faces", std::to_string(scene.faces) + ", " + std::to_string(scene.faces_with_holes) + " with holes");
   text += line("triangles", std::to_string(scene.triangles));
@@ -223,11 +263,13 @@ Json file_json(const ModelFile& file) {
   return json;
 }
 
-Json object_json(const ObjectFacts& object) {
+Json object_json(const SceneFacts& scene, const ObjectFacts& object) {
   Json json;
   json["name"] = object.name;
   json["vertices"] = object.vertices;
   json["faces"] = object.faces;
+  json["materials"] = Json::array();
+  for (const std::size_t material : object.materials) json["materials"].push_back(scene.materials[material].name);
   json["border_edges"] = object.border_edges;
   json["many_face_edges"] = object.many_face_edges;
   json["unlike_wound_edges"] = object.unlike_wound_edges;
@@ -257,7 +299,14 @@ std::string json_of(const Info& info) {
   scene["unit_mm"] = info.models.scene.unit_mm;
   scene["precision"] = facts.precision;
   scene["objects"] = Json::array();
-  for (const ObjectFacts& object : facts.objects) scene["objects"].push_back(object_json(object));
+  for (const ObjectFacts& object : facts.objects) scene["objects"].push_back(object_json(facts, object));
+  scene["materials"] = Json::array();
+  for (const MaterialFacts& material : facts.materials) {
+    scene["materials"].push_back(Json{{"name", material.name},
+                                      {"color", color_code(material.color)},
+                                      {"opacity", material.opacity},
+                                      {"faces", material.faces}});
+  }
   json["scene"] = std::move(scene);
 
   Json view;

@@ -1,6 +1,7 @@
 #include "cli/plot.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -22,19 +23,30 @@ namespace {
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
 
 constexpr double kPenWidthMm = 0.35;
+constexpr std::string_view kFillHatchNames[] = {"plain", "shade"};
 
 constexpr const char* kExamples = R"(Examples:
   ligne plot sombrero.svg --device hp7475a --report -o sombrero.hpgl
   ligne plot gearbox.json --pen outline=1,black,0.5 --pen rest=2,blue,0.25 -o gearbox.gcode
   ligne plot poster.svg --page A3 --scale fit --preview way.svg -o poster-ready.svg)";
 
+std::string_view without_mark(std::string_view text) {
+  const std::string_view bom = "\xef\xbb\xbf";
+  if (text.starts_with(bom)) text.remove_prefix(bom.size());
+  return text;
+}
+
+char first_character(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? '\0' : text[first];
+}
+
+bool begins_json(std::string_view text) { return first_character(without_mark(text)) == '{'; }
+
 /// JSON begins with a brace, XML with an angle bracket, whatever the name says.
 ReadDrawing read_drawing(const PlotCommandOptions& options, std::string_view text, const FillReading& fills) {
-  const std::string_view bom = "\xef\xbb\xbf";
-  std::string_view content = text;
-  if (content.starts_with(bom)) content.remove_prefix(bom.size());
-  const std::size_t first = content.find_first_not_of(" \t\r\n");
-  const char begins = first == std::string_view::npos ? '\0' : content[first];
+  const std::string_view content = without_mark(text);
+  const char begins = first_character(content);
   if (begins == '{') return read_json_drawing(content, options.drawing);
   if (begins == '<') return read_svg_drawing(text, options.drawing, options.skip, fills);
   throw std::runtime_error(options.drawing + ": is neither a ligne-drawing nor an SVG");
@@ -120,12 +132,27 @@ ReadDrawing placed_drawing(const PlotCommandOptions& options, RunFiles& files) {
   files.were_read(opened);
   const std::string_view text = as_characters(bytes);
   const double pen_mm = options.pen_width_mm.value_or(kPenWidthMm);
-  FillReading fills{options.fills.value_or(FillReading::How::outline), pen_mm / options.scale, options.occlude};
-  if (options.fit && fills.how == FillReading::How::hatch) {
-    ReadDrawing contours = read_drawing(options, text, {FillReading::How::outline, pen_mm, options.occlude});
-    fills.pen_width_mm = pen_mm / place(options, contours);
+  const FillReading::How how = options.fills.value_or(options.hatches_given ? FillReading::How::hatch
+                                                                             : FillReading::How::outline);
+  FillReading fills{how, pen_mm, options.occlude, options.hatches};
+  double scale = options.scale;
+  if (options.fit && how == FillReading::How::hatch) {
+    FillReading plain = fills;
+    plain.how = FillReading::How::outline;
+    ReadDrawing contours = read_drawing(options, text, plain);
+    scale = place(options, contours);
   }
+  fills.pen_width_mm /= scale;
+  if (fills.hatches.all.spacing_mm) *fills.hatches.all.spacing_mm /= scale;
+  for (auto& [name, spacing] : fills.hatches.spacing_mm_of) spacing /= scale;
   ReadDrawing read = read_drawing(options, text, fills);
+  if (how == FillReading::How::hatch && begins_json(text)) {
+    try {
+      hatch_regions(read, fills);
+    } catch (const std::exception& e) {
+      throw std::runtime_error(options.drawing + ": " + e.what());
+    }
+  }
   warn_of_left_out(options, read);
   place(options, read);
   if (options.pen_width_mm) {
@@ -156,6 +183,7 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
   RunReport run;
   PlotterRequest plotter = plotter_request(options.plotter.choice, format, run.files);
   files.were_read(run.files);
+  plotter.fit_drawing = options.fit;
   if (!plotter.by_pens() && !plotter.optimize) plotter.optimize = Optimize::join;
   const ReadDrawing read =
       timed(run.stages, {"read", printable(options.drawing, kLongestPath)}, [&] { return placed_drawing(options, files); });
@@ -211,6 +239,66 @@ std::set<std::string> parse_skip(const std::string& text) {
   return names;
 }
 
+/// "VALUE" for all fills, "NAME=VALUE" for those of a layer or a colour.
+std::pair<std::string, std::string> split_name(const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos) return {"", text};
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+/// A colour by its code, as the layers of a drawing without layers are named; another name as it stands.
+std::string layer_or_color(const std::string& name) {
+  try {
+    std::string code = "#";
+    for (const double level : parse_color(name)) {
+      constexpr std::string_view digits = "0123456789abcdef";
+      const auto whole = static_cast<unsigned>(std::lround(level * 255));
+      code += {digits[whole / 16], digits[whole % 16]};
+    }
+    return code;
+  } catch (const std::invalid_argument&) {
+    return name;
+  }
+}
+
+void add_fill_hatch_options(CLI::App& app, PlotCommandOptions& options) {
+  OptionGroup group(app, "Hatching");
+  FillHatches& hatches = options.hatches;
+  group.add_text(
+      "--hatch", "HOW",
+      [&options](const std::string& text) {
+        options.hatches.all.tone = parse_choice(text, kFillHatchNames) == 1;
+        options.hatches_given = true;
+      },
+      "fills with strokes, of an SVG or of the regions of a stored drawing: plain, or shade, the darker the closer");
+  group.add_repeatable(
+      "--hatch-spacing", "[NAME=]LEN",
+      [&options, &hatches](const std::string& text) {
+        const auto [name, value] = split_name(text);
+        const double spacing = parse_length_mm(value);
+        if (!(spacing > 0)) throw std::invalid_argument("is not above 0");
+        options.hatches_given = true;
+        name.empty() ? void(hatches.all.spacing_mm = spacing) : void(hatches.spacing_mm_of[layer_or_color(name)] = spacing);
+      },
+      "distance of the strokes, of all fills or of a layer or colour; repeatable");
+  group.add_repeatable(
+      "--hatch-angle", "[NAME=]DEG",
+      [&options, &hatches](const std::string& text) {
+        const auto [name, value] = split_name(text);
+        const double degrees = parse_number(value);
+        options.hatches_given = true;
+        name.empty() ? void(hatches.all.angle_degrees = degrees) : void(hatches.degrees_of[layer_or_color(name)] = degrees);
+      },
+      "their direction, counter-clockwise; repeatable");
+  group.add_flag_or_value(
+      "--hatch-cross", "NAME",
+      [&options, &hatches](const std::string& name) {
+        options.hatches_given = true;
+        name.empty() ? void(hatches.all.cross = true) : void(hatches.crossed.insert(layer_or_color(name)));
+      },
+      "a second family of strokes across the first, for all fills or a layer or colour");
+}
+
 }  // namespace
 
 void setup_plot(CLI::App& app, PlotCommandOptions& options) {
@@ -224,7 +312,13 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
           [](const std::string& text) { return static_cast<FillReading::How>(parse_choice(text, kFillReadingNames)); },
           "filled areas of an SVG: refuse; outline, their contours; hatch, strokes inside too")
       .standard("outline");
+  input
+      .add(
+          "--min-length", "LEN", options.plotter.choice.request.min_length_mm,
+          [](const std::string& t) { return parse_length_mm(t); }, "leave out strokes that are shorter, after they are joined")
+      .standard("0");
   input.add_flag("--occlude", options.occlude, "opaque areas of an SVG hide what lies under them, as white ones always do");
+  add_fill_hatch_options(plot, options);
   add_placing_options(plot, options);
   add_output_options(plot, options.output, "svg pdf png hpgl gcode (default: by the suffix)");
   add_dpi_option(plot, options.dpi);

@@ -24,6 +24,8 @@ struct PlotCommandOptions {
   std::set<std::string> skip;             ///< kinds of SVG content that may be left out
   std::optional<FillReading::How> fills;  ///< nothing: outline
   bool occlude = false;
+  FillHatches hatches;
+  bool hatches_given = false;  ///< how, so that fills are hatched
   double dpi = 150;
   OutputOptions output;
   PlotterOptions plotter;

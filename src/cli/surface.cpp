@@ -20,6 +20,7 @@ void run(const SurfaceOptions& options, SurfaceRequest request) {
     picture.bytes = write_surface_mesh(request, mesh_format_of(options.output), report);
   } else {
     request.picture.plotter = plotter_request(options.plotter.choice, request.picture.output.format, report.files);
+    request.picture.plotter.fit_drawing = !request.picture.page.scale;
     files.were_read(report.files);
     ProgressBar bar(options.run);
     request.picture.progress = bar.callback();

@@ -13,6 +13,7 @@
 #include "picture/parts.hpp"
 #include "plotting/writers.hpp"
 #include "scene/clean/named_objects.hpp"
+#include "view/brightness.hpp"
 
 namespace ligne {
 namespace {
@@ -41,6 +42,22 @@ bool looks_at_edges(const PictureRequest& request) {
   return request.output.format == OutputFormat::json || tells_parts(request);
 }
 
+/// What a file tells of regions so that they can be filled and hatched from it.
+std::vector<RegionLook> looks_of(const PreparedScene& prepared, const std::vector<Region>& regions,
+                                 const HatchPatches& patches) {
+  const FaceLight light(prepared.scene, prepared.view().camera, prepared.lights);
+  std::vector<RegionLook> looks;
+  for (const Region& region : regions) {
+    const Material material = material_of(prepared.scene, region);
+    RegionLook& look = looks.emplace_back();
+    look.light = std::clamp(light.of(region.face, region.lights, region.light_shares), 0.0, 1.0);
+    look.color = {material.color.x, material.color.y, material.color.z};
+    look.patch = patches.of_face[region.face];
+    look.material = material.name;
+  }
+  return looks;
+}
+
 PictureRequest checked(PictureRequest request) {
   check(request);
   return request;
@@ -54,12 +71,13 @@ DrawnScene::DrawnScene(const Scene& scene, PictureRequest request, RunReport& ru
       prepared_(prepare(scene, request_, box, run, std::move(topology))),
       has_edges_(keep_edges || looks_at_edges(request_)) {
   const PlotOptions plot = plot_options(request_, prepared_.around.placement.page);
-  const HatchScene hatch = hatch_scene(prepared_, plot);
+  HatchScene hatch = hatch_scene(prepared_, plot);
   hatching_ = hatch_spans(hatch, run);
   study_ = ligne::study(prepared_, gray_face_lines(request_, plot), has_edges_, run);
   if (study_.result.regions) {
     std::ranges::move(hatch_regions(hatch, *study_.result.regions, run), std::back_inserter(hatching_));
   }
+  patches_ = std::move(hatch.patches);
   prepared_.projected = {};
   request_.progress = {};
 }
@@ -86,6 +104,7 @@ bool DrawnScene::serves(const OutputRequest& output, const PlotterRequest& plott
   // Hatching is as dense as its pens are wide, and gray faces have a line for each row of pixels.
   if (request_.hatch.asked() || request_.gray_faces) return false;
   if (looks_at_edges(other) && !has_edges_) return false;
+  if (output.format == OutputFormat::json && study_.result.regions && patches_.of_face.empty()) return false;
   const std::uint8_t can = prepared_.method.traits().products;
   const std::uint8_t has = wanted_products(request_, prepared_.method), needs = wanted_products(other, prepared_.method);
   return (needs & can & ~has) == 0;
@@ -116,6 +135,7 @@ std::string DrawnScene::json(const PlotOptions& plot) const {
   DrawingDocument document;
   document.strokes = &*result.strokes;
   document.regions = result.regions ? &*result.regions : nullptr;
+  if (result.regions) document.region_looks = looks_of(prepared_, *result.regions, patches_);
   document.order = result.order ? &*result.order : nullptr;
   document.spans = result.spans ? &*result.spans : nullptr;
   document.debug = result.debug.empty() ? nullptr : &result.debug;

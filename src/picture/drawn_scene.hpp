@@ -7,6 +7,7 @@
 
 #include "drawing/drawing.hpp"
 #include "picture/axes.hpp"
+#include "picture/hatch_patches.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "picture/scene_study.hpp"
@@ -45,6 +46,7 @@ class DrawnScene {
   PictureRequest request_;
   PreparedScene prepared_;
   std::vector<Layer> hatching_;
+  HatchPatches patches_;  ///< where regions are hatched, now or from the file
   SceneStudy study_;
   bool has_edges_ = false;
 };

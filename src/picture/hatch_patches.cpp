@@ -1,6 +1,9 @@
 #include "picture/hatch_patches.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
+
+#include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -29,6 +32,42 @@ HatchPatches hatch_patches(const Scene& scene, const Topology& topology, double 
     patches.of_face[face] = first == face ? patches.count++ : patches.of_face[first];
   }
   return patches;
+}
+
+Point3 area_vector(const Scene& scene, std::uint32_t face) {
+  const auto contour = scene.faces.contour(face, 0);
+  Point3 area{0, 0, 0};
+  for (std::size_t i = 1; i + 1 < contour.size(); ++i) {
+    area += glm::cross(scene.vertices[contour[i]] - scene.vertices[contour[0]],
+                       scene.vertices[contour[i + 1]] - scene.vertices[contour[0]]);
+  }
+  return area;
+}
+
+std::vector<std::optional<double>> flat_light(const Scene& scene, const HatchPatches& patches, const FaceLight& light) {
+  // Within a degree the light differs by less than a third of the step from one number of rows to the next.
+  constexpr double kFlatCosine = 0.99985;
+  struct Sum {
+    Point3 normal{0, 0, 0};
+    double light = 0, weight = 0;
+    bool flat = true;
+  };
+  std::vector<Sum> sums(patches.count);
+  for (std::uint32_t face = 0; face < scene.faces.size(); ++face) {
+    const Point3 area = area_vector(scene, face);
+    const double size = glm::length(area);
+    if (!(size > 0)) continue;
+    Sum& sum = sums[patches.of_face[face]];
+    if (sum.weight == 0) sum.normal = area / size;
+    sum.flat = sum.flat && std::abs(glm::dot(sum.normal, area)) >= kFlatCosine * size;
+    sum.light += size * light.of(face);
+    sum.weight += size;
+  }
+  std::vector<std::optional<double>> lights;
+  for (const Sum& sum : sums) {
+    lights.push_back(sum.flat && sum.weight > 0 ? std::optional(sum.light / sum.weight) : std::nullopt);
+  }
+  return lights;
 }
 
 }  // namespace ligne

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "picture/errors.hpp"
 #include "picture/fills.hpp"
 #include "plotting/hatch.hpp"
+#include "plotting/paths/optimize.hpp"
 #include "view/brightness.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/registry.hpp"
@@ -67,6 +69,8 @@ class Hatching {
     }
     closest_ = static_cast<unsigned>(std::lround(spacing / line_mm_));
     if (hatch.request().direction.by_face) find_directions();
+    if (hatch.request().kind == HatchKind::shade && hatch.request().levels == 0)
+      flat_light_ = flat_light(hatch.prepared.scene, hatch.patches, light_);
   }
 
   double line_mm() const { return line_mm_; }
@@ -76,6 +80,9 @@ class Hatching {
   void add(std::vector<FaceHatch>& faces, std::span<const DirectionRuns> directions);
 
   std::vector<Layer> take() {
+    if (const auto least_mm = hatch_.prepared.request.lines.least_mm) {
+      for (Layer& layer : layers_) layer.lines = picked(layer.lines, long_strokes(layer.lines, *least_mm));
+    }
     std::erase_if(layers_, [](const Layer& layer) { return layer.lines.size() == 0; });
     return std::move(layers_);
   }
@@ -101,6 +108,7 @@ class Hatching {
   double line_mm_ = 0, pen_mm_ = 0;
   unsigned closest_ = 1;
   std::vector<double> patch_degrees_;  ///< where the direction is by face
+  std::vector<std::optional<double>> flat_light_;  ///< of patches that are flat; empty: not asked for
   std::vector<Layer> layers_;
 };
 
@@ -126,13 +134,8 @@ void Hatching::find_directions() {
   };
   std::vector<Mean> means(hatch_.patches.count);
   for (std::uint32_t face = 0; face < scene.faces.size(); ++face) {
-    const auto contour = scene.faces.contour(face, 0);
-    Point3 area{0, 0, 0};
-    for (std::size_t i = 1; i + 1 < contour.size(); ++i) {
-      area += glm::cross(scene.vertices[contour[i]] - scene.vertices[contour[0]],
-                         scene.vertices[contour[i + 1]] - scene.vertices[contour[0]]);
-    }
-    const Point3 point = scene.vertices[contour[0]];
+    Point3 area = area_vector(scene, face);
+    const Point3 point = scene.vertices[scene.faces.contour(face, 0)[0]];
     const Point3 sight = camera.perspective ? glm::normalize(point - camera.eye) : camera.forward;
     const double seen = std::abs(glm::dot(area, sight));
     Mean& mean = means[hatch_.patches.of_face[face]];
@@ -169,9 +172,10 @@ FaceHatch Hatching::of(std::uint32_t face, const Region* region) {
   unsigned shade = 1;
   if (request.kind == HatchKind::shade) {
     const std::uint32_t reached = region ? region->lights : 0xffffffffu;
-    const double light = std::clamp(
-        light_.of(face, reached, region ? std::span<const double>(region->light_shares) : std::span<const double>()), 0.0,
-        1.0);
+    const auto shares = region ? std::span<const double>(region->light_shares) : std::span<const double>();
+    const bool whole = reached == 0xffffffffu && shares.empty() && !flat_light_.empty();
+    const double light =
+        std::clamp(whole && flat_light_[patch] ? *flat_light_[patch] : light_.of(face, reached, shares), 0.0, 1.0);
     const unsigned shades = request.levels == 0 ? kMostShades : request.levels;
     shade = 1 + std::min(shades - 1, static_cast<unsigned>(light * shades));
     how.strokes.rows = request.levels > 0   ? kRowCycle >> (shade - 1)
@@ -337,7 +341,8 @@ DirectionRuns seen_in_direction(const PreparedScene& prepared, std::span<const F
 
 HatchScene hatch_scene(const PreparedScene& prepared, const PlotOptions& plot) {
   HatchScene hatch{prepared, plot, {}};
-  if (hatch.request().asked()) {
+  const bool stored = prepared.request.output.format == OutputFormat::json && (prepared.method.traits().products & kRegions);
+  if (hatch.request().asked() || stored) {
     hatch.patches = hatch_patches(prepared.scene, prepared.topology, prepared.request.lines.crease_degrees);
   }
   return hatch;

@@ -16,7 +16,7 @@ namespace ligne {
 struct HatchScene {
   const PreparedScene& prepared;
   const PlotOptions& plot;
-  HatchPatches patches;  ///< none where nothing is hatched
+  HatchPatches patches;  ///< none where nothing is hatched, now or later
 
   const HatchRequest& request() const { return prepared.request.hatch; }
   const PenTable& pens() const { return prepared.request.plotter.pens; }

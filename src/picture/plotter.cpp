@@ -89,6 +89,7 @@ PlotterRequest plotter_request(const PlotterChoice& choice, OutputFormat format,
   request.pens = {};
   if (!choice.pens_file.empty()) request.pens = read_pens(read_toml_file(choice.pens_file, files), choice.pens_file);
   add_pens(request.pens, choice.request.pens);
+  request.asked_pens = choice.request.pens;
   return request;
 }
 

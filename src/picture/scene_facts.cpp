@@ -1,6 +1,7 @@
 #include "picture/scene_facts.hpp"
 
 #include <algorithm>
+#include <set>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -35,6 +36,18 @@ SceneFacts scene_facts(const Scene& scene, const Topology& topology) {
     entry.name = object.name;
     entry.vertices = object.vertex_end - object.vertex_begin;
     entry.faces = object.face_end - object.face_begin;
+  }
+  for (const Material& material : scene.materials)
+    facts.materials.push_back({material.name, material.color, material.opacity, 0});
+  for (std::size_t i = 0; i < scene.objects.size() && !scene.materials.empty(); ++i) {
+    std::set<std::size_t> used;
+    for (std::uint32_t face = scene.objects[i].face_begin; face < scene.objects[i].face_end; ++face) {
+      const std::size_t material = face < scene.face_material.size() ? scene.face_material[face] : 0;
+      if (material >= facts.materials.size()) continue;
+      ++facts.materials[material].faces;
+      used.insert(material);
+    }
+    facts.objects[i].materials.assign(used.begin(), used.end());
   }
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
     const Edge& edge = topology.edges[e];

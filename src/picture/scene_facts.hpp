@@ -16,6 +16,7 @@ namespace ligne {
 struct ObjectFacts {
   std::string name;
   std::size_t vertices = 0, faces = 0;
+  std::vector<std::size_t> materials;  ///< of its faces, by index, ascending
   std::size_t border_edges = 0;        ///< one face
   std::size_t many_face_edges = 0;     ///< more than two faces
   std::size_t unlike_wound_edges = 0;  ///< its two faces disagree on which side is outside
@@ -26,11 +27,19 @@ struct ObjectFacts {
   bool solid() const { return closed() && unlike_wound_edges == 0; }
 };
 
+struct MaterialFacts {
+  std::string name;
+  Point3 color{0, 0, 0};
+  double opacity = 1;
+  std::size_t faces = 0;
+};
+
 struct SceneFacts {
   std::size_t vertices = 0, faces = 0, faces_with_holes = 0, triangles = 0, edges = 0;
   std::array<Point3, 2> bounds{};  ///< least and greatest corner; both zero when there is no vertex
   double precision = 0;            ///< largest of the objects
   std::vector<ObjectFacts> objects;
+  std::vector<MaterialFacts> materials;
 };
 
 /// Counts over a finished scene and its topology.

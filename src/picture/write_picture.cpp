@@ -1,9 +1,13 @@
 #include "picture/write_picture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <optional>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
@@ -34,6 +38,22 @@ std::string metres(double mm) {
   return text;
 }
 
+/// Of a drawing that was made smaller.
+std::string scale_text(double scale) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4f", scale);
+  return text;
+}
+
+/// Layers that a drawing of ours may have: a pen for one that is empty this time is no mistake.
+bool is_layer_of_ours(const std::string& name) {
+  for (std::size_t l = 0; l < kStrokeLayerCount; ++l) {
+    if (stroke_layer_name(l) == name) return true;
+  }
+  constexpr std::string_view others[] = {"underside", "contour-base", "text", "debug", "hatch", "frame"};
+  return std::find(std::begin(others), std::end(others), name) != std::end(others);
+}
+
 /// The speeds and times of a device are bounded so that these seconds fit (plotting/device_reader.cpp).
 std::string minutes(double seconds) {
   const auto whole = std::llround(seconds);
@@ -48,9 +68,44 @@ struct ReportRow {
   std::size_t pen_changes;
 };
 
-std::string report_of(const ReportRow& before, const ReportRow& after, const Device* device) {
+/// What was asked for by name must be there: a pen that draws nothing is a slip of the pen.
+void check_pens(const PenTable& asked, const Drawing& drawing) {
+  if (drawing.layers.empty()) return;
+  std::set<std::string> layers, materials, objects;
+  for (const Layer& layer : drawing.layers) {
+    layers.insert(layer.name);
+    if (!layer.material.empty()) materials.insert(layer.material);
+    if (!layer.object.empty()) objects.insert(layer.object);
+  }
+  const auto list = [](const std::set<std::string>& names) {
+    constexpr std::size_t kMostListed = 20;
+    std::string text;
+    std::size_t n = 0;
+    for (const std::string& name : names) {
+      if (n++ == kMostListed) return text + " and " + std::to_string(names.size() - kMostListed) + " more";
+      text += (text.empty() ? "" : ", ") + printable(name);
+    }
+    return text;
+  };
+  for (const auto& [layer, number] : asked.pen_of_layer) {
+    if (layers.contains(layer) || is_layer_of_ours(layer)) continue;
+    throw RequestError("pen", "there is no layer " + shown(layer, '"') + "; there are " + list(layers) +
+                                  "; and object:NAME, material:NAME, shade:N, rest");
+  }
+  // Where a scene was drawn, its materials and objects were looked at before; what of them is not seen is no mistake.
+  for (const auto& [material, number] : asked.pen_of_material) {
+    if (materials.empty()) throw RequestError("pen", "the drawing tells no materials, so none is " + shown(material, '"'));
+  }
+  for (const auto& [object, number] : asked.pen_of_object) {
+    if (objects.empty()) throw RequestError("pen", "the drawing tells no objects, so none is " + shown(object, '"'));
+  }
+}
+
+std::string report_of(const ReportRow& before, const ReportRow& after, const Device* device, double scale = 1) {
   constexpr std::size_t kColumn = 12;
-  std::string text = padded("", 8);
+  std::string text;
+  if (scale < 1) text = "drawn at " + scale_text(scale) + " of its size, which fits " + printable(device->name) + "\n";
+  text += padded("", 8);
   for (const char* head : {"strokes", "down", "up", "lifts"}) text += padded(head, kColumn);
   if (device) text += padded("time", kColumn) + "  (" + printable(device->name) + ")";
   text += "\n";
@@ -67,8 +122,8 @@ std::string report_of(const ReportRow& before, const ReportRow& after, const Dev
 
 Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
                         RunReport& run, const GrayPicture* under, PdfDocument* pages) {
-  const PathOptions paths{plotter.path_work(), plotter.tolerances, {}, {}};
-  if (paths.optimize == Optimize::off && !plotter.report && !plotter.preview) {
+  const PathOptions paths{plotter.path_work(), plotter.tolerances, {}, plotter.min_length_mm, {}};
+  if (paths.optimize == Optimize::off && !(paths.min_length_mm > 0) && !plotter.report && !plotter.preview) {
     return {written_as(format, drawing, style, under, pages)};
   }
   const Drawing better = timed(run.stages, "paths", [&] { return optimize_layers(drawing, paths); });
@@ -78,7 +133,7 @@ Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const 
         report_of({"before", measure(drawing, {}, false), 0}, {"after", measure(better, {}, false), 0}, nullptr);
   }
   if (plotter.preview) {
-    const PlotRequest request{style, {}, true, false, {Optimize::off, {}, {}, {}}};
+    const PlotRequest request{style, {}, true, false, {Optimize::off, {}, {}, 0, {}}};
     picture.preview = write_preview(deal_to_pens(better, request), {}, false);
   }
   picture.bytes = written_as(format, better, style, under, pages);
@@ -93,13 +148,19 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
                       plotter.pens,
                       picture_of_pens && device,
                       picture_of_pens,
-                      {plotter.path_work(), plotter.tolerances, {}, device ? pace_of(*device) : PathPace{}}};
+                      {plotter.path_work(), plotter.tolerances, {}, plotter.min_length_mm, device ? pace_of(*device) : PathPace{}}};
   request.paths.tolerances.lift_mm = request.paths.pace.lift_mm();
+  check_pens(plotter.asked_pens, drawing);
   const Plot before = deal_to_pens(drawing, request);
+  const bool fits = plotter.fit_device || plotter.fit_drawing;
   std::optional<DeviceFrame> frame;
   OrderOptions& order = request.paths.order;
   if (device) {
-    frame = place_on_device(*device, style.page, ink_of(before), plotter.fit_device);
+    frame = place_on_device(*device, style.page, ink_of(before), fits);
+    if (frame->scale < 1 && !plotter.fit_drawing) {
+      run.warnings.push_back({"", "the drawing is made smaller, to " + scale_text(frame->scale) +
+                                      " of the size asked for, so that it fits " + printable(device->name)});
+    }
     order.home = frame->to_page({0, 0});
     order.returns = device->returns;
   }
@@ -107,14 +168,15 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
   Picture picture;
   if (plotter.report) {
     picture.plotter_report = report_of({"before", measure(before, order.home, order.returns), pen_changes(before)},
-                                       {"after", measure(plot, order.home, order.returns), pen_changes(plot)}, device);
+                                       {"after", measure(plot, order.home, order.returns), pen_changes(plot)}, device,
+                                       frame && !plotter.fit_drawing ? frame->scale : 1);
   }
   if (plotter.preview) picture.preview = write_preview(plot, order.home, order.returns);
   if (!picture_of_pens) {
     picture.bytes = write_plot(plot, *device, *frame);
     return picture;
   }
-  if (frame && plotter.fit_device) {
+  if (frame && fits) {
     for (PenLines& pen : plot.pens) {
       for (Point2& p : pen.lines.points) p = frame->fitted(p);
     }

@@ -1,8 +1,11 @@
 /// ligne plot, ligne devices, and the plotter's options of the other commands, as a user runs them.
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "plotting/drawing_reader.hpp"
+#include "plotting/paths/optimize.hpp"
 #include "program.hpp"
 
 namespace ligne::test {
@@ -200,12 +203,101 @@ TEST_F(PlotTest, DevicesAreListedWhereverTheProgramIs) {
 }
 
 TEST_F(PlotTest, WhatLeavesTheLimitsIsToldInMillimetres) {
-  const Outcome outcome = run({"draw", "cube.obj", "--page", "A4", "--margin", "0", "--device", "hp7475a", "-o", "a.hpgl"});
+  write("wide.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='210mm' height='297mm' viewBox='0 0 210 297' fill='none' stroke='black'>"
+        "<path d='M0 0H210V297'/></svg>");
+  const Outcome outcome = run({"plot", "wide.svg", "--device", "hp7475a", "-o", "a.hpgl"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(outcome.err.starts_with("ligne: device hp7475a, paper A4: the drawing leaves the limits: ")) << outcome.err;
-  EXPECT_EQ(run({"draw", "cube.obj", "--page", "A4", "--margin", "0", "--device", "hp7475a", "--fit-device", "-o", "a.hpgl"})
-                .status,
-            0);
+  const Outcome fitted = run({"plot", "wide.svg", "--device", "hp7475a", "--fit-device", "--report", "-o", "a.hpgl"});
+  EXPECT_EQ(fitted.status, 0);
+  EXPECT_EQ(count(fitted.err, "the drawing is made smaller, to 0.9"), 1u) << fitted.err;
+  EXPECT_EQ(count(fitted.err, "of its size, which fits hp7475a\n"), 1u) << "in the title of the report";
+}
+
+TEST_F(PlotTest, ADrawingWithoutAScaleFitsTheDevice) {
+  for (const char* device : {"hp7475a", "hp7550a", "designjet", "cutter"}) {
+    const Outcome outcome = run({"draw", "cube.obj", "--margin", "0", "--device", device, "-o", "a.hpgl"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "") << "no scale was asked for";
+  }
+  EXPECT_EQ(run({"surface", "x*y", "--margin", "0", "--device", "hp7475a", "-o", "a.hpgl"}).status, 0);
+}
+
+TEST_F(PlotTest, PensForWhatIsNotThereAreMistakes) {
+  write("a.svg", kSvg);
+  const Outcome layer = run({"plot", "a.svg", "--pen", "nonsense=2", "-o", "a.hpgl"});
+  EXPECT_EQ(layer.status, 2);
+  EXPECT_NE(layer.err.find("there is no layer \"nonsense\"; there are #000000, #ff0000;"), std::string::npos) << layer.err;
+  EXPECT_EQ(run({"draw", "cube.obj", "--pen", "surface:2=2", "-o", "a.svg"}).status, 2);
+  EXPECT_EQ(run({"draw", "cube.obj", "--pen", "mesh=2", "-o", "a.svg"}).status, 0) << "a class that has no line this time";
+  write("two.json", R"({"format":"ligne-scene","version":1,"materials":[{"name":"steel"},{"name":"glass","color":[0,0.5,1]}],"objects":[
+{"vertices":[[0,0,0],[10,0,0],[10,10,0],[0,10,0]],"faces":[{"outer":[0,1,2,3],"material":0}]}]})");
+  const Outcome material = run({"draw", "two.json", "--view", "top", "--pen", "material:brass=2", "-o", "a.svg"});
+  EXPECT_EQ(material.status, 2);
+  EXPECT_NE(material.err.find("no material is called \"brass\"; there are steel, glass"), std::string::npos) << material.err;
+  EXPECT_EQ(run({"draw", "two.json", "--view", "top", "--pen", "material:glass=2", "-o", "a.svg"}).status, 0) << "not seen";
+  const json info = json::parse(run({"info", "two.json", "--json"}).out);
+  EXPECT_EQ(info["scene"]["materials"][1]["name"], "glass");
+  EXPECT_EQ(info["scene"]["materials"][1]["color"], "#0080ff");
+  EXPECT_EQ(info["scene"]["materials"][0]["faces"], 1);
+  EXPECT_EQ(info["scene"]["objects"][0]["materials"], json::array({"steel"}));
+  EXPECT_NE(run({"info", "two.json"}).out.find("glass #0080ff"), std::string::npos);
+}
+
+/// Millimetres of hatching in the layer.
+double hatch_length(const std::string& svg) {
+  const ReadDrawing read = read_svg_drawing(svg, "a.svg", {});
+  double length = 0;
+  for (const Layer& layer : read.drawing.layers) {
+    if (layer.name == "hatch") length += measure(layer.lines, {0, 0}, false).down_mm;
+  }
+  return length;
+}
+
+TEST_F(PlotTest, AStoredStudyIsHatched) {
+  ASSERT_EQ(run({"draw", "cube.obj", "--method", "atherton-weiler", "--direction", "1,2,-1.5", "--scale", "20:1", "-o", "cube.json"}).status, 0);
+  const double plain = hatch_length(written("a.svg", {"plot", "cube.json", "--fill", "hatch"})),
+               shaded = hatch_length(written("b.svg", {"plot", "cube.json", "--hatch", "shade"})),
+               wide = hatch_length(written("c.svg", {"plot", "cube.json", "--hatch", "plain", "--hatch-spacing", "2"})),
+               large = hatch_length(written("d.svg", {"plot", "cube.json", "--fill", "hatch", "--scale", "2:1"}));
+  EXPECT_GT(shaded, 0);
+  EXPECT_GT(plain, 2 * shaded);
+  EXPECT_NEAR(wide, plain * 0.8 * 0.35 / 2, 0.15 * wide);
+  EXPECT_NEAR(large, 4 * plain, 0.1 * large) << "as close as the pen is wide, whatever the scale";
+  const std::string drawn = written("e.svg", {"draw", "cube.obj", "--direction", "1,2,-1.5", "--scale", "20:1", "--hatch", "shade", "--hatch-levels", "continuous"});
+  EXPECT_NEAR(shaded, hatch_length(drawn), 0.1 * shaded) << "as draw does it";
+  ASSERT_EQ(run({"draw", "cube.obj", "-o", "lines.json"}).status, 0);
+  const Outcome none = run({"plot", "lines.json", "--fill", "hatch", "-o", "f.svg"});
+  EXPECT_TRUE(none.status == 0 || none.err.find("has no regions to be hatched") != std::string::npos) << none.err;
+}
+
+TEST_F(PlotTest, FillsAreHatchedByLayerColourAndTone) {
+  write("a.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60'>\n"
+        "<rect x='10' y='10' width='20' height='20' fill='red'/><rect x='40' y='10' width='20' height='20' fill='#00f'/>"
+        "<rect x='70' y='10' width='20' height='20' fill='#ddd'/></svg>");
+  const auto lengths = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"plot", "a.svg"});
+    const ReadDrawing read = read_svg_drawing(written("b.svg", options), "b.svg", {});
+    std::map<std::string, double> by_layer;
+    for (const Layer& layer : read.drawing.layers) by_layer[layer.name] += measure(layer.lines, {0, 0}, false).down_mm - 80;
+    return by_layer;
+  };
+  std::map<std::string, double> found = lengths({"--hatch-spacing", "2", "--hatch-spacing", "red=1", "--hatch-angle", "red=0"});
+  EXPECT_NEAR(found["#ff0000"], 400, 30);
+  EXPECT_NEAR(found["#0000ff"], 200, 30);
+  found = lengths({"--hatch", "shade"});
+  EXPECT_NEAR(found["#dddddd"], 400 * 0.133 / 0.35, 40) << "an eighth of the paper is covered";
+  EXPECT_GT(found["#0000ff"], 5 * found["#dddddd"]);
+}
+
+TEST_F(PlotTest, ShortStrokesAreLeftOut) {
+  write("a.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
+        "<path d='M20 20H20.4'/><path d='M20.4 20H22'/><path d='M50 50H50.5'/></svg>");
+  EXPECT_EQ(count(written("a.hpgl", {"plot", "a.svg", "--min-length", "1"}), "PD"), 1u) << "pieces of one line are one";
+  EXPECT_EQ(count(written("a.hpgl", {"plot", "a.svg"}), "PD"), 2u);
 }
 
 TEST_F(PlotTest, MaterialsHavePens) {

@@ -270,5 +270,82 @@ TEST(Hatch, NarrowAndEmptyRegionsGetNothing) {
   EXPECT_THROW(hatch(Contours{kSquare}, options), std::invalid_argument);
 }
 
+/// What strokes of a pen leave white of an area, and how far their ink goes beyond it, on a lattice of 0.05 mm.
+struct Cover {
+  double white = 0;  ///< radius of the largest disc inside the area that no ink touches
+  double beyond = 0;
+};
+Cover cover_of(const Polylines& strokes, const Contours& area, double pen) {
+  Rect box;
+  for (const auto& contour : area) {
+    for (const Point2 p : contour) box.extend(p);
+  }
+  const auto ink_distance = [&](Point2 p) {
+    double least = 1e300;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+      const auto line = strokes[i];
+      for (std::size_t k = 1; k < line.size(); ++k) {
+        const Point2 along = line[k] - line[k - 1];
+        const double squared = glm::dot(along, along),
+                     t = squared > 0 ? std::clamp(glm::dot(p - line[k - 1], along) / squared, 0.0, 1.0) : 0;
+        least = std::min(least, glm::distance(p, line[k - 1] + along * t));
+      }
+    }
+    return least - pen / 2;
+  };
+  Cover cover;
+  constexpr double kStep = 0.05;
+  for (double y = box.min.y; y <= box.max.y; y += kStep) {
+    for (double x = box.min.x; x <= box.max.x; x += kStep) {
+      if (inside({x, y}, area)) cover.white = std::max(cover.white, ink_distance({x, y}));
+    }
+  }
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    for (const Point2 p : strokes[i]) {
+      if (!inside(p, area)) cover.beyond = std::max(cover.beyond, border_distance(p, area));
+    }
+  }
+  return cover;
+}
+
+TEST(Hatch, FillsLeaveNothingWhite) {
+  std::vector<Point2> star;
+  for (int i = 0; i < 10; ++i) {
+    const double r = i % 2 ? 1.6 : 5, a = 0.1 + i * M_PI / 5;
+    star.push_back({10 + r * std::cos(a), 10 + r * std::sin(a)});
+  }
+  const Contours areas[] = {{circle({10, 10}, 5)},
+                            {star},
+                            {circle({10, 10}, 5), circle({11, 10}, 2.5)},
+                            {{{2, 2}, {9, 2}, {9, 3.1}, {3.4, 3.1}, {3.4, 5}, {7, 5}, {7, 6}, {3.4, 6}, {3.4, 9}, {2, 9}}},
+                            {{{0, 0}, {8, 8}, {8.3, 7.7}, {0.3, -0.3}}}};
+  for (const Contours& area : areas) {
+    for (const double pen : {0.3, 0.5}) {
+      HatchOptions options;
+      options.pen_width_mm = pen;
+      options.spacing_mm = 0.8 * pen;
+      Polylines bare = hatch(area, options);
+      options.rim = true;
+      Polylines strokes = hatch(area, options);
+      for (std::size_t i = 0; i < strokes.size(); ++i) {
+        for (const Point2 p : strokes[i]) {
+          EXPECT_TRUE(inside(p, area));
+          EXPECT_GE(border_distance(p, area), (0.5 - kUnseenPens) * pen);
+        }
+      }
+      // With the outline, as fills are drawn.
+      for (Polylines* lines : {&strokes, &bare}) {
+        for (std::vector<Point2> contour : area) {
+          contour.push_back(contour.front());
+          lines->add(contour);
+        }
+      }
+      // The lattice can miss 0.035 mm.
+      EXPECT_LE(cover_of(strokes, area, pen).white, 0.05 - 0.035) << pen << " mm, area " << (&area - areas);
+      EXPECT_LE(cover_of(strokes, area, pen).beyond, 1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ligne
