@@ -21,7 +21,7 @@ struct ReadRegion {
   std::uint32_t patch = 0;                    ///< regions of one patch are hatched as one area
   std::optional<double> light;                ///< 0 dark to 1; nothing: the file does not tell
   std::array<double, 3> color{0, 0, 0};
-  std::string material;                       ///< its name, or empty
+  std::string material;  ///< its name, or empty
 };
 
 struct ReadDrawing {

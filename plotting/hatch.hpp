@@ -68,7 +68,7 @@ struct HatchOptions {
   double pen_width_mm = 0.35;
   bool even_odd = true;  ///< see add_runs
   bool cross = false;    ///< a second family at right angles
-  bool rim = false;      ///< a stroke round the area too: with rows no farther apart than the pen is wide nothing stays white
+  bool rim = false;  ///< a stroke round the area too: with rows no farther apart than the pen is wide nothing stays white
   Point2 origin{0,
                 0};  ///< a stroke would run through this point: areas with one origin have hatches that continue each other
 };

@@ -72,7 +72,7 @@ void Rim::step(const Line& before, double v_before, const Line& line, double v) 
   for (std::size_t k = 0; k < line.size(); ++k) {
     const Range& parts = above[k];
     if (parts.last < parts.first) left[k] = {{line[k].to, v}};  // an area begins
-    for (std::int32_t i = parts.first; i < parts.last; ++i) {  // two come together
+    for (std::int32_t i = parts.first; i < parts.last; ++i) {   // two come together
       Stroke& stroke = right_[static_cast<std::size_t>(i)];
       const HatchInterval &one = before[static_cast<std::size_t>(i)], &other = before[static_cast<std::size_t>(i) + 1];
       stroke.insert(stroke.end(), {{one.to, v}, {other.from, v}, {other.from, v_before}});

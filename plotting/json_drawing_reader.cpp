@@ -100,7 +100,8 @@ class DrawingReader {
     if (!contour.is_array() || contour.size() < 3) fail_region("a contour has no three points");
     std::vector<Point2>& points = region.contours.emplace_back();
     for (const json& p : contour) {
-      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) fail_region("a point is not two numbers");
+      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
+        fail_region("a point is not two numbers");
       points.push_back({p[0].get<double>(), p[1].get<double>()});
       if (!(std::abs(points.back().x) <= kFarthestMm && std::abs(points.back().y) <= kFarthestMm))
         fail_region("a point is farther than a kilometre away");

@@ -299,8 +299,9 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
   }
   if (document.regions) {
     out += ",\n\"regions\":";
-    append_array(out, document.regions->size(),
-                 [&](std::string& text, std::size_t i) { append_region(text, (*document.regions)[i], document.region_looks.empty() ? nullptr : &document.region_looks[i]); });
+    append_array(out, document.regions->size(), [&](std::string& text, std::size_t i) {
+      append_region(text, (*document.regions)[i], document.region_looks.empty() ? nullptr : &document.region_looks[i]);
+    });
   }
   if (document.order) {
     out += ",\n\"order\":";

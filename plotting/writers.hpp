@@ -82,10 +82,10 @@ std::string write_png(const Drawing& drawing, const PlotOptions& options, const 
 
 /// What hatching needs to know of a region beyond its contours.
 struct RegionLook {
-  double light = 1;                    ///< 0 dark to 1
+  double light = 1;  ///< 0 dark to 1
   std::array<double, 3> color{0, 0, 0};
-  std::uint32_t patch = 0;             ///< faces that meet smoothly have one: strokes go on over their borders
-  std::string material{};              ///< its name
+  std::uint32_t patch = 0;  ///< faces that meet smoothly have one: strokes go on over their borders
+  std::string material{};   ///< its name
 };
 
 /// What the JSON drawing holds beside page and pens: docs/drawing-format.md.

@@ -43,7 +43,7 @@ struct PathOptions {
   JoinTolerances tolerances;
   OrderOptions order;
   double min_length_mm = 0;  ///< strokes that are shorter are left out, dots too
-  PathPace pace;  ///< by which the way is judged; tolerances.lift_mm should follow from it
+  PathPace pace;             ///< by which the way is judged; tolerances.lift_mm should follow from it
 };
 
 /// Numbers of the strokes that are not shorter.

@@ -132,8 +132,8 @@ ReadDrawing placed_drawing(const PlotCommandOptions& options, RunFiles& files) {
   files.were_read(opened);
   const std::string_view text = as_characters(bytes);
   const double pen_mm = options.pen_width_mm.value_or(kPenWidthMm);
-  const FillReading::How how = options.fills.value_or(options.hatches_given ? FillReading::How::hatch
-                                                                             : FillReading::How::outline);
+  const FillReading::How how =
+      options.fills.value_or(options.hatches_given ? FillReading::How::hatch : FillReading::How::outline);
   FillReading fills{how, pen_mm, options.occlude, options.hatches};
   double scale = options.scale;
   if (options.fit && how == FillReading::How::hatch) {
@@ -315,7 +315,8 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
   input
       .add(
           "--min-length", "LEN", options.plotter.choice.request.min_length_mm,
-          [](const std::string& t) { return parse_length_mm(t); }, "leave out strokes that are shorter, after they are joined")
+          [](const std::string& t) { return parse_length_mm(t); },
+          "leave out strokes that are shorter, after they are joined")
       .standard("0");
   input.add_flag("--occlude", options.occlude, "opaque areas of an SVG hide what lies under them, as white ones always do");
   add_fill_hatch_options(plot, options);

@@ -107,7 +107,7 @@ class Hatching {
   FaceLight light_;
   double line_mm_ = 0, pen_mm_ = 0;
   unsigned closest_ = 1;
-  std::vector<double> patch_degrees_;  ///< where the direction is by face
+  std::vector<double> patch_degrees_;              ///< where the direction is by face
   std::vector<std::optional<double>> flat_light_;  ///< of patches that are flat; empty: not asked for
   std::vector<Layer> layers_;
 };

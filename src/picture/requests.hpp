@@ -156,8 +156,8 @@ struct PlotterRequest {
   JoinTolerances tolerances;
   bool report = false, preview = false;  ///< wanted beside the file (Picture)
   bool fit_device = false;
-  bool fit_drawing = false;     ///< the drawing has no scale of its own: it fits the device without being asked
-  double min_length_mm = 0;     ///< strokes that are shorter are left out
+  bool fit_drawing = false;              ///< the drawing has no scale of its own: it fits the device without being asked
+  double min_length_mm = 0;              ///< strokes that are shorter are left out
   std::shared_ptr<const Device> device;  ///< nullptr: an SVG or PDF for no device
   PenTable pens;
   PenTable asked_pens;  ///< those of them that were asked for by name, of what must be there

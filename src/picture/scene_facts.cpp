@@ -1,9 +1,9 @@
 #include "picture/scene_facts.hpp"
 
 #include <algorithm>
-#include <set>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <set>
 
 namespace ligne {
 namespace {

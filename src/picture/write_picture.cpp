@@ -144,11 +144,12 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
                       RunReport& run, const GrayPicture* under, PdfDocument* pages) {
   const Device* device = plotter.device.get();
   const bool picture_of_pens = format != OutputFormat::hpgl && format != OutputFormat::gcode;
-  PlotRequest request{style,
-                      plotter.pens,
-                      picture_of_pens && device,
-                      picture_of_pens,
-                      {plotter.path_work(), plotter.tolerances, {}, plotter.min_length_mm, device ? pace_of(*device) : PathPace{}}};
+  PlotRequest request{
+      style,
+      plotter.pens,
+      picture_of_pens && device,
+      picture_of_pens,
+      {plotter.path_work(), plotter.tolerances, {}, plotter.min_length_mm, device ? pace_of(*device) : PathPace{}}};
   request.paths.tolerances.lift_mm = request.paths.pace.lift_mm();
   check_pens(plotter.asked_pens, drawing);
   const Plot before = deal_to_pens(drawing, request);

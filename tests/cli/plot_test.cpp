@@ -203,9 +203,10 @@ TEST_F(PlotTest, DevicesAreListedWhereverTheProgramIs) {
 }
 
 TEST_F(PlotTest, WhatLeavesTheLimitsIsToldInMillimetres) {
-  write("wide.svg",
-        "<svg xmlns='http://www.w3.org/2000/svg' width='210mm' height='297mm' viewBox='0 0 210 297' fill='none' stroke='black'>"
-        "<path d='M0 0H210V297'/></svg>");
+  write(
+      "wide.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' width='210mm' height='297mm' viewBox='0 0 210 297' fill='none' stroke='black'>"
+      "<path d='M0 0H210V297'/></svg>");
   const Outcome outcome = run({"plot", "wide.svg", "--device", "hp7475a", "-o", "a.hpgl"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(outcome.err.starts_with("ligne: device hp7475a, paper A4: the drawing leaves the limits: ")) << outcome.err;
@@ -231,7 +232,8 @@ TEST_F(PlotTest, PensForWhatIsNotThereAreMistakes) {
   EXPECT_NE(layer.err.find("there is no layer \"nonsense\"; there are #000000, #ff0000;"), std::string::npos) << layer.err;
   EXPECT_EQ(run({"draw", "cube.obj", "--pen", "surface:2=2", "-o", "a.svg"}).status, 2);
   EXPECT_EQ(run({"draw", "cube.obj", "--pen", "mesh=2", "-o", "a.svg"}).status, 0) << "a class that has no line this time";
-  write("two.json", R"({"format":"ligne-scene","version":1,"materials":[{"name":"steel"},{"name":"glass","color":[0,0.5,1]}],"objects":[
+  write("two.json",
+        R"({"format":"ligne-scene","version":1,"materials":[{"name":"steel"},{"name":"glass","color":[0,0.5,1]}],"objects":[
 {"vertices":[[0,0,0],[10,0,0],[10,10,0],[0,10,0]],"faces":[{"outer":[0,1,2,3],"material":0}]}]})");
   const Outcome material = run({"draw", "two.json", "--view", "top", "--pen", "material:brass=2", "-o", "a.svg"});
   EXPECT_EQ(material.status, 2);
@@ -256,7 +258,10 @@ double hatch_length(const std::string& svg) {
 }
 
 TEST_F(PlotTest, AStoredStudyIsHatched) {
-  ASSERT_EQ(run({"draw", "cube.obj", "--method", "atherton-weiler", "--direction", "1,2,-1.5", "--scale", "20:1", "-o", "cube.json"}).status, 0);
+  ASSERT_EQ(run({"draw", "cube.obj", "--method", "atherton-weiler", "--direction", "1,2,-1.5", "--scale", "20:1", "-o",
+                 "cube.json"})
+                .status,
+            0);
   const double plain = hatch_length(written("a.svg", {"plot", "cube.json", "--fill", "hatch"})),
                shaded = hatch_length(written("b.svg", {"plot", "cube.json", "--hatch", "shade"})),
                wide = hatch_length(written("c.svg", {"plot", "cube.json", "--hatch", "plain", "--hatch-spacing", "2"})),
@@ -265,7 +270,8 @@ TEST_F(PlotTest, AStoredStudyIsHatched) {
   EXPECT_GT(plain, 2 * shaded);
   EXPECT_NEAR(wide, plain * 0.8 * 0.35 / 2, 0.15 * wide);
   EXPECT_NEAR(large, 4 * plain, 0.1 * large) << "as close as the pen is wide, whatever the scale";
-  const std::string drawn = written("e.svg", {"draw", "cube.obj", "--direction", "1,2,-1.5", "--scale", "20:1", "--hatch", "shade", "--hatch-levels", "continuous"});
+  const std::string drawn = written("e.svg", {"draw", "cube.obj", "--direction", "1,2,-1.5", "--scale", "20:1", "--hatch",
+                                              "shade", "--hatch-levels", "continuous"});
   EXPECT_NEAR(shaded, hatch_length(drawn), 0.1 * shaded) << "as draw does it";
   ASSERT_EQ(run({"draw", "cube.obj", "-o", "lines.json"}).status, 0);
   const Outcome none = run({"plot", "lines.json", "--fill", "hatch", "-o", "f.svg"});
@@ -284,7 +290,8 @@ TEST_F(PlotTest, FillsAreHatchedByLayerColourAndTone) {
     for (const Layer& layer : read.drawing.layers) by_layer[layer.name] += measure(layer.lines, {0, 0}, false).down_mm - 80;
     return by_layer;
   };
-  std::map<std::string, double> found = lengths({"--hatch-spacing", "2", "--hatch-spacing", "red=1", "--hatch-angle", "red=0"});
+  std::map<std::string, double> found =
+      lengths({"--hatch-spacing", "2", "--hatch-spacing", "red=1", "--hatch-angle", "red=0"});
   EXPECT_NEAR(found["#ff0000"], 400, 30);
   EXPECT_NEAR(found["#0000ff"], 200, 30);
   found = lengths({"--hatch", "shade"});
@@ -293,9 +300,10 @@ TEST_F(PlotTest, FillsAreHatchedByLayerColourAndTone) {
 }
 
 TEST_F(PlotTest, ShortStrokesAreLeftOut) {
-  write("a.svg",
-        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
-        "<path d='M20 20H20.4'/><path d='M20.4 20H22'/><path d='M50 50H50.5'/></svg>");
+  write(
+      "a.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
+      "<path d='M20 20H20.4'/><path d='M20.4 20H22'/><path d='M50 50H50.5'/></svg>");
   EXPECT_EQ(count(written("a.hpgl", {"plot", "a.svg", "--min-length", "1"}), "PD"), 1u) << "pieces of one line are one";
   EXPECT_EQ(count(written("a.hpgl", {"plot", "a.svg"}), "PD"), 2u);
 }
