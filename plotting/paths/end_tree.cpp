@@ -25,10 +25,19 @@ double squared_distance(const Rect& box, Point2 p) {
 }  // namespace
 
 EndTree::EndTree(std::span<const Point2> points)
-    : points_(points.begin(), points.end()), order_(points.size()), leaf_of_(points.size()), there_(points.size(), 1) {
+    : points_(points.begin(), points.end()),
+      order_(points.size()),
+      place_of_(points.size()),
+      leaf_of_(points.size()),
+      there_(points.size(), 1) {
   std::iota(order_.begin(), order_.end(), 0u);
   nodes_.reserve(points.size() / 2 + 1);
   build(0, static_cast<std::uint32_t>(points.size()), 0);
+  // What is searched together lies together.
+  for (std::uint32_t i = 0; i < order_.size(); ++i) {
+    points_[i] = points[order_[i]];
+    place_of_[order_[i]] = i;
+  }
 }
 
 std::uint32_t EndTree::build(std::uint32_t first, std::uint32_t last, std::uint32_t parent) {
@@ -54,7 +63,7 @@ std::uint32_t EndTree::build(std::uint32_t first, std::uint32_t last, std::uint3
 }
 
 void EndTree::remove(std::uint32_t point) {
-  there_[point] = 0;
+  there_[place_of_[point]] = 0;
   for (std::uint32_t node = leaf_of_[point];; node = nodes_[node].parent) {
     --nodes_[node].left_over;
     if (node == 0) return;
@@ -67,8 +76,7 @@ void EndTree::search(std::uint32_t index, Point2 p, const double& limit, const T
   if (node.left_over == 0) return;
   if (node.left == 0) {
     for (std::uint32_t i = node.first; i < node.last; ++i) {
-      const std::uint32_t point = order_[i];
-      if (there_[point]) take(squared_distance(points_[point], p), point);
+      if (there_[i]) take(squared_distance(points_[i], p), order_[i]);
     }
     return;
   }

@@ -45,9 +45,11 @@ class EndTree {
   template <class Take>
   void search(std::uint32_t node, Point2 p, const double& limit, const Take& take) const;
 
-  std::vector<Point2> points_;
-  std::vector<std::uint32_t> order_, leaf_of_;
-  std::vector<char> there_;
+  std::vector<Point2> points_;           ///< in the order of the leaves, once the tree is built
+  std::vector<std::uint32_t> order_;     ///< the numbers of the points in that order
+  std::vector<std::uint32_t> place_of_;  ///< of a number its place there
+  std::vector<std::uint32_t> leaf_of_;   ///< of a number
+  std::vector<char> there_;              ///< in the order of the leaves
   std::vector<Node> nodes_;
 };
 

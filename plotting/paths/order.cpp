@@ -140,6 +140,24 @@ Polylines Strokes::in_order(const Tour& tour) const {
   return out;
 }
 
+/// The same with strokes numbered along the tour, so that what is near on the page is near in memory.
+void improve_renumbered(Tour& tour, const std::vector<Point2>& ends, bool returns, std::uint64_t& work) {
+  std::vector<std::uint32_t> stroke_of;
+  std::vector<Point2> along;
+  Tour renumbered;
+  for (const std::uint32_t entry : tour.entries) {
+    const std::uint32_t stroke = entry / 2;
+    renumbered.entries.push_back(2 * static_cast<std::uint32_t>(stroke_of.size()) + entry % 2);
+    stroke_of.push_back(stroke);
+    along.insert(along.end(), {ends[2 * stroke], ends[2 * stroke + 1]});
+  }
+  improve(renumbered, along, returns, work);
+  for (std::size_t i = 0; i < tour.entries.size(); ++i) {
+    const std::uint32_t entry = renumbered.entries[i];
+    tour.entries[i] = 2 * stroke_of[entry / 2] + entry % 2;
+  }
+}
+
 }  // namespace
 
 Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std::vector<std::uint32_t>* order) {
@@ -151,7 +169,7 @@ Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std
   // The starts of loops depend on the order, and the order on the starts: one round each, and a second.
   const auto improved = [&](Tour tour) {
     for (int round = 0; round < 2; ++round) {
-      improve(tour, strokes.ends(), options.returns, work);
+      improve_renumbered(tour, strokes.ends(), options.returns, work);
       strokes.choose_starts(tour);
     }
     return tour;

@@ -126,7 +126,7 @@ void warn_of_left_out(const PlotCommandOptions& options, const ReadDrawing& read
 
 /// The drawing in its place. Strokes that fill an area lie as far apart as the pen is wide on the drawing as it comes out,
 /// so its scale must be known before.
-ReadDrawing placed_drawing(const PlotCommandOptions& options, RunFiles& files) {
+ReadDrawing placed_drawing(const PlotCommandOptions& options, double hatch_pen_mm, RunFiles& files) {
   InputFiles opened;
   const std::vector<std::byte> bytes = read_input(options.drawing, options.drawing, opened, kMostBytes);
   files.were_read(opened);
@@ -142,6 +142,7 @@ ReadDrawing placed_drawing(const PlotCommandOptions& options, RunFiles& files) {
     ReadDrawing contours = read_drawing(options, text, plain);
     scale = place(options, contours);
   }
+  if (begins_json(text)) fills.pen_width_mm = hatch_pen_mm;
   fills.pen_width_mm /= scale;
   if (fills.hatches.all.spacing_mm) *fills.hatches.all.spacing_mm /= scale;
   for (auto& [name, spacing] : fills.hatches.spacing_mm_of) spacing /= scale;
@@ -159,6 +160,12 @@ ReadDrawing placed_drawing(const PlotCommandOptions& options, RunFiles& files) {
     for (Layer& layer : read.drawing.layers) layer.width_mm.reset();
   }
   return read;
+}
+
+/// Width of the pen that hatches the regions of a stored drawing.
+double hatch_pen_mm(const PlotCommandOptions& options, const PenTable& pens) {
+  const double usual = layer_style("hatch", options.pen_width_mm.value_or(kPenWidthMm), false).width_mm;
+  return pens.empty() ? usual : pens.pen(pens.pen_of("hatch", "")).width_mm.value_or(usual);
 }
 
 /// Layers of an SVG without layers are named by their colours.
@@ -186,7 +193,7 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
   plotter.fit_drawing = options.fit;
   if (!plotter.by_pens() && !plotter.optimize) plotter.optimize = Optimize::join;
   const ReadDrawing read =
-      timed(run.stages, {"read", printable(options.drawing, kLongestPath)}, [&] { return placed_drawing(options, files); });
+      timed(run.stages, {"read", printable(options.drawing, kLongestPath)}, [&] { return placed_drawing(options, hatch_pen_mm(options, plotter.pens), files); });
   if (format == OutputFormat::png) check_png(read.page, options.dpi, memory);
   PlotOptions style;
   style.page = read.page;

@@ -268,7 +268,7 @@ TEST_F(PlotTest, AStoredStudyIsHatched) {
                large = hatch_length(written("d.svg", {"plot", "cube.json", "--fill", "hatch", "--scale", "2:1"}));
   EXPECT_GT(shaded, 0);
   EXPECT_GT(plain, 2 * shaded);
-  EXPECT_NEAR(wide, plain * 0.8 * 0.35 / 2, 0.15 * wide);
+  EXPECT_NEAR(wide, plain * 0.8 * 0.18 / 2, 0.15 * wide);
   EXPECT_NEAR(large, 4 * plain, 0.1 * large) << "as close as the pen is wide, whatever the scale";
   const std::string drawn = written("e.svg", {"draw", "cube.obj", "--direction", "1,2,-1.5", "--scale", "20:1", "--hatch",
                                               "shade", "--hatch-levels", "continuous"});
