@@ -16,7 +16,7 @@ double squared_distance(Point2 a, Point2 b) {
   return d.x * d.x + d.y * d.y;
 }
 
-double squared_distance(const Rect& box, Point2 p) {
+inline double squared_distance(const Rect& box, Point2 p) {
   const double x = std::max({box.min.x - p.x, 0.0, p.x - box.max.x});
   const double y = std::max({box.min.y - p.y, 0.0, p.y - box.max.y});
   return x * x + y * y;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -140,23 +141,33 @@ Polylines Strokes::in_order(const Tour& tour) const {
   return out;
 }
 
-/// The same with strokes numbered along the tour, so that what is near on the page is near in memory.
-void improve_renumbered(Tour& tour, const std::vector<Point2>& ends, bool returns, std::uint64_t& work) {
-  std::vector<std::uint32_t> stroke_of;
-  std::vector<Point2> along;
-  Tour renumbered;
-  for (const std::uint32_t entry : tour.entries) {
-    const std::uint32_t stroke = entry / 2;
-    renumbered.entries.push_back(2 * static_cast<std::uint32_t>(stroke_of.size()) + entry % 2);
-    stroke_of.push_back(stroke);
-    along.insert(along.end(), {ends[2 * stroke], ends[2 * stroke + 1]});
+/// Improves a tour of strokes that are numbered along it, so that what is near on the page is near in memory.
+class TourImprover {
+ public:
+  explicit TourImprover(const Tour& tour) {
+    for (const std::uint32_t entry : tour.entries) {
+      renumbered_.entries.push_back(2 * static_cast<std::uint32_t>(stroke_of_.size()) + entry % 2);
+      stroke_of_.push_back(entry / 2);
+    }
   }
-  improve(renumbered, along, returns, work);
-  for (std::size_t i = 0; i < tour.entries.size(); ++i) {
-    const std::uint32_t entry = renumbered.entries[i];
-    tour.entries[i] = 2 * stroke_of[entry / 2] + entry % 2;
+
+  Tour improved(const std::vector<Point2>& ends, bool returns, std::uint64_t& work) {
+    std::vector<Point2> along;
+    for (const std::uint32_t stroke : stroke_of_) along.insert(along.end(), {ends[2 * stroke], ends[2 * stroke + 1]});
+    if (along != along_) near_.clear();
+    along_ = std::move(along);
+    improve(renumbered_, along_, returns, work, near_);
+    Tour tour;
+    for (const std::uint32_t entry : renumbered_.entries) tour.entries.push_back(2 * stroke_of_[entry / 2] + entry % 2);
+    return tour;
   }
-}
+
+ private:
+  std::vector<std::uint32_t> stroke_of_;  ///< by its number along the tour
+  Tour renumbered_;
+  std::vector<Point2> along_;
+  std::vector<std::uint32_t> near_;
+};
 
 }  // namespace
 
@@ -168,8 +179,9 @@ Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std
   std::uint64_t work = options.most_work;
   // The starts of loops depend on the order, and the order on the starts: one round each, and a second.
   const auto improved = [&](Tour tour) {
+    TourImprover improver(tour);
     for (int round = 0; round < 2; ++round) {
-      improve_renumbered(tour, strokes.ends(), options.returns, work);
+      tour = improver.improved(strokes.ends(), options.returns, work);
       strokes.choose_starts(tour);
     }
     return tour;

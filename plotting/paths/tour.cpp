@@ -34,16 +34,17 @@ constexpr double kLeastGainMm = 1e-9;
 
 class Improver {
  public:
-  Improver(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work)
+  Improver(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work, std::vector<std::uint32_t>& near)
       : at_(tour.entries),
         ends_(ends),
         count_(static_cast<std::uint32_t>(tour.entries.size())),
         last_(returns ? count_ - 1 : count_),
         work_(work),
         place_(ends.size() / 2),
-        waits_(ends.size() / 2, 0) {
+        waits_(ends.size() / 2, 0),
+        near_(near) {
     for (std::uint32_t p = 0; p < count_; ++p) place_[at_[p] / 2] = p;
-    find_near();
+    if (near_.empty()) find_near();
   }
 
   void run() {
@@ -90,7 +91,7 @@ class Improver {
   std::vector<std::uint32_t> place_;
   std::vector<char> waits_;
   std::deque<std::uint32_t> queue_;
-  std::vector<std::uint32_t> near_;  ///< kNear ends for every end, nearest first; its own number where there are fewer
+  std::vector<std::uint32_t>& near_;  ///< kNear ends for every end, nearest first; its own number where there are fewer
 };
 
 void Improver::find_near() {
@@ -202,9 +203,9 @@ void Improver::move(std::uint32_t first, std::uint32_t last, std::uint32_t targe
 
 }  // namespace
 
-void improve(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work) {
+void improve(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work, std::vector<std::uint32_t>& near) {
   if (tour.entries.size() < 3) return;
-  Improver(tour, ends, returns, work).run();
+  Improver(tour, ends, returns, work, near).run();
 }
 
 }  // namespace ligne

@@ -19,6 +19,7 @@ struct Tour {
 /// The first stroke of the tour stays where it is (the home position); so does the last when `returns`, else what follows
 /// the last stroke costs nothing. `ends` holds the points of all ends. Stops when no move gains, or when `work` (strokes
 /// moved and pairs tried) is used up.
-void improve(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work);
+/// `near` is what it found of the ends' neighbours, for the next time with the same ends; empty: nothing yet.
+void improve(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work, std::vector<std::uint32_t>& near);
 
 }  // namespace ligne
