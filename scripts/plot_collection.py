@@ -32,6 +32,8 @@ KEYS = ("fill", "stroke", "stroke-width", "fill-opacity", "stroke-opacity", "opa
         "stroke-dasharray", "stroke-linecap")
 INHERITED = {"fill", "stroke", "stroke-width", "fill-opacity", "stroke-opacity", "visibility", "stroke-dasharray",
              "stroke-linecap"}
+UNSEEN = {"text", "style", "flowRoot", "image", "metadata", "title", "desc", "defs", "symbol", "clipPath", "mask", "marker",
+          "linearGradient", "radialGradient", "filter", "pattern", "script"}
 PIXELS = 3200  # fewer, and the rounding of strokes two pixels wide is above what is looked for
 PEN_MM = 0.35
 ACCEPTED, AGREES = 0.98, 0.002
@@ -84,96 +86,245 @@ def is_white(text):
     return text.replace(" ", "").lower() in ("#fff", "#ffffff", "white", "rgb(255,255,255)", "rgb(100%,100%,100%)")
 
 
-def linear(text):
-    """The linear part of a list of transforms: a, b, c, d."""
-    result = (1.0, 0.0, 0.0, 1.0)
+def matrix_of(text):
+    """A list of transforms as a, b, c, d, e, f."""
+    result = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
     for name, said in re.findall(r"(\w+)\s*\(([^)]*)\)", text or ""):
-        v = [float(x) for x in re.findall(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", said)]
-        m = (1.0, 0.0, 0.0, 1.0)
+        v = numbers(said)
+        m = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
         if name == "matrix":
-            m = tuple(v[:4])
+            m = tuple(v[:6])
+        elif name == "translate":
+            m = (1.0, 0.0, 0.0, 1.0, v[0], v[1] if len(v) > 1 else 0.0)
         elif name == "scale":
-            m = (v[0], 0.0, 0.0, v[-1])
+            m = (v[0], 0.0, 0.0, v[-1], 0.0, 0.0)
         elif name == "rotate":
-            turn = math.radians(v[0])
-            m = (math.cos(turn), math.sin(turn), -math.sin(turn), math.cos(turn))
+            turn, (x, y) = math.radians(v[0]), v[1:3] if len(v) > 2 else (0.0, 0.0)
+            c, s = math.cos(turn), math.sin(turn)
+            m = (c, s, -s, c, x - c * x + s * y, y - s * x - c * y)
         elif name == "skewX":
-            m = (1.0, 0.0, math.tan(math.radians(v[0])), 1.0)
+            m = (1.0, 0.0, math.tan(math.radians(v[0])), 1.0, 0.0, 0.0)
         elif name == "skewY":
-            m = (1.0, math.tan(math.radians(v[0])), 0.0, 1.0)
+            m = (1.0, math.tan(math.radians(v[0])), 0.0, 1.0, 0.0, 0.0)
         result = product(result, m)
     return result
 
 
 def product(m, n):
-    return (m[0] * n[0] + m[2] * n[1], m[1] * n[0] + m[3] * n[1], m[0] * n[2] + m[2] * n[3], m[1] * n[2] + m[3] * n[3])
+    return (m[0] * n[0] + m[2] * n[1], m[1] * n[0] + m[3] * n[1], m[0] * n[2] + m[2] * n[3], m[1] * n[2] + m[3] * n[3],
+            m[0] * n[4] + m[2] * n[5] + m[4], m[1] * n[4] + m[3] * n[5] + m[5])
 
 
-def stretches(m):
-    """A stroke would be wider in one direction than in another; a pen is not."""
-    size = math.sqrt(abs(m[0] * m[3] - m[1] * m[2]))
-    return abs(abs(m[0]) - abs(m[3])) + abs(abs(m[1]) - abs(m[2])) > 1e-4 * size, size
+def numbers(text):
+    return [float(x) for x in re.findall(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", text or "")]
 
 
-def lines_only(node, inherited, rules, matrix):
-    """Turns the tree into one of black lines. `matrix` leads to px."""
-    for child in list(node):
-        name = local(child.tag)
-        known = isinstance(child.tag, str) and child.tag.startswith(f"{{{SVG}}}")
-        if name in ("text", "style", "flowRoot", "image", "metadata", "title", "desc") or not known:
-            node.remove(child)
+UNITS = {"": 1, "px": 1, "mm": 96 / 25.4, "cm": 96 / 2.54, "in": 96, "pt": 96 / 72, "pc": 16}
+
+
+def length(text, otherwise=0.0):
+    found = re.match(r"\s*([-+\d.eE]*\d\.?)\s*([a-z]*)\s*$", text or "")
+    return float(found[1]) * UNITS[found[2]] if found and found[2] in UNITS else otherwise
+
+
+def bezier(points, scale):
+    """Points of a curve behind its first one; steps far below a pixel."""
+    reach = sum(math.dist(p, q) for p, q in zip(points, points[1:])) * scale
+    count = max(2, min(400, math.ceil(reach)))
+    out = []
+    for i in range(1, count + 1):
+        row, t = list(points), i / count
+        while len(row) > 1:
+            row = [(p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t) for p, q in zip(row, row[1:])]
+        out.append(row[0])
+    return out
+
+
+def arc(start, rx, ry, turn, large, sweep, end, scale):
+    """SVG 1.1, F.6.5."""
+    rx, ry = abs(rx), abs(ry)
+    if rx == 0 or ry == 0 or start == end:
+        return [end]
+    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    dx, dy = (start[0] - end[0]) / 2, (start[1] - end[1]) / 2
+    x, y = c * dx + s * dy, -s * dx + c * dy
+    grow = (x / rx) ** 2 + (y / ry) ** 2
+    if grow > 1:
+        rx, ry = rx * math.sqrt(grow), ry * math.sqrt(grow)
+    below = (rx * y) ** 2 + (ry * x) ** 2
+    root = math.sqrt(max(0.0, ((rx * ry) ** 2 - below) / below)) * (-1 if large == sweep else 1)
+    cx, cy = root * rx * y / ry, -root * ry * x / rx
+    first = math.atan2((y - cy) / ry, (x - cx) / rx)
+    over = math.atan2((-y - cy) / ry, (-x - cx) / rx) - first
+    if sweep and over < 0:
+        over += 2 * math.pi
+    if not sweep and over > 0:
+        over -= 2 * math.pi
+    mx, my = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
+    count = max(4, min(2000, math.ceil(abs(over) * max(rx, ry) * scale)))
+    out = []
+    for i in range(1, count):
+        u, v = cx + rx * math.cos(first + over * i / count), cy + ry * math.sin(first + over * i / count)
+        out.append((c * u - s * v + mx, s * u + c * v + my))
+    return out + [end]
+
+
+def path_lines(data, scale):
+    """Lines of a path: lists of points."""
+    tokens = re.findall(r"[A-Za-z]|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", data or "")
+    lines, line, at, start, i, command, control, last = [], [], (0.0, 0.0), (0.0, 0.0), 0, "", None, ""
+    flags = re.compile(r"[01]")
+
+    def take():
+        nonlocal i
+        i += 1
+        return float(tokens[i - 1])
+
+    def flag():
+        """The flags of an arc need nothing between them."""
+        nonlocal i
+        text = tokens[i]
+        if len(text) > 1 and flags.match(text):
+            tokens[i] = text[1:]
+            return text[0] == "1"
+        i += 1
+        return text == "1"
+
+    while i < len(tokens):
+        if tokens[i].isalpha():
+            command = tokens[i]
+            i += 1
+        elif command in "Mm":
+            command = "L" if command == "M" else "l"
+        kind, origin = command.upper(), at if command.islower() else (0.0, 0.0)
+
+        def point():
+            x = take()
+            return (origin[0] + x, origin[1] + take())
+
+        mirrored = (2 * at[0] - control[0], 2 * at[1] - control[1]) if control else at
+        if last not in last_of(kind):
+            mirrored = at
+        more, control = [], None
+        if kind == "M":
+            if len(line) > 1:
+                lines.append(line)
+            at = start = point()
+            line, last = [at], kind
             continue
-        if name in ("clipPath", "mask", "linearGradient", "radialGradient", "filter", "pattern", "marker"):
+        if kind == "Z":
+            if line and line[-1] != start:
+                line.append(start)
+            if len(line) > 1:
+                lines.append(line)
+            at, line, last = start, [start], kind
+            continue
+        if kind == "L":
+            more = [point()]
+        elif kind == "H":
+            more = [(origin[0] + take(), at[1])]
+        elif kind == "V":
+            more = [(at[0], origin[1] + take())]
+        elif kind in "CS":
+            one = point() if kind == "C" else mirrored
+            control = point()
+            more = bezier([at, one, control, point()], scale)
+        elif kind in "QT":
+            control = point() if kind == "Q" else mirrored
+            more = bezier([at, control, point()], scale)
+        elif kind == "A":
+            rx, ry, turn = take(), take(), take()
+            large, sweep = flag(), flag()
+            more = arc(at, rx, ry, turn, large, sweep, point(), scale)
+        else:
+            raise ValueError(f"path command {command}")
+        line.extend(more)
+        at, last = more[-1], kind
+    if len(line) > 1:
+        lines.append(line)
+    return lines
+
+
+def last_of(kind):
+    """Which commands leave a control point for this one."""
+    return ("C", "S") if kind == "S" else ("Q", "T") if kind == "T" else ()
+
+
+def shape_lines(shape, scale):
+    name, get = local(shape.tag), lambda key, otherwise=0.0: length(shape.get(key), otherwise)
+    if name == "path":
+        return path_lines(shape.get("d"), scale)
+    if name == "line":
+        return [[(get("x1"), get("y1")), (get("x2"), get("y2"))]]
+    if name in ("polyline", "polygon"):
+        v = numbers(shape.get("points"))
+        line = list(zip(v[::2], v[1::2]))
+        return [line + line[:1]] if name == "polygon" else [line]
+    if name == "rect":
+        x, y, w, h = get("x"), get("y"), get("width"), get("height")
+        rx, ry = get("rx", get("ry")), get("ry", get("rx"))
+        rx, ry = min(rx, w / 2), min(ry, h / 2)
+        if not (w > 0 and h > 0):
+            return []
+        if rx <= 0 or ry <= 0:
+            return path_lines(f"M{x} {y}h{w}v{h}h{-w}z", scale)
+        a = f"a{rx} {ry} 0 0 1"
+        return path_lines(f"M{x + rx} {y}h{w - 2 * rx}{a} {rx} {ry}v{h - 2 * ry}{a} {-rx} {ry}h{2 * rx - w}{a} {-rx} {-ry}"
+                          f"v{2 * ry - h}{a} {rx} {-ry}z", scale)
+    x, y, rx = get("cx"), get("cy"), get("r") if name == "circle" else get("rx")
+    ry = rx if name == "circle" else get("ry")
+    if not (rx > 0 and ry > 0):
+        return []
+    return path_lines(f"M{x + rx} {y}A{rx} {ry} 0 1 1 {x - rx} {y}A{rx} {ry} 0 1 1 {x + rx} {y}z", scale)
+
+
+class NotCompared(Exception):
+    """Something that this script does not draw."""
+
+
+def reference(node, inherited, rules, matrix, out):
+    """The lines that should be drawn, in px of the page."""
+    for child in node:
+        name = local(child.tag)
+        if not (isinstance(child.tag, str) and child.tag.startswith(f"{{{SVG}}}")) or name in UNSEEN:
             continue
         style = style_of(child, inherited, rules)
         if style.get("display") == "none" or opacity(style.get("opacity", "1")) == 0:
-            node.remove(child)
             continue
-        placing = declarations(child.get("style") or "")
-        kept = [f"{k}:{placing[k]}" for k in ("clip-path", "clip-rule", "fill-rule", "stroke-dashoffset") if k in placing]
-        inside = product(matrix, linear(child.get("transform")))
+        said = declarations(child.get("style") or "")
+        if name in ("use", "svg", "switch") or any((child.get(k) or said.get(k, "none")) != "none" for k in ("clip-path", "mask")):
+            raise NotCompared
+        inside = product(matrix, matrix_of(child.get("transform") or said.get("transform")))
         if name in SHAPES:
-            rewrite(child, style, kept, inside)
-        elif known:
-            for key in KEYS + ("filter", "mask"):
-                child.attrib.pop(key, None)
-            child.set("style", ";".join(kept))
-            lines_only(child, style, rules, inside)
+            add_shape(child, style, inside, out)
+        else:
+            reference(child, style, rules, inside, out)
 
 
-def rewrite(shape, style, kept, matrix):
-    stroked = shows(style, "stroke") and not re.match(r"0+(\.0*)?[a-z]*$", style.get("stroke-width", "1"))
+def add_shape(shape, style, m, out):
+    size = math.sqrt(abs(m[0] * m[3] - m[1] * m[2]))
+    width = length(style.get("stroke-width", "1"), 1.0) * size
+    stroked = shows(style, "stroke") and width > 0
     filled = shows(style, "fill") and local(shape.tag) != "line"
+    if style.get("visibility") in ("hidden", "collapse") or not (stroked or filled):
+        return
+    lines = [[(m[0] * x + m[2] * y + m[4], m[1] * x + m[3] * y + m[5]) for x, y in line]
+             for line in shape_lines(shape, size * PIXELS / 1000)]
     white = filled and is_white(style.get("fill", "black")) and opacity(style.get("fill-opacity", "1")) == 1
-    for key in KEYS + ("filter", "mask"):
-        shape.attrib.pop(key, None)
-    shape.attrib.pop("vector-effect", None)
-    said = kept + ["fill:#fff" if white else "fill:none", "stroke-linejoin:round", "stroke-linecap:round"]
-    if style.get("visibility") == "hidden":
-        said += ["visibility:hidden"]
+    said = "fill:#fff" if white else "fill:none"
+    if filled and not white and not stroked:
+        lines = [line + line[:1] if line and line[0] != line[-1] else line for line in lines]
+        width = PEN_MM * 96 / 25.4
+        stroked = True
     if stroked:
-        width, (uneven, size) = style.get("stroke-width", "1"), stretches(matrix)
-        if uneven and re.match(r"[\d.]+(px)?$", width):
-            width = f"{float(width.rstrip('px')) * size};vector-effect:non-scaling-stroke"
-        said += ["stroke:#000", "stroke-width:" + width]
-        if style.get("stroke-dasharray", "none") not in ("none", "null"):
-            said += ["stroke-dasharray:" + style["stroke-dasharray"]]
-    elif filled and not white:
-        if local(shape.tag) in ("polyline", "path"):  # a fill closes what is open
-            key = "points" if local(shape.tag) == "polyline" else "d"
-            if key == "points":
-                shape.tag = f"{{{SVG}}}polygon"
-            else:
-                parts = re.split(r"(?<=[^\s])\s*(?=[Mm])", shape.get("d") or "")
-                shape.set("d", close_all(parts))
-        said += ["stroke:#000", f"stroke-width:{PEN_MM * 96 / 25.4}", "vector-effect:non-scaling-stroke"]
-    shape.set("style", ";".join(said))
-
-
-def close_all(parts):
-    closed = [p if p.rstrip()[-1:] in ("z", "Z", "") else p + "z" for p in parts]
-    # A relative move behind a close is one from the start of what was closed: only where all moves are absolute is it safe.
-    return "".join(closed) if all(p.lstrip()[:1] in ("M", "") for p in parts[1:]) else "".join(parts)
+        said += f";stroke:#000;stroke-width:{width}"
+        if re.match(r"[\d.]", style.get("stroke-dasharray", "none")) and any(numbers(style["stroke-dasharray"])):
+            said += ";stroke-dasharray:" + ",".join(str(v * size) for v in numbers(style["stroke-dasharray"]))
+    data = "".join("M" + "L".join(f"{x:.5g},{y:.5g}" if abs(x) < 1 else f"{x:.3f},{y:.3f}" for x, y in line)
+                   for line in lines if len(line) > 1)
+    if data:
+        rule = ";fill-rule:evenodd" if "evenodd" in ((shape.get("style") or "") + (shape.get("fill-rule") or "")) else ""
+        out.append(f'<path style="{said}{rule}" d="{data}"/>')
 
 
 def pixels(svg, width, height, sheet=None):
@@ -193,24 +344,38 @@ def grown(ink):
     return best
 
 
+def root_matrix(root, page):
+    """From the units of the file to px, where its viewBox says something of them."""
+    box = numbers(root.get("viewBox"))
+    if len(box) != 4:
+        return (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+    if root.get("preserveAspectRatio", "xMidYMid") not in ("xMidYMid", "xMidYMid meet"):
+        raise NotCompared
+    width, height = page[0] * 96 / 25.4, page[1] * 96 / 25.4
+    unit = min(width / box[2], height / box[3])
+    return (unit, 0.0, 0.0, unit, (width - unit * box[2]) / 2 - unit * box[0], (height - unit * box[3]) / 2 - unit * box[1])
+
+
 def compare(source, result, page):
+    """Difference of the ink, and stray ink, as parts of it; None where the script can not draw the file."""
     root = ElementTree.fromstring(source)
-    if any(True for _ in root.iter(f"{{{SVG}}}use")) or root.find(f".//{{{SVG}}}mask") is not None:
-        return None
-    style = style_of(root, {}, rules_of(root))
     rules = rules_of(root)
-    box = [float(v) for v in re.split(r"[ ,]+", root.get("viewBox", "").strip()) if v]
-    unit = page[0] / 25.4 * 96 / box[2] if len(box) == 4 else 1.0
-    lines_only(root, style, rules, (unit, 0.0, 0.0, unit))
-    for key in KEYS:
-        root.attrib.pop(key, None)
-    root.attrib.pop("style", None)
+    if any(set(selector) & set(" >[:+~") for selector, _ in rules):
+        return None
+    shapes = []
+    try:
+        reference(root, style_of(root, {}, rules), rules, root_matrix(root, page), shapes)
+    except NotCompared:
+        return None
+    head = (f'<svg xmlns="{SVG}" width="{page[0]}mm" height="{page[1]}mm" viewBox="0 0 {page[0] * 96 / 25.4} '
+            f'{page[1] * 96 / 25.4}" stroke-linecap="round" stroke-linejoin="round">')
+    drawn = (head + "".join(shapes) + "</svg>").encode()
     width = PIXELS if page[0] >= page[1] else max(1, round(PIXELS * page[0] / page[1]))
     height = PIXELS if page[1] > page[0] else max(1, round(PIXELS * page[1] / page[0]))
     with tempfile.NamedTemporaryFile("w", suffix=".css") as sheet:
         sheet.write("* { stroke: #000 !important }")
         sheet.flush()
-        before, after = pixels(ElementTree.tostring(root), width, height), pixels(result, width, height, sheet.name)
+        before, after = pixels(drawn, width, height), pixels(result, width, height, sheet.name)
     ink = before.sum()
     if ink == 0:
         return (0.0 if after.sum() == 0 else 1.0), 0.0

@@ -36,6 +36,8 @@ double darkness(const std::string& color) {
   }
 }
 
+bool is_white(const std::string& color) { return color == kWhite || color == "white"; }
+
 /// Whether a fill of these lines would show: some line leaves its first chord.
 bool has_area(const Polylines& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -62,7 +64,7 @@ Polylines without_dots(const Polylines& lines) {
 
 }  // namespace
 
-/// The colour of a paint; of a gradient its first one, since a pen has one.
+/// The colour of a paint; of a gradient its first one that shows on paper, since a pen has one.
 std::string SvgReader::color_of(const Paint& paint, const pugi::xml_node& node) {
   if (paint.server.empty()) return paint.color;
   if (skip_.contains("paint")) refuse("paint", node);
@@ -74,13 +76,13 @@ std::string SvgReader::color_of(const Paint& paint, const pugi::xml_node& node) 
       if (local_name(stop) != "stop") continue;
       bool displayed = true;
       const Style style = styled(stop, {}, displayed);
-      if (style.stop_color) return *style.stop_color;
+      if (style.stop_color && !is_white(*style.stop_color)) return *style.stop_color;
     }
     std::string_view next = server.attribute("href").value();
     if (next.empty()) next = server.attribute("xlink:href").value();
     found = next.starts_with('#') ? ids_.find(std::string(next.substr(1))) : ids_.end();
   }
-  return paint.color.empty() ? "#000000" : paint.color;
+  return paint.color.empty() || is_white(paint.color) ? "#000000" : paint.color;
 }
 
 /// Lines in the layer, or in that of their colour, as far as they show.
@@ -116,7 +118,7 @@ void SvgReader::remove_hidden() {
 void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked) {
   const Style& style = context.style;
   const std::string color = color_of(*style.fill, node);
-  const bool white = color == kWhite || color == "white";
+  const bool white = is_white(color);
   if (skip_.contains("fill")) return refuse("fill", node);
   const bool opaque = style.fill_opacity == 1 && context.opacity == 1;
   if (opaque && (white || fills_.occlude)) hide(lines, context);

@@ -342,10 +342,10 @@ TEST(SvgReader, RealFilesGoIn) {
       << "the first that is for everybody";
   EXPECT_EQ(lines_of(read("<line x2='5' stroke-opacity='null' stroke-dasharray='null'/>")).size(), 1u);
   const ReadDrawing gradient = read(
-      "<defs><linearGradient id='a'><stop style='stop-color:#00ff00'/></linearGradient><linearGradient id='b' href='#a'/></defs>"
+      "<defs><linearGradient id='a'><stop stop-color='white'/><stop style='stop-color:#00ff00'/></linearGradient><linearGradient id='b' href='#a'/></defs>"
       "<line x2='5' stroke='url(#b)'/><line x2='6' stroke='url(#none) red'/><line x2='7' filter='url(#f)'/>");
   ASSERT_EQ(gradient.drawing.layers.size(), 3u);
-  EXPECT_EQ(gradient.drawing.layers[0].name, "#00ff00") << "its first colour";
+  EXPECT_EQ(gradient.drawing.layers[0].name, "#00ff00") << "its first colour that is seen on paper";
   EXPECT_EQ(gradient.drawing.layers[1].name, "#ff0000");
   EXPECT_EQ(gradient.simplified_paints, 2u);
   EXPECT_EQ(gradient.filters, 1u);
