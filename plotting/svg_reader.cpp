@@ -14,7 +14,7 @@ namespace ligne {
 namespace svg {
 namespace {
 
-constexpr int kDeepest = 200, kMostLinks = 16;
+constexpr int kDeepest = 200;
 /// Elements that are shown by links, in all.
 constexpr std::size_t kMostLinked = 1'000'000;
 constexpr double kLargestPageMm = 100000, kAssumedPx = 1000;
@@ -161,6 +161,7 @@ bool SvgReader::enter(const pugi::xml_node& node, Context& context) {
   if (const pugi::xml_attribute placing = node.attribute("transform"))
     context.to_mm = context.to_mm * transform(placing.value());
   if (!context.style.clip.empty()) context.clip = clip_of(context.style.clip, node, context);
+  if (!context.style.mask.empty()) context.clip = mask_of(context.style.mask, node, context);
   return true;
 }
 
@@ -271,58 +272,6 @@ void SvgReader::follow_use(const pugi::xml_node& node, const Context& context) {
   if (name != "symbol" && name != "svg") return walk(target, inside);
   if (++linked_ > kMostLinked) fail(node, "<use> shows more than a million elements");
   if (enter(target, inside)) walk_viewport(target, inside, node);
-}
-
-/// The clip path of an element, with those around it. An id of nothing clips nothing, as in viewers.
-ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node, const Context& context) {
-  const auto found = ids_.find(id);
-  if (found == ids_.end() || local_name(found->second) != "clipPath") return context.clip;
-  const pugi::xml_node& path = found->second;
-  if (std::string_view(path.attribute("clipPathUnits").value()) == "objectBoundingBox" || path.attribute("clip-path")) {
-    refuse("clip-path", node);
-    return context.clip;
-  }
-  const Matrix& m = context.to_mm;
-  std::string key = id;
-  for (const double v : {m.a, m.b, m.c, m.d, m.e, m.f}) key.append(reinterpret_cast<const char*>(&v), sizeof v);
-  if (key == last_clip_ && last_made_->outer == context.clip) return last_made_;
-  auto clip = std::make_shared<Clip>();
-  clip->outer = context.clip;
-  Context inside = context;
-  bool displayed = true;
-  inside.style = styled(path, {}, displayed);
-  const pugi::xml_attribute placing = path.attribute("transform");
-  for (const pugi::xml_node& child : path) {
-    if (child.type() == pugi::node_element)
-      add_clip_shape(child, placing ? m * transform(placing.value()) : m, inside, clip->any_of, 0);
-  }
-  last_clip_ = std::move(key);
-  last_made_ = clip;
-  return clip;
-}
-
-/// One of the shapes that make a clip path.
-void SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, std::vector<Area>& areas,
-                               int links) {
-  const std::string_view name = local_name(node);
-  if (name == "title" || name == "desc" || name == "metadata") return;
-  bool displayed = true;
-  const Style style = styled(node, context.style, displayed);
-  if (!displayed || !style.visible) return;
-  if (!style.clip.empty() || links > kMostLinks) return refuse("clip-path", node);
-  if (const pugi::xml_attribute placing = node.attribute("transform")) to_mm = to_mm * transform(placing.value());
-  if (name == "use") {
-    const pugi::xml_node target = target_of(node);
-    const Matrix shift{1, 0, 0, 1, length(node, "x", 0, context.port.width), length(node, "y", 0, context.port.height)};
-    if (target) add_clip_shape(target, to_mm * shift, context, areas, links + 1);
-    return;
-  }
-  Polylines lines;
-  Outline outline(lines, to_mm);
-  if (!outline_shape(name, node, context.port, outline)) return refuse("clip-path", node);
-  clip_points_ += lines.points.size();
-  if (clip_points_ > kMostPoints) throw std::invalid_argument("has clip paths of more than fifty million points");
-  areas.emplace_back(lines, style.clip_even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
 }
 
 }  // namespace svg

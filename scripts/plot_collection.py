@@ -15,6 +15,7 @@ the two amounts of ink; `stray` is ink of either that lies farther than a pixel 
 
 import argparse
 import io
+import itertools
 import math
 import pathlib
 import re
@@ -317,21 +318,19 @@ def add_shape(shape, style, m, out):
         width = PEN_MM * 96 / 25.4
         stroked = True
     if stroked:
-        said += f";stroke:#000;stroke-width:{width}"
+        said += f";stroke:#000;stroke-width:{width:.4f}"
         if re.match(r"[\d.]", style.get("stroke-dasharray", "none")) and any(numbers(style["stroke-dasharray"])):
             said += ";stroke-dasharray:" + ",".join(str(v * size) for v in numbers(style["stroke-dasharray"]))
     data = "".join("M" + "L".join(f"{x:.5g},{y:.5g}" if abs(x) < 1 else f"{x:.3f},{y:.3f}" for x, y in line)
                    for line in lines if len(line) > 1)
     if data:
         rule = ";fill-rule:evenodd" if "evenodd" in ((shape.get("style") or "") + (shape.get("fill-rule") or "")) else ""
-        out.append(f'<path style="{said}{rule}" d="{data}"/>')
+        out.append((said + rule, data))
 
 
-def pixels(svg, width, height, sheet=None):
+def pixels(svg, width, height):
     """Darkness from 0 to 1."""
     command = ["rsvg-convert", "--unlimited", "-w", str(width), "-h", str(height), "-b", "white"]
-    if sheet:
-        command += ["--stylesheet", sheet]
     run = subprocess.run(command, input=svg, capture_output=True, check=True, timeout=300)
     return 1 - numpy.asarray(Image.open(io.BytesIO(run.stdout)).convert("L"), numpy.float32) / 255
 
@@ -356,26 +355,34 @@ def root_matrix(root, page):
     return (unit, 0.0, 0.0, unit, (width - unit * box[2]) / 2 - unit * box[0], (height - unit * box[3]) / 2 - unit * box[1])
 
 
-def compare(source, result, page):
-    """Difference of the ink, and stray ink, as parts of it; None where the script can not draw the file."""
+def flat(source, page):
+    """The file as lines only. Lines of one style that follow each other are one path, so that the rims of lines that are
+    there twice are not painted twice."""
     root = ElementTree.fromstring(source)
     rules = rules_of(root)
     if any(set(selector) & set(" >[:+~") for selector, _ in rules):
-        return None
+        raise NotCompared
     shapes = []
+    reference(root, style_of(root, {}, rules), rules, root_matrix(root, page), shapes)
+    text = (f'<svg xmlns="{SVG}" width="{page[0]}mm" height="{page[1]}mm" viewBox="0 0 {page[0] * 96 / 25.4} '
+            f'{page[1] * 96 / 25.4}" stroke-linecap="round" stroke-linejoin="round">')
+    for style, group in itertools.groupby(shapes, lambda shape: shape[0]):
+        if "#fff" in style:
+            text += "".join(f'<path style="{style}" d="{data}"/>' for _, data in group)
+        else:
+            text += f'<path style="{style}" d="{"".join(data for _, data in group)}"/>'
+    return (text + "</svg>").encode()
+
+
+def compare(source, result, page):
+    """Difference of the ink, and stray ink, as parts of it; None where the script can not draw the file."""
     try:
-        reference(root, style_of(root, {}, rules), rules, root_matrix(root, page), shapes)
+        drawn = flat(source, page), flat(result, page)
     except NotCompared:
         return None
-    head = (f'<svg xmlns="{SVG}" width="{page[0]}mm" height="{page[1]}mm" viewBox="0 0 {page[0] * 96 / 25.4} '
-            f'{page[1] * 96 / 25.4}" stroke-linecap="round" stroke-linejoin="round">')
-    drawn = (head + "".join(shapes) + "</svg>").encode()
     width = PIXELS if page[0] >= page[1] else max(1, round(PIXELS * page[0] / page[1]))
     height = PIXELS if page[1] > page[0] else max(1, round(PIXELS * page[1] / page[0]))
-    with tempfile.NamedTemporaryFile("w", suffix=".css") as sheet:
-        sheet.write("* { stroke: #000 !important }")
-        sheet.flush()
-        before, after = pixels(drawn, width, height), pixels(result, width, height, sheet.name)
+    before, after = (pixels(svg, width, height) for svg in drawn)
     ink = before.sum()
     if ink == 0:
         return (0.0 if after.sum() == 0 else 1.0), 0.0

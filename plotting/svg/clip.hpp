@@ -10,6 +10,9 @@
 
 namespace ligne::svg {
 
+/// Links that lead on to links.
+inline constexpr int kMostLinks = 16;
+
 enum class FillRule { nonzero, even_odd };
 
 /// Edges that were looked at, by all areas of a drawing together: a small file must not ask for endless work.

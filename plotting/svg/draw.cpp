@@ -1,7 +1,6 @@
 /// What an SVG draws: shapes, fills and text.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -25,16 +24,6 @@ constexpr double kMostFillWork = 5e7;
 
 /// Adjustable: what is not darker than that is left white.
 constexpr double kLightest = 0.05;
-
-/// From 0, white, to 1. A colour that is only a name is black.
-double darkness(const std::string& color) {
-  try {
-    const std::array<double, 3> rgb = parse_color(color);
-    return 1 - (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);  // ITU-R BT.709
-  } catch (const std::invalid_argument&) {
-    return 1;
-  }
-}
 
 bool is_white(const std::string& color) { return color == kWhite || color == "white"; }
 
@@ -144,7 +133,7 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   options.angle_degrees = how.angle_degrees;
   options.cross = how.cross;
   if (how.tone) {
-    const double dark = darkness(color) * style.fill_opacity * context.opacity;
+    const double dark = (1 - brightness(color)) * style.fill_opacity * context.opacity;
     if (dark < kLightest) return;
     // So much of the paper is covered; of two families each half.
     const double families = how.cross ? 2 : 1;

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -59,7 +60,10 @@ class SvgReader {
   void follow_use(const pugi::xml_node& node, const Context& context);
   pugi::xml_node target_of(const pugi::xml_node& use) const;
   ClipPointer clip_of(const std::string& id, const pugi::xml_node& node, const Context& context);
-  void add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, std::vector<Area>& areas, int links);
+  ClipPointer mask_of(const std::string& id, const pugi::xml_node& node, const Context& context);
+  void add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
+                      bool is_mask = false);
+  std::optional<Matrix> box_of(const pugi::xml_node& node, const Context& context) const;
   bool draw_shape(std::string_view name, const pugi::xml_node& node, const Context& context);
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);
   void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);

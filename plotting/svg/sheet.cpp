@@ -45,6 +45,29 @@ std::string take_name(std::string_view& text) {
   return name;
 }
 
+/// Takes "[name=value]" from the beginning, with or without quotes.
+void take_attribute(std::string_view& text, std::string& name, std::string& value, char& how) {
+  const std::size_t end = text.find(']');
+  if (end == std::string_view::npos) throw UnknownStyle("a selector that is not known");
+  const std::string_view inside = trimmed(text.substr(1, end - 1));
+  text.remove_prefix(end + 1);
+  const std::size_t equals = inside.find('=');
+  std::string_view left = inside.substr(0, equals);
+  if (equals != std::string_view::npos) {
+    how = '=';
+    if (!left.empty() && std::string_view("~|^$*").find(left.back()) != std::string_view::npos) {
+      how = left.back();
+      left.remove_suffix(1);
+    }
+    std::string_view right = trimmed(inside.substr(equals + 1));
+    if (right.size() >= 2 && (right.front() == '"' || right.front() == '\'') && right.back() == right.front())
+      right = right.substr(1, right.size() - 2);
+    value = right;
+  }
+  name = trimmed(left);
+  if (name.empty()) throw UnknownStyle("a selector that is not known");
+}
+
 bool has_class(std::string_view list, std::string_view name) {
   while (!list.empty()) {
     const std::size_t begin = list.find_first_not_of(kBlanks);
@@ -125,11 +148,17 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view body) {
       } else if (name_character(selector[0])) {
         compound.element = take_name(selector);
         rule.weight += 1;
-      } else if (selector[0] != '.' && selector[0] != '#' && selector[0] != ':') {
+      } else if (selector[0] != '.' && selector[0] != '#' && selector[0] != ':' && selector[0] != '[') {
         throw UnknownStyle("a selector that is not known");
       }
-      while (!selector.empty() && (selector[0] == '.' || selector[0] == '#' || selector[0] == ':')) {
+      while (!selector.empty() && std::string_view(".#:[").find(selector[0]) != std::string_view::npos) {
         const char kind = selector[0];
+        if (kind == '[') {
+          Attribute& attribute = compound.attributes.emplace_back();
+          take_attribute(selector, attribute.name, attribute.value, attribute.how);
+          rule.weight += 1'000;
+          continue;
+        }
         selector.remove_prefix(1);
         const std::string name = take_name(selector);
         if (kind == '.') {
@@ -172,6 +201,20 @@ bool StyleSheet::holds(const Compound& compound, const pugi::xml_node& node) con
   if (++work_ > kMostWork) throw std::invalid_argument("the style sheets ask for endless work");
   if (!compound.element.empty() && local_name(node) != compound.element) return false;
   if (!compound.id.empty() && compound.id != node.attribute("id").value()) return false;
+  const auto fits = [&](const Attribute& wanted) {
+    const pugi::xml_attribute attribute = node.attribute(wanted.name.c_str());
+    const std::string_view value = attribute.value();
+    if (!attribute) return false;
+    if (wanted.how == '\0') return true;
+    if (wanted.how == '=') return value == wanted.value;
+    if (wanted.value.empty()) return false;
+    if (wanted.how == '~') return has_class(value, wanted.value);
+    if (wanted.how == '^') return value.starts_with(wanted.value);
+    if (wanted.how == '$') return value.ends_with(wanted.value);
+    if (wanted.how == '*') return value.find(wanted.value) != std::string_view::npos;
+    return value == wanted.value || value.starts_with(wanted.value + "-");
+  };
+  if (!std::all_of(compound.attributes.begin(), compound.attributes.end(), fits)) return false;
   return std::all_of(compound.classes.begin(), compound.classes.end(),
                      [&](const std::string& name) { return has_class(node.attribute("class").value(), name); });
 }

@@ -19,8 +19,8 @@ struct UnknownStyle : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Rules with selectors made of elements, classes, ids and `*`, alone or together, one inside the other ("a b", "a > b"),
-/// and lists of these. Selectors of what a pointer does (:hover ...) never hold on paper; @font-face, @charset and
+/// Rules with selectors made of elements, classes, ids, attributes and `*`, alone or together, one inside the other ("a b",
+/// "a > b"), and lists of these. Selectors of what a pointer does (:hover ...) never hold on paper; @font-face, @charset and
 /// @namespace say nothing of lines.
 class StyleSheet {
  public:
@@ -39,10 +39,16 @@ class StyleSheet {
   bool empty() const { return rules_.empty(); }
 
  private:
+  /// "[name]", "[name=value]", "[name~=value]" and so on.
+  struct Attribute {
+    std::string name, value;
+    char how = '\0';  ///< the sign before "=", '=' itself where there is none, '\0' where any value will do
+  };
   /// Conditions on one element; empty ones hold for all.
   struct Compound {
     std::string element, id;
     std::vector<std::string> classes;
+    std::vector<Attribute> attributes{};
     bool child = false;  ///< of the compound before it, not just inside
   };
   struct Rule {

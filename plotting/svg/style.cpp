@@ -85,7 +85,9 @@ class StyleReader {
       return;
     else if (name == "clip-path")
       set_clip(value);
-    else if (name == "mask" || name == "filter")
+    else if (name == "mask")
+      style_.mask = id_in(value);
+    else if (name == "filter")
       refuse_(name, node_);
     else if (name.starts_with("marker"))
       refuse_("marker", node_);
@@ -227,6 +229,7 @@ Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSh
                const Refuse& refuse) {
   Style style = inherited;
   style.clip.clear();
+  style.mask.clear();
   style.overflow = style.non_scaling = false;
   style.opacity = 1;
   style.stop_color.reset();

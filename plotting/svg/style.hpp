@@ -43,6 +43,7 @@ struct Style {
   double baseline_shift = 0;              ///< upwards, of the element's units
   bool non_scaling = false;               ///< the stroke is as wide whatever the transforms
   std::string clip;                       ///< id of a clip path
+  std::string mask;                       ///< id of a mask
   bool overflow = false;                  ///< what lies outside a viewport is seen
 };
 

@@ -267,4 +267,13 @@ std::optional<std::string> paint(std::string_view text) {
   }
 }
 
+double brightness(const std::string& color) {
+  try {
+    const std::array<double, 3> rgb = parse_color(color);
+    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];  // ITU-R BT.709
+  } catch (const std::invalid_argument&) {
+    return 0;
+  }
+}
+
 }  // namespace ligne::svg

@@ -62,6 +62,9 @@ Matrix transform(std::string_view text);
 /// A paint: nothing for "none" and "transparent", else the colour as "#rrggbb"; "currentColor" as it is written.
 std::optional<std::string> paint(std::string_view text);
 
+/// Of a colour as paint() gives it, 0 black to 1 white. One that is only a name is black.
+double brightness(const std::string& color);
+
 inline constexpr double kMmPerPx = 25.4 / 96;
 
 }  // namespace ligne::svg

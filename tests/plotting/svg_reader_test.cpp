@@ -178,10 +178,10 @@ TEST(SvgReader, RefusesByName) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"<image href='a.png'/>", "<image> has image"},
       {"<g clip-path='circle(5px)'><line x2='5'/></g>", "<g> has clip-path"},
-      {"<clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='1' height='1'/></clipPath> <line x2='5' clip-path='url(#c)'/>",
-       "<line> has clip-path"},
+      {"<clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='1' height='1'/></clipPath> <g clip-path='url(#c)'/>",
+       "<g> has clip-path"},
       {"<clipPath id='c'><text>a</text></clipPath> <line x2='5' clip-path='url(#c)'/>", "<text> has clip-path"},
-      {"<line x2='5' style='mask:url(#m)'/>", "<line> has mask"},
+      {"<mask id='m'><image/></mask> <line x2='5' style='mask:url(#m)'/>", "<image> has mask"},
       {"<line x2='5' marker-end='url(#m)'/>", "<line> has marker"},
       {"<style>@media print{line{stroke:none}}</style>", "<style> has style"},
       {"<style>line:first-child{stroke:none}</style>", "<style> has style"},
@@ -287,7 +287,27 @@ TEST(SvgReader, ClipPathsOfAnyShape) {
   EXPECT_NEAR(length, area, 0.01 * area) << "stripes one millimetre apart";
 }
 
+TEST(SvgReader, MasksOfShapesAndClipPathsInUnitsOfABox) {
+  EXPECT_EQ(
+      lines_of(read(
+          "<mask id='m'><rect width='50' height='50' fill='white'/><rect x='10' width='10' height='50' fill='black'/></mask>"
+          "<line y1='20' x2='100' y2='20' mask='url(#m)'/>")),
+      (Lines{"0,2000 1000,2000 ", "2000,2000 5000,2000 "}))
+      << "the last one painted decides";
+  EXPECT_EQ(lines_of(read("<line y1='20' x2='100' y2='20' mask='url(#none)'/>")), Lines{"0,2000 10000,2000 "});
+  EXPECT_EQ(
+      lines_of(read("<clipPath id='c' clipPathUnits='objectBoundingBox'><rect x='0.25' width='0.5' height='1'/></clipPath>"
+                    "<polyline points='10,10 30,10 50,30' clip-path='url(#c)'/>")),
+      Lines{"2000,1000 3000,1000 4000,2000 "});
+}
+
 TEST(SvgReader, StyleSheets) {
+  EXPECT_EQ(
+      lines_of(read("<style>line[id]{stroke:none} [x2='2']{stroke:none} line[class~=b]{stroke:none} "
+                    "line[class^=\"pre\"]{stroke:none} line[class$=fix]{stroke:none} line[class*=mid]{stroke:none}</style>"
+                    "<line id='a' x2='1'/><line x2='2'/><line class='a b' x2='3'/><line class='prefer' x2='4'/>"
+                    "<line class='suffix' x2='5'/><line class='amidst' x2='6'/><line class='c' x2='7'/>")),
+      Lines{"0,0 700,0 "});
   EXPECT_EQ(
       lines_of(read(
           "<style>.no{stroke:none} #seen{stroke:red} g.in > line{display:none} g path { stroke-dasharray: 2 1 } *{stroke-linejoin:round}</style>"

@@ -1,0 +1,114 @@
+/// Clip paths and masks of an SVG, as areas on the page.
+
+#include <stdexcept>
+
+#include "plotting/svg/reader.hpp"
+
+namespace ligne::svg {
+
+/// The box of a shape in its own units, as a matrix from the unit square. Only of shapes.
+std::optional<Matrix> SvgReader::box_of(const pugi::xml_node& node, const Context& context) const {
+  Polylines lines;
+  Outline outline(lines, Matrix{});
+  if (!outline_shape(local_name(node), node, context.port, outline)) return {};
+  Rect box;
+  for (const Point2 p : lines.points) box.extend(p);
+  if (box.empty()) return {};
+  return Matrix{box.width(), 0, 0, box.height(), box.min.x, box.min.y};
+}
+
+/// The clip path of an element, with those around it. An id of nothing clips nothing, as in viewers.
+ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node, const Context& context) {
+  const auto found = ids_.find(id);
+  if (found == ids_.end() || local_name(found->second) != "clipPath") return context.clip;
+  const pugi::xml_node& path = found->second;
+  Matrix m = context.to_mm;
+  if (std::string_view(path.attribute("clipPathUnits").value()) == "objectBoundingBox") {
+    const std::optional<Matrix> box = box_of(node, context);
+    if (!box) {
+      refuse("clip-path", node);
+      return context.clip;
+    }
+    m = m * *box;
+  }
+  if (path.attribute("clip-path")) {
+    refuse("clip-path", node);
+    return context.clip;
+  }
+  std::string key = id;
+  for (const double v : {m.a, m.b, m.c, m.d, m.e, m.f}) key.append(reinterpret_cast<const char*>(&v), sizeof v);
+  if (key == last_clip_ && last_made_->outer == context.clip) return last_made_;
+  auto clip = std::make_shared<Clip>();
+  clip->outer = context.clip;
+  Context inside = context;
+  bool displayed = true;
+  inside.style = styled(path, {}, displayed);
+  const pugi::xml_attribute placing = path.attribute("transform");
+  for (const pugi::xml_node& child : path) {
+    if (child.type() == pugi::node_element)
+      add_clip_shape(child, placing ? m * transform(placing.value()) : m, inside, *clip, 0);
+  }
+  last_clip_ = std::move(key);
+  last_made_ = clip;
+  return clip;
+}
+
+/// A mask of shapes: what lies under light ones is seen, what lies under dark ones is not, and the last one painted decides.
+ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node, const Context& context) {
+  const auto found = ids_.find(id);
+  if (found == ids_.end() || local_name(found->second) != "mask") return context.clip;
+  const pugi::xml_node& mask = found->second;
+  if (std::string_view(mask.attribute("maskContentUnits").value()) == "objectBoundingBox") {
+    refuse("mask", node);
+    return context.clip;
+  }
+  auto clip = std::make_shared<Clip>();
+  clip->outer = context.clip;
+  Context inside = context;
+  bool displayed = true;
+  inside.style = styled(mask, {}, displayed);
+  for (const pugi::xml_node& child : mask) {
+    const std::string_view name = local_name(child);
+    if (child.type() != pugi::node_element || name == "title" || name == "desc" || name == "metadata") continue;
+    const Style style = styled(child, inside.style, displayed);
+    if (!displayed) continue;
+    Polylines lines;
+    Outline outline(lines, Matrix{});
+    const bool plain = style.fill && style.fill_seen && style.fill->server.empty();
+    if (!plain || !outline_shape(name, child, context.port, outline)) {
+      refuse("mask", child);
+      return context.clip;
+    }
+    add_clip_shape(child, context.to_mm, inside, *clip, 0, true);
+    constexpr double kHalf = 0.5;
+    clip->opens.resize(clip->any_of.size(), brightness(style.fill->color) > kHalf);
+  }
+  return clip;
+}
+
+/// One of the shapes that make a clip path or a mask.
+void SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
+                               bool is_mask) {
+  const std::string_view name = local_name(node);
+  if (name == "title" || name == "desc" || name == "metadata") return;
+  bool displayed = true;
+  const Style style = styled(node, context.style, displayed);
+  if (!displayed || !style.visible) return;
+  if (!style.clip.empty() || links > kMostLinks) return refuse("clip-path", node);
+  if (const pugi::xml_attribute placing = node.attribute("transform")) to_mm = to_mm * transform(placing.value());
+  if (name == "use") {
+    const pugi::xml_node target = target_of(node);
+    const Matrix shift{1, 0, 0, 1, length(node, "x", 0, context.port.width), length(node, "y", 0, context.port.height)};
+    if (target) add_clip_shape(target, to_mm * shift, context, clip, links + 1);
+    return;
+  }
+  Polylines lines;
+  Outline outline(lines, to_mm);
+  if (!outline_shape(name, node, context.port, outline)) return refuse("clip-path", node);
+  clip_points_ += lines.points.size();
+  if (clip_points_ > kMostPoints) throw std::invalid_argument("has clip paths of more than fifty million points");
+  const bool even_odd = is_mask ? style.fill_even_odd : style.clip_even_odd;
+  clip.any_of.emplace_back(lines, even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
+}
+
+}  // namespace ligne::svg
