@@ -9,6 +9,7 @@
 #include "cli/method_options.hpp"
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
+#include "cli/surface_scale_options.hpp"
 #include "cli/view_options.hpp"
 #include "files/message_text.hpp"
 #include "picture/draw_scene.hpp"
@@ -89,15 +90,14 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
           "--every", "N", request.every, [](const std::string& t) { return parse_count(t, 1, kMostSamples); },
           "grid: a curve at every Nth row and column")
       .standard("1");
+  group.add("--max-slope", "S", request.max_slope, parse_positive,
+            "grid: cells are left out in which heights change by more than S for a unit of the ground");
   group
       .add(
           "--lines", "x|y|xy|none", request.lines,
           [](const std::string& t) { return static_cast<CurveFamilies>(parse_choice(t, kCurveFamilyNames)); },
           "curves of constant x, of constant y, both, or none: contours and outlines alone")
       .standard("xy");
-  group.add("--z-scale", "K", request.z_scale, parse_positive,
-            "heights are multiplied by K (default: they take half of the larger side of the ground; parametric: 1)");
-  group.add_flag("--log-z", request.log_z, "heights are log10 of the formula or of the grid");
   group.add("--z-range", "A:B", request.z_range, parse_heights, "cut the surface off below A and above B");
   group.add_flag_or_value(
       "--skirt", "[Z]",
@@ -185,6 +185,7 @@ SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit&
   PictureRequest& picture = request.picture;
   picture.memory = memory;
   check(request);
+  check_scale(request);
   if (options.as_mesh) {
     mesh_format_of(options.output);
   } else {
@@ -197,6 +198,7 @@ SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit&
     throw UsageError("--azimuth, --elevation", "do not go with --view, --direction or --eye");
   }
   if (options.resolution && !options.pixels) throw UsageError("--resolution", "goes with --horizon pixels");
+  request.horizon = options.horizon_given;
   if (options.pixels) request.pixel_columns = options.resolution.value_or(kResolution);
   check_axes(picture.axes, options.axes_style);
   if (request.curves.ridgeline && (view_given || angles_given)) throw UsageError("--ridgeline", "has its own view");
@@ -209,6 +211,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   SurfaceRequest& request = options.request;
   PictureRequest& picture = request.picture;
   add_source_options(*surface, request);
+  add_surface_scale_options(*surface, request);
   add_curve_options(*surface, request.curves);
   add_hatch_options(*surface, picture.hatch);
   add_method_choice(*surface, options);

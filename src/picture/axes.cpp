@@ -56,16 +56,17 @@ Room widest(const Room& a, const Room& b) {
 
 std::optional<AxesRequest> request_of(const AxesChoice& choice, const std::optional<PlotBox>& plot) {
   if (!choice.style || !plot) return std::nullopt;
-  const auto& [box, z_scale] = *plot;
-  if (!std::isfinite((box.high.z - box.low.z) * z_scale)) return std::nullopt;
+  const AxesBox& box = plot->box;
+  if (!std::isfinite((box.high.z - box.low.z) * plot->factor.z)) return std::nullopt;
   AxesRequest request;
   request.style = *choice.style;
   for (int k = 0; k < 3; ++k) {
     request.axes[k].name = choice.names[k].value_or(kDefaultNames[k]);
     request.axes[k].from = box.low[k];
     request.axes[k].to = box.high[k];
+    request.axes[k].factor = plot->factor[k];
+    request.axes[k].scale = plot->scales[k];
   }
-  request.axes[2].factor = z_scale;
   return request;
 }
 

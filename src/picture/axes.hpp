@@ -21,10 +21,11 @@ struct Surroundings {
   std::vector<TextItem> texts;  ///< of the axes, and the title
 };
 
-/// What the axes measure: the box, its heights before scaling.
+/// What the axes measure: the box before scaling, what its coordinates are multiplied by, and how the axes count.
 struct PlotBox {
   AxesBox box;
-  double z_scale = 1;
+  Point3 factor{1, 1, 1};
+  std::array<TickScale, 3> scales{};
 };
 
 /// Places the camera's picture and what is asked for round it on the page. `box` is nothing where there are no heights;

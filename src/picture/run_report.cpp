@@ -21,8 +21,11 @@ std::string report_text(const RunReport& report) {
   for (const auto& [name, value] : report.clear.counts) width = std::max(width, name.size());
   for (const auto& [name, value] : report.stages.seconds) width = std::max(width, name.size());
 
+  for (const auto& [name, value] : report.choices) width = std::max(width, name.size());
+
   std::string text;
   if (!report.method.empty()) text += "method " + report.method + "\n";
+  for (const auto& [name, value] : report.choices) text += line(name, width, value);
   for (const auto& [name, value] : report.study.counts) text += line(name, width, std::to_string(value));
   for (const auto& [name, value] : report.study.seconds) text += line(name, width, duration(value));
   if (!report.clear.counts.empty()) text += "clear lines\n";
@@ -44,6 +47,7 @@ std::string report_json(const RunReport& report) {
   json["counts"] = nlohmann::ordered_json::object();
   json["seconds"] = nlohmann::ordered_json::object();
   json["stages"] = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : report.choices) json["choices"][name] = value;
   for (const auto& [name, value] : report.study.counts) json["counts"][name] = value;
   for (const auto& [name, value] : report.study.seconds) json["seconds"][name] = value;
   for (const auto& [name, value] : report.clear.counts) json["clear"][name] = value;

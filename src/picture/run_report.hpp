@@ -52,6 +52,8 @@ struct RunReport {
   Statistics study;   ///< the method's own counts and times
   Statistics clear;   ///< what clear lines leave out or change, by cause; empty for exact ones
   Statistics stages;  ///< times of the whole run
+  /// What was chosen where nothing was said: a name and a phrase.
+  std::vector<std::pair<std::string, std::string>> choices;
   std::vector<RunWarning> warnings;
   InputFiles files;  ///< that were read on the way
 
@@ -61,8 +63,8 @@ struct RunReport {
 /// As a table for people.
 std::string report_text(const RunReport& report);
 
-/// As JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "clear", "stages"}; "clear" only
-/// where clear lines differ.
+/// As JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "clear", "choices", "stages"};
+/// "clear" only where clear lines differ, "choices" only where something was chosen.
 std::string report_json(const RunReport& report);
 
 }  // namespace ligne

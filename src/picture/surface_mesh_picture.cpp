@@ -11,7 +11,9 @@
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
 #include "picture/surface_samples.hpp"
+#include "picture/surface_scale.hpp"
 #include "scene/clean/crossing_edges.hpp"
+#include "scene/surfaces/cut_cells.hpp"
 #include "scene/surfaces/mesh_writer.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 #include "visibility/registry.hpp"
@@ -25,22 +27,6 @@ constexpr double kBaseDepth = 0.05;
 /// Degrees: surfaces turn over their cells by less, and by more into their skirts. Creases are not drawn; hatching ends
 /// there.
 constexpr double kCrease = 75;
-
-/// 1 where a surface is parametric.
-double z_scale_of(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
-                  const std::vector<SurfaceMesh>& meshes) {
-  if (request.z_scale) return *request.z_scale;
-  const auto range = height_range(meshes);
-  if (!range || !request.parametric.empty()) return 1;
-  double low_x = surfaces[0].points.front().x, high_x = low_x, low_y = surfaces[0].points.front().y, high_y = low_y;
-  for (const SurfacePoints& surface : surfaces) {
-    low_x = std::min(low_x, surface.points.front().x);
-    low_y = std::min(low_y, surface.points.front().y);
-    high_x = std::max(high_x, surface.points.back().x);
-    high_y = std::max(high_y, surface.points.back().y);
-  }
-  return z_scale_of(request, std::max(high_x - low_x, high_y - low_y), (*range)[1] - (*range)[0]);
-}
 
 std::optional<double> base_of(const SurfaceRequest& request, const std::vector<SurfaceMesh>& meshes) {
   const auto range = height_range(meshes);
@@ -56,15 +42,21 @@ std::optional<double> base_of(const SurfaceRequest& request, const std::vector<S
 /// One surface z = f(x, y) can not penetrate itself.
 bool may_cross(const SurfaceRequest& request) { return height_count(request) > 1 || !request.parametric.empty(); }
 
-/// What all surfaces take together, with the base; nothing where there are none. Of z = f(x, y) it is the ground of all
+/// The ground of all surfaces is that of the first one that is known.
+GroundUnit unit_of(const std::vector<SurfacePoints>& surfaces) {
+  for (const SurfacePoints& surface : surfaces) {
+    if (surface.unit != GroundUnit::unknown) return surface.unit;
+  }
+  return GroundUnit::unknown;
+}
+
+/// What all surfaces take together; nothing where there are none. Of z = f(x, y) it is the ground of all
 /// samples, whether there is a height or not.
-std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes,
-                              std::optional<double> base) {
+std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes) {
   const auto range = height_range(meshes);
   if (!range) return std::nullopt;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   AxesBox box{{kInfinity, kInfinity, (*range)[0]}, {-kInfinity, -kInfinity, (*range)[1]}};
-  if (base) box.low.z = std::min(box.low.z, *base);
   const auto extend = [&](const Point3& p) {
     for (int k = 0; k < 2; ++k) {
       box.low[k] = std::min(box.low[k], p[k]);
@@ -84,6 +76,23 @@ std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const 
   return box;
 }
 
+/// A formula's surface ends where the formula does, not at the last sample.
+SurfaceMesh mesh_of_formula(const SurfaceRequest& request, const SurfacePoints& surface, RunReport& run) {
+  HeightWindow window;
+  if (request.z_range) window = {(*request.z_range)[0], (*request.z_range)[1]};
+  const Irregularity found = find_irregularity(surface, window);
+  if (found.empty) refuse_empty(request, surface.name, run);
+  if (!found.breaks) return make_surface_mesh(surface);
+  if (found.poles && !request.z_range && request.log_axes[2]) {
+    window = window_of_samples(surface);  // decades go down without end where heights come near to zero
+  } else if (found.poles && !request.z_range) {
+    window = window_without_poles(surface);
+    run.warn(printable(surface.name) + " has poles: cut to " + short_number(window.low) + ":" + short_number(window.high) +
+             "; --z-range A:B cuts elsewhere");
+  }
+  return make_cut_mesh(surface, window);
+}
+
 struct MeshPlot {
   Scene scene;
   std::optional<PlotBox> box;
@@ -94,18 +103,26 @@ MeshPlot make_meshes(const SurfaceRequest& request, bool with_lines, RunReport& 
   const std::vector<SurfacePoints> surfaces = points_of(request, run);
   std::vector<SurfaceMesh> meshes;
   for (const SurfacePoints& surface : surfaces) {
+    if (surface.function) {
+      meshes.push_back(mesh_of_formula(request, surface, run));
+      continue;
+    }
     meshes.push_back(make_surface_mesh(surface));
     if (request.z_range) clip_heights(meshes.back(), (*request.z_range)[0], (*request.z_range)[1]);
   }
-  const double z_scale = z_scale_of(request, surfaces, meshes);
-  const std::optional<double> base = base_of(request, meshes);
   MeshPlot plot;
-  if (const auto box = box_of(surfaces, meshes, base)) plot.box = PlotBox{*box, z_scale};
+  Point3 factor{1, 1, 1};
+  const std::optional<double> base = base_of(request, meshes);
+  if (auto box = box_of(surfaces, meshes)) {
+    factor = plot_factor(request, *box, unit_of(surfaces), run);
+    if (base) box->low.z = std::min(box->low.z, *base);
+    plot.box = PlotBox{*box, factor, tick_scales(request)};
+  }
   if (const auto range = height_range(meshes); range && with_lines) {
     const std::vector<double> levels = contour_levels(request.curves, (*range)[0], (*range)[1]);
     for (SurfaceMesh& mesh : meshes) cut_contours(mesh, levels);
   }
-  plot.scene = surface_scene(meshes, z_scale, base);
+  plot.scene = surface_scene(meshes, factor, base);
   Scene& scene = plot.scene;
   if (may_cross(request) && with_lines) {
     double precision = 0;

@@ -7,18 +7,18 @@
 #include "picture/axes.hpp"
 #include "picture/surface_mesh_picture.hpp"
 #include "picture/surface_samples.hpp"
+#include "picture/surface_scale.hpp"
 #include "plotting/writers.hpp"
+#include "scene/surfaces/cut_cells.hpp"
 #include "scene/surfaces/height_filters.hpp"
+#include "scene/surfaces/surface_points.hpp"
 #include "visibility/horizon/horizon.hpp"
 
 namespace ligne {
 namespace {
 
-double z_scale_of(const SurfaceRequest& request, const HeightSource& heights, const HeightSurvey& survey) {
-  if (request.z_scale) return *request.z_scale;
-  if (survey.empty()) return 1;
-  const double side = std::max(heights.x().back() - heights.x().front(), heights.y().back() - heights.y().front());
-  return z_scale_of(request, side, survey.high - survey.low);
+AxesBox box_of(const HeightSource& heights, const HeightSurvey& found) {
+  return {{heights.x().front(), heights.y().front(), found.low}, {heights.x().back(), heights.y().back(), found.high}};
 }
 
 /// Adds the ground at a height.
@@ -35,8 +35,8 @@ void add_rectangle(Scene& scene, const HeightSource& heights, double z) {
 struct HorizonRequest {
   HorizonOptions options;
   Camera camera;
-  Scene extent;          ///< what the page must hold
-  HeightSurvey heights;  ///< what a box round it spans, before scaling
+  Scene extent;                ///< what the page must hold
+  std::optional<PlotBox> box;  ///< what axes round it measure
 };
 
 /// A ridgeline plot is as high as this part of its width, and seen as high as its rows are lifted.
@@ -44,7 +44,7 @@ constexpr double kRidgelineHeight = 1.2;
 const Point3 kRidgelineSight{0, 1, -1};
 
 /// Changes the heights into those of a ridgeline plot, where one is wanted.
-HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface) {
+HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface, RunReport& run) {
   HorizonRequest request;
   HorizonOptions& horizon = request.options;
   horizon.x_stride = surface.x_stride;
@@ -55,8 +55,11 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface)
   horizon.outline = surfaces.curves.outline.value_or(horizon.hidden_by == HiddenBy::surface);
 
   HeightSurvey found = survey(*surface.heights);
-  horizon.holes = found.holes;
+  if (found.empty() && surface.from_formula) refuse_empty(surfaces, surface.name, run);
+  horizon.holes = found.holes || !surface.left_out.empty();
+  if (!surface.left_out.empty()) horizon.left_out = &surface.left_out;
   ViewRequest view = view_of(surfaces);
+  Point3 factor{1, 1, 1};
   if (surfaces.curves.ridgeline) {
     const double rows = surfaces.curves.ridgeline_overlap * static_cast<double>(std::max<std::size_t>(surface.y_stride, 1));
     surface.heights = ridgeline_heights(std::move(surface.heights), found.low, found.high, rows, kRidgelineHeight);
@@ -65,31 +68,26 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface)
     horizon.hidden_by = HiddenBy::curves;
     horizon.underside = Underside::none;
     horizon.outline = false;
-  } else {
-    horizon.z_scale = z_scale_of(surfaces, *surface.heights, found);
+  } else if (!found.empty()) {
+    factor = plot_factor(surfaces, box_of(*surface.heights, found), surface.unit, run);
+    horizon.z_scale = factor.z;
   }
+  if (!found.empty()) request.box = PlotBox{box_of(*surface.heights, found), factor, tick_scales(surfaces)};
+  surface.heights = scaled_ground(std::move(surface.heights), factor.x, factor.y);
 
   const HeightSource& heights = *surface.heights;
   request.camera = camera_of(view, box_of(heights, found, horizon.z_scale));
   request.extent = extent_scene(heights, horizon.z_scale, request.camera);
-  request.heights = found;
   if (found.empty()) return request;
   horizon.contours = contour_levels(surfaces.curves, found.low, found.high);
   horizon.contours_on_surface = surfaces.curves.contours || surfaces.curves.contour_step;
   if (surfaces.curves.contours_base) {
     horizon.contour_base = contour_base_of(surfaces.curves, found.low, found.high);
     add_rectangle(request.extent, heights, *horizon.contour_base * horizon.z_scale);
-    request.heights.low = std::min(found.low, *horizon.contour_base);
-    request.heights.high = std::max(found.high, *horizon.contour_base);
+    request.box->box.low.z = std::min(found.low, *horizon.contour_base);
+    request.box->box.high.z = std::max(found.high, *horizon.contour_base);
   }
   return request;
-}
-
-std::optional<PlotBox> plot_box(const HeightSource& heights, const HeightSurvey& found, double z_scale) {
-  if (found.empty()) return std::nullopt;
-  return PlotBox{
-      {{heights.x().front(), heights.y().front(), found.low}, {heights.x().back(), heights.y().back(), found.high}},
-      z_scale};
 }
 
 /// What the study saw of the axes' lines.
@@ -123,21 +121,34 @@ void warn_of_empty_or_cut(const Drawing& drawing, const Placement& placement, Ru
   }
 }
 
+/// Whether the surface of a formula ends or jumps somewhere and may be drawn as a mesh, which can be cut there. If it may
+/// not, whole cells are left out.
+bool is_for_mesh(const SurfaceRequest& request, Surface& surface) {
+  const std::size_t columns = surface.heights->x().size(), rows = surface.heights->y().size();
+  if (!surface.function || columns > kMostMeshSamples / rows) return false;
+  SurfacePoints points = points_of(*surface.heights);
+  points.function = surface.function;
+  if (!find_irregularity(points).breaks) return false;
+  if (needs_horizon(request).empty() && !request.horizon) return true;
+  surface.left_out = broken_cells(points);
+  return false;
+}
+
 }  // namespace
 
-HorizonDrawing draw_horizon(const SurfaceRequest& request, RunReport& run) {
+std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, RunReport& run) {
   PictureRequest picture = request.picture;
   picture.lines.quality = Quality::exact;  // curves of ours, not a mesh that stands for a shape
   run.method = "horizon";
   Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(request, run).front()); });
+  if (timed(run.stages, "breaks", [&] { return is_for_mesh(request, surface); })) return std::nullopt;
   HorizonRequest horizon;
   Surroundings around;
   const std::string samples =
       std::to_string(surface.heights->x().size()) + " x " + std::to_string(surface.heights->y().size()) + " samples";
   timed(run.stages, {"place", samples}, [&] {
-    horizon = horizon_request(request, surface);
-    around = place_with_axes(plot_box(*surface.heights, horizon.heights, horizon.options.z_scale), horizon.extent,
-                             horizon.camera, picture.page, picture.axes, picture.output.title);
+    horizon = horizon_request(request, surface, run);
+    around = place_with_axes(horizon.box, horizon.extent, horizon.camera, picture.page, picture.axes, picture.output.title);
     horizon.options.back_lines = back_lines(around);
     horizon.options.progress = picture.progress;
   });
@@ -148,7 +159,7 @@ HorizonDrawing draw_horizon(const SurfaceRequest& request, RunReport& run) {
   warn_of_empty_or_cut(drawing, around.placement, run);
   if (Polylines axes = axes_of(lines, around); axes.size() > 0) drawing.layers.push_back({"axes", std::move(axes)});
   add_surroundings(drawing, around, picture.axes, run);
-  return {std::move(drawing), around.placement.page, std::move(picture)};
+  return HorizonDrawing{std::move(drawing), around.placement.page, std::move(picture)};
 }
 
 Picture write_horizon(const HorizonDrawing& drawn, RunReport& run) {
@@ -159,7 +170,10 @@ Picture write_horizon(const HorizonDrawing& drawn, RunReport& run) {
 }
 
 Picture draw_surface(const SurfaceRequest& request, RunReport& run) {
-  return drawn_by_horizon(request) ? write_horizon(draw_horizon(request, run), run) : draw_surface_mesh(request, run);
+  if (drawn_by_horizon(request)) {
+    if (const std::optional<HorizonDrawing> drawn = draw_horizon(request, run)) return write_horizon(*drawn, run);
+  }
+  return draw_surface_mesh(request, run);
 }
 
 }  // namespace ligne

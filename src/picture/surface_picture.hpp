@@ -1,6 +1,8 @@
 #pragma once
 /// Pictures of surfaces z = f(x, y) and of parametric ones.
 
+#include <optional>
+
 #include "drawing/drawing.hpp"
 #include "picture/surface_request.hpp"
 #include "picture/write_picture.hpp"
@@ -15,8 +17,9 @@ struct HorizonDrawing {
   PictureRequest picture;  ///< what write_horizon() looks at
 };
 
-/// Draws a surface for which drawn_by_horizon() holds. Throws as draw_surface().
-HorizonDrawing draw_horizon(const SurfaceRequest& request, RunReport& run);
+/// Draws a surface for which drawn_by_horizon() holds; nothing where it ends or jumps inside and is for a mesh, which can be
+/// cut there. Throws as draw_surface().
+std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, RunReport& run);
 Picture write_horizon(const HorizonDrawing& drawn, RunReport& run);
 
 /// Draws the surfaces by the floating horizon where it can, else as meshes. Warnings go to `run`, as do the grids that were

@@ -24,7 +24,9 @@ void check_sources(const SurfaceRequest& request) {
     if (request.x || request.y) {
       throw RequestError("", "-x, -y: go with z = f(x, y); a parametric surface has -u and -v");
     }
-    if (request.log_z) throw RequestError("log-z", "goes with z = f(x, y)");
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (request.log_axes[k]) throw RequestError(std::string("log-") + "xyz"[k], "goes with z = f(x, y)");
+    }
   }
   if (parametric && request.skirt) {
     throw RequestError("skirt", "goes with z = f(x, y), which has a rim, not with --parametric");
@@ -39,6 +41,9 @@ void check_sources(const SurfaceRequest& request) {
   }
   if (!grids && request.every) {
     throw RequestError("every", "goes with --grid; a formula has its number of curves in -x A:B:N");
+  }
+  if (!grids && request.max_slope) {
+    throw RequestError("max-slope", "goes with --grid; a formula is looked at for its jumps");
   }
 }
 
@@ -127,12 +132,6 @@ std::vector<double> contour_levels(const CurveRequest& request, double low, doub
 
 double contour_base_of(const CurveRequest& request, double low, double high) {
   return request.contour_base.value_or(low - kBaseDepth * (high - low));
-}
-
-double z_scale_of(const SurfaceRequest& request, double side, double height) {
-  if (request.z_scale) return *request.z_scale;
-  const double scale = side / (2 * height);
-  return height > 0 && std::isfinite(scale) && scale > 0 ? scale : 1;
 }
 
 }  // namespace ligne

@@ -41,6 +41,17 @@ struct GivenHeights {
   std::vector<double> x, y, z;
 };
 
+/// How long the axes are in the picture: as their numbers are, with the two sides of the ground alike, or as the numbers of
+/// a ratio.
+struct AspectRequest {
+  enum Kind : std::uint8_t { equal, box, ratio } kind = equal;
+  Point3 sides{1, 1, 1};  ///< of a ratio
+};
+
+/// What the positions of a grid are: as the file says or lets see, metres or any other unit that the heights have too, or
+/// degrees of longitude and latitude with heights in metres.
+enum class GroundChoice : std::uint8_t { as_read, metres, degrees };
+
 /// Surfaces z = f(x, y) and parametric ones. Of `picture` the line classes and the crease angle are not looked at.
 struct SurfaceRequest {
   std::vector<std::string> formulas, grids;
@@ -49,15 +60,21 @@ struct SurfaceRequest {
   std::optional<CurveRange> x, y;
   std::vector<CurveRange> u, v;  ///< of the parametric surfaces in their order; the last serves for all that follow
   std::optional<unsigned> samples;
-  std::optional<unsigned> every;  ///< grid: a curve at every so many samples
+  std::optional<unsigned> every;    ///< grid: a curve at every so many samples; nothing: so that the curves keep apart
+  std::optional<double> max_slope;  ///< grid: steeper cells are left out
+  std::optional<unsigned> gridded;  ///< scattered points: a grid of so many columns in place of triangles
+  GroundChoice ground = GroundChoice::as_read;
   CurveFamilies lines = CurveFamilies::xy;
   /// Where the viewer stands, in degrees, when `picture.view` names no view; defaults -60 and 30.
   std::optional<double> azimuth_degrees, elevation_degrees;
-  std::optional<double> z_scale;  ///< nothing: heights take half of the larger side of the ground
-  bool log_z = false;
+  std::optional<AspectRequest> aspect;  ///< nothing: equal, or box where x and y range too differently
+  std::optional<double> z_scale;        ///< nothing: heights take half of the larger side of the ground
+  std::optional<double> exaggeration;   ///< heights against the ground, both in one unit
+  std::array<bool, 3> log_axes{};       ///< coordinates are decimal logarithms
   std::optional<std::array<double, 2>> z_range;
   bool skirt = false;
   std::optional<double> skirt_base;       ///< height; nothing: a little below the lowest
+  bool horizon = false;                   ///< the horizon is asked for, also where it leaves out cells that a mesh can cut
   std::optional<unsigned> pixel_columns;  ///< the horizon as an array of so many pixels; nothing: exact
   CurveRequest curves;
   PictureRequest picture;
@@ -92,9 +109,5 @@ std::vector<double> contour_levels(const CurveRequest& request, double low, doub
 
 /// Height of the plane of the contours at the base.
 double contour_base_of(const CurveRequest& request, double low, double high);
-
-/// The factor by which heights that range over `height` take half of the larger `side` of the ground, where the request has
-/// none; 1 where that is no finite number above zero.
-double z_scale_of(const SurfaceRequest& request, double side, double height);
 
 }  // namespace ligne

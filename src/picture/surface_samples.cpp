@@ -1,10 +1,13 @@
 #include "picture/surface_samples.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "files/message_text.hpp"
 #include "picture/errors.hpp"
+#include "picture/surface_scale.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/held_heights.hpp"
 
@@ -29,7 +32,8 @@ struct Positions {
 };
 
 /// `crossed`: whether curves run along this axis and need samples between those of the other family.
-Positions positions(const CurveRange& range, bool crossed, const std::optional<unsigned>& samples) {
+Positions positions(CurveRange range, bool crossed, const std::optional<unsigned>& samples, bool log = false) {
+  if (log) range = {std::log10(range.from), std::log10(range.to), range.curves};
   const unsigned intervals = range.curves.value_or(kCurves) - 1;
   Positions result;
   if (crossed && samples) {
@@ -76,14 +80,23 @@ AxisWindow window_of(const std::optional<CurveRange>& range) {
 
 Surface grid_surface(const SurfaceRequest& request, const std::string& file, RunReport& run) {
   Warnings warnings;
-  Surface surface{file, read_grid(file, warnings, &run.files)};
+  Surface surface;
+  surface.name = file;
+  surface.heights = read_grid(file, warnings, &run.files);
   for (const auto& [kind, count] : warnings.counts()) {
     run.warnings.push_back({file, std::to_string(count) + " " + kind});
   }
+  const GroundUnit unit = request.ground == GroundChoice::as_read  ? surface.heights->unit()
+                          : request.ground == GroundChoice::metres ? GroundUnit::same
+                                                                   : GroundUnit::degrees;
   if (request.x || request.y) {
     surface.heights = window_heights(std::move(surface.heights), window_of(request.x), window_of(request.y), file);
   }
+  if (request.max_slope) {
+    surface.left_out = steep_cells(*surface.heights, *request.max_slope, unit == GroundUnit::degrees ? kMetresOfDegree : 1);
+  }
   surface.x_stride = surface.y_stride = request.every.value_or(1);
+  surface.unit = unit;
   return surface;
 }
 
@@ -136,19 +149,33 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
                    y_range = range_of(request.y, grids, &HeightSource::y);
   std::vector<Surface> surfaces;
   for (const std::string& formula : request.formulas) {
-    Positions x = positions(x_range, !by_curves || y_curves(request), request.samples);
-    Positions y = positions(y_range, !by_curves || x_curves(request), request.samples);
+    Positions x = positions(x_range, !by_curves || y_curves(request), request.samples, request.log_axes[0]);
+    Positions y = positions(y_range, !by_curves || x_curves(request), request.samples, request.log_axes[1]);
     check_samples(request, x, y, "-x, -y");
-    Surface& surface = surfaces.emplace_back(Surface{formula, nullptr, x.stride, y.stride, true});
-    surface.heights = formula_heights(formula, std::move(x.at), std::move(y.at));
+    Surface& surface = surfaces.emplace_back();
+    surface.name = formula;
+    surface.x_stride = x.stride;
+    surface.y_stride = y.stride;
+    surface.from_formula = true;
+    surface.function = std::make_shared<HeightFunction>(formula, request.log_axes);
+    surface.heights = heights_of(surface.function, std::move(x.at), std::move(y.at));
     if (surface.heights->x().size() * surface.heights->y().size() <= kHeldSamples) surface.heights = held(*surface.heights);
   }
-  for (Surface& grid : grids) surfaces.push_back(std::move(grid));
-  for (Surface& surface : surfaces) {
-    if (request.log_z) surface.heights = log_heights(std::move(surface.heights));
-    choose_curves(surface, request);
+  for (Surface& grid : grids) {
+    grid.heights = log_ground(std::move(grid.heights), request.log_axes[0], request.log_axes[1], grid.name);
+    if (request.log_axes[2]) grid.heights = log_heights(std::move(grid.heights));
+    surfaces.push_back(std::move(grid));
   }
+  for (Surface& surface : surfaces) choose_curves(surface, request);
   return surfaces;
+}
+
+void refuse_empty(const SurfaceRequest& request, const std::string& formula, RunReport& run) {
+  const std::string cause = printable(formula) +
+                            (request.z_range ? " has no height within --z-range" : " is nowhere a number") +
+                            " over the ground that is drawn: -x, -y";
+  if (request.formulas.size() + request.grids.size() + request.parametric.size() == 1) throw InputError("surface", cause);
+  run.warn(cause);
 }
 
 std::vector<SurfacePoints> points_of(const SurfaceRequest& request, RunReport& run) {
@@ -162,6 +189,9 @@ std::vector<SurfacePoints> points_of(const SurfaceRequest& request, RunReport& r
     points.x_stride = surface.x_stride;
     points.y_stride = surface.y_stride;
     points.from_formula = surface.from_formula;
+    points.function = surface.function;
+    points.unit = surface.unit;
+    points.left_out = surface.left_out;
   }
   for (std::size_t k = 0; k < request.parametric.size(); ++k) {
     const std::array<std::string, 3>& formulas = request.parametric[k];

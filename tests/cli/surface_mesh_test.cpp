@@ -145,7 +145,7 @@ TEST_F(SurfaceMeshTest, MeshFiles) {
   }
   fails({"x", "--as-mesh", "-o", "a.svg"}, 2, "--output: a.svg does not end in .json or .obj");
   fails({"x", "--as-mesh", "-o", "-", "--format", "svg"}, 2, "--format: ");
-  fails({"sqrt(-1-r)", "--as-mesh", "-o", "a.obj"}, 1, "surface: has no cell without a hole");
+  fails({"sqrt(-1-r)", "--as-mesh", "-o", "a.obj"}, 1, "surface: sqrt(-1-r) is nowhere a number");
 }
 
 TEST_F(SurfaceMeshTest, TheSameBytesWithAnyNumberOfThreads) {
@@ -183,7 +183,7 @@ TEST_F(SurfaceMeshTest, Mistakes) {
   fails({"--grid", "flat.csv", "-x", "0:1:4", "-o", "a.svg"}, 2, "-x, -y: a grid takes A:B");
   fails({"--grid", "flat.csv", "-x", "7:9", "-o", "a.svg"}, 1, "flat.csv: the window -x, -y holds 0 columns");
   fails({"--grid", "flat.csv", "--samples", "9", "-o", "a.svg"}, 2, "--samples: ");
-  fails({"x", "--z-range", "30:40", "-o", "a.svg"}, 0, "surface: warning: nothing to draw is in view");
+  fails({"x", "--z-range", "30:40", "-o", "a.svg"}, 1, "surface: x has no height within --z-range");
   fails({"10^(100*x)", "--method", "appel", "--z-scale", "1", "-o", "a.svg"}, 1, "surface: has a coordinate beyond 1.6e60");
   fails({"x", "y", "--output", "a.gif"}, 2, "--output: ");
 }

@@ -75,8 +75,8 @@ TEST_F(SurfaceTest, GridsAndTheirCurves) {
 
 TEST_F(SurfaceTest, HiddenPartsAreLeftOut) {
   // A wall before a plain, looked at from low in front: the plain behind it is not seen.
-  const std::vector<std::string> wall{"if(y < 0.25, 1, 0)", "-x", "0:1:4",     "-y", "0:1:5", "--lines", "y",
-                                      "--z-scale",          "1",  "--azimuth", "-90"};
+  const std::vector<std::string> wall{
+      "min(1, max(0, 20*(0.25-y)))", "-x", "0:1:4", "-y", "0:1:5", "--lines", "y", "--z-scale", "1", "--azimuth", "-90"};
   const auto with = [&](const char* elevation) {
     std::vector<std::string> all = wall;
     all.insert(all.end(), {"--elevation", elevation});
@@ -180,7 +180,7 @@ TEST_F(SurfaceTest, AxesEverywhereAndOfEverything) {
   EXPECT_EQ(count(svg({"x*y", "--axes=box", "--eye", "4,4,2", "--target=-5,-5,0", "--fov", "90"}), "id=\"axes\""), 1u)
       << "from within the box";
   EXPECT_EQ(count(svg({"1e9+x", "--axes", "-x", "0:1e-7", "-y", "0:1e9", "--page", "a6"}), "id=\"axes\""), 1u);
-  fails({"sqrt(-1-r)", "--axes", "-o", "a.svg"}, 0, "surface: warning: nothing to draw is in view");
+  fails({"sqrt(-1-r)", "--axes", "-o", "a.svg"}, 1, "surface: sqrt(-1-r) is nowhere a number");
 }
 
 TEST_F(SurfaceTest, MistakesOfAxes) {
@@ -207,7 +207,7 @@ TEST_F(SurfaceTest, Mistakes) {
   fails({"x", "--resolution", "2", "-o", "a.svg"}, 2, "--resolution: ");
   fails({"x", "--azimuth", "2", "--view", "top", "-o", "a.svg"}, 2, "--azimuth, --elevation: ");
   fails({"--grid", "nowhere.csv", "-o", "a.svg"}, 1, "nowhere.csv: ");
-  fails({"sqrt(-1-r)", "-o", "a.svg"}, 0, "surface: warning: nothing to draw is in view");
+  fails({"sqrt(-1-r)", "-o", "a.svg"}, 1, "surface: sqrt(-1-r) is nowhere a number over the ground that is drawn");
 }
 
 }  // namespace

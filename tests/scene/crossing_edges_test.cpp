@@ -42,12 +42,12 @@ int of_formulas(const std::vector<std::string>& formulas) {
     points.from_formula = true;
     meshes.push_back(make_surface_mesh(points));
   }
-  return crossing_edges(surface_scene(meshes, 1, {}));
+  return crossing_edges(surface_scene(meshes, {1, 1, 1}, {}));
 }
 
 int of_parametric(const std::array<std::string, 3>& formulas, const std::vector<double>& u, const std::vector<double>& v) {
   const SurfaceMesh mesh = make_surface_mesh(parametric_points(formulas, u, v));
-  return crossing_edges(surface_scene(std::span(&mesh, 1), 1, {}));
+  return crossing_edges(surface_scene(std::span(&mesh, 1), {1, 1, 1}, {}));
 }
 
 TEST(CrossingEdges, PlanesThatCrossAlongAColumn) {

@@ -41,7 +41,7 @@ SurfacePoints parametric(const char* x, const char* y, const char* z, std::vecto
 }
 
 Scene scene_of(const SurfaceMesh& mesh, double z_scale = 1, std::optional<double> base = {}) {
-  return surface_scene(std::span(&mesh, 1), z_scale, base);
+  return surface_scene(std::span(&mesh, 1), {1, 1, z_scale}, base);
 }
 
 struct Counts {

@@ -113,7 +113,7 @@ Segments by_mesh(const HeightSource& heights, const View& view, const HorizonOpt
   points.x_stride = options.x_stride;
   points.y_stride = options.y_stride;
   const SurfaceMesh mesh = make_surface_mesh(points);
-  const Scene scene = surface_scene({&mesh, 1}, 1, std::nullopt);
+  const Scene scene = surface_scene({&mesh, 1}, {1, 1, 1}, std::nullopt);
   const Topology topology = build_topology(scene);
   EdgeSelection selection;
   for (const LineClass c : {LineClass::horizon, LineClass::outline, LineClass::border}) selection.classes.add(c);

@@ -1,8 +1,9 @@
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "scene/surfaces/formula_evaluator.hpp"
+#include "scene/surfaces/height_function.hpp"
 #include "scene/surfaces/height_source.hpp"
 
 namespace ligne {
@@ -10,29 +11,41 @@ namespace {
 
 class FormulaHeights : public HeightSource {
  public:
-  FormulaHeights(FormulaText formula, std::vector<double> x, std::vector<double> y)
-      : HeightSource(std::move(x), std::move(y)), evaluators_(std::move(formula)) {}
+  FormulaHeights(std::shared_ptr<const HeightFunction> function, std::vector<double> x, std::vector<double> y)
+      : HeightSource(std::move(x), std::move(y)), function_(std::move(function)) {}
 
   void read_row(std::size_t j, std::span<double> z) const override {
-    evaluators_.use([&](FormulaEvaluator& evaluator) {
-      std::array<double, kFormulaVariables.size()> values{0, y()[j], 0, 0};
-      for (std::size_t i = 0; i < z.size(); ++i) {
-        values[0] = x()[i];
-        if (evaluator.uses(2)) values[2] = std::hypot(values[0], values[1]);
-        if (evaluator.uses(3)) values[3] = std::atan2(values[1], values[0]);
-        z[i] = evaluator(values);
-      }
+    function_->use([&](HeightFunction::At& at) {
+      for (std::size_t i = 0; i < z.size(); ++i) z[i] = at(x()[i], y()[j]);
     });
   }
 
  private:
-  FormulaEvaluators evaluators_;
+  std::shared_ptr<const HeightFunction> function_;
 };
 
 }  // namespace
 
+HeightFunction::HeightFunction(const std::string& formula, std::array<bool, 3> log_axes)
+    : evaluators_(prepare_formula(formula)), log_axes_(log_axes) {}
+
+double HeightFunction::At::operator()(double x, double y) {
+  std::array<double, kFormulaVariables.size()> values{log_axes_[0] ? std::pow(10, x) : x, log_axes_[1] ? std::pow(10, y) : y,
+                                                      0, 0};
+  if (evaluator_.uses(2)) values[2] = std::hypot(values[0], values[1]);
+  if (evaluator_.uses(3)) values[3] = std::atan2(values[1], values[0]);
+  const double z = evaluator_(values);
+  if (!log_axes_[2]) return z;
+  return z > 0 ? std::log10(z) : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::unique_ptr<HeightSource> heights_of(std::shared_ptr<const HeightFunction> function, std::vector<double> x,
+                                         std::vector<double> y) {
+  return std::make_unique<FormulaHeights>(std::move(function), std::move(x), std::move(y));
+}
+
 std::unique_ptr<HeightSource> formula_heights(const std::string& formula, std::vector<double> x, std::vector<double> y) {
-  return std::make_unique<FormulaHeights>(prepare_formula(formula), std::move(x), std::move(y));
+  return heights_of(std::make_shared<HeightFunction>(formula), std::move(x), std::move(y));
 }
 
 }  // namespace ligne

@@ -38,6 +38,22 @@ bool is_for_gdal(std::string_view chars) {
   return std::any_of(kMarks.begin(), kMarks.end(), [&](std::string_view mark) { return chars.starts_with(mark); });
 }
 
+/// Positions as far apart as degrees of a grid of the earth are, and no more of them than there are on it.
+constexpr double kWidestStepOfDegrees = 0.25, kMostLongitude = 360, kMostLatitude = 90;
+
+/// What the positions of a grid of terrain measure, whose file does not say it.
+GroundUnit likely_unit(const HeightSource& heights) {
+  const std::vector<double>&x = heights.x(), &y = heights.y();
+  const auto within = [](const std::vector<double>& at, double most) { return at.front() >= -most && at.back() <= most; };
+  const bool fine = x[1] - x[0] <= kWidestStepOfDegrees && y[1] - y[0] <= kWidestStepOfDegrees;
+  return fine && within(x, kMostLongitude) && within(y, kMostLatitude) ? GroundUnit::degrees : GroundUnit::same;
+}
+
+std::unique_ptr<HeightSource> with_unit(std::unique_ptr<HeightSource> heights, GroundUnit unit) {
+  heights->set_unit(unit);
+  return heights;
+}
+
 /// Throws InputError when the bytes are a model, or a file of another known kind.
 void refuse_models(std::span<const std::byte> bytes, const std::string& name) {
   std::string format;
@@ -62,9 +78,9 @@ std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const 
                                         const std::filesystem::path& file, InputFiles* opened) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (chars.empty()) throw InputError(name, "is empty");
-  if (chars.starts_with("\x89PNG")) return read_png_grid(bytes, name, warnings);
+  if (chars.starts_with("\x89PNG")) return with_unit(read_png_grid(bytes, name, warnings), GroundUnit::same);
   if (const char kind = netpbm_kind(chars)) {
-    if (kind == '2' || kind == '5') return read_pgm_grid(bytes, name, warnings);
+    if (kind == '2' || kind == '5') return with_unit(read_pgm_grid(bytes, name, warnings), GroundUnit::same);
     throw InputError(name, std::string("is a Netpbm picture P") + kind + "; heights need a grey one, P2 or P5");
   }
   InputFiles unasked;
@@ -75,7 +91,10 @@ std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const 
   if (!is_utf16 && chars.substr(0, kLookedAt).find('\0') != std::string_view::npos) {
     throw InputError(name, "not a grid file that is known (matrix as text, gnuplot, ESRI ASCII grid, PGM, PNG, GeoTIFF)");
   }
-  return is_esri_grid(as_text(bytes, name)) ? read_esri_grid(bytes, name, warnings) : read_text_grid(bytes, name, warnings);
+  if (!is_esri_grid(as_text(bytes, name))) return read_text_grid(bytes, name, warnings);
+  std::unique_ptr<HeightSource> heights = read_esri_grid(bytes, name, warnings);
+  heights->set_unit(likely_unit(*heights));
+  return heights;
 }
 
 std::optional<double> height_in(std::string_view word) {

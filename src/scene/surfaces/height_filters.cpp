@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/degrees.hpp"
 #include "geometry/parallel.hpp"
 #include "scene/surfaces/held_heights.hpp"
 
@@ -34,6 +35,24 @@ class LogHeights : public HeightSource {
  private:
   std::unique_ptr<HeightSource> heights_;
 };
+
+/// The same rows over other positions.
+class MovedHeights : public HeightSource {
+ public:
+  MovedHeights(std::unique_ptr<HeightSource> heights, std::vector<double> x, std::vector<double> y)
+      : HeightSource(std::move(x), std::move(y)), heights_(std::move(heights)) {}
+
+  void read_row(std::size_t j, std::span<double> z) const override { heights_->read_row(j, z); }
+
+ private:
+  std::unique_ptr<HeightSource> heights_;
+};
+
+template <class Change>
+std::vector<double> changed(std::vector<double> positions, bool is_changed, Change change) {
+  if (is_changed) std::transform(positions.begin(), positions.end(), positions.begin(), change);
+  return positions;
+}
 
 /// Positions at equal distances from 0 to `end`.
 std::vector<double> spaced(std::size_t n, double end) {
@@ -102,6 +121,42 @@ class WindowHeights : public HeightSource {
 
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights) {
   return std::make_unique<LogHeights>(std::move(heights));
+}
+
+std::unique_ptr<HeightSource> log_ground(std::unique_ptr<HeightSource> heights, bool log_x, bool log_y,
+                                         const std::string& name) {
+  if (!log_x && !log_y) return heights;
+  const AxisWindow positive{std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()};
+  heights = window_heights(std::move(heights), log_x ? positive : AxisWindow{}, log_y ? positive : AxisWindow{}, name);
+  const auto log = [](double at) { return std::log10(at); };
+  std::vector<double> x = changed(heights->x(), log_x, log), y = changed(heights->y(), log_y, log);
+  return std::make_unique<MovedHeights>(std::move(heights), std::move(x), std::move(y));
+}
+
+std::unique_ptr<HeightSource> scaled_ground(std::unique_ptr<HeightSource> heights, double factor_x, double factor_y) {
+  if (factor_x == 1 && factor_y == 1) return heights;
+  std::vector<double> x = changed(heights->x(), factor_x != 1, [&](double at) { return at * factor_x; });
+  std::vector<double> y = changed(heights->y(), factor_y != 1, [&](double at) { return at * factor_y; });
+  return std::make_unique<MovedHeights>(std::move(heights), std::move(x), std::move(y));
+}
+
+std::vector<char> steep_cells(const HeightSource& heights, double most, double units) {
+  const std::vector<double>&x = heights.x(), &y = heights.y();
+  const std::size_t columns = x.size(), width = columns - 1;
+  std::vector<char> steep(width * (y.size() - 1), 0);
+  parallel_for(y.size() - 1, [&](std::size_t j) {
+    std::vector<double> low(columns), high(columns);
+    heights.read_row(j, low);
+    heights.read_row(j + 1, high);
+    const auto shrunk = [&](double latitude) { return units > 1 ? sine_cosine_degrees(latitude).cosine : 1; };
+    for (std::size_t i = 0; i < width; ++i) {
+      const double across = (x[i + 1] - x[i]) * units * most, along = (y[j + 1] - y[j]) * units * most;
+      steep[j * width + i] = std::abs(low[i + 1] - low[i]) > across * shrunk(y[j]) ||
+                             std::abs(high[i + 1] - high[i]) > across * shrunk(y[j + 1]) ||
+                             std::abs(high[i] - low[i]) > along || std::abs(high[i + 1] - low[i + 1]) > along;
+    }
+  });
+  return steep;
 }
 
 std::unique_ptr<HeightSource> held(const HeightSource& heights) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "scene/surfaces/height_source.hpp"
 
@@ -17,6 +18,19 @@ std::unique_ptr<HeightSource> transposed(const HeightSource& heights);
 
 /// log10 of the heights; what is not above zero is a hole.
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights);
+
+/// log10 of the positions of the axes that are named; those not above zero are left out. Throws InputError(name, ...) when
+/// that leaves fewer than two columns or rows.
+std::unique_ptr<HeightSource> log_ground(std::unique_ptr<HeightSource> heights, bool log_x, bool log_y,
+                                         const std::string& name);
+
+/// The same heights over positions that are multiplied by these factors, above zero.
+std::unique_ptr<HeightSource> scaled_ground(std::unique_ptr<HeightSource> heights, double factor_x, double factor_y);
+
+/// Cells with a side along which heights change by more than `most` for a unit of the ground, row by row, one less in a row
+/// than samples. Positions times `units` are in the unit of the heights; with more than one they are degrees, and those of x
+/// shrink with the cosine of y.
+std::vector<char> steep_cells(const HeightSource& heights, double most, double units);
 
 /// For a ridgeline plot, seen from (0, -1, 1): x from 0 to 1, `rows_height` in y; heights from 0, so that the range from
 /// `low` to `high` is as large as the distance of `rows` neighbouring rows.

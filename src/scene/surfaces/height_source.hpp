@@ -2,6 +2,7 @@
 /// Surfaces z = f(x, y): heights over a grid of sample positions.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -12,6 +13,13 @@
 #include "scene/model/diagnostics.hpp"
 
 namespace ligne {
+
+/// What positions are measured in.
+enum class GroundUnit : std::uint8_t {
+  unknown,
+  same,     ///< one unit in x, y and, as far as is known, z
+  degrees,  ///< longitude and latitude; heights are in metres
+};
 
 /// Heights over the positions x[i], y[j], given row by row, so that a large grid need not be held as a whole.
 class HeightSource {
@@ -26,11 +34,16 @@ class HeightSource {
   /// several threads at a time.
   virtual void read_row(std::size_t j, std::span<double> z) const = 0;
 
+  /// As the file says or lets see.
+  GroundUnit unit() const { return unit_; }
+  void set_unit(GroundUnit unit) { unit_ = unit; }
+
  protected:
   HeightSource(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y_(std::move(y)) {}
 
  private:
   std::vector<double> x_, y_;
+  GroundUnit unit_ = GroundUnit::unknown;
 };
 
 /// Heights of a formula in x and y (also r and theta, the polar coordinates; pi, e). A place where it is not a finite number

@@ -9,6 +9,7 @@
 #include "scene/clean/weld_near.hpp"
 #include "scene/model/diagnostics.hpp"
 #include "scene/model/precision.hpp"
+#include "scene/surfaces/outside_cells.hpp"
 
 namespace ligne {
 namespace {
@@ -40,58 +41,19 @@ std::vector<std::uint32_t> vertices_of(const SurfacePoints& surface, std::vector
   return vertex;
 }
 
-bool is_curve(std::size_t i, std::size_t count, std::size_t stride) {
-  return stride != 0 && (i % stride == 0 || i + 1 == count);
-}
-
-/// The cells of a grid with a frame of cells round it, and which of them are outside: those of the frame, and those with a
-/// hole at a corner that are joined with it side by side.
-class Outside {
- public:
-  Outside(const SurfacePoints& surface, const std::vector<std::uint32_t>& vertex)
-      : width_(surface.columns + 1), cells_(width_ * (surface.rows + 1), kOpen) {
-    for (std::size_t j = 0; j + 1 < surface.rows; ++j) {
-      for (std::size_t i = 0; i + 1 < surface.columns; ++i) {
-        const std::uint32_t* v = &vertex[j * surface.columns + i];
-        const std::uint32_t* w = v + surface.columns;
-        if (v[0] != kNone && v[1] != kNone && w[0] != kNone && w[1] != kNone) cells_[(j + 1) * width_ + i + 1] = kFilled;
-      }
-    }
-    std::vector<std::size_t> reached{0};
-    cells_[0] = kOutside;
-    const auto reach = [&](std::size_t cell) {
-      if (cells_[cell] != kOpen) return;
-      cells_[cell] = kOutside;
-      reached.push_back(cell);
-    };
-    while (!reached.empty()) {
-      const std::size_t cell = reached.back(), column = cell % width_;
-      reached.pop_back();
-      if (column > 0) reach(cell - 1);
-      if (column + 1 < width_) reach(cell + 1);
-      if (cell >= width_) reach(cell - width_);
-      if (cell + width_ < cells_.size()) reach(cell + width_);
-    }
-  }
-
-  /// Of the cell whose low corner is sample (i, j), each counted from 1; 0 is the frame.
-  bool operator()(std::size_t i, std::size_t j) const { return cells_[j * width_ + i] == kOutside; }
-
- private:
-  enum Kind : std::uint8_t { kOpen, kFilled, kOutside };
-  std::size_t width_;
-  std::vector<Kind> cells_;
-};
-
 /// Puts the cells of a grid into a mesh.
 class CellCutter {
  public:
   CellCutter(const SurfacePoints& surface, const std::vector<std::uint32_t>& vertex, SurfaceMesh& mesh)
-      : surface_(surface), vertex_(vertex), outside_(surface, vertex), mesh_(mesh) {}
+      : surface_(surface),
+        vertex_(vertex),
+        outside_(surface.columns, surface.rows, [&](std::size_t k) { return vertex[k] != kNone; }),
+        mesh_(mesh) {}
 
   void cut(std::size_t i, std::size_t j) {
     const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i, j + 1), d = at(i + 1, j + 1);
     if (a == kNone || b == kNone || c == kNone || d == kNone) return;
+    if (!surface_.left_out.empty() && surface_.left_out[j * (surface_.columns - 1) + i]) return;
     const std::uint8_t bottom = row_flags(j) | rim(i + 1, j, SurfaceMesh::kRimBottom),
                        top = row_flags(j + 1) | rim(i + 1, j + 2, SurfaceMesh::kRimTop);
     const std::uint8_t left = column_flags(i) | rim(i, j + 1, SurfaceMesh::kRimLeft),
@@ -108,11 +70,11 @@ class CellCutter {
 
  private:
   std::uint32_t at(std::size_t i, std::size_t j) const { return vertex_[j * surface_.columns + i]; }
-  std::uint8_t row_flags(std::size_t j) const { return is_curve(j, surface_.rows, surface_.y_stride) ? kCornerCurve : 0; }
+  std::uint8_t row_flags(std::size_t j) const { return is_curve_at(j, surface_.rows, surface_.y_stride) ? kCornerCurve : 0; }
   std::uint8_t column_flags(std::size_t i) const {
-    return is_curve(i, surface_.columns, surface_.x_stride) ? kCornerCurve : 0;
+    return is_curve_at(i, surface_.columns, surface_.x_stride) ? kCornerCurve : 0;
   }
-  /// The flag when the neighbour, numbered as for Outside, is outside.
+  /// The flag when the neighbour, numbered as for OutsideCells, is outside.
   std::uint8_t rim(std::size_t i, std::size_t j, std::uint8_t flag) const { return outside_(i, j) ? flag : 0; }
   void add(std::array<std::uint32_t, 3> corners, std::array<std::uint8_t, 3> flags) {
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
@@ -122,7 +84,7 @@ class CellCutter {
 
   const SurfacePoints& surface_;
   const std::vector<std::uint32_t>& vertex_;
-  Outside outside_;
+  OutsideCells outside_;
   SurfaceMesh& mesh_;
 };
 
@@ -201,7 +163,7 @@ class PlaneCut {
 /// Puts objects into a scene, each with the vertices that its triangles use.
 class ObjectMaker {
  public:
-  explicit ObjectMaker(double z_scale) : z_scale_(z_scale) {}
+  explicit ObjectMaker(const Point3& factor) : factor_(factor) {}
 
   void begin(std::string name, bool from_formula) {
     object_ = {};
@@ -213,7 +175,7 @@ class ObjectMaker {
   }
 
   std::uint32_t add_vertex(Point3 p) {
-    p.z *= z_scale_;
+    p *= factor_;
     const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     if (!(size <= kLargestCoordinate))
       throw InputError("surface", "has a coordinate beyond 1.6e60, too large to compute with");
@@ -241,7 +203,7 @@ class ObjectMaker {
   }
 
  private:
-  double z_scale_;
+  Point3 factor_;
   Scene scene_;
   Object object_;
   bool from_formula_ = false;
@@ -327,8 +289,8 @@ std::optional<std::array<double, 2>> height_range(std::span<const SurfaceMesh> m
   return range;
 }
 
-Scene surface_scene(std::span<const SurfaceMesh> meshes, double z_scale, std::optional<double> base) {
-  ObjectMaker maker(z_scale);
+Scene surface_scene(std::span<const SurfaceMesh> meshes, const Point3& factor, std::optional<double> base) {
+  ObjectMaker maker(factor);
   for (const SurfaceMesh& mesh : meshes) {
     add_surface(mesh, maker);
     if (!base) continue;

@@ -55,10 +55,10 @@ void cut_contours(SurfaceMesh& mesh, std::span<const double> levels);
 /// The least and the greatest height of the triangles, or nothing.
 std::optional<std::array<double, 2>> height_range(std::span<const SurfaceMesh> meshes);
 
-/// A scene with an object for each mesh, z up, heights multiplied by `z_scale`. With `base` (before scaling, not above any
-/// height) every mesh also gets upright walls from its outer rim down to that height: one object for each of the four
+/// A scene with an object for each mesh, z up, coordinates multiplied by `factor`. With `base` (before scaling, not above
+/// any height) every mesh also gets upright walls from its outer rim down to that height: one object for each of the four
 /// directions, so that where two meet, and at the base, the walls have borders. Throws InputError when a coordinate is too
 /// large to compute with.
-Scene surface_scene(std::span<const SurfaceMesh> meshes, double z_scale, std::optional<double> base);
+Scene surface_scene(std::span<const SurfaceMesh> meshes, const Point3& factor, std::optional<double> base);
 
 }  // namespace ligne

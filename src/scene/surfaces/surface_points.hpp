@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "geometry/point.hpp"
+#include "scene/surfaces/height_function.hpp"
 #include "scene/surfaces/height_source.hpp"
 
 namespace ligne {
@@ -24,9 +26,18 @@ struct SurfacePoints {
   /// Every how many samples there is a curve, as in HorizonOptions: at columns, at rows; 0 for none; the last one in any
   /// case.
   std::size_t x_stride = 1, y_stride = 1;
-  bool parametric = false;    ///< points may come together: where the surface closes, and at poles
-  bool from_formula = false;  ///< coordinates carry the roundings of a formula (kFormulaRounding)
+  /// Cells that are left out whatever their corners, row by row, columns - 1 in a row; may be empty.
+  std::vector<char> left_out;
+  bool parametric = false;                         ///< points may come together: where the surface closes, and at poles
+  bool from_formula = false;                       ///< coordinates carry the roundings of a formula (kFormulaRounding)
+  std::shared_ptr<const HeightFunction> function;  ///< of z = f(x, y) as a formula
+  GroundUnit unit = GroundUnit::unknown;
 };
+
+/// Whether there is a curve at the i-th of `count` columns or rows.
+inline bool is_curve_at(std::size_t i, std::size_t count, std::size_t stride) {
+  return stride != 0 && (i % stride == 0 || i + 1 == count);
+}
 
 /// The most samples that the meshes of one drawing may have in all: with about half a kilobyte for each from the scene to
 /// the strokes, 2 GB.

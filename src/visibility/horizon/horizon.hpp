@@ -40,6 +40,8 @@ struct HorizonOptions {
   /// Segments in the upright planes of the grid's far borders, or on a level ground that the surface stands on; heights
   /// scaled.
   std::vector<std::array<Point3, 2>> back_lines;
+  /// Cells that are left out whatever their corners, row by row of the grid; may be null. Needs `holes`.
+  const std::vector<char>* left_out = nullptr;
   /// Columns of pixels of the horizon; 0: the horizon is exact.
   std::size_t resolution = 0;
   std::optional<bool> holes;               ///< whether a sample may be no number; found out when not said

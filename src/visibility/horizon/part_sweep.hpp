@@ -82,7 +82,7 @@ class PartSweep {
       const std::size_t count = std::min(kRowsAtATime, n - first);
       parallel_for(count, [&](std::size_t k) { read(rows_.order[first + k], rows[k]); });
       parallel_for(count, [&](std::size_t k) {
-        if (first + k > 0) find_facings(k > 0 ? rows[k - 1] : last_row, rows[k], facings[k]);
+        if (first + k > 0) find_facings(k > 0 ? rows[k - 1] : last_row, rows[k], first + k, facings[k]);
       });
       last_row = rows[count - 1];
       for (std::size_t k = 0; k < count; ++k) {
@@ -140,11 +140,23 @@ class PartSweep {
     return columns_.sign * rows_.sign * (transposed_ ? -1 : 1) > 0 ? turned : static_cast<std::int8_t>(-turned);
   }
 
-  void find_facings(const std::vector<Sample>& before, const std::vector<Sample>& row, std::vector<Facings>& facings) const {
+  /// Whether the cell between the positions c - 1, c and r - 1, r is left out.
+  bool is_left_out(std::size_t c, std::size_t r) const {
+    if (!options_.left_out) return false;
+    const auto cell = [](const GridAxis& axis, const GridAxis::Part& part, std::size_t k) {
+      return std::min(axis.sample[part.order[k - 1]], axis.sample[part.order[k]]);
+    };
+    const std::size_t i = cell(x_, columns_, c), j = cell(y_, rows_, r);
+    const std::size_t columns = (transposed_ ? y_ : x_).sample_count - 1;
+    return (*options_.left_out)[transposed_ ? i * columns + j : j * columns + i];
+  }
+
+  void find_facings(const std::vector<Sample>& before, const std::vector<Sample>& row, std::size_t r,
+                    std::vector<Facings>& facings) const {
     facings.assign(row.size(), Facings{});
     for (std::size_t c = 1; c < row.size(); ++c) {
       const Sample &n = before[c - 1], &p = before[c], &q = row[c - 1], &f = row[c];
-      if (n.hole || p.hole || q.hole || f.hole) continue;
+      if (n.hole || p.hole || q.hole || f.hole || is_left_out(c, r)) continue;
       facings[c] = anti_ ? Facings{facing(n, p, q), facing(p, f, q)} : Facings{facing(n, p, f), facing(n, f, q)};
     }
   }

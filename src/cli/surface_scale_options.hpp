@@ -1,0 +1,17 @@
+#pragma once
+/// The options of ligne surface that say how long its axes are.
+
+#include "picture/surface_request.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ligne {
+
+void add_surface_scale_options(CLI::App& surface, SurfaceRequest& request);
+
+/// Throws UsageError for options that do not go together.
+void check_scale(const SurfaceRequest& request);
+
+}  // namespace ligne

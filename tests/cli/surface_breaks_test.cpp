@@ -1,0 +1,196 @@
+/// Where formulas end and jump: strokes end on the true border, and none goes over a jump.
+
+#include <functional>
+
+#include "surface_program.hpp"
+
+namespace ligne::test {
+namespace {
+
+using nlohmann::json;
+
+struct Place {
+  double x, y, z;
+};
+
+class SurfaceBreaksTest : public SurfaceProgramTest {
+ protected:
+  /// Segments of the visible curves and borders, in the numbers of the axes.
+  std::vector<std::array<Place, 2>> segments(const std::vector<std::string>& arguments) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--z-scale", "1", "--aspect", "equal", "--view", "top", "--method", "appel"});
+    const Outcome outcome = surface(all, {"-o", "-", "--format", "json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const json drawing = json::parse(outcome.out);
+    const auto& m = drawing["view"]["matrix"];
+    mm_ = std::hypot(m[0].get<double>(), m[1].get<double>(), m[2].get<double>());
+    std::vector<std::array<Place, 2>> found;
+    for (const json& stroke : drawing["strokes"]) {
+      if (stroke["class"] != "horizon" && stroke["class"] != "border") continue;
+      const auto& ends = stroke["source"]["ends"];
+      found.push_back({Place{ends[0][0], ends[0][1], ends[0][2]}, Place{ends[1][0], ends[1][1], ends[1][2]}});
+      border_.push_back(stroke["class"] == "border");
+    }
+    return found;
+  }
+  double mm_ = 1;  ///< of a unit
+  std::vector<bool> border_;
+};
+
+/// A formula with its domain: the distance of a place of the ground from the border, known by hand.
+struct KnownBorder {
+  std::vector<std::string> plot;
+  std::function<double(double, double)> distance;
+  double length;  ///< of the border within the plot
+};
+
+double from_circle(double x, double y, double radius) { return std::abs(std::hypot(x, y) - radius); }
+
+TEST_F(SurfaceBreaksTest, StrokesEndOnTheTrueBorder) {
+  constexpr double kPi = 3.14159265358979323846;
+  const std::vector<std::string> ground{"-x", "-4:4", "-y", "-4:4"};
+  const auto plot = [&](const std::string& formula, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> all{formula};
+    all.insert(all.end(), ground.begin(), ground.end());
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const double root = std::sqrt(2);
+  const KnownBorder borders[] = {
+      {plot("sqrt(9-x^2-y^2)"), [](double x, double y) { return from_circle(x, y, 3); }, 6 * kPi},
+      {plot("acos(r/3.3)"), [](double x, double y) { return from_circle(x, y, 3.3); }, 6.6 * kPi},
+      {plot("if((x-0.3)^2+(y+0.2)^2 < 4, x*y/4, 0/0)"), [](double x, double y) { return from_circle(x - 0.3, y + 0.2, 2); },
+       4 * kPi},
+      {plot("sqrt(x-y+0.03)/2"), [&](double x, double y) { return std::abs(x - y + 0.03) / root; }, (8 - 0.03) * root},
+      {plot("sqrt(r-1.7)"), [](double x, double y) { return from_circle(x, y, 1.7); }, 3.4 * kPi},
+      {plot("sqrt(2.01-abs(x))"), [](double x, double) { return std::abs(std::abs(x) - 2.01); }, 16},
+      {plot("if(x+2*y > 0.1, sin(x), 0/0)"), [](double x, double y) { return std::abs(x + 2 * y - 0.1) / std::sqrt(5); },
+       4 * std::sqrt(5)},
+      {plot("x^2+y^2", {"--z-range", "-1:7"}), [](double x, double y) { return from_circle(x, y, std::sqrt(7)); },
+       2 * kPi * std::sqrt(7)},
+      {plot("x+y/3", {"--z-range", "-2:1"}),
+       [](double x, double y) { return std::min(std::abs(x + y / 3 - 1), std::abs(x + y / 3 + 2)) / std::hypot(1, 1. / 3); },
+       2 * 8 * std::hypot(1, 1. / 3)},
+      {plot("1/(x-0.1)", {"--z-range", "-2:2"}),
+       [](double x, double) { return std::min(std::abs(x - 0.6), std::abs(x + 0.4)); }, 16},
+  };
+  for (const KnownBorder& known : borders) {
+    border_.clear();
+    const auto drawn = segments(known.plot);
+    ASSERT_GT(drawn.size(), 100u) << known.plot[0];
+    double farthest = 0, length = 0;
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      if (!border_[k]) continue;
+      length += std::hypot(drawn[k][1].x - drawn[k][0].x, drawn[k][1].y - drawn[k][0].y);
+      for (const double t : {0., 0.5, 1.}) {
+        const double x = drawn[k][0].x + t * (drawn[k][1].x - drawn[k][0].x);
+        const double y = drawn[k][0].y + t * (drawn[k][1].y - drawn[k][0].y);
+        farthest = std::max(farthest, known.distance(x, y) * mm_);
+      }
+    }
+    EXPECT_LT(farthest, 0.01) << known.plot[0] << ": mm from the true border";
+    EXPECT_NEAR(length, known.length, 2e-3 * known.length) << known.plot[0];
+    // Every curve ends there, or where the plot does.
+    double loose = 0;
+    std::map<std::array<double, 3>, int> ends;
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      if (border_[k]) continue;
+      for (const Place& p : drawn[k]) ++ends[{p.x, p.y, p.z}];
+    }
+    for (const auto& [p, count] : ends) {
+      const bool at_rim = std::abs(std::abs(p[0]) - 4) < 1e-9 || std::abs(std::abs(p[1]) - 4) < 1e-9;
+      if (count == 1 && !at_rim) loose = std::max(loose, known.distance(p[0], p[1]) * mm_);
+    }
+    EXPECT_LT(loose, 0.01) << known.plot[0] << ": mm of a loose end from the true border";
+  }
+}
+
+TEST_F(SurfaceBreaksTest, NoStrokeGoesOverAJump) {
+  struct KnownJump {
+    std::string formula;
+    std::function<double(double, double)> side;  ///< changes where the formula jumps
+  };
+  const auto step = [](double v) { return std::floor(v); };
+  const KnownJump jumps[] = {
+      {"floor(x)+y/9", [&](double x, double) { return step(x); }},
+      {"sign(x-0.03)*2", [&](double x, double) { return double(x > 0.03); }},
+      {"ceil(x+y/2)", [&](double x, double y) { return std::ceil(x + y / 2); }},
+      {"round(y)/2+x/5", [&](double, double y) { return std::round(y); }},
+      {"mod(x+0.013*y,1)", [&](double x, double y) { return step(x + 0.013 * y); }},
+      {"if(r < 2.02, 2, 0)", [&](double x, double y) { return double(std::hypot(x, y) < 2.02); }},
+      {"sign(x*y)", [&](double x, double y) { return double(x > 0) + 2 * double(y > 0); }},
+      {"atan(1/(x-y/3))", [&](double x, double y) { return double(x > y / 3); }},
+      {"floor(r)", [&](double x, double y) { return step(std::hypot(x, y)); }},
+      {"x*x/4-3*(x > sin(y))", [&](double x, double y) { return double(x > std::sin(y)); }},
+  };
+  constexpr double kBeside = 1e-6;  // of a unit: what is nearer to a jump has no side
+  for (const KnownJump& known : jumps) {
+    border_.clear();
+    const auto drawn = segments({known.formula, "-x", "-3.5:3.5", "-y", "-3.5:3.5"});
+    ASSERT_GT(drawn.size(), 100u) << known.formula;
+    int across = 0;
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      const auto& [p, q] = drawn[k];
+      const double length = std::hypot(q.x - p.x, q.y - p.y);
+      if (length < kBeside) {
+        across += std::abs(q.z - p.z) > 0.01;  // a wall
+        continue;
+      }
+      const double t = kBeside / length;
+      if (border_[k]) continue;  // they run along it
+      const double first = known.side(p.x + t * (q.x - p.x), p.y + t * (q.y - p.y));
+      across += first != known.side(q.x + t * (p.x - q.x), q.y + t * (p.y - q.y));
+    }
+    EXPECT_EQ(across, 0) << known.formula;
+  }
+}
+
+TEST_F(SurfaceBreaksTest, SteepIsNoJump) {
+  // As many strokes of the border as of a plain surface: none but the curves at the rim.
+  for (const char* formula : {"tanh(300*x)", "atan(1000*y)", "abs(x)", "sqrt(abs(x*y))", "10*x+y"}) {
+    const auto layer = layers({formula, "-x", "-2:2", "-y", "-2:2", "--aspect", "1:1:1"});
+    EXPECT_EQ(layer.count("border"), 0u) << formula;
+  }
+}
+
+TEST_F(SurfaceBreaksTest, PolesAreCut) {
+  for (const char* formula : {"1/x", "1/(x^2+y^2)", "1/(x-0.7)^2", "tan(x)", "1/sin(x*y)", "log(x)", "x/(x^2-y)"}) {
+    const Outcome outcome = surface({formula}, {"-o", "a.svg"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.err.find(std::string(formula) + " has poles: cut to"), std::string::npos) << outcome.err;
+  }
+  for (const char* formula : {"exp(3*x)", "x^5", "sqrt(x)", "floor(3*x)", "sin(r)/r", "100*exp(-99*r)", "cosh(x*y)"}) {
+    EXPECT_EQ(surface({formula}, {"-o", "a.svg"}).err, "") << formula;
+  }
+  // What is asked for stays as it is asked for.
+  EXPECT_EQ(surface({"1/x", "--z-range", "-9:9"}, {"-o", "a.svg"}).err, "");
+}
+
+TEST_F(SurfaceBreaksTest, TheHorizonLeavesOutCellsOfAJump) {
+  // Six curves across, which end at the jump, and none along it but the two beside it.
+  const auto rows = [&](const std::string& formula) {
+    return layers({formula, "-x", "0:1:6", "-y", "0:1:6", "--samples", "6", "--method", "horizon", "--lines", "y", "--view",
+                   "top", "--scale", "100:1"})
+        .at("horizon");
+  };
+  EXPECT_NEAR(rows("x"), 600, 0.01);
+  EXPECT_NEAR(rows("floor(x+0.5)"), 480, 0.01);
+}
+
+TEST_F(SurfaceBreaksTest, GridsHaveASteepestSlope) {
+  write("cliff.csv", "0,0,0,9,9\n0,0,0,9,9\n0,0,0,9,9\n");
+  const auto length = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"--grid", "cliff.csv", "--view", "top", "--scale", "10:1", "--lines", "y"};
+    all.insert(all.end(), more.begin(), more.end());
+    return layers(all).at("horizon");
+  };
+  EXPECT_NEAR(length({}), 3 * 4 * 10, 0.01);
+  EXPECT_NEAR(length({"--max-slope", "9"}), 3 * 4 * 10, 0.01);
+  for (const char* method : {"horizon", "appel"}) {
+    EXPECT_NEAR(length({"--max-slope", "5", "--method", method}), 3 * 3 * 10, 0.01) << method;
+  }
+  fails({"x", "--max-slope", "5", "-o", "a.svg"}, 2, "--max-slope: goes with --grid");
+}
+
+}  // namespace
+}  // namespace ligne::test
