@@ -80,17 +80,18 @@ std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const 
 SurfaceMesh mesh_of_formula(const SurfaceRequest& request, const SurfacePoints& surface, RunReport& run) {
   HeightWindow window;
   if (request.z_range) window = {(*request.z_range)[0], (*request.z_range)[1]};
-  const Irregularity found = find_irregularity(surface, window);
+  const std::unique_ptr<HeightSource> heights = heights_of(surface);
+  const Irregularity found = find_irregularity(*heights, *surface.function, window);
   if (found.empty) refuse_empty(request, surface.name, run);
   if (!found.breaks) return make_surface_mesh(surface);
   if (found.poles && !request.z_range && request.log_axes[2]) {
-    window = window_of_samples(surface);  // decades go down without end where heights come near to zero
+    window = window_of_samples(*heights);  // decades go down without end where heights come near to zero
   } else if (found.poles && !request.z_range) {
-    window = window_without_poles(surface);
+    window = window_without_poles(*heights);
     run.warn(printable(surface.name) + " has poles: cut to " + short_number(window.low) + ":" + short_number(window.high) +
              "; --z-range A:B cuts elsewhere");
   }
-  return make_cut_mesh(surface, window);
+  return make_cut_mesh(surface, *heights, window);
 }
 
 struct MeshPlot {

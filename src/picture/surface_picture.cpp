@@ -54,7 +54,7 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface,
   horizon.hidden_by = surfaces.curves.hidden_by;
   horizon.outline = surfaces.curves.outline.value_or(horizon.hidden_by == HiddenBy::surface);
 
-  HeightSurvey found = survey(*surface.heights);
+  HeightSurvey found = surface.survey.empty() ? survey(*surface.heights) : surface.survey;
   if (found.empty() && surface.from_formula) refuse_empty(surfaces, surface.name, run);
   horizon.holes = found.holes || !surface.left_out.empty();
   if (!surface.left_out.empty()) horizon.left_out = &surface.left_out;
@@ -126,11 +126,11 @@ void warn_of_empty_or_cut(const Drawing& drawing, const Placement& placement, Ru
 bool is_for_mesh(const SurfaceRequest& request, Surface& surface) {
   const std::size_t columns = surface.heights->x().size(), rows = surface.heights->y().size();
   if (!surface.function || columns > kMostMeshSamples / rows) return false;
-  SurfacePoints points = points_of(*surface.heights);
-  points.function = surface.function;
-  if (!find_irregularity(points).breaks) return false;
+  const Irregularity found = find_irregularity(*surface.heights, *surface.function);
+  if (!found.empty) surface.survey = {found.span.low, found.span.high, !found.span.all};
+  if (!found.breaks) return false;
   if (needs_horizon(request).empty() && !request.horizon) return true;
-  surface.left_out = broken_cells(points);
+  surface.left_out = broken_cells(*surface.heights, *surface.function);
   return false;
 }
 

@@ -22,6 +22,7 @@ struct Surface {
   bool from_formula = false;
   std::shared_ptr<const HeightFunction> function;  ///< of a formula
   GroundUnit unit = GroundUnit::unknown;
+  HeightSurvey survey;         ///< empty where it is not known
   std::vector<char> left_out;  ///< cells (SurfacePoints)
 };
 

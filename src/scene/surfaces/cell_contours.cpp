@@ -4,13 +4,12 @@
 
 namespace ligne {
 
-CellContours::CellContours(const SurfacePoints& surface, const HeightWindow& window, const std::vector<BrokenEdge>& broken,
-                           std::vector<Point3>& vertices)
+CellContours::CellContours(const SurfacePoints& surface, const HeightWindow& window, double range,
+                           const std::vector<BrokenEdge>& broken, std::vector<Point3>& vertices)
     : surface_(surface),
       window_(window),
       vertices_(vertices),
       outside_(surface.columns, surface.rows, [&](std::size_t k) { return counts(k); }) {
-  const double range = range_of_heights(surface, window);
   heights_to_cells_ = range > 0 ? static_cast<double>(std::max(surface.columns, surface.rows)) / (2 * range) : 1;
   for (const BrokenEdge& edge : broken) {
     std::vector<Piece>& pieces = pieces_[edge.edge.key()];

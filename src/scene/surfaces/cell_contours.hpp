@@ -18,6 +18,7 @@
 #include "scene/surfaces/grid_edges.hpp"
 #include "scene/surfaces/outside_cells.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
+#include "scene/surfaces/surface_points.hpp"
 
 namespace ligne {
 
@@ -31,9 +32,9 @@ class CellContours {
     std::vector<std::array<std::uint8_t, 3>> flags;
   };
 
-  /// `vertices` are the samples; the ends of the pieces are added to them.
-  CellContours(const SurfacePoints& surface, const HeightWindow& window, const std::vector<BrokenEdge>& broken,
-               std::vector<Point3>& vertices);
+  /// `range`: of the heights that count. `vertices` are the samples; the ends of the pieces are added to them.
+  CellContours(const SurfacePoints& surface, const HeightWindow& window, double range,
+               const std::vector<BrokenEdge>& broken, std::vector<Point3>& vertices);
 
   /// The triangles of the cells between rows j and j + 1. From several threads at a time.
   void cut_row(std::size_t j, Found& found) const;

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "scene/surfaces/grid_edges.hpp"
 #include "scene/surfaces/height_breaks.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 #include "scene/surfaces/surface_points.hpp"
@@ -15,22 +16,25 @@ struct Irregularity {
   bool breaks = false;  ///< it ends or jumps somewhere
   bool poles = false;   ///< heights grow beyond bounds there
   bool empty = false;   ///< no sample has a height
+  SampleSpan span;
 };
 
-/// Looks at the samples, and at the formula where neighbouring samples are not in step. Steps of samples are told from jumps
-/// as long as they are resolved: a jump that is smaller than a quarter of the steps beside it is not looked for.
-Irregularity find_irregularity(const SurfacePoints& surface, const HeightWindow& window = {});
+/// Looks at the samples of a function, and at the function where neighbouring samples are not in step. Steps of samples are
+/// told from jumps as long as they are resolved: a jump that is smaller than a quarter of the steps beside it is not looked
+/// for.
+Irregularity find_irregularity(const HeightSource& heights, const HeightFunction& function, const HeightWindow& window = {});
 
 /// Heights to which a surface with poles is cut when nothing is said: what nine tenths of its samples span, and half of that
 /// more on either side, but no more than all span.
-HeightWindow window_without_poles(const SurfacePoints& surface);
+HeightWindow window_without_poles(const HeightSource& heights);
 /// What its samples span.
-HeightWindow window_of_samples(const SurfacePoints& surface);
+HeightWindow window_of_samples(const HeightSource& heights);
 
 /// Cells that have an edge on which the surface breaks off (SurfacePoints::left_out), for who can not cut them.
-std::vector<char> broken_cells(const SurfacePoints& surface);
+std::vector<char> broken_cells(const HeightSource& heights, const HeightFunction& function);
 
-/// make_surface_mesh() of z = f(x, y) with cells cut along the true borders of what counts in the window.
-SurfaceMesh make_cut_mesh(const SurfacePoints& surface, const HeightWindow& window);
+/// make_surface_mesh() of z = f(x, y) with cells cut along the true borders of what counts in the window. `heights` are
+/// those of the surface.
+SurfaceMesh make_cut_mesh(const SurfacePoints& surface, const HeightSource& heights, const HeightWindow& window);
 
 }  // namespace ligne

@@ -32,35 +32,75 @@ bool is_out_of_step(const Neighbours& z, double least) {
   return std::abs(before - behind) > std::abs(step[0]) + std::abs(step[4]) + least;
 }
 
+/// The same for many edges: true for all that is_out_of_step() is true for, and for few others. `step` are the steps of an
+/// edge and of those beside it.
+inline bool may_be_out_of_step(const std::array<double, 5>& step, double least) {
+  const double larger = std::max(std::abs(step[1]), std::abs(step[3]));
+  const double off = std::abs(2 * step[2] - step[1] - step[3]) - 2 * kOutOfStep * larger;
+  const double peak = std::abs(step[1] - step[3]) - std::abs(step[0]) - std::abs(step[4]);
+  return !(off <= least && peak <= least);  // also where one of them is no number
+}
+
+/// Rows that are read at a time, and those before and behind them that tell whether their edges are in step.
+constexpr std::size_t kRowsAtATime = 32, kRowsBefore = 2, kRowsBehind = 3;
+
+/// The edges that begin in a block of rows.
 class EdgeFinder {
  public:
-  EdgeFinder(const SurfacePoints& surface, const HeightWindow& window)
-      : surface_(surface), window_(window), range_(range_of_heights(surface, window)) {}
+  EdgeFinder(const HeightSource& heights, const HeightWindow& window, double range, std::size_t begin, std::size_t end)
+      : heights_(heights),
+        window_(window),
+        range_(range),
+        columns_(heights.x().size()),
+        rows_(heights.y().size()),
+        begin_(begin),
+        end_(end),
+        first_(begin - std::min(begin, kRowsBefore)) {
+    const std::size_t last = std::min(rows_, end + kRowsBehind);
+    raw_.resize((last - first_) * columns_);
+    for (std::size_t j = first_; j < last; ++j) {
+      heights.read_row(j, std::span(raw_).subspan((j - first_) * columns_, columns_));
+    }
+    z_ = raw_;
+    for (double& z : z_) z = window.holds(z) ? z : NAN;
+    up_.resize(z_.size() - columns_);
+    for (std::size_t k = 0; k < up_.size(); ++k) up_[k] = z_[k + columns_] - z_[k];
+  }
 
-  /// The edges that begin in row j.
-  void find(std::size_t j, LineBreaks& breaks, std::vector<BrokenEdge>& found) const {
-    for (std::size_t i = 0; i < surface_.columns; ++i) {
-      const std::size_t k = j * surface_.columns + i;
-      if (i + 1 < surface_.columns) look_at({k, false}, i, surface_.columns, 1, breaks, found);
-      if (j + 1 < surface_.rows) look_at({k, true}, j, surface_.rows, surface_.columns, breaks, found);
+  void find(LineBreaks& breaks, std::vector<BrokenEdge>& found) const {
+    const double least = kLeastStep * range_;
+    for (std::size_t j = begin_; j < end_; ++j) {
+      const double* z = &z_[(j - first_) * columns_];
+      for (std::size_t i = 0; i + 1 < columns_; ++i) {
+        if (i < kRowsBefore || i + kRowsBehind >= columns_ ||
+            may_be_out_of_step({z[i - 1] - z[i - 2], z[i] - z[i - 1], z[i + 1] - z[i], z[i + 2] - z[i + 1], z[i + 3] - z[i + 2]},
+                               least))
+          look_at(i, j, false, breaks, found);
+      }
+      if (j + 1 == rows_) break;
+      const bool in_middle = j >= kRowsBefore && j + kRowsBehind < rows_;
+      const double* up = in_middle ? &up_[(j - first_) * columns_] : nullptr;
+      const auto n = static_cast<std::ptrdiff_t>(columns_);
+      for (std::size_t i = 0; i < columns_; ++i, up += in_middle ? 1 : 0) {
+        if (!in_middle || may_be_out_of_step({up[-2 * n], up[-n], up[0], up[n], up[2 * n]}, least))
+          look_at(i, j, true, breaks, found);
+      }
     }
   }
 
  private:
-  double height(std::size_t k) const { return surface_.points[k].z; }
-
-  /// `place` of `count` along the line, samples `step` apart.
-  void look_at(GridEdge edge, std::size_t place, std::size_t count, std::size_t step, LineBreaks& breaks,
-               std::vector<BrokenEdge>& found) const {
-    const Point3 &a = surface_.points[edge.sample], &b = surface_.points[edge.sample + step];
+  void look_at(std::size_t i, std::size_t j, bool along_column, LineBreaks& breaks, std::vector<BrokenEdge>& found) const {
+    const std::size_t step = along_column ? columns_ : 1, at = (j - first_) * columns_ + i;
+    const Point3 a{heights_.x()[i], heights_.y()[j], raw_[at]};
+    const Point3 b{heights_.x()[along_column ? i : i + 1], heights_.y()[along_column ? j + 1 : j], raw_[at + step]};
     const bool start = window_.holds(a.z), end = window_.holds(b.z);
     bool may_jump = false;
     if (start && end) {
+      const std::size_t place = along_column ? j : i, count = along_column ? rows_ : columns_;
       Neighbours z;
       for (std::size_t k = 0; k < z.size(); ++k) {
-        const bool inside = place + k >= 2 && place + k < count + 2;
-        const double there = inside ? height(edge.sample + k * step - 2 * step) : NAN;
-        z[k] = window_.holds(there) ? there : NAN;
+        const bool inside = place + k >= kRowsBefore && place + k < count + kRowsBefore;
+        z[k] = inside ? z_[at + k * step - kRowsBefore * step] : NAN;
       }
       may_jump = is_out_of_step(z, kLeastStep * range_);
       if (!may_jump) return;
@@ -69,41 +109,65 @@ class EdgeFinder {
     }
     std::vector<LinePiece> pieces = breaks.pieces(a, b, may_jump, kLeastHeightPart * range_);
     const bool is_whole = pieces.size() == 1 && pieces[0].from_start && pieces[0].to_end;
-    if (!is_whole) found.push_back({edge, std::move(pieces)});
+    if (!is_whole) found.push_back({{j * columns_ + i, along_column}, std::move(pieces)});
   }
 
-  const SurfacePoints& surface_;
+  const HeightSource& heights_;
   HeightWindow window_;
   double range_;
+  std::size_t columns_, rows_, begin_, end_, first_;
+  std::vector<double> raw_, z_;  ///< from row `first_` on: as they are, and NaN for those that do not count
+  std::vector<double> up_;       ///< steps of z_ to the next row
 };
 
 }  // namespace
 
-double range_of_heights(const SurfacePoints& surface, const HeightWindow& window) {
-  double low = INFINITY, high = -INFINITY;
-  for (const Point3& p : surface.points) {
-    if (!window.holds(p.z)) continue;
-    low = std::min(low, p.z);
-    high = std::max(high, p.z);
-  }
-  return low < high ? high - low : 0;
+SampleSpan span_of_samples(const HeightSource& heights, const HeightWindow& window) {
+  const auto of_rows = [&](std::size_t begin, std::size_t end) {
+    SampleSpan span;
+    std::vector<double> z(heights.x().size());
+    for (std::size_t j = begin; j < end; ++j) {
+      heights.read_row(j, z);
+      for (std::size_t i = 0; i < z.size(); ++i) {
+        if (!window.holds(z[i])) {
+          span.all = false;
+          continue;
+        }
+        const Point2 at{heights.x()[i], heights.y()[j]};
+        if (!span.any || z[i] < span.low) span.low = z[i], span.lowest = at;
+        if (!span.any || z[i] > span.high) span.high = z[i], span.highest = at;
+        span.any = true;
+      }
+    }
+    return span;
+  };
+  const auto joined = [](SampleSpan a, const SampleSpan& b) {
+    a.all = a.all && b.all;
+    if (b.any && (!a.any || b.low < a.low)) a.low = b.low, a.lowest = b.lowest;
+    if (b.any && (!a.any || b.high > a.high)) a.high = b.high, a.highest = b.highest;
+    a.any = a.any || b.any;
+    return a;
+  };
+  return parallel_reduce(heights.y().size(), kRowsAtATime, SampleSpan{}, of_rows, joined);
 }
 
-BrokenEdges find_broken_edges(const SurfacePoints& surface, const HeightWindow& window) {
-  const EdgeFinder finder(surface, window);
-  std::vector<std::vector<BrokenEdge>> rows(surface.rows);
-  std::vector<char> poles(surface.rows, 0);
-  parallel_for(surface.rows, [&](std::size_t j) {
-    surface.function->use([&](HeightFunction::At& at) {
+BrokenEdges find_broken_edges(const HeightSource& heights, const HeightFunction& function, const HeightWindow& window,
+                              double range) {
+  const std::size_t rows = heights.y().size();
+  std::vector<std::vector<BrokenEdge>> found(block_count(rows, kRowsAtATime));
+  std::vector<char> poles(found.size(), 0);
+  parallel_blocks(rows, kRowsAtATime, [&](std::size_t begin, std::size_t end) {
+    const EdgeFinder finder(heights, window, range, begin, end);
+    function.use([&](HeightFunction::At& at) {
       LineBreaks breaks(at, window);
-      finder.find(j, breaks, rows[j]);
-      poles[j] = breaks.has_pole();
+      finder.find(breaks, found[begin / kRowsAtATime]);
+      poles[begin / kRowsAtATime] = breaks.has_pole();
     });
   });
   BrokenEdges all;
-  for (std::size_t j = 0; j < rows.size(); ++j) {
-    std::move(rows[j].begin(), rows[j].end(), std::back_inserter(all.edges));
-    all.has_pole = all.has_pole || poles[j];
+  for (std::size_t block = 0; block < found.size(); ++block) {
+    std::move(found[block].begin(), found[block].end(), std::back_inserter(all.edges));
+    all.has_pole = all.has_pole || poles[block];
   }
   return all;
 }

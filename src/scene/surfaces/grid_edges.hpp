@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/surfaces/height_breaks.hpp"
-#include "scene/surfaces/surface_points.hpp"
+#include "scene/surfaces/height_source.hpp"
 
 namespace ligne {
 
@@ -32,10 +32,18 @@ struct BrokenEdges {
 /// Height that is nothing to see: this part of the range of heights.
 inline constexpr double kLeastHeightPart = 0x1p-10;
 
-/// Range of the heights that count; 0 where there are none.
-double range_of_heights(const SurfacePoints& surface, const HeightWindow& window);
+/// What the samples that count in a window span.
+struct SampleSpan {
+  double low = 0, high = 0;
+  Point2 lowest{}, highest{};    ///< where
+  bool any = false, all = true;  ///< samples that count
 
-/// All edges with a piece less or more than their whole. The surface has a function.
-BrokenEdges find_broken_edges(const SurfacePoints& surface, const HeightWindow& window);
+  double range() const { return high - low; }
+};
+SampleSpan span_of_samples(const HeightSource& heights, const HeightWindow& window);
+
+/// All edges with a piece less or more than their whole, of the samples of a function. `range`: of the heights that count.
+BrokenEdges find_broken_edges(const HeightSource& heights, const HeightFunction& function, const HeightWindow& window,
+                              double range);
 
 }  // namespace ligne

@@ -13,7 +13,27 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kParameters{"u", "v"};
 
+class SampledHeights : public HeightSource {
+ public:
+  SampledHeights(const SurfacePoints& surface, std::vector<double> x, std::vector<double> y)
+      : HeightSource(std::move(x), std::move(y)), surface_(surface) {}
+
+  void read_row(std::size_t j, std::span<double> z) const override {
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] = surface_.points[j * z.size() + i].z;
+  }
+
+ private:
+  const SurfacePoints& surface_;
+};
+
 }  // namespace
+
+std::unique_ptr<HeightSource> heights_of(const SurfacePoints& surface) {
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < surface.columns; ++i) x.push_back(surface.points[i].x);
+  for (std::size_t j = 0; j < surface.rows; ++j) y.push_back(surface.points[j * surface.columns].y);
+  return std::make_unique<SampledHeights>(surface, std::move(x), std::move(y));
+}
 
 void take_samples(std::size_t& taken, std::size_t columns, std::size_t rows, const std::string& name) {
   // Neither count is so large that the product of two could overflow: positions are held in memory.

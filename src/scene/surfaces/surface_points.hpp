@@ -46,6 +46,9 @@ inline constexpr std::size_t kMostMeshSamples = 4'000'000;
 /// Throws InputError("NAME: ...") when `taken` samples and these are more than kMostMeshSamples; adds them otherwise.
 void take_samples(std::size_t& taken, std::size_t columns, std::size_t rows, const std::string& name);
 
+/// The heights of samples over a grid, which must outlive them.
+std::unique_ptr<HeightSource> heights_of(const SurfacePoints& surface);
+
 /// All samples of heights. Strides and names are left to the caller.
 SurfacePoints points_of(const HeightSource& heights);
 
