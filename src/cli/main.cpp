@@ -1,12 +1,14 @@
 /// The command `ligne`. Exit status: 0 done, 1 the input or the work failed, 2 the command line is wrong.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <memory>
 #include <new>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
@@ -43,6 +45,14 @@ std::string complaint(const CLI::ParseError& e) {
   return text;
 }
 
+/// The arguments behind the command's name, last first as CLI11 takes them.
+std::vector<std::string> with_formulas_in_parentheses(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (!arguments.empty() && arguments.front() == "surface") protect_formulas(arguments);
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Draws 3D polygon scenes as clean lines, hidden parts removed.", "ligne");
   app.formatter(std::make_shared<HelpFormatter>());
@@ -54,7 +64,7 @@ int run(int argc, char** argv) {
   setup_commands(app, commands);
 
   try {
-    app.parse(argc, argv);
+    app.parse(with_formulas_in_parentheses(argc, argv));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() != 0) throw UsageError(complaint(e));
     std::ostringstream text;

@@ -1,10 +1,13 @@
 #include "cli/surface.hpp"
 
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
 #include "picture/surface_picture.hpp"
+#include "scene/surfaces/formula_evaluator.hpp"
 
 namespace ligne {
 namespace {
@@ -30,7 +33,38 @@ void run(const SurfaceOptions& options, SurfaceRequest request) {
           place_of_warnings(request), options.run, report, files);
 }
 
+bool is_formula(const std::string& text, FormulaLanguage language) {
+  try {
+    const FormulaEvaluator evaluator(prepare_formula(text, std::move(language)));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// An option whose value follows it.
+bool awaits_value(const std::string& argument) {
+  return argument.size() > 1 && argument[0] == '-' && (argument[1] < '0' || argument[1] > '9') &&
+         argument.find('=') == std::string::npos && argument != "--axes" && argument != "--stats" && argument != "--skirt";
+}
+
 }  // namespace
+
+void protect_formulas(std::vector<std::string>& arguments) {
+  constexpr std::array<std::string_view, 2> kParameters{"u", "v"};
+  std::size_t parametric = 0;           // formulas of --parametric that are still to come
+  for (std::size_t k = 1; k < arguments.size(); ++k) {
+    std::string& argument = arguments[k];
+    const bool is_parametric = parametric > 0;
+    const FormulaLanguage language = is_parametric ? FormulaLanguage{kParameters} : FormulaLanguage{kFormulaVariables};
+    const bool is_value = parametric == 0 && awaits_value(arguments[k - 1]);
+    parametric = argument == "--parametric" ? 3 : parametric > 0 ? parametric - 1 : 0;
+    const bool begins_with_minus = argument.size() > 1 && argument[0] == '-' && argument[1] != '-';
+    const bool is_option = !is_parametric && (argument == "-x" || argument == "-y" || argument == "-u" || argument == "-v");
+    if (!begins_with_minus || is_value || is_option) continue;
+    if (is_formula(argument, language)) argument = "(" + argument + ")";
+  }
+}
 
 void setup_surface(CLI::App& app, SurfaceOptions& options) { add_surface_command(app, options); }
 

@@ -61,7 +61,8 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
   OptionGroup group(surface, "Surface");
   group.add_repeatable(
       "--grid", "FILE", [&request](const std::string& file) { request.grids.push_back(file); },
-      "heights from a file: CSV or TSV matrix, gnuplot blocks, ESRI ASCII grid, PGM, PNG (repeatable)");
+      "heights from a file, - for standard input: CSV or TSV matrix, lines of x y z, ESRI ASCII grid, PGM, PNG, GeoTIFF "
+      "(repeatable)");
   group.add_repeatable_tuple(
       "--parametric", "X Y Z", 3,
       [&request](const std::vector<std::string>& xyz) {
@@ -90,6 +91,9 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
           "--every", "N", request.every, [](const std::string& t) { return parse_count(t, 1, kMostSamples); },
           "grid: a curve at every Nth row and column")
       .standard("1");
+  group.add(
+      "--gridded", "N", request.gridded, [](const std::string& t) { return parse_count(t, 2, kMostCurves); },
+      "scattered points: sampled in N columns (default: the root of their number, 100 to 500)");
   group.add("--max-slope", "S", request.max_slope, parse_positive,
             "grid: cells are left out in which heights change by more than S for a unit of the ground");
   group

@@ -100,8 +100,8 @@ struct MeshPlot {
 };
 
 /// `with_lines`: cut along the contour lines, and with its crossings marked.
-MeshPlot make_meshes(const SurfaceRequest& request, bool with_lines, RunReport& run) {
-  const std::vector<SurfacePoints> surfaces = points_of(request, run);
+MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& given, bool with_lines, RunReport& run) {
+  const std::vector<SurfacePoints> surfaces = points_of(request, given);
   std::vector<SurfaceMesh> meshes;
   for (const SurfacePoints& surface : surfaces) {
     if (surface.function) {
@@ -146,7 +146,8 @@ LineClasses classes_of(const SurfaceRequest& request) {
 }  // namespace
 
 SurfaceScene make_surface_scene(const SurfaceRequest& request, RunReport& run) {
-  MeshPlot plot = timed(run.stages, "read", [&] { return make_meshes(request, true, run); });
+  const std::vector<Surface> surfaces = timed(run.stages, "read", [&] { return surfaces_of(request, run); });
+  MeshPlot plot = timed(run.stages, "mesh", [&] { return make_meshes(request, surfaces, true, run); });
   PictureRequest picture = request.picture;
   picture.view = view_of(request);
   picture.lines.classes = classes_of(request);
@@ -162,7 +163,7 @@ Picture draw_surface_mesh(const SurfaceRequest& request, RunReport& run) {
 }
 
 std::string write_surface_mesh(const SurfaceRequest& request, MeshFormat format, RunReport& run) {
-  const MeshPlot plot = timed(run.stages, "read", [&] { return make_meshes(request, false, run); });
+  const MeshPlot plot = timed(run.stages, "read", [&] { return make_meshes(request, surfaces_of(request, run), false, run); });
   if (plot.scene.faces.empty()) {
     throw InputError(place_of_warnings(request), "has no cell without a hole: there is no mesh to write");
   }

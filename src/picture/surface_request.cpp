@@ -42,6 +42,7 @@ void check_sources(const SurfaceRequest& request) {
   if (!grids && request.every) {
     throw RequestError("every", "goes with --grid; a formula has its number of curves in -x A:B:N");
   }
+  if (!grids && request.gridded) throw RequestError("gridded", "goes with --grid");
   if (!grids && request.max_slope) {
     throw RequestError("max-slope", "goes with --grid; a formula is looked at for its jumps");
   }

@@ -82,7 +82,8 @@ Surface grid_surface(const SurfaceRequest& request, const std::string& file, Run
   Warnings warnings;
   Surface surface;
   surface.name = file;
-  surface.heights = read_grid(file, warnings, &run.files);
+  surface.heights = read_grid(file, warnings, &run.files, {request.gridded});
+  if (!request.log_axes[0] && !request.log_axes[1] && !request.log_axes[2]) surface.function = surface.heights->function();
   for (const auto& [kind, count] : warnings.counts()) {
     run.warnings.push_back({file, std::to_string(count) + " " + kind});
   }
@@ -157,7 +158,7 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
     surface.x_stride = x.stride;
     surface.y_stride = y.stride;
     surface.from_formula = true;
-    surface.function = std::make_shared<HeightFunction>(formula, request.log_axes);
+    surface.function = formula_function(formula, request.log_axes);
     surface.heights = heights_of(surface.function, std::move(x.at), std::move(y.at));
     if (surface.heights->x().size() * surface.heights->y().size() <= kHeldSamples) surface.heights = held(*surface.heights);
   }
@@ -178,10 +179,10 @@ void refuse_empty(const SurfaceRequest& request, const std::string& formula, Run
   run.warn(cause);
 }
 
-std::vector<SurfacePoints> points_of(const SurfaceRequest& request, RunReport& run) {
+std::vector<SurfacePoints> points_of(const SurfaceRequest& request, const std::vector<Surface>& surfaces) {
   std::vector<SurfacePoints> all;
   std::size_t samples = 0;
-  for (const Surface& surface : surfaces_of(request, run)) {
+  for (const Surface& surface : surfaces) {
     take_samples(samples, surface.heights->x().size(), surface.heights->y().size(), surface.name);
     check_mesh_memory(request, surface.heights->x().size(), surface.heights->y().size(), samples);
     SurfacePoints& points = all.emplace_back(points_of(*surface.heights));

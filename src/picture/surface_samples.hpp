@@ -32,7 +32,7 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run);
 /// For a formula without any height where it is looked at: an InputError when it is all there is to draw, else a warning.
 void refuse_empty(const SurfaceRequest& request, const std::string& formula, RunReport& run);
 
-/// The samples of all surfaces, for meshes; z = f(x, y) before the parametric ones. Throws RequestError, InputError.
-std::vector<SurfacePoints> points_of(const SurfaceRequest& request, RunReport& run);
+/// The samples of all surfaces, for meshes; z = f(x, y) before the parametric ones. Throws RequestError, InputError. `surfaces`: those of surfaces_of().
+std::vector<SurfacePoints> points_of(const SurfaceRequest& request, const std::vector<Surface>& surfaces);
 
 }  // namespace ligne

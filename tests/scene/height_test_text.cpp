@@ -46,7 +46,8 @@ TEST(TextGrid, Errors) {
   EXPECT_EQ(grid_error("1 2\n3 4\n5 6 7\n"), "M:3: row of 3 columns; those above have 2");
   EXPECT_EQ(grid_error("1,2\n3,abc\n"), "M:2: column 2: 'abc' is not a number");
   EXPECT_EQ(grid_error("a,b\n1,2\n"),
-            "M:1: column 1: 'a' is not a number; names of columns are passed over when they are in quotes");
+            "M:1: column 1: 'a' is not a number; names of columns are passed over when they are in quotes, "
+            "or tell x, y and z");
   EXPECT_EQ(grid_error("1\n2\n3\n"), "M: has 1 column and 3 rows; a grid has two of each or more");
   EXPECT_EQ(grid_error("1,2,4\n"), "M: has 3 columns and 1 row; a grid has two of each or more");
   EXPECT_EQ(grid_error("nan,nan\nnan,nan\n"), "M: holds no height, only places without one (NODATA)");
@@ -72,7 +73,71 @@ TEST(PointGrid, BlocksOfOneXOrOneY) {
 TEST(PointGrid, WithoutBlankLinesWhenTheyFormAGrid) {
   expect_grid(*grid("0 0 1\n1 0 2\n0 1 3\n1 1 4\n"), {0, 1}, {0, 1}, kTwoByTwo);
   expect_grid(*grid("0 0 1\n0 1 3\n1 0 2\n1 1 4\n"), {0, 1}, {0, 1}, kTwoByTwo);
-  expect_grid(*grid("0 0 1\n0 1 3\n1 0 2\n1 2 4\n"), {0, 1, 2}, {0, 1, 2, 3}, {{0, 0, 1}, {0, 1, 3}, {1, 0, 2}, {1, 2, 4}});
+}
+
+const std::vector<std::vector<double>> kOneMissing{{1, 2, 3}, {4, kNaN, 6}, {7, 8, 9}, {10, 11, 12}};
+
+TEST(PointGrid, ShuffledAndIncompleteGridsHaveHoles) {
+  Warnings warnings;
+  const std::string rows[] = {"0 0 1", "1 0 2", "2 0 3", "0 1 4", "2 1 6", "0 2 7", "1 2 8", "2 2 9", "0 3 10", "1 3 11", "2 3 12"};
+  std::string in_order, shuffled;
+  for (std::size_t k = 0; k < std::size(rows); ++k) {
+    in_order += rows[k] + "\n";
+    shuffled += rows[k * 7 % std::size(rows)] + "\n";
+  }
+  expect_grid(*grid(in_order, warnings), {0, 1, 2}, {0, 1, 2, 3}, kOneMissing);
+  expect_grid(*grid(shuffled, warnings), {0, 1, 2}, {0, 1, 2, 3}, kOneMissing);
+  EXPECT_EQ(warnings.counts().size(), 0u);
+  expect_grid(*grid("0 0 1\n1 0 2\n0 1 3\n1 1 5\n1 1 3\n", warnings), {0, 1}, {0, 1}, kTwoByTwo);
+  EXPECT_EQ(warnings.counts(),
+            (std::map<std::string, std::size_t>{{"points at the place of another one: heights averaged", 1}}));
+}
+
+TEST(PointGrid, TablesWithNamedColumns) {
+  Warnings warnings;
+  // As pandas writes a frame, with and without its index, and in other orders of rows and columns.
+  for (const char* text : {",x,y,z\n0,0,0,1\n1,1,0,2\n2,0,1,3\n3,1,1,4\n", "x,y,z\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n",
+                           "name;Elevation;lat;lon\na;4;1;1\nb;1;0;0\nc;2;0;1\nd;3;1;0\n",
+                           "\"x\" \"y\" \"temperature\"\n1 1 4\n0 0 1\n1 0 2\n0 1 3\n"}) {
+    SCOPED_TRACE(text);
+    expect_grid(*grid(text, warnings), {0, 1}, {0, 1}, kTwoByTwo);
+  }
+  EXPECT_EQ(grid_error("x,y,z\n0,0,1\n1,0\n"), "M:3: row of 2 columns; the header names 3");
+  EXPECT_EQ(grid_error("x,y,z\n0,0,1\n1,,5\n"), "M:3: y is not a number");
+  EXPECT_EQ(grid_error("x,y,z\n0,0,1\n1,1,2\n2,2,3\n"), "M: has points on a line only, which make no surface");
+}
+
+TEST(PointGrid, FramesOfPositions) {
+  Warnings warnings;
+  const std::vector<std::vector<double>> z{{1, 2}, {3, 4}};
+  expect_grid(*grid(",0,1\n0,1,2\n1,3,4\n", warnings), {0, 1}, {0, 1}, z);
+  expect_grid(*grid("lat,10.5,11.5\n7,3,4\n6,1,2\n", warnings), {10.5, 11.5}, {6, 7}, z);
+  expect_grid(*grid(",a,b\n0,1,2\n1,3,4\n", warnings), {0, 1}, {0, 1}, z);
+  EXPECT_EQ(warnings.counts().at("rows and columns of numbers taken for positions"), 4u);
+}
+
+TEST(PointGrid, ScatteredPointsAreTriangulated) {
+  // A plane, whatever the triangles; nothing beyond the convex hull.
+  std::string text = "x,y,z\n";
+  for (int k = 0; k < 200; ++k) {
+    const double x = k * 37 % 101 + 0.25 * (k % 3), y = k * 61 % 97 + 0.125 * (k % 5);
+    text += std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(2 * x - y + 1) + "\n";
+  }
+  Warnings warnings;
+  const auto source = grid(text, warnings);
+  ASSERT_TRUE(source->function());
+  std::vector<double> z(source->x().size());
+  std::size_t inside = 0;
+  for (std::size_t j = 0; j < source->y().size(); ++j) {
+    source->read_row(j, z);
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      if (std::isnan(z[i])) continue;
+      EXPECT_NEAR(z[i], 2 * source->x()[i] - source->y()[j] + 1, 2e-5);
+      ++inside;
+    }
+  }
+  EXPECT_GT(inside, z.size() * source->y().size() * 8 / 10);
+  EXPECT_LT(inside, z.size() * source->y().size());
 }
 
 TEST(PointGrid, RoundingOfPositionsIsNoMistake) {

@@ -45,9 +45,21 @@ constexpr auto kFunctions = std::to_array<FormulaFunction>({
     {"sinh", +[](double a) { return std::sinh(a); }},
     {"cosh", +[](double a) { return std::cosh(a); }},
     {"tanh", +[](double a) { return std::tanh(a); }},
+    {"asinh", +[](double a) { return std::asinh(a); }},
+    {"acosh", +[](double a) { return std::acosh(a); }},
+    {"atanh", +[](double a) { return std::atanh(a); }},
+    {"sec", +[](double a) { return 1 / std::cos(a); }},
+    {"csc", +[](double a) { return 1 / std::sin(a); }},
+    {"cot", +[](double a) { return std::cos(a) / std::sin(a); }},
+    {"sinc", +[](double a) { return a == 0 ? 1 : std::sin(a) / a; }},
+    {"erf", +[](double a) { return std::erf(a); }},
+    {"erfc", +[](double a) { return std::erfc(a); }},
+    {"gamma", +[](double a) { return std::tgamma(a); }},
+    {"cbrt", +[](double a) { return std::cbrt(a); }},
     {"sqrt", +[](double a) { return std::sqrt(a); }},
     {"exp", +[](double a) { return std::exp(a); }},
     {"log", +[](double a) { return std::log(a); }},
+    {"ln", +[](double a) { return std::log(a); }},
     {"log10", +[](double a) { return std::log10(a); }},
     {"log2", +[](double a) { return std::log2(a); }},
     {"abs", +[](double a) { return std::abs(a); }},
@@ -56,6 +68,7 @@ constexpr auto kFunctions = std::to_array<FormulaFunction>({
     {"round", +[](double a) { return std::round(a); }},
     {"sign", sign},
     {"atan2", +[](double a, double b) { return std::atan2(a, b); }},
+    {"pow", +[](double a, double b) { return std::pow(a, b); }},
     {"hypot", +[](double a, double b) { return std::hypot(a, b); }},
     {"mod", modulo},
     {"if", choice},
@@ -64,6 +77,24 @@ constexpr auto kFunctions = std::to_array<FormulaFunction>({
 });
 
 constexpr std::array kConstants{FormulaConstant{"pi", std::numbers::pi}, FormulaConstant{"e", std::numbers::e}};
+
+/// Characters of printed formulas, and what is typed for them.
+struct Typeset {
+  std::string_view utf8, ascii;
+};
+constexpr auto kTypeset = std::to_array<Typeset>({{"\u00b2", "^2"},
+                                                  {"\u00b3", "^3"},
+                                                  {"\u2074", "^4"},
+                                                  {"\u2075", "^5"},
+                                                  {"\u2076", "^6"},
+                                                  {"\u00b7", "*"},
+                                                  {"\u00d7", "*"},
+                                                  {"\u22c5", "*"},
+                                                  {"\u00f7", "/"},
+                                                  {"\u2212", "-"},
+                                                  {"\u2264", "<="},
+                                                  {"\u2265", ">="},
+                                                  {"\u03c0", "pi"}});
 
 // Not those of <cctype>, which ask the locale.
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -108,6 +139,12 @@ class Preparation {
     return list + "pi and e";
   }
 
+  static std::string function_names() {
+    std::string list;
+    for (const FormulaFunction& function : kFunctions) list += (list.empty() ? "" : " ") + std::string(function.name);
+    return list;
+  }
+
   void skip_blanks() {
     while (at_ < formula_.size() && (is_blank(formula_[at_]) || formula_[at_] == '\n' || formula_[at_] == '\r')) ++at_;
   }
@@ -148,7 +185,8 @@ class Preparation {
     } else if (has_name(kFunctions, name)) {
       if (!is_call) throw error("function " + shown(name) + " without its arguments in parentheses");
     } else if (!has_name(kConstants, name)) {
-      throw error(is_call ? "unknown function " + shown(name) : "unknown name " + shown(name) + "; there are " + names());
+      throw error(is_call ? "unknown function " + shown(name) + "; there are " + function_names()
+                          : "unknown name " + shown(name) + "; there are " + names());
     }
     need_operator(name);
     if (has_name(kFunctions, name)) after_value_ = false;
@@ -157,6 +195,9 @@ class Preparation {
 
   void take_sign(char c) {
     const std::string_view rest = formula_.substr(at_);
+    for (const Typeset& typeset : kTypeset) {
+      if (rest.starts_with(typeset.utf8)) return take_typeset(typeset);
+    }
     for (const std::string_view two : {"<=", ">=", "!=", "==", "&&", "||"}) {
       if (rest.starts_with(two)) return take_operator(two, two.size());
     }
@@ -181,6 +222,15 @@ class Preparation {
       throw error("character " + shown(rest.substr(0, end)) + " has no meaning in a formula");
     }
     take_operator(rest.substr(0, 1), 1);
+  }
+
+  /// What stands for it is put into the text, at the column of the character.
+  void take_typeset(const Typeset& typeset) {
+    if (typeset.ascii == "pi") need_operator(typeset.utf8);
+    const std::size_t place = at_;
+    emit(typeset.ascii, typeset.utf8.size());
+    std::fill(out_.columns.end() - static_cast<std::ptrdiff_t>(typeset.ascii.size()), out_.columns.end(), place + 1);
+    after_value_ = typeset.ascii.front() == '^' || typeset.ascii == "pi";
   }
 
   void take_operator(std::string_view text, std::size_t length) {

@@ -47,8 +47,10 @@ constexpr std::size_t kRowsAtATime = 32, kRowsBefore = 2, kRowsBehind = 3;
 /// The edges that begin in a block of rows.
 class EdgeFinder {
  public:
-  EdgeFinder(const HeightSource& heights, const HeightWindow& window, double range, std::size_t begin, std::size_t end)
+  EdgeFinder(const HeightSource& heights, const HeightWindow& window, double range, bool may_jump, std::size_t begin,
+             std::size_t end)
       : heights_(heights),
+        may_jump_(may_jump),
         window_(window),
         range_(range),
         columns_(heights.x().size()),
@@ -95,6 +97,7 @@ class EdgeFinder {
     const Point3 b{heights_.x()[along_column ? i : i + 1], heights_.y()[along_column ? j + 1 : j], raw_[at + step]};
     const bool start = window_.holds(a.z), end = window_.holds(b.z);
     bool may_jump = false;
+    if (start && end && !may_jump_) return;
     if (start && end) {
       const std::size_t place = along_column ? j : i, count = along_column ? rows_ : columns_;
       Neighbours z;
@@ -113,6 +116,7 @@ class EdgeFinder {
   }
 
   const HeightSource& heights_;
+  bool may_jump_;
   HeightWindow window_;
   double range_;
   std::size_t columns_, rows_, begin_, end_, first_;
@@ -157,7 +161,7 @@ BrokenEdges find_broken_edges(const HeightSource& heights, const HeightFunction&
   std::vector<std::vector<BrokenEdge>> found(block_count(rows, kRowsAtATime));
   std::vector<char> poles(found.size(), 0);
   parallel_blocks(rows, kRowsAtATime, [&](std::size_t begin, std::size_t end) {
-    const EdgeFinder finder(heights, window, range, begin, end);
+    const EdgeFinder finder(heights, window, range, !function.is_continuous(), begin, end);
     function.use([&](HeightFunction::At& at) {
       LineBreaks breaks(at, window);
       finder.find(breaks, found[begin / kRowsAtATime]);
@@ -167,7 +171,7 @@ BrokenEdges find_broken_edges(const HeightSource& heights, const HeightFunction&
   BrokenEdges all;
   for (std::size_t block = 0; block < found.size(); ++block) {
     std::move(found[block].begin(), found[block].end(), std::back_inserter(all.edges));
-    all.has_pole = all.has_pole || poles[block];
+    all.has_pole = all.has_pole || (poles[block] && !function.is_continuous());
   }
   return all;
 }

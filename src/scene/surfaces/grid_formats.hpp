@@ -19,10 +19,12 @@ namespace ligne {
 /// Tells the format by content and reads. `name` stands in error messages. What only GDAL reads needs the file itself and is
 /// refused when `file` is empty; files beside it that were read too are added to `opened`.
 std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
-                                        const std::filesystem::path& file = {}, InputFiles* opened = nullptr);
+                                        const std::filesystem::path& file = {}, InputFiles* opened = nullptr,
+                                        const GridChoice& choice = {});
 
 /// A matrix of heights: a row a line, columns separated by commas, semicolons, tabs or blanks; or lines of x, y and z.
-std::unique_ptr<HeightSource> read_text_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
+std::unique_ptr<HeightSource> read_text_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                             const GridChoice& choice = {});
 
 /// A text that begins with a key of the header of an ESRI ASCII grid.
 bool is_esri_grid(std::string_view text);
@@ -49,6 +51,18 @@ std::unique_ptr<HeightSource> grid_of_points(PointRows rows, const std::string& 
 /// Makes blocks where no blank line does: true, and `rows` has them, when each x or y comes with the same positions of the
 /// other.
 bool find_blocks(PointRows& rows);
+
+/// Points in any order: a grid with holes where they are enough of one, else scattered points (scattered_points.hpp).
+std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridChoice& choice, const std::string& name,
+                                              Warnings& warnings);
+/// Whether most of the places of x and y are different, as those of points are and heights in three columns need not be.
+bool are_places(const PointRows& rows);
+
+/// What the names of columns say.
+struct NamedColumns {
+  std::optional<std::size_t> x, y, z;
+};
+NamedColumns named_columns(const std::vector<std::string>& names);
 
 /// The height that a word of a text stands for: a number, or NaN for "nan", "na", "inf" and "?"; nothing for other words.
 std::optional<double> height_in(std::string_view word);

@@ -67,15 +67,18 @@ void refuse_models(std::span<const std::byte> bytes, const std::string& name) {
 
 }  // namespace
 
-std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened) {
-  const std::string name = file.string();
+std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened,
+                                        const GridChoice& choice) {
+  const bool is_input = file == "-";
+  const std::string name = is_input ? "standard input" : file.string();
   InputFiles unasked;
   InputFiles& files = opened ? *opened : unasked;
-  return read_grid(read_input(file, name, files), name, warnings, file, &files);
+  return read_grid(read_input(is_input ? "/dev/stdin" : file, name, files), name, warnings, is_input ? "" : file, &files,
+                   choice);
 }
 
 std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
-                                        const std::filesystem::path& file, InputFiles* opened) {
+                                        const std::filesystem::path& file, InputFiles* opened, const GridChoice& choice) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (chars.empty()) throw InputError(name, "is empty");
   if (chars.starts_with("\x89PNG")) return with_unit(read_png_grid(bytes, name, warnings), GroundUnit::same);
@@ -91,7 +94,7 @@ std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const 
   if (!is_utf16 && chars.substr(0, kLookedAt).find('\0') != std::string_view::npos) {
     throw InputError(name, "not a grid file that is known (matrix as text, gnuplot, ESRI ASCII grid, PGM, PNG, GeoTIFF)");
   }
-  if (!is_esri_grid(as_text(bytes, name))) return read_text_grid(bytes, name, warnings);
+  if (!is_esri_grid(as_text(bytes, name))) return read_text_grid(bytes, name, warnings, choice);
   std::unique_ptr<HeightSource> heights = read_esri_grid(bytes, name, warnings);
   heights->set_unit(likely_unit(*heights));
   return heights;

@@ -63,8 +63,8 @@ char separator_of(std::string_view row) {
 
 class TextGridReader {
  public:
-  TextGridReader(std::string_view text, const std::string& name, Warnings& warnings)
-      : text_size_(text.size()), lines_(text), name_(name), warnings_(warnings) {}
+  TextGridReader(std::string_view text, const std::string& name, Warnings& warnings, const GridChoice& choice)
+      : text_size_(text.size()), lines_(text), name_(name), warnings_(warnings), choice_(choice) {}
 
   std::unique_ptr<HeightSource> read() {
     bool after_blank = false;
@@ -98,12 +98,28 @@ class TextGridReader {
     return row;
   }
 
-  /// A first row of nothing but quoted names, as R and spreadsheets write it.
+  /// A first row of nothing but names: in quotes, as R and spreadsheets write them, or those of the columns of a table.
   bool skip_header(std::string_view row) {
     const std::vector<std::string_view> fields = fields_of(row, separator_);
-    if (!std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return f.empty() || is_quoted(f); }))
+    if (std::any_of(fields.begin(), fields.end(), [](std::string_view f) { return !f.empty() && height_in(f); }))
       return false;
+    const auto is_name = [](std::string_view f) { return f.empty() || is_quoted(f); };
+    const bool all_quoted = std::all_of(fields.begin(), fields.end(), is_name);
+    std::vector<std::string> names;
+    for (const std::string_view field : fields)
+      names.emplace_back(is_quoted(field) ? field.substr(1, field.size() - 2) : field);
+    named_ = named_columns(names);
+    is_table_ = named_.x && named_.y && named_.z;
+    if (is_table_) {
+      columns_ = fields.size();
+      return true;
+    }
+    // A frame of named columns begins with a column of its rows' names, which has none itself.
+    has_index_ = !all_quoted && names.front().empty() && names.size() > 2;
+    if (has_index_) columns_ = fields.size();
+    if (!all_quoted && !has_index_) return false;
     warnings_.add("header rows left out");
+    if (has_index_) warnings_.add("columns of row names left out");
     return true;
   }
 
@@ -116,26 +132,54 @@ class TextGridReader {
   }
 
   void read_row(std::string_view row) {
+    if (is_table_) return read_table_row(row);
     std::size_t column = 0;
     bool ended = false;
     std::string_view rest = row, field;
-    if (row.front() == '"') {
+    if (has_index_) {
+      take_field(rest, separator_, ended);
+      ++column;
+    } else if (row.front() == '"') {
       take_field(rest, separator_, ended);
       warnings_.add("row names left out");
     }
+    const bool has_corner = rows_ == 0 && is_corner(row);
     while (!ended) {
       field = take_field(rest, separator_, ended);
-      values_.push_back(height(field, ++column));
+      const bool corner = has_corner && column == 0;
+      ++column;
+      values_.push_back(corner ? kNaN : height(field, column));
     }
+    corner_empty_ = corner_empty_ || (rows_ == 0 && (has_corner || fields_of(row, separator_).front().empty()));
     all_end_empty_ = all_end_empty_ && field.empty();
-    if (rows_ == 0) {
+    if (rows_ == 0 && !has_index_) {
       columns_ = column;
       // A row of this kind takes as many bytes as the others, more or less.
       values_.reserve(columns_ * (text_size_ / (row.size() + 1) + 1));
     } else if (column != columns_) {
       throw error("row of " + std::to_string(column) + " columns; those above have " + std::to_string(columns_));
     }
-    if (columns_ == 3) points_.lines.push_back(lines_.number());
+    if (columns_ == 3 && !has_index_) points_.lines.push_back(lines_.number());
+    ++rows_;
+  }
+
+  /// A first row of numbers behind a single name: the positions of the columns of a frame whose index has a name.
+  bool is_corner(std::string_view row) const {
+    const std::vector<std::string_view> fields = fields_of(row, separator_);
+    if (fields.size() < 3 || fields[0].empty() || is_quoted(fields[0]) || height_in(fields[0])) return false;
+    return std::all_of(fields.begin() + 1, fields.end(), [](std::string_view f) { return number_in(f).has_value(); });
+  }
+
+  /// Of a row of a table the columns that are named.
+  void read_table_row(std::string_view row) {
+    const std::vector<std::string_view> fields = fields_of(row, separator_);
+    if (fields.size() != columns_) {
+      throw error("row of " + std::to_string(fields.size()) + " columns; the header names " + std::to_string(columns_));
+    }
+    for (const std::size_t column : {*named_.x, *named_.y, *named_.z}) {
+      values_.push_back(height(fields[column], column + 1));
+    }
+    points_.lines.push_back(lines_.number());
     ++rows_;
   }
 
@@ -147,22 +191,56 @@ class TextGridReader {
       std::replace(with_point.begin(), with_point.end(), ',', '.');
       if (const std::optional<double> value = number_in(with_point)) return *value;
     }
-    const std::string hint = rows_ == 0 ? "; names of columns are passed over when they are in quotes" : "";
+    const std::string hint =
+        rows_ == 0 ? "; names of columns are passed over when they are in quotes, or tell x, y and z" : "";
     throw error("column " + std::to_string(column) + ": " + shown(field) + " is not a number" + hint);
   }
 
   std::unique_ptr<HeightSource> finish() {
     if (rows_ == 0) throw InputError(name_, "holds no row of numbers");
-    if (columns_ == 3) {
+    if (is_table_) {
+      points_.values = std::move(values_);
+      points_.block_begins = {0};
+      if (find_blocks(points_)) return grid_of_points(std::move(points_), name_);
+      return surface_of_rows(points_, choice_, name_, warnings_);
+    }
+    if (columns_ == 3 && !has_index_ && !all_end_empty_) {
       const bool has_blocks = !points_.block_begins.empty();
       points_.block_begins.insert(points_.block_begins.begin(), 0);
       points_.values = std::move(values_);
       if (has_blocks || find_blocks(points_)) return grid_of_points(std::move(points_), name_);
+      if (rows_ > 3 && are_places(points_)) return surface_of_rows(points_, choice_, name_, warnings_);
       values_ = std::move(points_.values);
+    }
+    if (has_index_) --columns_;
+    if (corner_empty_ && !has_index_) {
+      if (std::unique_ptr<HeightSource> frame = read_frame()) return frame;
     }
     drop_empty_last_column();
     return held_heights(counted_positions(columns_), counted_positions(rows_), std::move(values_),
                         SampleOrder::first_row_lowest(columns_), name_);
+  }
+
+  /// A matrix whose first row and first column are the positions, with nothing in the corner between them.
+  std::unique_ptr<HeightSource> read_frame() {
+    if (columns_ < 3 || rows_ < 3) return nullptr;
+    std::vector<double> x, y, z;
+    for (std::size_t i = 1; i < columns_; ++i) x.push_back(values_[i]);
+    for (std::size_t j = 1; j < rows_; ++j) y.push_back(values_[j * columns_]);
+    const auto ascends = [](const std::vector<double>& at) {
+      return std::adjacent_find(at.begin(), at.end(), [](double a, double b) { return !(a < b); }) == at.end();
+    };
+    const bool downwards = std::is_sorted(y.rbegin(), y.rend());
+    if (downwards) std::reverse(y.begin(), y.end());
+    if (!ascends(x) || !ascends(y)) return nullptr;
+    for (std::size_t j = 1; j < rows_; ++j) {
+      const auto row = values_.begin() + static_cast<std::ptrdiff_t>(j * columns_);
+      z.insert(z.end(), row + 1, row + static_cast<std::ptrdiff_t>(columns_));
+    }
+    warnings_.add("rows and columns of numbers taken for positions", 2);
+    const SampleOrder order =
+        downwards ? SampleOrder::first_row_highest(x.size(), y.size()) : SampleOrder::first_row_lowest(x.size());
+    return held_heights(std::move(x), std::move(y), std::move(z), order, name_);
   }
 
   /// A separator at the end of every row makes a last column of empty fields.
@@ -182,15 +260,21 @@ class TextGridReader {
   Warnings& warnings_;
   char separator_ = '\0';  ///< zero before the first row
   std::size_t columns_ = 0, rows_ = 0;
-  bool all_end_empty_ = true;   ///< no row so far has something behind its last separator
+  bool all_end_empty_ = true;  ///< no row so far has something behind its last separator
+  const GridChoice& choice_;
+  NamedColumns named_;
+  bool is_table_ = false;       ///< x, y and z are named
+  bool has_index_ = false;      ///< the first column holds names of rows
+  bool corner_empty_ = false;   ///< the first row begins with no number
   std::vector<double> values_;  ///< row by row
   PointRows points_;            ///< lines and blocks, for rows of three
 };
 
 }  // namespace
 
-std::unique_ptr<HeightSource> read_text_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
-  return TextGridReader(as_text(bytes, name), name, warnings).read();
+std::unique_ptr<HeightSource> read_text_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                             const GridChoice& choice) {
+  return TextGridReader(as_text(bytes, name), name, warnings, choice).read();
 }
 
 }  // namespace ligne

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "files/input_file.hpp"
 #include "scene/model/diagnostics.hpp"
+#include "scene/surfaces/height_function.hpp"
 
 namespace ligne {
 
@@ -34,6 +36,9 @@ class HeightSource {
   /// several threads at a time.
   virtual void read_row(std::size_t j, std::span<double> z) const = 0;
 
+  /// What gives heights between the positions too; null for most grids.
+  virtual std::shared_ptr<const HeightFunction> function() const { return nullptr; }
+
   /// As the file says or lets see.
   GroundUnit unit() const { return unit_; }
   void set_unit(GroundUnit unit) { unit_ = unit; }
@@ -50,10 +55,15 @@ class HeightSource {
 /// is a hole. Throws InputError that names the column of a mistake: "formula:COLUMN: cause".
 std::unique_ptr<HeightSource> formula_heights(const std::string& formula, std::vector<double> x, std::vector<double> y);
 
-/// Heights of a grid file: a CSV or TSV matrix, gnuplot blocks of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16 bits. Told
-/// apart by content. NODATA and NaN are holes; rows of pictures run from north (the largest y) to south. Throws
-/// InputError("FILE[:LINE]: cause").
-/// Adds the file, and others that were read with it, to `opened`.
-std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened = nullptr);
+/// How files of points are read.
+struct GridChoice {
+  std::optional<unsigned> columns;  ///< of the grid on which scattered points are sampled (scattered_points.hpp)
+};
+
+/// Heights of a grid file: a CSV or TSV matrix, lines of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16 bits. Told apart by
+/// content; "-" is standard input. NODATA and NaN are holes; rows of pictures run from north (the largest y) to south.
+/// Throws InputError("FILE[:LINE]: cause"). Adds the file, and others that were read with it, to `opened`.
+std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened = nullptr,
+                                        const GridChoice& choice = {});
 
 }  // namespace ligne

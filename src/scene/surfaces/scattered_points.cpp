@@ -1,0 +1,206 @@
+// Places are snapped to a lattice of 2^26 steps across the extent of the points, 25 nanometres on the longest side of A0, on
+// which all signs are exact. Heights are interpolated in the triangles of the lattice.
+
+#include "scene/surfaces/scattered_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/delaunay.hpp"
+#include "geometry/parallel.hpp"
+#include "scene/surfaces/height_filters.hpp"
+#include "scene/surfaces/height_function.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::size_t kFewestColumns = 100, kMostColumns = 500;
+/// Samples that are kept, since a picture asks for each several times.
+constexpr std::size_t kMostHeld = std::size_t{1} << 22;
+/// Triangles that a search begins at: one for so many points.
+constexpr double kPointsPerStart = 2;
+
+/// From places to lattice points: the low corner of the extent becomes -kLatticeLimit on both axes. Each axis has its own
+/// scale, since the units of x and y may differ.
+struct PlaneLattice {
+  Point2 low, step;
+
+  Point2 in_steps(double x, double y) const {
+    return {(x - low.x) / step.x - kLatticeLimit, (y - low.y) / step.y - kLatticeLimit};
+  }
+  LatticePoint snap(double x, double y) const {
+    const Point2 p = in_steps(x, y);
+    return {static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))};
+  }
+};
+
+class TriangulatedFunction : public HeightFunction {
+ public:
+  TriangulatedFunction(PlaneLattice lattice, std::vector<LatticePoint> points, std::vector<double> heights)
+      : lattice_(lattice), points_(std::move(points)), heights_(std::move(heights)), mesh_(triangulate_delaunay(points_)) {
+    find_starts();
+  }
+
+  bool is_continuous() const override { return true; }
+  bool empty() const { return mesh_.triangles.empty(); }
+
+  void use(FunctionRef<void(At&)> work) const override {
+    PointAt at(*this);
+    work(at);
+  }
+
+ private:
+  class PointAt : public At {
+   public:
+    explicit PointAt(const TriangulatedFunction& function) : function_(function) {}
+    double operator()(double x, double y) override { return function_.height(function_.lattice_.in_steps(x, y)); }
+
+   private:
+    const TriangulatedFunction& function_;
+  };
+
+  std::size_t start_cell(Point2 p) const {
+    const auto cell = [&](double at) {
+      const double part = (at + kLatticeLimit) / (2. * kLatticeLimit) * static_cast<double>(side_);
+      return static_cast<std::size_t>(std::clamp(part, 0., static_cast<double>(side_ - 1)));
+    };
+    return cell(p.y) * side_ + cell(p.x);
+  }
+
+  /// Where a search begins follows from its place alone, so that it ends in the same triangle whoever asks.
+  void find_starts() {
+    side_ = 1 + static_cast<std::size_t>(std::sqrt(static_cast<double>(points_.size()) / kPointsPerStart));
+    starts_.assign(side_ * side_, Delaunay::kNone);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const LatticePoint p = points_[mesh_.triangles[t][0]];
+      std::uint32_t& start = starts_[start_cell({p.x, p.y})];
+      if (start == Delaunay::kNone) start = t;
+    }
+    std::uint32_t last = 0;
+    for (std::uint32_t& start : starts_) last = start = start == Delaunay::kNone ? last : start;
+  }
+
+  /// Twice the signed area of a triangle of two lattice points and p.
+  double area(std::uint32_t a, std::uint32_t b, Point2 p) const {
+    const LatticePoint &from = points_[a], &to = points_[b];
+    return (double(to.x) - from.x) * (p.y - from.y) - (double(to.y) - from.y) * (p.x - from.x);
+  }
+
+  /// From triangle to triangle, across a side that the place lies beyond; in a Delaunay triangulation no such walk comes
+  /// back. What a rounding puts beyond two triangles' common side is within both.
+  double height(Point2 p) const {
+    if (!(std::abs(p.x) <= kLatticeLimit && std::abs(p.y) <= kLatticeLimit)) return kNaN;
+    std::uint32_t t = starts_[start_cell(p)], before = Delaunay::kNone;
+    for (std::size_t step = 0; step <= mesh_.triangles.size(); ++step) {
+      const auto& v = mesh_.triangles[t];
+      const double across[] = {area(v[0], v[1], p), area(v[1], v[2], p), area(v[2], v[0], p)};
+      std::uint32_t beyond = t;
+      for (int k = 0; k < 3 && beyond == t; ++k) {
+        const std::uint32_t neighbour = mesh_.neighbours[t][static_cast<std::size_t>(k)];
+        if (across[k] < 0 && neighbour != before) beyond = neighbour;
+        if (across[k] < 0 && neighbour == Delaunay::kNone) return kNaN;
+      }
+      if (beyond == t) {
+        const double all = across[0] + across[1] + across[2];
+        return (across[1] * heights_[v[0]] + across[2] * heights_[v[1]] + across[0] * heights_[v[2]]) / all;
+      }
+      before = t;
+      t = beyond;
+    }
+    return kNaN;
+  }
+
+  static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+  PlaneLattice lattice_;
+  std::vector<LatticePoint> points_;
+  std::vector<double> heights_;
+  Delaunay mesh_;
+  std::size_t side_ = 1;
+  std::vector<std::uint32_t> starts_;
+};
+
+struct PlacedHeight {
+  LatticePoint at;
+  double height;
+};
+
+/// Points that share a place become one.
+std::size_t merge_places(std::vector<PlacedHeight>& points) {
+  parallel_sort(points.begin(), points.end(), [](const PlacedHeight& a, const PlacedHeight& b) {
+    return std::pair(a.at.x, a.at.y) != std::pair(b.at.x, b.at.y) ? std::pair(a.at.x, a.at.y) < std::pair(b.at.x, b.at.y)
+                                                                  : a.height < b.height;
+  });
+  std::size_t count = 0, merged = 0;
+  for (std::size_t i = 0; i < points.size();) {
+    std::size_t end = i;
+    double sum = 0;
+    while (end < points.size() && points[end].at == points[i].at) sum += points[end++].height;
+    points[count++] = {points[i].at, sum / static_cast<double>(end - i)};
+    merged += end - i - 1;
+    i = end;
+  }
+  points.resize(count);
+  return merged;
+}
+
+std::vector<double> spaced(double from, double to, std::size_t count) {
+  std::vector<double> at(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    at[i] = i + 1 == count ? to : from + (to - from) * (static_cast<double>(i) / static_cast<double>(count - 1));
+  }
+  return at;
+}
+
+class PointHeights : public HeightSource {
+ public:
+  PointHeights(std::shared_ptr<const HeightFunction> function, std::vector<double> x, std::vector<double> y)
+      : HeightSource(x, y), function_(function), heights_(heights_of(std::move(function), std::move(x), std::move(y))) {
+    if (heights_->x().size() <= kMostHeld / heights_->y().size()) heights_ = held(*heights_);
+  }
+
+  void read_row(std::size_t j, std::span<double> z) const override { heights_->read_row(j, z); }
+  std::shared_ptr<const HeightFunction> function() const override { return function_; }
+
+ private:
+  std::shared_ptr<const HeightFunction> function_;
+  std::unique_ptr<HeightSource> heights_;
+};
+
+}  // namespace
+
+std::unique_ptr<HeightSource> surface_of_points(std::vector<Point3> points, std::optional<unsigned> columns,
+                                                const std::string& name, Warnings& warnings) {
+  Point2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  for (const Point3& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const auto on_a_line = [&] { return InputError(name, "has points on a line only, which make no surface"); };
+  if (points.size() < 3 || !(low.x < high.x) || !(low.y < high.y) || !std::isfinite(high.x - low.x + high.y - low.y))
+    throw on_a_line();
+  const PlaneLattice lattice{low, (high - low) / (2. * kLatticeLimit)};
+  std::vector<PlacedHeight> placed(points.size());
+  parallel_for(points.size(), [&](std::size_t i) { placed[i] = {lattice.snap(points[i].x, points[i].y), points[i].z}; });
+  const std::size_t merged = merge_places(placed);
+  if (merged > 0) warnings.add("points at the place of another one: heights averaged", merged);
+  std::vector<LatticePoint> at;
+  std::vector<double> heights;
+  for (const PlacedHeight& p : placed) {
+    at.push_back(p.at);
+    heights.push_back(p.height);
+  }
+  const auto root = static_cast<std::size_t>(std::sqrt(static_cast<double>(at.size())));
+  const std::size_t count = columns ? *columns : std::clamp(root, kFewestColumns, kMostColumns);
+  const auto function = std::make_shared<TriangulatedFunction>(lattice, std::move(at), std::move(heights));
+  if (function->empty()) throw on_a_line();
+  const double alike = (high.y - low.y) / (high.x - low.x) * static_cast<double>(count);
+  const auto rows =
+      static_cast<std::size_t>(std::clamp(alike, static_cast<double>(count) / 4, static_cast<double>(count) * 4));
+  return std::make_unique<PointHeights>(function, spaced(low.x, high.x, count),
+                                        spaced(low.y, high.y, std::max<std::size_t>(rows, 2)));
+}
+
+}  // namespace ligne
