@@ -20,6 +20,7 @@ libpugixml-dev       hdr:pugixml.hpp                 SVG drawings that are to be
 libtomlplusplus-dev  hdr:toml++/toml.h               plotters and pens as TOML
 libpng-dev           hdr:png.h                       grids of heights as PNG
 fonts-dejavu-core    font:DejaVuSans.ttf             text in PDF and PNG
+optional libtiff-dev  hdr:tiffio.h                    grids of heights as GeoTIFF
 optional libdraco-dev hdr:draco/compression/decode.h compressed glTF files
 '
 readonly test_packages='

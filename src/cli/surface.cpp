@@ -52,7 +52,7 @@ bool awaits_value(const std::string& argument) {
 
 void protect_formulas(std::vector<std::string>& arguments) {
   constexpr std::array<std::string_view, 2> kParameters{"u", "v"};
-  std::size_t parametric = 0;           // formulas of --parametric that are still to come
+  std::size_t parametric = 0;  // formulas of --parametric that are still to come
   for (std::size_t k = 1; k < arguments.size(); ++k) {
     std::string& argument = arguments[k];
     const bool is_parametric = parametric > 0;

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "files/message_text.hpp"
+#include "picture/axes.hpp"
+#include "picture/curve_distance.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
 #include "picture/surface_samples.hpp"
@@ -99,9 +101,8 @@ struct MeshPlot {
   std::optional<PlotBox> box;
 };
 
-/// `with_lines`: cut along the contour lines, and with its crossings marked.
-MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& given, bool with_lines, RunReport& run) {
-  const std::vector<SurfacePoints> surfaces = points_of(request, given);
+std::vector<SurfaceMesh> meshes_of(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
+                                   RunReport& run) {
   std::vector<SurfaceMesh> meshes;
   for (const SurfacePoints& surface : surfaces) {
     if (surface.function) {
@@ -111,6 +112,41 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
     meshes.push_back(make_surface_mesh(surface));
     if (request.z_range) clip_heights(meshes.back(), (*request.z_range)[0], (*request.z_range)[1]);
   }
+  return meshes;
+}
+
+/// Leaves out curves of fine grids; whether there are any left out.
+bool thin_curves(const SurfaceRequest& request, const std::vector<Surface>& given, const PlotBox& box,
+                 std::vector<SurfacePoints>& surfaces, RunReport& run) {
+  const PictureRequest& picture = request.picture;
+  const AxesBox drawn{box.box.low * box.factor, box.box.high * box.factor};
+  const Scene extent = box_scene(drawn);
+  const Surroundings around =
+      place_with_axes(box, extent, camera_of(view_of(request), extent), picture.page, picture.axes, picture.output.title);
+  bool any = false;
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    SurfacePoints& points = surfaces[k];
+    if (!given[k].thinned || points.columns < 2 || points.rows < 2) continue;
+    AxesBox ground = drawn;
+    for (int axis = 0; axis < 2; ++axis) {
+      ground.low[axis] = points.points.front()[axis] * box.factor[axis];
+      ground.high[axis] = points.points.back()[axis] * box.factor[axis];
+    }
+    const std::size_t stride = stride_apart({ground, points.columns, points.rows, points.x_stride > 0, points.y_stride > 0},
+                                            around.placement.view, picture.page.pen_width_mm);
+    if (stride == 1) continue;
+    any = true;
+    run.choices.emplace_back("every", std::to_string(stride) + ": curves keep apart");
+    if (points.x_stride > 0) points.x_stride = stride;
+    if (points.y_stride > 0) points.y_stride = stride;
+  }
+  return any;
+}
+
+/// `with_lines`: cut along the contour lines, and with its crossings marked.
+MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& given, bool with_lines, RunReport& run) {
+  std::vector<SurfacePoints> surfaces = points_of(request, given);
+  std::vector<SurfaceMesh> meshes = meshes_of(request, surfaces, run);
   MeshPlot plot;
   Point3 factor{1, 1, 1};
   const std::optional<double> base = base_of(request, meshes);
@@ -118,6 +154,8 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
     factor = plot_factor(request, *box, unit_of(surfaces), run);
     if (base) box->low.z = std::min(box->low.z, *base);
     plot.box = PlotBox{*box, factor, tick_scales(request)};
+    const bool may_thin = with_lines && std::any_of(given.begin(), given.end(), [](const Surface& s) { return s.thinned; });
+    if (may_thin && thin_curves(request, given, *plot.box, surfaces, run)) meshes = meshes_of(request, surfaces, run);
   }
   if (const auto range = height_range(meshes); range && with_lines) {
     const std::vector<double> levels = contour_levels(request.curves, (*range)[0], (*range)[1]);
@@ -163,7 +201,8 @@ Picture draw_surface_mesh(const SurfaceRequest& request, RunReport& run) {
 }
 
 std::string write_surface_mesh(const SurfaceRequest& request, MeshFormat format, RunReport& run) {
-  const MeshPlot plot = timed(run.stages, "read", [&] { return make_meshes(request, surfaces_of(request, run), false, run); });
+  const MeshPlot plot =
+      timed(run.stages, "read", [&] { return make_meshes(request, surfaces_of(request, run), false, run); });
   if (plot.scene.faces.empty()) {
     throw InputError(place_of_warnings(request), "has no cell without a hole: there is no mesh to write");
   }

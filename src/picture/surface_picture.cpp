@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "picture/axes.hpp"
+#include "picture/curve_distance.hpp"
 #include "picture/surface_mesh_picture.hpp"
 #include "picture/surface_samples.hpp"
 #include "picture/surface_scale.hpp"
@@ -121,6 +122,20 @@ void warn_of_empty_or_cut(const Drawing& drawing, const Placement& placement, Ru
   }
 }
 
+/// Leaves out curves of a fine grid.
+void thin_curves(const Surface& surface, HorizonRequest& horizon, const View& view, double pen_width_mm, RunReport& run) {
+  HorizonOptions& options = horizon.options;
+  AxesBox box = horizon.box->box;
+  box.low *= horizon.box->factor;
+  box.high *= horizon.box->factor;
+  const std::size_t stride = stride_apart(
+      {box, surface.heights->x().size(), surface.heights->y().size(), options.x_stride > 0, options.y_stride > 0}, view,
+      pen_width_mm);
+  if (stride > 1) run.choices.emplace_back("every", std::to_string(stride) + ": curves keep apart");
+  if (options.x_stride > 0) options.x_stride = stride;
+  if (options.y_stride > 0) options.y_stride = stride;
+}
+
 /// Whether the surface of a formula ends or jumps somewhere and may be drawn as a mesh, which can be cut there. If it may
 /// not, whole cells are left out.
 bool is_for_mesh(const SurfaceRequest& request, Surface& surface) {
@@ -149,6 +164,7 @@ std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, RunRep
   timed(run.stages, {"place", samples}, [&] {
     horizon = horizon_request(request, surface, run);
     around = place_with_axes(horizon.box, horizon.extent, horizon.camera, picture.page, picture.axes, picture.output.title);
+    if (surface.thinned && horizon.box) thin_curves(surface, horizon, around.placement.view, picture.page.pen_width_mm, run);
     horizon.options.back_lines = back_lines(around);
     horizon.options.progress = picture.progress;
   });

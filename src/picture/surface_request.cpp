@@ -43,6 +43,7 @@ void check_sources(const SurfaceRequest& request) {
     throw RequestError("every", "goes with --grid; a formula has its number of curves in -x A:B:N");
   }
   if (!grids && request.gridded) throw RequestError("gridded", "goes with --grid");
+  if (!grids && request.ground != GroundChoice::as_read) throw RequestError("ground", "goes with --grid");
   if (!grids && request.max_slope) {
     throw RequestError("max-slope", "goes with --grid; a formula is looked at for its jumps");
   }

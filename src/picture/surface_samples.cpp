@@ -97,6 +97,7 @@ Surface grid_surface(const SurfaceRequest& request, const std::string& file, Run
     surface.left_out = steep_cells(*surface.heights, *request.max_slope, unit == GroundUnit::degrees ? kMetresOfDegree : 1);
   }
   surface.x_stride = surface.y_stride = request.every.value_or(1);
+  surface.thinned = !request.every && !request.curves.ridgeline;
   surface.unit = unit;
   return surface;
 }

@@ -21,6 +21,7 @@ struct Surface {
   std::size_t x_stride = 1, y_stride = 1;
   bool from_formula = false;
   std::shared_ptr<const HeightFunction> function;  ///< of a formula
+  bool thinned = false;                            ///< the strides are to be those at which curves keep apart
   GroundUnit unit = GroundUnit::unknown;
   HeightSurvey survey;         ///< empty where it is not known
   std::vector<char> left_out;  ///< cells (SurfacePoints)
@@ -32,7 +33,8 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run);
 /// For a formula without any height where it is looked at: an InputError when it is all there is to draw, else a warning.
 void refuse_empty(const SurfaceRequest& request, const std::string& formula, RunReport& run);
 
-/// The samples of all surfaces, for meshes; z = f(x, y) before the parametric ones. Throws RequestError, InputError. `surfaces`: those of surfaces_of().
+/// The samples of all surfaces, for meshes; z = f(x, y) before the parametric ones. Throws RequestError, InputError.
+/// `surfaces`: those of surfaces_of().
 std::vector<SurfacePoints> points_of(const SurfaceRequest& request, const std::vector<Surface>& surfaces);
 
 }  // namespace ligne

@@ -192,5 +192,37 @@ TEST_F(SurfaceBreaksTest, GridsHaveASteepestSlope) {
   fails({"x", "--max-slope", "5", "-o", "a.svg"}, 2, "--max-slope: goes with --grid");
 }
 
+TEST_F(SurfaceBreaksTest, FineGridsAreThinned) {
+  std::string text;
+  for (int j = 0; j < 300; ++j) {
+    for (int i = 0; i < 450; ++i) text += std::to_string(i * j % 7) + (i == 449 ? "\n" : " ");
+  }
+  write("fine.txt", text);
+  const auto curves = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"--grid", "fine.txt", "--z-scale", "0.001", "--view",      "top",
+                                 "--page", "200x150",  "--margin",  "10",    "--pen-width", "0.3"};
+    all.insert(all.end(), more.begin(), more.end());
+    return layers(all).at("horizon");
+  };
+  // Of 450 columns in 180 mm there is room for one in 0.45 mm: every second one, and the last.
+  EXPECT_NEAR(curves({}), curves({"--every", "2"}), 0.1);
+  EXPECT_NEAR(curves({"--every", "auto", "--method", "appel"}), curves({"--every", "2"}), 0.1);
+  EXPECT_GT(curves({"--every", "1"}), 1.9 * curves({}));
+}
+
+TEST_F(SurfaceBreaksTest, ScatteredPointsComeFromStandardInputToo) {
+  std::string rows = "id,x,y,z\n";
+  for (int k = 0; k < 400; ++k) {
+    const double x = k * 37 % 101, y = k * 61 % 97;
+    rows += std::to_string(k) + "," + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(x * y / 50) + "\n";
+  }
+  write("points.csv", rows);
+  const Outcome outcome = surface({"--grid", "points.csv", "--axes"}, {"-o", "a.svg"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err,
+            "ligne: points.csv: warning: 400 scattered points: heights are linear in their Delaunay triangles\n");
+  EXPECT_EQ(surface({"--grid", "-", "--axes"}, {"-o", "a.svg"}).status, 1) << "there is nothing on it";
+}
+
 }  // namespace
 }  // namespace ligne::test

@@ -95,6 +95,17 @@ void read_grid_as_fuzzer(std::span<const std::byte> bytes) {
   }
 }
 
+/// Readers that are chosen by a file's name or its first bytes.
+void read_terrain_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
+  try {
+    Warnings warnings;
+    check_heights(
+        *(kind == "hgt" ? read_hgt_grid(bytes, "N47E008.hgt", warnings) : read_tiff_grid(bytes, "fuzz", warnings)));
+  } catch (const InputError& error) {
+    need_one_line(error);
+  }
+}
+
 void read_formula_as_fuzzer(std::span<const std::byte> bytes) {
   try {
     const std::string formula(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -154,6 +165,7 @@ void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   if (kind == "svg" || kind == "drawing") return read_drawing_as_fuzzer(kind, bytes);
   if (kind == "tree") return read_tree_as_fuzzer(bytes);
   if (kind == "grid") return read_grid_as_fuzzer(bytes);
+  if (kind == "hgt" || kind == "tiff") return read_terrain_as_fuzzer(kind, bytes);
   if (kind == "formula") return read_formula_as_fuzzer(bytes);
   try {
     detect_format(bytes, "." + std::string(kind), "fuzz");

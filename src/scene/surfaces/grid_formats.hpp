@@ -36,6 +36,14 @@ std::unique_ptr<HeightSource> read_pgm_grid(std::span<const std::byte> bytes, co
 /// PNG of one channel, 8 or 16 bits.
 std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
 
+/// A tile of SRTM heights, "N47E008.hgt", which its name alone tells from other bytes.
+bool is_hgt_name(std::string_view name);
+std::unique_ptr<HeightSource> read_hgt_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
+
+/// TIFF and GeoTIFF of one band, by libtiff; whether it is in the build.
+std::unique_ptr<HeightSource> read_tiff_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
+bool reads_tiff();
+
 /// What GDAL reads (GeoTIFF and many more): the first band. Without GDAL in the build an InputError says that it is needed.
 /// Adds what GDAL reads beside the file to `opened`.
 std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name, InputFiles& opened);

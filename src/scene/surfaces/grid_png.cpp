@@ -136,11 +136,55 @@ std::unique_ptr<HeightSource> read_heights(PngFile& png, const std::string& name
   return held_heights(counted_positions(columns), counted_positions(rows), std::move(heights), order, name);
 }
 
+/// Throws InputError when a file can not hold the values that its header speaks of.
+void check_size(std::size_t columns, std::size_t rows, unsigned bits, std::size_t bytes, const std::string& name) {
+  const std::uint64_t most = bytes * kMostDeflated * 8 / bits;
+  if (rows > most / columns) {
+    throw InputError(name, "is a broken PNG picture: " + std::to_string(columns) + " x " + std::to_string(rows) +
+                               " values do not fit into " + std::to_string(bytes) + " bytes");
+  }
+}
+
+/// Colours that are heights in the Terrarium encoding, R 256 + G + B / 256 - 32768 metres, which puts the earth's own from
+/// its deepest to its highest place into a narrow band of red. Other pictures have colours outside of it.
+std::unique_ptr<HeightSource> read_terrarium(PngFile& png, std::size_t bytes, const std::string& name, Warnings& warnings) {
+  constexpr double kZero = 32768, kDeepest = -11'500, kHighest = 9'000;
+  const std::size_t columns = png.columns(), rows = png.rows();
+  check_counts(columns, rows, name);
+  check_size(columns, rows, 24, bytes, name);
+  const int passes = png.begin_rows();
+  std::vector<std::uint8_t> line(3 * columns), all;
+  if (passes > 1) all.resize(3 * columns * rows);
+  std::vector<float> heights;
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (passes > 1) std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(row * line.size()), line.size(), line.begin());
+      png.read_row(line.data());
+      if (passes > 1) std::copy(line.begin(), line.end(), all.begin() + static_cast<std::ptrdiff_t>(row * line.size()));
+      if (pass + 1 < passes) continue;
+      for (std::size_t i = 0; i < columns; ++i) {
+        const double height = 256. * line[3 * i] + line[3 * i + 1] + line[3 * i + 2] / 256. - kZero;
+        if (height < kDeepest || height > kHighest) {
+          throw InputError(name,
+                           "is a PNG picture of colours; heights need one grey channel of 8 or 16 bits, or the "
+                           "Terrarium encoding");
+        }
+        heights.push_back(static_cast<float>(height));
+      }
+    }
+  }
+  warnings.add("pictures of colours taken for Terrarium heights");
+  return held_heights(counted_positions(columns), counted_positions(rows), std::move(heights),
+                      SampleOrder::first_row_highest(columns, rows), name);
+}
+
 }  // namespace
 
-std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings&) {
+std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
   PngFile png(bytes, name);
   png.read_header();
+  if (png.color_type() == PNG_COLOR_TYPE_RGB && png.bit_depth() == 8)
+    return read_terrarium(png, bytes.size(), name, warnings);
   if (png.color_type() != PNG_COLOR_TYPE_GRAY) {
     const char* const kind = png.color_type() == PNG_COLOR_TYPE_GRAY_ALPHA ? "grey with an alpha channel"
                              : png.color_type() == PNG_COLOR_TYPE_PALETTE  ? "colours from a palette"
@@ -149,11 +193,7 @@ std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, co
   }
   const std::size_t columns = png.columns(), rows = png.rows();
   check_counts(columns, rows, name);
-  const std::uint64_t most = bytes.size() * kMostDeflated * 8 / static_cast<unsigned>(png.bit_depth());
-  if (rows > most / columns) {
-    throw InputError(name, "is a broken PNG picture: " + std::to_string(columns) + " x " + std::to_string(rows) +
-                               " values do not fit into " + std::to_string(bytes.size()) + " bytes");
-  }
+  check_size(columns, rows, static_cast<unsigned>(png.bit_depth()), bytes.size(), name);
   return png.bit_depth() == 16 ? read_heights<std::uint16_t>(png, name) : read_heights<std::uint8_t>(png, name);
 }
 

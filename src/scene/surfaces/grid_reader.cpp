@@ -86,7 +86,10 @@ std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const 
     if (kind == '2' || kind == '5') return with_unit(read_pgm_grid(bytes, name, warnings), GroundUnit::same);
     throw InputError(name, std::string("is a Netpbm picture P") + kind + "; heights need a grey one, P2 or P5");
   }
+  if (is_hgt_name(name)) return read_hgt_grid(bytes, name, warnings);
   InputFiles unasked;
+  if (reads_tiff() && (chars.starts_with("II") || chars.starts_with("MM")) && is_for_gdal(chars))
+    return read_tiff_grid(bytes, name, warnings);
   if (is_for_gdal(chars)) return read_gdal_grid(file, name, opened ? *opened : unasked);
 
   refuse_models(bytes, name);

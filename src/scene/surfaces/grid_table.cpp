@@ -41,7 +41,8 @@ std::vector<double> positions_of(const std::vector<double>& at) {
 
 /// Some of the points, which are as good as all to see that they form no grid: a grid has no fewer positions than they do.
 bool can_be_grid(const std::vector<Point3>& points) {
-  const std::size_t step = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(points.size())) / 8));
+  const std::size_t step =
+      std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(points.size())) / 8));
   std::array<std::vector<double>, 2> at;
   for (std::size_t k = 0; k < points.size(); k += step) {
     at[0].push_back(points[k].x);

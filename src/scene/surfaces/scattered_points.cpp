@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kFewestColumns = 100, kMostColumns = 500;
 /// Samples that are kept, since a picture asks for each several times.
 constexpr std::size_t kMostHeld = std::size_t{1} << 22;
+/// A triangle whose side is so many times as long as it is high is a sliver.
+constexpr double kSliver = 8;
 /// Triangles that a search begins at: one for so many points.
 constexpr double kPointsPerStart = 2;
 
@@ -40,6 +42,7 @@ class TriangulatedFunction : public HeightFunction {
  public:
   TriangulatedFunction(PlaneLattice lattice, std::vector<LatticePoint> points, std::vector<double> heights)
       : lattice_(lattice), points_(std::move(points)), heights_(std::move(heights)), mesh_(triangulate_delaunay(points_)) {
+    peel_rim();
     find_starts();
   }
 
@@ -69,13 +72,42 @@ class TriangulatedFunction : public HeightFunction {
     return cell(p.y) * side_ + cell(p.x);
   }
 
+  /// The convex hull of points in a frame has few and long sides, each over a sliver of a triangle that would stand as a
+  /// wall at the rim. Triangles at the rim whose side there is long against their height are left out, and again those that
+  /// are at the rim then.
+  void peel_rim() {
+    left_out_.assign(mesh_.triangles.size(), 0);
+    std::vector<std::array<std::uint32_t, 2>> rim;  // a triangle and its side
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        if (mesh_.neighbours[t][k] == Delaunay::kNone) rim.push_back({t, k});
+      }
+    }
+    while (!rim.empty()) {
+      const auto [t, k] = rim.back();
+      rim.pop_back();
+      const auto& v = mesh_.triangles[t];
+      const LatticePoint &a = points_[v[k]], &b = points_[v[(k + 1) % 3]], &apex = points_[v[(k + 2) % 3]];
+      const double side_x = double(b.x) - a.x, side_y = double(b.y) - a.y;
+      if (left_out_[t] || side_x * side_x + side_y * side_y < kSliver * orientation(a, b, apex)) continue;
+      left_out_[t] = 1;
+      for (std::uint32_t side = 0; side < 3; ++side) {
+        const std::uint32_t beyond = mesh_.neighbours[t][side];
+        if (beyond == Delaunay::kNone || left_out_[beyond]) continue;
+        const auto& there = mesh_.neighbours[beyond];
+        rim.push_back({beyond, static_cast<std::uint32_t>(std::find(there.begin(), there.end(), t) - there.begin())});
+      }
+    }
+  }
+
   /// Where a search begins follows from its place alone, so that it ends in the same triangle whoever asks.
   void find_starts() {
     side_ = 1 + static_cast<std::size_t>(std::sqrt(static_cast<double>(points_.size()) / kPointsPerStart));
     starts_.assign(side_ * side_, Delaunay::kNone);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const LatticePoint p = points_[mesh_.triangles[t][0]];
-      std::uint32_t& start = starts_[start_cell({p.x, p.y})];
+      Point2 middle{0, 0};
+      for (const std::uint32_t v : mesh_.triangles[t]) middle += Point2{points_[v].x, points_[v].y} / 3.;
+      std::uint32_t& start = starts_[start_cell(middle)];
       if (start == Delaunay::kNone) start = t;
     }
     std::uint32_t last = 0;
@@ -102,6 +134,7 @@ class TriangulatedFunction : public HeightFunction {
         if (across[k] < 0 && neighbour != before) beyond = neighbour;
         if (across[k] < 0 && neighbour == Delaunay::kNone) return kNaN;
       }
+      if (beyond == t && left_out_[t]) return kNaN;
       if (beyond == t) {
         const double all = across[0] + across[1] + across[2];
         return (across[1] * heights_[v[0]] + across[2] * heights_[v[1]] + across[0] * heights_[v[2]]) / all;
@@ -118,6 +151,7 @@ class TriangulatedFunction : public HeightFunction {
   std::vector<LatticePoint> points_;
   std::vector<double> heights_;
   Delaunay mesh_;
+  std::vector<char> left_out_;  ///< triangles of the rim
   std::size_t side_ = 1;
   std::vector<std::uint32_t> starts_;
 };

@@ -12,7 +12,8 @@
 
 namespace ligne {
 
-/// A surface of the Delaunay triangles of points, whose heights are finite; it ends at their convex hull. Points that share
+/// A surface of the Delaunay triangles of points, whose heights are finite; it ends at their convex hull,
+/// less the slivers along it. Points that share
 /// a place stand for one of their mean height, with a warning. The result has a function (HeightSource::function()), and is
 /// sampled on a grid of `columns` over the extent of the points; without `columns` of as many as the root of their number,
 /// 100 to 500. Throws InputError when all points lie on a line.
