@@ -6,6 +6,7 @@
 #include "cli/fill_options.hpp"
 #include "cli/frame_files.hpp"
 #include "cli/hatch_options.hpp"
+#include "cli/mixed_scene.hpp"
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/progress.hpp"
@@ -24,6 +25,7 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   ligne draw gearbox.obj -o gearbox.svg
   ligne draw flange.glb --view front --scale 1:2 --unit m --hidden dashed --page A3 -o flange.pdf
+  ligne draw houses.json --grid terrain.asc --every 4 --view iso -o village.svg
   ligne draw tower.obj --eye 9,6,14 --fov 40 -q -o - --format svg | rsvg-convert -z 2 > tower.png)";
 
 std::vector<std::string> object_patterns(const PenTable& pens) {
@@ -88,6 +90,7 @@ PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory)
     if (!options.plotter.preview.empty()) throw UsageError("--preview", "is of one view");
     if (options.plotter.choice.request.report) throw UsageError("--report", "is of one view");
   }
+  check_mixed_scene(options.surfaces);
   request.lines.settings = settings_of(options.method, method_of(request));
   return request;
 }
@@ -119,6 +122,8 @@ void draw(const DrawOptions& options, PictureRequest request) {
       request.output.group_objects || !request.output.colors.empty() || !request.plotter.pens.pen_of_object.empty();
   LoadedModels models =
       timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
+  add_surfaces(options.surfaces, models, request, run);
+  files.were_read(run.files);
   for (const ObjectColor& color : request.output.colors) require_names(models, "color", {color.pattern});
   require_names(models, "pen", object_patterns(request.plotter.pens));
   require_materials(models.scene, request.plotter.asked_pens);
@@ -155,6 +160,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_frame_options(draw, options);
   add_line_options(draw, picture.lines, options.method);
   add_fill_options(draw, picture.fill);
+  add_mixed_scene_options(draw, options.surfaces);
   add_page_options(draw, picture.page);
   add_output_options(draw, options.output);
   add_dpi_option(draw, picture.output.dpi);

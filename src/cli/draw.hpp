@@ -7,6 +7,7 @@
 #include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
 #include "picture/frames.hpp"
+#include "picture/surface_request.hpp"
 
 namespace CLI {
 class App;
@@ -16,6 +17,7 @@ namespace ligne {
 
 struct DrawOptions {
   ModelRequest model;
+  SurfaceRequest surfaces;  ///< among the models
   PictureRequest picture;
   MethodChoice method;
   FrameRequest frames;

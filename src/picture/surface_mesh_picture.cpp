@@ -26,6 +26,9 @@ namespace {
 /// How far below the lowest height the base lies when nothing is said, as a part of the range of heights.
 constexpr double kBaseDepth = 0.05;
 
+/// Curves of a grid in a picture with models, each way, when nothing is said.
+constexpr std::size_t kCurvesAmongModels = 60;
+
 /// Degrees: surfaces turn over their cells by less, and by more into their skirts. Creases are not drawn; hatching ends
 /// there.
 constexpr double kCrease = 75;
@@ -198,6 +201,23 @@ SurfaceScene make_surface_scene(const SurfaceRequest& request, RunReport& run) {
 Picture draw_surface_mesh(const SurfaceRequest& request, RunReport& run) {
   const SurfaceScene surface = make_surface_scene(request, run);
   return draw_scene(surface.scene, surface.picture, run, surface.box);
+}
+
+Scene surface_objects(SurfaceRequest request, const std::array<Point3, 2>& ground, RunReport& run) {
+  if (request.grids.empty()) {
+    if (!request.x) request.x = CurveRange{ground[0].x, ground[1].x, {}};
+    if (!request.y) request.y = CurveRange{ground[0].y, ground[1].y, {}};
+  }
+  std::vector<Surface> surfaces = surfaces_of(request, run);
+  for (Surface& surface : surfaces) {
+    if (!surface.thinned) continue;
+    const std::size_t samples = std::max(surface.heights->x().size(), surface.heights->y().size());
+    if (surface.x_stride > 0) surface.x_stride = samples / kCurvesAmongModels + 1;
+    if (surface.y_stride > 0) surface.y_stride = samples / kCurvesAmongModels + 1;
+  }
+  const std::vector<SurfacePoints> points = points_of(request, surfaces);
+  const std::vector<SurfaceMesh> meshes = meshes_of(request, points, run);
+  return surface_scene(meshes, {1, 1, request.z_scale.value_or(1)}, base_of(request, meshes));
 }
 
 std::string write_surface_mesh(const SurfaceRequest& request, MeshFormat format, RunReport& run) {

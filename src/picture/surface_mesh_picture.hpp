@@ -1,6 +1,7 @@
 #pragma once
 /// Surfaces by the mesh methods: whatever the floating horizon can not draw, and the surface as a mesh file.
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,11 @@ SurfaceScene make_surface_scene(const SurfaceRequest& request, RunReport& run);
 
 /// Draws the surfaces as meshes. Throws RequestError, InputError, std::runtime_error.
 Picture draw_surface_mesh(const SurfaceRequest& request, RunReport& run);
+
+/// The surfaces as objects of a scene in which z is up, at the numbers of their axes, heights times --z-scale: for a picture
+/// together with models. `ground`: what formulas range over when nothing is said, low and high corner. Throws RequestError,
+/// InputError.
+Scene surface_objects(SurfaceRequest request, const std::array<Point3, 2>& ground, RunReport& run);
 
 enum class MeshFormat { ligne_scene, obj };
 

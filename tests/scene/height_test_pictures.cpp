@@ -165,8 +165,7 @@ TEST(TiffGrid, StripsTilesAndTheirPlaces) {
   EXPECT_EQ(row[3], 1e10 + 3);
   const auto error = [&](const char* file) { return error_line([&] { read_grid(folder / file, warnings); }); };
   EXPECT_NE(error("truncated.tif").find("is a TIFF file that can not be read"), std::string::npos);
-  EXPECT_NE(error("header_lies.tif").find("2147483647 heights, more than its"), std::string::npos)
-      << error("header_lies.tif");
+  EXPECT_NE(error("header_lies.tif").find("is a TIFF file that can not be read"), std::string::npos);
   EXPECT_NE(error("uint8_one_row.tif").find("has 3 columns and 1 row"), std::string::npos);
 }
 #endif
