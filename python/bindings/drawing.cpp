@@ -209,8 +209,8 @@ void DrawingHolder::draw(const PictureRequest& request, const Progress& progress
     }
     drawn_.reset();
     horizon_.reset();
-    if (drawn_by_horizon(surface)) {
-      horizon_ = draw_horizon(surface, report);
+    if (drawn_by_horizon(surface)) horizon_ = draw_horizon(surface, report);
+    if (horizon_) {
       horizon_->picture.progress = {};
     } else {
       surface_scene_ = make_surface_scene(surface, report);

@@ -21,7 +21,6 @@ namespace {
 
 constexpr double kWidestPenMm = 50;
 constexpr double kLowestDpi = 1, kHighestDpi = 9600;
-constexpr unsigned kMostCurves = 20'000;
 
 /// A number, or a formula of numbers such as 2*pi.
 double parse_constant(const std::string& text) {

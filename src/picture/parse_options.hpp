@@ -51,6 +51,8 @@ const Method* parse_method(const std::string& text);
 /// A value of a method's own parameter.
 unsigned parse_parameter(const std::string& text, const MethodParameter& parameter);
 
+inline constexpr unsigned kMostCurves = 20'000;
+
 /// "A:B" or "A:B:N"; A and B may be formulas of numbers.
 CurveRange parse_range(const std::string& text);
 /// "A:B".

@@ -103,12 +103,15 @@ Surface grid_surface(const SurfaceRequest& request, const std::string& file, Run
 }
 
 Surface given_surface(const SurfaceRequest& request, const GivenHeights& given) {
-  Surface surface{given.name,
-                  held_heights(given.x, given.y, given.z, SampleOrder::first_row_lowest(given.x.size()), given.name)};
+  Surface surface;
+  surface.name = given.name;
+  surface.heights = held_heights(given.x, given.y, given.z, SampleOrder::first_row_lowest(given.x.size()), given.name);
   if (request.x || request.y) {
     surface.heights = window_heights(std::move(surface.heights), window_of(request.x), window_of(request.y), given.name);
   }
+  if (request.max_slope) surface.left_out = steep_cells(*surface.heights, *request.max_slope, 1);
   surface.x_stride = surface.y_stride = request.every.value_or(1);
+  surface.thinned = !request.every && !request.curves.ridgeline;
   return surface;
 }
 
