@@ -192,8 +192,8 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
   files.were_read(run.files);
   plotter.fit_drawing = options.fit;
   if (!plotter.by_pens() && !plotter.optimize) plotter.optimize = Optimize::join;
-  const ReadDrawing read =
-      timed(run.stages, {"read", printable(options.drawing, kLongestPath)}, [&] { return placed_drawing(options, hatch_pen_mm(options, plotter.pens), files); });
+  const ReadDrawing read = timed(run.stages, {"read", printable(options.drawing, kLongestPath)},
+                                 [&] { return placed_drawing(options, hatch_pen_mm(options, plotter.pens), files); });
   if (format == OutputFormat::png) check_png(read.page, options.dpi, memory);
   PlotOptions style;
   style.page = read.page;

@@ -33,8 +33,8 @@ class CellContours {
   };
 
   /// `range`: of the heights that count. `vertices` are the samples; the ends of the pieces are added to them.
-  CellContours(const SurfacePoints& surface, const HeightWindow& window, double range,
-               const std::vector<BrokenEdge>& broken, std::vector<Point3>& vertices);
+  CellContours(const SurfacePoints& surface, const HeightWindow& window, double range, const std::vector<BrokenEdge>& broken,
+               std::vector<Point3>& vertices);
 
   /// The triangles of the cells between rows j and j + 1. From several threads at a time.
   void cut_row(std::size_t j, Found& found) const;

@@ -76,7 +76,8 @@ Irregularity find_irregularity(const HeightSource& heights, const HeightFunction
   if (!span.any) return {false, false, true, span};
   const BrokenEdges broken = find_broken_edges(heights, function, window, span.range());
   const bool is_whole = window.low == HeightWindow{}.low && window.high == HeightWindow{}.high;
-  const bool has_pole = broken.has_pole || (is_whole && !function.is_continuous() && has_pole_at_a_point(heights, function, span));
+  const bool has_pole =
+      broken.has_pole || (is_whole && !function.is_continuous() && has_pole_at_a_point(heights, function, span));
   return {has_pole || !broken.edges.empty() || !span.all, has_pole, false, span};
 }
 
