@@ -209,11 +209,12 @@ void DrawingHolder::draw(const PictureRequest& request, const Progress& progress
     }
     drawn_.reset();
     horizon_.reset();
-    if (drawn_by_horizon(surface)) horizon_ = draw_horizon(surface, report);
+    std::vector<Surface> surfaces = surfaces_of(surface, report);
+    if (drawn_by_horizon(surface)) horizon_ = draw_horizon(surface, surfaces, report);
     if (horizon_) {
       horizon_->picture.progress = {};
     } else {
-      surface_scene_ = make_surface_scene(surface, report);
+      surface_scene_ = make_surface_scene(surface, surfaces, report);
       drawn_ = std::make_unique<DrawnScene>(surface_scene_->scene, surface_scene_->picture, report, surface_scene_->box,
                                             std::nullopt, true);
     }

@@ -80,11 +80,18 @@ def surface(
     u: Union[Range, List[Range], None] = None,
     v: Union[Range, List[Range], None] = None,
     samples: Optional[int] = None,
-    every: Optional[int] = None,
+    every: Union[int, str] = "auto",
+    gridded: Optional[int] = None,
+    ground: Optional[str] = None,
+    max_slope: Optional[float] = None,
     lines: str = "xy",
     azimuth: Optional[float] = None,
     elevation: Optional[float] = None,
+    aspect: Optional[str] = None,
     z_scale: Optional[float] = None,
+    exaggeration: Optional[float] = None,
+    log_x: bool = False,
+    log_y: bool = False,
     log_z: bool = False,
     z_range: Optional[Range] = None,
     skirt: Union[bool, float] = False,
@@ -136,7 +143,7 @@ def surface(
         elif callable(source) and not hasattr(source, "__array__"):
             made, stride = _of_callable(source, x, y, samples)
             heights.append(made)
-            every = stride if every is None else every
+            every = stride if every == "auto" else every
         else:
             heights.append(_heights(source, x, y))
     if heights:
@@ -145,7 +152,8 @@ def surface(
         x = y = samples = None
     surface_options: Dict[str, Any] = dict(
         x=x, y=y, u=u, v=v, samples=samples, every=every, lines=lines, azimuth=azimuth, elevation=elevation,
-        z_scale=z_scale, log_z=log_z, z_range=z_range, skirt=skirt, horizon=horizon, resolution=resolution,
+        gridded=gridded, ground=ground, max_slope=max_slope, aspect=aspect, z_scale=z_scale, exaggeration=exaggeration,
+        log_x=log_x, log_y=log_y, log_z=log_z, z_range=z_range, skirt=skirt, horizon=horizon, resolution=resolution,
         contours=contours, contour_step=contour_step, contours_base=contours_base, outline=outline, underside=underside,
         hidden_by=hidden_by, ridgeline=ridgeline, axes=axes, x_label=x_label, y_label=y_label, z_label=z_label, text=text,
         text_height=text_height,

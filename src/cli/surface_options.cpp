@@ -87,22 +87,14 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
           "points along a curve, or the next more that the crossings with the other family allow")
       .standard("5 between curves, up to 1000");
   group
-      .add(
-          "--every", "N|auto", request.every,
-          [](const std::string& t) {
-            return t == "auto" ? std::nullopt : std::optional<unsigned>(parse_count(t, 1, kMostSamples));
-          },
-          "grid: a curve at every Nth row and column; auto: so that curves lie 1.5 widths of the pen apart")
+      .add("--every", "N|auto", request.every, parse_every,
+           "grid: a curve at every Nth row and column; auto: so that curves lie 1.5 widths of the pen apart")
       .standard("auto");
   group.add(
       "--gridded", "N", request.gridded, [](const std::string& t) { return parse_count(t, 2, kMostCurves); },
       "scattered points: sampled in N columns (default: the root of their number, 100 to 500)");
   group.add(
-      "--ground", "metres|degrees", request.ground,
-      [](const std::string& t) {
-        constexpr std::string_view kNames[] = {"metres", "degrees"};
-        return parse_choice(t, kNames) == 0 ? GroundChoice::metres : GroundChoice::degrees;
-      },
+      "--ground", "metres|degrees", request.ground, parse_ground,
       "what the positions of a grid are: one unit with the heights, or degrees (default: as the file says or lets see)");
   group.add("--max-slope", "S", request.max_slope, parse_positive,
             "grid: cells are left out in which heights change by more than S for a unit of the ground");
@@ -199,7 +191,6 @@ SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit&
   PictureRequest& picture = request.picture;
   picture.memory = memory;
   check(request);
-  check_scale(request);
   if (options.as_mesh) {
     mesh_format_of(options.output);
   } else {

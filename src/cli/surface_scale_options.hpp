@@ -11,7 +11,4 @@ namespace ligne {
 
 void add_surface_scale_options(CLI::App& surface, SurfaceRequest& request);
 
-/// Throws UsageError for options that do not go together.
-void check_scale(const SurfaceRequest& request);
-
 }  // namespace ligne

@@ -180,4 +180,28 @@ std::array<double, 2> parse_heights(const std::string& text) {
   return {ends.from, ends.to};
 }
 
+AspectRequest parse_aspect(const std::string& text) {
+  if (text == "equal") return {AspectRequest::equal};
+  if (text == "box") return {AspectRequest::box};
+  AspectRequest aspect{AspectRequest::ratio};
+  std::size_t begin = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t end = k < 2 ? text.find(':', begin) : text.size();
+    if (end == std::string::npos) throw std::invalid_argument(shown(text, '"') + " is not equal, box or X:Y:Z");
+    aspect.sides[k] = parse_positive(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return aspect;
+}
+
+GroundChoice parse_ground(const std::string& text) {
+  constexpr std::string_view kNames[] = {"metres", "degrees"};
+  return parse_choice(text, kNames) == 0 ? GroundChoice::metres : GroundChoice::degrees;
+}
+
+std::optional<unsigned> parse_every(const std::string& text) {
+  constexpr unsigned kMostSteps = 1'000'000;
+  return text == "auto" ? std::nullopt : std::optional(parse_count(text, 1, kMostSteps));
+}
+
 }  // namespace ligne

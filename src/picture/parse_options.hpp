@@ -58,4 +58,11 @@ CurveRange parse_range(const std::string& text);
 /// "A:B".
 std::array<double, 2> parse_heights(const std::string& text);
 
+/// "equal", "box" or "X:Y:Z".
+AspectRequest parse_aspect(const std::string& text);
+/// "metres" or "degrees".
+GroundChoice parse_ground(const std::string& text);
+/// A number of samples, or "auto" (nothing).
+std::optional<unsigned> parse_every(const std::string& text);
+
 }  // namespace ligne

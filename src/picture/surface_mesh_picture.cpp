@@ -186,8 +186,7 @@ LineClasses classes_of(const SurfaceRequest& request) {
 
 }  // namespace
 
-SurfaceScene make_surface_scene(const SurfaceRequest& request, RunReport& run) {
-  const std::vector<Surface> surfaces = timed(run.stages, "read", [&] { return surfaces_of(request, run); });
+SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector<Surface>& surfaces, RunReport& run) {
   MeshPlot plot = timed(run.stages, "mesh", [&] { return make_meshes(request, surfaces, true, run); });
   PictureRequest picture = request.picture;
   picture.view = view_of(request);
@@ -198,8 +197,8 @@ SurfaceScene make_surface_scene(const SurfaceRequest& request, RunReport& run) {
   return {std::move(plot.scene), plot.box, std::move(picture)};
 }
 
-Picture draw_surface_mesh(const SurfaceRequest& request, RunReport& run) {
-  const SurfaceScene surface = make_surface_scene(request, run);
+Picture draw_surface_mesh(const SurfaceRequest& request, const std::vector<Surface>& surfaces, RunReport& run) {
+  const SurfaceScene surface = make_surface_scene(request, surfaces, run);
   return draw_scene(surface.scene, surface.picture, run, surface.box);
 }
 

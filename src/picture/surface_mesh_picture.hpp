@@ -4,24 +4,26 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "picture/axes.hpp"
 #include "picture/surface_request.hpp"
+#include "picture/surface_samples.hpp"
 #include "picture/write_picture.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {
 
-/// The surfaces as a scene, and the picture that is made of it.
+/// The surfaces as a scene, and the picture that is made of it. `surfaces`: those of surfaces_of(), here and below.
 struct SurfaceScene {
   Scene scene;
   std::optional<PlotBox> box;
   PictureRequest picture;
 };
-SurfaceScene make_surface_scene(const SurfaceRequest& request, RunReport& run);
+SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector<Surface>& surfaces, RunReport& run);
 
 /// Draws the surfaces as meshes. Throws RequestError, InputError, std::runtime_error.
-Picture draw_surface_mesh(const SurfaceRequest& request, RunReport& run);
+Picture draw_surface_mesh(const SurfaceRequest& request, const std::vector<Surface>& surfaces, RunReport& run);
 
 /// The surfaces as objects of a scene in which z is up, at the numbers of their axes, heights times --z-scale: for a picture
 /// together with models. `ground`: what formulas range over when nothing is said, low and high corner. Throws RequestError,

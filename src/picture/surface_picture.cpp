@@ -151,11 +151,11 @@ bool is_for_mesh(const SurfaceRequest& request, Surface& surface) {
 
 }  // namespace
 
-std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, RunReport& run) {
+std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, std::vector<Surface>& surfaces, RunReport& run) {
   PictureRequest picture = request.picture;
   picture.lines.quality = Quality::exact;  // curves of ours, not a mesh that stands for a shape
   run.method = "horizon";
-  Surface surface = timed(run.stages, "read", [&] { return std::move(surfaces_of(request, run).front()); });
+  Surface& surface = surfaces.front();
   if (timed(run.stages, "breaks", [&] { return is_for_mesh(request, surface); })) return std::nullopt;
   HorizonRequest horizon;
   Surroundings around;
@@ -186,10 +186,11 @@ Picture write_horizon(const HorizonDrawing& drawn, RunReport& run) {
 }
 
 Picture draw_surface(const SurfaceRequest& request, RunReport& run) {
+  std::vector<Surface> surfaces = timed(run.stages, "read", [&] { return surfaces_of(request, run); });
   if (drawn_by_horizon(request)) {
-    if (const std::optional<HorizonDrawing> drawn = draw_horizon(request, run)) return write_horizon(*drawn, run);
+    if (const std::optional<HorizonDrawing> drawn = draw_horizon(request, surfaces, run)) return write_horizon(*drawn, run);
   }
-  return draw_surface_mesh(request, run);
+  return draw_surface_mesh(request, surfaces, run);
 }
 
 }  // namespace ligne

@@ -2,9 +2,11 @@
 /// Pictures of surfaces z = f(x, y) and of parametric ones.
 
 #include <optional>
+#include <vector>
 
 #include "drawing/drawing.hpp"
 #include "picture/surface_request.hpp"
+#include "picture/surface_samples.hpp"
 #include "picture/write_picture.hpp"
 #include "plotting/page.hpp"
 
@@ -19,7 +21,8 @@ struct HorizonDrawing {
 
 /// Draws a surface for which drawn_by_horizon() holds; nothing where it ends or jumps inside and is for a mesh, which can be
 /// cut there. Throws as draw_surface().
-std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, RunReport& run);
+/// `surfaces`: those of surfaces_of(), which are used up when something is drawn.
+std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, std::vector<Surface>& surfaces, RunReport& run);
 Picture write_horizon(const HorizonDrawing& drawn, RunReport& run);
 
 /// Draws the surfaces by the floating horizon where it can, else as meshes. Warnings go to `run`, as do the grids that were

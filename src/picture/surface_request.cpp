@@ -71,10 +71,28 @@ void check_curves(const SurfaceRequest& surface) {
   if (surface.lines == CurveFamilies::none && curves_hide) throw RequestError("hidden-by", "curves needs --lines that hide");
 }
 
+void check_scale(const SurfaceRequest& request) {
+  const bool is_ratio = request.aspect && request.aspect->kind == AspectRequest::ratio;
+  if (is_ratio && (request.z_scale || request.exaggeration)) {
+    throw RequestError("aspect", "X:Y:Z says how high the picture is, and does not go with --z-scale or --exaggeration");
+  }
+  if (request.exaggeration && request.aspect && request.aspect->kind == AspectRequest::box)
+    throw RequestError("exaggeration", "needs --aspect equal");
+  if (request.curves.ridgeline && request.aspect) throw RequestError("ridgeline", "has its own --aspect");
+  const std::optional<CurveRange>* ranges[] = {&request.x, &request.y};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string name(1, "xy"[k]);
+    if (!request.log_axes[k] || !request.grids.empty()) continue;
+    if (!*ranges[k]) throw RequestError("log-" + name, "needs a range -" + name + " A:B above zero");
+    if (!((*ranges[k])->from > 0)) throw RequestError("log-" + name, "the range -" + name + " reaches down to zero");
+  }
+}
+
 }  // namespace
 
 void check(const SurfaceRequest& request) {
   check_sources(request);
+  check_scale(request);
   check_curves(request);
 }
 

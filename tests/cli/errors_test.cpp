@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
         draw("DeviceTwice", {"--device", "cutter", "--device-file", "a.toml"}, "--"),
         draw("PenWithoutNumber", {"--pen", "outline"}, "--pen: \"outline\" is not CLASS=N"),
         draw("PenColour", {"--pen", "outline=1,reddish"}, "--pen: \"reddish\" is not a colour"),
-        draw("Optimize", {"--optimize", "well"}, "--optimize: \"well\" is not one of off, join or full\n"),
+        draw("Optimize", {"--optimize", "well"}, "--optimize: \"well\" is not one of off, order, join or full\n"),
         draw("FitNoDevice", {"--fit-device"}, "--fit-device: there is no --device\n"),
         draw("PreviewIsInput", {"--preview", "cube.obj"}, "--preview: cube.obj is an input too"),
         draw("PreviewIsOutput", {"--preview", "out.svg"}, "--preview: out.svg is the output file too\n"),
