@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -42,6 +43,17 @@ unsigned parse_shade(std::string_view text) {
 }
 
 }  // namespace
+
+std::string color_code(const std::array<double, 3>& color) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string code = "#";
+  for (const double level : color) {
+    const auto whole = static_cast<unsigned>(std::lround(level * 255));
+    code += digits[whole / 16];
+    code += digits[whole % 16];
+  }
+  return code;
+}
 
 std::array<double, 3> parse_color(std::string_view text) {
   if (text.starts_with('#') && (text.size() == 4 || text.size() == 7)) {

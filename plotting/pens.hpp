@@ -62,6 +62,8 @@ struct PenTable {
 
 /// "#rgb", "#rrggbb" or one of the sixteen names of CSS 1. Throws std::invalid_argument.
 std::array<double, 3> parse_color(std::string_view text);
+/// The code of a colour, "#rrggbb".
+std::string color_code(const std::array<double, 3>& color);
 
 /// "CLASS=N", "CLASS=N,COLOUR" or "CLASS=N,COLOUR,WIDTH"; CLASS is a layer, "object:NAME", "material:NAME", "shade:N" or
 /// "rest" for all others. Throws std::invalid_argument.

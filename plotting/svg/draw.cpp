@@ -93,14 +93,14 @@ void SvgReader::hide(const Polylines& contours, const Context& context) {
   clip_points_ += contours.points.size();
   if (clip_points_ > kMostPoints) throw std::invalid_argument("has areas of more than fifty million points");
   const FillRule rule = context.style.fill_even_odd ? FillRule::even_odd : FillRule::nonzero;
-  covers_.push_back({Area(contours, rule, clip_work_), context.clip, painted_});
+  occluders_.push_back({Area(contours, rule, clip_work_), context.clip, painted_});
 }
 
 void SvgReader::remove_hidden() {
-  if (covers_.empty()) return;
-  Covers covers(covers_);
+  if (occluders_.empty()) return;
+  Occluders occluders(occluders_);
   for (std::vector<PaintedLines>& parts : layers_) {
-    for (PaintedLines& part : parts) covers.remove_hidden(part.layer.lines, part.painted);
+    for (PaintedLines& part : parts) occluders.remove_hidden(part.layer.lines, part.painted);
   }
 }
 

@@ -15,7 +15,7 @@
 
 #include "plotting/drawing_reader.hpp"
 #include "plotting/svg/clip.hpp"
-#include "plotting/svg/cover.hpp"
+#include "plotting/svg/occluder.hpp"
 #include "plotting/svg/shapes.hpp"
 #include "plotting/svg/style.hpp"
 
@@ -89,7 +89,7 @@ class SvgReader {
   StyleSheet sheet_;
   std::size_t linked_ = 0, clip_points_ = 0;
   ClipWork clip_work_ = std::make_shared<std::size_t>(0);
-  std::vector<Cover> covers_;
+  std::vector<Occluder> occluders_;
   std::uint32_t painted_ = 0;  ///< shapes and texts so far
   double fill_work_ = 0;
   std::string last_clip_;  ///< the clip path that was made last, as its id and where it lies

@@ -251,13 +251,7 @@ std::optional<std::string> paint(std::string_view text) {
     return code;
   }
   try {
-    std::string code = "#";
-    for (const double level : parse_color(clean)) {
-      constexpr std::string_view digits = "0123456789abcdef";
-      const auto whole = static_cast<unsigned>(std::lround(level * 255));
-      code += {digits[whole / 16], digits[whole % 16]};
-    }
-    return code;
+    return color_code(parse_color(clean));
   } catch (const std::invalid_argument&) {
     // Other names of colours are names of layers as they stand.
     if (!clean.empty() &&

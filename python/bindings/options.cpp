@@ -147,16 +147,7 @@ bool is_parameter(std::string_view name) {
 
 MethodSettings settings_of(const Options& options, const Method& method) {
   MethodSettings settings;
-  for (const auto& [name, value] : options.parameters) {
-    const auto own = method.traits().parameters;
-    const auto found = std::find_if(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == name; });
-    if (found == own.end()) throw RequestError(name, "method " + std::string(method.traits().name) + " has no such option");
-    try {
-      settings.set(found->name, parse_parameter(value, *found));
-    } catch (const std::invalid_argument& e) {
-      throw RequestError(name, e.what());
-    }
-  }
+  for (const auto& [name, value] : options.parameters) set_parameter(settings, method, name, value);
   return settings;
 }
 

@@ -78,16 +78,7 @@ void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& cho
 MethodSettings settings_of(const MethodChoice& choice, const Method& method) {
   MethodSettings settings;
   for (const auto& [parameter, text] : choice.parameters) {
-    const std::string_view name = parameter->name;
-    const std::string option = "--" + std::string(name);
-    const auto own = method.traits().parameters;
-    const auto found = std::find_if(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == name; });
-    if (found == own.end()) throw UsageError(option, "method " + std::string(method.traits().name) + " has no such option");
-    try {
-      settings.set(found->name, parse_parameter(text, *found));
-    } catch (const std::invalid_argument& e) {
-      throw UsageError(option, e.what());
-    }
+    set_parameter(settings, method, std::string(parameter->name), text);
   }
   return settings;
 }

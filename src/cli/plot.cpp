@@ -1,7 +1,6 @@
 #include "cli/plot.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -256,13 +255,7 @@ std::pair<std::string, std::string> split_name(const std::string& text) {
 /// A colour by its code, as the layers of a drawing without layers are named; another name as it stands.
 std::string layer_or_color(const std::string& name) {
   try {
-    std::string code = "#";
-    for (const double level : parse_color(name)) {
-      constexpr std::string_view digits = "0123456789abcdef";
-      const auto whole = static_cast<unsigned>(std::lround(level * 255));
-      code += {digits[whole / 16], digits[whole % 16]};
-    }
-    return code;
+    return color_code(parse_color(name));
   } catch (const std::invalid_argument&) {
     return name;
   }

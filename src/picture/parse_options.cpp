@@ -10,6 +10,7 @@
 #include "drawing/drawing.hpp"
 #include "files/input_error.hpp"
 #include "files/message_text.hpp"
+#include "picture/errors.hpp"
 #include "picture/parse.hpp"
 #include "plotting/page.hpp"
 #include "scene/surfaces/surface_points.hpp"
@@ -202,6 +203,17 @@ GroundChoice parse_ground(const std::string& text) {
 std::optional<unsigned> parse_every(const std::string& text) {
   constexpr unsigned kMostSteps = 1'000'000;
   return text == "auto" ? std::nullopt : std::optional(parse_count(text, 1, kMostSteps));
+}
+
+void set_parameter(MethodSettings& settings, const Method& method, const std::string& name, const std::string& text) {
+  const auto own = method.traits().parameters;
+  const auto found = std::find_if(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == name; });
+  if (found == own.end()) throw RequestError(name, "method " + std::string(method.traits().name) + " has no such option");
+  try {
+    settings.set(found->name, parse_parameter(text, *found));
+  } catch (const std::invalid_argument& e) {
+    throw RequestError(name, e.what());
+  }
 }
 
 }  // namespace ligne

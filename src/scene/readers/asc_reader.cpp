@@ -209,8 +209,9 @@ class AscReader {
     camera_.name = object_name_;
     constexpr double kFilmHeightMm = 24, kFilmWidthMm = 36, kUsualLensMm = 50;
     const std::size_t open = line.find('('), unit = line.find("mm");
-    const bool told = open != std::string_view::npos && unit != std::string_view::npos && open < unit;
-    const double lens_mm = (told ? number_in(line.substr(open + 1, unit - open - 1)) : std::nullopt).value_or(kUsualLensMm);
+    const bool has_lens = open != std::string_view::npos && unit != std::string_view::npos && open < unit;
+    const double lens_mm =
+        (has_lens ? number_in(line.substr(open + 1, unit - open - 1)) : std::nullopt).value_or(kUsualLensMm);
     camera_.fov_degrees = 2 * std::atan2(kFilmHeightMm / 2, std::max(lens_mm, 0.0)) * 180 / std::numbers::pi;
     camera_.aspect = kFilmWidthMm / kFilmHeightMm;
   }

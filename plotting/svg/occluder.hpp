@@ -11,28 +11,28 @@
 namespace ligne::svg {
 
 /// An opaque area, as far as it shows.
-struct Cover {
+struct Occluder {
   Area area;
   std::shared_ptr<const Clip> clip;  ///< nullptr: all of it
   std::uint32_t painted = 0;         ///< it hides what was painted before that
 };
 
-/// Which covers lie where.
-class Covers {
+/// Which occluders lie where.
+class Occluders {
  public:
-  explicit Covers(std::span<const Cover> covers);
+  explicit Occluders(std::span<const Occluder> occluders);
 
-  /// What of the lines is seen, with the times at which they were painted. A line on the rim of a cover is seen.
+  /// What of the lines is seen, with the times at which they were painted. A line on the rim of a occluder is seen.
   void remove_hidden(Polylines& lines, std::vector<std::uint32_t>& painted);
 
  private:
   std::size_t cell(double at, int axis) const;
   void find_over(Point2 a, Point2 b, std::uint32_t painted);
 
-  std::span<const Cover> covers_;
+  std::span<const Occluder> occluders_;
   Rect box_;
   std::size_t side_ = 1;                           ///< cells along each axis
-  std::vector<std::vector<std::uint32_t>> cells_;  ///< covers that meet each, ascending
+  std::vector<std::vector<std::uint32_t>> cells_;  ///< occluders that meet each, ascending
   std::vector<std::uint32_t> over_;                ///< those over the segment at hand
 };
 
