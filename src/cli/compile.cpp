@@ -15,8 +15,6 @@ constexpr const char* kExamples = R"(Examples:
   ligne draw gearbox.tree --view front -o front.svg
   ligne draw gearbox.tree --frames 36 -o turn.pdf)";
 
-std::string faces_of(const Scene& scene) { return std::to_string(scene.faces.size()) + " faces"; }
-
 void compile(const CompileOptions& options) {
   const MethodSettings settings = settings_of(options.choice, *options.method);
   if (!options.output) throw UsageError("--output", "there is no output file: -o FILE");
@@ -27,14 +25,12 @@ void compile(const CompileOptions& options) {
   files.will_write("--output", *options.output);
   files.will_write("--stats-json", options.run.stats_json);
   RunReport run;
-  run.method = options.method->traits().name;
   LoadedModels models =
       timed(run.stages, reading_of(options.model), [&] { return load_models(options.model, options.run.quiet, files); });
   report_healing(models, options.model, run);
-  CompiledModel model{std::move(models.scene), options.method, nullptr};
-  model.compiled =
-      timed(run.stages, {"compile", faces_of(model.scene)}, [&] { return options.method->compile(model.scene, settings); });
-  std::string bytes = timed(run.stages, {"write", faces_of(model.scene)}, [&] { return write_compiled_model(model); });
+  const CompiledModel model = compile_model(std::move(models.scene), *options.method, settings, run);
+  std::string bytes = timed(run.stages, {"write", std::to_string(model.scene.faces.size()) + " faces"},
+                            [&] { return write_compiled_model(model); });
   report_warnings(run, options.model.files.front(), options.run);
   files.write(*options.output, std::move(bytes));
   finish(options.run, run, files);

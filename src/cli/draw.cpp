@@ -1,20 +1,17 @@
 #include "cli/draw.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "cli/fill_options.hpp"
-#include "cli/frame_files.hpp"
 #include "cli/hatch_options.hpp"
-#include "cli/mixed_scene.hpp"
+#include "cli/mixed_scene_options.hpp"
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
-#include "files/message_text.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/draw_scene.hpp"
-#include "picture/errors.hpp"
+#include "picture/frame_names.hpp"
 #include "picture/frames.hpp"
 #include "picture/parse.hpp"
 #include "picture/parse_options.hpp"
@@ -27,27 +24,6 @@ constexpr const char* kExamples = R"(Examples:
   ligne draw flange.glb --view front --scale 1:2 --unit m --hidden dashed --page A3 -o flange.pdf
   ligne draw houses.json --grid terrain.asc --every 4 --view iso -o village.svg
   ligne draw tower.obj --eye 9,6,14 --fov 40 -q -o - --format svg | rsvg-convert -z 2 > tower.png)";
-
-std::vector<std::string> object_patterns(const PenTable& pens) {
-  std::vector<std::string> patterns;
-  for (const auto& [pattern, number] : pens.pen_of_object) patterns.push_back(pattern);
-  return patterns;
-}
-
-/// Throws RequestError where a pen is for a material that the scene does not have.
-void require_materials(const Scene& scene, const PenTable& pens) {
-  for (const auto& [asked, number] : pens.pen_of_material) {
-    const auto is_it = [&](const Material& material) { return material.name == asked; };
-    if (std::any_of(scene.materials.begin(), scene.materials.end(), is_it)) continue;
-    constexpr std::size_t kMostListed = 20;
-    std::string list;
-    for (std::size_t i = 0; i < std::min(scene.materials.size(), kMostListed); ++i)
-      list += (i > 0 ? ", " : "") + printable(scene.materials[i].name);
-    throw RequestError("pen", "no material is called " + shown(asked, '"') +
-                                  (list.empty() ? "; the scene names none" : "; there are " + list) +
-                                  (scene.materials.size() > kMostListed ? " and more: ligne info --json names all" : ""));
-  }
-}
 
 void add_profile_option(CLI::App& app, std::optional<ProfileKind>& profile) {
   OptionGroup(app, "Lines")
@@ -95,16 +71,6 @@ PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory)
   return request;
 }
 
-/// A compiled model keeps what it was compiled with.
-void require_no_parameters(const LoadedModels& models, const DrawOptions& options) {
-  for (const auto& [parameter, text] : options.method.parameters) {
-    if (parameter->of_compile) {
-      throw UsageError("--" + std::string(parameter->name),
-                       printable(models.files.front().name, kLongestPath) + " is compiled: give it to ligne compile");
-    }
-  }
-}
-
 void draw(const DrawOptions& options, PictureRequest request) {
   const bool as_pages = request.output.format == OutputFormat::pdf && !has_number_place(*options.output.file);
   const std::vector<std::string> outputs = numbered_names(*options.output.file, as_pages ? 1 : options.frames.count);
@@ -124,13 +90,11 @@ void draw(const DrawOptions& options, PictureRequest request) {
       timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
   add_surfaces(options.surfaces, models, request, run);
   files.were_read(run.files);
-  for (const ObjectColor& color : request.output.colors) require_names(models, "color", {color.pattern});
-  require_names(models, "pen", object_patterns(request.plotter.pens));
-  require_materials(models.scene, request.plotter.asked_pens);
+  require_parts(models, request);
   request.plotter.fit_drawing = !request.page.scale;
   report_healing(models, model, run);
   if (models.compiled_for && models.compiled_for == request.lines.method) {
-    require_no_parameters(models, options);
+    require_no_parameters(models, names_of(options.method));
     request.compiled = models.compiled;
   }
   ProgressBar bar(options.run);

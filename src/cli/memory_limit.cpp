@@ -12,15 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fstream>
 #include <new>
-#include <stdexcept>
 #include <utility>
 
 #include <sys/resource.h>
@@ -138,26 +135,6 @@ void lower_to_groups(std::optional<std::uint64_t>& least, const fs::path& base, 
 }
 
 }  // namespace
-
-MemoryLimit parse_memory(const std::string& text) {
-  if (text == "none") return {};
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  std::string suffix(rest, end);
-  for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  constexpr std::string_view kUnits = "kmgt";
-  const std::size_t unit = suffix.empty() ? std::string_view::npos : kUnits.find(suffix[0]);
-  if (unit != std::string_view::npos) {
-    number *= std::pow(kKilo, static_cast<double>(unit + 1));
-    suffix.erase(0, 1);
-    if (suffix == "ib") suffix = "b";
-  }
-  if (error != std::errc() || !std::isfinite(number) || number < 0 || !(suffix.empty() || suffix == "b")) {
-    throw std::invalid_argument(shown(text, '"') + " is neither a size, such as 500M or 2G, nor none");
-  }
-  return number > 0 ? MemoryLimit{number} : MemoryLimit{};
-}
 
 std::optional<std::uint64_t> group_memory(const fs::path& root) {
   std::optional<std::uint64_t> least;

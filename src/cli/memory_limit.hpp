@@ -11,9 +11,6 @@
 
 namespace ligne {
 
-/// "500M", "1.5G", "64KiB", bytes without a suffix; "none" and 0 are no limit. Throws std::invalid_argument.
-MemoryLimit parse_memory(const std::string& text);
-
 /// What the control groups of this process, of version 1 or 2, may take; nothing where they are not limited. `root` stands
 /// in front of /proc and /sys.
 std::optional<std::uint64_t> group_memory(const std::filesystem::path& root = "/");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
+#include "picture/compiled_model.hpp"
 #include "picture/parse.hpp"
 #include "picture/parse_options.hpp"
 #include "visibility/registry.hpp"
@@ -65,14 +66,17 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice)
 }
 
 void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& choice) {
-  std::vector<std::string_view> names;
-  for (const Method* m : all_methods()) {
-    if (m->traits().compiles) names.push_back(m->traits().name);
-  }
+  const std::vector<std::string_view> names = compiling_methods();
   method = find_method(names.front());
   const auto parse = [names](const std::string& text) { return find_method(names[parse_choice(text, names)]); };
   OptionGroup(app, "Methods").add("--method", "NAME", method, parse, list_of(names)).standard(std::string(names.front()));
   add_parameters(app, choice, true);
+}
+
+std::vector<std::string> names_of(const MethodChoice& choice) {
+  std::vector<std::string> names;
+  for (const auto& [parameter, text] : choice.parameters) names.emplace_back(parameter->name);
+  return names;
 }
 
 MethodSettings settings_of(const MethodChoice& choice, const Method& method) {

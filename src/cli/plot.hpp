@@ -1,32 +1,18 @@
 #pragma once
 /// ligne plot: a drawing from a file, made ready for pens.
 
-#include <optional>
-#include <set>
 #include <string>
 
 #include "cli/output_options.hpp"
 #include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
-#include "plotting/drawing_reader.hpp"
+#include "picture/plot_drawing.hpp"
 
 namespace ligne {
 
 struct PlotCommandOptions {
-  std::string drawing;           ///< file
-  std::optional<PageSize> page;  ///< nothing: that of the drawing
-  bool landscape = false, portrait = false;
-  double margin_mm = 10;
-  std::optional<double> pen_width_mm;  ///< nothing: the widths of the drawing, and 0.35 mm where it tells none
-  LineWidths widths_mm{};              ///< of layers by their names
-  bool fit = false;                    ///< fill the page
-  double scale = 1;
-  std::set<std::string> skip;             ///< kinds of SVG content that may be left out
-  std::optional<FillReading::How> fills;  ///< nothing: outline
-  bool occlude = false;
-  FillHatches hatches;
-  bool hatches_given = false;  ///< how, so that fills are hatched
-  double dpi = 150;
+  std::string drawing;  ///< file
+  PlotDrawingRequest request;
   OutputOptions output;
   PlotterOptions plotter;
   RunOptions run;
@@ -34,7 +20,7 @@ struct PlotCommandOptions {
 
 void setup_plot(CLI::App& app, PlotCommandOptions& options);
 
-/// Throws UsageError, std::runtime_error.
+/// Throws UsageError, RequestError, InputError, std::runtime_error.
 void run_plot(const PlotCommandOptions& options);
 
 }  // namespace ligne

@@ -6,6 +6,7 @@
 #include "cli/messages.hpp"
 #include "cli/options.hpp"
 #include "picture/parse.hpp"
+#include "picture/parse_options.hpp"
 
 namespace ligne {
 namespace {

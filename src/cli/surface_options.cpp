@@ -1,7 +1,6 @@
 #include "cli/surface_options.hpp"
 
-#include <algorithm>
-#include <filesystem>
+#include <stdexcept>
 
 #include "cli/axes_options.hpp"
 #include "cli/curve_options.hpp"
@@ -175,14 +174,11 @@ MeshFormat mesh_format_of(const OutputOptions& options) {
     if (*options.format == OutputFormat::json) return MeshFormat::ligne_scene;
     throw UsageError("--format", "--as-mesh writes json, or obj by the suffix");
   }
-  std::string suffix = std::filesystem::path(*options.file).extension().string();
-  for (char& c : suffix) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  try {
+    return mesh_format_of_suffix(*options.file);
+  } catch (const std::invalid_argument& e) {
+    throw UsageError("--output", e.what());
   }
-  if (suffix == ".json") return MeshFormat::ligne_scene;
-  if (suffix == ".obj") return MeshFormat::obj;
-  throw UsageError("--output",
-                   printable(*options.file, kLongestPath) + " does not end in .json or .obj, which --as-mesh writes");
 }
 
 SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit& memory) {

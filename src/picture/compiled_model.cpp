@@ -32,6 +32,22 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
 
 }  // namespace
 
+std::vector<std::string_view> compiling_methods() {
+  std::vector<std::string_view> names;
+  for (const Method* method : all_methods()) {
+    if (method->traits().compiles) names.push_back(method->traits().name);
+  }
+  return names;
+}
+
+CompiledModel compile_model(Scene scene, const Method& method, const MethodSettings& settings, RunReport& run) {
+  run.method = method.traits().name;
+  CompiledModel model{std::move(scene), &method, nullptr};
+  const std::string asks = std::to_string(model.scene.faces.size()) + " faces";
+  model.compiled = timed(run.stages, {"compile", asks}, [&] { return method.compile(model.scene, settings); });
+  return model;
+}
+
 std::string write_compiled_model(const CompiledModel& model) {
   ByteWriter writer;
   writer.number(kVersion);

@@ -6,8 +6,11 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "files/input_file.hpp"
+#include "picture/run_report.hpp"
 #include "scene/model/scene.hpp"
 #include "visibility/method.hpp"
 
@@ -18,6 +21,12 @@ struct CompiledModel {
   const Method* method = nullptr;
   std::shared_ptr<const CompiledScene> compiled;
 };
+
+/// Names of the methods that compile; the first is the usual one.
+std::vector<std::string_view> compiling_methods();
+
+/// Throws RequestError for a setting that the method does not have.
+CompiledModel compile_model(Scene scene, const Method& method, const MethodSettings& settings, RunReport& run);
 
 /// The bytes of a file, see docs/tree-format.md. The same model gives the same bytes.
 std::string write_compiled_model(const CompiledModel& model);

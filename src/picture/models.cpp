@@ -182,6 +182,39 @@ void require_names(const LoadedModels& models, const std::string& option, const 
   }
 }
 
+namespace {
+
+/// Throws RequestError where a pen is for a material that the scene does not have.
+void require_materials(const Scene& scene, const PenTable& pens) {
+  for (const auto& [asked, number] : pens.pen_of_material) {
+    const auto is_it = [&](const Material& material) { return material.name == asked; };
+    if (std::any_of(scene.materials.begin(), scene.materials.end(), is_it)) continue;
+    constexpr std::size_t kMostListed = 20;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(scene.materials.size(), kMostListed); ++i)
+      list += (i > 0 ? ", " : "") + printable(scene.materials[i].name);
+    throw RequestError("pen", "no material is called " + shown(asked, '"') +
+                                  (list.empty() ? "; the scene names none" : "; there are " + list) +
+                                  (scene.materials.size() > kMostListed ? " and more: ligne info --json names all" : ""));
+  }
+}
+
+}  // namespace
+
+void require_parts(const LoadedModels& models, const PictureRequest& picture) {
+  for (const ObjectColor& color : picture.output.colors) require_names(models, "color", {color.pattern});
+  for (const auto& [pattern, number] : picture.plotter.pens.pen_of_object) require_names(models, "pen", {pattern});
+  require_materials(models.scene, picture.plotter.asked_pens);
+}
+
+void require_no_parameters(const LoadedModels& models, const std::vector<std::string>& names) {
+  for (const MethodParameter& parameter : models.compiled_for->traits().parameters) {
+    if (!parameter.of_compile || std::ranges::find(names, parameter.name) == names.end()) continue;
+    throw RequestError(std::string(parameter.name),
+                       printable(models.files.front().name, kLongestPath) + " is compiled: give it to ligne compile");
+  }
+}
+
 void report_healing(const LoadedModels& models, const ModelRequest& request, RunReport& run) {
   std::size_t faces = 0, objects = 0, moved = 0, split = 0, sewn = 0, turned = 0;
   for (const ModelFile& file : models.files) {

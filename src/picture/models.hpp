@@ -74,6 +74,13 @@ LoadedModels load_model(const ModelRequest& request, Scene scene, const std::str
 /// Throws RequestError of that option where no object fits one of the patterns.
 void require_names(const LoadedModels& models, const std::string& option, const std::vector<std::string>& patterns);
 
+/// Throws RequestError where the picture has colours or pens for objects or materials that are not there.
+void require_parts(const LoadedModels& models, const PictureRequest& picture);
+
+/// A compiled model keeps what it was compiled with: throws RequestError where one of the method's own options, by their
+/// names, is one of `ligne compile`.
+void require_no_parameters(const LoadedModels& models, const std::vector<std::string>& names);
+
 /// Puts what was healed into the figures of clear lines, and where it is much, and nobody asked for it, into a warning for
 /// each file.
 void report_healing(const LoadedModels& models, const ModelRequest& request, RunReport& run);

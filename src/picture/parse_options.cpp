@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
@@ -203,6 +204,27 @@ GroundChoice parse_ground(const std::string& text) {
 std::optional<unsigned> parse_every(const std::string& text) {
   constexpr unsigned kMostSteps = 1'000'000;
   return text == "auto" ? std::nullopt : std::optional(parse_count(text, 1, kMostSteps));
+}
+
+MemoryLimit parse_memory(const std::string& text) {
+  if (text == "none") return {};
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  std::string suffix(rest, end);
+  for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  constexpr std::string_view kUnits = "kmgt";
+  const std::size_t unit = suffix.empty() ? std::string_view::npos : kUnits.find(suffix[0]);
+  if (unit != std::string_view::npos) {
+    constexpr double kKilo = 1024;
+    number *= std::pow(kKilo, static_cast<double>(unit + 1));
+    suffix.erase(0, 1);
+    if (suffix == "ib") suffix = "b";
+  }
+  if (error != std::errc() || !std::isfinite(number) || number < 0 || !(suffix.empty() || suffix == "b")) {
+    throw std::invalid_argument(shown(text, '"') + " is neither a size, such as 500M or 2G, nor none");
+  }
+  return number > 0 ? MemoryLimit{number} : MemoryLimit{};
 }
 
 void set_parameter(MethodSettings& settings, const Method& method, const std::string& name, const std::string& text) {

@@ -46,6 +46,9 @@ HatchDirection parse_hatch_direction(const std::string& text);
 /// A number of degrees of darkness, or "continuous" (0).
 unsigned parse_hatch_levels(const std::string& text);
 
+/// "500M", "1.5G", "64KiB", bytes without a suffix; "none" and 0 are no limit.
+MemoryLimit parse_memory(const std::string& text);
+
 /// Names as of find_method().
 const Method* parse_method(const std::string& text);
 /// A value of a method's own parameter.

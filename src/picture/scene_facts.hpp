@@ -40,6 +40,13 @@ struct SceneFacts {
   double precision = 0;            ///< largest of the objects
   std::vector<ObjectFacts> objects;
   std::vector<MaterialFacts> materials;
+
+  /// Of a count over all objects.
+  std::size_t sum(std::size_t ObjectFacts::*member) const {
+    std::size_t n = 0;
+    for (const ObjectFacts& object : objects) n += object.*member;
+    return n;
+  }
 };
 
 /// Counts over a finished scene and its topology.

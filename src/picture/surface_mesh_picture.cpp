@@ -1,9 +1,12 @@
 #include "picture/surface_mesh_picture.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -217,6 +220,14 @@ Scene surface_objects(SurfaceRequest request, const std::array<Point3, 2>& groun
   const std::vector<SurfacePoints> points = points_of(request, surfaces);
   const std::vector<SurfaceMesh> meshes = meshes_of(request, points, run);
   return surface_scene(meshes, {1, 1, request.z_scale.value_or(1)}, base_of(request, meshes));
+}
+
+MeshFormat mesh_format_of_suffix(const std::string& file) {
+  std::string suffix = std::filesystem::path(file).extension().string();
+  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (suffix == ".json") return MeshFormat::ligne_scene;
+  if (suffix == ".obj") return MeshFormat::obj;
+  throw std::invalid_argument(printable(file, kLongestPath) + " does not end in .json or .obj, which --as-mesh writes");
 }
 
 std::string write_surface_mesh(const SurfaceRequest& request, MeshFormat format, RunReport& run) {

@@ -32,6 +32,9 @@ Scene surface_objects(SurfaceRequest request, const std::array<Point3, 2>& groun
 
 enum class MeshFormat { ligne_scene, obj };
 
+/// ".json" or ".obj". Throws std::invalid_argument.
+MeshFormat mesh_format_of_suffix(const std::string& file);
+
 /// The bytes of a mesh file. Throws RequestError, InputError.
 std::string write_surface_mesh(const SurfaceRequest& request, MeshFormat format, RunReport& run);
 

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "picture/parse_options.hpp"
+
 namespace ligne {
 namespace {
 

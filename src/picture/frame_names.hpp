@@ -7,7 +7,7 @@
 namespace ligne {
 
 /// The names of `count` files: `name` itself for one; else its one place for a number, %d or %04d, holds 1, 2, ... Throws
-/// UsageError for --output where there is no such place, or more than one.
+/// RequestError of "output" where there is no such place, or more than one.
 std::vector<std::string> numbered_names(const std::string& name, unsigned count);
 
 /// Whether a name has a place for a number.

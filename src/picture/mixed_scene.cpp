@@ -1,22 +1,17 @@
-#include "cli/mixed_scene.hpp"
+#include "picture/mixed_scene.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <string>
 #include <utility>
 
-#include "cli/options.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/errors.hpp"
 #include "picture/surface_mesh_picture.hpp"
 #include "scene/clean/clean.hpp"
 
 namespace ligne {
 namespace {
 
-constexpr unsigned kMostSamples = 2000;
-
-bool asked(const SurfaceRequest& request) { return !request.formulas.empty() || !request.grids.empty(); }
+bool asked(const SurfaceRequest& request) { return height_count(request) > 0; }
 
 /// A point of a scene in which z is up, where another axis is.
 Point3 turned(const Point3& p, Axis up) {
@@ -42,34 +37,10 @@ std::array<Point3, 2> extent(const Scene& scene, Axis up) {
 
 }  // namespace
 
-void add_mixed_scene_options(CLI::App& draw, SurfaceRequest& request) {
-  OptionGroup group(draw, "Surfaces");
-  group.add_repeatable(
-      "--surface", "EXPR", [&request](const std::string& formula) { request.formulas.push_back(formula); },
-      "a surface z = f(x, y) among the models, as curves (repeatable)");
-  group.add_repeatable(
-      "--grid", "FILE", [&request](const std::string& file) { request.grids.push_back(file); },
-      "the same with heights from a file: see ligne surface (repeatable)");
-  group.add("-x", "A:B[:N]", request.x, parse_range, "range of x and number of curves (default: the extent of the models)");
-  group.add("-y", "A:B[:N]", request.y, parse_range, "the same of y");
-  group
-      .add(
-          "--samples", "N", request.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamples); },
-          "formula: points along a curve")
-      .standard("5 between curves");
-  group
-      .add(
-          "--every", "N", request.every, [](const std::string& t) { return parse_count(t, 1, kMostSamples); },
-          "grid: a curve at every Nth row and column")
-      .standard("60 curves each way");
-  group.add("--z-scale", "K", request.z_scale, parse_positive, "heights of surfaces are multiplied by K").standard("1");
-  group.add("--z-range", "A:B", request.z_range, parse_heights, "cut surfaces off below A and above B");
-}
-
 void check_mixed_scene(const SurfaceRequest& request) {
   if (asked(request)) return;
   if (request.x || request.y || request.samples || request.every || request.z_scale || request.z_range)
-    throw UsageError("-x, -y, --samples, --every, --z-scale, --z-range", "go with --surface or --grid");
+    throw RequestError("", "-x, -y, --samples, --every, --z-scale, --z-range: go with --surface or --grid");
 }
 
 void add_surfaces(const SurfaceRequest& request, LoadedModels& models, PictureRequest& picture, RunReport& run) {

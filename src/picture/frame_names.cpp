@@ -1,11 +1,11 @@
-#include "cli/frame_files.hpp"
+#include "picture/frame_names.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
 
-#include "cli/errors.hpp"
 #include "files/message_text.hpp"
+#include "picture/errors.hpp"
 
 namespace ligne {
 namespace {
@@ -38,10 +38,10 @@ std::vector<std::string> numbered_names(const std::string& name, unsigned count)
   if (count == 1) return {name};
   const std::optional<NumberPlace> place = find_place(name, 0);
   if (!place) {
-    throw UsageError("--output", shown(name) + " has no place for the number of a frame: name%03d" +
+    throw RequestError("output", shown(name) + " has no place for the number of a frame: name%03d" +
                                      (name == "-" ? ".svg" : "") + "; only a PDF holds them all");
   }
-  if (find_place(name, place->end)) throw UsageError("--output", shown(name) + " has two places for the number of a frame");
+  if (find_place(name, place->end)) throw RequestError("output", shown(name) + " has two places for the number of a frame");
   std::vector<std::string> names;
   for (unsigned i = 1; i <= count; ++i) {
     std::string number = std::to_string(i);

@@ -1,0 +1,26 @@
+#pragma once
+/// What there is to choose from: methods and plotters, as tables for people and as JSON.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "visibility/method.hpp"
+
+namespace ligne {
+
+/// Names of what a method produces, "strokes", "regions" and so on.
+std::vector<std::string> product_names(std::uint8_t products);
+
+/// "exact" or "resolution-limited".
+std::string precision_name(const MethodTraits& traits);
+
+std::string methods_text();
+/// {"format": "ligne-methods", "version": 1, "methods"}.
+std::string methods_json();
+
+std::string devices_text();
+/// {"format": "ligne-devices", "version": 1, "devices"}.
+std::string devices_json();
+
+}  // namespace ligne

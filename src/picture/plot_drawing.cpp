@@ -1,0 +1,193 @@
+#include "picture/plot_drawing.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "files/message_text.hpp"
+#include "picture/errors.hpp"
+#include "picture/placement.hpp"
+#include "plotting/plot.hpp"
+
+namespace ligne {
+namespace {
+
+/// A larger file is refused before it is read: a drawing of it would have hundreds of millions of points.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
+
+constexpr double kPenWidthMm = 0.35;
+
+std::string_view without_mark(std::string_view text) {
+  const std::string_view bom = "\xef\xbb\xbf";
+  if (text.starts_with(bom)) text.remove_prefix(bom.size());
+  return text;
+}
+
+char first_character(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? '\0' : text[first];
+}
+
+bool begins_json(std::string_view text) { return first_character(without_mark(text)) == '{'; }
+
+/// JSON begins with a brace, XML with an angle bracket, whatever the name says.
+ReadDrawing read_drawing(const PlotDrawingRequest& request, const DrawingText& drawing, const FillReading& fills) {
+  const std::string_view content = without_mark(drawing.text);
+  const char begins = first_character(content);
+  if (begins == '{') return read_json_drawing(content, drawing.name);
+  if (begins == '<') return read_svg_drawing(drawing.text, drawing.name, request.skip, fills);
+  throw std::runtime_error(drawing.name + ": is neither a ligne-drawing nor an SVG");
+}
+
+void transform(Drawing& drawing, double scale, Point2 shift) {
+  for (Layer& layer : drawing.layers) {
+    for (Point2& p : layer.lines.points) p = p * scale + shift;
+  }
+}
+
+/// Puts the drawing on the page that is asked for: its own page in the middle of that, or what it shows made to fill it.
+/// Gives the scale.
+double place(const PlotDrawingRequest& request, ReadDrawing& read) {
+  const Page own = read.page;
+  Page page = own;
+  const Rect ink = ink_of(read.drawing);
+  if (request.page) {
+    PageRequest wanted;
+    wanted.size = *request.page;
+    wanted.landscape = request.landscape;
+    wanted.portrait = request.portrait;
+    page = page_for(wanted, !request.scale && !ink.empty() ? ink : own.sheet());
+  } else if ((request.landscape && own.height_mm > own.width_mm) || (request.portrait && own.width_mm > own.height_mm)) {
+    std::swap(page.width_mm, page.height_mm);
+  }
+  if (!request.page && request.scale) {
+    page.width_mm *= *request.scale;
+    page.height_mm *= *request.scale;
+  }
+  page.margin_mm = request.margin_mm;
+  double scale = request.scale.value_or(1);
+  Rect from = own.sheet();
+  if (!request.scale && !ink.empty() && (ink.width() > 0 || ink.height() > 0)) {
+    const Rect area = page.drawable();
+    if (!(area.width() > 0 && area.height() > 0))
+      throw RequestError("margin", shortest(request.margin_mm) + " mm leaves nothing of the page");
+    from = ink;
+    const double across = ink.width() > 0 ? area.width() / ink.width() : area.height() / ink.height();
+    const double down = ink.height() > 0 ? area.height() / ink.height() : across;
+    scale = std::min(across, down);
+  }
+  transform(read.drawing, scale, page.sheet().max * 0.5 - (from.min + from.max) * (0.5 * scale));
+  read.page = page;
+  return scale;
+}
+
+std::string times(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name, const ReadDrawing& read, RunReport& run) {
+  const auto warn = [&](std::string text) { run.warnings.push_back({name, std::move(text)}); };
+  for (const auto& [kind, count] : read.left_out) warn(std::to_string(count) + " times " + kind + " left out, as asked");
+  if (!read.unknown.empty()) {
+    std::string names;
+    for (const auto& [element, count] : read.unknown)
+      names += (names.empty() ? "" : ", ") + element + (count > 1 ? " (" + std::to_string(count) + " times)" : "");
+    warn("elements that SVG does not know are left out: " + names);
+  }
+  if (read.size_assumed) warn("tells no size: taken as 1000 px where it does not, 264.58 mm");
+  if (read.outlined > 0 && !request.fills) {
+    warn(times(read.outlined, "filled area is", "filled areas are") +
+         " drawn by the outline; --fill hatch fills, --skip fill leaves out, --fill outline is silent");
+  }
+  if (read.simplified_paints > 0) {
+    warn(times(read.simplified_paints, "gradient or pattern is", "gradients and patterns are") + " drawn in one colour");
+  }
+  if (read.filters > 0) warn(times(read.filters, "filter is", "filters are") + " not applied; lines are drawn without");
+  if (read.boxes > 0) warn(times(read.boxes, "character is", "characters are") + " not in the font: drawn as boxes");
+  if (read.drawing.layers.empty()) warn("there is no stroke in the drawing");
+}
+
+/// The drawing in its place. Strokes that fill an area lie as far apart as the pen is wide on the drawing as it comes out,
+/// so its scale must be known before.
+ReadDrawing placed_drawing(const PlotDrawingRequest& request, const DrawingText& drawing, double hatch_pen_mm,
+                           RunReport& run) {
+  const double pen_mm = request.pen_width_mm.value_or(kPenWidthMm);
+  const FillReading::How how =
+      request.fills.value_or(request.hatches_given ? FillReading::How::hatch : FillReading::How::outline);
+  FillReading fills{how, pen_mm, request.occlude, request.hatches};
+  double scale = request.scale.value_or(1);
+  if (!request.scale && how == FillReading::How::hatch) {
+    FillReading plain = fills;
+    plain.how = FillReading::How::outline;
+    ReadDrawing contours = read_drawing(request, drawing, plain);
+    scale = place(request, contours);
+  }
+  if (begins_json(drawing.text)) fills.pen_width_mm = hatch_pen_mm;
+  fills.pen_width_mm /= scale;
+  if (fills.hatches.all.spacing_mm) *fills.hatches.all.spacing_mm /= scale;
+  for (auto& [name, spacing] : fills.hatches.spacing_mm_of) spacing /= scale;
+  ReadDrawing read = read_drawing(request, drawing, fills);
+  if (how == FillReading::How::hatch && begins_json(drawing.text)) {
+    try {
+      hatch_regions(read, fills);
+    } catch (const std::exception& e) {
+      throw std::runtime_error(drawing.name + ": " + e.what());
+    }
+  }
+  warn_of_left_out(request, drawing.name, read, run);
+  place(request, read);
+  if (request.pen_width_mm) {
+    for (Layer& layer : read.drawing.layers) layer.width_mm.reset();
+  }
+  return read;
+}
+
+/// Width of the pen that hatches the regions of a stored drawing.
+double hatch_pen_mm(const PlotDrawingRequest& request, const PenTable& pens) {
+  const double usual = layer_style("hatch", request.pen_width_mm.value_or(kPenWidthMm), false).width_mm;
+  return pens.empty() ? usual : pens.pen(pens.pen_of("hatch", "")).width_mm.value_or(usual);
+}
+
+/// Layers of an SVG without layers are named by their colours.
+LineStyle style_of_layer(const std::string& layer, double pen_width_mm, bool hidden_solid) {
+  LineStyle style = layer_style(layer, pen_width_mm, hidden_solid);
+  if (!layer.starts_with('#')) return style;
+  try {
+    style.color = parse_color(layer);
+  } catch (const std::invalid_argument&) {
+    // A layer that only looks like a colour is drawn in black.
+  }
+  return style;
+}
+
+}  // namespace
+
+DrawingText read_drawing_text(const std::string& file, InputFiles& opened) {
+  const std::vector<std::byte> bytes = read_input(file, file, opened, kMostBytes);
+  return {file, std::string(as_characters(bytes))};
+}
+
+void check(const PlotDrawingRequest& request) {
+  if (request.format == OutputFormat::json) throw RequestError("format", "plot writes svg, pdf, png, hpgl or gcode");
+}
+
+Picture plot_drawing(const DrawingText& drawing, const PlotDrawingRequest& request, RunReport& run) {
+  check(request);
+  PlotterRequest plotter = request.plotter;
+  plotter.fit_drawing = !request.scale;
+  if (!plotter.by_pens() && !plotter.optimize) plotter.optimize = Optimize::join;
+  const ReadDrawing read = timed(run.stages, {"read", printable(drawing.name, kLongestPath)},
+                                 [&] { return placed_drawing(request, drawing, hatch_pen_mm(request, plotter.pens), run); });
+  if (request.format == OutputFormat::png) check_png(read.page, request.dpi, request.memory);
+  PlotOptions style;
+  style.page = read.page;
+  style.pen_width_mm = request.pen_width_mm.value_or(kPenWidthMm);
+  style.widths_mm = request.widths_mm;
+  style.hidden_solid = read.dashes_cut;
+  style.dpi = request.dpi;
+  style.style = [&](const std::string& layer) { return style_of_layer(layer, style.pen_width_mm, style.hidden_solid); };
+  return timed(run.stages, "write", [&] { return write_picture(read.drawing, style, plotter, request.format, run); });
+}
+
+}  // namespace ligne

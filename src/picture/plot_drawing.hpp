@@ -1,0 +1,51 @@
+#pragma once
+/// A drawing from a file, ours or anybody's, made ready for pens.
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "files/input_file.hpp"
+#include "picture/requests.hpp"
+#include "picture/run_report.hpp"
+#include "picture/write_picture.hpp"
+#include "plotting/drawing_reader.hpp"
+
+namespace ligne {
+
+/// What a plot of a drawing is to be, with the defaults of the command line. Lengths are in mm.
+struct PlotDrawingRequest {
+  std::optional<PageSize> page;  ///< nothing: that of the drawing
+  bool landscape = false, portrait = false;
+  double margin_mm = 10;
+  std::optional<double> pen_width_mm;     ///< nothing: the widths of the drawing, and 0.35 mm where it tells none
+  LineWidths widths_mm{};                 ///< of layers by their names
+  std::optional<double> scale = 1;        ///< nothing: what is drawn fills the page
+  std::set<std::string> skip;             ///< kinds of SVG content that may be left out
+  std::optional<FillReading::How> fills;  ///< nothing: outline, or hatch where hatches are given
+  bool occlude = false;
+  FillHatches hatches;
+  bool hatches_given = false;
+  OutputFormat format = OutputFormat::svg;
+  double dpi = 150;
+  PlotterRequest plotter;
+  MemoryLimit memory;
+};
+
+/// A drawing as it stands in a file.
+struct DrawingText {
+  std::string name;  ///< stands in messages
+  std::string text;
+};
+
+/// Reads the file, which is added to `opened`. Throws InputError.
+DrawingText read_drawing_text(const std::string& file, InputFiles& opened);
+
+/// Throws RequestError for a format that has no strokes.
+void check(const PlotDrawingRequest& request);
+
+/// The drawing, a ligne-drawing or an SVG by its first character, in its place on the page, dealt to pens and written.
+/// Warnings and times go to `run`. Throws RequestError, InputError, std::runtime_error.
+Picture plot_drawing(const DrawingText& drawing, const PlotDrawingRequest& request, RunReport& run);
+
+}  // namespace ligne

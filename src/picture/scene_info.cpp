@@ -1,0 +1,58 @@
+#include "picture/scene_info.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "picture/clear_creases.hpp"
+#include "picture/culling.hpp"
+#include "picture/listing.hpp"
+#include "picture/parse.hpp"
+#include "picture/scene_study.hpp"
+
+namespace ligne {
+
+SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const LineRequest& lines, const PageRequest& page,
+                     RunReport& run) {
+  SceneInfo info;
+  PictureRequest request;
+  request.lines = lines;
+  info.method = &method_of(request);
+  const Scene& scene = models.scene;
+  info.up_axis = view.up_axis.value_or(scene.up_axis);
+  std::optional<Topology> made;
+  timed(run.stages, "topology", [&] {
+    if (!models.topology) made = build_topology(scene);
+  });
+  const Topology& topology = made ? *made : *models.topology;
+  info.scene = scene_facts(scene, topology);
+  timed(run.stages, "project", [&] {
+    info.placement = place(scene, camera_of(view, scene), page);
+    std::vector<std::uint8_t> creases;
+    const EdgeSelection all = select_edges(scene, topology, lines, parse_edges("all"), creases, run);
+    ProjectedScene projected = project(scene, topology, info.placement.view, all);
+    if (lines.cull) info.culled = cull_back_faces(scene, topology, projected, run);
+    info.view = view_facts(scene, projected);
+  });
+  return info;
+}
+
+std::string meaning_for(const MethodTraits& traits) {
+  std::string text = precision_name(traits);
+  text += traits.penetration ? "; faces that penetrate each other are drawn right"
+                             : "; faces that penetrate each other are not drawn right";
+  if (!traits.only_for.empty()) text += "; only for " + std::string(traits.only_for);
+  if (!(traits.products & kStrokes)) text += "; gives no lines";
+  return text;
+}
+
+std::string color_code_of(const Point3& color) {
+  char text[16];
+  const auto level = [](double v) { return static_cast<unsigned>(std::lround(std::clamp(v, 0.0, 1.0) * 255)); };
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", level(color.x), level(color.y), level(color.z));
+  return text;
+}
+
+}  // namespace ligne
