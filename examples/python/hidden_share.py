@@ -18,9 +18,4 @@ def main(model):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: hidden_share.py MODEL")
-    try:
-        main(sys.argv[1])
-    except ligne.Error as error:
-        sys.exit(f"hidden_share.py: {error}")
+    main(*sys.argv[1:])

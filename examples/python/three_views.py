@@ -16,9 +16,4 @@ def main(model):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: three_views.py MODEL")
-    try:
-        main(sys.argv[1])
-    except ligne.Error as error:
-        sys.exit(f"three_views.py: {error}")
+    main(*sys.argv[1:])

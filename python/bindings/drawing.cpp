@@ -9,6 +9,8 @@
 #include "bindings/arrays.hpp"
 #include "bindings/work.hpp"
 #include "picture/errors.hpp"
+#include "picture/mixed_scene.hpp"
+#include "picture/parse_options.hpp"
 #include "plotting/output_file.hpp"
 
 namespace py = pybind11;
@@ -17,17 +19,6 @@ namespace ligne::python {
 namespace {
 
 py::ssize_t rows(std::size_t n) { return static_cast<py::ssize_t>(n); }
-
-/// A compiled model keeps what it was compiled with.
-void require_no_parameters(const Options& options) {
-  for (const auto& [name, value] : options.parameters) {
-    for (const MethodParameter& parameter : options.picture.lines.method->traits().parameters) {
-      if (parameter.name == name && parameter.of_compile) {
-        throw RequestError(name, "the model is compiled: give it to ligne compile");
-      }
-    }
-  }
-}
 
 /// The number of a face as it was given, -1 for none.
 std::int64_t given_face(const Scene& scene, std::uint32_t face) {
@@ -159,21 +150,52 @@ std::vector<std::string> warnings(const DrawingHolder& holder) {
   return texts;
 }
 
+MeshFormat mesh_format_of(const std::string& file) {
+  try {
+    return mesh_format_of_suffix(file);
+  } catch (const std::invalid_argument& e) {
+    throw RequestError("as-mesh", e.what());
+  }
+}
+
 }  // namespace
 
-std::shared_ptr<DrawingHolder> DrawingHolder::of_scene(std::shared_ptr<const SceneHolder> scene, Options options,
+void adapt(Options& options, const SceneHolder& scene) {
+  options.picture.lines.quality = scene.request.quality;
+  if (!options.picture.page.unit_mm) options.picture.page.unit_mm = scene.request.unit_mm;
+  const Method* const compiled_for = scene.models.compiled_for;
+  if (compiled_for && !options.picture.lines.method) options.picture.lines.method = compiled_for;
+  if (!compiled_for || compiled_for != options.picture.lines.method) return;
+  std::vector<std::string> names;
+  for (const auto& [name, value] : options.parameters) names.push_back(name);
+  require_no_parameters(scene.models, names);
+  options.picture.compiled = scene.models.compiled;
+}
+
+PictureRequest request_for(const Options& options, const SceneHolder& scene) {
+  PictureRequest request = options.request();
+  require_parts(scene.models, request);
+  return request;
+}
+
+std::shared_ptr<DrawingHolder> DrawingHolder::of_scene(std::shared_ptr<const SceneHolder> scene,
+                                                       const SurfaceRequest& surfaces, Options options,
                                                        const py::object& progress) {
   auto holder = std::make_shared<DrawingHolder>();
-  options.picture.lines.quality = scene->request.quality;
-  if (!options.picture.page.unit_mm) options.picture.page.unit_mm = scene->request.unit_mm;
-  if (scene->compiled_for && !options.picture.lines.method) options.picture.lines.method = scene->compiled_for;
-  if (scene->compiled_for && scene->compiled_for == options.picture.lines.method) {
-    require_no_parameters(options);
-    options.picture.compiled = scene->compiled;
+  check_mixed_scene(surfaces);
+  if (height_count(surfaces) > 0) {
+    run(py::none(), options.threads, [&](const Progress&) {
+      auto mixed = std::make_shared<SceneHolder>(*scene);
+      add_surfaces(surfaces, mixed->models, options.picture, holder->run_);
+      mixed->models.topology = build_topology(mixed->scene());
+      scene = std::move(mixed);
+    });
   }
+  adapt(options, *scene);
+  if (options.picture.gray_faces) options.picture.output.format = OutputFormat::png;
   holder->scene_ = std::move(scene);
   holder->options_ = std::move(options);
-  const PictureRequest request = holder->options_.request();
+  const PictureRequest request = request_for(holder->options_, *holder->scene_);
   run(progress, holder->options_.threads, [&](const Progress& report) { holder->draw(request, report); });
   return holder;
 }
@@ -194,7 +216,8 @@ void DrawingHolder::draw(const PictureRequest& request, const Progress& progress
   picture.progress = progress;
   RunReport report;
   if (!surface_) {
-    drawn_ = std::make_unique<DrawnScene>(scene_->scene, std::move(picture), report, std::nullopt, scene_->topology, true);
+    drawn_ =
+        std::make_unique<DrawnScene>(scene_->scene(), std::move(picture), report, std::nullopt, scene_->topology(), true);
   } else {
     SurfaceRequest surface = *surface_;
     surface.picture = std::move(picture);
@@ -246,6 +269,12 @@ Picture DrawingHolder::write(const py::dict& keywords, const py::object& progres
   return picture;
 }
 
+std::string DrawingHolder::write_mesh(MeshFormat format) const {
+  if (!surface_) throw RequestError("as-mesh", "goes with surfaces; a scene is a mesh already");
+  RunReport run;
+  return write_surface_mesh(*surface_, format, run);
+}
+
 Drawing DrawingHolder::layers() {
   const std::lock_guard lock(mutex_);
   RunReport run;
@@ -271,24 +300,34 @@ void add_drawing(py::module_& module) {
              const Picture picture = holder.write(options, progress);
              return py::make_tuple(py::bytes(picture.bytes), picture.preview, picture.plotter_report);
            })
-      .def("save", [](DrawingHolder& holder, const std::string& file, const std::string& preview, const py::dict& options,
-                      const py::object& progress) {
-        Picture picture = holder.write(options, progress);
-        const py::gil_scoped_release released;
-        OutputFiles files;
-        files.add(file, std::move(picture.bytes));
-        if (!preview.empty()) files.add(preview, std::move(picture.preview));
-        files.commit();
-        return picture.plotter_report;
+      .def("save",
+           [](DrawingHolder& holder, const std::string& file, const std::string& preview, const py::dict& keywords,
+              const py::object& progress) {
+             Picture picture = holder.write(with_format(keywords, file), progress);
+             const py::gil_scoped_release released;
+             OutputFiles files;
+             files.add(file, std::move(picture.bytes));
+             if (!preview.empty()) files.add(preview, std::move(picture.preview));
+             files.commit();
+             return picture.plotter_report;
+           })
+      .def("save_mesh",
+           [](const DrawingHolder& holder, const std::string& file) {
+             const py::gil_scoped_release released;
+             write_output(file, holder.write_mesh(mesh_format_of(file)));
+           })
+      .def("write_mesh", [](const DrawingHolder& holder, const std::string& format) {
+        return py::bytes(holder.write_mesh(mesh_format_of("mesh." + format)));
       });
   module.def(
       "draw",
-      [](std::shared_ptr<SceneHolder> scene, const py::dict& keywords, const py::object& progress) {
+      [](std::shared_ptr<SceneHolder> scene, const py::dict& surfaces, const py::dict& keywords,
+         const py::object& progress) {
         Options options;
         options.take(keywords);
-        return DrawingHolder::of_scene(std::move(scene), std::move(options), progress);
+        return DrawingHolder::of_scene(std::move(scene), surface_request(surfaces), std::move(options), progress);
       },
-      py::arg("scene"), py::arg("options"), py::arg("progress"));
+      py::arg("scene"), py::arg("surfaces"), py::arg("options"), py::arg("progress"));
   std::vector<std::string> kinds(kLineClassNames.begin(), kLineClassNames.end());
   module.attr("kinds") = kinds;
 }

@@ -21,15 +21,18 @@ namespace ligne::python {
 /// What was drawn, of a scene or by the floating horizon, and with what options.
 class DrawingHolder {
  public:
-  /// Draws a scene that stays in memory.
-  static std::shared_ptr<DrawingHolder> of_scene(std::shared_ptr<const SceneHolder> scene, Options options,
-                                                 const pybind11::object& progress);
+  /// Draws a scene that stays in memory, with surfaces among it.
+  static std::shared_ptr<DrawingHolder> of_scene(std::shared_ptr<const SceneHolder> scene, const SurfaceRequest& surfaces,
+                                                 Options options, const pybind11::object& progress);
   /// Draws surfaces.
   static std::shared_ptr<DrawingHolder> of_surface(SurfaceRequest surface, Options options,
                                                    const pybind11::object& progress);
 
   /// The file of another format or for other pens.
   Picture write(const pybind11::dict& keywords, const pybind11::object& progress);
+
+  /// The surfaces as a mesh file. Throws RequestError where none were drawn.
+  std::string write_mesh(MeshFormat format) const;
 
   /// Layers of polylines.
   Drawing layers();
@@ -51,7 +54,15 @@ class DrawingHolder {
   std::mutex mutex_;  ///< of whoever writes: that may draw anew
 };
 
+/// The options of a drawing of that scene. Throws RequestError.
+void adapt(Options& options, const SceneHolder& scene);
+/// The request of adapted options, for that scene. Throws RequestError.
+PictureRequest request_for(const Options& options, const SceneHolder& scene);
+
 void add_drawing(pybind11::module_& module);
 void add_surface(pybind11::module_& module);
+/// Adds info(), compile() and draw_frames().
+void add_model_work(pybind11::module_& module);
+void add_plot(pybind11::module_& module);
 
 }  // namespace ligne::python

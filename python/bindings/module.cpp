@@ -6,51 +6,13 @@
 #include "bindings/drawing.hpp"
 #include "bindings/errors.hpp"
 #include "bindings/scene.hpp"
-#include "plotting/device.hpp"
+#include "picture/listing.hpp"
 #include "view/view.hpp"
-#include "visibility/registry.hpp"
 
 namespace py = pybind11;
 
 namespace ligne::python {
 namespace {
-
-py::list methods() {
-  constexpr std::pair<std::uint8_t, const char*> kProducts[] = {
-      {kStrokes, "strokes"}, {kRegions, "regions"}, {kOrder, "order"}, {kSpans, "spans"}, {kPixels, "pixels"}};
-  py::list list;
-  for (const Method* method : all_methods()) {
-    const MethodTraits& traits = method->traits();
-    py::list products, parameters;
-    for (const auto& [bit, name] : kProducts) {
-      if (traits.products & bit) products.append(name);
-    }
-    for (const MethodParameter& parameter : traits.parameters) parameters.append(std::string(parameter.name));
-    py::dict entry;
-    entry["name"] = std::string(traits.name);
-    entry["summary"] = std::string(traits.summary);
-    entry["products"] = products;
-    entry["exact"] = traits.exact;
-    entry["penetration"] = traits.penetration;
-    entry["paper"] = std::string(traits.paper);
-    entry["parameters"] = parameters;
-    list.append(entry);
-  }
-  return list;
-}
-
-py::list device_list() {
-  py::list list;
-  for (const Device& device : devices()) {
-    py::dict entry;
-    entry["name"] = device.name;
-    entry["title"] = device.title;
-    entry["language"] = std::string(kDeviceLanguageNames[static_cast<std::size_t>(device.language)]);
-    entry["pens"] = device.pens;
-    list.append(entry);
-  }
-  return list;
-}
 
 Point3 point_of(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 
@@ -80,8 +42,10 @@ PYBIND11_MODULE(_core, module) {
   add_scene(module);
   add_drawing(module);
   add_surface(module);
-  module.def("methods", &methods);
-  module.def("devices", &device_list);
+  add_model_work(module);
+  add_plot(module);
+  module.def("methods", &ligne::methods_json);
+  module.def("devices", &ligne::devices_json);
   module.def("camera_frame", &camera_frame, py::arg("named"), py::arg("direction"), py::arg("up"), py::arg("up_axis"));
   std::vector<std::string> views(std::begin(ligne::kNamedViews), std::end(ligne::kNamedViews));
   module.attr("named_views") = views;

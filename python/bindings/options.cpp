@@ -25,9 +25,10 @@ using Setter = std::function<void(Options&, const std::string& name, py::handle 
 
 /// The option is the text of its value through a parser.
 template <class Parser, class Target>
-Setter text(Parser parser, Target target) {
-  return
-      [=](Options& options, const std::string& name, py::handle value) { target(options) = parser(text_of(name, value)); };
+Setter text(Parser parser, Target target, char separator = ',') {
+  return [=](Options& options, const std::string& name, py::handle value) {
+    target(options) = parser(text_of(name, value, separator));
+  };
 }
 
 template <class Target>
@@ -44,12 +45,6 @@ Setter each(Take take) {
 
 std::string as_written(const std::string& text) { return text; }
 double length(const std::string& text) { return parse_length_mm(text); }
-
-void set_memory(Options& options, const std::string& name, py::handle value) {
-  const double bytes = parse_number(text_of(name, value));
-  if (!(bytes > 0)) throw std::invalid_argument("is not a number of bytes above 0");
-  options.picture.memory.bytes = bytes;
-}
 
 void take_method(Options& options, const std::string& name) {
   options.horizon_given = name == "horizon";
@@ -82,7 +77,7 @@ const std::map<std::string, Setter, std::less<>>& setters() {
       {"regions", flag(LIGNE_FIELD(picture.regions))},
       {"fill", text(parse_fill, LIGNE_FIELD(picture.fill.kind))},
       {"light", each([](Options& o, const std::string& t) { o.picture.fill.lights.push_back(parse_vector(t)); })},
-      {"page", text(parse_page_size, LIGNE_FIELD(picture.page.size))},
+      {"page", text(parse_page_size, LIGNE_FIELD(picture.page.size), 'x')},
       {"landscape", flag(LIGNE_FIELD(picture.page.landscape))},
       {"portrait", flag(LIGNE_FIELD(picture.page.portrait))},
       {"margin", text(length, LIGNE_FIELD(picture.page.margin_mm))},
@@ -124,7 +119,7 @@ const std::map<std::string, Setter, std::less<>>& setters() {
          o.plotter.request.preview = true;
        }},
       {"threads", [](Options& o, const std::string&, py::handle value) { o.threads = threads_of(value); }},
-      {"max-memory", set_memory},
+      {"max-memory", text(parse_memory, LIGNE_FIELD(picture.memory))},
   };
 #undef LIGNE_FIELD
   return table;
@@ -153,22 +148,40 @@ MethodSettings settings_of(const Options& options, const Method& method) {
 
 }  // namespace
 
-void Options::take(const py::dict& keywords) {
+void for_each_option(const py::dict& keywords,
+                     const std::function<void(const std::string& name, pybind11::handle value)>& set) {
   for (const auto& [keyword, value] : keywords) {
     if (value.is_none()) continue;
     const std::string name = option_name(keyword);
     try {
-      if (const auto setter = setters().find(name); setter != setters().end()) {
-        setter->second(*this, name, value);
-      } else if (is_parameter(name)) {
-        parameters.emplace_back(name, text_of(name, value));
-      } else {
-        throw RequestError(name, "there is no such option");
-      }
+      set(name, value);
     } catch (const std::invalid_argument& e) {
       throw RequestError(name, e.what());
     }
   }
+}
+
+py::dict with_format(const py::dict& keywords, const std::string& file) {
+  if (keywords.contains("format") && !keywords["format"].is_none()) return keywords;
+  py::dict whole = py::reinterpret_steal<py::dict>(PyDict_Copy(keywords.ptr()));
+  try {
+    whole["format"] = std::string(kOutputFormatNames[static_cast<std::size_t>(format_of_suffix(file))]);
+  } catch (const std::invalid_argument& e) {
+    throw RequestError("format", e.what());
+  }
+  return whole;
+}
+
+void Options::take(const py::dict& keywords) {
+  for_each_option(keywords, [&](const std::string& name, py::handle value) {
+    if (const auto setter = setters().find(name); setter != setters().end()) {
+      setter->second(*this, name, value);
+    } else if (is_parameter(name)) {
+      parameters.emplace_back(name, text_of(name, value));
+    } else {
+      throw RequestError(name, "there is no such option");
+    }
+  });
 }
 
 PictureRequest Options::request() const {
@@ -181,6 +194,7 @@ PictureRequest Options::request() const {
   if (request.lines.profiles() != ProfileKind::off) request.lines.classes.add(LineClass::profile);
   InputFiles files;
   request.plotter = plotter_request(plotter, request.output.format, files);
+  request.plotter.fit_drawing = !request.page.scale;
   check(request);
   request.lines.settings = settings_of(*this, method_of(request));
   return request;
@@ -193,36 +207,30 @@ unsigned threads_of(py::handle value) {
 
 ModelRequest model_request(const py::dict& keywords) {
   ModelRequest request;
-  for (const auto& [keyword, value] : keywords) {
-    if (value.is_none()) continue;
-    const std::string name = option_name(keyword);
-    try {
-      if (name == "weld") {
-        const std::string distance = text_of(name, value);
-        request.weld_distance = parse_weld(distance == "0" ? "off" : distance);
-      } else if (name == "merge-coplanar") {
-        request.merge_coplanar = flag_of(name, value);
-      } else if (name == "only" || name == "hide") {
-        for (const std::string& names : texts_of(name, value)) {
-          for (std::string& one : parse_names(names)) {
-            (name == "only" ? request.parts.only : request.parts.hide).push_back(std::move(one));
-          }
+  for_each_option(keywords, [&](const std::string& name, py::handle value) {
+    if (name == "weld") {
+      const std::string distance = text_of(name, value);
+      request.weld_distance = parse_weld(distance == "0" ? "off" : distance);
+    } else if (name == "merge-coplanar") {
+      request.merge_coplanar = flag_of(name, value);
+    } else if (name == "only" || name == "hide") {
+      for (const std::string& names : texts_of(name, value)) {
+        for (std::string& one : parse_names(names)) {
+          (name == "only" ? request.parts.only : request.parts.hide).push_back(std::move(one));
         }
-      } else if (name == "move") {
-        for (const std::string& one : texts_of(name, value)) request.parts.moves.push_back(parse_move(one));
-      } else if (name == "quality") {
-        request.quality = parse_quality(text_of(name, value));
-      } else if (name == "unit") {
-        request.unit_mm = parse_unit_mm(text_of(name, value));
-      } else if (name == "groups") {
-        request.tell_parts = flag_of(name, value);
-      } else {
-        throw RequestError(name, "there is no such option");
       }
-    } catch (const std::invalid_argument& e) {
-      throw RequestError(name, e.what());
+    } else if (name == "move") {
+      for (const std::string& one : texts_of(name, value)) request.parts.moves.push_back(parse_move(one));
+    } else if (name == "quality") {
+      request.quality = parse_quality(text_of(name, value));
+    } else if (name == "unit") {
+      request.unit_mm = parse_unit_mm(text_of(name, value));
+    } else if (name == "groups") {
+      request.tell_parts = flag_of(name, value);
+    } else {
+      throw RequestError(name, "there is no such option");
     }
-  }
+  });
   return request;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Options as keywords, with the names of the command line's.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,8 +35,17 @@ struct Options {
 /// Options that say what is read of a model.
 ModelRequest model_request(const pybind11::dict& keywords);
 
-/// Options of surfaces, but for those of Options.
-void take_surface_options(SurfaceRequest& surface, const pybind11::dict& keywords);
+/// The surfaces that the keywords tell: "formulas", "grids", "heights" (name, x, y, z) and "parametric" as lists, and the
+/// options of surfaces, but for those of Options.
+SurfaceRequest surface_request(const pybind11::dict& keywords);
+
+/// The keywords with the format of the file's suffix, where they name none.
+pybind11::dict with_format(const pybind11::dict& keywords, const std::string& file);
+
+/// Calls set(name, value) for every keyword that is not None, its name with dashes for underscores. What that throws as
+/// std::invalid_argument becomes a RequestError of that name.
+void for_each_option(const pybind11::dict& keywords,
+                     const std::function<void(const std::string& name, pybind11::handle value)>& set);
 
 /// Threads of "threads" and bytes of "max_memory".
 unsigned threads_of(pybind11::handle value);

@@ -33,11 +33,9 @@ std::shared_ptr<SceneHolder> hold(LoadedModels models, ModelRequest request) {
     for (const std::string& remark : file.remarks) holder->warnings.push_back(file.name + ": " + remark);
   }
   for (const RunWarning& warning : run.warnings) holder->warnings.push_back(warning.place + ": " + warning.text);
-  holder->scene = std::move(models.scene);
-  holder->topology = models.topology ? std::move(*models.topology) : build_topology(holder->scene);
+  if (!models.topology) models.topology = build_topology(models.scene);
+  holder->models = std::move(models);
   holder->request = std::move(request);
-  holder->compiled = std::move(models.compiled);
-  holder->compiled_for = models.compiled_for;
   return holder;
 }
 
@@ -121,7 +119,7 @@ std::shared_ptr<SceneHolder> make_mesh(py::array vertices, py::array corners, st
 }
 
 py::object faces_of(const std::shared_ptr<SceneHolder>& holder) {
-  const PolygonFaces& faces = holder->scene.faces;
+  const PolygonFaces& faces = holder->scene().faces;
   if (faces.all_triangles()) {
     return view(faces.corners().data(), {static_cast<py::ssize_t>(faces.size()), 3}, py::cast(holder));
   }
@@ -138,14 +136,14 @@ py::object faces_of(const std::shared_ptr<SceneHolder>& holder) {
 }
 
 py::object face_source_of(const std::shared_ptr<SceneHolder>& holder) {
-  const std::vector<std::uint32_t>& source = holder->scene.face_source;
+  const std::vector<std::uint32_t>& source = holder->scene().face_source;
   if (source.empty()) return py::none();
   return view(source.data(), {static_cast<py::ssize_t>(source.size())}, py::cast(holder));
 }
 
 std::vector<std::string> object_names_of(const SceneHolder& holder) {
   std::vector<std::string> names;
-  for (const Object& object : holder.scene.objects) names.push_back(object_name(object, names.size()));
+  for (const Object& object : holder.scene().objects) names.push_back(object_name(object, names.size()));
   return names;
 }
 
@@ -155,19 +153,19 @@ void add_scene(py::module_& module) {
   py::class_<SceneHolder, std::shared_ptr<SceneHolder>>(module, "Scene", "A scene that was read and mended.")
       .def_property_readonly("vertices",
                              [](const std::shared_ptr<SceneHolder>& holder) {
-                               const std::vector<Point3>& points = holder->scene.vertices;
+                               const std::vector<Point3>& points = holder->scene().vertices;
                                return view(points.empty() ? nullptr : &points.front().x,
                                            {static_cast<py::ssize_t>(points.size()), 3}, py::cast(holder));
                              })
       .def_property_readonly("faces", &faces_of)
       .def_property_readonly("face_source", &face_source_of)
       .def_property_readonly("object_names", &object_names_of)
-      .def_property_readonly("face_count", [](const SceneHolder& holder) { return holder.scene.faces.size(); })
-      .def_property_readonly("edge_count", [](const SceneHolder& holder) { return holder.topology.edges.size(); })
-      .def_property_readonly("unit_mm", [](const SceneHolder& holder) { return holder.scene.unit_mm; })
+      .def_property_readonly("face_count", [](const SceneHolder& holder) { return holder.scene().faces.size(); })
+      .def_property_readonly("edge_count", [](const SceneHolder& holder) { return holder.topology().edges.size(); })
+      .def_property_readonly("unit_mm", [](const SceneHolder& holder) { return holder.scene().unit_mm; })
       .def_property_readonly(
           "up_axis",
-          [](const SceneHolder& holder) { return std::string(1, "xyz"[static_cast<unsigned>(holder.scene.up_axis)]); })
+          [](const SceneHolder& holder) { return std::string(1, "xyz"[static_cast<unsigned>(holder.scene().up_axis)]); })
       .def_property_readonly("quality",
                              [](const SceneHolder& holder) {
                                return std::string(kQualityNames[static_cast<std::size_t>(holder.request.quality)]);

@@ -8,18 +8,17 @@
 #include <pybind11/pybind11.h>
 
 #include "picture/models.hpp"
-#include "scene/model/topology.hpp"
 
 namespace ligne::python {
 
 /// A scene that was read and mended, and never changes: any number of drawings and threads share it.
 struct SceneHolder {
-  Scene scene;
-  Topology topology;
-  ModelRequest request;                             ///< what it was read with
-  std::shared_ptr<const CompiledScene> compiled{};  ///< of a file of `ligne compile`, for that method
-  const Method* compiled_for = nullptr;
+  LoadedModels models;   ///< with their topology
+  ModelRequest request;  ///< what they were read with
   std::vector<std::string> warnings;
+
+  const Scene& scene() const { return models.scene; }
+  const Topology& topology() const { return *models.topology; }
 };
 
 /// Adds Scene, and the functions that make one.

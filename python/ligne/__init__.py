@@ -9,8 +9,10 @@ unit ("1.5cm"); angles are in degrees. docs/python.md has recipes.
 """
 
 from ._core import DtypeError, Error, InputError, MemoryLimitError, RequestError, __version__
-from ._drawing import Drawing, Region, draw
+from ._drawing import Drawing, Region, draw, draw_frames
 from ._lists import devices, methods
+from ._models import compile, info
+from ._plot import Plotted, plot
 from ._scene import Mesh, Scene, read
 from ._surface import surface
 from ._view import View
@@ -22,14 +24,19 @@ __all__ = [
     "InputError",
     "MemoryLimitError",
     "Mesh",
+    "Plotted",
     "Region",
     "RequestError",
     "Scene",
     "View",
     "__version__",
+    "compile",
     "devices",
     "draw",
+    "draw_frames",
+    "info",
     "methods",
+    "plot",
     "read",
     "surface",
 ]

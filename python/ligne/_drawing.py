@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import os
+import pathlib
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
-from ._scene import Path, Scene, as_scene
-from ._view import Vector, View, view_options
-
-Length = Union[str, float]
-Progress = Optional[Callable[[float], Any]]
+from ._heights import Heights, height_sources
+from ._options import Length, Path, Pens, Progress, Range, arguments, file_name
+from ._scene import Scene, as_scene
+from ._view import VIEW_OPTIONS, Vector, View, seen_from
 
 _KINDS = np.array(_core.kinds)
 
@@ -37,17 +37,6 @@ class Region:
     def area(self) -> float:
         """mm^2 on the page."""
         return _ring_area(self.contours[0]) - sum(_ring_area(hole) for hole in self.contours[1:])
-
-
-def _format_of(file: Path, format: Optional[str]) -> str:
-    if format is not None:
-        return format
-    suffix = os.path.splitext(os.fspath(file))[1].lower()
-    known = {".plt": "hpgl", ".hpg": "hpgl", ".nc": "gcode", ".ngc": "gcode"}
-    name = known.get(suffix, suffix[1:])
-    if name not in ("svg", "pdf", "png", "json", "hpgl", "gcode"):
-        raise _core.RequestError(f"format: {os.fspath(file)!r} does not end in .svg, .pdf, .png, .json, .hpgl or .gcode")
-    return name
 
 
 class Drawing:
@@ -172,25 +161,26 @@ class Drawing:
         device_file: Optional[Path] = None,
         fit_device: Optional[bool] = None,
         pens: Optional[Path] = None,
-        pen: Union[str, Sequence[str], Dict[str, str], None] = None,
+        pen: Pens = None,
         optimize: Optional[str] = None,
         join: Optional[Length] = None,
         simplify: Optional[Length] = None,
         report: Optional[bool] = None,
         preview: Optional[Path] = None,
+        as_mesh: bool = False,
         progress: Progress = None,
     ) -> str:
         """Writes svg, pdf, png, json, hpgl or gcode, by the suffix or `format`; the file is whole or not there.
 
         Options that are not given are those of draw(). The scene is studied again only where the format needs what was
         not studied: JSON of methods that give more than strokes, gray faces, hatching. Gives the table of report=True.
+        as_mesh: surfaces as a mesh file, .json (ligne-scene) or .obj, instead of their picture.
         """
-        options = dict(
-            format=_format_of(file, format), dpi=dpi, curves=curves, title=title, shade=shade, device=device,
-            device_file=device_file, fit_device=fit_device, pens=pens, pen=pen, optimize=optimize, join=join,
-            simplify=simplify, report=report, preview=preview,
-        )  # fmt: skip
-        return self._core.save(os.fspath(file), "" if preview is None else os.fspath(preview), options, progress)
+        options = arguments(locals(), "self", "file", "preview", "as_mesh", "progress")
+        if as_mesh:
+            self._core.save_mesh(os.fspath(file))
+            return ""
+        return self._core.save(os.fspath(file), file_name(preview), dict(options, preview=preview), progress)
 
     def plot(self, file: Path, *, optimize: str = "full", **options: Any) -> str:
         """save() with the path work for a pen: lines once, ends joined, ordered. Gives the table of strokes, lengths,
@@ -198,8 +188,10 @@ class Drawing:
         options.setdefault("report", True)
         return self.save(file, optimize=optimize, **options)
 
-    def to_bytes(self, format: str = "svg", **options: Any) -> bytes:
+    def to_bytes(self, format: str = "svg", *, as_mesh: bool = False, **options: Any) -> bytes:
         """The bytes of the file that save() would write."""
+        if as_mesh:
+            return self._core.write_mesh(format)
         return self._core.write(dict(options, format=format), None)[0]
 
     def _repr_svg_(self) -> str:
@@ -237,6 +229,14 @@ def draw(
     min_length: Optional[Length] = None,
     profile: Optional[str] = None,
     regions: bool = False,
+    surface: Union[Heights, Sequence[Heights], None] = None,
+    grid: Union[Path, Sequence[Path], None] = None,
+    x: Optional[Range] = None,
+    y: Optional[Range] = None,
+    samples: Optional[int] = None,
+    every: Optional[int] = None,
+    z_scale: Optional[float] = None,
+    z_range: Optional[Range] = None,
     fill: str = "none",
     light: Union[Vector, Sequence[Vector], None] = None,
     hatch: str = "none",
@@ -262,12 +262,12 @@ def draw(
     device_file: Optional[Path] = None,
     fit_device: bool = False,
     pens: Optional[Path] = None,
-    pen: Union[str, Sequence[str], Dict[str, str], None] = None,
+    pen: Pens = None,
     optimize: Optional[str] = None,
     join: Length = 0.05,
     simplify: Length = 0.02,
     threads: int = 0,
-    max_memory: Optional[float] = None,
+    max_memory: Union[str, float, None] = None,
     progress: Progress = None,
     **parameters: Any,
 ) -> Drawing:
@@ -276,29 +276,57 @@ def draw(
     model: a Scene, a file, or an object of trimesh, pyvista or meshio.
     view: a name, or a View; direction, or eye with target and fov, are others.
     regions: visible faces as areas, too (Drawing.regions).
-    threads: 0 is all processors. max_memory: bytes, refused beforehand where the counts tell it.
+    surface: among the models: formulas in x and y, or arrays as surface() takes them; grid: files of heights; x, y, samples,
+        every, z_scale, z_range: of these.
+    threads: 0 is all processors. max_memory: bytes or a text such as "2G", refused beforehand where the counts tell it.
     progress: called with the fraction done, in this thread, at most twenty times a second; what it raises ends the work.
     parameters: the methods' own options, such as resolution=512.
 
     All others are the options of `ligne draw`, with the same defaults (docs/options.md). The interpreter's lock is given
     up meanwhile, and Ctrl-C ends the work. Raises RequestError, InputError, MemoryLimitError.
     """
-    chosen: Dict[str, Any] = dict(direction=direction, eye=eye, target=target, fov=fov, up=up, up_axis=up_axis)
-    given = {name: value for name, value in chosen.items() if value is not None}
-    if "direction" not in given and "eye" not in given:
-        given = {**view_options(view), **given}
-    if isinstance(page, tuple):
-        page = "x".join(f"{float(side)!r}" for side in page)
-    if shade:
-        given["format"] = "png"
-    options = dict(
-        given, method=method, edges=edges, crease=crease, hidden=hidden, cull=cull, min_length=min_length,
-        profile=profile, regions=regions, fill=fill, light=light, hatch=hatch, hatch_spacing=hatch_spacing,
-        hatch_angle=hatch_angle, hatch_levels=hatch_levels, hatch_cross=hatch_cross, page=page, landscape=landscape,
-        portrait=portrait, margin=margin, pen_width=pen_width, width=width, scale=scale, unit=unit, group=group,
-        color=color, title=title, dpi=dpi, curves=curves, shade=shade, device=device, device_file=device_file,
-        fit_device=fit_device, pens=pens, pen=pen, optimize=optimize, join=join, simplify=simplify, threads=threads,
-        max_memory=max_memory, **parameters,
-    )  # fmt: skip
-    scene = as_scene(model, quality, threads)
-    return Drawing(_core.draw(scene._core, options, progress), scene)
+    options = arguments(locals(), "model", "view", "quality", "progress", *VIEW_OPTIONS, *_OF_SURFACES)
+    options.update(seen_from(view, {name: value for name, value in locals().items() if name in VIEW_OPTIONS}))
+    surfaces = _surfaces(surface, grid, dict(x=x, y=y, samples=samples, every=every, z_scale=z_scale, z_range=z_range))
+    scene = _scene_for(model, quality, options)
+    return Drawing(_core.draw(scene._core, surfaces, options, progress), scene)
+
+
+_OF_SURFACES = ("surface", "grid", "x", "y", "samples", "every", "z_scale", "z_range")
+
+
+def _several(value: Any) -> List[Any]:
+    return [] if value is None else list(value) if isinstance(value, (list, tuple)) else [value]
+
+
+def _surfaces(surface: Any, grid: Any, options: Dict[str, Any]) -> Dict[str, Any]:
+    return height_sources([*_several(surface), *(pathlib.Path(file) for file in _several(grid))], options)
+
+
+def _scene_for(model: Any, quality: Optional[str], options: Dict[str, Any]) -> Scene:
+    """The model as a scene whose parts are told apart where the options do."""
+    parts = options.get("group", "none") != "none" or bool(options.get("color")) or "object:" in str(options.get("pen"))
+    return as_scene(model, quality, options.get("threads", 0), groups=parts)
+
+
+def draw_frames(
+    model: Any,
+    file: Path,
+    view: Union[str, View, None] = "iso",
+    *,
+    frames: int,
+    turn: float = 360,
+    quality: Optional[str] = None,
+    progress: Progress = None,
+    **options: Any,
+) -> List[str]:
+    """Draws successive views of the turning model, at one scale and about an axis that stands still, and writes them.
+
+    file: with a place for the number, "turn%03d.svg"; a PDF without one holds them all as pages.
+    frames: how many; turn: degrees in all, counter-clockwise as seen from above.
+    All others are those of draw(), but for surfaces. Gives the names of the files.
+    """
+    chosen = {name: options.pop(name) for name in VIEW_OPTIONS if name in options}
+    scene = _scene_for(model, quality, options)
+    given = dict(options, **seen_from(view, chosen))
+    return _core.draw_frames(scene._core, os.fspath(file), frames, float(turn), given, progress)

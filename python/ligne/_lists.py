@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any, Dict, List
 
 from . import _core
 
 
 def methods() -> List[Dict[str, Any]]:
-    """The visibility methods: name, summary, products, exact, penetration, paper, parameters."""
-    return _core.methods()
+    """The visibility methods, as `ligne methods --json` lists them: name, summary, produces, exact, penetration, paper,
+    options and so on."""
+    return json.loads(_core.methods())["methods"]
 
 
 def devices() -> List[Dict[str, Any]]:
-    """The plotters known: name, title, language, number of pens."""
-    return _core.devices()
+    """The plotters known, as `ligne devices --json` lists them: name, title, language, step_mm, pens, papers or limits_mm,
+    speeds and so on."""
+    return json.loads(_core.devices())["devices"]

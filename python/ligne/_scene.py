@@ -9,8 +9,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import Faces, flat_faces, labels, material_list, vertex_array
-
-Path = Union[str, "os.PathLike[str]"]
+from ._options import Path, arguments
 
 
 class Scene:
@@ -82,9 +81,7 @@ def read(
     `groups`: the groups of an OBJ without objects are objects, which draw(group=..., color=...) tell apart. The others are
     the command's. Raises InputError.
     """
-    options = dict(
-        quality=quality, weld=weld, merge_coplanar=merge_coplanar, only=only, hide=hide, move=move, unit=unit, groups=groups
-    )
+    options = arguments(locals(), "files", "threads")
     if not files:
         raise _core.RequestError("files: there is none")
     return Scene(_core.read([os.fspath(f) for f in files], options, threads))
@@ -192,7 +189,7 @@ class Mesh(Scene):
         )
 
 
-def as_scene(model: Any, quality: Optional[str], threads: int) -> Scene:
+def as_scene(model: Any, quality: Optional[str], threads: int, groups: bool = False) -> Scene:
     """A scene, a file, or what has vertices and faces."""
     if isinstance(model, Scene):
         if quality is not None and quality != model.quality:
@@ -202,7 +199,7 @@ def as_scene(model: Any, quality: Optional[str], threads: int) -> Scene:
         return model
     kept = {"quality": quality or "clear", "threads": threads}
     if isinstance(model, (str, os.PathLike)):
-        return read(model, **kept)
+        return read(model, groups=groups, **kept)
     if hasattr(model, "points") and hasattr(model, "faces"):
         return Mesh.from_pyvista(model, **kept)
     if hasattr(model, "points") and hasattr(model, "cells"):

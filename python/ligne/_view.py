@@ -94,12 +94,16 @@ class View:
         return given
 
 
-def view_options(view: Union[str, View, None]) -> Dict[str, Any]:
-    """The options of a view that is given by its name or as a View."""
-    if view is None:
-        return {}
+VIEW_OPTIONS = ("direction", "eye", "target", "fov", "up", "up_axis")
+
+
+def seen_from(view: Union[str, View, None], chosen: Dict[str, Any]) -> Dict[str, Any]:
+    """The options of a view that is given by its name or as a View; those of `chosen` that are not None go before its."""
+    given = {name: value for name, value in chosen.items() if value is not None}
+    if view is None or "direction" in given or "eye" in given:
+        return given
     if isinstance(view, str):
-        return View.named(view).options()
-    if isinstance(view, View):
-        return view.options()
-    raise RequestError(f"view: {type(view).__name__} is neither a name nor a View")
+        view = View.named(view)
+    if not isinstance(view, View):
+        raise RequestError(f"view: {type(view).__name__} is neither a name nor a View")
+    return {**view.options(), **given}

@@ -70,7 +70,9 @@ def test_wrong_arrays_are_named(vertices, faces, options, error, names):
         ({"direction": (1, 2)}, "direction"),
         ({"direction": (1, 0, 0), "eye": (1, 2, 3)}, "view"),
         ({"threads": -1}, "threads"),
-        ({"max_memory": 0}, "max_memory"),
+        ({"max_memory": "much"}, "max_memory"),
+        ({"page": (100,)}, "page"),
+        ({"x": (0, 1)}, ""),
         ({"resolution": 512}, "resolution"),
         ({"nothing": 1}, "nothing"),
         ({"quality": "exact"}, ""),
@@ -88,7 +90,7 @@ def test_errors_are_of_the_usual_kinds_too():
     assert issubclass(ligne.DtypeError, TypeError)
     assert issubclass(ligne.MemoryLimitError, MemoryError)
     with pytest.raises(ligne.MemoryLimitError):
-        ligne.draw(ligne.Mesh(*grid_mesh(100)), max_memory=10_000)
+        ligne.draw(ligne.Mesh(*grid_mesh(100)), max_memory="10k")
 
 
 @pytest.mark.parametrize("dtype", [np.int8, np.uint16, np.int32, np.uint32, np.int64, np.uint64, ">i4"])

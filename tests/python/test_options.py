@@ -1,17 +1,45 @@
-"""Keywords are the command's options, with its defaults."""
+"""Everything that the command can do: each option of each command is a keyword with its default, or there is a reason."""
 
 import inspect
+import json
 import os
 import re
 import subprocess
 
+import pytest
+
 import ligne
 
-# Options of the command line itself: files, what goes to a terminal, several files at once.
-OF_THE_COMMAND = {"help", "output", "stats", "stats-json", "quiet", "frames", "turn"}
-# Surfaces among models, which draw() does not take (docs/python.md).
-OF_MIXED_SCENES = {"surface", "grid", "x", "y", "samples", "every", "z-scale", "z-range"}
-OF_METHODS = {name for method in ligne.methods() for name in method["parameters"]}
+# The functions that a command's options are the keywords of.
+FUNCTIONS = {
+    "draw": [ligne.draw, ligne.draw_frames, ligne.read, ligne.Drawing.save],
+    "surface": [ligne.surface, ligne.draw, ligne.Drawing.save],
+    "plot": [ligne.plot],
+    "info": [ligne.info, ligne.read],
+    "compile": [ligne.compile, ligne.read],
+    "methods": [ligne.methods],
+    "devices": [ligne.devices],
+}
+# What a command has and the module has not under that name.
+REASONS = {
+    "help": "help(ligne.draw)",
+    "output": "the argument `file` of save(), plot(), compile() and draw_frames(), or to_bytes()",
+    "quiet": "nothing is written to a terminal: Drawing.warnings, Scene.warnings, Plotted.warnings",
+    "stats": "Drawing.statistics, Plotted.statistics",
+    "stats-json": "Drawing.statistics, Plotted.statistics",
+    ("progress", "plot", "info", "compile"): "short work; the others call back",
+    ("max-memory", "compile"): "the command bounds its process; the module bounds stages whose counts tell it before",
+    ("json", "info", "methods", "devices"): "these give dictionaries and lists",
+    ("format", "info"): "info() gives a dictionary",
+    ("grid", "surface"): "a pathlib.Path among the surfaces",
+}
+OF_METHODS = {option["name"][2:] for method in ligne.methods() for option in method["options"]}
+
+
+def reason_for(option, command):
+    return REASONS.get(option) or next(
+        (reason for names, reason in REASONS.items() if names[0] == option and command in names[1:]), None
+    )
 
 
 def options_of_help(command):
@@ -23,11 +51,13 @@ def options_of_help(command):
         if found:
             default = re.search(r"\[([^\]|]*)\](?:\s|$)", found.group(2))
             options[found.group(1)] = default.group(1) if default else None
+    assert len(options) == text.count("\n  -"), "an option that this does not read"
     return options
 
 
-def keywords(*functions):
-    return {name: p.default for f in functions for name, p in inspect.signature(f).parameters.items()}
+def keywords(functions):
+    """Their parameters; of equal names those of the first."""
+    return {name: p for f in reversed(functions) for name, p in inspect.signature(f).parameters.items()}
 
 
 def is_default(default, written):
@@ -37,30 +67,51 @@ def is_default(default, written):
     return str(default) == written
 
 
-def test_draw_has_all_options():
-    given = keywords(ligne.draw, ligne.read, ligne.Drawing.save)
-    for name, written in options_of_help("draw").items():
-        if name in OF_THE_COMMAND or name in OF_MIXED_SCENES or name in OF_METHODS:
+@pytest.mark.parametrize("command", FUNCTIONS)
+def test_every_option_is_a_keyword(command):
+    given = keywords(FUNCTIONS[command])
+    takes_parameters = inspect.Parameter.VAR_KEYWORD in (p.kind for p in given.values())
+    for name, written in options_of_help(command).items():
+        if reason_for(name, command) or (takes_parameters and name in OF_METHODS):
             continue
         keyword = name.replace("-", "_")
         assert keyword in given, name
-        if written and given[keyword] is not None and given[keyword] is not False and keyword != "progress":
-            assert is_default(given[keyword], written), (name, given[keyword], written)
+        default = given[keyword].default
+        # None and False: what holds is told in words, or decided by something else; a frame has to be asked for.
+        if written and default is not None and default is not False and default is not inspect.Parameter.empty:
+            if callable(default) or keyword == "progress":
+                continue
+            assert is_default(default, written), (name, default, written)
 
 
-def test_surface_has_all_options():
-    given = keywords(ligne.surface, ligne.draw, ligne.Drawing.save)
-    given["grid"] = None  # a path among the surfaces
-    for name in options_of_help("surface"):
-        if name in OF_THE_COMMAND or name == "as-mesh":
-            continue
-        assert name.replace("-", "_") in given, name
+def test_there_are_no_other_commands():
+    text = subprocess.run([os.environ["LIGNE_PROGRAM"], "--help"], capture_output=True, text=True, check=True).stdout
+    commands = re.findall(r"^  ([a-z]+) ", text[text.index("Subcommands:"):], re.M)
+    assert set(commands) - {"ligne"} == set(FUNCTIONS)
 
 
-def test_draw_has_no_other_options():
-    known = {name.replace("-", "_") for name in options_of_help("draw")}
-    own = {"model", "regions", "parameters"}
-    assert set(keywords(ligne.draw)) - own <= known
+def test_reasons_are_of_options():
+    there = {command: options_of_help(command) for command in FUNCTIONS}
+    for names in REASONS:
+        for command in FUNCTIONS if isinstance(names, str) else names[1:]:
+            assert (names if isinstance(names, str) else names[0]) in there[command] or isinstance(names, str), names
+
+
+@pytest.mark.parametrize("command, own", [
+    ("draw", {"model", "regions", "parameters"}),
+    ("plot", {"drawing", "file"}),
+    ("info", {"model", "parameters"}),
+    ("compile", {"model", "file", "parameters"}),
+])
+def test_no_other_keywords(command, own):
+    known = {name.replace("-", "_") for name in options_of_help(command)}
+    assert set(keywords(FUNCTIONS[command][:1])) - own <= known
+
+
+@pytest.mark.parametrize("command, listed", [("methods", ligne.methods), ("devices", ligne.devices)])
+def test_lists_are_those_of_the_command(command, listed):
+    line = [os.environ["LIGNE_PROGRAM"], command, "--json"]
+    assert json.loads(subprocess.run(line, capture_output=True, check=True).stdout)[command] == listed()
 
 
 def test_stubs_name_what_there_is():

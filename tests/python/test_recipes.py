@@ -24,10 +24,10 @@ MADE = {
     "2": ["base.pdf"],
     "3": ["cone.svg"],
     "4": ["part.svg"],
-    "5": [f"frame{n:02}.png" for n in range(12)],
+    "5": [f"frame{n:02}.png" for n in range(12)] + ["turn.pdf"],
     "6": ["by_face.png"],
     "9": ["deflection.pdf"],
-    "10": ["bracket.hpgl", "way.svg"],
+    "10": ["bracket.hpgl", "way.svg", "bracket.gcode"],
 }
 
 

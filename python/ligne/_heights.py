@@ -1,0 +1,93 @@
+"""Heights of surfaces, from wherever they come."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _core
+from ._core import DtypeError, InputError
+from ._options import Path
+
+Heights = Union[str, Path, np.ndarray, Callable[[np.ndarray, np.ndarray], Any]]
+
+_CURVES, _SAMPLES_BETWEEN, _SAMPLES_ALONG = 40, 5, 1000
+
+
+def _positions(name: str, values: Any, count: int) -> np.ndarray:
+    if values is None:
+        return np.arange(count, dtype=float)
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu":
+        raise DtypeError(f"{name}: the dtype is {array.dtype}, not one of real numbers")
+    if array.shape == (2,) and count != 2:
+        return np.linspace(float(array[0]), float(array[1]), count)
+    if array.shape != (count,):
+        raise InputError(f"{name}: the shape is {array.shape}, not ({count},), one for each {'column' if name == 'x' else 'row'} of z")
+    return array.astype(float)
+
+
+def _heights(z: Any, x: Any, y: Any) -> Tuple[str, np.ndarray, np.ndarray, np.ndarray]:
+    array = np.asarray(z)
+    if array.ndim != 2:
+        raise InputError(f"z: the shape is {array.shape}, not (rows of y, columns of x)")
+    if array.dtype.kind not in "fiu":
+        raise DtypeError(f"z: the dtype is {array.dtype}, not one of real numbers")
+    if min(array.shape) < 2:
+        raise InputError(f"z: the shape is {array.shape}; two rows and two columns are the least")
+    if np.isinf(array).any():
+        raise InputError("z: holds an infinite height; nan says that there is none")
+    return "z", _positions("x", x, array.shape[1]), _positions("y", y, array.shape[0]), array
+
+
+def _samples(name: str, range_: Any, samples: Optional[int]) -> Tuple[np.ndarray, int]:
+    """Sample positions over a range, and every how many of them there is a curve."""
+    low, high, curves = -5.0, 5.0, _CURVES
+    if range_ is not None:
+        parts = range_.split(":") if isinstance(range_, str) else list(range_)
+        if len(parts) not in (2, 3):
+            raise InputError(f"{name}: is not (from, to) or (from, to, curves)")
+        low, high = float(parts[0]), float(parts[1])
+        curves = int(parts[2]) if len(parts) == 3 else _CURVES
+    if not (low < high and curves >= 2):
+        raise InputError(f"{name}: the range does not ascend, or has fewer than two curves")
+    between = curves - 1
+    stride = max(1, -(-(samples - 1) // between)) if samples else min(max(_SAMPLES_ALONG // between, 1), _SAMPLES_BETWEEN)
+    return np.linspace(low, high, stride * between + 1), stride
+
+
+def _of_callable(z: Callable[..., Any], x: Any, y: Any, samples: Optional[int]) -> Tuple[Any, int]:
+    xs, x_stride = _samples("x", x, samples)
+    ys, y_stride = _samples("y", y, samples)
+    if x_stride != y_stride:
+        raise InputError("x, y: of a function both have as many curves, or samples=... is given for both alike")
+    heights = np.broadcast_to(np.asarray(z(*np.meshgrid(xs, ys))), (len(ys), len(xs)))
+    if heights.dtype.kind not in "fiu":
+        raise DtypeError(f"z: the function gives the dtype {heights.dtype}, not one of real numbers")
+    return _heights(np.where(np.isfinite(heights), heights, np.nan), xs, ys), x_stride
+
+
+def height_sources(sources: Sequence[Heights], options: Dict[str, Any]) -> Dict[str, Any]:
+    """The options of surfaces with their sources: formulas, paths of grids, arrays and functions, of which x and y of the
+    options are the positions."""
+    x, y, samples = (options.get(name) for name in ("x", "y", "samples"))
+    formulas = [source for source in sources if isinstance(source, str)]
+    grids = [os.fspath(source) for source in sources if not isinstance(source, str) and isinstance(source, os.PathLike)]
+    heights, every = [], options.get("every")
+    for source in sources:
+        if isinstance(source, (str, os.PathLike)):
+            continue
+        if callable(source) and not hasattr(source, "__array__"):
+            made, stride = _of_callable(source, x, y, samples)
+            heights.append(made)
+            every = stride if every in (None, "auto") else every
+        else:
+            heights.append(_heights(source, x, y))
+    whole = dict(options, formulas=formulas, grids=grids, heights=heights, every=every)
+    if heights:
+        if formulas or grids:
+            raise _core.RequestError("z: arrays and functions do not go together with formulas and files")
+        whole.update(x=None, y=None, samples=None)
+    return whole
