@@ -1,11 +1,9 @@
 #pragma once
 /// The creases of clear lines.
 
-#include <cstdint>
-#include <vector>
-
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
+#include "scene/creases/find_creases.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "view/projected_scene.hpp"
@@ -15,6 +13,6 @@ namespace ligne {
 /// The edges that a picture has: of exact lines by the crease angle, of clear ones by find_creases(), whose result goes into
 /// `creases`, which must outlive the selection. What clear lines change is counted in `run`.
 EdgeSelection select_edges(const Scene& scene, const Topology& topology, const LineRequest& request, LineClasses classes,
-                           std::vector<std::uint8_t>& creases, RunReport& run);
+                           Creases& creases, RunReport& run);
 
 }  // namespace ligne

@@ -30,7 +30,7 @@ SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const 
   info.scene = scene_facts(scene, topology);
   timed(run.stages, "project", [&] {
     info.placement = place(scene, camera_of(view, scene), page);
-    std::vector<std::uint8_t> creases;
+    Creases creases;
     const EdgeSelection all = select_edges(scene, topology, lines, parse_edges("all"), creases, run);
     ProjectedScene projected = project(scene, topology, info.placement.view, all);
     if (lines.cull) info.culled = cull_back_faces(scene, topology, projected, run);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "contours/contour_strokes.hpp"
+#include "drawing/flecks.hpp"
 #include "drawing/short_bits.hpp"
 #include "picture/clear_creases.hpp"
 #include "picture/clear_intersections.hpp"
@@ -39,8 +40,9 @@ bool draws_contours(const LineRequest& lines) {
 }
 
 /// Clear lines draw the outlines of smooth regions as contours of the shape; their borders are the creases that were found.
-ContourOptions contour_options(const PictureRequest& request, const std::vector<std::uint8_t>& creases) {
-  return {{request.lines.crease_degrees, creases.empty() ? nullptr : &creases}, request.page.pen_width_mm};
+ContourOptions contour_options(const PictureRequest& request, const Creases& creases) {
+  return {{request.lines.crease_degrees, creases.is_crease.empty() ? nullptr : &creases.is_crease},
+          request.page.pen_width_mm};
 }
 
 void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement, RunReport& run) {
@@ -53,15 +55,32 @@ void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement
   }
 }
 
+/// The number of the scan that a stroke belongs to, kNoBody for other objects.
+std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& strokes, const Stroke& s) {
+  const bool is_edge = s.source < strokes.edge_count;
+  const std::uint32_t number = is_edge ? s.source : strokes.intersections[s.source - strokes.edge_count].faces[0];
+  const auto end_of = [&](const ScanObject& scan) { return is_edge ? scan.edge_end : scan.face_end; };
+  const auto scan = std::ranges::upper_bound(scans, number, {}, end_of);
+  if (scan == scans.end() || number < (is_edge ? scan->edge_begin : scan->face_begin)) return kNoBody;
+  return static_cast<std::uint32_t>(scan - scans.begin());
+}
+
 /// Every line once; without gaps that are none on the page, and without bits that are no lines there.
-void tidy(StrokeModel& strokes, const PictureRequest& request, double coincidence, RunReport& run) {
-  constexpr double kLeastInPens = 1.5, kGapInPens = 1;  // a wider gap shows between the round ends of two strokes
+void tidy(StrokeModel& strokes, const PreparedScene& prepared, double coincidence, RunReport& run) {
+  const PictureRequest& request = prepared.request;
+  constexpr double kFleckInPens = 8, kFleckPart = 1.0 / 48;  // adjustable
+  constexpr double kLeastInPens = 1.5, kGapInPens = 1;       // a wider gap shows between the round ends of two strokes
   const double pen_mm = request.page.pen_width_mm;
   const double of_quality = request.lines.quality == Quality::clear ? kLeastInPens * pen_mm : 0;
   const double least_mm = request.lines.least_mm.value_or(of_quality);
   const std::size_t closed = least_mm > 0 ? close_short_gaps(strokes, std::min(least_mm, kGapInPens * pen_mm)) : 0;
   remove_coincident_strokes(strokes, coincidence);
   const std::size_t dropped = least_mm > 0 ? drop_short_bits(strokes, least_mm) : 0;
+  if (of_quality > 0 && least_mm > 0 && !prepared.scans.empty()) {
+    const std::size_t flecks = drop_flecks(strokes, [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); },
+                                           {kFleckInPens * pen_mm, kFleckPart, pen_mm / 2});
+    if (flecks > 0) run.clear.count("flecks of scans left out", flecks);
+  }
   if (closed > 0) run.clear.count("short gaps closed", closed);
   if (dropped > 0) run.clear.count("short bits of lines left out", dropped);
 }
@@ -125,7 +144,7 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
   timed(run.stages, {"project", faces}, [&] {
     prepared.around =
         place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
-    std::vector<std::uint8_t> creases;
+    Creases creases;
     prepared.projected =
         project(scene, prepared.topology, prepared.view(),
                 select_edges(scene, prepared.topology, request.lines, request.lines.studied(), creases, run));
@@ -135,6 +154,7 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
     if (draws_contours(request.lines)) {
       prepared.contours = replace_outlines(scene, prepared.topology, prepared.projected, contour_options(request, creases));
     }
+    prepared.scans = std::move(creases.scans);
     add_lines(prepared.projected, all_lines(prepared.around), LineClass::axes);
   });
   prepared.lights = lights_of(request, scene);
@@ -174,7 +194,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   light_regions(prepared, found.result, run);
   warn_of_empty_or_cut(*found.result.strokes, prepared.around.placement, run);
   timed(run.stages, {"drawing", std::to_string(found.result.strokes->strokes.size()) + " strokes"},
-        [&] { tidy(*found.result.strokes, request, coincidence_mm(prepared.projected), run); });
+        [&] { tidy(*found.result.strokes, prepared, coincidence_mm(prepared.projected), run); });
   if (request.lines.profiles() != ProfileKind::off) {
     timed(run.stages, {"profiles", std::to_string(found.result.strokes->strokes.size()) + " strokes"},
           [&] { add_profiles(*found.result.strokes, prepared, contours); });

@@ -9,6 +9,7 @@
 #include "picture/axes.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
+#include "scene/creases/find_creases.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "view/cull.hpp"
@@ -28,6 +29,7 @@ struct PreparedScene {
   BackFaces back_faces;       ///< left out of `projected`
   std::vector<Light> lights;  ///< that cast shadows
   SmoothContours contours{};  ///< in place of outlines of meshes
+  std::vector<ScanObject> scans{};
 
   const View& view() const { return around.placement.view; }
 };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scene/creases/trace_creases.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
@@ -12,6 +13,7 @@ namespace ligne {
 
 struct Creases {
   std::vector<std::uint8_t> is_crease;  ///< per edge of the topology
+  std::vector<ScanObject> scans;        ///< objects whose creases were traced, in ascending order
 
   // Against the rule that every edge is a crease whose faces bend by more than the angle, or which has more than two faces:
   std::size_t smooth_by_file = 0;   ///< edges left out, since the file says that the surface runs smoothly over them

@@ -321,6 +321,8 @@ TracedCreases trace_creases(const Scene& scene, const Topology& topology, const 
     Tracer tracer(scene, topology, normals, bends, object, static_cast<std::size_t>(begin - edges.begin()),
                   static_cast<std::size_t>(end - edges.begin()));
     if (!tracer.is_even()) continue;
+    sum.scans.push_back({object.face_begin, object.face_end, static_cast<std::uint32_t>(begin - edges.begin()),
+                         static_cast<std::uint32_t>(end - edges.begin())});
     const TracedCreases traced = tracer.run(crease_degrees);
     sum.left_out += traced.left_out;
     sum.continued += traced.continued;

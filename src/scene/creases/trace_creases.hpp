@@ -2,6 +2,7 @@
 /// Creases of scans and remeshed surfaces: lines along ridges instead of the teeth of single triangles.
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -11,9 +12,16 @@
 
 namespace ligne {
 
+/// An object that is meshed like a scan, with its edges in the topology.
+struct ScanObject {
+  std::uint32_t face_begin = 0, face_end = 0;
+  std::uint32_t edge_begin = 0, edge_end = 0;
+};
+
 struct TracedCreases {
-  std::size_t left_out = 0;   ///< edges that bend by more than the crease angle, but lie on no clean line
-  std::size_t continued = 0;  ///< edges that bend by less, and lie on one
+  std::vector<ScanObject> scans;  ///< in ascending order
+  std::size_t left_out = 0;       ///< edges that bend by more than the crease angle, but lie on no clean line
+  std::size_t continued = 0;      ///< edges that bend by less, and lie on one
 };
 
 /// In objects that are evenly meshed all over (docs/clear-lines.md, "Scans"), sets the bends of the edges that lie on no

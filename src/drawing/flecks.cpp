@@ -1,0 +1,189 @@
+#include "drawing/flecks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "drawing/key_table.hpp"
+#include "drawing/stroke_chains.hpp"
+#include "drawing/stroke_index.hpp"
+#include "geometry/disjoint_sets.hpp"
+
+namespace ligne {
+namespace {
+
+/// Of strokes, on the lattice.
+struct Extent {
+  double low_x = std::numeric_limits<double>::max(), low_y = low_x, high_x = -low_x, high_y = -low_x;
+
+  void add(LatticePoint p) {
+    low_x = std::min<double>(low_x, p.x);
+    low_y = std::min<double>(low_y, p.y);
+    high_x = std::max<double>(high_x, p.x);
+    high_y = std::max<double>(high_y, p.y);
+  }
+  double diagonal() const { return std::hypot(high_x - low_x, high_y - low_y); }
+};
+
+double distance(LatticePoint p, const Stroke& s) {
+  const double dx = double(s.to.x) - s.from.x, dy = double(s.to.y) - s.from.y;
+  const double px = double(p.x) - s.from.x, py = double(p.y) - s.from.y;
+  const double square = dx * dx + dy * dy;
+  const double t = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0;
+  return std::hypot(px - t * dx, py - t * dy);
+}
+
+/// Things in cells of a grid; a thing may lie in many.
+class Cells {
+ public:
+  void add(std::uint64_t cell, std::uint32_t thing) {
+    std::uint32_t& first = table_[cell];
+    links_.push_back({thing, first});
+    first = static_cast<std::uint32_t>(links_.size() - 1);
+  }
+  template <class Visit>
+  void visit(std::uint64_t cell, const Visit& visit) const {
+    for (std::uint32_t l = table_.find(cell); l != KeyTable::kNone; l = links_[l].next) visit(links_[l].thing);
+  }
+
+ private:
+  struct Link {
+    std::uint32_t thing, next;
+  };
+  KeyTable table_;
+  std::vector<Link> links_;
+};
+
+/// What ends at, or beside, which of the chains that may be flecks.
+class FleckFinder {
+ public:
+  FleckFinder(const std::vector<Stroke>& strokes, const StrokeChains& chains, std::vector<std::uint8_t> may_be,
+              double touching)
+      : strokes_(strokes),
+        chains_(chains),
+        may_be_(std::move(may_be)),
+        touching_(touching),
+        grid_(2 * touching, touching),
+        clusters_(strokes.size()),
+        held_(strokes.size(), 0),
+        ends_held_(strokes.size(), 0) {
+    for (const std::uint32_t i : chains_.seen()) {
+      if (!may_be_[chains_.chain_of(i)]) continue;
+      const Stroke& s = strokes_[i];
+      along(s.from, s.to, [&](std::uint64_t cell) { fleck_strokes_.add(cell, i); });
+      for (const LatticePoint end : {s.from, s.to}) {
+        if (!chains_.is_free(end)) continue;
+        fleck_ends_.add(grid_.cell_of(end), static_cast<std::uint32_t>(ends_.size()));
+        ends_.push_back({end, chains_.chain_of(i)});
+      }
+    }
+    for (const std::uint32_t i : chains_.seen()) meet(i);
+  }
+
+  /// By chain; only where it may be one.
+  std::vector<std::uint8_t> flecks(double longest) {
+    std::vector<double> length(strokes_.size(), 0);
+    std::vector<std::uint8_t> held(strokes_.size(), 0);
+    std::vector<std::uint32_t> ends_held(strokes_.size(), 0);
+    for (const std::uint32_t i : chains_.seen()) {
+      if (chains_.chain_of(i) != i || !may_be_[i]) continue;
+      const std::uint32_t cluster = clusters_.find(i);
+      length[cluster] += chains_.chain(i).length;
+      held[cluster] |= held_[i];
+      ends_held[cluster] += ends_held_[i];
+    }
+    std::vector<std::uint8_t> found(strokes_.size(), 0);
+    for (const std::uint32_t i : chains_.seen()) {
+      if (chains_.chain_of(i) != i || !may_be_[i]) continue;
+      const std::uint32_t cluster = clusters_.find(i);
+      found[i] = !held[cluster] && ends_held[cluster] < 2 && length[cluster] <= longest;
+    }
+    return found;
+  }
+
+ private:
+  struct End {
+    LatticePoint at;
+    std::uint32_t chain;
+    bool held = false;
+  };
+
+  template <class Visit>
+  void along(LatticePoint from, LatticePoint to, const Visit& visit) const {
+    grid_.walk(from, to, [&](std::uint64_t cell) {
+      visit(cell);
+      return false;
+    });
+  }
+
+  void meet(std::uint32_t i) {
+    const Stroke& s = strokes_[i];
+    const std::uint32_t chain = chains_.chain_of(i);
+    along(s.from, s.to, [&](std::uint64_t cell) {
+      fleck_ends_.visit(cell, [&](std::uint32_t e) {
+        End& end = ends_[e];
+        if (end.held || end.chain == chain || distance(end.at, s) > touching_) return;
+        if (may_be_[chain]) {
+          clusters_.join(chain, end.chain);
+        } else {
+          end.held = true;
+          ++ends_held_[end.chain];
+        }
+      });
+    });
+    for (const LatticePoint end : {s.from, s.to}) {
+      if (may_be_[chain] || !chains_.is_free(end)) continue;
+      fleck_strokes_.visit(grid_.cell_of(end), [&](std::uint32_t f) {
+        if (distance(end, strokes_[f]) <= touching_) held_[chains_.chain_of(f)] = 1;
+      });
+    }
+  }
+
+  const std::vector<Stroke>& strokes_;
+  const StrokeChains& chains_;
+  std::vector<std::uint8_t> may_be_;  ///< by chain, as all of the following
+  double touching_;
+  SegmentGrid grid_;
+  DisjointSets clusters_;
+  std::vector<std::uint8_t> held_;       ///< a line ends on it
+  std::vector<std::uint8_t> ends_held_;  ///< of its ends, those that lie on lines
+  std::vector<End> ends_;
+  Cells fleck_strokes_, fleck_ends_;
+};
+
+}  // namespace
+
+std::size_t drop_flecks(StrokeModel& model, const std::function<std::uint32_t(const Stroke&)>& body_of,
+                        const FleckLimits& limits) {
+  std::vector<Stroke>& strokes = model.strokes;
+  const double step = model.lattice.step_mm;
+  const StrokeChains chains(strokes);
+  std::vector<Extent> extents;
+  std::vector<std::uint32_t> body(strokes.size(), kNoBody);  // by chain
+  std::vector<std::uint8_t> may_be(strokes.size(), 1);       // by chain
+  for (const std::uint32_t i : chains.seen()) {
+    const std::uint32_t b = body_of(strokes[i]), chain = chains.chain_of(i);
+    body[chain] = b;
+    if (b == kNoBody || strokes[i].line_class != LineClass::outline) may_be[chain] = 0;
+    if (b == kNoBody) continue;
+    if (b >= extents.size()) extents.resize(b + 1);
+    extents[b].add(strokes[i].from);
+    extents[b].add(strokes[i].to);
+  }
+  if (extents.empty()) return 0;
+  bool any = false;
+  for (const std::uint32_t i : chains.seen()) {
+    if (chains.chain_of(i) != i || !may_be[i]) continue;
+    const StrokeChains::Chain& chain = chains.chain(i);
+    may_be[i] = chain.free_ends == 2 &&
+                chain.length <= std::min(limits.longest_mm / step, limits.body_part * extents[body[i]].diagonal());
+    any |= may_be[i];
+  }
+  if (!any) return 0;
+  FleckFinder finder(strokes, chains, std::move(may_be), limits.touching_mm / step);
+  const std::vector<std::uint8_t> flecks = finder.flecks(limits.longest_mm / step);
+  return leave_out(strokes, chains, [&](std::uint32_t chain) { return flecks[chain] != 0; });
+}
+
+}  // namespace ligne

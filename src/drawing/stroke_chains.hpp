@@ -1,0 +1,75 @@
+#pragma once
+/// Visible strokes that continue each other on the page.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "drawing/key_table.hpp"
+#include "drawing/stroke.hpp"
+
+namespace ligne {
+
+/// Seen directly, not only through glass.
+inline bool is_seen(const Stroke& s) { return s.visible && s.level == 0; }
+
+/// Of the scene's edges; lines of surfaces and axes are as they are.
+inline bool is_edge(const Stroke& s) { return static_cast<std::size_t>(s.line_class) < kEdgeClassCount; }
+
+inline bool any_hidden(const std::vector<Stroke>& strokes) {
+  return std::ranges::any_of(strokes, [](const Stroke& s) { return !s.visible; });
+}
+
+/// Of a stroke on the page, lattice steps.
+double page_length(const Stroke& s);
+
+/// The strokes that are seen, in chains: strokes continue each other where two of them end and no third one does.
+class StrokeChains {
+ public:
+  struct Chain {
+    double length = 0;           ///< lattice steps
+    std::uint8_t free_ends = 0;  ///< at which no other stroke ends
+    std::uint8_t cut_ends = 0;   ///< of those, where the source goes on: visibility ends the stroke there
+  };
+
+  /// O(n).
+  explicit StrokeChains(const std::vector<Stroke>& strokes);
+
+  /// The strokes that are seen, in ascending order.
+  const std::vector<std::uint32_t>& seen() const { return seen_; }
+  /// The lowest stroke of the chain of a stroke that is seen stands for the chain.
+  std::uint32_t chain_of(std::uint32_t stroke) const { return chain_of_[stroke]; }
+  const Chain& chain(std::uint32_t lowest) const { return chains_[lowest]; }
+  /// No other stroke that is seen ends where this one does.
+  bool is_free(LatticePoint end) const { return nodes_[table_.find(KeyTable::key(end))].count == 1; }
+
+ private:
+  /// A place where strokes end.
+  struct Node {
+    std::uint32_t count = 0, first = 0, second = 0;
+  };
+
+  std::vector<std::uint32_t> seen_, chain_of_;
+  std::vector<Chain> chains_;
+  KeyTable table_;
+  std::vector<Node> nodes_;
+};
+
+/// Hides the chains for which is_left_out(lowest stroke) holds; where no stroke is hidden, takes them out. Returns their
+/// number. O(n).
+template <class IsLeftOut>
+std::size_t leave_out(std::vector<Stroke>& strokes, const StrokeChains& chains, const IsLeftOut& is_left_out) {
+  const bool hidden_too = any_hidden(strokes);
+  std::size_t count = 0;
+  for (const std::uint32_t i : chains.seen()) {
+    const std::uint32_t lowest = chains.chain_of(i);
+    if (!is_left_out(lowest)) continue;
+    count += lowest == i;
+    strokes[i].visible = false;
+  }
+  if (!hidden_too) std::erase_if(strokes, [](const Stroke& s) { return !s.visible; });
+  return count;
+}
+
+}  // namespace ligne
