@@ -313,7 +313,7 @@ class ContourSweep {
 
 SweptContours sweep_contours(const std::vector<Point2>& positions, std::vector<SweepEdge> edges) {
   SweptContours swept;
-  for (bool first = true;; first = false) {
+  for ([[maybe_unused]] bool first = true;; first = false) {
     edges = merge_equal(positions.size(), edges);
     ContourSweep sweep(positions, edges);
     sweep.run();

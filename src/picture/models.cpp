@@ -187,8 +187,7 @@ namespace {
 /// Throws RequestError where a pen is for a material that the scene does not have.
 void require_materials(const Scene& scene, const PenTable& pens) {
   for (const auto& [asked, number] : pens.pen_of_material) {
-    const auto is_it = [&](const Material& material) { return material.name == asked; };
-    if (std::any_of(scene.materials.begin(), scene.materials.end(), is_it)) continue;
+    if (std::ranges::find(scene.materials, asked, &Material::name) != scene.materials.end()) continue;
     constexpr std::size_t kMostListed = 20;
     std::string list;
     for (std::size_t i = 0; i < std::min(scene.materials.size(), kMostListed); ++i)
