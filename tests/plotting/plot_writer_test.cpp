@@ -159,6 +159,22 @@ INSTANTIATE_TEST_SUITE_P(Devices, EveryPlotter, testing::ValuesIn(plotters()), [
   return name;
 });
 
+TEST(Devices, ThatTakeSvgWriteTheirGoldens) {
+  std::size_t count = 0;
+  for (const Device& device : devices()) {
+    if (device.language != DeviceLanguage::svg) continue;
+    Written w = written(device, plotter_drawing(), true, true);
+    for (PenLines& pen : w.plot.pens) {
+      for (Point2& p : pen.lines.points) p = w.frame.fitted(p);
+    }
+    PlotOptions options;
+    options.style = styles_of(w.plot);
+    expect_golden("plot-" + device.name + ".svg", write_svg(drawing_of(w.plot), options));
+    ++count;
+  }
+  EXPECT_EQ(count, 7u);
+}
+
 TEST(Devices, AreTheOnesThatAreOwed) {
   for (const char* name :
        {"hp7475a", "hp7550a", "designjet", "cutter", "axidraw-v3", "grbl-servo", "grbl-servo-reversed", "grbl-z"}) {
