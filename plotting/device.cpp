@@ -123,6 +123,16 @@ const Device* find_device(std::string_view name) {
   return nullptr;
 }
 
+const DevicePlace* find_place(const Device& device, std::string_view name) {
+  const auto found = std::ranges::find(device.places, name, &DevicePlace::name);
+  return found == device.places.end() ? nullptr : &*found;
+}
+
+const DeviceAction* find_action(const Device& device, std::string_view name) {
+  const auto found = std::ranges::find(device.actions, name, &DeviceAction::name);
+  return found == device.actions.end() ? nullptr : &*found;
+}
+
 DeviceFrame place_on_device(const Device& device, const Page& page, const Rect& ink, bool fit) {
   DeviceFrame frame;
   const bool stands = page.height_mm > page.width_mm;

@@ -26,6 +26,19 @@ struct DevicePaper {
   std::string note;
 };
 
+/// A point of the machine that has a name, in mm as the device counts them.
+struct DevicePlace {
+  std::string name;
+  Point2 at_mm{0, 0};
+};
+
+/// What the machine can do between strokes, the pen raised: dip a brush, wait. "pause" is what it does between parts.
+struct DeviceAction {
+  std::string name;
+  std::string place;  ///< where; empty: where it stands
+  std::vector<std::string> commands;
+};
+
 /// Texts may hold {names}, which the writers replace: docs/plotting.md.
 struct Device {
   std::string name, title, note;
@@ -40,7 +53,9 @@ struct Device {
   std::vector<std::string> begin, end, up, down, pen_change;
   std::string pen_select, travel, draw, dot, velocity, delay;
   std::size_t points_per_command = 0;  ///< 0: any number
-  bool returns = false;                ///< the pen goes back to (0, 0) at the end
+  std::vector<DevicePlace> places;
+  std::vector<DeviceAction> actions;
+  bool returns = false;  ///< the pen goes back to (0, 0) at the end
   double down_mm_s = 0, up_mm_s = 0, lift_s = 0, pen_change_s = 0;
 };
 
@@ -49,6 +64,8 @@ const std::vector<Device>& devices();
 
 /// nullptr when there is none of that name.
 const Device* find_device(std::string_view name);
+const DevicePlace* find_place(const Device& device, std::string_view name);
+const DeviceAction* find_action(const Device& device, std::string_view name);
 
 /// A device of one's own. Throws std::runtime_error, "FILE:LINE: what is wrong".
 Device read_device(std::string_view toml, const std::string& file);

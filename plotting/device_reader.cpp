@@ -76,6 +76,27 @@ DevicePaper read_paper(const TomlTable& table) {
   return paper;
 }
 
+DevicePlace read_place(const TomlTable& table) {
+  table.only({"name", "at"});
+  DevicePlace place{required_text(table, "name"), {}};
+  const auto at = table.numbers("at", 2);
+  if (!at) table.fail("there is no at [x, y]");
+  place.at_mm = {(*at)[0], (*at)[1]};
+  if (!is_within(place.at_mm, kFarthestOriginMm)) table.fail("the place is farther than a kilometre away", table.find("at"));
+  return place;
+}
+
+DeviceAction read_action(const TomlTable& table, const Device& device) {
+  constexpr std::string_view kFeeds[] = {"feed", "z_feed"};
+  table.only({"name", "at", "commands"});
+  DeviceAction action{required_text(table, "name"), table.text("at").value_or(""), table.texts("commands")};
+  if (!action.place.empty() && !find_place(device, action.place))
+    table.fail("there is no [[place]] " + printable(action.place), table.find("at"));
+  if (action.commands.empty()) table.fail("there are no commands");
+  for (const std::string& command : action.commands) check_placeholders(table, "commands", command, kFeeds);
+  return action;
+}
+
 /// A command of a device file, and what may stand in braces in it; plot_writer.cpp replaces it.
 struct DeviceCommand {
   std::string_view key;
@@ -160,34 +181,12 @@ void read_commands(const TomlTable& table, Device& device) {
 Device read_device(std::string_view toml, const std::string& file) {
   const toml::table parsed = parse_toml(toml, file);
   const TomlTable table(parsed, file);
-  table.only({"name",
-              "title",
-              "note",
-              "language",
-              "step",
-              "pens",
-              "rotation",
-              "turn",
-              "y_down",
-              "limits",
-              "paper",
-              "begin",
-              "end",
-              "up",
-              "down",
-              "pen_change",
-              "pen_select",
-              "travel",
-              "draw",
-              "dot",
-              "velocity",
-              "delay",
-              "points_per_command",
-              "returns",
-              "speed_down",
-              "speed_up",
-              "lift_seconds",
-              "pen_change_seconds"});
+  table.only({"name",    "title",      "note",       "language",     "step",
+              "pens",    "rotation",   "turn",       "y_down",       "limits",
+              "paper",   "place",      "action",     "begin",        "end",
+              "up",      "down",       "pen_change", "pen_select",   "travel",
+              "draw",    "dot",        "velocity",   "delay",        "points_per_command",
+              "returns", "speed_down", "speed_up",   "lift_seconds", "pen_change_seconds"});
   Device device;
   device.name = required_text(table, "name");
   device.title = required_text(table, "title");
@@ -207,6 +206,8 @@ Device read_device(std::string_view toml, const std::string& file) {
   for (const TomlTable& paper : table.tables("paper")) device.papers.push_back(read_paper(paper));
   if (device.papers.empty()) device.limits_mm = read_limits(table);
   if (!device.papers.empty() && table.has("limits")) table.fail("limits are those of the papers", table.find("limits"));
+  for (const TomlTable& place : table.tables("place")) device.places.push_back(read_place(place));
+  for (const TomlTable& action : table.tables("action")) device.actions.push_back(read_action(action, device));
   read_commands(table, device);
   read_speeds(table, device);
   return device;

@@ -69,6 +69,7 @@ struct FillReading {
   How how = How::outline;      ///< or they are refused, or contours are drawn and strokes inside
   double pen_width_mm = 0.35;  ///< of the pen that hatches
   bool occlude = false;        ///< opaque areas of every colour hide what lies under them
+  bool own_layer = false;      ///< areas hide only what is in their layer
   FillHatches hatches{};
 };
 inline constexpr std::string_view kFillReadingNames[] = {"refuse", "outline", "hatch"};

@@ -28,6 +28,8 @@ struct PenLines {
   Polylines lines;
   std::vector<StrokeLook> looks{};       ///< where strokes do not all look like their pen
   std::vector<std::uint32_t> look_of{};  ///< with `looks`: of each stroke the index of its own
+  std::vector<std::uint32_t> actions{};  ///< strokes before which the machine does its action, ascending (plot_parts.hpp)
+  std::vector<std::uint32_t> pauses{};   ///< strokes before which it waits, ascending
 };
 
 /// Pens in the order in which they are used, by number. One is there several times where layers give it other settings,

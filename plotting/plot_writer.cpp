@@ -60,7 +60,8 @@ std::string comment(const std::string& name) {
 
 class PlotWriter {
  public:
-  PlotWriter(const Device& device, const DeviceFrame& frame) : device_(device), frame_(frame) {}
+  PlotWriter(const Device& device, const DeviceFrame& frame, const PlotStops& stops)
+      : device_(device), frame_(frame), stops_(stops) {}
 
   std::string write(const Plot& plot) {
     lines(device_.begin, {{"paper", frame_.paper ? frame_.paper->select : std::string_view{}}});
@@ -70,7 +71,11 @@ class PlotWriter {
       if (pen.pen.skip) continue;
       begin_pen(pen.pen, held);
       held = &pen.pen;
-      for (std::size_t i = 0; i < pen.lines.size(); ++i) stroke(pen.lines[i]);
+      for (std::size_t i = 0; i < pen.lines.size(); ++i) {
+        if (std::ranges::binary_search(pen.pauses, i)) act(find_action(device_, "pause"));
+        if (std::ranges::binary_search(pen.actions, i)) act(stops_.action);
+        stroke(pen.lines[i]);
+      }
     }
     lines(device_.end, {});
     return std::move(out_);
@@ -88,9 +93,18 @@ class PlotWriter {
     if (device_.language == DeviceLanguage::hpgl) return std::to_string(units);
     return number(static_cast<double>(units) * device_.step_mm, kDecimals);
   }
-  Unit unit(Point2 page) const {
-    const Point2 mm = frame_.to_device(page);
-    return {std::llround(mm.x / device_.step_mm), std::llround(mm.y / device_.step_mm)};
+  Unit unit(Point2 page) const { return unit_of(frame_.to_device(page)); }
+  Unit unit_of(Point2 mm) const { return {std::llround(mm.x / device_.step_mm), std::llround(mm.y / device_.step_mm)}; }
+
+  void go_to(const DevicePlace* place) {
+    if (!place) return;
+    const Unit at = unit_of(place->at_mm);
+    line(device_.travel, {{"x", coordinate(at.x)}, {"y", coordinate(at.y)}});
+  }
+  void act(const DeviceAction* action) {
+    if (!action) return;
+    go_to(find_place(device_, action->place));
+    lines(action->commands, {{"feed", feed_}, {"z_feed", feed_}});
   }
 
   void begin_pen(const Pen& pen, const Pen* held);
@@ -101,6 +115,7 @@ class PlotWriter {
 
   const Device& device_;
   const DeviceFrame& frame_;
+  const PlotStops stops_;
   std::string out_, feed_, z_feed_;
   std::vector<Unit> units_;
 };
@@ -117,6 +132,7 @@ void PlotWriter::begin_pen(const Pen& pen, const Pen* held) {
   const std::string pen_number = std::to_string(pen.number), name = comment(pen.name),
                     width = number(pen.width_mm.value_or(0), 2);
   const bool changes = !held || held->number != pen.number;
+  if (held && changes) go_to(stops_.park);
   if ((held && changes) || pen.pause) lines(device_.pen_change, {{"pen", pen_number}, {"name", name}});
   if (changes) line(device_.pen_select, {{"pen", pen_number}, {"width", width}});
   if (pen.delay_ms) line(device_.delay, {{"seconds", number(*pen.delay_ms / 1000.0, kDecimals)}});
@@ -161,8 +177,8 @@ void PlotWriter::draw_points() {
 
 }  // namespace
 
-std::string write_plot(const Plot& plot, const Device& device, const DeviceFrame& frame) {
-  return PlotWriter(device, frame).write(plot);
+std::string write_plot(const Plot& plot, const Device& device, const DeviceFrame& frame, const PlotStops& stops) {
+  return PlotWriter(device, frame, stops).write(plot);
 }
 
 }  // namespace ligne

@@ -7,9 +7,15 @@
 
 namespace ligne {
 
+/// What a machine does beside drawing: at the strokes of PenLines::actions, and where it goes when pens are changed.
+struct PlotStops {
+  const DeviceAction* action = nullptr;
+  const DevicePlace* park = nullptr;
+};
+
 /// HPGL or G-code, by the device's language, with the commands that the device's description tells. Throws
 /// std::runtime_error when a pen has a number that the device does not hold. Pens that are to be skipped are left out.
-std::string write_plot(const Plot& plot, const Device& device, const DeviceFrame& frame);
+std::string write_plot(const Plot& plot, const Device& device, const DeviceFrame& frame, const PlotStops& stops = {});
 
 /// The plot as a drawing with a layer for every pen, named as layer_label names it, and the style of these layers for
 /// PlotOptions::style.

@@ -83,6 +83,7 @@ void SvgReader::add_lines(const Polylines& given, const Context& context, const 
   PaintedLines& target = layer_of(context.layer.empty() ? color : context.layer, color, width_mm);
   if (target.layer.lines.points.size() + lines.points.size() > kMostPoints)
     throw std::invalid_argument("the drawing has more than fifty million points");
+  target.in_layer = context.layer;
   append(target.layer.lines, lines);
   target.painted.resize(target.layer.lines.size(), painted_);
 }
@@ -93,14 +94,20 @@ void SvgReader::hide(const Polylines& contours, const Context& context) {
   clip_points_ += contours.points.size();
   if (clip_points_ > kMostPoints) throw std::invalid_argument("has areas of more than fifty million points");
   const FillRule rule = context.style.fill_even_odd ? FillRule::even_odd : FillRule::nonzero;
-  occluders_.push_back({Area(contours, rule, clip_work_), context.clip, painted_});
+  occluders_.push_back({Area(contours, rule, clip_work_), context.clip, painted_, context.layer});
 }
 
 void SvgReader::remove_hidden() {
   if (occluders_.empty()) return;
-  Occluders occluders(occluders_);
-  for (std::vector<PaintedLines>& parts : layers_) {
-    for (PaintedLines& part : parts) occluders.remove_hidden(part.layer.lines, part.painted);
+  std::map<std::string, std::vector<Occluder>> by_layer;  // all in one where they hide across layers
+  for (Occluder& occluder : occluders_) by_layer[fills_.own_layer ? occluder.layer : ""].push_back(std::move(occluder));
+  for (const auto& [layer, areas] : by_layer) {
+    Occluders occluders(areas);
+    for (std::vector<PaintedLines>& parts : layers_) {
+      for (PaintedLines& part : parts) {
+        if (!fills_.own_layer || part.in_layer == layer) occluders.remove_hidden(part.layer.lines, part.painted);
+      }
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "plotting/svg/clip.hpp"
@@ -15,6 +16,7 @@ struct Occluder {
   Area area;
   std::shared_ptr<const Clip> clip;  ///< nullptr: all of it
   std::uint32_t painted = 0;         ///< it hides what was painted before that
+  std::string layer{};               ///< the document's that it is in, or empty
 };
 
 /// Which occluders lie where.

@@ -38,6 +38,7 @@ struct Context {
 struct PaintedLines {
   Layer layer;
   std::vector<std::uint32_t> painted;
+  std::string in_layer{};  ///< of the document, or empty
 };
 
 class SvgReader {

@@ -8,6 +8,7 @@
 #include "bindings/drawing.hpp"
 #include "bindings/values.hpp"
 #include "picture/errors.hpp"
+#include "picture/frame_names.hpp"
 #include "picture/parse.hpp"
 #include "picture/parse_options.hpp"
 #include "picture/parse_plot.hpp"
@@ -63,11 +64,23 @@ const std::map<std::string, Setter, std::less<>>& setters() {
       {"fill", text(parse_fill_reading, LIGNE_FIELD(fills))},
       {"min-length", text([](const std::string& t) { return parse_length_mm(t); }, LIGNE_FIELD(plotter.min_length_mm))},
       {"occlude",
-       [](PlotDrawingRequest& plot, const std::string& name, py::handle value) { plot.occlude = flag_of(name, value); }},
+       [](PlotDrawingRequest& plot, const std::string& name, py::handle value) {
+         plot.own_layer = !PyBool_Check(value.ptr()) && parse_own_layer(text_of(name, value));
+         plot.occlude = !PyBool_Check(value.ptr()) || flag_of(name, value);
+       }},
       {"hatch", hatches([](FillHatches& all, const std::string& tone) { all.all.tone = parse_fill_tone(tone); })},
       {"hatch-spacing", hatches(add_hatch_spacing)},
       {"hatch-angle", hatches(add_hatch_angle)},
       {"hatch-cross", set_cross},
+      {"split", text(parse_split, LIGNE_FIELD(plotter.parts.split))},
+      {"from-stroke", text(parse_stroke_number, LIGNE_FIELD(plotter.parts.from_stroke))},
+      {"from-time", text(parse_duration_s, LIGNE_FIELD(plotter.parts.from_seconds))},
+      {"every", text(parse_way_mm, LIGNE_FIELD(plotter.parts.every_mm))},
+      {"do", text(parse_file_name, LIGNE_FIELD(plotter.parts.action))},
+      {"park", text(parse_file_name, LIGNE_FIELD(plotter.parts.park))},
+      {"tile", text(parse_page_size, LIGNE_FIELD(tile), 'x')},
+      {"overlap", text(parse_min_length, LIGNE_FIELD(overlap_mm))},
+      {"grid", text(parse_grid, LIGNE_FIELD(grid), 'x')},
   };
 #undef LIGNE_FIELD
   return table;
@@ -91,40 +104,51 @@ PlotDrawingRequest plot_request(const py::dict& keywords, Options& options, RunR
   plot.format = options.picture.output.format;
   plot.dpi = options.picture.output.dpi;
   plot.memory = options.picture.memory;
-  check(plot);
   options.plotter.request.min_length_mm = plot.plotter.min_length_mm;
+  options.plotter.request.parts = plot.plotter.parts;
   plot.plotter = plotter_request(options.plotter, plot.format, run.files);
+  check(plot);
+  if (plot.plotter.parts.every_mm.has_value() == plot.plotter.parts.action.empty())
+    throw RequestError("every", "goes with do, the name of an action");
   return plot;
 }
 
-/// (bytes, report, warnings, times as JSON). `text`: of the drawing, or None: it is read from the file of that name.
-py::tuple plot(const std::string& name, const py::object& text, const std::string& file, const py::dict& keywords) {
+/// (files, report, warnings, times as JSON). The drawings are (name, text), or (name, None): read from the file of that
+/// name. The files are (name, bytes) where no file is named, and (name, nothing) where they are written.
+py::tuple plot(const std::vector<std::pair<std::string, std::optional<std::string>>>& drawings, const std::string& file,
+               const py::dict& keywords) {
   RunReport report;
   Options options;
-  const PlotDrawingRequest request = plot_request(file.empty() ? keywords : with_format(keywords, file), options, report);
-  DrawingText drawing{name, text.is_none() ? std::string() : text.cast<std::string>()};
+  PlotDrawingRequest request = plot_request(file.empty() ? keywords : with_format(keywords, file), options, report);
+  // Without a file the caller takes as many as there are.
+  const bool numbered = file.empty() || has_number_place(file);
+  request.plotter.parts.split_files = numbered;
+  request.plotter.parts.pen_files = has_number_place(file, 'p');
+  if (request.tile && !numbered && request.format != OutputFormat::pdf)
+    throw RequestError("file", "the sheets need a place for their number: name%d; only a PDF holds them all");
   Picture picture;
-  const bool from_file = text.is_none();
   run(py::none(), options.threads, [&](const Progress&) {
-    if (from_file) drawing = read_drawing_text(name, report.files);
-    picture = plot_drawing(drawing, request, report);
+    std::vector<DrawingText> texts;
+    for (const auto& [name, text] : drawings)
+      texts.push_back(text ? DrawingText{name, *text} : read_drawing_text(name, report.files));
+    picture = plot_drawings(texts, request, !file.empty() && numbered, report);
+    if (picture.parts.empty()) picture.parts.push_back({std::move(picture.bytes), 0, 0});
     if (file.empty()) return;
     OutputFiles files;
-    files.add(file, std::move(picture.bytes));
+    for (PicturePart& part : picture.parts) files.add(name_of(file, part), std::exchange(part.bytes, {}));
     if (!options.preview.empty()) files.add(options.preview, std::move(picture.preview));
     files.commit();
   });
-  py::list warnings;
+  py::list files, warnings;
+  for (const PicturePart& part : picture.parts) files.append(py::make_tuple(name_of(file, part), py::bytes(part.bytes)));
   for (const RunWarning& warning : report.warnings) {
     warnings.append(warning.place.empty() ? warning.text : warning.place + ": " + warning.text);
   }
-  return py::make_tuple(py::bytes(picture.bytes), picture.plotter_report, warnings, report_json(report));
+  return py::make_tuple(files, picture.plotter_report, warnings, report_json(report));
 }
 
 }  // namespace
 
-void add_plot(py::module_& module) {
-  module.def("plot", &plot, py::arg("name"), py::arg("text"), py::arg("file"), py::arg("options"));
-}
+void add_plot(py::module_& module) { module.def("plot", &plot, py::arg("drawings"), py::arg("file"), py::arg("options")); }
 
 }  // namespace ligne::python

@@ -18,7 +18,9 @@ Named = Union[str, float, Sequence[str], Dict[str, Any], None]
 class Plotted:
     """What plot() gives."""
 
-    data: bytes  #: of the file, where none is written
+    data: bytes  #: of the file, where none is written; of the first, where there are several
+    files: List[str]  #: names of the files that were written
+    parts: List[bytes]  #: of all files, where none is written
     report: str  #: table of strokes, lengths, lifts and time before and after, with report=True
     warnings: List[str]  #: what of the drawing is left out or not as it was, a line each
     statistics: Dict[str, Any]  #: times of the stages in seconds
@@ -28,13 +30,13 @@ class Plotted:
 
 
 def plot(
-    drawing: Union[Path, bytes, Drawing],
+    drawing: Union[Path, bytes, Drawing, Sequence[Union[Path, bytes, Drawing]]],
     file: Optional[Path] = None,
     *,
     skip: Union[str, Sequence[str], None] = None,
     fill: Optional[str] = None,
     min_length: Length = 0,
-    occlude: bool = False,
+    occlude: Union[bool, str] = False,
     hatch: Optional[str] = None,
     hatch_spacing: Named = None,
     hatch_angle: Named = None,
@@ -46,6 +48,15 @@ def plot(
     pen_width: Optional[Length] = None,
     width: Union[str, Dict[str, Length], None] = None,
     scale: str = "1:1",
+    tile: Union[str, Tuple[float, float], None] = None,
+    overlap: Length = 5,
+    grid: Union[str, Tuple[int, int], None] = None,
+    split: Optional[str] = None,
+    from_stroke: int = 1,
+    from_time: Optional[str] = None,
+    every: Optional[Length] = None,
+    do: Optional[str] = None,
+    park: Optional[str] = None,
     format: Optional[str] = None,
     dpi: float = 150,
     device: Optional[str] = None,
@@ -63,23 +74,30 @@ def plot(
 ) -> Plotted:
     """Makes a drawing ready for pens and plotters: strokes joined, drawn once and ordered.
 
-    drawing: a file, SVG or ligne-drawing JSON; the bytes of one; or a Drawing.
-    file: svg, pdf, png, hpgl or gcode by the suffix or `format`; None: Plotted.data holds the bytes, of an SVG unless
-        `format` says otherwise.
+    drawing: a file, SVG or ligne-drawing JSON; the bytes of one; or a Drawing; or several for the cells of a `grid`.
+    file: svg, pdf, png, hpgl or gcode by the suffix or `format`; "%d" and "%p" are the numbers of the part and of the pen.
+        None: Plotted.data holds the bytes, of an SVG unless `format` says otherwise, and Plotted.parts those of all files.
     hatch_spacing, hatch_angle: of all fills, or {"layer or colour": value}; hatch_cross: True, or names of such.
 
     All others are the options of `ligne plot`, with the same defaults (docs/options.md). Raises RequestError, InputError,
     MemoryLimitError.
     """
     options = arguments(locals(), "drawing", "file")
-    name, text = "drawing", None
+    drawings = drawing if isinstance(drawing, (list, tuple)) else [drawing]
+    if not drawings:
+        raise _core.RequestError("drawing: there is none")
+    files, table, warnings, statistics = _core.plot([_named(one) for one in drawings], file_name(file), options)
+    written = [] if file is None else [name for name, _ in files]
+    data = [content for _, content in files] if file is None else []
+    return Plotted(data[0] if data else b"", written, data, table, warnings, json.loads(statistics))
+
+
+def _named(drawing: Any) -> Tuple[str, Optional[bytes]]:
+    """The name of a file, or a text with the name that stands for it in messages."""
     if isinstance(drawing, Drawing):
-        text = drawing.to_bytes("json")
-    elif isinstance(drawing, (bytes, bytearray)):
-        text = bytes(drawing)
-    elif isinstance(drawing, (str, os.PathLike)):
-        name = os.fspath(drawing)
-    else:
-        raise _core.RequestError(f"drawing: {type(drawing).__name__} is neither a file, bytes nor a Drawing")
-    data, table, warnings, statistics = _core.plot(name, text, file_name(file), options)
-    return Plotted(data, table, warnings, json.loads(statistics))
+        return "drawing", drawing.to_bytes("json")
+    if isinstance(drawing, (bytes, bytearray)):
+        return "drawing", bytes(drawing)
+    if isinstance(drawing, (str, os.PathLike)):
+        return os.fspath(drawing), None
+    raise _core.RequestError(f"drawing: {type(drawing).__name__} is neither a file, bytes nor a Drawing")

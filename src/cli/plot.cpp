@@ -1,9 +1,11 @@
 #include "cli/plot.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
+#include "picture/frame_names.hpp"
 #include "picture/parse.hpp"
 #include "picture/parse_options.hpp"
 #include "picture/parse_plot.hpp"
@@ -14,6 +16,8 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   ligne plot sombrero.svg --device hp7475a --report -o sombrero.hpgl
   ligne plot gearbox.json --pen outline=1,black,0.5 --pen rest=2,blue,0.25 -o gearbox.gcode
+  ligne plot long.svg --device grbl-servo --split time=30min -o 'part%d.gcode'
+  ligne plot a.svg b.svg --grid 2x1 --page A4 -o both.svg
   ligne plot poster.svg --page A3 --scale fit --preview way.svg -o poster-ready.svg)";
 
 void add_placing_options(CLI::App& app, PlotDrawingRequest& options) {
@@ -59,28 +63,69 @@ void add_fill_hatch_options(CLI::App& app, PlotDrawingRequest& request) {
                           "a second family of strokes across the first, for all fills or a layer or colour");
 }
 
+void add_part_options(CLI::App& app, LongPlotRequest& parts) {
+  OptionGroup group(app, "Long plots");
+  group.add(
+      "--split", "time|distance|lifts=N", parts.split, parse_split,
+      "in parts of time=30min, distance=3m of drawn lines, or lifts=200: files -o part%d.gcode, or pauses in one file");
+  group.add("--from-stroke", "N", parts.from_stroke, parse_stroke_number, "begin with the Nth stroke of the plot")
+      .standard("1");
+  group.add("--from-time", "TIME", parts.from_seconds, parse_duration_s,
+            "begin with the stroke that would be drawn at that time: 90s, 30min, 12:30");
+  const Option every = group.add("--every", "LEN", parts.every_mm, parse_way_mm,
+                                 "an action of the device, at the beginning and before more than LEN is drawn: 3m");
+  const Option action =
+      group.add("--do", "NAME", parts.action, parse_file_name, "the action, as the device names it: dip, pause");
+  group.add("--park", "NAME", parts.park, parse_file_name, "where pens are changed, as the device names it: home");
+  every.needs(action);
+  action.needs(every);
+}
+
+void add_sheet_options(CLI::App& app, PlotDrawingRequest& request) {
+  OptionGroup group(app, "Page");
+  const Option tile = group.add("--tile", "SIZE", request.tile, parse_page_size,
+                                "cut the page into sheets of that size: files -o sheet%d.svg, or pages of a PDF");
+  group.add("--overlap", "LEN", request.overlap_mm, parse_min_length, "what neighbouring sheets have in common")
+      .standard("5mm")
+      .needs(tile);
+  group.add("--grid", "CxR", request.grid, parse_grid, "columns and rows: several drawings on one sheet");
+}
+
 void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
+  const std::string& output = *options.output.file;
   RunFiles files;
-  files.will_write("--output", *options.output.file);
+  files.will_write("--output", output);
   files.will_write("--preview", options.plotter.preview);
   files.will_write("--stats-json", options.run.stats_json);
   PlotDrawingRequest request = options.request;
   request.format = format_of(options.output);
   request.memory = memory;
-  check(request);
+  request.occlude = !options.occlude.empty();
+  try {
+    request.own_layer = request.occlude && options.occlude != "true" && parse_own_layer(options.occlude);
+  } catch (const std::invalid_argument& e) {
+    throw UsageError("--occlude", e.what());
+  }
   RunReport run;
   request.plotter = plotter_request(options.plotter.choice, request.format, run.files);
-  const DrawingText drawing = read_drawing_text(options.drawing, run.files);
+  const bool numbered = has_number_place(output);
+  request.plotter.parts.split_files = numbered;
+  request.plotter.parts.pen_files = has_number_place(output, 'p');
+  check(request);
+  if (request.tile && !numbered && request.format != OutputFormat::pdf)
+    throw UsageError("--output", "the sheets need a place for their number: name%d; only a PDF holds them all");
+  std::vector<DrawingText> drawings;
+  for (const std::string& file : options.drawings) drawings.push_back(read_drawing_text(file, run.files));
   files.were_read(run.files);
-  Picture picture = plot_drawing(drawing, request, run);
-  deliver(std::move(picture), *options.output.file, options.plotter.preview, options.drawing, options.run, run, files);
+  Picture picture = plot_drawings(drawings, request, numbered, run);
+  deliver(std::move(picture), output, options.plotter.preview, options.drawings.front(), options.run, run, files);
 }
 
 }  // namespace
 
 void setup_plot(CLI::App& app, PlotCommandOptions& options) {
   CLI::App& plot = *add_command(app, "plot", "A drawing (JSON or SVG) made ready for pens and plotters", kExamples);
-  add_argument(plot, "DRAWING", options.drawing, "ligne-drawing JSON, or an SVG of strokes");
+  add_arguments(plot, "DRAWING", options.drawings, true, "ligne-drawing JSON, or an SVG of strokes; - is standard input");
   OptionGroup input(plot, "Input");
   input.add("--skip", "LIST", options.request.skip, parse_skip,
             "what of an SVG may be left out: text, image, fill, clip-path, ...");
@@ -94,13 +139,16 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
           [](const std::string& t) { return parse_length_mm(t); },
           "leave out strokes that are shorter, after they are joined")
       .standard("0");
-  input.add_flag("--occlude", options.request.occlude,
-                 "opaque areas of an SVG hide what lies under them, as white ones always do");
+  input.add_flag_with_text(
+      "--occlude", options.occlude,
+      "opaque areas of an SVG hide what lies under them, as white ones always do; =layer: only what is in their layer");
   add_fill_hatch_options(plot, options.request);
   add_placing_options(plot, options.request);
+  add_sheet_options(plot, options.request);
   add_output_options(plot, options.output, "svg pdf png hpgl gcode (default: by the suffix)");
   add_dpi_option(plot, options.request.dpi);
   add_plotter_options(plot, options.plotter);
+  add_part_options(plot, options.plotter.choice.request.parts);
   add_run_options(plot, options.run);
 }
 

@@ -1,7 +1,8 @@
 #pragma once
-/// ligne plot: a drawing from a file, made ready for pens.
+/// ligne plot: drawings from files, made ready for pens.
 
 #include <string>
+#include <vector>
 
 #include "cli/output_options.hpp"
 #include "cli/plotter_options.hpp"
@@ -11,8 +12,9 @@
 namespace ligne {
 
 struct PlotCommandOptions {
-  std::string drawing;  ///< file
+  std::vector<std::string> drawings;  ///< files
   PlotDrawingRequest request;
+  std::string occlude;  ///< as written: empty, "true" for the flag alone
   OutputOptions output;
   PlotterOptions plotter;
   RunOptions run;

@@ -5,6 +5,7 @@
 
 #include "cli/messages.hpp"
 #include "cli/options.hpp"
+#include "picture/frame_names.hpp"
 #include "picture/parse.hpp"
 #include "picture/parse_options.hpp"
 
@@ -46,7 +47,14 @@ void deliver(Picture picture, const std::string& output, const std::string& prev
   report_warnings(report, place, options);
   std::fputs(picture.plotter_report.c_str(), stderr);
   if (!preview.empty()) files.write(preview, std::move(picture.preview));
-  timed(report.stages, "output", [&] { files.write(output, std::move(picture.bytes)); });
+  timed(report.stages, "output", [&] {
+    for (PicturePart& part : picture.parts) {
+      const std::string name = name_of(output, part);
+      files.will_write("--output", name);
+      files.write(name, std::move(part.bytes));
+    }
+    if (picture.parts.empty()) files.write(output, std::move(picture.bytes));
+  });
   finish(options, report, files);
 }
 

@@ -9,6 +9,7 @@
 #include "picture/errors.hpp"
 #include "picture/placement.hpp"
 #include "plotting/plot.hpp"
+#include "plotting/tiles.hpp"
 
 namespace ligne {
 namespace {
@@ -115,7 +116,7 @@ ReadDrawing placed_drawing(const PlotDrawingRequest& request, const DrawingText&
   const double pen_mm = request.pen_width_mm.value_or(kPenWidthMm);
   const FillReading::How how =
       request.fills.value_or(request.hatches_given ? FillReading::How::hatch : FillReading::How::outline);
-  FillReading fills{how, pen_mm, request.occlude, request.hatches};
+  FillReading fills{how, pen_mm, request.occlude, request.own_layer, request.hatches};
   double scale = request.scale.value_or(1);
   if (!request.scale && how == FillReading::How::hatch) {
     FillReading plain = fills;
@@ -161,33 +162,144 @@ LineStyle style_of_layer(const std::string& layer, double pen_width_mm, bool hid
   return style;
 }
 
+/// A picture of one sheet.
+Picture write_sheet(const Drawing& drawing, const Page& page, bool dashes_cut, const PlotDrawingRequest& request,
+                    const PlotterRequest& plotter, PdfDocument* pages, RunReport& run) {
+  if (request.format == OutputFormat::png) check_png(page, request.dpi, request.memory);
+  PlotOptions style;
+  style.page = page;
+  style.pen_width_mm = request.pen_width_mm.value_or(kPenWidthMm);
+  style.widths_mm = request.widths_mm;
+  style.hidden_solid = dashes_cut;
+  style.dpi = request.dpi;
+  style.style = [&](const std::string& layer) { return style_of_layer(layer, style.pen_width_mm, style.hidden_solid); };
+  return timed(run.stages, "write",
+               [&] { return write_picture(drawing, style, plotter, request.format, run, nullptr, pages); });
+}
+
+/// Layers of one name follow each other, and those that look alike are one.
+void add_drawing(Drawing& sheet, Drawing drawing, Point2 shift) {
+  for (Layer& layer : drawing.layers) {
+    for (Point2& p : layer.lines.points) p += shift;
+    const auto same_name = [&](const Layer& other) { return other.name == layer.name; };
+    const auto alike = std::ranges::find_if(sheet.layers, [&](const Layer& other) {
+      return same_name(other) && other.material == layer.material && other.shade == layer.shade &&
+             other.object == layer.object && other.color == layer.color && other.width_mm == layer.width_mm;
+    });
+    if (alike != sheet.layers.end()) {
+      append(alike->lines, layer.lines);
+      continue;
+    }
+    const auto last = std::find_if(sheet.layers.rbegin(), sheet.layers.rend(), same_name);
+    sheet.layers.insert(last == sheet.layers.rend() ? sheet.layers.end() : last.base(), std::move(layer));
+  }
+}
+
+/// Each drawing in the middle of its cell. Those of a true scale are all made smaller alike where one is larger.
+ReadDrawing drawings_in_grid(std::span<const DrawingText> drawings, const PlotDrawingRequest& request, double pen_mm,
+                             RunReport& run) {
+  const auto [columns, rows] = *request.grid;
+  if (drawings.size() > std::size_t{columns} * rows)
+    throw RequestError(
+        "grid", "has " + std::to_string(columns * rows) + " cells for " + std::to_string(drawings.size()) + " drawings");
+  std::vector<Page> pages;
+  for (const DrawingText& drawing : drawings) {
+    if (begins_json(drawing.text) != begins_json(drawings.front().text))
+      throw RequestError("grid", "an SVG and a ligne-drawing do not go on one sheet");
+    pages.push_back(read_drawing(request, drawing, {FillReading::How::outline}).page);
+  }
+  ReadDrawing sheet;
+  sheet.page = pages.front();
+  if (request.page) {
+    PageRequest wanted;
+    wanted.size = *request.page;
+    wanted.landscape = request.landscape;
+    wanted.portrait = request.portrait;
+    const Point2 mosaic{columns * pages.front().width_mm, rows * pages.front().height_mm};
+    sheet.page = page_for(wanted, {{0, 0}, mosaic});
+  }
+  sheet.page.margin_mm = request.margin_mm;
+  const Rect area = sheet.page.drawable();
+  const Point2 cell{(area.width() - (columns - 1) * request.margin_mm) / columns,
+                    (area.height() - (rows - 1) * request.margin_mm) / rows};
+  if (!(cell.x > 0 && cell.y > 0))
+    throw RequestError("margin", shortest(request.margin_mm) + " mm leaves nothing of the cells");
+  PlotDrawingRequest in_cell = request;
+  in_cell.margin_mm = 0;
+  in_cell.landscape = in_cell.portrait = false;
+  in_cell.page = PageSize{{}, true};
+  in_cell.page->page.width_mm = cell.x;
+  in_cell.page->page.height_mm = cell.y;
+  if (request.scale) {
+    for (const Page& own : pages) in_cell.scale = std::min({*in_cell.scale, cell.x / own.width_mm, cell.y / own.height_mm});
+  }
+  for (std::size_t i = 0; i < drawings.size(); ++i) {
+    ReadDrawing read = placed_drawing(in_cell, drawings[i], pen_mm, run);
+    sheet.dashes_cut = read.dashes_cut;
+    const Point2 place{static_cast<double>(i % columns) * (cell.x + request.margin_mm),
+                       static_cast<double>(i / columns) * (cell.y + request.margin_mm)};
+    add_drawing(sheet.drawing, std::move(read.drawing), area.min + place);
+  }
+  return sheet;
+}
+
+/// The sheets of a large page, as files or as pages.
+Picture write_tiles(const ReadDrawing& read, const PlotDrawingRequest& request, const PlotterRequest& plotter,
+                    bool tile_files, RunReport& run) {
+  PageRequest wanted;
+  wanted.size = *request.tile;
+  wanted.landscape = request.landscape;
+  wanted.portrait = request.portrait;
+  Page paper = page_for(wanted, read.page.sheet());
+  paper.margin_mm = request.margin_mm;
+  const double smaller = std::min(paper.drawable().width(), paper.drawable().height());
+  if (!(smaller > request.overlap_mm))
+    throw RequestError("overlap", shortest(request.overlap_mm) + " mm and the margins leave nothing of the paper");
+  std::optional<PdfDocument> pages;
+  if (request.format == OutputFormat::pdf && !tile_files) pages.emplace();
+  Picture all;
+  for (const Tile& tile : cut_into_tiles(read.drawing, read.page, paper, request.overlap_mm)) {
+    Picture sheet = write_sheet(tile.drawing, paper, read.dashes_cut, request, plotter, pages ? &*pages : nullptr, run);
+    all.plotter_report += sheet.plotter_report;
+    if (!pages) all.parts.push_back({std::move(sheet.bytes), static_cast<unsigned>(tile.number), 0});
+  }
+  if (pages) all.bytes = pages->finish();
+  return all;
+}
+
 }  // namespace
 
 DrawingText read_drawing_text(const std::string& file, InputFiles& opened) {
-  const std::vector<std::byte> bytes = read_input(file, file, opened, kMostBytes);
-  return {file, std::string(as_characters(bytes))};
+  const bool is_input = file == "-";
+  const std::string name = is_input ? "standard input" : file;
+  const std::vector<std::byte> bytes = read_input(is_input ? "/dev/stdin" : file, name, opened, kMostBytes);
+  return {name, std::string(as_characters(bytes))};
 }
 
 void check(const PlotDrawingRequest& request) {
   if (request.format == OutputFormat::json) throw RequestError("format", "plot writes svg, pdf, png, hpgl or gcode");
+  if (!request.tile) return;
+  const PlotterRequest& plotter = request.plotter;
+  if (plotter.parts.asked())
+    throw RequestError("tile", "does not go with --split, --every, --from-stroke, --from-time or %p");
+  if (plotter.preview) throw RequestError("preview", "is of one sheet");
 }
 
-Picture plot_drawing(const DrawingText& drawing, const PlotDrawingRequest& request, RunReport& run) {
+Picture plot_drawings(std::span<const DrawingText> drawings, const PlotDrawingRequest& request, bool tile_files,
+                      RunReport& run) {
   check(request);
+  if (drawings.size() > 1 && !request.grid)
+    throw RequestError("", "several drawings go on one sheet with --grid CxR, such as 2x2");
   PlotterRequest plotter = request.plotter;
   plotter.fit_drawing = !request.scale;
   if (!plotter.by_pens() && !plotter.optimize) plotter.optimize = Optimize::join;
-  const ReadDrawing read = timed(run.stages, {"read", printable(drawing.name, kLongestPath)},
-                                 [&] { return placed_drawing(request, drawing, hatch_pen_mm(request, plotter.pens), run); });
-  if (request.format == OutputFormat::png) check_png(read.page, request.dpi, request.memory);
-  PlotOptions style;
-  style.page = read.page;
-  style.pen_width_mm = request.pen_width_mm.value_or(kPenWidthMm);
-  style.widths_mm = request.widths_mm;
-  style.hidden_solid = read.dashes_cut;
-  style.dpi = request.dpi;
-  style.style = [&](const std::string& layer) { return style_of_layer(layer, style.pen_width_mm, style.hidden_solid); };
-  return timed(run.stages, "write", [&] { return write_picture(read.drawing, style, plotter, request.format, run); });
+  const double pen_mm = hatch_pen_mm(request, plotter.pens);
+  const ReadDrawing read = timed(run.stages, {"read", printable(drawings.front().name, kLongestPath)}, [&] {
+    return request.grid ? drawings_in_grid(drawings, request, pen_mm, run)
+                        : placed_drawing(request, drawings.front(), pen_mm, run);
+  });
+  if (request.tile) return write_tiles(read, request, plotter, tile_files, run);
+  return write_sheet(read.drawing, read.page, read.dashes_cut, request, plotter, nullptr, run);
 }
 
 }  // namespace ligne

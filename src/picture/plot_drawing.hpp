@@ -1,8 +1,10 @@
 #pragma once
 /// A drawing from a file, ours or anybody's, made ready for pens.
 
+#include <array>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 
 #include "files/input_file.hpp"
@@ -23,9 +25,13 @@ struct PlotDrawingRequest {
   std::optional<double> scale = 1;        ///< nothing: what is drawn fills the page
   std::set<std::string> skip;             ///< kinds of SVG content that may be left out
   std::optional<FillReading::How> fills;  ///< nothing: outline, or hatch where hatches are given
-  bool occlude = false;
+  bool occlude = false;                   ///< opaque areas hide
+  bool own_layer = false;                 ///< areas, white ones too, hide only what is in their layer
   FillHatches hatches;
   bool hatches_given = false;
+  std::optional<PageSize> tile;                 ///< paper of the sheets that the page is cut into; nothing: one sheet
+  double overlap_mm = 5;                        ///< what neighbouring sheets have in common
+  std::optional<std::array<unsigned, 2>> grid;  ///< columns and rows of cells, a drawing in each
   OutputFormat format = OutputFormat::svg;
   double dpi = 150;
   PlotterRequest plotter;
@@ -38,14 +44,16 @@ struct DrawingText {
   std::string text;
 };
 
-/// Reads the file, which is added to `opened`. Throws InputError.
+/// Reads the file, or standard input for "-"; it is added to `opened`. Throws InputError.
 DrawingText read_drawing_text(const std::string& file, InputFiles& opened);
 
 /// Throws RequestError for a format that has no strokes.
 void check(const PlotDrawingRequest& request);
 
-/// The drawing, a ligne-drawing or an SVG by its first character, in its place on the page, dealt to pens and written.
-/// Warnings and times go to `run`. Throws RequestError, InputError, std::runtime_error.
-Picture plot_drawing(const DrawingText& drawing, const PlotDrawingRequest& request, RunReport& run);
+/// The drawings, ligne-drawings or SVGs by their first characters, in their places on the page, dealt to pens and written;
+/// several in the cells of a grid. `tile_files`: sheets become files of their own, also of a PDF, which can hold them as
+/// pages. Warnings and times go to `run`. Throws RequestError, InputError, std::runtime_error.
+Picture plot_drawings(std::span<const DrawingText> drawings, const PlotDrawingRequest& request, bool tile_files,
+                      RunReport& run);
 
 }  // namespace ligne

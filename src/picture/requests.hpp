@@ -17,6 +17,7 @@
 #include "plotting/page.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "plotting/pens.hpp"
+#include "plotting/plot_parts.hpp"
 #include "plotting/stroke_text.hpp"
 #include "scene/model/scene.hpp"
 #include "view/axes_layout.hpp"
@@ -158,6 +159,7 @@ struct PlotterRequest {
   bool fit_device = false;
   bool fit_drawing = false;              ///< the drawing has no scale of its own: it fits the device without being asked
   double min_length_mm = 0;              ///< strokes that are shorter are left out
+  LongPlotRequest parts;                 ///< long plots
   std::shared_ptr<const Device> device;  ///< nullptr: an SVG or PDF for no device
   PenTable pens;
   PenTable asked_pens;  ///< those of them that were asked for by name, of what must be there

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
@@ -140,6 +142,86 @@ Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const 
   return picture;
 }
 
+/// Throws RequestError for what the device does not have.
+PlotStops stops_of(const PlotterRequest& plotter) {
+  const LongPlotRequest& parts = plotter.parts;
+  PlotStops stops;
+  if (!plotter.device) return stops;
+  const Device& device = *plotter.device;
+  const auto refuse = [&](const char* option, const char* what, const std::string& name, const auto& there) {
+    std::string list;
+    for (const auto& one : there) list += (list.empty() ? "" : ", ") + printable(one.name);
+    throw RequestError(option, "device " + printable(device.name) + " has no " + what + " " + shown(name, '"') + "; " +
+                                   (list.empty() ? "it has none" : "it has " + list));
+  };
+  if (parts.every_mm) {
+    stops.action = find_action(device, parts.action);
+    if (!stops.action) refuse("do", "action", parts.action, device.actions);
+  }
+  if (!parts.park.empty()) {
+    stops.park = find_place(device, parts.park);
+    if (!stops.park) refuse("park", "place", parts.park, device.places);
+  }
+  if (parts.split && !parts.split_files && !find_action(device, "pause")) {
+    refuse("split", "action", "pause", device.actions);
+  }
+  return stops;
+}
+
+/// Throws RequestError for what needs a device, or a machine's language.
+void check_parts(const PlotterRequest& plotter) {
+  const LongPlotRequest& parts = plotter.parts;
+  const bool timed = parts.from_seconds > 0 || (parts.split && parts.split->by == SplitBy::time);
+  if (timed && !plotter.device)
+    throw RequestError(parts.from_seconds > 0 ? "from-time" : "split", "a time needs a --device");
+  const bool machine = plotter.device && plotter.device->language != DeviceLanguage::svg;
+  if (parts.every_mm && !machine) throw RequestError("every", "goes with HPGL and G-code");
+  if (!parts.park.empty() && !machine) throw RequestError("park", "goes with HPGL and G-code");
+  if (parts.split && !parts.split_files && !machine)
+    throw RequestError("split", "the files need a place for their number: -o name%d.svg");
+  stops_of(plotter);
+}
+
+/// What is left of the plot, in its parts.
+void write_parts(Plot plot, const PlotterRequest& plotter, Point2 home, const std::function<std::string(Plot)>& bytes_of,
+                 Picture& picture) {
+  const LongPlotRequest& request = plotter.parts;
+  const Device* device = plotter.device.get();
+  std::size_t first = request.from_stroke - 1;
+  if (request.from_seconds > 0) first = std::max(first, strokes_within(plot, *device, home, request.from_seconds));
+  if (first > 0) {
+    plot = without_first(plot, first);
+    picture.plotter_report += "begins with stroke " + std::to_string(first + 1) + "\n";
+  }
+  std::vector<Plot> parts;
+  if (request.split) {
+    parts = split_plot(plot, *request.split, device, home);
+  } else {
+    parts.push_back(std::move(plot));
+  }
+  const bool files = request.split && request.split_files;
+  if (request.split) picture.plotter_report += std::to_string(parts.size()) + " parts\n";
+  if (!files && parts.size() > 1) parts = {with_pauses(parts)};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const unsigned number = files ? static_cast<unsigned>(i + 1) : 0;
+    std::vector<std::pair<unsigned, Plot>> of_pens;
+    if (request.pen_files) {
+      of_pens = plots_of_pens(parts[i]);
+    } else {
+      of_pens.emplace_back(0, std::move(parts[i]));
+    }
+    for (auto& [pen, part] : of_pens) {
+      if (request.every_mm) part = with_actions(part, *request.every_mm);
+      std::string bytes = bytes_of(std::move(part));
+      if (number == 0 && pen == 0) {
+        picture.bytes = std::move(bytes);
+      } else {
+        picture.parts.push_back({std::move(bytes), number, pen});
+      }
+    }
+  }
+}
+
 Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
                       RunReport& run, const GrayPicture* under, PdfDocument* pages) {
   const Device* device = plotter.device.get();
@@ -152,6 +234,7 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
       {plotter.path_work(), plotter.tolerances, {}, plotter.min_length_mm, device ? pace_of(*device) : PathPace{}}};
   request.paths.tolerances.lift_mm = request.paths.pace.lift_mm();
   check_pens(plotter.asked_pens, drawing);
+  check_parts(plotter);
   const Plot before = deal_to_pens(drawing, request);
   const bool fits = plotter.fit_device || plotter.fit_drawing;
   std::optional<DeviceFrame> frame;
@@ -173,19 +256,19 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
                                        frame && !plotter.fit_drawing ? frame->scale : 1);
   }
   if (plotter.preview) picture.preview = write_preview(plot, order.home, order.returns);
-  if (!picture_of_pens) {
-    picture.bytes = write_plot(plot, *device, *frame);
-    return picture;
-  }
-  if (frame && fits) {
-    for (PenLines& pen : plot.pens) {
-      for (Point2& p : pen.lines.points) p = frame->fitted(p);
+  const auto bytes_of = [&](Plot part) {
+    if (!picture_of_pens) return write_plot(part, *device, *frame, stops_of(plotter));
+    if (frame && fits) {
+      for (PenLines& pen : part.pens) {
+        for (Point2& p : pen.lines.points) p = frame->fitted(p);
+      }
     }
-  }
-  PlotOptions by_pen = style;
-  by_pen.style = styles_of(plot);
-  by_pen.curves = false;  // the way of the pen is measured and simplified along its points
-  picture.bytes = written_as(format, drawing_of(plot), by_pen, under, pages);
+    PlotOptions by_pen = style;
+    by_pen.style = styles_of(part);
+    by_pen.curves = false;  // the way of the pen is measured and simplified along its points
+    return written_as(format, drawing_of(part), by_pen, under, pages);
+  };
+  write_parts(std::move(plot), plotter, order.home, bytes_of, picture);
   return picture;
 }
 
@@ -218,6 +301,8 @@ void check_png(const Page& page, double dpi, const MemoryLimit& memory) {
 
 Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
                       RunReport& run, const GrayPicture* under, PdfDocument* pages) {
+  if (plotter.parts.asked() && !plotter.by_pens())
+    throw RequestError("", "--split, --every, --from-stroke, --from-time, --park and %p go with pens or a --device");
   return plotter.by_pens() ? write_by_pens(drawing, style, plotter, format, run, under, pages)
                            : write_by_layers(drawing, style, plotter, format, run, under, pages);
 }

@@ -2,6 +2,7 @@
 /// From a drawing to the bytes of a file.
 
 #include <string>
+#include <vector>
 
 #include "drawing/drawing.hpp"
 #include "picture/requests.hpp"
@@ -10,11 +11,19 @@
 
 namespace ligne {
 
+/// One of several files of a plot.
+struct PicturePart {
+  std::string bytes;
+  unsigned number = 0;  ///< of the part or the sheet, from 1; 0: of all
+  unsigned pen = 0;     ///< 0: of all
+};
+
 /// The bytes of a file, and what was asked for beside it.
 struct Picture {
   std::string bytes;
-  std::string preview{};         ///< SVG of the pen's way, where PlotterRequest::preview asks for it
-  std::string plotter_report{};  ///< table of strokes, lengths and times, where PlotterRequest::report asks for it
+  std::string preview{};             ///< SVG of the pen's way, where PlotterRequest::preview asks for it
+  std::vector<PicturePart> parts{};  ///< instead of `bytes`, where the plot is cut into several files
+  std::string plotter_report{};      ///< table of strokes, lengths and times, where PlotterRequest::report asks for it
 };
 
 /// The style of the lines of a picture on a page.

@@ -419,6 +419,21 @@ TEST(SvgReader, WhiteAreasAreLaidOverWhatIsUnderThem) {
       << "only what is seen hides";
 }
 
+TEST(SvgReader, AreasHideOnlyTheirLayerWhenAsked) {
+  const auto layer = [](const char* name, const char* body) {
+    return std::string("<g inkscape:groupmode='layer' inkscape:label='") + name + "'>" + body + "</g>";
+  };
+  const std::string body = page(layer("a",
+                                      "<line y1='20' x2='100' y2='20'/>"
+                                      "<rect x='10' y='10' width='20' height='20' fill='red' stroke='none'/>") +
+                                layer("b", "<rect x='50' y='10' width='20' height='20' fill='white' stroke='none'/>"));
+  const ReadDrawing across = read_svg_drawing(body, "a.svg", {}, {FillReading::How::outline, 0.35, true}),
+                    within = read_svg_drawing(body, "a.svg", {}, {FillReading::How::outline, 0.35, true, true});
+  EXPECT_EQ(lines_of(across).count("3000,2000 5000,2000 "), 1u);
+  EXPECT_EQ(lines_of(within).count("0,2000 1000,2000 "), 1u);
+  EXPECT_EQ(lines_of(within).count("3000,2000 10000,2000 "), 1u) << "what another layer holds is not hidden";
+}
+
 TEST(SvgReader, OpaqueAreasHideWhenAsked) {
   const std::string body = page(
       "<line y1='20' x2='100' y2='20'/><rect x='10' y='10' width='20' height='20' fill='red'/>"

@@ -37,6 +37,7 @@ def drawings(tmp_path):
          ["--hatch-spacing", "1.5", "--min-length", "0.5", "--hatch-cross"], ".svg"),
         ({"pen": {"rest": "2,blue,0.3"}, "optimize": "order", "landscape": True},
          ["--pen", "rest=2,blue,0.3", "--optimize", "order", "--landscape"], ".svg"),
+        ({"occlude": "layer"}, ["--occlude=layer"], ".svg"),
         ({"occlude": True, "fill": "outline", "pen_width": 0.2, "width": {"#f00": 0.9}, "scale": "1:2"},
          ["--occlude", "--fill", "outline", "--pen-width", "0.2", "--width", "#f00=0.9", "--scale", "1:2"], ".png"),
     ],
@@ -60,6 +61,43 @@ def test_plot_of_a_drawing_and_what_it_tells(drawings):
 
 
 @pytest.mark.parametrize(
+    "options, given, name",
+    [
+        ({"split": "lifts=2"}, ["--split", "lifts=2"], "part%02d.gcode"),
+        ({"split": "distance=0.1m", "every": "9cm", "do": "dip"},
+         ["--split", "distance=0.1m", "--every", "9cm", "--do", "dip"], "part.gcode"),
+        ({"from_stroke": 2, "pen": {"#0000ff": 2, "rest": 1}, "park": "home"},
+         ["--from-stroke", "2", "--pen", "#0000ff=2", "--pen", "rest=1", "--park", "home"], "pen%p.gcode"),
+        ({"from_time": "3s"}, ["--from-time", "3s"], "rest.gcode"),
+        ({"scale": "4:1", "tile": "A4", "overlap": 8}, ["--scale", "4:1", "--tile", "A4", "--overlap", "8"], "sheet%d.svg"),
+        ({"scale": "4:1", "tile": (150, 200)}, ["--scale", "4:1", "--tile", "150x200"], "sheets.pdf"),
+    ],
+    ids=lambda value: "",
+)  # fmt: skip
+def test_long_plots(options, given, name, drawings):
+    by_module, by_command = drawings / "by_module", drawings / "by_command"
+    by_module.mkdir()
+    by_command.mkdir()
+    line = ["plot", drawings / "foreign.svg", *given, "-q", "-o", by_command / name]
+    subprocess.run([os.environ["LIGNE_PROGRAM"], *line], check=True)
+    plotted = ligne.plot(drawings / "foreign.svg", by_module / name, **options)
+    names = sorted(file.name for file in by_command.iterdir())
+    assert sorted(os.path.basename(file) for file in plotted.files) == names and (len(names) > 1) == ("%" in name)
+    for file in names:
+        assert (by_module / file).read_bytes() == (by_command / file).read_bytes()
+
+
+def test_several_drawings(drawings):
+    files = [drawings / "foreign.svg"] * 3
+    line = ["plot", *files, "--grid", "2x2", "--page", "A3", "-q", "-o", drawings / "all.svg"]
+    subprocess.run([os.environ["LIGNE_PROGRAM"], *line], check=True)
+    assert ligne.plot(files, grid=(2, 2), page="A3").data == (drawings / "all.svg").read_bytes()
+    done = subprocess.run([os.environ["LIGNE_PROGRAM"], "plot", "-", "-o", "-", "--format", "svg", "-q"], input=SVG, capture_output=True)
+    assert done.stdout == ligne.plot(SVG).data
+    assert len(ligne.plot(SVG, device="grbl-servo", format="gcode", split="lifts=1").parts) > 2
+
+
+@pytest.mark.parametrize(
     "drawing, options, error, text",
     [
         (3, {}, ligne.RequestError, "drawing"),
@@ -72,6 +110,10 @@ def test_plot_of_a_drawing_and_what_it_tells(drawings):
         (SVG, {"hatch_cross": object()}, ligne.RequestError, "hatch_cross"),
         (SVG, {"margin": 90, "scale": "fit"}, ligne.RequestError, "margin"),
         (SVG, {"device": "nothing"}, ligne.RequestError, "device"),
+        ([SVG, SVG], {}, ligne.RequestError, "several drawings"),
+        ([], {}, ligne.RequestError, "drawing"),
+        (SVG, {"split": "lots"}, ligne.RequestError, "split"),
+        (SVG, {"every": "3m"}, ligne.RequestError, "every"),
     ],
     ids=lambda value: "",
 )

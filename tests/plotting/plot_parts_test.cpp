@@ -1,0 +1,207 @@
+/// Long plots: what is cut off, split and done between strokes; sheets of large drawings.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+#include "plotting/plot_parts.hpp"
+#include "plotting/plot_writers.hpp"
+#include "plotting/tiles.hpp"
+
+namespace ligne {
+namespace {
+
+double length(const Polylines& lines) {
+  double sum = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = 1; k < lines[i].size(); ++k) sum += glm::distance(lines[i][k - 1], lines[i][k]);
+  }
+  return sum;
+}
+
+double length(const Plot& plot) {
+  double sum = 0;
+  for (const PenLines& pen : plot.pens) sum += length(pen.lines);
+  return sum;
+}
+
+std::size_t strokes(const Plot& plot) {
+  std::size_t n = 0;
+  for (const PenLines& pen : plot.pens) n += pen.lines.size();
+  return n;
+}
+
+/// Two pens; strokes of random length, a dot among them.
+Plot random_plot(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(20, 180);
+  Plot plot;
+  for (const unsigned number : {1u, 3u}) {
+    PenLines pen;
+    pen.pen.number = number;
+    for (int i = 0; i < 20; ++i) {
+      std::vector<Point2> line;
+      for (int k = 0; k < 1 + i % 5; ++k) line.push_back({place(random), place(random)});
+      pen.lines.add(line);
+    }
+    plot.pens.push_back(std::move(pen));
+  }
+  return plot;
+}
+
+TEST(PlotParts, PartsAreTheWholeAndNoneIsTooLarge) {
+  const Device& device = *find_device("grbl-servo");
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const Plot plot = random_plot(seed);
+    for (const PlotSplit split :
+         {PlotSplit{SplitBy::lifts, 7}, PlotSplit{SplitBy::distance, 900}, PlotSplit{SplitBy::time, 45}}) {
+      const std::vector<Plot> parts = split_plot(plot, split, &device, {0, 0});
+      EXPECT_GT(parts.size(), 2u);
+      std::size_t count = 0;
+      double way = 0;
+      for (const Plot& part : parts) {
+        count += strokes(part);
+        way += length(part);
+        if (strokes(part) == 1) continue;
+        if (split.by == SplitBy::lifts) {
+          EXPECT_LE(strokes(part), 7u);
+        } else if (split.by == SplitBy::distance) {
+          EXPECT_LE(length(part), 900 + 1e-9);
+        }
+      }
+      EXPECT_EQ(count, strokes(plot));
+      EXPECT_NEAR(way, length(plot), 1e-9);
+    }
+  }
+}
+
+TEST(PlotParts, TheWholeTimeIsThatOfTheReport) {
+  const Device& device = *find_device("hp7475a");
+  const Plot plot = random_plot(1);
+  const double seconds = plot_seconds(device, measure(plot, {0, 0}, false), pen_changes(plot));
+  EXPECT_EQ(strokes_within(plot, device, {0, 0}, seconds + 1e-6), strokes(plot));
+  EXPECT_EQ(strokes_within(plot, device, {0, 0}, seconds - 1e-6), strokes(plot) - 1);
+  EXPECT_EQ(strokes_within(plot, device, {0, 0}, 0), 0u);
+}
+
+TEST(PlotParts, WhatIsResumedIsTheRest) {
+  const Plot plot = random_plot(2);
+  const Plot rest = without_first(plot, 25);
+  ASSERT_EQ(strokes(rest), 15u);
+  ASSERT_EQ(rest.pens.size(), 1u);
+  EXPECT_EQ(rest.pens[0].pen.number, 3u);
+  EXPECT_EQ(rest.pens[0].lines[0].front(), plot.pens[1].lines[5].front());
+  EXPECT_EQ(strokes(without_first(plot, 100)), 0u);
+}
+
+TEST(PlotParts, ABrushNeverDrawsMoreThanItHolds) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const Plot plot = random_plot(seed);
+    const Plot dipped = with_actions(plot, 250);
+    EXPECT_NEAR(length(dipped), length(plot), 1e-6);
+    double since = 0;
+    for (const PenLines& pen : dipped.pens) {
+      for (std::uint32_t i = 0; i < pen.lines.size(); ++i) {
+        if (std::ranges::binary_search(pen.actions, i)) since = 0;
+        Polylines one;
+        one.add(pen.lines[i]);
+        since += length(one);
+        EXPECT_LE(since, 250 + 1e-9);
+      }
+    }
+    EXPECT_EQ(dipped.pens[0].actions.front(), 0u) << "it is dipped before the first stroke";
+  }
+}
+
+TEST(PlotParts, ActionsPausesAndPlacesInGcode) {
+  Plot plot;
+  plot.pens.resize(2);
+  plot.pens[1].pen.number = 2;
+  plot.pens[1].pen.name = "blue";
+  plot.pens[0].lines.add(std::array{Point2{10, 10}, Point2{20, 10}});
+  plot.pens[1].lines.add(std::array{Point2{10, 20}, Point2{20, 20}});
+  plot.pens[0].actions = {0};
+  plot.pens[1].pauses = {0};
+  const Device& device = *find_device("grbl-servo");
+  const DeviceFrame frame = place_on_device(device, plot.page, ink_of(plot), false);
+  EXPECT_EQ(write_plot(plot, device, frame, {find_action(device, "dip"), find_place(device, "home")}),
+            "G21\nG90\nG94\nM5\nG4 P0.1\n"
+            "G0 X0 Y0\nM3 S90\nG4 P0.15\nG4 P1\nM5\nG4 P0.1\n"
+            "G0 X10 Y287\nM3 S90\nG4 P0.15\nG1 F2400\nG1 X20 Y287\nM5\nG4 P0.1\n"
+            "G0 X0 Y0\nM0 (pen 2: blue)\nM0\n"
+            "G0 X10 Y277\nM3 S90\nG4 P0.15\nG1 F2400\nG1 X20 Y277\nM5\nG4 P0.1\n"
+            "G0 X0 Y0\nM2\n");
+}
+
+TEST(Tiles, LinesAreCutAtTheBox) {
+  Polylines lines;
+  lines.add(std::array{Point2{-5, 5}, Point2{15, 5}, Point2{15, 8}, Point2{-5, 8}});
+  lines.add(std::array{Point2{3, 3}, Point2{3, 3}});
+  lines.add(std::array{Point2{20, 0}, Point2{20, 9}});
+  lines.add(std::array{Point2{5, 15}, Point2{10, 10}, Point2{15, 5}});
+  const Polylines kept = clip_to_box(lines, {{0, 0}, {10, 10}});
+  ASSERT_EQ(kept.size(), 3u);
+  EXPECT_EQ(kept[0].front(), (Point2{0, 5}));
+  EXPECT_EQ(kept[0].back(), (Point2{10, 5}));
+  EXPECT_EQ(kept[1].front(), (Point2{10, 8}));
+  EXPECT_EQ(kept[2].size(), 2u) << "a dot stays; a corner that is only touched is nothing";
+}
+
+TEST(Tiles, SheetsTogetherAreTheDrawing) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> x(0, 500), y(0, 330);
+  Drawing drawing;
+  drawing.layers.push_back({"mesh", {}});
+  for (int i = 0; i < 60; ++i)
+    drawing.layers[0].lines.add(std::array{Point2{x(random), y(random)}, Point2{x(random), y(random)}});
+  Page whole, paper;
+  whole.width_mm = 500;
+  whole.height_mm = 330;
+  paper.width_mm = 210;
+  paper.height_mm = 297;
+  paper.margin_mm = 10;
+  // Without an overlap every bit of line is on one sheet.
+  double sum = 0;
+  const std::vector<Tile> tiles = cut_into_tiles(drawing, whole, paper, 0);
+  ASSERT_EQ(tiles.size(), 6u);
+  for (const Tile& tile : tiles) {
+    for (const Layer& layer : tile.drawing.layers) {
+      if (layer.name == "mesh") sum += length(layer.lines);
+      if (layer.name != "mesh") continue;
+      for (const Point2 p : layer.lines.points) {
+        EXPECT_GE(p.x, 10 - 1e-9);
+        EXPECT_LE(p.x, 200 + 1e-9);
+        EXPECT_GE(p.y, 10 - 1e-9);
+        EXPECT_LE(p.y, 287 + 1e-9);
+      }
+    }
+    EXPECT_EQ(tile.drawing.layers.back().name, "register");
+  }
+  EXPECT_NEAR(sum, length(drawing.layers[0].lines), 1e-6);
+}
+
+TEST(Tiles, MarksOfNeighboursAreOnePointOfTheDrawing) {
+  Drawing drawing;
+  drawing.layers.push_back({"mesh", {}});
+  drawing.layers[0].lines.add(std::array{Point2{1, 50}, Point2{299, 50}});
+  Page whole, paper;
+  whole.width_mm = 300;
+  whole.height_mm = 100;
+  paper.width_mm = 160;
+  paper.height_mm = 120;
+  paper.margin_mm = 10;
+  const std::vector<Tile> tiles = cut_into_tiles(drawing, whole, paper, 8);
+  ASSERT_EQ(tiles.size(), 3u);
+  // Marks begin with the upper left cross, across and down; the upper right one follows two crosses later.
+  const auto middle = [](const Polylines& lines, std::size_t i) { return (lines[i].front() + lines[i].back()) * 0.5; };
+  const Polylines &left = tiles[0].drawing.layers.back().lines, &right = tiles[1].drawing.layers.back().lines;
+  const double step = 140 - 8;
+  EXPECT_NEAR(middle(left, 4).x - 10, middle(right, 0).x - 10 + step, 1e-9);
+  EXPECT_EQ(middle(left, 4).y, middle(right, 0).y);
+}
+
+}  // namespace
+}  // namespace ligne
