@@ -48,6 +48,13 @@ TEST(PngGrid, TransparentIsAHole) {
   expect_grid(*grid(corpus_file("grey_transparent.png")), {0, 1}, {0, 1}, {{kNaN, 4}, {1, 2}});
 }
 
+TEST(PngGrid, TerrariumColoursAreHeights) {
+  Warnings warnings;
+  const auto source = grid(corpus_file("terrarium.png"), warnings);
+  EXPECT_EQ(heights_of(*source), (std::vector<std::vector<double>>{{2500, 8848, -10000}, {0, 10.5, -3.25}}));
+  ASSERT_EQ(warnings.counts().size(), 1u) << "that colours are taken for heights is said";
+}
+
 TEST(PngGrid, Errors) {
   EXPECT_EQ(grid_error(corpus_file("colours.png")),
             "M: is a PNG picture of colours; heights need one grey channel of 8 or 16 bits, or the Terrarium encoding");
@@ -163,6 +170,11 @@ TEST(TiffGrid, StripsTilesAndTheirPlaces) {
   const auto doubles = read_grid(folder / "float64_deflate.tif", warnings);
   doubles->read_row(2, std::span(row).first(4));
   EXPECT_EQ(row[3], 1e10 + 3);
+  const auto lzw = read_grid(folder / "strips_lzw_int16.tif", warnings);
+  lzw->read_row(3, std::span(row).first(5));
+  EXPECT_EQ(row[0], -3) << "the last row stands first";
+  lzw->read_row(0, std::span(row).first(5));
+  EXPECT_EQ(row[4], 301);
   const auto error = [&](const char* file) { return error_line([&] { read_grid(folder / file, warnings); }); };
   EXPECT_NE(error("truncated.tif").find("is a TIFF file that can not be read"), std::string::npos);
   EXPECT_NE(error("header_lies.tif").find("is a TIFF file that can not be read"), std::string::npos);
