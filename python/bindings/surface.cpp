@@ -12,6 +12,7 @@
 #include "picture/errors.hpp"
 #include "picture/parse.hpp"
 #include "picture/parse_options.hpp"
+#include "picture/parse_terrain.hpp"
 
 namespace py = pybind11;
 
@@ -139,6 +140,46 @@ const std::map<std::string, Setter, std::less<>>& setters() {
       {"text", text([](const std::string& t) { return static_cast<TextStyle>(parse_choice(t, kTextStyleNames)); },
                     LIGNE_FIELD(picture.axes.text))},
       {"text-height", text(parse_text_height, LIGNE_FIELD(picture.axes.text_height_mm))},
+      {"contour-labels",
+       [](SurfaceRequest& s, const std::string& name, py::handle value) {
+         if (PyBool_Check(value.ptr()) && !value.cast<bool>()) return;
+         s.curves.labels = parse_contour_labels(PyBool_Check(value.ptr()) ? std::string() : text_of(name, value));
+       }},
+      {"index-contours", text(parse_index_contours, LIGNE_FIELD(curves.index_contours))},
+      {"water",
+       [](SurfaceRequest& s, const std::string& name, py::handle value) { parse_water(text_of(name, value), s.terrain); }},
+      {"water-fill", text(parse_water_fill, LIGNE_FIELD(terrain.water_fill))},
+      {"hachures", text(parse_hachures, LIGNE_FIELD(terrain.hachures))},
+      {"hachure-spacing", text(parse_hatch_spacing, LIGNE_FIELD(terrain.hachure_mm))},
+      {"sun", [](SurfaceRequest& s, const std::string& name,
+                 py::handle value) { parse_sun(text_of(name, value, ':'), s.terrain); }},
+      {"scale-bar",
+       [](SurfaceRequest& s, const std::string& name, py::handle value) {
+         const bool alone = PyBool_Check(value.ptr());
+         s.picture.axes.scale_bar = !alone || value.cast<bool>();
+         if (!alone) s.picture.axes.scale_unit = text_of(name, value);
+       }},
+      {"north-arrow", [](SurfaceRequest& s, const std::string& name,
+                         py::handle value) { s.picture.axes.north_arrow = flag_of(name, value); }},
+      {"curve",
+       [](SurfaceRequest& s, const std::string&, py::handle value) {
+         for (const py::handle one : value) s.space_curves.push_back(one.cast<SpaceCurve>());
+       }},
+      {"t", ranges(&SurfaceRequest::t)},
+      {"points",
+       [](SurfaceRequest& s, const std::string&, py::handle value) {
+         for (const py::handle one : value) s.point_files.push_back(py::str(one));
+       }},
+      {"colors", text(parse_colors, LIGNE_FIELD(colors))},
+      {"bands", text(parse_bands, LIGNE_FIELD(bands))},
+      {"legend", [](SurfaceRequest& s, const std::string& name, py::handle value) { s.legend = flag_of(name, value); }},
+      {"name",
+       [](SurfaceRequest& s, const std::string&, py::handle value) {
+         for (const py::handle one : value) s.names.push_back(py::str(one));
+       }},
+      {"x-names", text(parse_words, LIGNE_FIELD(picture.axes.categories[0]))},
+      {"y-names", text(parse_words, LIGNE_FIELD(picture.axes.categories[1]))},
+      {"z-names", text(parse_words, LIGNE_FIELD(picture.axes.categories[2]))},
   };
 #undef LIGNE_FIELD
   return table;

@@ -42,6 +42,25 @@ def surface(
     underside: str = "same",
     hidden_by: str = "surface",
     ridgeline: Union[bool, float] = False,
+    contour_labels: Union[bool, str] = False,
+    index_contours: Optional[int] = None,
+    water: Union[float, str, None] = None,
+    water_fill: str = "blank",
+    hachures: str = "none",
+    hachure_spacing: Optional[Length] = None,
+    sun: Union[float, str, Tuple[float, float], None] = None,
+    scale_bar: Union[bool, str] = False,
+    north_arrow: bool = False,
+    curve: Sequence[Tuple[str, str, str]] = (),
+    t: Union[Range, List[Range], None] = None,
+    points: Sequence[Any] = (),
+    colors: Union[str, Sequence[str], None] = None,
+    bands: Union[int, Sequence[float], None] = None,
+    legend: bool = False,
+    name: Sequence[str] = (),
+    x_names: Optional[Sequence[str]] = None,
+    y_names: Optional[Sequence[str]] = None,
+    z_names: Optional[Sequence[str]] = None,
     axes: Union[bool, str] = False,
     x_label: Optional[str] = None,
     y_label: Optional[str] = None,
@@ -66,6 +85,7 @@ def surface(
     x, y: for formulas and functions (from, to) or (from, to, curves), by default (-5, 5, 40); for an array the positions of
         its columns and rows, or (from, to), by default 0, 1, 2, ...
     parametric: surfaces as three formulas in u and v.
+    curve: curves as three formulas in t, that of z may be "surface"; points: paths of files; name: names of the legend.
 
     All others are the options of `ligne surface` and, for the page, hatching and pens, of draw(). Raises RequestError,
     InputError, DtypeError.

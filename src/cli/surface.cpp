@@ -45,22 +45,29 @@ bool is_formula(const std::string& text, FormulaLanguage language) {
 /// An option whose value follows it.
 bool awaits_value(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-' && (argument[1] < '0' || argument[1] > '9') &&
-         argument.find('=') == std::string::npos && argument != "--axes" && argument != "--stats" && argument != "--skirt";
+         argument.find('=') == std::string::npos && argument != "--axes" && argument != "--stats" && argument != "--skirt" &&
+         argument != "--north-arrow" && argument != "--legend";
 }
 
 }  // namespace
 
 void protect_formulas(std::vector<std::string>& arguments) {
   constexpr std::array<std::string_view, 2> kParameters{"u", "v"};
-  std::size_t parametric = 0;  // formulas of --parametric that are still to come
+  constexpr std::array<std::string_view, 1> kCurveParameter{"t"};
+  std::size_t parametric = 0;  // formulas of --parametric or --curve that are still to come
+  bool curve = false;
   for (std::size_t k = 1; k < arguments.size(); ++k) {
     std::string& argument = arguments[k];
     const bool is_parametric = parametric > 0;
-    const FormulaLanguage language = is_parametric ? FormulaLanguage{kParameters} : FormulaLanguage{kFormulaVariables};
+    const FormulaLanguage language = !is_parametric ? FormulaLanguage{kFormulaVariables}
+                                     : curve        ? FormulaLanguage{kCurveParameter}
+                                                    : FormulaLanguage{kParameters};
     const bool is_value = parametric == 0 && awaits_value(arguments[k - 1]);
-    parametric = argument == "--parametric" ? 3 : parametric > 0 ? parametric - 1 : 0;
+    if (!is_parametric) curve = argument == "--curve";
+    parametric = argument == "--parametric" || argument == "--curve" ? 3 : parametric > 0 ? parametric - 1 : 0;
     const bool begins_with_minus = argument.size() > 1 && argument[0] == '-' && argument[1] != '-';
-    const bool is_option = !is_parametric && (argument == "-x" || argument == "-y" || argument == "-u" || argument == "-v");
+    const bool is_option =
+        !is_parametric && (argument == "-x" || argument == "-y" || argument == "-u" || argument == "-v" || argument == "-t");
     if (!begins_with_minus || is_value || is_option) continue;
     if (is_formula(argument, language)) argument = "(" + argument + ")";
   }

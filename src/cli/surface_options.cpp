@@ -9,6 +9,7 @@
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/surface_scale_options.hpp"
+#include "cli/terrain_options.hpp"
 #include "cli/view_options.hpp"
 #include "files/message_text.hpp"
 #include "picture/draw_scene.hpp"
@@ -214,6 +215,8 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   add_source_options(*surface, request);
   add_surface_scale_options(*surface, request);
   add_curve_options(*surface, request.curves);
+  add_terrain_options(*surface, request);
+  add_annotation_options(*surface, request);
   add_hatch_options(*surface, picture.hatch);
   add_method_choice(*surface, options);
   add_horizon_options(*surface, options);

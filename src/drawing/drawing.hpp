@@ -44,8 +44,8 @@ std::size_t stroke_layer(LineClass line_class, bool visible, unsigned level);
 /// "hidden", "behind-glass", or the name of the class.
 std::string_view stroke_layer_name(std::size_t layer);
 
-/// A layer's name is also its id: those of strokes, "underside", "contour-base", "text", "debug", "hatch". Layers of one
-/// name that follow each other are one layer by objects, colours and widths.
+/// A layer's name is also its id: those of strokes, "underside", "contour-base", "contour-index", "shore", "water", "text",
+/// "debug", "hatch", "legend". Layers of one name that follow each other are one layer by objects, colours and widths.
 struct Layer {
   std::string name;
   Polylines lines;
@@ -54,6 +54,7 @@ struct Layer {
   std::string object{};    ///< name of the object, where the layer holds the lines of one object only
   std::optional<std::array<double, 3>> color{};  ///< of the lines, where it is not that of all lines
   std::optional<double> width_mm{};              ///< of the lines, where it is not that of all lines
+  std::optional<double> height{};                ///< where the layer holds contour lines of one height only
 };
 
 /// An area of one colour.

@@ -17,17 +17,18 @@ enum class LineClass : std::uint8_t {
   intersection,  ///< of two penetrating faces
   crease,        ///< normals differ by more than the crease angle, or more than two faces
   mesh,          ///< all others
+  curve,         ///< curve in space, of no face (add_lines in view/projected_scene.hpp)
   contour,       ///< contour line of a surface, whatever its faces (kCornerContour in scene/scene.hpp)
   horizon,       ///< iso-curve of a surface, whatever its faces (kCornerCurve)
   axes,          ///< line of the axes, of no face (add_lines in view/projected_scene.hpp)
   shadow,        ///< border of a shadow on a face; no edge of the scene
   profile,       ///< part of a line of one of the first classes behind which an object ends; decided when all else is
 };
-inline constexpr std::size_t kLineClassCount = 10;
+inline constexpr std::size_t kLineClassCount = 11;
 /// The first classes are those of the scene's edges.
 inline constexpr std::size_t kEdgeClassCount = 5;
 inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{
-    "outline", "border", "intersection", "crease", "mesh", "contour", "horizon", "axes", "shadow", "profile"};
+    "outline", "border", "intersection", "crease", "mesh", "curve", "contour", "horizon", "axes", "shadow", "profile"};
 
 /// A set of classes.
 struct LineClasses {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "files/message_text.hpp"
+#include "picture/contour_labels.hpp"
 #include "picture/errors.hpp"
 #include "view/axes_box.hpp"
 #include "view/tolerances.hpp"
@@ -20,25 +21,15 @@ constexpr const char* kDefaultNames[] = {"x", "y", "z"};
 constexpr double kTextHeightMm = 2.5, kSideOfA4Mm = 210;
 /// Of the shorter side of what the margins leave: as high as texts may be, and as they are at the most when nothing is said.
 constexpr double kHighestPart = 0.1, kHighestDefaultPart = 0.05;
-constexpr double kTitleHeight = 1.4;  ///< of the other texts
+constexpr double kTitleHeight = 1.4;   ///< of the other texts
+constexpr double kLabelHeight = 0.75;  ///< of the other texts: heights in contour lines
+
+/// One label on so much of a contour line, less on small sheets: as part of the shorter side.
+constexpr double kLabelDistanceMm = 120, kLabelDistancePart = 0.6;
 
 /// The room is found by trying: with less room for the picture there may be fewer numbers, and these may be shorter.
 constexpr double kSlackMm = 1e-3;  ///< the accuracy of the drawing
 constexpr int kFreeTrials = 3, kMostTrials = 8;
-
-/// Throws RequestError.
-double text_height_mm(const AxesChoice& choice, const Page& page) {
-  const double side = std::min(page.drawable().width(), page.drawable().height());
-  if (!choice.text_height_mm) {
-    return std::min(kTextHeightMm * std::sqrt(std::min(page.width_mm, page.height_mm) / kSideOfA4Mm),
-                    kHighestDefaultPart * side);
-  }
-  if (*choice.text_height_mm > kHighestPart * side) {
-    throw RequestError("text-height", shortest(*choice.text_height_mm) + " mm is more than a tenth of the " +
-                                          shortest(side) + " mm that the margins leave of the page");
-  }
-  return *choice.text_height_mm;
-}
 
 /// What reaches over the picture, on each side.
 Room overhang(const Rect& picture, const Rect& all) {
@@ -66,11 +57,36 @@ std::optional<AxesRequest> request_of(const AxesChoice& choice, const std::optio
     request.axes[k].to = box.high[k];
     request.axes[k].factor = plot->factor[k];
     request.axes[k].scale = plot->scales[k];
+    request.axes[k].categories = choice.categories[k];
   }
   return request;
 }
 
+/// Puts the sample of a legend's entry into the layer of the lines that it is about, so that one pen draws both.
+void add_sample(Drawing& drawing, const LegendEntry& entry, const std::array<Point2, 2>& sample) {
+  for (Layer& layer : drawing.layers) {
+    if (layer.name != entry.layer || layer.object != entry.object || layer.color != entry.color) continue;
+    layer.lines.add(sample);
+    return;
+  }
+  drawing.layers.push_back({"legend", {}, {}, 0, entry.object, entry.color});
+  drawing.layers.back().lines.add(sample);
+}
+
 }  // namespace
+
+double text_height_mm(const AxesChoice& choice, const Page& page) {
+  const double side = std::min(page.drawable().width(), page.drawable().height());
+  if (!choice.text_height_mm) {
+    return std::min(kTextHeightMm * std::sqrt(std::min(page.width_mm, page.height_mm) / kSideOfA4Mm),
+                    kHighestDefaultPart * side);
+  }
+  if (*choice.text_height_mm > kHighestPart * side) {
+    throw RequestError("text-height", shortest(*choice.text_height_mm) + " mm is more than a tenth of the " +
+                                          shortest(side) + " mm that the margins leave of the page");
+  }
+  return *choice.text_height_mm;
+}
 
 Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
                              const PageRequest& page, const AxesChoice& choice, const std::string& heading) {
@@ -83,7 +99,7 @@ Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& sce
   Surroundings result;
   Room room;
   for (int trial = 0; trial < kMostTrials; ++trial) {
-    result = {place(extent, scene.unit_mm, camera, page, room), {}, {}};
+    result = {place(extent, scene.unit_mm, camera, page, room), {}, {}, {}};
     const Placement& placement = result.placement;
     if (placement.picture.empty()) return result;
     const double height = text_height_mm(choice, placement.page);
@@ -96,6 +112,15 @@ Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& sce
     if (!result.axes.extent.empty()) {
       all.extend(result.axes.extent.min);
       all.extend(result.axes.extent.max);
+    }
+    if (choice.scale_bar || choice.north_arrow || !choice.legend.empty()) {
+      const MapGround ground = box ? MapGround{box->factor, box->unit} : MapGround{};
+      result.map = lay_out_map_marks(choice, ground, placement.view, all, height, measure);
+      result.texts.insert(result.texts.end(), result.map.texts.begin(), result.map.texts.end());
+      if (!result.map.extent.empty()) {
+        all.extend(result.map.extent.min);
+        all.extend(result.map.extent.max);
+      }
     }
     if (!heading.empty()) {
       const TextItem item = title_above(all, heading, kTitleHeight * height, placement.page.drawable().width(), measure);
@@ -133,6 +158,19 @@ Polylines lines_of_axes(const Surroundings& surroundings, std::span<const std::v
   return axis_lines(all, surroundings.placement.view, visibility, kLeastPartMm);
 }
 
+void add_labels(Drawing& drawing, const PictureRequest& request, const Surroundings& surroundings) {
+  if (request.contour_labels == ContourLabels::none) return;
+  const Page& page = surroundings.placement.page;
+  ContourLabelOptions options;
+  options.height_mm = kLabelHeight * text_height_mm(request.axes, page);
+  options.style = request.axes.text;
+  options.index_only = request.contour_labels == ContourLabels::index;
+  options.decades = request.label_decades;
+  options.distance_mm = std::min(kLabelDistanceMm, kLabelDistancePart * std::min(page.width_mm, page.height_mm));
+  options.page = page.sheet();
+  for (TextItem& label : label_contours(drawing, options, surroundings.texts)) drawing.texts.push_back(std::move(label));
+}
+
 void add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesChoice& choice, RunReport& run) {
   const std::string name(kLineClassNames[static_cast<std::size_t>(LineClass::axes)]);
   Layer layer{name, {}};
@@ -143,8 +181,12 @@ void add_surroundings(Drawing& drawing, const Surroundings& surroundings, const 
     drawing.layers.erase(found);
   }
   for (const auto& mark : surroundings.axes.marks) layer.lines.add(mark);
+  for (const auto& line : surroundings.map.lines) layer.lines.add(line);
+  for (std::size_t i = 0; i < surroundings.map.samples.size(); ++i) {
+    add_sample(drawing, choice.legend[i], surroundings.map.samples[i]);
+  }
   if (layer.lines.size() > 0) drawing.layers.push_back(std::move(layer));
-  drawing.texts = surroundings.texts;
+  drawing.texts.insert(drawing.texts.end(), surroundings.texts.begin(), surroundings.texts.end());
   if (choice.text != TextStyle::stroke) return;
   const std::size_t unknown = draw_texts_as_strokes(drawing);
   if (unknown > 0) run.warn(std::to_string(unknown) + " characters are not in the font: drawn as boxes");

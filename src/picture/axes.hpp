@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
+#include "picture/map_marks.hpp"
 #include "picture/placement.hpp"
 #include "picture/run_report.hpp"
 #include "view/axes_layout.hpp"
@@ -18,7 +19,8 @@ namespace ligne {
 struct Surroundings {
   Placement placement;
   AxesPicture axes;
-  std::vector<TextItem> texts;  ///< of the axes, and the title
+  MapMarks map{};
+  std::vector<TextItem> texts;  ///< of the axes, of the map's signs, and the title
 };
 
 /// What the axes measure: the box before scaling, what its coordinates are multiplied by, and how the axes count.
@@ -26,7 +28,11 @@ struct PlotBox {
   AxesBox box;
   Point3 factor{1, 1, 1};
   std::array<TickScale, 3> scales{};
+  GroundUnit unit = GroundUnit::unknown;
 };
+
+/// Height of capitals of the numbers and names. Throws RequestError.
+double text_height_mm(const AxesChoice& choice, const Page& page);
 
 /// Places the camera's picture and what is asked for round it on the page. `box` is nothing where there are no heights;
 /// `scene`: what the page must hold where there are no axes.
@@ -42,8 +48,12 @@ std::vector<std::array<Point3, 2>> all_lines(const Surroundings& surroundings);
 /// The lines of the axes on the page: of back_lines() the parts `seen`, and all that is before them.
 Polylines lines_of_axes(const Surroundings& surroundings, std::span<const std::vector<VisibleInterval>> seen);
 
-/// Adds ticks to the layer of the axes, which becomes the last one, and texts to the drawing. Characters that the
-/// single-stroke font lacks give a warning.
+/// Adds the labels that stand on the picture itself: heights of contour lines. To be called before
+/// add_surroundings().
+void add_labels(Drawing& drawing, const PictureRequest& request, const Surroundings& surroundings);
+
+/// Adds ticks to the layer of the axes, which becomes the last one, the signs of a map, and texts to the drawing. Characters
+/// that the single-stroke font lacks give a warning.
 void add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesChoice& choice, RunReport& run);
 
 }  // namespace ligne

@@ -5,12 +5,15 @@
 #include <string>
 #include <utility>
 
+#include "picture/contour_labels.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/fills.hpp"
 #include "picture/gray_faces.hpp"
 #include "picture/hatching.hpp"
 #include "picture/hidden_pieces.hpp"
+#include "picture/line_groups.hpp"
 #include "picture/parts.hpp"
+#include "picture/point_marks.hpp"
 #include "plotting/writers.hpp"
 #include "scene/clean/named_objects.hpp"
 #include "view/brightness.hpp"
@@ -87,8 +90,18 @@ Drawing DrawnScene::drawing(RunReport& run) const {
   Drawing drawing =
       tells_parts(request_) ? drawing_by_parts(study_, prepared_.scene, request_) : make_drawing(*result.strokes);
   add_debug_layer(drawing, result.debug);
-  add_surroundings(drawing, prepared_.around, request_.axes, run);
   drawing.layers.insert(drawing.layers.begin(), hatching_.begin(), hatching_.end());  // below all lines
+  add_labels(drawing, request_, prepared_.around);
+  if (request_.groups && !request_.groups->points.empty()) {
+    std::vector<TextItem> taken = prepared_.around.texts;
+    taken.insert(taken.end(), drawing.texts.begin(), drawing.texts.end());
+    const double height = text_height_mm(request_.axes, prepared_.around.placement.page);
+    for (TextItem& label : mark_points(drawing, request_.groups->points, study_.points_seen, prepared_.view(), height,
+                                       request_.axes.text, taken)) {
+      drawing.texts.push_back(std::move(label));
+    }
+  }
+  add_surroundings(drawing, prepared_.around, request_.axes, run);
   if (result.regions && request_.fill.kind != FillKind::none) {
     drawing.fills = fill_regions(prepared_.scene, prepared_.view(), *result.regions, prepared_.lights, request_.fill.kind);
   } else if (result.order && paints_in_order(request_, prepared_.method)) {

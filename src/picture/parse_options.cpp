@@ -96,8 +96,12 @@ LineWidths parse_widths(const std::string& text) {
 }
 
 void require_layers(const LineWidths& widths) {
-  std::vector<std::string_view> names{"hatch", "underside", "contour-base", "text", "debug"};
-  for (std::size_t l = kStrokeLayerCount; l > 0; --l) names.insert(names.end() - 5, stroke_layer_name(l - 1));
+  std::vector<std::string_view> names;
+  for (std::size_t l = kStrokeLayerCount; l > 0; --l) names.push_back(stroke_layer_name(l - 1));
+  for (const std::string_view other :
+       {"hatch", "underside", "contour-base", "contour-index", "shore", "water", "points", "legend", "text", "debug"}) {
+    names.push_back(other);
+  }
   for (const auto& [name, width] : widths) parse_choice(name, names);
 }
 

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "picture/line_groups.hpp"
 #include "scene/clean/named_objects.hpp"
 
 namespace ligne {
@@ -19,9 +20,12 @@ bool groups_objects(const PictureRequest& request) {
 struct Part {
   std::string material;
   std::uint32_t object = kNone;
-  std::size_t color = 0;  ///< number of the colour from 1 on, 0: none of its own
+  std::size_t color = 0;    ///< number of the colour from 1 on, 0: none of its own
+  std::uint32_t group = 0;  ///< of LineGroups
 
-  bool operator<(const Part& o) const { return std::tie(material, object, color) < std::tie(o.material, o.object, o.color); }
+  bool operator<(const Part& o) const {
+    return std::tie(material, object, color, group) < std::tie(o.material, o.object, o.color, o.group);
+  }
 };
 
 /// Which of the colours the object has, from 1 on; 0: none.
@@ -38,11 +42,29 @@ std::size_t painting_order(const std::string& layer) {
   return order;
 }
 
+/// A layer with its place among the others: those of one class by the names that groups give them.
+struct OrderedLayer {
+  std::size_t order;
+  std::string group;
+  Layer layer;
+};
+
+/// Gives a layer the look of its group; the name that this gives it, or nothing. Hidden lines stay hidden ones.
+std::string dress(Layer& layer, const LineGroup& group) {
+  if (layer.name == stroke_layer_name(0)) return {};
+  if (!group.layer.empty()) layer.name = group.layer;
+  if (!group.object.empty()) layer.object = group.object;
+  if (group.color) layer.color = group.color;
+  if (group.width_mm) layer.width_mm = group.width_mm;
+  layer.height = group.height;
+  return group.layer;
+}
+
 }  // namespace
 
 bool tells_parts(const PictureRequest& request) {
-  return groups_objects(request) || !request.output.colors.empty() || !request.plotter.pens.pen_of_material.empty() ||
-         !request.plotter.pens.pen_of_object.empty();
+  return request.groups || groups_objects(request) || !request.output.colors.empty() ||
+         !request.plotter.pens.pen_of_material.empty() || !request.plotter.pens.pen_of_object.empty();
 }
 
 std::vector<std::string> object_names(const Scene& scene) {
@@ -61,10 +83,15 @@ Drawing drawing_by_parts(const SceneStudy& study, const Scene& scene, const Pict
   const ObjectOfFace object_of(scene);
   const StrokeModel& strokes = *study.result.strokes;
   std::map<Part, StrokeModel> parts;
+  const std::size_t edges = study.edges.size(), lines = request.groups ? request.groups->lines.size() : 0;
   for (const Stroke& stroke : strokes.strokes) {
     Part part;
-    if (stroke.line_class != LineClass::axes) {
-      const std::uint32_t face = study.source(scene, stroke.source).faces[0];
+    if (stroke.source >= edges && stroke.source - edges < lines) {
+      part.group = request.groups->lines[stroke.source - edges].group;
+    } else if (stroke.line_class != LineClass::axes) {
+      const SourceEdge source = study.source(scene, stroke.source);
+      if (request.groups && request.groups->group_of) part.group = request.groups->group_of(source, stroke.line_class);
+      const std::uint32_t face = source.faces[0];
       const std::uint32_t material = face < scene.face_material.size() ? scene.face_material[face] : 0;
       if (by_material && material < scene.materials.size()) part.material = scene.materials[material].name;
       const std::uint32_t object = object_of(face);
@@ -75,19 +102,24 @@ Drawing drawing_by_parts(const SceneStudy& study, const Scene& scene, const Pict
     model.lattice = strokes.lattice;
     model.strokes.push_back(stroke);
   }
-  Drawing drawing;
+  std::vector<OrderedLayer> layers;
   for (const auto& [part, model] : parts) {
     for (Layer& layer : make_drawing(model).layers) {
       layer.material = part.material;
       if (part.object < names.size()) layer.object = names[part.object];
       if (part.color > 0) layer.color = request.output.colors[part.color - 1].color;
-      drawing.layers.push_back(std::move(layer));
+      const std::size_t order = painting_order(layer.name);
+      const std::string group = request.groups ? dress(layer, request.groups->groups[part.group]) : std::string();
+      layers.push_back({order, group, std::move(layer)});
     }
   }
-  if (by_object || !request.output.colors.empty()) {
-    std::stable_sort(drawing.layers.begin(), drawing.layers.end(),
-                     [](const Layer& a, const Layer& b) { return painting_order(a.name) < painting_order(b.name); });
+  if (by_object || request.groups || !request.output.colors.empty()) {
+    std::stable_sort(layers.begin(), layers.end(), [](const OrderedLayer& a, const OrderedLayer& b) {
+      return std::tie(a.order, a.group) < std::tie(b.order, b.group);
+    });
   }
+  Drawing drawing;
+  for (OrderedLayer& layer : layers) drawing.layers.push_back(std::move(layer.layer));
   return drawing;
 }
 

@@ -27,6 +27,7 @@ namespace ligne {
 
 class CompiledScene;
 class Method;
+struct LineGroups;
 
 /// From where the scene is seen.
 struct ViewRequest {
@@ -143,9 +144,23 @@ struct HatchRequest {
   bool asked() const { return kind != HatchKind::none; }
 };
 
-/// Axes and a title round the picture of what is plotted.
+/// Which contour lines have their height written into them.
+enum class ContourLabels : std::uint8_t { none, index, all };
+
+/// A line of the legend.
+struct LegendEntry {
+  std::string text;
+  std::optional<std::array<double, 3>> color{};
+  std::string layer{}, object{};  ///< of the lines that it is about
+};
+
+/// Axes, a title and a map's signs round the picture of what is plotted.
 struct AxesChoice {
   std::optional<AxesStyle> style;  ///< nothing: no axes
+  bool scale_bar = false, north_arrow = false;
+  std::string scale_unit{};  ///< empty: metres, where the ground has them
+  std::vector<LegendEntry> legend{};
+  std::array<std::vector<std::string>, 3> categories{};  ///< names in place of the numbers 0, 1, 2 ...
   std::array<std::optional<std::string>, 3> names;
   TextStyle text = TextStyle::font;
   std::optional<double> text_height_mm;
@@ -195,7 +210,10 @@ struct PictureRequest {
   AxesChoice axes{};
   PlotterRequest plotter{};
   OutputRequest output{};
-  std::string heading{};                            ///< title above the picture on the page, may be empty
+  std::string heading{};                       ///< title above the picture on the page, may be empty
+  std::shared_ptr<const LineGroups> groups{};  ///< lines that are drawn apart; nullptr: none
+  ContourLabels contour_labels = ContourLabels::none;
+  bool label_decades = false;                       ///< heights of contours are decimal logarithms
   std::shared_ptr<const CompiledScene> compiled{};  ///< of the scene, by the method; nullptr: it is made when it is needed
   MemoryLimit memory{};
   std::function<void(double)> progress{};  ///< called with the fraction of the study done, from one thread at a time

@@ -12,6 +12,8 @@
 #include "picture/errors.hpp"
 #include "picture/hatching.hpp"
 #include "picture/lighting.hpp"
+#include "picture/line_groups.hpp"
+#include "picture/point_marks.hpp"
 #include "picture/profile.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/registry.hpp"
@@ -129,7 +131,8 @@ bool wants_regions(const PictureRequest& request, const Method& method) {
 SourceEdge SceneStudy::source(const Scene& scene, std::uint32_t number) const {
   const StrokeModel& strokes = *result.strokes;
   if (number >= strokes.edge_count) return strokes.intersections.at(number - strokes.edge_count);
-  const Edge& edge = edges.at(number);
+  if (number >= edges.size()) return {lines.at(number - edges.size()), {kNone, kNone}, false};
+  const Edge& edge = edges[number];
   return {{scene.vertices[edge.v0], scene.vertices[edge.v1]}, {edge.face0, edge.face1}, false};
 }
 
@@ -155,6 +158,13 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
       prepared.contours = replace_outlines(scene, prepared.topology, prepared.projected, contour_options(request, creases));
     }
     prepared.scans = std::move(creases.scans);
+    if (request.groups) {
+      std::vector<std::array<Point3, 2>> lines;
+      for (const SpaceLine& line : request.groups->lines) lines.push_back(line.ends);
+      add_lines(prepared.projected, lines, LineClass::curve);
+      prepared.first_probe = prepared.projected.source_count;
+      add_lines(prepared.projected, probes_of(request.groups->points, prepared.view()), LineClass::curve);
+    }
     add_lines(prepared.projected, all_lines(prepared.around), LineClass::axes);
   });
   prepared.lights = lights_of(request, scene);
@@ -165,6 +175,9 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   const PictureRequest& request = prepared.request;
   SceneStudy found;
   if (keep_edges) found.edges = std::move(prepared.topology.edges);
+  if (keep_edges && request.groups) {
+    for (const SpaceLine& line : request.groups->lines) found.lines.push_back(line.ends);
+  }
   prepared.topology = {};
 
   const ProjectedScene& projected = prepared.projected;
@@ -188,6 +201,9 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
              std::string(prepared.method.traits().only_for) + ", and of this scene " + found.result.beyond);
   }
   remove_hidden_axes(*found.result.strokes);
+  if (request.groups) {
+    found.points_seen = take_probes(*found.result.strokes, prepared.first_probe, request.groups->points.size());
+  }
   clear_intersections(*found.result.strokes, prepared.scene, projected, request.lines, run);
   const ContourSources contours = draw_contours(*found.result.strokes, prepared.scene, prepared.view(), prepared.contours,
                                                 request.lines.hidden != HiddenLines::none, contour_options(request, {}));

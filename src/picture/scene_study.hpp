@@ -1,6 +1,7 @@
 #pragma once
 /// What of a scene is seen, and where on the page: the part of a picture that knows nothing of pens and files.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -30,6 +31,7 @@ struct PreparedScene {
   std::vector<Light> lights;  ///< that cast shadows
   SmoothContours contours{};  ///< in place of outlines of meshes
   std::vector<ScanObject> scans{};
+  std::uint32_t first_probe = 0;  ///< source of the first probe of a point (LineGroups)
 
   const View& view() const { return around.placement.view; }
 };
@@ -37,7 +39,9 @@ struct PreparedScene {
 /// What was found. Every stroke is there once, and regions carry details and light.
 struct SceneStudy {
   VisibilityResult result;
-  std::vector<Edge> edges;  ///< of the scene, where `keep_edges` asks for them
+  std::vector<Edge> edges;                     ///< of the scene, where `keep_edges` asks for them
+  std::vector<std::array<Point3, 2>> lines{};  ///< beside them (LineGroups), the same
+  std::vector<std::uint8_t> points_seen{};     ///< of those of LineGroups
 
   /// The source of a stroke: an edge of the scene, an intersection or the border of a shadow.
   SourceEdge source(const Scene& scene, std::uint32_t number) const;

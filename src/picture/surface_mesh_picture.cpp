@@ -10,13 +10,17 @@
 #include <utility>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "files/message_text.hpp"
 #include "picture/axes.hpp"
 #include "picture/curve_distance.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
+#include "picture/surface_curves.hpp"
 #include "picture/surface_samples.hpp"
 #include "picture/surface_scale.hpp"
+#include "picture/surface_terrain.hpp"
 #include "scene/clean/crossing_edges.hpp"
 #include "scene/surfaces/cut_cells.hpp"
 #include "scene/surfaces/mesh_writer.hpp"
@@ -36,8 +40,7 @@ constexpr std::size_t kCurvesAmongModels = 60;
 /// there.
 constexpr double kCrease = 75;
 
-std::optional<double> base_of(const SurfaceRequest& request, const std::vector<SurfaceMesh>& meshes) {
-  const auto range = height_range(meshes);
+std::optional<double> base_of(const SurfaceRequest& request, const std::optional<std::array<double, 2>>& range) {
   if (!request.skirt || !range) return std::nullopt;
   const double lowest = (*range)[0], height = (*range)[1] - lowest;
   if (!request.skirt_base) return lowest - kBaseDepth * height;
@@ -105,6 +108,8 @@ SurfaceMesh mesh_of_formula(const SurfaceRequest& request, const SurfacePoints& 
 struct MeshPlot {
   Scene scene;
   std::optional<PlotBox> box;
+  std::shared_ptr<LineGroups> groups;
+  std::vector<LegendEntry> legend;
 };
 
 std::vector<SurfaceMesh> meshes_of(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
@@ -121,15 +126,44 @@ std::vector<SurfaceMesh> meshes_of(const SurfaceRequest& request, const std::vec
   return meshes;
 }
 
-/// Leaves out curves of fine grids; whether there are any left out.
-bool thin_curves(const SurfaceRequest& request, const std::vector<Surface>& given, const PlotBox& box,
-                 std::vector<SurfacePoints>& surfaces, RunReport& run) {
+/// The picture's place on the page before there is a scene.
+Surroundings place_box(const SurfaceRequest& request, const PlotBox& box) {
   const PictureRequest& picture = request.picture;
+  const Scene extent = box_scene({box.box.low * box.factor, box.box.high * box.factor});
+  return place_with_axes(box, extent, camera_of(view_of(request), extent), picture.page, picture.axes, picture.output.title);
+}
+
+/// What the samples span that are to be drawn, as the axes count: but for what borders between samples add, it is what the
+/// meshes will span.
+std::optional<AxesBox> box_of_samples(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
+                                      const std::vector<std::optional<double>>& water) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::array<double, 2> window = request.z_range.value_or(std::array{-kInfinity, kInfinity});
+  AxesBox box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    for (const Point3& p : surfaces[k].points) {
+      if (!std::isfinite(p.x + p.y + p.z)) continue;
+      const Point3 cut{p.x, p.y, std::clamp(std::max(p.z, water[k].value_or(p.z)), window[0], window[1])};
+      box.low = glm::min(box.low, cut);
+      box.high = glm::max(box.high, cut);
+    }
+  }
+  if (!(box.low.z <= box.high.z)) return std::nullopt;
+  if (const auto base = base_of(request, std::array{box.low.z, box.high.z})) box.low.z = std::min(box.low.z, *base);
+  return box;
+}
+
+/// Leaves out curves of fine grids. It is done before there are meshes, whose edges know which of them are curves.
+void thin_curves(const SurfaceRequest& request, const std::vector<Surface>& given,
+                 const std::vector<std::optional<double>>& water, std::vector<SurfacePoints>& surfaces, RunReport& run) {
+  if (std::none_of(given.begin(), given.end(), [](const Surface& s) { return s.thinned; })) return;
+  const std::optional<AxesBox> samples = box_of_samples(request, surfaces, water);
+  if (!samples) return;
+  RunReport choices;  // are told when the meshes are known
+  const GroundUnit unit = unit_of(surfaces);
+  const PlotBox box{*samples, plot_factor(request, *samples, unit, choices), tick_scales(request), unit};
   const AxesBox drawn{box.box.low * box.factor, box.box.high * box.factor};
-  const Scene extent = box_scene(drawn);
-  const Surroundings around =
-      place_with_axes(box, extent, camera_of(view_of(request), extent), picture.page, picture.axes, picture.output.title);
-  bool any = false;
+  const Surroundings around = place_box(request, box);
   for (std::size_t k = 0; k < given.size(); ++k) {
     SurfacePoints& points = surfaces[k];
     if (!given[k].thinned || points.columns < 2 || points.rows < 2) continue;
@@ -139,35 +173,93 @@ bool thin_curves(const SurfaceRequest& request, const std::vector<Surface>& give
       ground.high[axis] = points.points.back()[axis] * box.factor[axis];
     }
     const std::size_t stride = stride_apart({ground, points.columns, points.rows, points.x_stride > 0, points.y_stride > 0},
-                                            around.placement.view, picture.page.pen_width_mm);
+                                            around.placement.view, request.picture.page.pen_width_mm);
     if (stride == 1) continue;
-    any = true;
     run.choices.emplace_back("every", std::to_string(stride) + ": curves keep apart");
     if (points.x_stride > 0) points.x_stride = stride;
     if (points.y_stride > 0) points.y_stride = stride;
   }
-  return any;
+}
+
+/// Lines that are drawn apart; nothing where there are none.
+std::shared_ptr<LineGroups> groups_of(const SurfaceRequest& request, const std::vector<SurfaceMesh>& meshes,
+                                      const std::vector<WaterTriangles>& water,
+                                      const std::vector<std::optional<double>>& water_levels,
+                                      const std::vector<double>& contours, const DrawnCurves& curves, const PlotBox& box) {
+  const TerrainRequest& terrain = request.terrain;
+  const bool any_curves = !curves.curves.empty() || !curves.points.empty();
+  if (!terrain.has_water() && terrain.hachures == HachureKind::none && !tells_heights(request.curves) && !any_curves &&
+      !request.bands && request.colors.empty()) {
+    return nullptr;
+  }
+  auto groups = std::make_shared<LineGroups>();
+  if (terrain.hachures != HachureKind::none || terrain.water_fill == WaterFill::hatch) {
+    add_terrain_lines(request, meshes, water, box.factor, place_box(request, box).placement.view, *groups);
+  }
+  add_curves(curves, box.factor, *groups);
+  add_contour_groups(request, contours, water_levels, box.factor.z, *groups);
+  return groups;
+}
+
+/// Cuts the meshes along the limits of bands, which are returned; the cuts are no lines.
+std::vector<double> cut_bands(const SurfaceRequest& request, std::vector<SurfaceMesh>& meshes) {
+  const auto range = height_range(meshes);
+  if (!range || !request.bands) return {};
+  const std::vector<double> limits = band_limits(request, (*range)[0], (*range)[1]);
+  for (SurfaceMesh& mesh : meshes) {
+    cut_contours(mesh, limits);
+    for (auto& flags : mesh.flags) {
+      for (std::uint8_t& flag : flags) flag = static_cast<std::uint8_t>(flag & ~kCornerContour);
+    }
+  }
+  return limits;
+}
+
+/// Where the faces of each surface, its walls with them, end in the scene.
+std::vector<std::uint32_t> face_ends(const std::vector<SurfaceMesh>& meshes, bool walls, const Scene& scene) {
+  std::vector<std::uint32_t> ends;
+  std::size_t object = 0;
+  std::uint32_t end = 0;
+  for (const SurfaceMesh& mesh : meshes) {
+    // Objects without faces are left out of a scene.
+    const auto is_of = [&](const Object& o) {
+      return o.name == mesh.name || (walls && o.name.starts_with(mesh.name + ", "));
+    };
+    while (object < scene.objects.size() && is_of(scene.objects[object])) end = scene.objects[object++].face_end;
+    ends.push_back(end);
+  }
+  return ends;
 }
 
 /// `with_lines`: cut along the contour lines, and with its crossings marked.
 MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& given, bool with_lines, RunReport& run) {
   std::vector<SurfacePoints> surfaces = points_of(request, given);
+  const std::vector<std::optional<double>> levels_of_water = water_levels(request, surfaces);
+  if (with_lines) thin_curves(request, given, levels_of_water, surfaces, run);
   std::vector<SurfaceMesh> meshes = meshes_of(request, surfaces, run);
+  const DrawnCurves curves = with_lines ? curves_of(request, surfaces, run) : DrawnCurves{};
+  const std::vector<double> limits = with_lines ? cut_bands(request, meshes) : std::vector<double>{};
+  const std::vector<WaterTriangles> water = flood_all(meshes, levels_of_water);
   MeshPlot plot;
   Point3 factor{1, 1, 1};
-  const std::optional<double> base = base_of(request, meshes);
+  const std::optional<double> base = base_of(request, height_range(meshes));
   if (auto box = box_of(surfaces, meshes)) {
-    factor = plot_factor(request, *box, unit_of(surfaces), run);
+    const GroundUnit unit = unit_of(surfaces);
+    factor = plot_factor(request, *box, unit, run);
     if (base) box->low.z = std::min(box->low.z, *base);
-    plot.box = PlotBox{*box, factor, tick_scales(request)};
-    const bool may_thin = with_lines && std::any_of(given.begin(), given.end(), [](const Surface& s) { return s.thinned; });
-    if (may_thin && thin_curves(request, given, *plot.box, surfaces, run)) meshes = meshes_of(request, surfaces, run);
+    plot.box = PlotBox{*box, factor, tick_scales(request), unit};
   }
   if (const auto range = height_range(meshes); range && with_lines) {
     const std::vector<double> levels = contour_levels(request.curves, (*range)[0], (*range)[1]);
+    if (plot.box) plot.groups = groups_of(request, meshes, water, levels_of_water, levels, curves, *plot.box);
     for (SurfaceMesh& mesh : meshes) cut_contours(mesh, levels);
   }
   plot.scene = surface_scene(meshes, factor, base);
+  if (plot.groups)
+    add_surface_groups(request, limits, factor.z, face_ends(meshes, base.has_value(), plot.scene), *plot.groups);
+  std::vector<std::string> names;
+  for (const SurfacePoints& surface : surfaces) names.push_back(surface.name);
+  plot.legend = legend_of(request, names, limits);
   Scene& scene = plot.scene;
   if (may_cross(request) && with_lines) {
     double precision = 0;
@@ -197,6 +289,10 @@ SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector
   picture.lines.crease_degrees = kCrease;
   picture.lines.quality = Quality::exact;  // samples of ours: there is nothing to heal
   if (picture.output.format != OutputFormat::json) picture.heading = picture.output.title;
+  picture.groups = plot.groups;
+  picture.axes.legend = plot.legend;
+  picture.contour_labels = request.curves.labels;
+  picture.label_decades = request.log_axes[2];
   return {std::move(plot.scene), plot.box, std::move(picture)};
 }
 
@@ -219,7 +315,7 @@ Scene surface_objects(SurfaceRequest request, const std::array<Point3, 2>& groun
   }
   const std::vector<SurfacePoints> points = points_of(request, surfaces);
   const std::vector<SurfaceMesh> meshes = meshes_of(request, points, run);
-  return surface_scene(meshes, {1, 1, request.z_scale.value_or(1)}, base_of(request, meshes));
+  return surface_scene(meshes, {1, 1, request.z_scale.value_or(1)}, base_of(request, height_range(meshes)));
 }
 
 MeshFormat mesh_format_of_suffix(const std::string& file) {

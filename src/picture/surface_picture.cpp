@@ -9,6 +9,7 @@
 #include "picture/surface_mesh_picture.hpp"
 #include "picture/surface_samples.hpp"
 #include "picture/surface_scale.hpp"
+#include "picture/surface_terrain.hpp"
 #include "plotting/writers.hpp"
 #include "scene/surfaces/cut_cells.hpp"
 #include "scene/surfaces/height_filters.hpp"
@@ -61,6 +62,11 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface,
   if (!surface.left_out.empty()) horizon.left_out = &surface.left_out;
   ViewRequest view = view_of(surfaces);
   Point3 factor{1, 1, 1};
+  if (surfaces.curves.ridgeline && surfaces.terrain.water) {
+    surface.heights = land_heights(std::move(surface.heights), *surfaces.terrain.water);
+    found.low = std::max(found.low, *surfaces.terrain.water);
+    found.high = std::max(found.high, found.low);
+  }
   if (surfaces.curves.ridgeline) {
     const double rows = surfaces.curves.ridgeline_overlap * static_cast<double>(std::max<std::size_t>(surface.y_stride, 1));
     surface.heights = ridgeline_heights(std::move(surface.heights), found.low, found.high, rows, kRidgelineHeight);
@@ -73,7 +79,7 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface,
     factor = plot_factor(surfaces, box_of(*surface.heights, found), surface.unit, run);
     horizon.z_scale = factor.z;
   }
-  if (!found.empty()) request.box = PlotBox{box_of(*surface.heights, found), factor, tick_scales(surfaces)};
+  if (!found.empty()) request.box = PlotBox{box_of(*surface.heights, found), factor, tick_scales(surfaces), surface.unit};
   surface.heights = scaled_ground(std::move(surface.heights), factor.x, factor.y);
 
   const HeightSource& heights = *surface.heights;
@@ -100,7 +106,23 @@ Polylines axes_of(const HorizonLines& lines, const Surroundings& around) {
   return lines_of_axes(around, seen);
 }
 
-Drawing drawing_of(HorizonLines& lines) {
+/// Layers of contour lines, one for each height where these are told apart.
+void add_contours(Drawing& drawing, const SurfaceRequest& request, const std::vector<double>& heights,
+                  const Polylines& lines, const std::vector<std::uint32_t>& levels, bool index) {
+  for (std::size_t i = 0, end = 0; i < lines.size(); i = end) {
+    const LineGroup group = contour_group(request.curves, heights[levels[i]], levels[i]);
+    if ((group.layer == "contour-index") != index) {
+      while (end < lines.size() && (end <= i || levels[end] == levels[i])) ++end;
+      continue;
+    }
+    Layer layer{group.layer, {}};
+    layer.height = group.height;
+    for (end = i; end < lines.size() && levels[end] == levels[i]; ++end) layer.lines.add(lines[end]);
+    drawing.layers.push_back(std::move(layer));
+  }
+}
+
+Drawing drawing_of(HorizonLines& lines, const SurfaceRequest& request, const std::vector<double>& heights) {
   Drawing drawing;
   const auto add = [&](const char* layer, Polylines& polylines) {
     if (polylines.size() > 0) drawing.layers.push_back({layer, std::move(polylines)});
@@ -108,7 +130,12 @@ Drawing drawing_of(HorizonLines& lines) {
   add("contour-base", lines.base_contours);
   add("underside", lines.underside);
   add("horizon", lines.curves);
-  add("contour", lines.contours);
+  if (tells_heights(request.curves)) {
+    for (const bool index : {false, true})
+      add_contours(drawing, request, heights, lines.contours, lines.contour_levels, index);
+  } else {
+    add("contour", lines.contours);
+  }
   add("border", lines.border);
   add("outline", lines.outline);
   return drawing;
@@ -171,9 +198,12 @@ std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, std::v
   HorizonLines lines;
   timed(run.stages, {"study", samples},
         [&] { lines = horizon_lines(*surface.heights, around.placement.view, horizon.options, run.study); });
-  Drawing drawing = drawing_of(lines);
+  Drawing drawing = drawing_of(lines, request, horizon.options.contours);
+  picture.contour_labels = request.curves.labels;
+  picture.label_decades = request.log_axes[2];
   warn_of_empty_or_cut(drawing, around.placement, run);
   if (Polylines axes = axes_of(lines, around); axes.size() > 0) drawing.layers.push_back({"axes", std::move(axes)});
+  add_labels(drawing, picture, around);
   add_surroundings(drawing, around, picture.axes, run);
   return HorizonDrawing{std::move(drawing), around.placement.page, std::move(picture)};
 }

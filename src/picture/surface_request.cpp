@@ -10,7 +10,7 @@ namespace ligne {
 namespace {
 
 constexpr double kAzimuth = -60, kElevation = 30;
-constexpr unsigned kMostContours = 10'000, kContours = 10;
+constexpr unsigned kMostContours = 10'000, kContours = 10, kIndexContours = 5;
 /// How far below the lowest height the contours of the base lie, as a part of the range of heights.
 constexpr double kBaseDepth = 0.3;
 
@@ -56,6 +56,10 @@ void check_curves(const SurfaceRequest& surface) {
     throw RequestError("", "--contours, --contour-step: do not go together");
   }
   const bool contours = request.contours || request.contour_step || request.contours_base;
+  if (!contours && (request.labels != ContourLabels::none || request.index_contours)) {
+    throw RequestError(request.index_contours ? "index-contours" : "contour-labels",
+                       "goes with --contours or --contour-step");
+  }
   if (curves_hide && contours) {
     throw RequestError("hidden-by", "curves knows no surface for contours to lie on");
   }
@@ -69,6 +73,21 @@ void check_curves(const SurfaceRequest& surface) {
     throw RequestError("ridgeline", "the overlap is not above 0");
   }
   if (surface.lines == CurveFamilies::none && curves_hide) throw RequestError("hidden-by", "curves needs --lines that hide");
+}
+
+void check_terrain(const SurfaceRequest& request) {
+  const TerrainRequest& terrain = request.terrain;
+  if ((terrain.has_water() || terrain.hachures != HachureKind::none) && !request.parametric.empty()) {
+    throw RequestError(terrain.has_water() ? "water" : "hachures", "goes with z = f(x, y)");
+  }
+  if (terrain.water && terrain.water_at_holes) throw RequestError("water", "is a height or nodata, not both");
+  if (!terrain.has_water() && terrain.water_fill != WaterFill::blank) throw RequestError("water-fill", "goes with --water");
+  if (terrain.hachures == HachureKind::none && terrain.hachure_mm) {
+    throw RequestError("hachure-spacing", "goes with --hachures");
+  }
+  if (request.curves.ridgeline && terrain.water_fill != WaterFill::blank) {
+    throw RequestError("ridgeline", "leaves water blank");
+  }
 }
 
 void check_scale(const SurfaceRequest& request) {
@@ -94,6 +113,15 @@ void check(const SurfaceRequest& request) {
   check_sources(request);
   check_scale(request);
   check_curves(request);
+  check_terrain(request);
+  if (request.t.size() > request.space_curves.size()) throw RequestError("", "-t: there are more of them than curves");
+  if (!request.names.empty() && !request.legend) throw RequestError("name", "goes with --legend");
+  if (request.legend && request.picture.output.format == OutputFormat::json) {
+    throw RequestError("legend", "is not written as json");
+  }
+  if (!request.point_files.empty() && request.picture.output.format == OutputFormat::json) {
+    throw RequestError("points", "are not written as json");
+  }
 }
 
 std::string needs_mesh(const SurfaceRequest& request) {
@@ -101,6 +129,13 @@ std::string needs_mesh(const SurfaceRequest& request) {
   if (height_count(request) > 1) return "several surfaces";
   if (request.z_range) return "--z-range";
   if (request.skirt) return "--skirt";
+  if (request.terrain.has_water() && !request.curves.ridgeline) return "--water";
+  if (request.terrain.hachures != HachureKind::none) return "--hachures";
+  if (!request.space_curves.empty()) return "--curve";
+  if (!request.point_files.empty()) return "--points";
+  if (request.bands) return "--bands";
+  if (!request.colors.empty()) return "--colors";
+  if (request.legend) return "--legend";
   if (request.picture.lines.hidden != HiddenLines::none) return "--hidden";
   if (request.picture.hatch.asked()) return "--hatch";
   if (request.picture.output.format == OutputFormat::json) return "json";
@@ -148,6 +183,17 @@ std::vector<double> contour_levels(const CurveRequest& request, double low, doub
     for (unsigned k = 1; k <= n; ++k) levels.push_back(low + (high - low) * k / (n + 1));
   }
   return levels;
+}
+
+bool is_index_contour(const CurveRequest& request, double level, std::size_t number) {
+  const unsigned every = request.index_contours.value_or(request.contour_step ? kIndexContours : 0);
+  if (every == 0) return false;
+  if (!request.contour_step) return (number + 1) % every == 0;
+  return std::fmod(std::round(level / *request.contour_step), every) == 0;
+}
+
+bool tells_heights(const CurveRequest& request) {
+  return request.labels != ContourLabels::none || request.index_contours.value_or(request.contour_step ? 1 : 0) > 0;
 }
 
 double contour_base_of(const CurveRequest& request, double low, double high) {

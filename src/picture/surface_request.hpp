@@ -24,8 +24,10 @@ inline constexpr std::string_view kCurveFamilyNames[] = {"x", "y", "xy", "none"}
 
 /// Lines beside plain curves, and what hides.
 struct CurveRequest {
-  std::optional<unsigned> contours;    ///< number of contour lines
-  std::optional<double> contour_step;  ///< or their distance in height
+  std::optional<unsigned> contours;        ///< number of contour lines
+  std::optional<double> contour_step;      ///< or their distance in height
+  std::optional<unsigned> index_contours;  ///< one of so many is drawn heavier, 0: none; nothing: every fifth of a step
+  ContourLabels labels = ContourLabels::none;
   bool contours_base = false;
   std::optional<double> contour_base;  ///< height of the plane; nothing: a good deal below the lowest height
   std::optional<bool> outline;         ///< nothing: yes, unless curves hide
@@ -33,6 +35,21 @@ struct CurveRequest {
   HiddenBy hidden_by = HiddenBy::surface;
   bool ridgeline = false;
   double ridgeline_overlap = 6;  ///< range of heights in distances of rows
+};
+
+enum class WaterFill : std::uint8_t { blank, hatch };
+enum class HachureKind : std::uint8_t { none, contour, slope };
+
+/// What maps of terrain have.
+struct TerrainRequest {
+  std::optional<double> water;  ///< what is lower is water, up to this height
+  bool water_at_holes = false;  ///< where there is no height is water, as high as the lowest height
+  WaterFill water_fill = WaterFill::blank;
+  HachureKind hachures = HachureKind::none;     ///< strokes where it is dark: along contours, or down the slope
+  std::optional<double> hachure_mm;             ///< distance of the closest strokes; nothing: by the width of the pen
+  double sun_azimuth = 315, sun_altitude = 45;  ///< degrees: clockwise from north, and above the ground
+
+  bool has_water() const { return water || water_at_holes; }
 };
 
 /// Heights in memory: z[j * x.size() + i] over x[i], y[j], which ascend; NaN where there is none.
@@ -51,6 +68,15 @@ struct AspectRequest {
 /// What the positions of a grid are: as the file says or lets see, metres or any other unit that the heights have too, or
 /// degrees of longitude and latitude with heights in metres.
 enum class GroundChoice : std::uint8_t { as_read, metres, degrees };
+
+/// Formulas of x, y and z in t; that of z may be kOnSurface.
+using SpaceCurve = std::array<std::string, 3>;
+
+/// Heights in bands that are told apart by colours: so many, or at limits.
+struct BandRequest {
+  unsigned count = 0;
+  std::vector<double> limits{};
+};
 
 /// Surfaces z = f(x, y) and parametric ones. Of `picture` the line classes and the crease angle are not looked at.
 struct SurfaceRequest {
@@ -77,6 +103,14 @@ struct SurfaceRequest {
   bool horizon = false;                   ///< the horizon is asked for, also where it leaves out cells that a mesh can cut
   std::optional<unsigned> pixel_columns;  ///< the horizon as an array of so many pixels; nothing: exact
   CurveRequest curves;
+  TerrainRequest terrain;
+  std::vector<SpaceCurve> space_curves{};
+  std::vector<CurveRange> t{};                  ///< of the space curves in their order; the last serves for all that follow
+  std::vector<std::string> point_files{};       ///< points with labels
+  std::vector<std::array<double, 3>> colors{};  ///< of surfaces in turn, or of bands
+  std::optional<BandRequest> bands{};
+  bool legend = false;
+  std::vector<std::string> names{};  ///< of its lines, as far as they go
   PictureRequest picture;
 };
 
@@ -106,6 +140,12 @@ std::string place_of_warnings(const SurfaceRequest& request);
 
 /// Heights of the contour lines between `low` and `high`, ascending. Throws RequestError when they are too many.
 std::vector<double> contour_levels(const CurveRequest& request, double low, double high);
+
+/// Whether a contour line is an index contour: `number` counts from 0 in the levels.
+bool is_index_contour(const CurveRequest& request, double level, std::size_t number);
+
+/// Whether contour lines are told apart by their heights.
+bool tells_heights(const CurveRequest& request);
 
 /// Height of the plane of the contours at the base.
 double contour_base_of(const CurveRequest& request, double low, double high);

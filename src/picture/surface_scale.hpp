@@ -6,15 +6,13 @@
 
 #include "drawing/ticks.hpp"
 #include "geometry/point.hpp"
+#include "picture/map_marks.hpp"
 #include "picture/run_report.hpp"
 #include "picture/surface_request.hpp"
 #include "scene/surfaces/height_source.hpp"
 #include "view/axes_box.hpp"
 
 namespace ligne {
-
-/// Metres of a degree of latitude: of a sphere of the earth's mean radius, 6371.009 km.
-inline constexpr double kMetresOfDegree = 111195.08;
 
 /// Unless told otherwise, x and y are drawn true to each other while their ranges differ by no more than this factor.
 inline constexpr double kMostUnlike = 4;

@@ -52,7 +52,8 @@ bool is_layer_of_ours(const std::string& name) {
   for (std::size_t l = 0; l < kStrokeLayerCount; ++l) {
     if (stroke_layer_name(l) == name) return true;
   }
-  constexpr std::string_view others[] = {"underside", "contour-base", "text", "debug", "hatch", "frame"};
+  constexpr std::string_view others[] = {"underside", "contour-base", "contour-index", "shore",  "water", "text",
+                                         "debug",     "hatch",        "frame",         "legend", "points"};
   return std::find(std::begin(others), std::end(others), name) != std::end(others);
 }
 

@@ -138,11 +138,23 @@ class Layout {
     return placed;
   }
 
+  /// Numbers, or names: of these all, or one of so many that there are no more than `most`.
+  static std::vector<Tick> ticks_of(const AxisRequest& axis, std::size_t most) {
+    if (axis.categories.empty()) return round_ticks(axis.scale, axis.from, axis.to, most);
+    std::vector<Tick> ticks;
+    const std::size_t every = (axis.categories.size() + most - 1) / most;
+    for (std::size_t i = 0; i < axis.categories.size(); i += every) {
+      const auto at = static_cast<double>(i);
+      if (axis.from <= at && at <= axis.to) ticks.push_back({at, axis.categories[i]});
+    }
+    return ticks;
+  }
+
   /// The most ticks whose numbers keep apart.
   std::vector<PlacedTick> fitting_ticks(const AxisEdge& edge) {
     const AxisRequest& axis = request_.axes[edge.axis];
     for (std::size_t most = kMostTicks; most > 0;) {
-      const std::vector<Tick> ticks = round_ticks(axis.scale, axis.from, axis.to, most);
+      const std::vector<Tick> ticks = ticks_of(axis, most);
       std::vector<PlacedTick> placed = placed_ticks(edge, ticks);
       bool apart = true;
       for (std::size_t i = 1; i < placed.size() && apart; ++i) {

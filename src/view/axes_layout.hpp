@@ -25,6 +25,7 @@ struct AxisRequest {
   double factor = 1;        ///< model coordinate of 1, > 0
   std::string name;
   TickScale scale = TickScale::linear;
+  std::vector<std::string> categories{};  ///< names of 0, 1, 2 ...; empty: numbers
 };
 
 struct AxesRequest {

@@ -14,7 +14,7 @@ if ! difference=$(diff <(echo "$of_help") <(echo "$of_page")); then
   exit 1
 fi
 
-unknown=$(grep -hoE '^(\./ligne\.sh|ligne|      ) .*' "$folder/README.md" "$folder/docs/gallery.md" | sed 's/#.*//' | long_options |
+unknown=$(grep -hoE '^(\./ligne\.sh|ligne|      ) .*' "$folder/README.md" "$folder/docs/gallery.md" "$folder/docs/surfaces-gallery.md" | sed 's/#.*//' | long_options |
           comm -23 - <(echo "$of_help"))
 if [[ -n $unknown ]]; then
   echo "README.md or docs/gallery.md use unknown options:" $unknown >&2

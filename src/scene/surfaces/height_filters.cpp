@@ -36,6 +36,22 @@ class LogHeights : public HeightSource {
   std::unique_ptr<HeightSource> heights_;
 };
 
+/// Without what is not above a level.
+class LandHeights : public HeightSource {
+ public:
+  LandHeights(std::unique_ptr<HeightSource> heights, double level)
+      : HeightSource(heights->x(), heights->y()), heights_(std::move(heights)), level_(level) {}
+
+  void read_row(std::size_t j, std::span<double> z) const override {
+    heights_->read_row(j, z);
+    for (double& height : z) height = height > level_ ? height : std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  std::unique_ptr<HeightSource> heights_;
+  double level_;
+};
+
 /// The same rows over other positions.
 class MovedHeights : public HeightSource {
  public:
@@ -118,6 +134,10 @@ class WindowHeights : public HeightSource {
 };
 
 }  // namespace
+
+std::unique_ptr<HeightSource> land_heights(std::unique_ptr<HeightSource> heights, double level) {
+  return std::make_unique<LandHeights>(std::move(heights), level);
+}
 
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights) {
   return std::make_unique<LogHeights>(std::move(heights));

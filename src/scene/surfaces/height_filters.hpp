@@ -19,6 +19,9 @@ std::unique_ptr<HeightSource> transposed(const HeightSource& heights);
 /// log10 of the heights; what is not above zero is a hole.
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights);
 
+/// The same heights where they are above a level; the others are holes.
+std::unique_ptr<HeightSource> land_heights(std::unique_ptr<HeightSource> heights, double level);
+
 /// log10 of the positions of the axes that are named; those not above zero are left out. Throws InputError(name, ...) when
 /// that leaves fewer than two columns or rows.
 std::unique_ptr<HeightSource> log_ground(std::unique_ptr<HeightSource> heights, bool log_x, bool log_y,

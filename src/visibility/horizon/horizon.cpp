@@ -34,6 +34,14 @@ View with_eye_over(const View& view, int column, const GridAxis& x, int row, con
   return study;
 }
 
+/// Contour lines of one height after the other.
+void join(std::vector<Chains>& chains, Polylines& lines, std::vector<std::uint32_t>& levels) {
+  for (std::uint32_t level = 0; level < chains.size(); ++level) {
+    append(lines, chains[level].finish());
+    levels.resize(lines.size(), level);
+  }
+}
+
 template <class Horizon>
 HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View& view, const HorizonOptions& options,
                        Statistics& statistics) {
@@ -46,7 +54,8 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
   const auto parts_x = x.parts(camera.forward[column]), parts_y = y.parts(camera.forward[row]);
 
   const Chains none(view.window);
-  LineStore store{{}, none, none, none, none, {}, {}};
+  const std::vector<Chains> none_of_any(options.contours.size(), none);
+  LineStore store{{}, none, none, none_of_any, none_of_any, {}, {}};
   store.lines.back_lines.resize(options.back_lines.size());
   const double all_rows = static_cast<double>(parts_x.size() * y.at.size());
   double done = 0;
@@ -67,8 +76,8 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
   HorizonLines lines = std::move(store.lines);
   lines.outline = store.outline.finish();
   lines.border = store.border.finish();
-  lines.contours = store.contours.finish();
-  lines.base_contours = store.base_contours.finish();
+  join(store.contours, lines.contours, lines.contour_levels);
+  join(store.base_contours, lines.base_contours, lines.base_levels);
   for (auto& spans : lines.back_lines) {
     std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.from < b.from; });
   }

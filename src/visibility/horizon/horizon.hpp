@@ -51,7 +51,8 @@ struct HorizonOptions {
 /// What is seen; points in page mm.
 struct HorizonLines {
   Polylines curves, underside, outline, border, contours, base_contours;
-  std::vector<std::vector<horizon::Span>> back_lines;  ///< of each the parameters that are seen, ascending
+  std::vector<std::uint32_t> contour_levels, base_levels;  ///< of each contour line the number of its height
+  std::vector<std::vector<horizon::Span>> back_lines;      ///< of each the parameters that are seen, ascending
 };
 
 /// Rows are read from the nearest to the farthest, so memory goes with the width of the grid and with what is seen, not with

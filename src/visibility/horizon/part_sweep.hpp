@@ -332,14 +332,15 @@ class PartSweep {
       }
       if (n < 2) continue;
       if (away(ends[1]) < away(ends[0])) std::swap(ends[0], ends[1]);
+      const auto number = static_cast<std::size_t>(level - levels_.begin());
       if (options_.contours_on_surface && facing != 0) {
-        contour(ends, facing > 0 ? Against::upper : Against::lower, LineSides::both, store_.contours);
+        contour(ends, facing > 0 ? Against::upper : Against::lower, LineSides::both, store_.contours[number]);
       }
       if (options_.contour_base) {
         // What lies below the surface here can not be seen above what is nearer.
         const double base = *options_.contour_base * options_.z_scale;
         for (Point3& end : ends) end.z = base;
-        contour(ends, base < *level ? Against::lower : Against::upper, LineSides::none, store_.base_contours);
+        contour(ends, base < *level ? Against::lower : Against::upper, LineSides::none, store_.base_contours[number]);
       }
     }
   }

@@ -1,0 +1,15 @@
+#pragma once
+/// Options of maps: labels of contours, water, hachures, scale bar, arrow to the north; curves, points, colours and names.
+
+#include "picture/surface_request.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ligne {
+
+void add_terrain_options(CLI::App& surface, SurfaceRequest& request);
+void add_annotation_options(CLI::App& surface, SurfaceRequest& request);
+
+}  // namespace ligne

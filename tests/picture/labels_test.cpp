@@ -1,0 +1,148 @@
+// Labels of contour lines, on ten terrains at three scales, in both styles of text.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "picture/contour_labels.hpp"
+#include "picture/surface_picture.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kOnLineMm = 0.1;
+
+constexpr const char* kTerrains[] = {
+    "800*exp(-r^2/9)",
+    "600*exp(-((x-2)^2+y^2)/4)+500*exp(-((x+2)^2+(y-1)^2)/6)",
+    "300*(1-abs(sin(0.8*x+0.6*sin(0.9*y))))*(1-abs(sin(0.9*y+0.7*sin(0.8*x))))",
+    "900*exp(-(r-2.2)^2/1.6)-180*exp(-((x-2.5)^2+(y+1)^2))",
+    "120*x+40*sin(3*y)",
+    "30*sin(2*x)*cos(3*y)+10*x*y",
+    "500/(1+x^2+4*y^2)+60*sin(4*x)",
+    "250*tanh(x-0.3*y^2)+15*sin(5*y+2*x)",
+    "200*sinc(r)+20*cos(x*y)",
+    "0.02*(x^2+y^2)^2*100-80*x^2",
+};
+
+Drawing contours_of(const char* formula, const char* page, RunReport& run) {
+  SurfaceRequest request;
+  request.formulas = {formula};
+  request.x = CurveRange{-5, 5, 61};
+  request.y = CurveRange{-4, 4, 61};
+  request.samples = 121;
+  request.lines = CurveFamilies::none;
+  request.curves.contours = 25;
+  request.curves.index_contours = 5;
+  request.picture.view.named_view = "top";
+  request.picture.page.size.page = parse_page(page);
+  std::vector<Surface> surfaces = surfaces_of(request, run);
+  const auto drawn = draw_horizon(request, surfaces, run);
+  EXPECT_TRUE(drawn) << formula;
+  return drawn ? drawn->drawing : Drawing{};
+}
+
+double distance(Point2 p, Point2 a, Point2 b) {
+  const Point2 along = b - a;
+  const double length = glm::dot(along, along);
+  const double t = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0;
+  return glm::distance(p, a + along * t);
+}
+
+/// Of a label to the nearest contour line that has its height.
+double off_its_line(const Drawing& drawing, const TextItem& label, double step) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Layer& layer : drawing.layers) {
+    if (!layer.height || height_text(*layer.height, step, false) != label.text) continue;
+    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
+      const auto line = layer.lines[i];
+      for (std::size_t k = 1; k < line.size(); ++k) nearest = std::min(nearest, distance(label.at, line[k - 1], line[k]));
+    }
+  }
+  return nearest;
+}
+
+double step_of(const Drawing& drawing) {
+  std::vector<double> heights;
+  for (const Layer& layer : drawing.layers) {
+    if (layer.height) heights.push_back(*layer.height);
+  }
+  std::sort(heights.begin(), heights.end());
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < heights.size(); ++i) step = std::min(step, heights[i] - heights[i - 1]);
+  return step;
+}
+
+/// Whether a point lies inside the box, by more than `slack`.
+bool is_inside(const TextBox& box, Point2 p, double slack) {
+  const auto axes = box.axes();
+  return std::abs(glm::dot(p - box.center, axes[0])) < box.half.x - slack &&
+         std::abs(glm::dot(p - box.center, axes[1])) < box.half.y - slack;
+}
+
+class Labels : public testing::TestWithParam<std::tuple<const char*, const char*, TextStyle>> {};
+
+TEST_P(Labels, KeepApartEachOnItsOwnLine) {
+  const auto [formula, page, style] = GetParam();
+  RunReport run;
+  const Drawing plain = contours_of(formula, page, run);
+  for (const bool index_only : {true, false}) {
+    Drawing drawing = plain;
+    ContourLabelOptions options;
+    options.style = style;
+    options.index_only = index_only;
+    options.page = parse_page(page).sheet();
+    const std::vector<TextItem> labels = label_contours(drawing, options, {});
+    // 25 contours that all have labels may leave no room on A6
+    if (index_only) {
+      EXPECT_GT(labels.size(), 0u);
+    }
+    std::vector<TextBox> boxes;
+    for (const TextItem& label : labels) {
+      EXPECT_LE(off_its_line(plain, label, step_of(plain)), kOnLineMm) << label.text;
+      EXPECT_TRUE(-90 < label.rotation_degrees && label.rotation_degrees <= 90) << "is readable";
+      const TextBox box = text_box(label, text_extent(label.text, label.height_mm, style));
+      for (const TextBox& other : boxes) EXPECT_FALSE(overlap(box, other)) << label.text;
+      boxes.push_back(box);
+    }
+    for (const Layer& layer : drawing.layers) {
+      if (!layer.height) continue;
+      for (std::size_t i = 0; i < layer.lines.size(); ++i) {
+        const auto line = layer.lines[i];
+        for (std::size_t k = 1; k < line.size(); ++k) {
+          for (const TextBox& box : boxes) EXPECT_FALSE(is_inside(box, (line[k - 1] + line[k]) / 2.0, 1e-6));
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Terrains, Labels,
+                         testing::Combine(testing::ValuesIn(kTerrains), testing::Values("A6", "A4", "A2"),
+                                          testing::Values(TextStyle::font, TextStyle::stroke)));
+
+TEST(HeightText, HasTheDigitsThatTellNeighbours) {
+  EXPECT_EQ(height_text(112.5, 2.5, false), "112.5");
+  EXPECT_EQ(height_text(3 * 0.1, 0.1, false), "0.3");
+  EXPECT_EQ(height_text(94.4615384615, 8.15, false), "94.5");
+  EXPECT_EQ(height_text(1234567.8, 1000, false), "1234568");
+  EXPECT_EQ(height_text(-50, 10, false), "\u221250");
+  EXPECT_EQ(height_text(-0.0, 10, false), "0");
+}
+
+TEST(WithoutBoxes, ARingThatIsCutBecomesOneLine) {
+  Polylines ring;
+  ring.add(std::vector<Point2>{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}});
+  const std::vector<TextBox> boxes{{{10, 5}, {1, 2}, 0}};
+  const Polylines cut = without_boxes(ring, boxes);
+  ASSERT_EQ(cut.size(), 1u);
+  EXPECT_EQ(cut[0].front(), (Point2{10, 7}));
+  EXPECT_EQ(cut[0].back(), (Point2{10, 3}));
+  EXPECT_EQ(cut[0].size(), 6u);
+}
+
+}  // namespace
+}  // namespace ligne
