@@ -30,22 +30,35 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
 constexpr std::uint32_t kCrowded = 32;
 
 /// Pairs of facets that have no segment in common, as many as there is room for: where hundreds of facets meet in one line,
-/// every pair of them comes in all the leaves along it.
+/// every pair of them comes in all the leaves along it. The table grows with what is put into it, since most scenes have few
+/// such pairs.
 class FruitlessPairs {
  public:
-  bool holds(std::uint32_t a, std::uint32_t b) const { return !slots_.empty() && slots_[slot(a, b)] == key(a, b); }
+  bool holds(std::uint32_t a, std::uint32_t b) const { return !slots_.empty() && slots_[slot(key(a, b))] == key(a, b); }
   void add(std::uint32_t a, std::uint32_t b) {
-    if (slots_.empty()) slots_.assign(std::size_t{1} << kBits, 0);
-    slots_[slot(a, b)] = key(a, b);
+    if (2 * added_ >= slots_.size() && bits_ < kMostBits) grow();
+    slots_[slot(key(a, b))] = key(a, b);
+    ++added_;
   }
 
  private:
-  static constexpr int kBits = 20;
+  static constexpr int kFirstBits = 10, kMostBits = 20, kGrowBits = 2;
   /// Not 0: the two differ.
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::max(a, b)} << 32 | std::min(a, b); }
-  static std::size_t slot(std::uint32_t a, std::uint32_t b) { return (key(a, b) * 0x9e3779b97f4a7c15u) >> (64 - kBits); }
+  std::size_t slot(std::uint64_t key) const { return (key * 0x9e3779b97f4a7c15u) >> (64 - bits_); }
+
+  void grow() {
+    const std::vector<std::uint64_t> old = std::move(slots_);
+    bits_ = old.empty() ? kFirstBits : std::min(bits_ + kGrowBits, kMostBits);
+    slots_.assign(std::size_t{1} << bits_, 0);
+    for (const std::uint64_t key : old) {
+      if (key != 0) slots_[slot(key)] = key;
+    }
+  }
 
   std::vector<std::uint64_t> slots_;
+  std::size_t added_ = 0;  ///< as often as something was added: what it drove out counts too
+  int bits_ = 0;
 };
 
 /// What one task works with.
