@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "picture/scene_info.hpp"
+#include "picture/traits_text.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -106,6 +107,7 @@ std::string info_json(const LoadedModels& models, const SceneInfo& info) {
                            : Json::array({info.placement.picture.width(), info.placement.picture.height()});
   view["mm_per_unit"] = info.placement.view.scale;
   json["view"] = std::move(view);
+  json["traits"] = json_of(info.traits);
 
   json["methods"] = Json::array();
   for (const Method* method : all_methods()) {

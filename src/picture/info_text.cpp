@@ -3,6 +3,7 @@
 
 #include "files/message_text.hpp"
 #include "picture/scene_info.hpp"
+#include "picture/traits_text.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -170,6 +171,8 @@ std::string info_text(const LoadedModels& models, const SceneInfo& info) {
                                     rounded(info.placement.picture.height(), 4) + " mm, " +
                                     rounded(info.placement.view.scale, 4) + " mm per model unit" +
                                     (info.placement.larger_than_page() ? ", larger than the page" : ""));
+  text += "what it asks of a method\n";
+  for (const auto& [name, value] : lines_of(info.traits)) text += line(name, value);
   text += "methods\n";
   for (const Method* method : all_methods()) {
     const MethodTraits& traits = method->traits();

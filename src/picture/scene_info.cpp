@@ -28,14 +28,16 @@ SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const 
   });
   const Topology& topology = made ? *made : *models.topology;
   info.scene = scene_facts(scene, topology);
+  ProjectedScene projected;
   timed(run.stages, "project", [&] {
     info.placement = place(scene, camera_of(view, scene), page);
     Creases creases;
     const EdgeSelection all = select_edges(scene, topology, lines, parse_edges("all"), creases, run);
-    ProjectedScene projected = project(scene, topology, info.placement.view, all);
+    projected = project(scene, topology, info.placement.view, all);
     if (lines.cull) info.culled = cull_back_faces(scene, topology, projected, run);
     info.view = view_facts(scene, projected);
   });
+  info.traits = timed(run.stages, "traits", [&] { return scene_traits(scene, topology, projected); });
   return info;
 }
 

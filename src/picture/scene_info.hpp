@@ -7,6 +7,7 @@
 #include "picture/models.hpp"
 #include "picture/placement.hpp"
 #include "picture/scene_facts.hpp"
+#include "picture/scene_traits.hpp"
 #include "view/cull.hpp"
 #include "visibility/method.hpp"
 
@@ -15,6 +16,7 @@ namespace ligne {
 struct SceneInfo {
   SceneFacts scene;
   ViewFacts view;
+  SceneTraits traits;
   std::optional<BackFaces> culled;  ///< when that was asked for
   Placement placement;
   Axis up_axis = Axis::z;

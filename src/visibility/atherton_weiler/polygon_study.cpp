@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <mutex>
-#include <numeric>
 
 #include "geometry/clip_contour_by_contour.hpp"
-#include "geometry/disjoint_sets.hpp"
+#include "geometry/connected_boxes.hpp"
 #include "geometry/parallel.hpp"
 #include "visibility/atherton_weiler/unit_order.hpp"
 
@@ -36,21 +35,11 @@ struct Piece {
   std::vector<ContourFace> parts;
 };
 
-/// Units that hang together by their boxes, by the lowest one; found by a sweep from left to right.
+/// Units that hang together by their boxes, by the lowest one.
 std::vector<std::vector<std::uint32_t>> zones_of(const std::vector<ClipUnit>& units) {
-  DisjointSets sets(units.size());
-  std::vector<std::uint32_t> by_left(units.size());
-  std::iota(by_left.begin(), by_left.end(), 0u);
-  std::sort(by_left.begin(), by_left.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return std::pair(units[a].box.x0, a) < std::pair(units[b].box.x0, b); });
-  std::vector<std::uint32_t> open;
-  for (const std::uint32_t u : by_left) {
-    std::erase_if(open, [&](std::uint32_t o) { return units[o].box.x1 <= units[u].box.x0; });
-    for (const std::uint32_t o : open) {
-      if (units[o].box.meets(units[u].box)) sets.join(o, u);
-    }
-    open.push_back(u);
-  }
+  std::vector<AxisBox> boxes;
+  for (const ClipUnit& unit : units) boxes.push_back({unit.box.x0, unit.box.y0, unit.box.x1, unit.box.y1});
+  DisjointSets sets = connect_boxes(boxes);
   std::vector<std::vector<std::uint32_t>> zones;
   std::vector<std::uint32_t> number(units.size());
   for (std::uint32_t u = 0; u < units.size(); ++u) {
