@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "drawing/stroke_difference.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/readers/reader.hpp"
 #include "support/comparison.hpp"
@@ -15,9 +16,6 @@
 
 namespace ligne::test {
 namespace {
-
-/// Lines that coincide are merged within a micrometre, and which of two stays may change with what stands behind.
-constexpr double kMergedMm = 0.002;
 
 struct Drawings {
   StrokeModel all, culled;
@@ -47,13 +45,8 @@ Drawings drawings(const Scene& scene, const CameraRequest& request, const char* 
 
 /// What is seen in one drawing and not in the other, in words.
 std::string missing(const StrokeModel& from, const StrokeModel& in, const char* where) {
-  const std::vector<DrawnStroke> strokes = strokes_of(in);
   std::string faults;
-  for (const DrawnStroke& s : strokes_of(from)) {
-    if (!s.stroke->visible) continue;
-    const auto alike = [&](const Stroke& other) { return other.visible && other.level == s.stroke->level; };
-    for (const Segment& open : open_parts(s.segment, strokes, kMergedMm, alike)) faults += where + words(open) + '\n';
-  }
+  for (const Segment& open : parts_missing(from, in, kSameLineMm, true)) faults += where + words(open) + '\n';
   return faults;
 }
 
