@@ -162,7 +162,7 @@ std::string DrawnScene::json(const PlotOptions& plot) const {
   document.perspective = view.camera.perspective;
   document.window = view.window;
   document.near_distance = view.near_distance;
-  document.method = prepared_.method.traits().name;
+  document.method = study_.method->traits().name;
   document.statistics = result.statistics;
   return write_json(document, plot);
 }

@@ -160,6 +160,7 @@ HatchDirection parse_hatch_direction(const std::string& text) {
 unsigned parse_hatch_levels(const std::string& text) { return text == "continuous" ? 0 : parse_count(text, 1, kMostShades); }
 
 const Method* parse_method(const std::string& text) {
+  if (text == "auto") return nullptr;
   if (const Method* method = find_method(text)) return method;
   std::vector<std::string_view> names{"auto"};
   for (const Method* method : all_methods()) names.push_back(method->traits().name);

@@ -49,7 +49,7 @@ unsigned parse_hatch_levels(const std::string& text);
 /// "500M", "1.5G", "64KiB", bytes without a suffix; "none" and 0 are no limit.
 MemoryLimit parse_memory(const std::string& text);
 
-/// Names as of find_method().
+/// Names as of find_method(); nullptr for "auto".
 const Method* parse_method(const std::string& text);
 /// A value of a method's own parameter.
 unsigned parse_parameter(const std::string& text, const MethodParameter& parameter);

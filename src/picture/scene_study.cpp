@@ -13,6 +13,7 @@
 #include "picture/hatching.hpp"
 #include "picture/lighting.hpp"
 #include "picture/line_groups.hpp"
+#include "picture/method_choice.hpp"
 #include "picture/point_marks.hpp"
 #include "picture/profile.hpp"
 #include "view/tolerances.hpp"
@@ -101,12 +102,7 @@ double least_bytes(const Scene& scene) {
 
 const Method& method_of(const PictureRequest& request) {
   if (request.lines.method) return *request.lines.method;
-  const bool regions =
-      request.regions || request.fill.asked() || request.hatch.asked() || request.lines.classes.has(LineClass::shadow);
-  if (regions) return region_method();
-  const Method* method = find_method("auto");
-  if (!method) throw RequestError("method", "there is no default method");
-  return *method;
+  return asks_for_regions(request) ? region_method() : default_method();
 }
 
 bool paints_in_order(const PictureRequest& request, const Method& method) {
@@ -183,6 +179,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   const ProjectedScene& projected = prepared.projected;
   const std::string asks =
       std::to_string(projected.triangles.size()) + " triangles, " + std::to_string(projected.edges.size()) + " lines";
+  found.method = &prepared.method;
   found.result = timed(run.stages, {"study", asks}, [&] {
     StudyOptions options;
     options.hidden_strokes = request.lines.hidden != HiddenLines::none;
@@ -191,14 +188,19 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
     options.wanted = wanted_products(request, prepared.method);
     options.progress = request.progress;
     options.compiled = request.compiled.get();
-    return prepared.method.study(prepared.projected, options);
+    if (request.lines.method) return prepared.method.study(projected, options);
+    ChosenStudy choice = study_by_choice(request, projected, options);
+    found.method = choice.method;
+    run.choices.emplace_back("method", std::move(choice.why));
+    return std::move(choice.result);
   });
+  run.method = found.method->traits().name;
   if (!found.result.strokes) {
-    throw RequestError("method", std::string(prepared.method.traits().name) + " does not produce lines");
+    throw RequestError("method", std::string(found.method->traits().name) + " does not produce lines");
   }
   if (!found.result.beyond.empty()) {
-    run.warn("the drawing may be wrong: --method " + std::string(prepared.method.traits().name) + " is for " +
-             std::string(prepared.method.traits().only_for) + ", and of this scene " + found.result.beyond);
+    run.warn("the drawing may be wrong: --method " + std::string(found.method->traits().name) + " is for " +
+             std::string(found.method->traits().only_for) + ", and of this scene " + found.result.beyond);
   }
   remove_hidden_axes(*found.result.strokes);
   if (request.groups) {

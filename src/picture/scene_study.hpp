@@ -38,6 +38,7 @@ struct PreparedScene {
 
 /// What was found. Every stroke is there once, and regions carry details and light.
 struct SceneStudy {
+  const Method* method = nullptr;  ///< by which it was found
   VisibilityResult result;
   std::vector<Edge> edges;                     ///< of the scene, where `keep_edges` asks for them
   std::vector<std::array<Point3, 2>> lines{};  ///< beside them (LineGroups), the same
@@ -47,8 +48,8 @@ struct SceneStudy {
   SourceEdge source(const Scene& scene, std::uint32_t number) const;
 };
 
-/// The method that draws the picture: the one asked for; else, for fills, hatching and shadows, the first that gives
-/// regions; else the default one. Throws RequestError.
+/// The method that gives what the picture is made of: the one asked for; else, for fills, hatching and shadows, the first
+/// that gives regions; else the default one, in whose place another one may draw the lines (method_choice.hpp).
 const Method& method_of(const PictureRequest& request);
 
 /// Fills are painted from the back to the front, since the method gives an order and no regions.

@@ -31,8 +31,10 @@ std::span<const Method* const> all_methods() {
   return methods;
 }
 
+const Method& default_method() { return *all_methods().front(); }
+
 const Method* find_method(std::string_view name) {
-  if (name == "auto") return all_methods().front();
+  if (name == "auto") return &default_method();
   for (const Method* method : all_methods()) {
     if (method->traits().name == name) return method;
   }
@@ -43,7 +45,7 @@ const Method& region_method() {
   for (const Method* method : all_methods()) {
     if (method->traits().products & kRegions) return *method;
   }
-  return *all_methods().front();
+  return default_method();
 }
 
 std::string methods_with(std::uint8_t products) {

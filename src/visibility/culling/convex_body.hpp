@@ -23,6 +23,10 @@ struct Faces {
 /// coordinates of the page, whose depth keeps planes plane. O(n).
 Faces face_the_viewer(const ProjectedScene& scene);
 
+/// Whether it may be worth finding out if the scene is one opaque convex body: it has edges of two faces alone, and of a
+/// sample of its triangles none has vertices of the sample on both sides. O(n), for the edges.
+bool looks_like_one_convex_body(const ProjectedScene& scene);
+
 /// Why the scene is not one opaque convex body that is wholly in view; empty when it is. O(n log n).
 ///
 /// It is when

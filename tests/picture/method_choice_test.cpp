@@ -1,0 +1,137 @@
+// What auto takes: always something, never a method for which the scene is not made, and the same lines.
+
+#include "picture/method_choice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "drawing/stroke_difference.hpp"
+#include "picture/scene_study.hpp"
+#include "scene/clean/clean.hpp"
+#include "scene/readers/reader.hpp"
+#include "support/scenes.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne::test {
+namespace {
+
+TEST(MethodChoice, RulesAreTotal) {
+  for (unsigned bits = 0; bits < 8; ++bits) {
+    const ChoiceFacts facts{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
+    const std::size_t rule = choose_rule(facts);
+    ASSERT_LT(rule, choice_rules().size());
+    const Method* method = find_method(choice_rules()[rule].method);
+    ASSERT_NE(method, nullptr);
+    EXPECT_TRUE(method->traits().exact);
+    EXPECT_TRUE(method->traits().products & (facts.regions ? kRegions : kStrokes));
+    // A method for some scenes only is taken where the scene may be one of them.
+    EXPECT_TRUE(method->traits().only_for.empty() || facts.may_be_one_body);
+  }
+}
+
+TEST(MethodChoice, TheLastRuleIsForEveryScene) {
+  const ChoiceRule& last = choice_rules().back();
+  EXPECT_TRUE(last.holds({}));
+  const MethodTraits& traits = find_method(last.method)->traits();
+  EXPECT_TRUE(traits.exact && traits.penetration && traits.only_for.empty());
+  EXPECT_EQ(&find_method(last.method)->traits(), &default_method().traits());
+}
+
+/// What auto draws of a scene, and what the default method does.
+struct Studied {
+  ChosenStudy by_choice;
+  StrokeDifference difference;
+};
+
+Studied studied(const Scene& scene, const Point3& direction) {
+  const Topology topology = build_topology(scene);
+  const View view = make_view(scene, make_camera(along(direction), scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
+                              {{0, 0}, {kPageWidth, kPageHeight}});
+  const ProjectedScene projected = project(scene, topology, view, {classes("all"), 30});
+  StudyOptions options;
+  options.wanted = kStrokes;
+  Studied result{study_by_choice(ligne::PictureRequest{}, projected, options), {}};
+  result.difference = difference_of(*result.by_choice.result.strokes, *default_method().study(projected, options).strokes);
+  return result;
+}
+
+const Point3 kOblique{-0.37, 0.83, -0.41};
+
+TEST(MethodChoice, IsNeverBeyondItsMethod) {
+  std::size_t scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
+    if (entry.path().extension() != ".json") continue;
+    Warnings warnings;
+    const Scene scene = read_scene(entry.path(), {}, warnings);
+    for (const Point3& direction : {kOblique, Point3{0, 0, -1}}) {
+      const Studied s = studied(scene, direction);
+      EXPECT_EQ(s.by_choice.result.beyond, "") << entry.path().stem();
+      EXPECT_LT(s.difference.length_mm, kSameLineMm) << entry.path().stem();
+      ++scenes;
+    }
+  }
+  EXPECT_GT(scenes, 100u);
+}
+
+/// A ball of n meridians whose corners lie in the radius, those of a dent farther in.
+Scene ball(std::uint32_t n, double dent, std::uint32_t dents, bool open = false) {
+  Scene scene;
+  begin_object(scene);
+  const std::uint32_t rings = n / 2 - 1;
+  scene.vertices.push_back({0, 0, -1});
+  for (std::uint32_t ring = 1; ring <= rings; ++ring) {
+    const double a = std::acos(-1.0) * (ring / double(rings + 1) - 0.5);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double b = 2 * std::acos(-1.0) * i / n, r = ring == rings / 2 && i < dents ? 1 - dent : 1;
+      scene.vertices.push_back(Point3{std::cos(a) * std::cos(b), std::cos(a) * std::sin(b), std::sin(a)} * r);
+    }
+  }
+  scene.vertices.push_back({0, 0, 1});
+  const auto at = [&](std::uint32_t ring, std::uint32_t i) { return 1 + (ring - 1) * n + i % n; };
+  for (std::uint32_t i = open ? 1 : 0; i < n; ++i) {
+    scene.faces.add_triangle(0, at(1, i + 1), at(1, i));
+    for (std::uint32_t ring = 1; ring < rings; ++ring) {
+      scene.faces.add_triangle(at(ring, i), at(ring, i + 1), at(ring + 1, i + 1));
+      scene.faces.add_triangle(at(ring, i), at(ring + 1, i + 1), at(ring + 1, i));
+    }
+    scene.faces.add_triangle(at(rings, i), at(rings, i + 1), 1 + rings * n);
+  }
+  end_object(scene);
+  Warnings warnings;
+  finish_scene(scene, warnings);
+  return scene;
+}
+
+TEST(MethodChoice, TakesCullingForAConvexBody) {
+  const Studied s = studied(ball(48, 0, 0), kOblique);
+  EXPECT_EQ(s.by_choice.method->traits().name, "culling");
+  EXPECT_EQ(s.by_choice.why, "rule 2: one opaque convex body of many faces");
+  EXPECT_LT(s.difference.length_mm, kSameLineMm);
+}
+
+TEST(MethodChoice, TakesTheDefaultForOthers) {
+  const auto name = [](const Scene& scene) { return studied(scene, kOblique).by_choice.method->traits().name; };
+  EXPECT_EQ(name(ball(8, 0, 0)), "appel") << "small";
+  EXPECT_EQ(name(ball(48, 0, 0, true)), "appel") << "open";
+  EXPECT_EQ(name(ball(48, 0.2, 24)), "appel") << "half a ring of dents";
+  Scene two = ball(48, 0, 0);
+  add_box(two, {3, 0, 0}, {1, 1, 1});
+  Warnings warnings;
+  finish_scene(two, warnings);
+  EXPECT_EQ(name(two), "appel") << "two bodies";
+}
+
+TEST(MethodChoice, FindsADentThatItsSampleMisses) {
+  std::set<std::string> whys;
+  for (std::uint32_t n = 40; n < 64; n += 2) {
+    const Studied s = studied(ball(n, 0.01, 1), kOblique);
+    EXPECT_EQ(s.by_choice.method->traits().name, "appel") << n;
+    whys.insert(s.by_choice.why);
+  }
+  EXPECT_TRUE(whys.contains("rule 3: all others (culling found that it is not convex)")) << *whys.begin();
+}
+
+}  // namespace
+}  // namespace ligne::test
