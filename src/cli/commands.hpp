@@ -1,6 +1,7 @@
 #pragma once
 /// All commands of the program, with their options.
 
+#include "cli/compare.hpp"
 #include "cli/compile.hpp"
 #include "cli/devices.hpp"
 #include "cli/draw.hpp"
@@ -17,6 +18,7 @@ namespace ligne {
 
 struct Commands {
   DrawOptions draw;
+  CompareOptions compare;
   CompileOptions compile;
   InfoOptions info;
   MethodsOptions methods;
@@ -32,6 +34,7 @@ inline void setup_commands(CLI::App& app, Commands& commands) {
   setup_plot(app, commands.plot);
   setup_compile(app, commands.compile);
   setup_info(app, commands.info);
+  setup_compare(app, commands.compare);
   setup_methods(app, commands.methods);
   setup_devices(app, commands.devices);
 }

@@ -30,6 +30,7 @@ Examples:
   ligne surface "sin(r)/r" -x -12:12 -y -12:12 -o sombrero.svg
   ligne plot sombrero.svg --device hp7475a -o sombrero.hpgl
   ligne info gearbox.obj
+  ligne compare gearbox.obj --html gearbox.html
   ligne methods)help";
 
 /// CLI11's own complaint in our words.
@@ -81,6 +82,8 @@ int run(int argc, char** argv) {
     run_compile(commands.compile);
   } else if (app.got_subcommand("info")) {
     run_info(commands.info);
+  } else if (app.got_subcommand("compare")) {
+    run_compare(commands.compare);
   } else if (app.got_subcommand("methods")) {
     run_methods(commands.methods);
   } else if (app.got_subcommand("plot")) {
@@ -88,7 +91,8 @@ int run(int argc, char** argv) {
   } else if (app.got_subcommand("devices")) {
     run_devices(commands.devices);
   } else {
-    throw UsageError("there is no command: draw, surface, plot, compile, info, methods or devices; see ligne --help");
+    throw UsageError(
+        "there is no command: draw, surface, plot, compile, info, compare, methods or devices; see ligne --help");
   }
   return kDone;
 }

@@ -40,9 +40,11 @@ void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false
 
 }  // namespace
 
-void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice) {
+void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice, bool one_method) {
   OptionGroup group(app, "Lines");
-  group.add("--method", "NAME", request.method, parse_method, "visibility method, see: ligne methods").standard("auto");
+  if (one_method) {
+    group.add("--method", "NAME", request.method, parse_method, "visibility method, see: ligne methods").standard("auto");
+  }
   const auto parse_given_edges = [&choice](const std::string& text) {
     choice.edges_given = true;
     return parse_edges(text);

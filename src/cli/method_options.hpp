@@ -20,7 +20,8 @@ struct MethodChoice {
   std::vector<std::pair<const MethodParameter*, std::string>> parameters;  ///< options that only some methods have
 };
 
-void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice);
+/// `one_method`: with --method.
+void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice, bool one_method = true);
 
 /// Adds --method for those that compile, and the parameters of that.
 void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& choice);

@@ -147,7 +147,7 @@ std::vector<Errors> errors(std::initializer_list<unsigned> resolutions) {
         const Verdict verdict = judged.judge(WarnockWith(with("resolution", e.resolution), 0.001), "all");
         const double worst = std::max(verdict.drawn_hidden.worst_mm, verdict.missing.worst_mm);
         e.sum_mm += verdict.drawn_hidden.length_mm + verdict.missing.length_mm;
-        e.worst_of_tolerance = std::max(e.worst_of_tolerance, worst / warnock_tolerance_mm(page, e.resolution));
+        e.worst_of_tolerance = std::max(e.worst_of_tolerance, worst / warnock_tolerance_mm(page.view.window, e.resolution));
       }
     }
   }

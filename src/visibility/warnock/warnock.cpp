@@ -172,8 +172,8 @@ std::vector<std::vector<Point2>> page_lines(const std::vector<WindowCut>& cuts, 
 
 }  // namespace
 
-double warnock_tolerance_mm(const ProjectedScene& scene, unsigned resolution) {
-  return 2 * std::numbers::sqrt2 * longer_side_mm(scene) / resolution;
+double warnock_tolerance_mm(const Rect& sheet, unsigned resolution) {
+  return 2 * std::numbers::sqrt2 * std::max(sheet.width(), sheet.height()) / resolution;
 }
 
 const MethodTraits& WarnockMethod::traits() const {

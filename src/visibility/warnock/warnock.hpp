@@ -16,6 +16,6 @@ class WarnockMethod final : public Method {
 
 /// How far on the page lines may be off when `--resolution` limits the study: windows are no larger than the longer side of
 /// the sheet divided by it, and everything is decided within one window.
-double warnock_tolerance_mm(const ProjectedScene& scene, unsigned resolution);
+double warnock_tolerance_mm(const Rect& sheet, unsigned resolution);
 
 }  // namespace ligne

@@ -1,0 +1,103 @@
+// Methods side by side: exact ones agree, what goes wrong with one is a row.
+
+#include "picture/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "scene/readers/reader.hpp"
+#include "support/scenes.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne::test {
+namespace {
+
+Scene corpus_scene(const std::string& name) {
+  Warnings warnings;
+  return read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (name + ".json"), {}, warnings);
+}
+
+CompareRequest all() {
+  CompareRequest request;
+  for (const Method* method : all_methods()) request.methods.push_back({method});
+  request.picture.lines.quality = Quality::exact;
+  return request;
+}
+
+MethodComparison compared(const Scene& scene, const CompareRequest& request) {
+  return compare_methods(scene, build_topology(scene), request);
+}
+
+TEST(Compare, ExactMethodsAgree) {
+  for (const char* name : {"bricks", "cross_of_plates", "lattice_of_bars", "gear", "holes_behind_holes", "cyclic_4"}) {
+    const MethodComparison c = compared(corpus_scene(name), all());
+    ASSERT_EQ(c.methods.size(), all_methods().size());
+    ASSERT_TRUE(c.reference);
+    for (std::size_t i = 0; i < c.methods.size(); ++i) {
+      const MethodOutcome& m = c.methods[i];
+      EXPECT_TRUE(m.drawn()) << m.failure;
+      if (m.beyond.empty()) EXPECT_GT(m.visible_mm, 0) << name << m.method->traits().name;
+      EXPECT_GT(m.seconds(), 0);
+      EXPECT_EQ(c.differences_mm[i][i], 0);
+      if (m.exact() && m.beyond.empty()) {
+        EXPECT_EQ(c.differences_mm[*c.reference][i], 0) << name << ", " << m.method->traits().name;
+      }
+    }
+  }
+}
+
+TEST(Compare, TellsWhatAMethodCanNot) {
+  const MethodComparison c = compared(corpus_scene("cross_of_plates"), all());
+  const auto of = [&](const char* name) -> const MethodOutcome& {
+    return *std::find_if(c.methods.begin(), c.methods.end(),
+                         [&](const MethodOutcome& m) { return m.method->traits().name == name; });
+  };
+  EXPECT_FALSE(of("culling").beyond.empty());
+  EXPECT_GT(of("culling").from_reference.length_mm, 1);
+  EXPECT_TRUE(of("zbuffer").resolution_mm);
+  EXPECT_FALSE(of("appel").resolution_mm);
+  EXPECT_TRUE(of("appel").operations[static_cast<std::size_t>(OperationKind::line_tests)]);
+  EXPECT_FALSE(of("appel").operations[static_cast<std::size_t>(OperationKind::abscissas)]);
+  // 2.6: 3 words to a vertex and 37 to a face.
+  const Scene scene = corpus_scene("cross_of_plates");
+  EXPECT_EQ(of("warnock").thesis_words, 3 * scene.vertices.size() + 37 * scene.faces.size());
+  EXPECT_FALSE(of("appel").thesis_words);
+}
+
+TEST(Compare, OneThatTakesTooLongIsARow) {
+  CompareRequest request = all();
+  request.limit_seconds = 0;
+  const MethodComparison c = compared(corpus_scene("lattice_of_bars"), request);
+  ASSERT_EQ(c.methods.size(), all_methods().size());
+  std::size_t ended = 0;
+  for (const MethodOutcome& m : c.methods) ended += m.failure == "ended after 0 s";
+  EXPECT_GT(ended, 0u);
+}
+
+TEST(Compare, OneThatFailsIsARow) {
+  CompareRequest request;
+  request.methods = {{find_method("appel")}, {find_method("zbuffer")}};
+  request.methods[1].settings.set("lines", 512);
+  request.picture.regions = true;  // which the depth buffer does not have, nor does appel
+  const MethodComparison c = compared(corpus_scene("cube"), request);
+  ASSERT_EQ(c.methods.size(), 2u);
+  for (const MethodOutcome& m : c.methods) EXPECT_NE(m.failure.find("needs a method that gives regions"), std::string::npos);
+  EXPECT_FALSE(c.reference);
+  EXPECT_FALSE(c.differences_mm[0][1]);
+}
+
+TEST(Compare, ProgressRises) {
+  CompareRequest request = all();
+  double last = 0;
+  request.progress = [&](double fraction) {
+    EXPECT_GE(fraction, last - 1e-12);
+    last = fraction;
+  };
+  compared(corpus_scene("bricks"), request);
+  EXPECT_EQ(last, 1);
+}
+
+}  // namespace
+}  // namespace ligne::test
