@@ -31,7 +31,8 @@ MethodComparison compared(const Scene& scene, const CompareRequest& request) {
 }
 
 TEST(Compare, ExactMethodsAgree) {
-  for (const char* name : {"bricks", "cross_of_plates", "lattice_of_bars", "gear", "holes_behind_holes", "cyclic_4"}) {
+  for (const char* name :
+       {"bricks", "cross_of_plates", "lattice_of_bars", "gear", "holes_behind_holes", "cyclic_4", "nearly_edge_on_iso"}) {
     const MethodComparison c = compared(corpus_scene(name), all());
     ASSERT_EQ(c.methods.size(), all_methods().size());
     ASSERT_TRUE(c.reference);

@@ -22,6 +22,11 @@ class FaceRanks {
     r.known = true;
   }
 
+  /// From now on nothing is known of the face.
+  void forget(std::uint32_t face) {
+    if (face < ranges_.size()) ranges_[face] = {};
+  }
+
   /// What covers both sides of a line and hides it stands before the pieces that each of its faces has there, since on the
   /// page it overlaps both. So no face that begins behind this rank hides the line. That is not so of a face with a side
   /// along the line: it covers one side, and on the page may overlap neither.

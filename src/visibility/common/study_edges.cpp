@@ -1,6 +1,8 @@
 #include "visibility/common/study_edges.hpp"
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
@@ -24,6 +26,15 @@ CellGrid::Options grid_options(const ProjectedScene& scene, const Facets& facets
   options.drop_hidden = !(hidden_strokes && scene.with_intersections);
   if (!scene.with_intersections && scene.edges.size() * kManyLines < facets.facets.size()) options.only_along = &scene.edges;
   return options;
+}
+
+/// The ranks without those of faces that are seen edge on, exactly or within the lattice. Such a face overlaps nothing on
+/// the page, so an order may put it anywhere, and its own lines with it: their depths decide.
+FaceRanks without_thin_faces(FaceRanks ranks, const Facets& facets) {
+  for (std::uint32_t f = 0; f < facets.face_is_thin.size(); ++f) {
+    if (facets.face_is_thin[f]) ranks.forget(f);
+  }
+  return ranks;
 }
 
 }  // namespace
@@ -50,9 +61,12 @@ VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& op
   statistics.time("intersections", clock.lap());
 
   // 4. Lines.
+  std::optional<FaceRanks> known;
+  if (ranks) known = without_thin_faces(*ranks, facets);
   TestTotals totals;
   const auto search_lines = [&]() -> LineVisibility {
-    const auto search = std::make_shared<VisibleParts>(scene, facets.facets, grid, coincidence_steps, &totals, ranks);
+    const auto search =
+        std::make_shared<VisibleParts>(scene, facets.facets, grid, coincidence_steps, &totals, known ? &*known : nullptr);
     return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
       parts = search->find(line);
       return search->near_side();

@@ -94,6 +94,12 @@ def odd_surfaces():
     yield Scene("end_on_iso", "a prism whose edges run along the line of sight of the isometric view, before a plate",
                 upright([(0, 0), (3, 0), (2, 3)], 0, 4).mapped(lambda x, y, z: (x - z, y + z, -z), flip=True),
                 sheet(rectangle(-8, -8, 6, 4), 8))
+    # Rounded coordinates: the brace is edge on within a hundredth of a micrometre of the page, and not exactly.
+    yield Scene("nearly_edge_on_iso", "a brace that is all but edge on in the isometric view, partly behind a plate",
+                Mesh("plate").face([(0.5, 4.75, 14.5), (0.5, -4.75, 14.5), (0.5, 4.75, 13.5)]),
+                Mesh("brace").face([(-0.25, -3.4311580657958984, 14.354567527770996),
+                                    (0.25, -3.4311580657958984, 14.354567527770996),
+                                    (0.25, -0.03704499825835228, 10.960454940795898)]))
 
 
 def book(pages):
