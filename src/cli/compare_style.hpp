@@ -50,8 +50,8 @@ td.time{min-width:260px;text-align:left}
 .matrix th,.matrix td{padding:7px 11px;font-size:13.5px}
 .grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(340px,1fr));gap:20px;margin-top:16px}
 figure{margin:0;background:var(--card);border:1px solid var(--faint);border-radius:6px;overflow:hidden;display:flex;flex-direction:column}
-figure a{display:block;padding:12px;flex:1}
-figure svg{display:block;width:100%;height:250px}
+figure a{display:flex;align-items:center;padding:12px;flex:1}
+figure svg{display:block;width:100%;height:270px;--pen:1.9}
 figcaption{padding:10px 14px;border-top:1px solid var(--faint);display:flex;justify-content:space-between;gap:12px;align-items:baseline}
 figcaption b{font-size:16px}
 figcaption span{color:var(--soft);font-size:13px;text-align:right;font-variant-numeric:tabular-nums}
@@ -61,14 +61,14 @@ figure .none{flex:1;display:flex;align-items:center;justify-content:center;min-h
 .big:target{display:block}
 .big svg{width:100%;height:100%}
 .big p{position:absolute;left:36px;top:14px;font-weight:600}
-svg g{fill:none;stroke:var(--ink);stroke-width:.3;stroke-linecap:round;stroke-linejoin:round}
-svg .profile{stroke-width:.7}
-svg .outline,svg .border{stroke-width:.5}
-svg .mesh{stroke-width:.18}
-svg .hidden{stroke:#8d8880;stroke-width:.2;stroke-dasharray:1.6 1.1}
-svg .lost{stroke:var(--red);stroke-width:1.1}
-svg .more{stroke:var(--red);stroke-width:1.1;stroke-dasharray:.1 1.9}
-svg .spots{stroke:var(--red);stroke-width:.45}
+g{fill:none;stroke:var(--ink);stroke-width:calc(.3px*var(--pen,1));stroke-linecap:round;stroke-linejoin:round}
+g.profile{stroke-width:calc(.7px*var(--pen,1))}
+g.outline,g.border{stroke-width:calc(.5px*var(--pen,1))}
+g.mesh{stroke-width:calc(.18px*var(--pen,1))}
+g.hidden{stroke:#8d8880;stroke-width:calc(.2px*var(--pen,1));stroke-dasharray:1.6 1.1}
+g.lost{stroke:var(--red);stroke-width:1.3}
+g.more{stroke:var(--red);stroke-width:1.3;stroke-dasharray:.1 2.1}
+g.spots{stroke:var(--red);stroke-width:.6}
 footer{margin-top:56px;padding-top:16px;border-top:1px solid var(--faint);color:var(--soft);font-size:13px}
 @media print{.grid{grid-template-columns:repeat(2,1fr)}figure,table{break-inside:avoid}}
 )css";

@@ -16,7 +16,7 @@ constexpr ChoiceRule kRules[] = {
     {"areas of faces are asked for", "atherton-weiler", [](const ChoiceFacts& f) { return f.regions; }},
     {"one opaque convex body of many faces", "culling",
      [](const ChoiceFacts& f) { return f.many_triangles && f.may_be_one_body; }},
-    {"all others", "appel", [](const ChoiceFacts&) { return true; }},
+    {"any other scene", "appel", [](const ChoiceFacts&) { return true; }},
 };
 
 }  // namespace

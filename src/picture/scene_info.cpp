@@ -9,8 +9,10 @@
 #include "picture/clear_creases.hpp"
 #include "picture/culling.hpp"
 #include "picture/listing.hpp"
+#include "picture/method_choice.hpp"
 #include "picture/parse.hpp"
 #include "picture/scene_study.hpp"
+#include "visibility/registry.hpp"
 
 namespace ligne {
 
@@ -37,6 +39,7 @@ SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const 
     if (lines.cull) info.culled = cull_back_faces(scene, topology, projected, run);
     info.view = view_facts(scene, projected);
   });
+  if (!lines.method) info.method = find_method(choice_rules()[choose_rule(facts_of(request, projected))].method);
   info.traits = timed(run.stages, "traits", [&] { return scene_traits(scene, topology, projected); });
   return info;
 }

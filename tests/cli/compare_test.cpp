@@ -77,7 +77,7 @@ TEST_F(ProgramTest, CompareRefusesWhatMakesNoSense) {
 TEST_F(ProgramTest, StatsSayWhichRuleChose) {
   const Outcome outcome = run({"draw", "cube.obj", "-o", "x.svg", "--stats"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("rule 3: all others"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("rule 3: any other scene"), std::string::npos) << outcome.err;
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST(MethodChoice, FindsADentThatItsSampleMisses) {
     EXPECT_EQ(s.by_choice.method->traits().name, "appel") << n;
     whys.insert(s.by_choice.why);
   }
-  EXPECT_TRUE(whys.contains("rule 3: all others (culling found that it is not convex)")) << *whys.begin();
+  EXPECT_TRUE(whys.contains("rule 3: any other scene (culling found that it is not convex)")) << *whys.begin();
 }
 
 }  // namespace
