@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "picture/traits_text.hpp"
 #include "files/message_text.hpp"
 #include "picture/memory.hpp"
+#include "picture/traits_text.hpp"
 
 namespace ligne {
 namespace {
