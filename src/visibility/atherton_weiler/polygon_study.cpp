@@ -105,7 +105,9 @@ void ZoneStudy::study(std::vector<Polygon>& list, std::vector<std::uint32_t> cha
     std::vector<Polygon> nearer, behind;
     for (std::size_t k = i + 1; k < list.size(); ++k) {
       Polygon& subject = list[k];
-      if (subject.pieces.empty() || !subject.box.meets(clip.box)) continue;
+      if (subject.pieces.empty()) continue;
+      ++counts.considered;
+      if (!subject.box.meets(clip.box)) continue;
       ClipResult parts = clip_contour_by_contour(subject.pieces, clip.pieces, true);
       ++counts.clips;
       if (parts.inside.empty()) continue;
@@ -180,6 +182,7 @@ void PolygonCounts::operator+=(const PolygonCounts& o) {
   zones += o.zones;
   slabs += o.slabs;
   bodies += o.bodies;
+  considered += o.considered;
   clips += o.clips;
   wrong_sorts += o.wrong_sorts;
   splits += o.splits;

@@ -12,6 +12,7 @@ struct PolygonCounts {
   std::uint64_t zones = 0;        ///< sets of polygons that hang together by their boxes on the page
   std::uint64_t slabs = 0;        ///< sets of the polygons of a zone that overlap no other in depth
   std::uint64_t bodies = 0;       ///< convex objects, clipped by their silhouettes
+  std::uint64_t considered = 0;   ///< polygons of a list before which a clip face stood, apart or not
   std::uint64_t clips = 0;        ///< a polygon clipped by another one
   std::uint64_t wrong_sorts = 0;  ///< pieces found inside that proved to be nearer
   std::uint64_t splits = 0;       ///< pieces cut along the line in which two polygons pass through each other

@@ -53,6 +53,7 @@ void Analysis::add(Element element, const Window& larger, Lists& lists, Analysis
     if (!drop_hidden_ || element.near <= lists.occluder_depth) lists.elements.push_back(element);
     return;
   } else {
+    if (!remember_sides_) element.side = 0;
     element.relation = relation_to(table_, table_.faces[element.face], larger, element.side, counts);
     if (element.relation == Relation::disjoint) return;
   }

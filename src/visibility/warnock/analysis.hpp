@@ -60,9 +60,10 @@ Relation relation_to(const FaceTable& table, const Face& face, const Window& win
 class Analysis {
  public:
   /// `drop_hidden`: faces behind a cover are left out. `margin` in frame units: faces are compared with windows that are so
-  /// much larger, so that a line along the border of a window finds there the faces on both of its sides.
-  Analysis(const FaceTable& table, double margin, bool drop_hidden)
-      : table_(table), margin_(margin), drop_hidden_(drop_hidden) {}
+  /// much larger, so that a line along the border of a window finds there the faces on both of its sides. Without
+  /// `remember_sides` children try the sides of an intersector from its first on.
+  Analysis(const FaceTable& table, double margin, bool drop_hidden, bool remember_sides = true)
+      : table_(table), margin_(margin), drop_hidden_(drop_hidden), remember_sides_(remember_sides) {}
 
   /// The lists of the initial window.
   Lists begin(const Window& window, AnalysisCounts& counts) const;
@@ -77,7 +78,7 @@ class Analysis {
 
   const FaceTable& table_;
   double margin_;
-  bool drop_hidden_;
+  bool drop_hidden_, remember_sides_;
 };
 
 }  // namespace ligne::warnock

@@ -133,7 +133,7 @@ Control::Control(const FaceTable& table, const std::vector<PageLine>& lines, con
       lines_(lines),
       rules_(rules),
       margin_(std::ceil(rules.margin_steps * table.frame.unit())),
-      analysis_(table, margin_, rules.drop_hidden) {}
+      analysis_(table, margin_, rules.drop_hidden, rules.remember_sides) {}
 
 Outcome Control::study(const Window& window, std::vector<Piece> pieces, const std::function<void(double)>& report) const {
   Progress progress(report);
@@ -174,7 +174,7 @@ void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces
   Clock clock;
   const Situation situation(table_, lists, window.grown(-margin_), exact ? kMostOfExact : kMostElements, counts.analysis,
                             counts.depth);
-  const Understood understood = understand(situation);
+  const Understood understood = understand(situation, rules_.knowledge);
   counts.understanding_seconds += clock.lap();
   if (understood != Understood::no) {
     ++counts.understood[static_cast<std::size_t>(understood)];

@@ -29,6 +29,8 @@ struct Rules {
   bool drop_hidden = true;    ///< what covers hide is not looked at
   bool areas = false;         ///< visible areas are wanted
   bool show_windows = false;  ///< the cuts are kept
+  Knowledge knowledge = Knowledge::all;
+  bool remember_sides = true;  ///< the side that made a face an intersector is tried first in the children
 };
 
 struct Counts {

@@ -187,21 +187,22 @@ bool seen_intersectors_apart(const Situation& s, std::span<const Placed* const> 
   return true;
 }
 
-Understood understand(const Situation& s) {
-  if (s.crowded) return Understood::no;
+Understood understand(const Situation& s, Knowledge knowledge) {
+  if (s.crowded || knowledge == Knowledge::nothing) return Understood::no;
+  const bool four = knowledge >= Knowledge::four_cases, all = knowledge == Knowledge::all;
   const Covers covers = study_surrounders(s);
   if (covers.failed) return Understood::no;
   if (surrounder_before_everything(s, covers)) return Understood::surrounder;
   if (covers.other) {
-    if (penetrating_surrounders_before_everything(s, covers)) return Understood::penetrating_surrounders;
+    if (four && penetrating_surrounders_before_everything(s, covers)) return Understood::penetrating_surrounders;
     return Understood::no;
   }
   const auto seen = seen_intersectors(s, covers.front);
   if (!seen) return Understood::no;
   if (single_intersector(*seen)) return Understood::single_intersector;
-  if (seen_edges_in_one_line(s, *seen)) return Understood::one_line;
-  if (seen_edges_meet_in_one_vertex(s, *seen)) return Understood::one_vertex;
-  if (seen_intersectors_apart(s, *seen)) return Understood::apart;
+  if (four && seen_edges_in_one_line(s, *seen)) return Understood::one_line;
+  if (all && seen_edges_meet_in_one_vertex(s, *seen)) return Understood::one_vertex;
+  if (all && seen_intersectors_apart(s, *seen)) return Understood::apart;
   return Understood::no;
 }
 

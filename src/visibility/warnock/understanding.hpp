@@ -24,6 +24,14 @@ enum class Understood : std::uint8_t {
 };
 inline constexpr std::size_t kUnderstoodCount = 7;
 
+/// How much the module knows: the choices of [Boulle1980] 2.2.3.2, and all that there is.
+enum class Knowledge : std::uint8_t {
+  nothing,     ///< every window is divided
+  two_cases,   ///< 1 and 4
+  four_cases,  ///< 1 to 4
+  all,
+};
+
 /// An element and how it lies to the inner window.
 struct Placed {
   Element element;  ///< with the relation to the inner window
@@ -75,8 +83,8 @@ bool seen_edges_meet_in_one_vertex(const Situation& s, std::span<const Placed* c
 /// 2.14d. No seen intersector lies over another.
 bool seen_intersectors_apart(const Situation& s, std::span<const Placed* const> seen);
 
-/// Tries all of them. A window in which nothing is seen but a cover that something touches, or nothing at all, counts as one
-/// line.
-Understood understand(const Situation& s);
+/// Tries all of them that are known. A window in which nothing is seen but a cover that something touches, or nothing at
+/// all, counts as one line.
+Understood understand(const Situation& s, Knowledge knowledge = Knowledge::all);
 
 }  // namespace ligne::warnock
