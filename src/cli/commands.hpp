@@ -8,6 +8,7 @@
 #include "cli/info.hpp"
 #include "cli/methods.hpp"
 #include "cli/plot.hpp"
+#include "cli/study.hpp"
 #include "cli/surface.hpp"
 
 namespace CLI {
@@ -24,6 +25,7 @@ struct Commands {
   MethodsOptions methods;
   DevicesOptions devices;
   PlotCommandOptions plot;
+  StudyCommandOptions study;
   SurfaceOptions surface;
 };
 
@@ -37,6 +39,7 @@ inline void setup_commands(CLI::App& app, Commands& commands) {
   setup_compare(app, commands.compare);
   setup_methods(app, commands.methods);
   setup_devices(app, commands.devices);
+  setup_study(app, commands.study);
 }
 
 }  // namespace ligne

@@ -31,7 +31,8 @@ Examples:
   ligne plot sombrero.svg --device hp7475a -o sombrero.hpgl
   ligne info gearbox.obj
   ligne compare gearbox.obj --html gearbox.html
-  ligne methods)help";
+  ligne methods
+  ligne study --list)help";
 
 /// CLI11's own complaint in our words.
 std::string complaint(const CLI::ParseError& e) {
@@ -90,9 +91,11 @@ int run(int argc, char** argv) {
     run_plot(commands.plot);
   } else if (app.got_subcommand("devices")) {
     run_devices(commands.devices);
+  } else if (app.got_subcommand("study")) {
+    run_study(commands.study);
   } else {
     throw UsageError(
-        "there is no command: draw, surface, plot, compile, info, compare, methods or devices; see ligne --help");
+        "there is no command: draw, surface, plot, compile, info, compare, methods, devices or study; see ligne --help");
   }
   return kDone;
 }

@@ -5,7 +5,7 @@ ligne=$1 pages=$2
 failed=0
 complain() { echo "$*" >&2; failed=1; }
 
-for command in draw surface plot compile info compare methods devices; do
+for command in draw surface plot compile info compare methods devices study; do
   options=$("$ligne" "$command" --help | grep -oE '^  (-[a-z],)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+')
   page=$(zcat "$pages/ligne-$command.1.gz" | sed 's/\\-/-/g')
   zsh=$(sed -n "/^    $command)/,/;;/p" "$pages/_ligne")
@@ -41,7 +41,7 @@ expect "--hatch --hatch-spacing --hatch-angle --hatch-levels --hatch-cross" draw
 expect "refuse outline hatch" plot --fill ""
 expect "same apart none" surface --underside ""
 expect "" draw --crease ""
-for command in draw surface plot compile info compare methods devices; do
+for command in draw surface plot compile info compare methods devices study; do
   for option in $("$ligne" "$command" --help | grep -oE '^  (-[a-z],)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+'); do
     [[ " $(completions "$command" "$option") " == *" $option "* ]] || complain "bash does not complete $option of $command"
   done

@@ -1,0 +1,42 @@
+#pragma once
+/// Times and growth.
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+namespace ligne::studies {
+
+/// Seconds of the processor, which other work on the machine does not lengthen: the least of `times` runs. The work runs in
+/// one thread.
+template <class Work>
+double least_seconds(int times, const Work& work) {
+  double best = 1e300;
+  for (int i = 0; i < times; ++i) {
+    const std::clock_t start = std::clock();
+    work();
+    best = std::min(best, double(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+/// The same for work that is shorter than the clock's step: it is repeated until it takes two thousandths of a second, or
+/// very often. What it returns is looked at, so that no compiler leaves it out.
+template <class Work>
+double seconds_each(const Work& work) {
+  constexpr int kMostRepeats = 1 << 20;
+  volatile double sink = 0;
+  for (int repeats = 1;; repeats *= 4) {
+    const double all = least_seconds(1, [&] {
+      double sum = 0;
+      for (int i = 0; i < repeats; ++i) sum += static_cast<double>(work());
+      sink = sum;
+    });
+    if (all >= 0.002 || repeats >= kMostRepeats) return all / repeats;
+  }
+}
+
+/// e where y grows as x^e from one point to the other.
+inline double growth(double x0, double y0, double x1, double y1) { return std::log(y1 / y0) / std::log(x1 / x0); }
+
+}  // namespace ligne::studies

@@ -1,0 +1,93 @@
+#pragma once
+/// A segment against a rectangle with sides along the axes, [Boulle1980] 3.2.3.1: by codes (Cohen and Sutherland), and by
+/// halving (Sproull and Sutherland).
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "geometry/point.hpp"
+
+namespace ligne::studies {
+
+struct ClipRectangle {
+  double left, right, low, high;
+
+  /// Figure 3.15: a bit for each side beyond which the point lies.
+  unsigned code(Point2 p) const { return (p.x < left) | (p.x > right) << 1 | (p.y < low) << 2 | (p.y > high) << 3; }
+};
+
+struct ClipCounts {
+  std::uint64_t codes = 0;      ///< points against the rectangle
+  std::uint64_t crossings = 0;  ///< computed with a side
+  std::uint64_t middles = 0;
+};
+
+using ClippedSegment = std::optional<std::pair<Point2, Point2>>;
+
+/// The part within the rectangle, or nothing. At the most four crossings are computed. What is cut off is right to a
+/// rounding; a segment that passes a corner of the rectangle nearer than that may be found on the wrong side of it.
+inline ClippedSegment clip_by_codes(Point2 p, Point2 q, const ClipRectangle& r, ClipCounts& counts) {
+  counts.codes += 2;
+  unsigned of_p = r.code(p), of_q = r.code(q);
+  for (;;) {
+    if ((of_p | of_q) == 0) return std::pair(p, q);
+    if ((of_p & of_q) != 0) return std::nullopt;
+    const bool first = of_p != 0;
+    Point2& end = first ? p : q;
+    unsigned& code = first ? of_p : of_q;
+    ++counts.crossings;
+    const Point2 d = q - p;
+    if (code & 1u) {
+      end = {r.left, p.y + d.y * (r.left - p.x) / d.x};
+    } else if (code & 2u) {
+      end = {r.right, p.y + d.y * (r.right - p.x) / d.x};
+    } else if (code & 4u) {
+      end = {p.x + d.x * (r.low - p.y) / d.y, r.low};
+    } else {
+      end = {p.x + d.x * (r.high - p.y) / d.y, r.high};
+    }
+    ++counts.codes;
+    code = r.code(end);
+  }
+}
+
+/// The same on whole coordinates: from each end the farthest point of the segment within the rectangle, by halving. Right to
+/// a step. With 2^k the larger side of the screen an end takes k halvings at the most.
+inline ClippedSegment clip_by_halving(Point2 p, Point2 q, const ClipRectangle& r, ClipCounts& counts) {
+  counts.codes += 2;
+  const unsigned of_p = r.code(p), of_q = r.code(q);
+  if ((of_p | of_q) == 0) return std::pair(p, q);
+  if ((of_p & of_q) != 0) return std::nullopt;
+  /// The farthest point from `from` that is inside; `to` is not. Nothing when there is none.
+  const auto farthest = [&](Point2 from, unsigned of_from, Point2 to, unsigned of_to) -> std::optional<Point2> {
+    std::optional<Point2> best;
+    if (of_from == 0) best = from;
+    while (std::max(std::abs(to.x - from.x), std::abs(to.y - from.y)) > 1) {
+      const Point2 middle{std::floor((from.x + to.x) / 2), std::floor((from.y + to.y) / 2)};
+      ++counts.middles;
+      ++counts.codes;
+      const unsigned of_middle = r.code(middle);
+      if (of_middle == 0) best = middle;
+      // Beyond the middle there is nothing: both of its ends are on one outer side.
+      if ((of_middle & of_to) != 0) {
+        to = middle;
+        of_to = of_middle;
+      } else {
+        from = middle;
+        of_from = of_middle;
+      }
+      if ((of_from & of_to) != 0) return best;
+    }
+    return best;
+  };
+  const auto end = of_q == 0 ? std::optional(q) : farthest(p, of_p, q, of_q);
+  if (!end) return std::nullopt;
+  const auto begin = of_p == 0 ? std::optional(p) : farthest(q, of_q, p, of_p);
+  if (!begin) return std::nullopt;
+  return std::pair(*begin, *end);
+}
+
+}  // namespace ligne::studies

@@ -1,0 +1,81 @@
+#pragma once
+/// The span methods as [Boulle1980] 2.3.3 has them, over numbers that count: merge from the head of the visible list, stack
+/// with its pseudo-code, box with its three modules. For the experiments alone: the program uses those of
+/// visibility/watkins/, which are right where these are not. The stack here is ordered by depth only as far as the sort
+/// goes, and neither it nor the merge is told of faces that touch.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "study/counting.hpp"
+#include "visibility/watkins/span_method.hpp"
+
+namespace ligne::studies {
+
+using Real = Counted<double>;
+
+/// A segment of the scan plane. Its slope is computed once for the face, and not counted.
+struct PlaneSegment {
+  Real x0, z0, x1, z1, slope;
+
+  Real z(const Real& x) const { return z0 + slope * (x - x0); }
+};
+
+struct SpanRun {
+  std::vector<watkins::VisibleSpan> spans;
+  Operations operations;
+  std::uint64_t boxes = 0;  ///< parts of the line studied (box)
+};
+
+class ThesisSpans {
+ public:
+  explicit ThesisSpans(std::vector<watkins::ScanSegment<double>> segments) : source_(std::move(segments)) {}
+
+  /// In the order in which the segments were given.
+  SpanRun merge();
+
+  /// The segments sorted by the full key.
+  SpanRun stack();
+
+  /// `at_ends`: parts are divided at an end of a segment where there is one, else in the middle of the part. The first part
+  /// is the line from 0 to `length`, or from the first end to the last where that is 0.
+  SpanRun box(bool at_ends, double length = 0);
+
+ private:
+  static constexpr std::uint32_t kBackground = 0xffffffffu;
+
+  Real real(double value) { return {value, &run_.operations}; }
+  std::vector<PlaneSegment> counted() {
+    run_ = {};
+    std::vector<PlaneSegment> out;
+    for (const auto& s : source_) out.push_back({real(s.x0), real(s.z0), real(s.x1), real(s.z1), real(s.slope())});
+    return out;
+  }
+  bool test(bool answer) {
+    ++run_.operations.tests;
+    return answer;
+  }
+  void show(double x0, double x1, std::uint32_t id) {
+    if (!(x0 < x1)) return;
+    if (!run_.spans.empty() && run_.spans.back().segment == id && run_.spans.back().x1 == x0) {
+      run_.spans.back().x1 = x1;
+      return;
+    }
+    run_.spans.push_back({x0, x1, id});
+    ++run_.operations.assignments;
+  }
+  SpanRun take() { return std::move(run_); }
+
+  void study_box(const std::vector<PlaneSegment>& s, const std::vector<std::uint32_t>& list, const Real& from,
+                 const Real& to, bool at_ends);
+
+  std::vector<watkins::ScanSegment<double>> source_;
+  SpanRun run_;
+};
+
+/// Length on which the two show different segments.
+double difference_of(const std::vector<watkins::VisibleSpan>& a, const std::vector<watkins::VisibleSpan>& b);
+
+}  // namespace ligne::studies

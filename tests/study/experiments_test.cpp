@@ -1,0 +1,212 @@
+// Every experiment at small size: its form, and counts that are known. Times are never looked at.
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "geometry/parallel.hpp"
+#include "study/result_text.hpp"
+
+namespace ligne::studies {
+namespace {
+
+Result run(std::string_view name) {
+  const Experiment* experiment = find_experiment(name);
+  if (!experiment) throw std::runtime_error("there is no experiment " + std::string(name));
+  return experiment->run({StudySize::small, {}});
+}
+
+/// All rows of a count, in order.
+std::vector<std::uint64_t> counts(const Table& table, std::string_view column) {
+  std::vector<std::uint64_t> list;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) list.push_back(count_in(table, i, column));
+  return list;
+}
+
+using Counts = std::vector<std::uint64_t>;
+
+TEST(Study, EveryRowHasTheFigureOfTheSource) {
+  std::set<std::string_view> names;
+  for (const Experiment& experiment : experiments()) {
+    SCOPED_TRACE(experiment.name);
+    EXPECT_TRUE(names.insert(experiment.name).second);
+    const Result result = experiment.run({StudySize::small, {}});
+    EXPECT_FALSE(result.tables.empty());
+    EXPECT_FALSE(result.sentence.empty());
+    for (const Table& table : result.tables) {
+      SCOPED_TRACE(table.title);
+      EXPECT_FALSE(table.rows.empty());
+      std::size_t sources = 0;
+      for (std::size_t c = 0; c < table.columns.size(); ++c) sources += table.columns[c].kind == ColumnKind::source;
+      EXPECT_EQ(sources, 1u);
+      for (const auto& row : table.rows) {
+        ASSERT_EQ(row.size(), table.columns.size());
+        for (std::size_t c = 0; c < row.size(); ++c) {
+          const ColumnKind kind = table.columns[c].kind;
+          if (kind == ColumnKind::source) {
+            ASSERT_TRUE(std::holds_alternative<std::string>(row[c]));
+            EXPECT_FALSE(std::get<std::string>(row[c]).empty());
+          }
+          if (std::holds_alternative<std::uint64_t>(row[c])) {
+            EXPECT_EQ(kind, ColumnKind::count);
+          }
+          if (std::holds_alternative<double>(row[c])) {
+            EXPECT_TRUE(kind == ColumnKind::measure || kind == ColumnKind::time) << table.columns[c].name;
+          }
+        }
+      }
+    }
+  }
+}
+
+/// Everything but times is the same every time, with one thread and with several.
+TEST(Study, CountsAreTheSameForAnyNumberOfThreads) {
+  for (const Experiment& experiment : experiments()) {
+    SCOPED_TRACE(experiment.name);
+    Result one, many;
+    run_with_threads(1, [&] { one = run(experiment.name); });
+    run_with_threads(4, [&] { many = run(experiment.name); });
+    ASSERT_EQ(one.tables.size(), many.tables.size());
+    for (std::size_t t = 0; t < one.tables.size(); ++t) {
+      const Table &a = one.tables[t], &b = many.tables[t];
+      ASSERT_EQ(a.rows.size(), b.rows.size());
+      for (std::size_t r = 0; r < a.rows.size(); ++r) {
+        for (std::size_t c = 0; c < a.columns.size(); ++c) {
+          if (a.columns[c].kind != ColumnKind::time) {
+            EXPECT_EQ(a.rows[r][c], b.rows[r][c]) << a.title << ", " << a.columns[c].name;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Study, TextJsonAndCsv) {
+  const Outcome outcome{find_experiment("windows"), run("windows")};
+  const std::string text = text_of(outcome);
+  EXPECT_NE(text.find("| screen (figure 2.20) | about 60 | 49 | 53 |"), std::string::npos) << text;
+  const std::string csv = csv_of(std::span(&outcome, 1));
+  EXPECT_NE(csv.find(",screen (figure 2.20),windows,count,49\n"), std::string::npos) << csv;
+  const std::string json = json_of(std::span(&outcome, 1), StudySize::small);
+  EXPECT_NE(json.find("\"format\": \"ligne-study\""), std::string::npos);
+  EXPECT_NE(json.find("\"kind\": \"source\""), std::string::npos);
+}
+
+TEST(Study, ChartsAreOneFile) {
+  const Result result = run("squares");
+  EXPECT_EQ(result.charts.size(), 5u);
+  const std::string svg = charts_svg(result.charts);
+  EXPECT_EQ(svg.rfind("<svg", 0), 0u);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+// 2.2.3.1, figure 2.11: one test in three of the children, all thirteen in the fourth.
+TEST(Study, RememberedEdges) {
+  const Table figure = run("edge-tests").tables[0];
+  EXPECT_EQ(counts(figure, "side remembered"), (Counts{1, 13, 1, 1}));
+  EXPECT_EQ(counts(figure, "not remembered, at the worst"), (Counts{13, 13, 13, 13}));
+}
+
+// 2.2.3.2: the more is understood the fewer windows there are.
+TEST(Study, UnderstandingSavesWindows) {
+  const Table table = run("understanding").tables[0];
+  const Counts windows = counts(table, "windows");
+  for (std::size_t i = 0; i + 3 < windows.size(); i += 4) {
+    EXPECT_GT(windows[i], windows[i + 1]);
+    EXPECT_GE(windows[i + 1], windows[i + 2]);
+    EXPECT_GE(windows[i + 2], windows[i + 3]);
+  }
+}
+
+// 2.2.3.3.
+TEST(Study, FirstWindows) {
+  const Table table = run("windows").tables[0];
+  EXPECT_EQ(counts(table, "windows"), (Counts{49, 67, 21, 1}));
+  EXPECT_EQ(counts(table, "the triangle moved by (4, 2) mm"), (Counts{53, 117, 41, 1}));
+}
+
+// 2.3.3.1: sorted segments are the cheapest, and 2-1-3 costs a third more than 1-2-3.
+TEST(Study, OrdersOfMerge) {
+  const Table table = run("merge-orders").tables[0];
+  const Counts operations = counts(table, "merge from the head, operations");
+  ASSERT_EQ(operations.size(), 6u);
+  EXPECT_NEAR(double(operations[2]) / double(operations[0]), 1.35, 0.05);
+}
+
+// 2.3.3.4: the span methods of the program on n squares, as they were first measured.
+TEST(Study, Squares) {
+  const Table table = run("squares").tables[1];
+  EXPECT_EQ(counts(table, "our merge"), (Counts{9,   19,  29, 39, 49, 25, 58, 91, 124, 157, 25,  54, 89,
+                                                124, 159, 19, 39, 59, 79, 99, 24, 54,  84,  114, 144}));
+  EXPECT_EQ(counts(table, "our stack"), (Counts{15,  32,  49, 66, 103, 39,  93,  169, 255, 368, 39,  97, 182,
+                                                269, 387, 32, 82, 164, 252, 350, 40,  97,  173, 255, 363}));
+  EXPECT_EQ(counts(table, "our box"), (Counts{8,   32,  70, 108, 160, 64,  203, 346, 551, 659, 45,  232, 276,
+                                              575, 756, 32, 66,  100, 134, 168, 36,  129, 240, 450, 558}));
+  const Table kinds = run("squares").tables[0];
+  EXPECT_EQ(kinds.rows.size(), 5u * 7u);
+}
+
+// Figure 2.56.
+TEST(Study, StackDoesNotCareWhereTheSceneLies) {
+  const Table table = run("translation").tables[0];
+  const Counts stack = counts(table, "stack"), box = counts(table, "box, divided in the middle");
+  EXPECT_EQ(std::set(stack.begin(), stack.end()).size(), 1u);
+  EXPECT_GT(std::set(box.begin(), box.end()).size(), 2u);
+}
+
+// 2.3.5.3 and 2.3.6.3.
+TEST(Study, Coherence) {
+  const Table table = run("coherence").tables[0];
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    EXPECT_GT(count_in(table, i, "every line"), count_in(table, i, "where edges enter, end, cross"));
+    EXPECT_GE(count_in(table, i, "where edges enter, end, cross"), count_in(table, i, "and it can be seen"));
+  }
+  const Table groups = run("line-groups").tables[0];
+  EXPECT_EQ(counts(groups, "groups")[0], 512u);
+  EXPECT_EQ(counts(groups, "groups")[3], 1u);
+}
+
+// 2.4.2.4: figures 2.66 and 2.67.
+TEST(Study, Polygons) {
+  EXPECT_EQ(counts(run("slab-order").tables[0], "clips"), (Counts{7, 4}));
+  const Table sum = run("clip-sum").tables[0];
+  EXPECT_EQ(counts(sum, "clips"), (Counts{4, 9, 4, 9, 4, 9}));
+  EXPECT_EQ(counts(sum, "regions seen"), (Counts{9, 19, 13, 28, 21, 46})) << "(n - 1) r + 1";
+  EXPECT_EQ(counts(run("sort-keys").tables[0], "wrong")[0], 2u) << "figure 2.68, by the nearest point";
+}
+
+// 2.5.2.7.
+TEST(Study, ListCases) {
+  const Result result = run("list-cases");
+  EXPECT_EQ(counts(result.tables[0], "pairs compared"), (Counts{0, 0}));
+  EXPECT_EQ(counts(result.tables[0], "slabs"), (Counts{10, 100}));
+  EXPECT_EQ(counts(result.tables[2], "pieces"), (Counts{2, 3, 4, 5, 6, 7}));
+}
+
+// 2.6: every method draws the line along which two plates penetrate, outside of what hides it.
+TEST(Study, FourMethods) {
+  const Table table = run("four-methods").tables[0];
+  int methods = 0;
+  for (const auto& row : table.rows) {
+    if (std::get<std::string>(row[1]) != "lines of intersection") continue;
+    EXPECT_GT(std::get<std::uint64_t>(row[4]), 0u);
+    ++methods;
+  }
+  EXPECT_EQ(methods, 4);
+}
+
+// Lecture 5.1 and Huet 3.1.
+TEST(Study, OtherSources) {
+  const Table depth = run("depth-increments").tables[0];
+  EXPECT_EQ(counts(depth, "pixels"), (Counts{136, 136, 136}));
+  EXPECT_EQ(number_in(depth, 0, "products"), 2);
+  EXPECT_EQ(number_in(depth, 1, "products"), 0);
+  const Table trees = run("tree-complexity").tables[0];
+  EXPECT_EQ(count_in(trees, 0, "complexity"), 0u);
+  EXPECT_EQ(count_in(trees, 1, "complexity"), 0u);
+  EXPECT_EQ(count_in(trees, 1, "convex sets"), 10u);
+}
+
+}  // namespace
+}  // namespace ligne::studies

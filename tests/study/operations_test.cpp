@@ -1,0 +1,294 @@
+// The elementary operations of [Boulle1980] 3 against exact arithmetic.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "geometry/clip_contour_by_contour.hpp"
+#include "study/operations/contour_clipping.hpp"
+#include "study/operations/point_in_contour.hpp"
+#include "study/operations/segment_clipping.hpp"
+#include "study/operations/segment_sweep.hpp"
+#include "study/operations/segment_tests.hpp"
+#include "study/operations/sorts.hpp"
+#include "study/operations/thesis_spans.hpp"
+
+namespace ligne::studies {
+namespace {
+
+int sign(double v) { return (v > 0) - (v < 0); }
+
+/// Small coordinates, so that everything singular happens often, or those of the whole lattice.
+LatticePoint random_point(std::mt19937& random, int limit) {
+  std::uniform_int_distribution<int> u(-limit, limit);
+  return {u(random), u(random)};
+}
+
+template <class N>
+PlanePoint<N> as(LatticePoint p) {
+  return {static_cast<N>(p.x), static_cast<N>(p.y)};
+}
+
+TEST(Operations, FourSegmentTestsAreExact) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 40000; ++i) {
+    const int limit = i % 2 == 0 ? 4 : kLatticeLimit;
+    const LatticePoint a = random_point(random, limit), b = random_point(random, limit), c = random_point(random, limit),
+                       d = random_point(random, limit);
+    if (a == b || c == d) continue;
+    const int ab = sign(orientation(a, b, c)) * sign(orientation(a, b, d)),
+              cd = sign(orientation(c, d, a)) * sign(orientation(c, d, b));
+    const bool cross = ab < 0 && cd < 0;
+    const bool parallel = ligne::cross(LatticeSegment{a, b}, LatticeSegment{c, d}) == 0;
+    const auto ask = [&](auto test) { return test(as<Int128>(a), as<Int128>(b), as<Int128>(c), as<Int128>(d)); };
+    EXPECT_EQ(ask(cross_analytic<Int128>), cross);
+    EXPECT_EQ(ask(cross_vector<Int128>), cross);
+    EXPECT_EQ(ask(cross_parametric<Int128>), cross);
+    EXPECT_EQ(ask(meet_min_max<Int128>), !parallel && ab <= 0 && cd <= 0);
+    EXPECT_EQ(cross_vector(as<double>(a), as<double>(b), as<double>(c), as<double>(d)), cross);
+    EXPECT_EQ(cross_parametric(as<double>(a), as<double>(b), as<double>(c), as<double>(d)), cross);
+    // Exchanged segments and ends.
+    EXPECT_EQ(cross_parametric(as<Int128>(d), as<Int128>(c), as<Int128>(a), as<Int128>(b)), cross);
+    EXPECT_EQ(meet_min_max(as<Int128>(d), as<Int128>(c), as<Int128>(b), as<Int128>(a)), ask(meet_min_max<Int128>));
+  }
+}
+
+TEST(Operations, OperationsAreCounted) {
+  Operations tally;
+  const auto at = [&](double x, double y) { return PlanePoint<Counted<double>>{{x, &tally}, {y, &tally}}; };
+  const auto count = [&](auto test) {
+    tally = {};
+    EXPECT_TRUE(test(at(0, 0), at(10, 10), at(0, 10), at(10, 0)));
+    return tally;
+  };
+  const Operations analytic = count(cross_analytic<Counted<double>>), vector = count(cross_vector<Counted<double>>),
+                   parametric = count(cross_parametric<Counted<double>>), min_max = count(meet_min_max<Counted<double>>);
+  EXPECT_EQ(analytic.sums(), 14u);
+  EXPECT_EQ(analytic.products, 14u);
+  EXPECT_EQ(analytic.tests, 3u);
+  EXPECT_EQ(analytic.assignments, 0u);
+  EXPECT_EQ(vector.sums(), 12u);
+  EXPECT_EQ(vector.products, 10u);
+  EXPECT_EQ(vector.tests, 3u);
+  EXPECT_EQ(parametric.sums(), 9u) << "the thesis has 6: without those of its three determinants";
+  EXPECT_EQ(parametric.products, 6u);
+  EXPECT_EQ(parametric.quotients, 2u);
+  EXPECT_EQ(parametric.tests, 5u);
+  EXPECT_EQ(parametric.assignments, 7u);
+  EXPECT_EQ(min_max.sums(), 9u);
+  EXPECT_EQ(min_max.products + min_max.quotients, 12u);
+  EXPECT_EQ(min_max.assignments, 1u);
+}
+
+TEST(Operations, SweepFindsWhatAllPairsFind) {
+  std::mt19937 random(2);
+  for (int round = 0; round < 400; ++round) {
+    // From a handful of points, where all is singular, to general position.
+    const int limit = round % 4 == 0 ? 3 : round % 4 == 1 ? 10 : round % 4 == 2 ? 100 : kSweepLimit;
+    std::vector<LatticeSegment> segments;
+    while (segments.size() < 2u + static_cast<std::size_t>(round % 30)) {
+      const LatticeSegment s{random_point(random, limit), random_point(random, limit)};
+      if (!(s.a == s.b)) segments.push_back(s);
+    }
+    SweepWork sweep, pairs;
+    const auto found = meetings_by_sweep(segments, sweep), wanted = meetings_by_pairs(segments, pairs);
+    ASSERT_EQ(found.size(), wanted.size()) << "round " << round;
+    EXPECT_TRUE(std::equal(found.begin(), found.end(), wanted.begin())) << "round " << round;
+  }
+}
+
+/// A convex contour with corners on a circle, positively turned.
+std::vector<LatticePoint> convex_contour(std::mt19937& random, int n, double radius) {
+  std::uniform_real_distribution<double> u(0, 2 * 3.14159265358979);
+  std::vector<double> angles;
+  for (int i = 0; i < n; ++i) angles.push_back(u(random));
+  std::sort(angles.begin(), angles.end());
+  std::vector<LatticePoint> contour;
+  for (const double a : angles) {
+    const LatticePoint p{static_cast<std::int32_t>(std::lround(radius * std::cos(a))),
+                         static_cast<std::int32_t>(std::lround(radius * std::sin(a)))};
+    if (std::find(contour.begin(), contour.end(), p) == contour.end()) contour.push_back(p);
+  }
+  // Rounding may make corners that lie in a line or turn back: these are left out.
+  for (std::size_t i = 0; contour.size() > 3 && i < contour.size();) {
+    const std::size_t m = contour.size();
+    if (orientation(contour[(i + m - 1) % m], contour[i], contour[(i + 1) % m]) <= 0) {
+      contour.erase(contour.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;
+    } else {
+      ++i;
+    }
+  }
+  return contour;
+}
+
+/// Inside, outside or on the contour, by winding numbers of exact signs.
+int place_by_winding(const std::vector<LatticePoint>& contour, LatticePoint p) {
+  return position_in_face(make_contour_face(std::span(&contour, 1)), fine(p));
+}
+
+int as_sign(Place place) { return place == Place::inside ? 1 : place == Place::outside ? -1 : 0; }
+
+TEST(Operations, PointsInConvexContours) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 300; ++round) {
+    const int limit = round % 2 == 0 ? 6 : 1000;
+    const auto contour = convex_contour(random, 3 + round % 12, limit);
+    if (contour.size() < 3 || orientation(contour[0], contour[1], contour[2]) <= 0) continue;
+    const Sectors sectors(contour);
+    for (int i = 0; i < 60; ++i) {
+      const LatticePoint p = i < 3 ? contour[static_cast<std::size_t>(i)] : random_point(random, limit + 1);
+      const int truth = place_by_winding(contour, p);
+      ContourCounts counts;
+      EXPECT_EQ(as_sign(by_crossings(contour, p, counts)), truth);
+      EXPECT_EQ(as_sign(by_half_planes(contour, p, counts)), truth);
+      EXPECT_EQ(as_sign(by_triangles(contour, p, counts)), truth);
+      EXPECT_EQ(as_sign(sectors.by_signs(p, counts)), truth);
+      EXPECT_EQ(as_sign(by_codes(contour, p, true, counts)), truth);
+      if (truth != 0) {
+        EXPECT_EQ(as_sign(by_angles(contour, p, counts)), truth);
+      }
+    }
+  }
+}
+
+TEST(Operations, PointsInAnyContours) {
+  std::mt19937 random(4);
+  for (int round = 0; round < 300; ++round) {
+    // A star: simple, not convex.
+    const int limit = 200;
+    std::uniform_real_distribution<double> part(0.2, 1);
+    std::vector<LatticePoint> contour;
+    const int n = 5 + round % 9;
+    for (int i = 0; i < n; ++i) {
+      const double a = 2 * 3.14159265358979 * i / n, r = limit * part(random);
+      contour.push_back({static_cast<std::int32_t>(std::lround(r * std::cos(a))),
+                         static_cast<std::int32_t>(std::lround(r * std::sin(a)))});
+    }
+    for (int i = 0; i < 60; ++i) {
+      const LatticePoint p = i < 3 ? contour[static_cast<std::size_t>(i)] : random_point(random, limit);
+      const int truth = place_by_winding(contour, p);
+      ContourCounts counts;
+      EXPECT_EQ(as_sign(by_crossings(contour, p, counts)), truth);
+      EXPECT_EQ(as_sign(by_codes(contour, p, true, counts)), truth);
+      if (truth != 0) {
+        EXPECT_EQ(as_sign(by_angles(contour, p, counts)), truth);
+      }
+    }
+  }
+}
+
+// A side from one domain to the opposite one, on the far side of the point: as printed the codes turn it round.
+TEST(Operations, CodesAsPrintedErr) {
+  const std::vector<LatticePoint> contour{{-10, -20}, {20, 10}, {-20, 30}};
+  const LatticePoint p{0, 0};
+  ContourCounts counts;
+  EXPECT_EQ(by_crossings(contour, p, counts), Place::inside);
+  EXPECT_EQ(by_codes(contour, p, true, counts), Place::inside);
+  EXPECT_EQ(by_codes({{LatticePoint{-10, -20}, LatticePoint{20, 30}, LatticePoint{-20, 30}}}, p, true, counts),
+            by_crossings({{LatticePoint{-10, -20}, LatticePoint{20, 30}, LatticePoint{-20, 30}}}, p, counts));
+}
+
+TEST(Operations, ClippedSegments) {
+  std::mt19937 random(5);
+  const ClipRectangle r{-50, 50, -30, 30};
+  const LatticePoint corners[] = {{-50, -30}, {50, -30}, {50, 30}, {-50, 30}};
+  const std::vector<LatticePoint> rectangle(std::begin(corners), std::end(corners));
+  for (int i = 0; i < 20000; ++i) {
+    const LatticePoint a = random_point(random, 120), b = random_point(random, 120);
+    if (a == b) continue;
+    const Point2 p(a.x, a.y), q(b.x, b.y);
+    ClipCounts codes, halving;
+    const ClippedSegment by_code = clip_by_codes(p, q, r, codes), by_half = clip_by_halving(p, q, r, halving);
+    // Exactly: it meets the rectangle when a corner is on the other side of it than another, or on it, and the boxes meet.
+    int least = 1, most = -1;
+    for (const LatticePoint c : corners) {
+      least = std::min(least, sign(orientation(a, b, c)));
+      most = std::max(most, sign(orientation(a, b, c)));
+    }
+    const bool boxes =
+        std::min(a.x, b.x) <= 50 && std::max(a.x, b.x) >= -50 && std::min(a.y, b.y) <= 30 && std::max(a.y, b.y) >= -30;
+    if (least < 0 && most > 0 && boxes) {
+      EXPECT_TRUE(by_code.has_value());
+    }
+    if (!boxes || least > 0 || most < 0) {
+      EXPECT_FALSE(by_code && (r.code(by_code->first) | r.code(by_code->second)) != 0);
+    }
+    EXPECT_LE(codes.crossings, 4u);
+    if (!by_half) continue;
+    // In the rectangle, and within two steps of the segment.
+    const double length = std::hypot(q.x - p.x, q.y - p.y);
+    for (const Point2 end : {by_half->first, by_half->second}) {
+      EXPECT_EQ(r.code(end), 0u);
+      EXPECT_LE(std::abs((q.x - p.x) * (end.y - p.y) - (q.y - p.y) * (end.x - p.x)), 2 * std::sqrt(2) * length);
+    }
+  }
+}
+
+Contour as_points(const std::vector<LatticePoint>& contour) {
+  Contour out;
+  for (const LatticePoint p : contour) out.emplace_back(p.x, p.y);
+  return out;
+}
+
+TEST(Operations, ClippedContoursHaveTheExactArea) {
+  std::mt19937 random(6);
+  // The exact clip gives its corners rounded to the fine lattice: half a part in x and y each, along all sides.
+  const double length = 2 * 2 * 3.2 * (1 << 20), tolerance = std::ldexp(2 * length, -kFineBits);
+  for (int round = 0; round < 300; ++round) {
+    auto subject = convex_contour(random, 3 + round % 20, 1 << 20), clip = convex_contour(random, 3 + round % 7, 1 << 20);
+    const LatticePoint shift = random_point(random, 1 << 20);
+    for (LatticePoint& p : clip) p = {p.x + shift.x, p.y + shift.y};
+    if (subject.size() < 3 || clip.size() < 3) continue;
+    const auto faces =
+        clip_contour_by_contour(make_contour_face(std::span(&subject, 1)), make_contour_face(std::span(&clip, 1)));
+    const double truth = twice_area(faces.inside);
+    ContourClipCounts counts;
+    EXPECT_NEAR(twice_area_of(clip_side_by_side(as_points(subject), as_points(clip), counts)), truth, tolerance) << round;
+    EXPECT_NEAR(twice_area_of(clip_convex(as_points(subject), as_points(clip), counts)), truth, tolerance) << round;
+  }
+}
+
+TEST(Operations, SortsSort) {
+  std::mt19937 random(7);
+  for (int n = 0; n < 200; ++n) {
+    std::vector<int> list;
+    for (int i = 0; i < n; ++i) list.push_back(static_cast<int>(random() % 50));
+    std::vector<int> wanted = list;
+    std::sort(wanted.begin(), wanted.end());
+    for (const auto sort : {quick_sort<int>, bubble_sort<int>, tree_sort<int>, shell_sort<int>}) {
+      std::vector<int> sorted = list;
+      SortCounts counts;
+      sort(sorted, counts);
+      EXPECT_EQ(sorted, wanted) << n;
+    }
+  }
+}
+
+// Merge and box as the thesis has them find what a plain search finds; on segments that do not touch.
+TEST(Operations, SpansAsInTheThesis) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> x(0, 1000), z(0, 100);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<watkins::ScanSegment<double>> segments;
+    for (std::uint32_t i = 0; i < 2u + static_cast<unsigned>(round % 10); ++i) {
+      double a = std::floor(x(random)), b = std::floor(x(random));
+      if (a > b) std::swap(a, b);
+      if (a < b) segments.push_back({a, b, z(random), z(random), i});
+    }
+    std::sort(segments.begin(), segments.end(), [](const auto& a, const auto& b) { return watkins::comes_before(a, b); });
+    if (segments.empty()) continue;
+    std::vector<watkins::VisibleSpan> truth;
+    watkins::make_merge_method<double>()->study(segments, truth);
+    ThesisSpans spans(segments);
+    EXPECT_NEAR(difference_of(spans.merge().spans, truth), 0, 1e-9 * 1000) << round;
+    // Box shows one segment on the last column of a division: a column for each part.
+    const SpanRun box = spans.box(true);
+    EXPECT_LE(difference_of(box.spans, truth), static_cast<double>(box.boxes)) << round;
+  }
+}
+
+}  // namespace
+}  // namespace ligne::studies
