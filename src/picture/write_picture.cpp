@@ -192,7 +192,7 @@ void write_parts(Plot plot, const PlotterRequest& plotter, Point2 home, const st
   if (request.from_seconds > 0) first = std::max(first, strokes_within(plot, *device, home, request.from_seconds));
   if (first > 0) {
     plot = without_first(plot, first);
-    picture.plotter_report += "begins with stroke " + std::to_string(first + 1) + "\n";
+    if (plotter.report) picture.plotter_report += "begins with stroke " + std::to_string(first + 1) + "\n";
   }
   std::vector<Plot> parts;
   if (request.split) {
@@ -201,7 +201,7 @@ void write_parts(Plot plot, const PlotterRequest& plotter, Point2 home, const st
     parts.push_back(std::move(plot));
   }
   const bool files = request.split && request.split_files;
-  if (request.split) picture.plotter_report += std::to_string(parts.size()) + " parts\n";
+  if (request.split && plotter.report) picture.plotter_report += std::to_string(parts.size()) + " parts\n";
   if (!files && parts.size() > 1) parts = {with_pauses(parts)};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const unsigned number = files ? static_cast<unsigned>(i + 1) : 0;
