@@ -61,8 +61,10 @@ PictureRequest request_for(const Options& options, const SceneHolder& scene);
 
 void add_drawing(pybind11::module_& module);
 void add_surface(pybind11::module_& module);
-/// Adds info(), compile() and draw_frames().
+/// Adds info(), compare(), compile() and draw_frames().
 void add_model_work(pybind11::module_& module);
 void add_plot(pybind11::module_& module);
+/// Adds study() and experiments().
+void add_study(pybind11::module_& module);
 
 }  // namespace ligne::python

@@ -4,6 +4,9 @@
 
 #include "bindings/drawing.hpp"
 #include "bindings/values.hpp"
+#include "picture/compare.hpp"
+#include "picture/compare_output.hpp"
+#include "picture/compare_page.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/errors.hpp"
 #include "picture/frame_names.hpp"
@@ -32,6 +35,55 @@ std::string info(const SceneArgument& scene, const py::dict& keywords) {
   run(py::none(), options.threads, [&](const Progress&) {
     RunReport report;
     text = info_json(scene->models, scene_info(scene->models, request.view, request.lines, request.page, report));
+  });
+  return text;
+}
+
+/// What a comparison has beside the options of a picture.
+struct CompareKeywords {
+  CompareRequest request;
+  std::vector<const Method*> methods;
+  std::string html;  ///< file, or empty
+  py::dict others;
+};
+
+CompareKeywords compare_keywords(const py::dict& keywords) {
+  CompareKeywords given;
+  for_each_option(keywords, [&](const std::string& name, py::handle value) {
+    if (name == "methods") {
+      given.methods = parse_methods(text_of(name, value));
+    } else if (name == "time-limit") {
+      given.request.limit_seconds = parse_within(text_of(name, value), 0, kMostLimitSeconds, "seconds");
+    } else if (name == "html") {
+      given.html = parse_file_name(text_of(name, value));
+    } else {
+      given.others[name.c_str()] = value;
+    }
+  });
+  return given;
+}
+
+std::string compare(const SceneArgument& scene, const py::dict& keywords, const py::dict& parameters,
+                    const py::object& progress) {
+  CompareKeywords given = compare_keywords(keywords);
+  Options options;
+  options.take(given.others);
+  adapt(options, *scene);
+  CompareRequest& request = given.request;
+  request.picture = options.request();
+  request.picture.compiled = nullptr;  // every method prepares the scene by itself
+  std::vector<std::pair<std::string, std::string>> of_methods;
+  for_each_option(parameters,
+                  [&](const std::string& name, py::handle value) { of_methods.emplace_back(name, text_of(name, value)); });
+  request.methods = compared_methods(given.methods, of_methods);
+  std::string text;
+  run(progress, options.threads, [&](const Progress& report) {
+    request.progress = report;
+    const MethodComparison comparison = compare_methods(scene->scene(), scene->topology(), request);
+    std::vector<std::string> files;
+    for (const ModelFile& file : scene->models.files) files.push_back(file.name);
+    text = compare_json(comparison, files);
+    if (!given.html.empty()) write_output(given.html, compare_page(comparison, files.front()));
   });
   return text;
 }
@@ -85,6 +137,7 @@ std::vector<std::string> frames(const SceneArgument& scene, const std::string& f
 
 void add_model_work(py::module_& module) {
   module.def("info", &info, py::arg("scene"), py::arg("options"));
+  module.def("compare", &compare, py::arg("scene"), py::arg("options"), py::arg("parameters"), py::arg("progress"));
   module.def("compile", &compile, py::arg("scene"), py::arg("file"), py::arg("method"), py::arg("parameters"),
              py::arg("threads"));
   module.def("draw_frames", &frames, py::arg("scene"), py::arg("file"), py::arg("frames"), py::arg("turn"),

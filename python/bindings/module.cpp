@@ -44,6 +44,7 @@ PYBIND11_MODULE(_core, module) {
   add_surface(module);
   add_model_work(module);
   add_plot(module);
+  add_study(module);
   module.def("methods", &ligne::methods_json);
   module.def("devices", &ligne::devices_json);
   module.def("camera_frame", &camera_frame, py::arg("named"), py::arg("direction"), py::arg("up"), py::arg("up_axis"));

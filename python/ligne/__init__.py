@@ -9,8 +9,9 @@ unit ("1.5cm"); angles are in degrees. docs/python.md has recipes.
 """
 
 from ._core import DtypeError, Error, InputError, MemoryLimitError, RequestError, __version__
+from ._compare import compare, study
 from ._drawing import Drawing, Region, draw, draw_frames
-from ._lists import devices, methods
+from ._lists import devices, experiments, methods
 from ._models import compile, info
 from ._plot import Plotted, plot
 from ._scene import Mesh, Scene, read
@@ -30,13 +31,16 @@ __all__ = [
     "Scene",
     "View",
     "__version__",
+    "compare",
     "compile",
     "devices",
     "draw",
     "draw_frames",
+    "experiments",
     "info",
     "methods",
     "plot",
     "read",
+    "study",
     "surface",
 ]

@@ -18,3 +18,8 @@ def devices() -> List[Dict[str, Any]]:
     """The plotters known, as `ligne devices --json` lists them: name, title, language, step_mm, pens, papers or limits_mm,
     speeds and so on."""
     return json.loads(_core.devices())["devices"]
+
+
+def experiments() -> List[Dict[str, str]]:
+    """The experiments that study() makes again, as `ligne study --list` lists them: name, section (of the source), title."""
+    return [dict(zip(("name", "section", "title"), one)) for one in _core.experiments()]

@@ -1,22 +1,15 @@
 #include "cli/compare.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-#include <utility>
-
-#include "cli/compare_output.hpp"
-#include "cli/compare_page.hpp"
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
-#include "files/message_text.hpp"
 #include "geometry/parallel.hpp"
 #include "picture/compare.hpp"
+#include "picture/compare_output.hpp"
+#include "picture/compare_page.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
@@ -26,52 +19,13 @@ constexpr const char* kExamples = R"(Examples:
   ligne compare gearbox.obj --methods appel,newell,warnock --edges all --html gearbox.html
   ligne compare houses.json --view front --csv -o houses.csv)";
 
-std::vector<const Method*> parse_methods(const std::string& text) {
-  std::vector<const Method*> methods;
-  for (const std::string& name : parse_names(text)) {
-    const Method* method = parse_method(name);
-    if (!method) throw std::invalid_argument("auto is one of the others: name it");
-    if (std::find(methods.begin(), methods.end(), method) != methods.end()) {
-      throw std::invalid_argument(shown(name, '"') + " is there twice");
-    }
-    methods.push_back(method);
-  }
-  return methods;
-}
-
-bool has(const Method& method, const MethodParameter& parameter) {
-  const auto own = method.traits().parameters;
-  return std::any_of(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == parameter.name; });
-}
-
-/// The methods, each with those of the options that it has. Throws RequestError for an option that none of them has.
-std::vector<ComparedMethod> compared_methods(const CompareOptions& options) {
-  std::vector<ComparedMethod> compared;
-  for (const Method* method : all_methods()) {
-    const bool wanted = options.methods.empty()
-                            ? (method->traits().products & kStrokes) != 0
-                            : std::find(options.methods.begin(), options.methods.end(), method) != options.methods.end();
-    if (wanted) compared.push_back({method});
-  }
-  for (const auto& [parameter, text] : options.method.parameters) {
-    bool known = false;
-    for (ComparedMethod& c : compared) {
-      if (!has(*c.method, *parameter)) continue;
-      set_parameter(c.settings, *c.method, std::string(parameter->name), text);
-      known = true;
-    }
-    if (!known) throw UsageError("--" + std::string(parameter->name), "none of the methods has such an option");
-  }
-  return compared;
-}
-
 void compare(const CompareOptions& options) {
   RunFiles files;
   files.will_write("--output", options.output);
   files.will_write("--html", options.html);
   files.will_write("--stats-json", options.run.stats_json);
   CompareRequest request;
-  request.methods = compared_methods(options);
+  request.methods = compared_methods(options.methods, named(options.method));
   request.limit_seconds = options.limit_seconds;
   request.picture.view = options.view;
   request.picture.lines = options.lines;
@@ -103,7 +57,6 @@ void compare(const CompareOptions& options) {
 }  // namespace
 
 void setup_compare(CLI::App& app, CompareOptions& options) {
-  constexpr double kMostSeconds = 1e6;
   CLI::App& command = *add_command(app, "compare", "Every method on one scene, side by side", kExamples);
   add_model_options(command, options.model);
   OptionGroup group(command, "Methods");
@@ -112,7 +65,7 @@ void setup_compare(CLI::App& app, CompareOptions& options) {
   group
       .add(
           "--time-limit", "S", options.limit_seconds,
-          [](const std::string& text) { return parse_within(text, 0, kMostSeconds, "seconds"); },
+          [](const std::string& text) { return parse_within(text, 0, kMostLimitSeconds, "seconds"); },
           "a method that takes longer is ended; the others go on")
       .standard("60");
   OptionGroup output(command, "Output");

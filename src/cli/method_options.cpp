@@ -75,6 +75,12 @@ void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& cho
   add_parameters(app, choice, true);
 }
 
+std::vector<std::pair<std::string, std::string>> named(const MethodChoice& choice) {
+  std::vector<std::pair<std::string, std::string>> given;
+  for (const auto& [parameter, text] : choice.parameters) given.emplace_back(parameter->name, text);
+  return given;
+}
+
 std::vector<std::string> names_of(const MethodChoice& choice) {
   std::vector<std::string> names;
   for (const auto& [parameter, text] : choice.parameters) names.emplace_back(parameter->name);

@@ -26,7 +26,10 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice,
 /// Adds --method for those that compile, and the parameters of that.
 void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& choice);
 
-/// Names of the methods' own options that were given.
+/// The methods' own options that were given: name and value.
+std::vector<std::pair<std::string, std::string>> named(const MethodChoice& choice);
+
+/// Their names.
 std::vector<std::string> names_of(const MethodChoice& choice);
 
 /// The values for the method's own parameters. Throws RequestError for one that it does not have, or not with this value.

@@ -1,14 +1,12 @@
 #include "cli/study.hpp"
 
-#include <filesystem>
 #include <span>
-#include <utility>
+#include <stdexcept>
 
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "picture/parse.hpp"
-#include "scene/readers/reader.hpp"
-#include "study/result_text.hpp"
+#include "study/run_experiments.hpp"
 
 namespace ligne {
 namespace {
@@ -25,26 +23,9 @@ constexpr const char* kExamples = R"(Examples:
 std::vector<const Experiment*> chosen(const StudyCommandOptions& options) {
   if (options.words.empty()) throw UsageError("there is no experiment: ligne study NAME, or all; see ligne study --list");
   const std::string& name = options.words.front();
-  std::vector<const Experiment*> list;
-  if (const Experiment* one = find_experiment(name)) {
-    list.push_back(one);
-  } else if (name == "all") {
-    for (const Experiment& e : experiments()) list.push_back(&e);
-  } else {
-    throw UsageError("there is no experiment " + name + "; see ligne study --list");
-  }
+  std::vector<const Experiment*> list = experiments_of(name);
+  if (list.empty()) throw UsageError("there is no experiment " + name + "; see ligne study --list");
   return list;
-}
-
-std::vector<NamedScene> read_models(std::span<const std::string> files, RunFiles& run) {
-  std::vector<NamedScene> models;
-  for (const std::string& file : files) {
-    Warnings warnings;
-    ReadReport report;
-    models.push_back({std::filesystem::path(file).stem().string(), read_scene(file, {}, warnings, &report)});
-    run.were_read(report.files);
-  }
-  return models;
 }
 
 void study_chosen(const StudyCommandOptions& options) {
@@ -53,26 +34,20 @@ void study_chosen(const StudyCommandOptions& options) {
   files.will_write("--json", options.json);
   files.will_write("--csv", options.csv);
   files.will_write("--svg", options.svg);
-  const std::vector<NamedScene> models = read_models(std::span(options.words).subspan(1), files);
-  const StudyRequest request{options.size, models};
+  InputFiles read;
+  const std::vector<NamedScene> models = read_models(std::span(options.words).subspan(1), read);
+  files.were_read(read);
   std::vector<Outcome> outcomes;
   {
     ProgressBar bar(options.run);
-    const auto report = bar.callback();
-    for (const Experiment* experiment : list) {
-      if (report) report(double(outcomes.size()) / double(list.size()));
-      outcomes.push_back({experiment, experiment->run(request)});
-    }
-    if (report) report(1);
+    outcomes = run_experiments(list, {options.size, models}, bar.callback());
   }
   std::string text;
   for (const Outcome& outcome : outcomes) text += (text.empty() ? "" : "\n") + text_of(outcome);
-  std::vector<Chart> charts;
-  for (const Outcome& outcome : outcomes)
-    charts.insert(charts.end(), outcome.result.charts.begin(), outcome.result.charts.end());
   if (!options.json.empty()) files.write(options.json, json_of(outcomes, options.size));
   if (!options.csv.empty()) files.write(options.csv, csv_of(outcomes));
   if (!options.svg.empty()) {
+    const std::vector<Chart> charts = charts_of(outcomes);
     if (charts.empty()) throw std::runtime_error("--svg: " + options.words.front() + " has no plot");
     files.write(options.svg, charts_svg(charts));
   }

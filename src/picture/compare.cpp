@@ -7,14 +7,20 @@
 #include <exception>
 #include <glm/geometric.hpp>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
+#include "files/message_text.hpp"
 #include "geometry/stop.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/drawn_scene.hpp"
+#include "picture/errors.hpp"
 #include "picture/method_choice.hpp"
+#include "picture/parse.hpp"
+#include "picture/parse_options.hpp"
 #include "picture/peak_memory.hpp"
+#include "visibility/registry.hpp"
 #include "visibility/warnock/warnock.hpp"
 #include "visibility/zbuffer/zbuffer.hpp"
 
@@ -92,14 +98,10 @@ std::optional<double> resolution_of(const ComparedMethod& compared, const View& 
   return {};
 }
 
-/// Ends work that takes too long.
+/// Ends work that takes too long, or is to end together with what it is a part of.
 class TimeLimit {
  public:
-  explicit TimeLimit(double seconds)
-      : watch_([this, seconds] {
-          std::unique_lock lock(mutex_);
-          if (!over_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return done_; })) stop_ = true;
-        }) {}
+  explicit TimeLimit(double seconds) : whole_(StopScope::current()), watch_([this, seconds] { watch(seconds); }) {}
   ~TimeLimit() {
     {
       const std::lock_guard lock(mutex_);
@@ -114,12 +116,31 @@ class TimeLimit {
   const std::atomic<bool>& stop() const { return stop_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  /// Adjustable: short for somebody who waits for the end, long beside what a look costs.
+  static constexpr std::chrono::milliseconds kLook{50};
+
+  void watch(double seconds) {
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    std::unique_lock lock(mutex_);
+    while (!stop_) {
+      if (over_.wait_until(lock, std::min(end, Clock::now() + kLook), [this] { return done_; })) return;
+      stop_ = Clock::now() >= end || (whole_ && *whole_);
+    }
+  }
+
+  const std::atomic<bool>* whole_;  ///< what the caller works for
   std::atomic<bool> stop_{false};
   std::mutex mutex_;
   std::condition_variable over_;
   bool done_ = false;
   std::thread watch_;  // the last: it looks at the others
 };
+
+bool has_parameter(const Method& method, std::string_view name) {
+  const auto own = method.traits().parameters;
+  return std::any_of(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == name; });
+}
 
 void measure(const StrokeModel& model, MethodOutcome& outcome) {
   for (const Stroke& s : model.strokes) {
@@ -202,6 +223,39 @@ void look_at_scene(const Scene& scene, const Topology& topology, PictureRequest 
 }
 
 }  // namespace
+
+std::vector<const Method*> parse_methods(const std::string& text) {
+  std::vector<const Method*> methods;
+  for (const std::string& name : parse_names(text)) {
+    const Method* method = parse_method(name);
+    if (!method) throw std::invalid_argument("auto is one of the others: name it");
+    if (std::find(methods.begin(), methods.end(), method) != methods.end()) {
+      throw std::invalid_argument(shown(name, '"') + " is there twice");
+    }
+    methods.push_back(method);
+  }
+  return methods;
+}
+
+std::vector<ComparedMethod> compared_methods(std::span<const Method* const> methods,
+                                             std::span<const std::pair<std::string, std::string>> parameters) {
+  std::vector<ComparedMethod> compared;
+  for (const Method* method : all_methods()) {
+    const bool wanted = methods.empty() ? (method->traits().products & kStrokes) != 0
+                                        : std::find(methods.begin(), methods.end(), method) != methods.end();
+    if (wanted) compared.push_back({method});
+  }
+  for (const auto& [name, text] : parameters) {
+    bool known = false;
+    for (ComparedMethod& c : compared) {
+      if (!has_parameter(*c.method, name)) continue;
+      set_parameter(c.settings, *c.method, name, text);
+      known = true;
+    }
+    if (!known) throw RequestError(name, "none of the methods has such an option");
+  }
+  return compared;
+}
 
 OperationCounts operations_of(const Statistics& statistics) {
   OperationCounts operations;

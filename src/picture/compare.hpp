@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "drawing/drawing.hpp"
@@ -47,6 +48,18 @@ struct ComparedMethod {
   const Method* method = nullptr;
   MethodSettings settings{};
 };
+
+/// "NAME,..." of methods, each once and none of them auto. Throws std::invalid_argument as the functions of parse.hpp.
+std::vector<const Method*> parse_methods(const std::string& text);
+
+/// The methods in the order of the registry (none: all that give lines), each with those of the options that it has;
+/// `parameters` are names and values of options that only some methods have. Throws RequestError for one that none of them
+/// has, or not with this value.
+std::vector<ComparedMethod> compared_methods(std::span<const Method* const> methods,
+                                             std::span<const std::pair<std::string, std::string>> parameters);
+
+/// More than anybody waits for.
+inline constexpr double kMostLimitSeconds = 1e6;
 
 /// What became of a method.
 struct MethodOutcome {

@@ -113,7 +113,7 @@ std::string json_of(std::span<const Outcome> outcomes, StudySize size) {
                                 {"version", 1},
                                 {"size", name_of(kStudySizeNames, size)},
                                 {"experiments", std::move(list)}}
-             .dump(2) +
+             .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
          "\n";
 }
 

@@ -1,12 +1,15 @@
-"""What the other commands do: plots of drawings, facts, compiled models, frames, surfaces among models and as meshes."""
+"""What the other commands do: plots of drawings, facts, comparisons, experiments, compiled models, frames, surfaces among
+models and as meshes."""
 
 import json
 import os
+import re
+import signal
 import subprocess
 
 import numpy as np
 import pytest
-from conftest import SOURCE
+from conftest import SOURCE, grid_mesh
 
 import ligne
 
@@ -150,6 +153,133 @@ def test_info_of_arrays(cube):
     assert facts["scene"]["faces"] == 6 and facts["scene"]["edges"] == 12 and facts["view"]["edges"]["outline"] == 6
     with pytest.raises(ligne.RequestError, match="nothing"):
         ligne.info(cube, nothing=1)
+
+
+def without_measures(comparison):
+    """A comparison without what no two runs have in common: times and memory."""
+    for method in comparison["methods"]:
+        assert method["seconds"] >= 0 and method["stages"].keys() >= {"study", "join"} or not method["drawn"]
+        for measured in ("stages", "phases"):
+            method[measured] = sorted(method[measured])
+        del method["seconds"], method["peak_bytes"]
+    return comparison
+
+
+@pytest.mark.parametrize("options, given", [
+    ({}, []),
+    ({"view": "top", "methods": ["appel", "painter", "watkins"], "lines": 256, "hidden": "dashed", "cull": True},
+     ["--view", "top", "--methods", "appel,painter,watkins", "--lines", "256", "--hidden", "dashed", "--cull"]),
+    ({"eye": (9, 6, 14), "methods": "bsp,zbuffer,convex-tree", "candidates": 3, "edges": "all", "quality": "exact",
+      "page": "A5", "margin": "2cm", "width": {"crease": 0.2}, "time_limit": 20},
+     ["--eye", "9,6,14", "--methods", "bsp,zbuffer,convex-tree", "--candidates", "3", "--edges", "all", "--quality",
+      "exact", "--page", "A5", "--margin", "2cm", "--width", "crease=0.2", "--time-limit", "20"]),
+], ids=["all", "some", "parameters"])  # fmt: skip
+def test_compare(options, given, command):
+    expected = without_measures(json.loads(command("compare", CUBES, "--json", *given)))
+    assert without_measures(ligne.compare(CUBES, **options)) == expected
+
+
+def test_compare_of_a_compiled_model(command, tmp_path):
+    """Which every method prepares by itself, also the one that it was compiled for."""
+    tree = tmp_path / "a.tree"
+    ligne.compile(CUBES, tree)
+    options = {"methods": "appel,bsp", "candidates": 2}
+    expected = json.loads(command("compare", tree, "--json", "--methods", "appel,bsp", "--candidates", "2"))
+    assert without_measures(ligne.compare(tree, **options)) == without_measures(expected)
+
+
+def test_pages_of_comparisons(command, tmp_path, cube):
+    by_command, by_module = tmp_path / "by_command.html", tmp_path / "by_module.html"
+    command("compare", CUBES, "--methods", "appel,painter", "--html", by_command)
+    told = []
+    ligne.compare(CUBES, methods="appel,painter", html=by_module, progress=told.append)
+    pages = [re.sub(r"<h2>Lines, time.*?</table>|<figcaption>.*?</figcaption>", "", file.read_text(), flags=re.S)
+             for file in (by_command, by_module)]  # fmt: skip
+    assert pages[0] == pages[1] and "<svg" in pages[0] and told[-1] == 1
+    assert ligne.compare(cube, methods="appel,bsp")["differences_mm"] == [[0, 0], [0, 0]]
+
+
+@pytest.mark.parametrize("options, option", [
+    ({"methods": "appel,nothing"}, "methods"),
+    ({"methods": "auto"}, "methods"),
+    ({"methods": ["bsp", "bsp"]}, "methods"),
+    ({"methods": "appel", "resolution": 64}, "resolution"),
+    ({"resolution": "nothing"}, "resolution"),
+    ({"hatch": "shade"}, "hatch"),
+    ({"time_limit": -1}, "time_limit"),
+    ({"html": ""}, "html"),
+    ({"margin": 200}, "margin"),
+], ids=lambda value: "")  # fmt: skip
+def test_wrong_comparisons(options, option, cube):
+    with pytest.raises(ligne.RequestError, match=f"^{option}") as raised:
+        ligne.compare(cube, **options)
+    assert raised.value.option == option
+
+
+def test_comparisons_that_end(cube):
+    """By their own limit, which is told; and from outside, which ends them as a whole, before any limit."""
+    ended = ligne.compare(ligne.Mesh(*grid_mesh(300)), methods="newell", time_limit=0)["methods"][0]
+    assert not ended["drawn"] and ended["failure"] == "ended after 0 s"
+
+    class Enough(Exception):
+        pass
+
+    def enough(_):
+        raise Enough
+
+    with pytest.raises(Enough):
+        ligne.compare(ligne.Mesh(*grid_mesh(400)), progress=enough)
+    scene = ligne.Mesh(*grid_mesh(500))
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    before = signal.signal(signal.SIGALRM, lambda *_: enough(0))
+    try:
+        with pytest.raises(Enough):
+            ligne.compare(scene)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+
+
+def counted(study):
+    """The tables of a study without what is measured by a clock, and the sentences that are made of it."""
+    for experiment in study["experiments"]:
+        del experiment["finding"], experiment["sentence"]
+        for table in experiment["tables"]:
+            timed = {i for i, column in enumerate(table["columns"]) if column["kind"] == "time"}
+            table["rows"] = [[cell for i, cell in enumerate(row) if i not in timed] for row in table["rows"]]
+    return study
+
+
+@pytest.mark.parametrize("words", [["squares"], ["coherence", CUBES], ["all"]], ids=["one", "model", "all"])
+def test_study(words, tmp_path):
+    line = [os.environ["LIGNE_PROGRAM"], "study", *words, "--size", "small", "-q", "--json", "-"]
+    expected = json.loads(subprocess.run(line, capture_output=True, check=True).stdout)
+    told = []
+    study = ligne.study(*words, size="small", progress=told.append)
+    assert told[-1] == 1 and len(study["experiments"]) == (1 if words[0] != "all" else len(ligne.experiments()))
+    assert counted(study) == counted(expected)
+
+
+def test_files_of_studies(tmp_path):
+    line = ["study", "translation", "--size", "small", "-q", "--csv", tmp_path / "a.csv", "--svg", tmp_path / "a.svg"]
+    subprocess.run([os.environ["LIGNE_PROGRAM"], *line], capture_output=True, check=True)
+    ligne.study("translation", size="small", csv=tmp_path / "b.csv", svg=tmp_path / "b.svg")
+    for suffix in (".csv", ".svg"):
+        assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
+
+
+@pytest.mark.parametrize("words, options, option", [
+    (["nothing"], {}, "name"),
+    (["squares"], {"size": "huge"}, "size"),
+    (["squares"], {"svg": ""}, "svg"),
+    (["windows"], {"size": "small", "svg": "none.svg", "csv": "none.csv"}, "svg"),
+], ids=lambda value: "")  # fmt: skip
+def test_wrong_studies(words, options, option, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ligne.RequestError, match=f"^{option}"):
+        ligne.study(*words, **options)
+    with pytest.raises(ligne.InputError, match="none.obj"):
+        ligne.study("coherence", "none.obj", size="small")
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("method", ["bsp", "convex-tree"])

@@ -17,23 +17,23 @@ FUNCTIONS = {
     "plot": [ligne.plot],
     "info": [ligne.info, ligne.read],
     "compile": [ligne.compile, ligne.read],
+    "compare": [ligne.compare, ligne.read],
+    "study": [ligne.study],
     "methods": [ligne.methods],
     "devices": [ligne.devices],
-}
-# Commands that the module has not.
-COMMANDS_ALONE = {
-    "study": "the experiments are the program's own; its JSON is there for programs",
 }
 # What a command has and the module has not under that name.
 REASONS = {
     "help": "help(ligne.draw)",
-    "output": "the argument `file` of save(), plot(), compile() and draw_frames(), or to_bytes()",
+    "output": "the argument `file` of save(), plot(), compile() and draw_frames(), or to_bytes(); a dictionary of others",
     "quiet": "nothing is written to a terminal: Drawing.warnings, Scene.warnings, Plotted.warnings",
-    "stats": "Drawing.statistics, Plotted.statistics",
-    "stats-json": "Drawing.statistics, Plotted.statistics",
+    "stats": "Drawing.statistics, Plotted.statistics; compare() and study() give their times",
+    "stats-json": "Drawing.statistics, Plotted.statistics; compare() and study() give their times",
     ("progress", "plot", "info", "compile"): "short work; the others call back",
-    ("max-memory", "compile"): "the command bounds its process; the module bounds stages whose counts tell it before",
-    ("json", "info", "methods", "devices"): "these give dictionaries and lists",
+    ("max-memory", "compile", "study"): "the command bounds its process; the module bounds stages whose counts tell it before",
+    ("json", "info", "compare", "study", "methods", "devices"): "these give dictionaries and lists",
+    ("csv", "compare"): "the same figures as in the dictionary",
+    ("list", "study"): "experiments()",
     ("format", "info"): "info() gives a dictionary",
     ("grid", "surface"): "a pathlib.Path among the surfaces",
 }
@@ -91,7 +91,7 @@ def test_every_option_is_a_keyword(command):
 def test_there_are_no_other_commands():
     text = subprocess.run([os.environ["LIGNE_PROGRAM"], "--help"], capture_output=True, text=True, check=True).stdout
     commands = re.findall(r"^  ([a-z]+) ", text[text.index("Subcommands:"):], re.M)
-    assert set(commands) - {"ligne"} == set(FUNCTIONS) | set(COMMANDS_ALONE)
+    assert set(commands) - {"ligne"} == set(FUNCTIONS)
 
 
 def test_reasons_are_of_options():
@@ -106,6 +106,8 @@ def test_reasons_are_of_options():
     ("plot", {"drawing", "file"}),
     ("info", {"model", "parameters"}),
     ("compile", {"model", "file", "parameters"}),
+    ("compare", {"model", "parameters"}),
+    ("study", {"name", "models"}),
 ])
 def test_no_other_keywords(command, own):
     known = {name.replace("-", "_") for name in options_of_help(command)}
@@ -116,6 +118,13 @@ def test_no_other_keywords(command, own):
 def test_lists_are_those_of_the_command(command, listed):
     line = [os.environ["LIGNE_PROGRAM"], command, "--json"]
     assert json.loads(subprocess.run(line, capture_output=True, check=True).stdout)[command] == listed()
+
+
+def test_experiments_are_those_of_the_command():
+    line = [os.environ["LIGNE_PROGRAM"], "study", "--list"]
+    text = subprocess.run(line, capture_output=True, text=True, check=True).stdout
+    listed = [f"{one['name']} {one['section']}: {one['title']}" for one in ligne.experiments()]
+    assert [" ".join(line.split()) for line in text.splitlines()] == listed
 
 
 def test_stubs_name_what_there_is():

@@ -1,4 +1,4 @@
-#include "cli/compare_page.hpp"
+#include "picture/compare_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/compare_style.hpp"
 #include "files/message_text.hpp"
+#include "picture/compare_style.hpp"
 #include "picture/memory.hpp"
 #include "plotting/number_text.hpp"
 #include "plotting/xml_text.hpp"

@@ -1,4 +1,4 @@
-#include "cli/compare_output.hpp"
+#include "picture/compare_output.hpp"
 
 #include <algorithm>
 #include <cstdio>
