@@ -52,7 +52,11 @@ void start_threads() {
 }
 
 void run_with_threads(unsigned threads, FunctionRef<void()> work) {
-  if (threads == 0) return work();
+  if (threads == 0) {
+    // An arena of its own for every thread that asks for work would stay until the last worker has left it.
+    static tbb::task_arena shared;
+    return shared.execute([work] { work(); });
+  }
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(static_cast<int>(threads));
   arena.execute([work] { work(); });
