@@ -30,8 +30,8 @@ constexpr MethodParameter kParameters[] = {
 /// What painting leaves of lines.
 class PaintedLines {
  public:
-  PaintedLines(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
-               const PaintSequence& sequence, double coincidence_steps)
+  PaintedLines(const ProjectedScene& scene, const Facets& facets, const CellGrid& grid, const PaintSequence& sequence,
+               double coincidence_steps)
       : scene_(scene), facets_(facets), grid_(grid), sequence_(sequence), coincidence_steps_(coincidence_steps) {}
 
   bool find(const PageLine& line, std::vector<LinePart>& parts) {
@@ -43,7 +43,7 @@ class PaintedLines {
       open_.reset(from, to);
       const CellFacet* entry = grid_.list(cell);
       for (std::uint32_t i = 0; i < cell.count && !open_.empty(); ++i) {
-        const Facet& facet = facets_[entry[i].facet];
+        const Facet& facet = facets_.facets[entry[i].facet];
         if (facet.face == line.face0 || facet.face == line.face1) continue;
         open_.take(covered(line, facet, place, near_side));
       }
@@ -54,9 +54,15 @@ class PaintedLines {
   }
 
  private:
+  /// kNever for a face that is edge on within the lattice, too: it overlaps nothing on the page, so its place says nothing
+  /// of its lines.
+  std::uint32_t place_of(std::uint32_t face) const {
+    const bool thin = face < facets_.face_is_thin.size() && facets_.face_is_thin[face];
+    return thin ? PaintSequence::kNever : sequence_.place(face);
+  }
   /// The later place of its faces; kNever when none is painted.
   std::uint32_t place_of(const PageLine& line) const {
-    const std::uint32_t a = sequence_.place(line.face0), b = sequence_.place(line.face1);
+    const std::uint32_t a = place_of(line.face0), b = place_of(line.face1);
     return a == PaintSequence::kNever ? b : b == PaintSequence::kNever ? a : std::max(a, b);
   }
 
@@ -89,7 +95,7 @@ class PaintedLines {
   }
 
   const ProjectedScene& scene_;
-  const std::vector<Facet>& facets_;
+  const Facets& facets_;
   const CellGrid& grid_;
   const PaintSequence& sequence_;
   double coincidence_steps_;
@@ -168,7 +174,7 @@ VisibilityResult PainterMethod::study(const ProjectedScene& scene, const StudyOp
   // 3. Lines.
   LineStrokes strokes(scene, facets, options.hidden_strokes, kLeastPartMm / step);
   const auto painted = [&]() -> LineVisibility {
-    return [lines = PaintedLines(scene, facets.facets, grid, sequence, coincidence_steps)](
+    return [lines = PaintedLines(scene, facets, grid, sequence, coincidence_steps)](
                std::size_t, const PageLine& line, std::vector<LinePart>& parts) mutable { return lines.find(line, parts); };
   };
   strokes.add_edges(painted, options.progress);
