@@ -18,6 +18,7 @@
 #include "plotting/fill_rim.hpp"
 #include "plotting/number_text.hpp"
 #include "plotting/paths/fit_curves.hpp"
+#include "plotting/pens.hpp"
 #include "plotting/utf8.hpp"
 #include "plotting/writers.hpp"
 #include "plotting/xml_text.hpp"
@@ -53,16 +54,10 @@ std::string number(double value) {
   return text;
 }
 
-std::string color_text(const std::array<double, 3>& color) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const double c : color) {
-    const auto level = static_cast<unsigned>(std::lround(c * 255));
-    text += digits[level / 16];
-    text += digits[level % 16];
-  }
-  if (text[1] == text[2] && text[3] == text[4] && text[5] == text[6]) text = {text[0], text[1], text[3], text[5]};
-  return text;
+std::string short_color_code(const std::array<double, 3>& color) {
+  const std::string code = color_code(color);
+  const bool is_double = code[1] == code[2] && code[3] == code[4] && code[5] == code[6];
+  return is_double ? std::string{code[0], code[1], code[3], code[5]} : code;
 }
 
 // ---- Paths ----------------------------------------------------------------------------------------------------------
@@ -270,7 +265,7 @@ std::string fills_text(const std::vector<Fill>& fills) {
                      "\" stroke-linejoin=\"round\">\n";
   for (std::size_t i = 0; i < fills.size();) {
     const Fill& first = fills[i];
-    const std::string color = color_text(first.color);
+    const std::string color = short_color_code(first.color);
     text += "<path fill=\"" + color + "\"";
     text += first.opacity < 1 ? " fill-opacity=\"" + number(first.opacity) + "\" d=\"" : " stroke=\"" + color + "\" d=\"";
     do {
@@ -284,8 +279,8 @@ std::string fills_text(const std::vector<Fill>& fills) {
 
 std::string layer_start(const Layer& layer, const LineStyle& style) {
   const bool dashed = !style.dashes_mm.empty();
-  std::string text = group_start(layer.name) + " fill=\"none\" stroke=\"" + color_text(style.color) + "\" stroke-width=\"" +
-                     number(style.width_mm) + "\" stroke-linecap=\"" + (dashed ? "butt" : "round") +
+  std::string text = group_start(layer.name) + " fill=\"none\" stroke=\"" + short_color_code(style.color) +
+                     "\" stroke-width=\"" + number(style.width_mm) + "\" stroke-linecap=\"" + (dashed ? "butt" : "round") +
                      "\" stroke-linejoin=\"round\"";
   for (std::size_t i = 0; i < style.dashes_mm.size(); ++i) {
     text += i == 0 ? " stroke-dasharray=\"" : " ";
@@ -323,7 +318,7 @@ std::string part_start(const Layer& layer, const LineStyle& style, ObjectIds& id
   if (!layer.object.empty()) {
     text += " inkscape:label=\"" + xml_text(layer.object) + "\" id=\"" + xml_text(ids.id(layer)) + "\"";
   }
-  if (layer.color) text += " stroke=\"" + color_text(*layer.color) + "\"";
+  if (layer.color) text += " stroke=\"" + short_color_code(*layer.color) + "\"";
   if (layer.width_mm) text += " stroke-width=\"" + number(style.width_mm) + "\"";
   return text + ">\n";
 }

@@ -19,7 +19,7 @@ paper::Segment segment_of(const StrokeModel& model, const Stroke& s) {
 class StrokesByCell {
  public:
   StrokesByCell(const StrokeModel& model, double tolerance_mm)
-      : model_(model), grid_(cell_of(model, tolerance_mm / model.lattice.step_mm), tolerance_mm / model.lattice.step_mm) {
+      : grid_(cell_of(model, tolerance_mm / model.lattice.step_mm), tolerance_mm / model.lattice.step_mm) {
     for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
       if (model.strokes[i].visible) for_each_cell(model.strokes[i], [&](std::uint64_t cell) { cells_[cell].push_back(i); });
     }
@@ -53,7 +53,6 @@ class StrokesByCell {
     });
   }
 
-  const StrokeModel& model_;
   SegmentGrid grid_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
   std::vector<std::uint32_t> found_;

@@ -16,6 +16,8 @@ namespace {
 constexpr double kRowGap = 1.2, kTick = 0.6, kTextGap = 0.5;
 constexpr double kArrow = 4, kArrowHead = 1.2;
 constexpr double kSample = 6, kEntryGap = 3, kEntryRow = 1.8;
+/// Adjustable: so much of north is seen at least; with less, within 0.06 degrees of the sight, an arrow points nowhere.
+constexpr double kLeastNorth = 1e-3;
 constexpr double kBarPart = 0.3;  ///< of the width: no scale bar is longer
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above `most`.
@@ -93,7 +95,7 @@ double add_north_arrow(Rows& rows, const View& view, Point2 right_top, double h)
   if (camera.perspective)
     throw RequestError("north-arrow", "needs a parallel projection: it has no one direction in a perspective view");
   const Point2 north{camera.right.y, camera.down.y};
-  if (!(glm::length(north) > 1e-3)) throw RequestError("north-arrow", "north is seen end on");
+  if (!(glm::length(north) > kLeastNorth)) throw RequestError("north-arrow", "north is seen end on");
   const Point2 along = glm::normalize(north), across{-along.y, along.x};
   // The arrow with its letter in a square.
   const double half = (kArrow / 2 + 1) * h;

@@ -174,11 +174,10 @@ Result study_coherence(const StudyRequest& request) {
       const ScanCost every = scan_cost(input, lines, false, kEveryLine, times),
                      changes = scan_cost(input, lines, false, kChanges, times),
                      visible = scan_cost(input, lines, false, kVisibleChanges, times);
-      gain = std::max(gain, every.seconds / std::max(visible.seconds, 1e-9));
+      gain = std::max(gain, times_as_long(every.seconds, visible.seconds));
       table.rows.push_back({s.name, std::to_string(lines), lines == 512 ? "gain 2 for most scenes, up to 3" : "not measured",
                             every.scan.studied, changes.scan.studied, visible.scan.studied,
-                            every.seconds / std::max(changes.seconds, 1e-9),
-                            every.seconds / std::max(visible.seconds, 1e-9)});
+                            times_as_long(every.seconds, changes.seconds), times_as_long(every.seconds, visible.seconds)});
       chart.curves.back().points.emplace_back(lines, double(visible.scan.studied));
     }
   }

@@ -25,7 +25,7 @@ double least_seconds(int times, const Work& work) {
 template <class Work>
 double seconds_each(const Work& work) {
   constexpr int kMostRepeats = 1 << 20;
-  volatile double sink = 0;
+  [[maybe_unused]] volatile double sink = 0;
   for (int repeats = 1;; repeats *= 4) {
     const double all = least_seconds(1, [&] {
       double sum = 0;
@@ -34,6 +34,13 @@ double seconds_each(const Work& work) {
     });
     if (all >= 0.002 || repeats >= kMostRepeats) return all / repeats;
   }
+}
+
+/// How many times as long one time is as the other; a time that the clock shows as none counts as one of its steps.
+inline double times_as_long(double seconds, double of) {
+  constexpr double kStep = 1.0 / CLOCKS_PER_SEC;
+  const auto seen = [](double time) { return time > 0 ? time : kStep; };
+  return seen(seconds) / seen(of);
 }
 
 /// e where y grows as x^e from one point to the other.

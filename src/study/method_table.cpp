@@ -175,7 +175,7 @@ Result study_four_methods(const StudyRequest& request) {
     const int times = request.pick(1, 3);
     const double once = least_seconds(times, [&] { strokes = run(m, seen, kStrokes).strokes->strokes.size(); });
     const double four = least_seconds(times, [&] { run(m, seen_twice, kStrokes); });
-    const double exponent = std::log(std::max(four, 1e-9) / std::max(once, 1e-9)) / std::log(4.0);
+    const double exponent = std::log(times_as_long(four, once)) / std::log(4.0);
     largest = std::max(largest, exponent);
     behaviour.rows.push_back({kMethods[m], kThesisBehaviour[m], strokes, 1e3 * once, 1e3 * four, exponent});
   }

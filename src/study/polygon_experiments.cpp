@@ -218,9 +218,9 @@ Result study_shadow_cost(const StudyRequest& request) {
     const double shadows = least_seconds(request.pick(1, 3), [&] {
       cut = cast_shadows(s.scene, topology, projected.view, std::span(&light, 1), regions).regions.size();
     });
-    most = std::max(most, (alone + shadows) / std::max(alone, 1e-9));
+    most = std::max(most, times_as_long(alone + shadows, alone));
     table.rows.push_back(
-        {s.name, "twice", std::uint64_t{regions.size()}, std::uint64_t{cut}, (alone + shadows) / std::max(alone, 1e-9)});
+        {s.name, "twice", std::uint64_t{regions.size()}, std::uint64_t{cut}, times_as_long(alone + shadows, alone)});
   }
   Result result;
   result.tables.push_back(std::move(table));

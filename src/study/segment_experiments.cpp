@@ -182,7 +182,7 @@ Result study_many_segments(const StudyRequest& request) {
       const double t_pairs = least_seconds(1, [&] { by_pairs = meetings_by_pairs(segments, pairs); });
       const bool agree = by_sweep == by_pairs;
       same = same && agree;
-      const double k = double(by_pairs.size()), ratio = std::max(t_sweep, 1e-6) / std::max(t_pairs, 1e-6);
+      const double k = double(by_pairs.size()), ratio = times_as_long(t_sweep, t_pairs);
       if (n >= 1600 && ratio < 1) short_wins = true;
       if (f.length > 4000 && ratio > 1) long_loses = true;
       table.rows.push_back({f.name, std::to_string(n), "(n + k) log n against n^2", std::uint64_t{by_pairs.size()},

@@ -111,7 +111,7 @@ Result study_span_sort(const StudyRequest& request) {
       const ScanCost with = scan_cost(input, kLines, false, {kind, false, false, true}, request.pick(1, 3));
       const ScanCost without = scan_cost(input, kLines, false, {kind, false, false, false}, request.pick(1, 3));
       row.emplace_back(double(without.spans.total()) / double(with.spans.total()));
-      times.push_back(without.seconds / std::max(with.seconds, 1e-9));
+      times.push_back(times_as_long(without.seconds, with.seconds));
       if (kind == SpanMethodKind::stack) stack_time = std::max(stack_time, times.back());
     }
     row.insert(row.end(), times.begin(), times.end());
@@ -145,7 +145,7 @@ Result study_whole_numbers(const StudyRequest& request) {
     table.rows.push_back({s.name, "reals 6-8 s, whole 3-3.7 s (elsewhere: a third), stack 1-1.4 s", real.spans.boxes,
                           whole.spans.boxes, double(real.spans.total()) / double(whole.spans.total()),
                           double(whole.spans.total()) / double(stack.spans.total()),
-                          real.seconds / std::max(whole.seconds, 1e-9), whole.seconds / std::max(stack.seconds, 1e-9)});
+                          times_as_long(real.seconds, whole.seconds), times_as_long(whole.seconds, stack.seconds)});
   }
   result.tables.push_back(std::move(table));
   Table warnock{"Warnock against box, 512 lines and windows of 512 to the sheet's side",

@@ -256,12 +256,12 @@ Result study_modules(const StudyRequest& request) {
       Variant v;
       v.resolution = resolution;
       const WindowRun run = study(scene, v);
-      const double all = std::max(run.seconds, 1e-9);
+      const auto percent = [&](double seconds) { return run.seconds > 0 ? 100 * seconds / run.seconds : 0; };
       if (run.counts.windows > 1000 && resolution > 0)
         more_analysis = more_analysis && run.counts.analysis_seconds > 5 * run.counts.understanding_seconds;
       shares.rows.push_back({s.name, resolution == 0 ? "exact" : "1024", kModuleNote, run.counts.windows,
-                             100 * run.counts.analysis_seconds / all, 100 * run.counts.understanding_seconds / all,
-                             100 * run.counts.solution_seconds / all});
+                             percent(run.counts.analysis_seconds), percent(run.counts.understanding_seconds),
+                             percent(run.counts.solution_seconds)});
     }
   }
   result.tables.push_back(std::move(shares));

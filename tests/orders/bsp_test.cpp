@@ -6,11 +6,14 @@
 
 #include "compiled_method.hpp"
 #include "order_check.hpp"
-#include "tree_scenes.hpp"
+#include "study/generators.hpp"
+#include "support/scenes.hpp"
 #include "visibility/bsp/bsp.hpp"
 
 namespace ligne::test {
 namespace {
+
+using studies::ball;
 
 /// An upright plate on the plan, from (x0, y0) to (x1, y1), as two triangles of one face.
 void add_wall(Scene& scene, double x0, double y0, double x1, double y1) {

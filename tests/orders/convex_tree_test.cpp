@@ -9,27 +9,20 @@
 #include "compiled_method.hpp"
 #include "order_check.hpp"
 #include "scene/readers/reader.hpp"
-#include "tree_scenes.hpp"
+#include "study/generators.hpp"
+#include "support/scenes.hpp"
 #include "visibility/convex_tree/convex_tree_method.hpp"
 
 namespace ligne::test {
 namespace {
 
+using studies::ball;
+using studies::stair;
+
 ConvexTree::Counts counts_of(const Scene& scene, const PlaneChoice& options = {}) {
   const ConvexTree tree(scene, options);
   EXPECT_TRUE(tree.counts().terminates);
   return tree.counts();
-}
-
-/// The section of a stair of n steps from x = 0, z = 0 upwards, drawn out along y; only the steps, as he has them.
-Scene stair(int n) {
-  Scene scene;
-  for (int i = 0; i < n; ++i) {
-    const double x = i, z = i;
-    add_face(scene, {{{x, 0, z}, {x, 4, z}, {x, 4, z + 1}, {x, 0, z + 1}}});
-    add_face(scene, {{{x, 0, z + 1}, {x, 4, z + 1}, {x + 1, 4, z + 1}, {x + 1, 0, z + 1}}});
-  }
-  return scene;
 }
 
 // 3.1: any convex object has complexity 0: one node of type 1.

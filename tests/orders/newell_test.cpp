@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "study/generators.hpp"
 #include "support/scenes.hpp"
 #include "visibility/newell/priority_list.hpp"
 
@@ -14,6 +15,9 @@ using newell::Element;
 using newell::ListCounts;
 using newell::PaintElements;
 using newell::PriorityList;
+using studies::add_comb;
+using studies::add_plate;
+using studies::ring;
 
 /// A list and how it came about. The viewer looks along +y: x to the right, z up, what has the larger y is farther.
 struct Sorted {
@@ -32,11 +36,6 @@ Sorted sorted(const Scene& scene, const CameraRequest& camera = along({0, 1, 0})
 }
 
 using Order = std::vector<std::uint32_t>;
-
-/// A rectangle on the page, x0 to x1 and z0 to z1, whose left side is at the depth y0 and whose right side at y1.
-void add_plate(Scene& scene, double x0, double x1, double z0, double z1, double y0, double y1) {
-  add_face(scene, {{{x0, y0, z0}, {x1, y1, z0}, {x1, y1, z1}, {x0, y0, z1}}});
-}
 
 // Figure 2.72: F1 and F2, in this order: the second hides a part of the first.
 TEST(Newell, Figure272) {
@@ -96,22 +95,6 @@ TEST(Newell, Figure281d) {
   EXPECT_EQ(s.faces.front(), s.faces.back());
 }
 
-/// n bars round a centre, each over the next: a ring. Bar i leaves the side i of a polygon, high at its begin.
-Scene ring(int n) {
-  Scene scene;
-  const auto corner = [&](double i, double radius) {
-    const double a = 2 * M_PI * i / n;
-    return Point2{radius * std::cos(a), radius * std::sin(a)};
-  };
-  for (int i = 0; i < n; ++i) {
-    const Point2 a = corner(i, 10), b = corner(i + 1, 10), d = glm::normalize(b - a), side = Point2{-d.y, d.x} * 0.5;
-    const Point2 from = a - d * 3.0, to = b + d * 3.0;
-    const auto at = [](Point2 p, double y) { return Point3{p.x, y, p.y}; };
-    add_face(scene, {{at(from - side, 0), at(to - side, 4), at(to + side, 4), at(from + side, 0)}});
-  }
-  return scene;
-}
-
 // Figure 2.81 e, and larger rings: bar i begins before the end of bar i - 1 and ends behind the begin of bar i + 1. No bar
 // is penetrated. Somewhere one has to be cut; where the plane of one passes through another one, that is cut along it,
 // though it does not always break the ring. A convex face of c = 4 corners falls into no more than c / 2 + 1 pieces.
@@ -140,19 +123,6 @@ TEST(Newell, Figure283NothingIsCompared) {
   Order farthest_first(20);
   for (std::uint32_t i = 0; i < 20; ++i) farthest_first[i] = 19 - i;
   EXPECT_EQ(s.faces, farthest_first);
-}
-
-/// A comb in the plane y = `depth`: a back x 0..2 and `teeth` teeth from there to x = 10, 2 wide and 2 apart. It has
-/// 4 teeth corners.
-void add_comb(Scene& scene, int teeth, double depth) {
-  std::vector<Point3> corners{{0, depth, 0}};
-  for (int t = 0; t < teeth; ++t) {
-    const double z = 4 * t;
-    corners.insert(corners.end(), {{10, depth, z}, {10, depth, z + 2}});
-    if (t + 1 < teeth) corners.insert(corners.end(), {{2, depth, z + 2}, {2, depth, z + 4}});
-  }
-  corners.push_back({0, depth, 4.0 * teeth - 2});
-  add_face(scene, {corners});
 }
 
 // Figure 2.85: a face of r corners that a straight cut divides into the most pieces: r / 2 + 1 at most. A comb of t teeth
