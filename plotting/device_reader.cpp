@@ -6,13 +6,14 @@
 
 #include "plotting/device.hpp"
 #include "plotting/devices/embedded.hpp"
+#include "plotting/pens.hpp"
 #include "plotting/toml_reading.hpp"
 
 namespace ligne {
 namespace {
 
 constexpr double kFinestStepMm = 1e-4, kCoarsestStepMm = 10;
-constexpr unsigned kMostPens = 1000, kMostPoints = 1'000'000;
+constexpr unsigned kMostPoints = 1'000'000;
 
 /// What a machine does, with room on both sides. Within these bounds no time, feed or coordinate overflows: a drawing has
 /// less than 2^32 points, none of them farther than kFarthestMm, and so takes less than 2 * 10^18 s, which 64 bits hold.

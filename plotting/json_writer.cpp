@@ -22,7 +22,7 @@ constexpr std::uint32_t kNoFace = 0xffffffffu;
 
 /// Decimals of page points, at the least: a nanometre.
 constexpr int kPageDecimals = 6;
-constexpr int kMostDecimals = 12;
+constexpr int kMostPageDecimals = 12;
 
 std::string json_string(std::string_view text) {
   using nlohmann::json;
@@ -60,7 +60,7 @@ void append_face(std::string& out, std::uint32_t face) {
 
 /// Enough decimals to tell neighbouring lattice points apart: half a step and less.
 int lattice_decimals(const Lattice& lattice) {
-  return std::clamp(static_cast<int>(std::ceil(-std::log10(lattice.step_mm / 2))), kPageDecimals, kMostDecimals);
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(lattice.step_mm / 2))), kPageDecimals, kMostPageDecimals);
 }
 
 void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, const DrawingDocument& document,

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace ligne {
 namespace {
@@ -53,6 +54,14 @@ void append_rounded(std::string& out, double value, int decimals) {
   if (!(std::abs(scaled) < kLargestInteger)) return append_shortest(out, value);
   char text[kNumberBytes];
   out.append(text, write_fixed(text, std::llround(scaled), decimals, false));
+}
+
+/// The largest double has 309 digits before the point; fixed() is asked for some twenty decimals at the most.
+constexpr std::size_t kLongestFixed = 352;
+
+std::string fixed(double value, int decimals) {
+  char text[kLongestFixed];
+  return {text, static_cast<std::size_t>(std::snprintf(text, sizeof text, "%.*f", decimals, value))};
 }
 
 }  // namespace ligne

@@ -19,6 +19,9 @@ char* write_fixed(char* out, std::int64_t value, int decimals, bool bare_point);
 /// Appends the shortest decimal number that reads back as the same double; "null" for what is not finite.
 void append_shortest(std::string& out, double value);
 
+/// The number with exactly so many decimals.
+std::string fixed(double value, int decimals);
+
 /// Appends the number rounded to so many decimals, with the leading zero.
 void append_rounded(std::string& out, double value, int decimals);
 

@@ -11,7 +11,6 @@
 namespace ligne {
 namespace {
 
-constexpr double kMmPerInch = 25.4;
 constexpr double kPointsPerInch = 72;
 
 /// The longest side of a page: the numbers of a larger one would no longer be right to a micrometre in the output formats.

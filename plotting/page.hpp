@@ -13,6 +13,8 @@
 
 namespace ligne {
 
+inline constexpr double kMmPerInch = 25.4;
+
 struct Page {
   double width_mm = 210;
   double height_mm = 297;

@@ -15,7 +15,7 @@
 namespace ligne {
 namespace {
 
-constexpr double kPointsPerMm = 72 / 25.4;
+constexpr double kPointsPerMm = 72 / kMmPerInch;
 
 /// Units to a point: a power of ten, since Cairo writes matrices as decimal numbers. Cairo 1.16 aborts on recording surfaces
 /// that are painted smaller than about 1:500, so no finer than this.

@@ -13,8 +13,6 @@
 namespace ligne {
 namespace {
 
-constexpr double kMmPerInch = 25.4;
-
 /// Cairo's image surfaces go up to this side; the number of pixels is that of A0 at 600 dpi, 2.2 GB.
 constexpr double kLargestSide = 32767;
 constexpr double kMostPixels = 560e6;

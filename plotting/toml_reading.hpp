@@ -37,7 +37,7 @@ class TomlTable {
   std::optional<std::string> text(std::string_view key) const {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
-    const auto value = node->value_exact<std::string>();
+    auto value = node->value_exact<std::string>();
     if (!value) fail(std::string(key) + " is not a text", node);
     return value;
   }

@@ -14,8 +14,6 @@ struct Gap {
   double length = 0;  ///< lattice steps
 };
 
-bool less(LatticePoint a, LatticePoint b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
-
 double length_of(const Stroke& s) {
   return std::hypot(static_cast<double>(s.to.x - s.from.x), static_cast<double>(s.to.y - s.from.y));
 }
@@ -93,7 +91,7 @@ class Nodes {
     for (const auto list : {strokes, pieces}) {
       for (const Stroke& s : list) points_.insert(points_.end(), {s.from, s.to});
     }
-    std::sort(points_.begin(), points_.end(), less);
+    std::sort(points_.begin(), points_.end());
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
     parent_.resize(points_.size());
     for (std::uint32_t n = 0; n < parent_.size(); ++n) parent_[n] = n;
@@ -103,7 +101,7 @@ class Nodes {
   }
 
   std::uint32_t node(LatticePoint p) const {
-    return static_cast<std::uint32_t>(std::lower_bound(points_.begin(), points_.end(), p, less) - points_.begin());
+    return static_cast<std::uint32_t>(std::lower_bound(points_.begin(), points_.end(), p) - points_.begin());
   }
   void add(std::uint32_t a, std::uint32_t b) {
     if (a == b) return;

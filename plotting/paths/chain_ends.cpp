@@ -16,7 +16,6 @@ constexpr std::uint32_t kNone = EndTree::kNone;
 
 /// Adjustable: of all ends near to one, so many are tried.
 constexpr std::size_t kCandidates = 8;
-constexpr std::size_t kEndsPerTask = 1024;
 
 struct Pair {
   double squared;
@@ -44,7 +43,7 @@ std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
   }
   const EndTree tree(points);
   std::vector<std::vector<Pair>> found(ends.size());
-  parallel_blocks(ends.size(), kEndsPerTask, [&](std::size_t first, std::size_t last) {
+  parallel_blocks(ends.size(), kSearchBlock, [&](std::size_t first, std::size_t last) {
     std::vector<EndTree::Neighbour> neighbours;
     for (std::size_t e = first; e < last; ++e) {
       tree.nearest(points[e], kCandidates + 1, neighbours);

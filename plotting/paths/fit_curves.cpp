@@ -67,8 +67,6 @@ constexpr double kWholeTurn = 2 * kPi + 1e-3;
 constexpr double kStraightTurn = kPi / 180;
 constexpr double kShort = 10;
 
-double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
-
 double rounded(double value) {
   const auto units = static_cast<double>(power_of_ten(kArcDecimals));
   return std::round(value * units) / units;

@@ -34,8 +34,6 @@ namespace {
 /// Part of the tolerance of simplification that is spent before overlaps are looked for.
 constexpr double kEarlyPart = 0.25;
 
-bool less(LatticePoint a, LatticePoint b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
-
 /// Polylines on the lattice without repeated points; what has no length goes to `dots`.
 struct LatticeLines {
   Lattice lattice;
@@ -64,7 +62,7 @@ LatticeLines on_lattice(const Polylines& lines) {
       out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
     }
   }
-  std::sort(out.dots.begin(), out.dots.end(), less);
+  std::sort(out.dots.begin(), out.dots.end());
   out.dots.erase(std::unique(out.dots.begin(), out.dots.end()), out.dots.end());
   return out;
 }
@@ -73,8 +71,7 @@ LatticeLines on_lattice(const Polylines& lines) {
 std::vector<char> shared_points(const LatticeLines& lines) {
   std::vector<std::uint32_t> order(lines.points.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t l, std::uint32_t r) { return less(lines.points[l], lines.points[r]); });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) { return lines.points[l] < lines.points[r]; });
   std::vector<char> shared(order.size(), 0);
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (lines.points[order[i]] == lines.points[order[i - 1]]) shared[order[i]] = shared[order[i - 1]] = 1;
@@ -125,7 +122,7 @@ StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, std::vec
 /// than the tolerance.
 void remove_equal(std::vector<Stroke>& strokes) {
   const auto key = [](const Stroke& s) {
-    const auto [low, high] = less(s.to, s.from) ? std::pair(s.to, s.from) : std::pair(s.from, s.to);
+    const auto [low, high] = s.to < s.from ? std::pair(s.to, s.from) : std::pair(s.from, s.to);
     return std::tuple(low.x, low.y, high.x, high.y);
   };
   std::sort(strokes.begin(), strokes.end(),

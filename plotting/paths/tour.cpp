@@ -27,7 +27,6 @@ namespace {
 constexpr std::size_t kNear = 10;
 constexpr std::uint32_t kTogether = 3;
 constexpr std::uint32_t kMostShifted = 10'000;
-constexpr std::size_t kEndsPerTask = 1024;
 
 /// A gain below a picometre is rounding, and could be gained for ever.
 constexpr double kLeastGainMm = 1e-9;
@@ -97,7 +96,7 @@ class Improver {
 void Improver::find_near() {
   const EndTree tree(ends_);
   near_.resize(ends_.size() * kNear);
-  parallel_blocks(ends_.size(), kEndsPerTask, [&](std::size_t first, std::size_t last) {
+  parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t first, std::size_t last) {
     std::vector<EndTree::Neighbour> found;
     for (std::size_t e = first; e < last; ++e) {
       tree.nearest(ends_[e], kNear + 2, found);

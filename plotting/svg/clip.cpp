@@ -13,13 +13,11 @@ namespace {
 
 /// Adjustable: edges to a row.
 constexpr std::size_t kRowEdges = 4, kMostRows = 4096;
-constexpr std::size_t kMostWork = 1'000'000'000;
+constexpr std::size_t kMostClipWork = 1'000'000'000;
 /// Edges that stand in rows count for more: they take memory.
 constexpr std::size_t kEntryWork = 40;
 /// Parts of a line that are shorter, in parts of it, are the rounding of a crossing.
 constexpr double kLeastPart = 1e-12;
-
-double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
 
 bool near_edge(Point2 p, Point2 a, Point2 b) {
   constexpr double kNearMm = 1e-6;  // rounding of coordinates
@@ -71,7 +69,7 @@ Polylines clipped_by_one(const Polylines& lines, const Clip& clip) {
 }  // namespace
 
 void Area::count(std::size_t edges) const {
-  if ((*work_ += edges) > kMostWork) throw std::invalid_argument("has a clip path that asks for endless work");
+  if ((*work_ += edges) > kMostClipWork) throw std::invalid_argument("has a clip path that asks for endless work");
 }
 
 Area::Area(const Polylines& contours, FillRule rule, ClipWork work) : rule_(rule), work_(std::move(work)) {

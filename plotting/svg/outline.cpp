@@ -20,8 +20,6 @@ int pieces(double degree, double bend) {
       std::clamp(std::ceil(std::sqrt(degree * (degree - 1) / 8 * bend / kFlatnessMm)), 1.0, kMostPieces));
 }
 
-double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
-
 }  // namespace
 
 void Outline::add(Point2 mm) {

@@ -10,13 +10,6 @@ namespace {
 constexpr std::size_t kMostRules = 10'000;
 /// Comparisons of an element with a part of a rule; a declaration that is applied counts as so many.
 constexpr std::size_t kMostWork = 200'000'000, kDeclarationWork = 20;
-constexpr std::string_view kBlanks = " \t\n\r\f";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 std::string without_comments(std::string_view css) {
   std::string text;

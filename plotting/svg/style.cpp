@@ -7,13 +7,6 @@
 namespace ligne::svg {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\n\r\f";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 /// From 0 to 1; what has no meaning says nothing.
 double opacity_of(std::string_view text) {
   Scanner scanner(text);

@@ -18,15 +18,15 @@ namespace {
   throw std::invalid_argument(shown(text, '"') + " " + cause);
 }
 
-bool blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
+bool blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
 
 Matrix Matrix::operator*(const Matrix& o) const {
   return {a * o.a + c * o.b, b * o.a + d * o.b,     a * o.c + c * o.d,
@@ -118,7 +118,7 @@ std::vector<double> numbers(std::string_view text) {
 }
 
 double length_px(std::string_view text, std::optional<double> whole, std::optional<double> em) {
-  constexpr std::pair<std::string_view, double> units[] = {{"", 1},           {"px", 1},        {"mm", 96 / 25.4},
+  constexpr std::pair<std::string_view, double> units[] = {{"", 1},           {"px", 1},        {"mm", 96 / kMmPerInch},
                                                            {"cm", 96 / 2.54}, {"in", 96},       {"pt", 96.0 / 72},
                                                            {"pc", 16},        {"Q", 96 / 101.6}};
   const std::string_view clean = trimmed(text);

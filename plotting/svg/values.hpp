@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/point.hpp"
+#include "plotting/page.hpp"
 
 namespace ligne::svg {
 
@@ -50,6 +51,11 @@ class Scanner {
   std::string_view text_;
 };
 
+inline constexpr std::string_view kBlanks = " \t\n\r\f";
+
+/// The text less the blanks at its ends.
+std::string_view trimmed(std::string_view text);
+
 /// All numbers of a list with blanks or commas.
 std::vector<double> numbers(std::string_view text);
 
@@ -65,6 +71,6 @@ std::optional<std::string> paint(std::string_view text);
 /// Of a colour as paint() gives it, 0 black to 1 white. One that is only a name is black.
 double brightness(const std::string& color);
 
-inline constexpr double kMmPerPx = 25.4 / 96;
+inline constexpr double kMmPerPx = kMmPerInch / 96;
 
 }  // namespace ligne::svg

@@ -14,7 +14,7 @@
 namespace ligne {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCompareExamples = R"(Examples:
   ligne compare gearbox.obj
   ligne compare gearbox.obj --methods appel,newell,warnock --edges all --html gearbox.html
   ligne compare houses.json --view front --csv -o houses.csv)";
@@ -57,7 +57,7 @@ void compare(const CompareOptions& options) {
 }  // namespace
 
 void setup_compare(CLI::App& app, CompareOptions& options) {
-  CLI::App& command = *add_command(app, "compare", "Every method on one scene, side by side", kExamples);
+  CLI::App& command = *add_command(app, "compare", "Every method on one scene, side by side", kCompareExamples);
   add_model_options(command, options.model);
   OptionGroup group(command, "Methods");
   group.add("--methods", "NAME,...", options.methods, parse_methods, "those that are compared, see: ligne methods")

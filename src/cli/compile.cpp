@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCompileExamples = R"(Examples:
   ligne compile gearbox.obj -o gearbox.tree
   ligne draw gearbox.tree --view front -o front.svg
   ligne draw gearbox.tree --frames 36 -o turn.pdf)";
@@ -39,7 +39,7 @@ void compile(const CompileOptions& options) {
 }  // namespace
 
 void setup_compile(CLI::App& app, CompileOptions& options) {
-  CLI::App& command = *add_command(app, "compile", "A model prepared for drawings from any viewpoint", kExamples);
+  CLI::App& command = *add_command(app, "compile", "A model prepared for drawings from any viewpoint", kCompileExamples);
   add_model_options(command, options.model);
   add_compile_options(command, options.method, options.choice);
   OptionGroup(command, "Lines")

@@ -19,7 +19,7 @@
 namespace ligne {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kDrawExamples = R"(Examples:
   ligne draw gearbox.obj -o gearbox.svg
   ligne draw flange.glb --view front --scale 1:2 --unit m --hidden dashed --page A3 -o flange.pdf
   ligne draw houses.json --grid terrain.asc --every 4 --view iso -o village.svg
@@ -115,7 +115,7 @@ void draw(const DrawOptions& options, PictureRequest request) {
 }  // namespace
 
 void setup_draw(CLI::App& app, DrawOptions& options) {
-  CLI::App& draw = *add_command(app, "draw", "Hidden-line drawing of meshes and polygon scenes", kExamples);
+  CLI::App& draw = *add_command(app, "draw", "Hidden-line drawing of meshes and polygon scenes", kDrawExamples);
   PictureRequest& picture = options.picture;
   add_model_options(draw, options.model);
   add_part_drawing_options(draw, picture.output);

@@ -13,7 +13,7 @@
 namespace ligne {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kPlotExamples = R"(Examples:
   ligne plot sombrero.svg --device hp7475a --report -o sombrero.hpgl
   ligne plot gearbox.json --pen outline=1,black,0.5 --pen rest=2,blue,0.25 -o gearbox.gcode
   ligne plot long.svg --device grbl-servo --split time=30min -o 'part%d.gcode'
@@ -124,7 +124,7 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
 }  // namespace
 
 void setup_plot(CLI::App& app, PlotCommandOptions& options) {
-  CLI::App& plot = *add_command(app, "plot", "A drawing (JSON or SVG) made ready for pens and plotters", kExamples);
+  CLI::App& plot = *add_command(app, "plot", "A drawing (JSON or SVG) made ready for pens and plotters", kPlotExamples);
   add_arguments(plot, "DRAWING", options.drawings, true, "ligne-drawing JSON, or an SVG of strokes; - is standard input");
   OptionGroup input(plot, "Input");
   input.add("--skip", "LIST", options.request.skip, parse_skip,

@@ -13,7 +13,7 @@ namespace {
 
 using namespace studies;
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kStudyExamples = R"(Examples:
   ligne study --list
   ligne study squares --svg squares.svg
   ligne study coherence gearbox.obj --json coherence.json
@@ -59,7 +59,7 @@ void study_chosen(const StudyCommandOptions& options) {
 }  // namespace
 
 void setup_study(CLI::App& app, StudyCommandOptions& options) {
-  CLI::App& command = *add_command(app, "study", "The experiments of the sources, made again", kExamples);
+  CLI::App& command = *add_command(app, "study", "The experiments of the sources, made again", kStudyExamples);
   add_arguments(command, "NAME", options.words, false, "an experiment, or all; files of models behind it are studied too");
   OptionGroup group(command, "Options");
   group.add_flag("--list", options.list, "names of the experiments, and what they are about");

@@ -23,7 +23,7 @@ namespace {
 
 constexpr unsigned kMostSamples = 1'000'000, kHighestResolution = 1'000'000, kResolution = 2000;
 
-constexpr const char* kExamples = R"help(Examples:
+constexpr const char* kSurfaceExamples = R"help(Examples:
   ligne surface "sin(r)/r" -x -12:12:60 -y -12:12:60 -o sombrero.svg
   ligne surface --grid terrain.asc --every 2 --z-scale 2 --azimuth 30 -o terrain.pdf
   ligne surface "sin(x*y)" -x -3:3 -y -3:3 --lines x --eye 8,-6,5 --pen-width 0.2 -o waves.svg
@@ -209,7 +209,7 @@ SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit&
 }
 
 CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
-  CLI::App* surface = add_command(app, "surface", "z = f(x,y): iso-curves, hidden parts removed", kExamples);
+  CLI::App* surface = add_command(app, "surface", "z = f(x,y): iso-curves, hidden parts removed", kSurfaceExamples);
   SurfaceRequest& request = options.request;
   PictureRequest& picture = request.picture;
   add_source_options(*surface, request);

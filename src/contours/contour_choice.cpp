@@ -153,11 +153,6 @@ class Chooser {
 
 }  // namespace
 
-Point2 page_point(const View& view, const Point3& p) {
-  const HomogeneousPoint h = to_homogeneous(view, p);
-  return {h.x / h.w, h.y / h.w};
-}
-
 std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPatch& patch,
                                        std::span<const std::uint32_t> outline_edges) {
   std::vector<OutlineSide> found;

@@ -39,7 +39,4 @@ struct ContourChoice {
 ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
                               std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double most_mm);
 
-/// The place of a point on the page, mm.
-Point2 page_point(const View& view, const Point3& p);
-
 }  // namespace ligne

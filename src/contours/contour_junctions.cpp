@@ -17,8 +17,6 @@ bool may_hide(const Stroke& s) {
           s.line_class == LineClass::intersection);
 }
 
-double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
-
 /// How far along the curve an end at `at` may be moved.
 double reach_at(const ContourCurve& curve, double at, double reach_mm) {
   const double from = std::max(0.0, at - kSizeWindow), to = std::min(curve.points.back().at, at + kSizeWindow);
@@ -228,8 +226,6 @@ void apply(const MovedEnd& moved, StrokeModel& model) {
   }
 }
 
-auto place(LatticePoint p) { return std::pair(p.x, p.y); }
-
 }  // namespace
 
 void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm) {
@@ -250,20 +246,21 @@ void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& c
     }
   }
   // An end at which another stroke goes on stays.
-  std::vector<std::pair<std::int32_t, std::int32_t>> places;
-  for (const MovedEnd& m : moved) places.push_back(place(m.from));
+  std::vector<LatticePoint> places;
+  places.reserve(moved.size());
+  for (const MovedEnd& m : moved) places.push_back(m.from);
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   std::vector<std::uint32_t> arms(places.size(), 0);
   for (const Stroke& s : others.strokes) {
     if (!s.visible) continue;
     for (const LatticePoint p : {s.from, s.to}) {
-      const auto found = std::lower_bound(places.begin(), places.end(), place(p));
-      if (found != places.end() && *found == place(p)) ++arms[static_cast<std::size_t>(found - places.begin())];
+      const auto found = std::lower_bound(places.begin(), places.end(), p);
+      if (found != places.end() && *found == p) ++arms[static_cast<std::size_t>(found - places.begin())];
     }
   }
   for (const MovedEnd& m : moved) {
-    const auto found = std::lower_bound(places.begin(), places.end(), place(m.from));
+    const auto found = std::lower_bound(places.begin(), places.end(), m.from);
     if (arms[static_cast<std::size_t>(found - places.begin())] == 1) apply(m, others);
   }
 }

@@ -23,7 +23,7 @@ constexpr double kMovedOff = 0.05;
 /// A contour stands for an edge when it runs within so much of the size of the triangles there, or half a pen: contours
 /// rise above chords by less than an eighth of them.
 constexpr double kNearEdge = 0.2;
-constexpr double kCellMm = 1;
+constexpr double kProbeCellMm = 1;
 
 double distance(Point2 p, const PageSegment& s) {
   const Point2 d = s.to - s.from;
@@ -35,7 +35,7 @@ double distance(Point2 p, const PageSegment& s) {
 /// The visible pieces of contours, for questions about places.
 class NearContours {
  public:
-  explicit NearContours(const std::vector<SeenContour>& seen) : seen_(seen), finder_(kCellMm) {}
+  explicit NearContours(const std::vector<SeenContour>& seen) : seen_(seen), finder_(kProbeCellMm) {}
 
   void expect(Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); }
   void prepare() {
@@ -100,16 +100,13 @@ Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContour
   return c;
 }
 
-auto place(LatticePoint p) { return std::pair(p.x, p.y); }
-
 /// Leaves runs of candidates that are longer than the reach and than what counts as near: less is what moved ends at
 /// crossings leave.
 void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, double reach_mm) {
-  using Place = std::pair<std::int32_t, std::int32_t>;
-  std::vector<std::pair<Place, std::uint32_t>> ends;
+  std::vector<std::pair<LatticePoint, std::uint32_t>> ends;
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-    ends.emplace_back(place(candidates[i].stroke.from), i);
-    ends.emplace_back(place(candidates[i].stroke.to), i);
+    ends.emplace_back(candidates[i].stroke.from, i);
+    ends.emplace_back(candidates[i].stroke.to, i);
   }
   std::sort(ends.begin(), ends.end());
   DisjointSets runs(candidates.size());
@@ -178,12 +175,12 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
   near.prepare();
   std::erase_if(candidates, [&](const Candidate& c) { return near.any_within(c.middle, c.near_mm); });
   drop_short(candidates, model.lattice, reach_mm);
-  std::vector<std::pair<std::int32_t, std::int32_t>> ends;
-  for (const Candidate& c : candidates) ends.insert(ends.end(), {place(c.stroke.from), place(c.stroke.to)});
+  std::vector<LatticePoint> ends;
+  for (const Candidate& c : candidates) ends.insert(ends.end(), {c.stroke.from, c.stroke.to});
   std::sort(ends.begin(), ends.end());
   for (Candidate& c : candidates) {
     for (LatticePoint* end : {&c.stroke.from, &c.stroke.to}) {
-      const auto [first, last] = std::equal_range(ends.begin(), ends.end(), place(*end));
+      const auto [first, last] = std::equal_range(ends.begin(), ends.end(), *end);
       if (last - first > 1) continue;
       if (const auto contour = near.nearest(model.lattice.to_mm(*end), reach_mm)) *end = model.lattice.snap(*contour);
     }

@@ -12,7 +12,6 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kGrain = 65'536;
 /// As for classes of edges: float32 coordinates turn the normals of small faces by about this much.
 constexpr double kCreaseSlackDegrees = 0.01;
 
@@ -35,10 +34,10 @@ class VertexSet {
 
 /// The triangles that have a vertex of the set, in their order.
 std::vector<std::uint32_t> touching(const std::vector<Triangle>& triangles, const VertexSet& set) {
-  std::vector<std::vector<std::uint32_t>> found(block_count(triangles.size(), kGrain));
-  parallel_blocks(triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::vector<std::uint32_t>> found(block_count(triangles.size(), kShortWorkBlock));
+  parallel_blocks(triangles.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (set.touches(triangles[i])) found[begin / kGrain].push_back(static_cast<std::uint32_t>(i));
+      if (set.touches(triangles[i])) found[begin / kShortWorkBlock].push_back(static_cast<std::uint32_t>(i));
     }
   });
   std::vector<std::uint32_t> all;

@@ -24,7 +24,7 @@ using Index = std::uint32_t;
 using Triple = std::array<Index, 3>;
 
 /// A corner of a ring: a cyclic list with the inside on its left.
-struct Node {
+struct CornerNode {
   Index position = 0;
   Index prev = 0, next = 0;
   bool cut = false;
@@ -233,7 +233,7 @@ class EarCutter {
   }
 
   const std::vector<Point2>& p_;
-  std::vector<Node> nodes_;
+  std::vector<CornerNode> nodes_;
   std::vector<Index> rings_;   ///< one node of each ring to cut
   std::vector<Index> joined_;  ///< nodes of the rings to cut
   std::vector<Index> reflex_;  ///< of the ring being cut, by position

@@ -16,7 +16,8 @@ namespace ligne {
 struct LatticePoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
-  friend bool operator==(LatticePoint, LatticePoint) = default;
+  /// Equal, and by x, then by y: for sorting.
+  friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
 };
 
 /// Largest coordinate for which orientation() is exact.

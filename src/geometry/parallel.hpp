@@ -44,6 +44,9 @@ void parallel_tasks(std::size_t count, FunctionRef<void(std::size_t)> work);
 /// do not depend on the number of threads. `size` is above 0.
 void parallel_blocks(std::size_t count, std::size_t size, FunctionRef<void(std::size_t, std::size_t)> work);
 
+/// Adjustable: sizes of blocks where the work on an index is short, as on a vertex or a triangle, and where it is a search.
+inline constexpr std::size_t kShortWorkBlock = 16'384, kSearchBlock = 256;
+
 /// Number of blocks of parallel_blocks(); the block that begins at `begin` has the number begin / size.
 inline std::size_t block_count(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
 

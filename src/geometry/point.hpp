@@ -9,6 +9,9 @@ namespace ligne {
 using Point2 = glm::dvec2;
 using Point3 = glm::dvec3;
 
+/// The area of the parallelogram of u and v: positive when u turns towards v from +x towards +y.
+inline double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
+
 /// Axis-aligned rectangle [min.x, max.x] x [min.y, max.y]. Empty (min > max) until extended.
 struct Rect {
   Point2 min{+1e300, +1e300};

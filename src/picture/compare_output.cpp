@@ -8,17 +8,12 @@
 #include "files/message_text.hpp"
 #include "picture/memory.hpp"
 #include "picture/traits_text.hpp"
+#include "plotting/number_text.hpp"
 
 namespace ligne {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string fixed(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
 
 std::optional<double> seconds_of(const Statistics& stages, const std::string& name) {
   for (const auto& [known, value] : stages.seconds) {

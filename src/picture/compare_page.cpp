@@ -18,12 +18,6 @@ namespace {
 /// Drawings are written to a hundredth of a millimetre: they are for looking.
 constexpr int kDecimals = 2;
 
-std::string fixed(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
 /// 1234567 as "1 234 567", with narrow spaces that do not break.
 std::string grouped(std::uint64_t n) {
   std::string digits = std::to_string(n);

@@ -10,20 +10,15 @@ namespace {
 
 constexpr std::size_t kFewestCurves = 8;
 
-Point2 on_page(const View& view, const Point3& p) {
-  const HomogeneousPoint h = to_homogeneous(view, p);
-  return {h.x / h.w, h.y / h.w};
-}
-
 }  // namespace
 
 std::size_t stride_apart(const GridOnPage& grid, const View& view, double pen_width_mm) {
   const Point3 middle = (grid.box.low + grid.box.high) / 2., extent = grid.box.high - grid.box.low;
   const Point3 step_x{extent.x / static_cast<double>(grid.columns - 1), 0, 0};
   const Point3 step_y{0, extent.y / static_cast<double>(grid.rows - 1), 0};
-  const Point2 at = on_page(view, middle);
-  const Point2 a = on_page(view, middle + step_x) - at, b = on_page(view, middle + step_y) - at;
-  const double cell = std::abs(a.x * b.y - a.y * b.x);
+  const Point2 at = page_point(view, middle);
+  const Point2 a = page_point(view, middle + step_x) - at, b = page_point(view, middle + step_y) - at;
+  const double cell = std::abs(cross(a, b));
   const double across_x = cell / glm::length(b), across_y = cell / glm::length(a);
   double least = INFINITY;
   if (grid.x_curves) least = std::min(least, across_x);

@@ -3,11 +3,7 @@
 #include "view/brightness.hpp"
 
 namespace ligne {
-namespace {
-
-constexpr double kMmPerInch = 25.4;
-
-}  // namespace
+namespace {}  // namespace
 
 std::optional<SpanLines> gray_face_lines(const PictureRequest& request, const PlotOptions& plot) {
   if (!request.gray_faces) return std::nullopt;

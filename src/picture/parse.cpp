@@ -158,7 +158,7 @@ std::optional<double> parse_scale(std::string_view text) {
 }
 
 double parse_unit_mm(std::string_view text) {
-  constexpr std::pair<std::string_view, double> units[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+  constexpr std::pair<std::string_view, double> units[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", kMmPerInch}};
   for (const auto& [name, mm] : units) {
     if (name == text) return mm;
   }

@@ -15,20 +15,15 @@ constexpr double kBeforeMm = 0.2, kProbeMm = 0.02;  ///< a point that much behin
 constexpr double kMark = 0.45, kBeside = 0.4;
 
 /// Where a label may stand: to the right, to the left, above, below, and between these.
-struct Side {
+struct LabelPlace {
   double x, y;
   TextAcross across;
   TextUp up;
 };
-constexpr Side kSides[] = {{1, -1, TextAcross::left, TextUp::base},   {-1, -1, TextAcross::right, TextUp::base},
-                           {1, 0, TextAcross::left, TextUp::middle},  {-1, 0, TextAcross::right, TextUp::middle},
-                           {1, 1, TextAcross::left, TextUp::top},     {-1, 1, TextAcross::right, TextUp::top},
-                           {0, -1, TextAcross::center, TextUp::base}, {0, 1, TextAcross::center, TextUp::top}};
-
-Point2 page_point(const View& view, const Point3& p) {
-  const HomogeneousPoint h = to_homogeneous(view, p);
-  return {h.x / h.w, h.y / h.w};
-}
+constexpr LabelPlace kLabelPlaces[] = {{1, -1, TextAcross::left, TextUp::base},   {-1, -1, TextAcross::right, TextUp::base},
+                                       {1, 0, TextAcross::left, TextUp::middle},  {-1, 0, TextAcross::right, TextUp::middle},
+                                       {1, 1, TextAcross::left, TextUp::top},     {-1, 1, TextAcross::right, TextUp::top},
+                                       {0, -1, TextAcross::center, TextUp::base}, {0, 1, TextAcross::center, TextUp::top}};
 
 }  // namespace
 
@@ -71,7 +66,7 @@ std::vector<TextItem> mark_points(Drawing& drawing, const std::vector<MarkedPoin
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!seen[i] || points[i].label.empty()) continue;
     const Point2 p = page_point(view, points[i].at);
-    for (const Side& side : kSides) {
+    for (const LabelPlace& side : kLabelPlaces) {
       const double away = (kMark + kBeside) * h;
       const TextItem item{points[i].label, p + Point2{side.x * away, side.y * away}, h, side.across, side.up, 0};
       TextBox box = text_box(item, text_extent(item.text, h, style));

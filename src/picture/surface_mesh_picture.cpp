@@ -31,7 +31,7 @@ namespace ligne {
 namespace {
 
 /// How far below the lowest height the base lies when nothing is said, as a part of the range of heights.
-constexpr double kBaseDepth = 0.05;
+constexpr double kSkirtDepth = 0.05;
 
 /// Curves of a grid in a picture with models, each way, when nothing is said.
 constexpr std::size_t kCurvesAmongModels = 60;
@@ -43,7 +43,7 @@ constexpr double kCrease = 75;
 std::optional<double> base_of(const SurfaceRequest& request, const std::optional<std::array<double, 2>>& range) {
   if (!request.skirt || !range) return std::nullopt;
   const double lowest = (*range)[0], height = (*range)[1] - lowest;
-  if (!request.skirt_base) return lowest - kBaseDepth * height;
+  if (!request.skirt_base) return lowest - kSkirtDepth * height;
   if (*request.skirt_base > lowest) {
     throw RequestError("skirt", shortest(*request.skirt_base) + " is above the lowest height, " + shortest(lowest));
   }
@@ -205,7 +205,7 @@ std::shared_ptr<LineGroups> groups_of(const SurfaceRequest& request, const std::
 std::vector<double> cut_bands(const SurfaceRequest& request, std::vector<SurfaceMesh>& meshes) {
   const auto range = height_range(meshes);
   if (!range || !request.bands) return {};
-  const std::vector<double> limits = band_limits(request, (*range)[0], (*range)[1]);
+  std::vector<double> limits = band_limits(request, (*range)[0], (*range)[1]);
   for (SurfaceMesh& mesh : meshes) {
     cut_contours(mesh, limits);
     for (auto& flags : mesh.flags) {
@@ -258,6 +258,7 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
   if (plot.groups)
     add_surface_groups(request, limits, factor.z, face_ends(meshes, base.has_value(), plot.scene), *plot.groups);
   std::vector<std::string> names;
+  names.reserve(surfaces.size());
   for (const SurfacePoints& surface : surfaces) names.push_back(surface.name);
   plot.legend = legend_of(request, names, limits);
   Scene& scene = plot.scene;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kAzimuth = -60, kElevation = 30;
 constexpr unsigned kMostContours = 10'000, kContours = 10, kIndexContours = 5;
 /// How far below the lowest height the contours of the base lie, as a part of the range of heights.
-constexpr double kBaseDepth = 0.3;
+constexpr double kContourDepth = 0.3;
 
 void check_sources(const SurfaceRequest& request) {
   const bool formulas = !request.formulas.empty(), parametric = !request.parametric.empty();
@@ -197,7 +197,7 @@ bool tells_heights(const CurveRequest& request) {
 }
 
 double contour_base_of(const CurveRequest& request, double low, double high) {
-  return request.contour_base.value_or(low - kBaseDepth * (high - low));
+  return request.contour_base.value_or(low - kContourDepth * (high - low));
 }
 
 }  // namespace ligne

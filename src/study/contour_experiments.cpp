@@ -5,6 +5,7 @@
 #include <functional>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "geometry/clip_contour_by_contour.hpp"
 #include "study/experiments.hpp"
@@ -266,15 +267,14 @@ Result study_sorts(const StudyRequest& request) {
           sort.sort(again, unused);
           return again.front();
         });
-        const Cell grown = before > 0 ? Cell(growth(n / 4.0, before, n, double(counts.comparisons))) : Cell();
+        std::optional<double> grown;
+        if (before > 0) grown = growth(n / 4.0, before, n, double(counts.comparisons));
         before = double(counts.comparisons);
         if (kind == 3) chart.curves.back().points.emplace_back(n, before);
-        if (kind == 1 && sort.sort == kSorts[0].sort && std::holds_alternative<double>(grown))
-          quick_sorted = std::get<double>(grown);
-        if (kind == 3 && sort.sort == kSorts[1].sort && std::holds_alternative<double>(grown))
-          bubble_nearly = std::get<double>(grown);
+        if (kind == 1 && sort.sort == kSorts[0].sort && grown) quick_sorted = *grown;
+        if (kind == 3 && sort.sort == kSorts[1].sort && grown) bubble_nearly = *grown;
         table.rows.push_back({sort.name, kLists[kind], std::to_string(n), thesis, counts.comparisons, counts.moves,
-                              counts.deepest, grown, 1e6 * seconds});
+                              counts.deepest, grown ? Cell(*grown) : Cell(), 1e6 * seconds});
       }
     }
   }

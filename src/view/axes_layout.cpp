@@ -34,11 +34,6 @@ constexpr std::size_t kMostTicks = 11;
 /// Ticks lean as the other axes do, but no flatter against their axis than this (sine).
 constexpr double kFlattestTick = 0.57;
 
-Point2 page_point(const View& view, const Point3& p) {
-  const HomogeneousPoint h = to_homogeneous(view, p);
-  return {h.x / h.w, h.y / h.w};
-}
-
 bool holds(const Rect& rect, Point2 p) {
   return p.x >= rect.min.x && p.x <= rect.max.x && p.y >= rect.min.y && p.y <= rect.max.y;
 }

@@ -24,8 +24,6 @@ constexpr double kInEachOthersWay = 10;  ///< two scales along the same line
 constexpr double kInOneLine = 0.5;       ///< the scale of the heights goes on where another ends: hard to read
 constexpr double kSecondary = 1e-3;      ///< decides between edges as low, or as far left, as each other
 
-double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
-
 struct Corners {
   std::array<Point2, 8> at;
   Rect extent;

@@ -12,7 +12,6 @@ namespace {
 
 /// Float32 coordinates turn the normals of small faces by about this much; an edge at the crease angle itself is no crease.
 constexpr double kCreaseSlackDegrees = 0.01;
-constexpr std::size_t kGrain = 16'384;
 
 struct FacePlane {
   glm::vec3 normal{0, 0, 0};  ///< unit length; zero for a face without area
@@ -28,7 +27,7 @@ std::int8_t facing_of(const Point3& normal, const Point3& on_face, const Camera&
 
 std::vector<FacePlane> face_planes(const Scene& scene, const Camera& camera) {
   std::vector<FacePlane> planes(scene.faces.size());
-  parallel_blocks(planes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(planes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const Point3 normal = face_normal(scene, static_cast<std::uint32_t>(f));
       planes[f].normal = normal;
@@ -88,7 +87,7 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
   const double degree = 3.14159265358979323846 / 180;
   const float crease_cosine = static_cast<float>(std::cos(std::min(180.0, crease_degrees + kCreaseSlackDegrees) * degree));
   std::vector<LineClass> classes(topology.edges.size());
-  parallel_blocks(classes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(classes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const Edge& edge = topology.edges[e];
       const std::uint16_t flags = topology.edge_flags[e];

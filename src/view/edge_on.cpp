@@ -16,7 +16,6 @@ namespace {
 constexpr double kSightRounding = 0x1p-50;
 /// Roundings of the mixed product: three differences, two products and a difference, and a sum of three products.
 constexpr double kMixedProductRounding = 0x1p-50;
-constexpr std::size_t kGrain = 16'384;
 
 double sum_of_sizes(const Point3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
@@ -51,7 +50,7 @@ std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology&
   const std::vector<Triangle>& triangles = topology.triangles;
   std::vector<std::uint8_t> edge_on(triangles.size());
   std::atomic<bool> any{false};
-  parallel_blocks(triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(triangles.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     std::size_t object =
         static_cast<std::size_t>(std::partition_point(scene.objects.begin(), scene.objects.end(),
                                                       [&](const Object& o) { return o.face_end <= triangles[begin].face; }) -

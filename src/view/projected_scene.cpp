@@ -16,7 +16,6 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kGrain = 16'384;
 /// Roundings of the projection itself: a handful of double operations on coordinates as large as the largest.
 constexpr double kProjectionRounding = 0x1p-50;
 
@@ -46,7 +45,7 @@ Volumes volumes_of(const ProjectedScene& scene) {
 bool project_vertices(const Scene& scene, const View& view, const Volumes& volumes, ProjectedScene& out) {
   std::atomic<bool> all_inside{true};
   out.vertices.resize(scene.vertices.size());
-  parallel_blocks(out.vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(out.vertices.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     bool inside = true;
     for (std::size_t i = begin; i < end; ++i) {
       const HomogeneousPoint p = to_homogeneous(view, scene.vertices[i]);
@@ -65,7 +64,7 @@ class Clipper {
   Clipper(const Scene& scene, const View& view, const Volumes& volumes, ProjectedScene& out)
       : scene_(scene), view_(view), volumes_(volumes), out_(out) {
     inside_.resize(scene.vertices.size());
-    parallel_blocks(inside_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(inside_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         inside_[i] = volumes_.faces.contains(to_homogeneous(view_, scene_.vertices[i]));
       }

@@ -9,7 +9,6 @@ namespace ligne {
 namespace {
 
 constexpr int kMortonBits = 10;  ///< per coordinate: a million squares over the page
-constexpr std::size_t kGrain = 32'768;
 
 std::uint32_t spread_bits(std::uint32_t v) {
   v = (v | (v << 8)) & 0x00ff00ffu;
@@ -31,7 +30,7 @@ std::vector<std::uint32_t> counting_order(std::size_t n, std::size_t key_count, 
 template <class T>
 std::vector<T> in_order(const std::vector<T>& items, const std::vector<std::uint32_t>& order) {
   std::vector<T> sorted(items.size());
-  parallel_blocks(items.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(items.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) sorted[i] = items[order[i]];
   });
   return sorted;
@@ -39,7 +38,7 @@ std::vector<T> in_order(const std::vector<T>& items, const std::vector<std::uint
 
 template <class Work>
 void for_each_index(std::size_t n, Work work) {
-  parallel_blocks(n, kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) work(i);
   });
 }

@@ -233,4 +233,9 @@ HomogeneousPoint to_homogeneous(const View& view, const Point3& p) {
           s * distance * (c.z - distance), c.z};
 }
 
+Point2 page_point(const View& view, const Point3& p) {
+  const HomogeneousPoint h = to_homogeneous(view, p);
+  return {h.x / h.w, h.y / h.w};
+}
+
 }  // namespace ligne

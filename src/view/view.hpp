@@ -80,6 +80,9 @@ struct HomogeneousPoint {
 /// translation cancels).
 HomogeneousPoint to_homogeneous(const View& view, const Point3& p);
 
+/// Where the point is drawn, in mm; it lies before the eye.
+Point2 page_point(const View& view, const Point3& p);
+
 /// The model point that is drawn at the page point with the depth: the inverse of model_to_page.
 Point3 to_model_point(const View& view, Point2 page_mm, double depth);
 

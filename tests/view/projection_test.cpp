@@ -22,7 +22,7 @@ namespace {
 const Rect kSheet{{0, 0}, {297, 210}};
 const Frame kFrame{{{10, 10}, {287, 200}}};
 
-Point2 page_point(const View& view, const Point3& p) {
+Point2 true_page_point(const View& view, const Point3& p) {
   const glm::dvec4 h = view.model_to_page * glm::dvec4(p, 1);
   return {h.x / h.w, h.y / h.w};
 }
@@ -35,7 +35,7 @@ double farthest_end(const ProjectedScene& projected, std::size_t line, const Poi
   double farthest = 0;
   for (const bool last : {false, true}) {
     const Point2 drawn = projected.lattice.to_mm(projected.vertices[last ? edge.v1 : edge.v0].p);
-    const Point2 true_place = page_point(projected.view, a + part[last] * (b - a));
+    const Point2 true_place = true_page_point(projected.view, a + part[last] * (b - a));
     farthest = std::max(farthest, glm::distance(drawn, true_place) / projected.lattice.step_mm);
   }
   return farthest;

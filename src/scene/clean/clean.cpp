@@ -25,7 +25,6 @@ constexpr char kCrossing[] = "faces whose contours cross, or with holes outside,
 constexpr char kNoArea[] = "faces that are not planar and have no area dropped";
 
 /// Triangles that one task visits.
-constexpr std::size_t kGrain = std::size_t{1} << 14;
 
 /// Dropped faces, by cause.
 struct Dropped {
@@ -84,21 +83,22 @@ void drop_triangles(Scene& scene, Warnings& warnings) {
 Dropped clean_triangles(Scene& scene, const Weld& weld, Warnings& warnings) {
   const std::span<std::uint32_t> corners = scene.faces.corners();
   const bool same = weld.changes_nothing();
-  const Dropped dropped = parallel_reduce(scene.faces.size(), kGrain, Dropped{}, [&](std::size_t begin, std::size_t end) {
-    Dropped sum;
-    for (std::size_t f = begin; f != end; ++f) {
-      std::uint32_t* t = &corners[3 * f];
-      if (!same) {
-        for (int k = 0; k < 3; ++k) t[k] = weld.first[t[k]];
-      }
-      if (is_lost(t)) {
-        ++sum.not_finite;
-      } else if (is_degenerate(t)) {
-        ++sum.degenerate;
-      }
-    }
-    return sum;
-  });
+  const Dropped dropped =
+      parallel_reduce(scene.faces.size(), kShortWorkBlock, Dropped{}, [&](std::size_t begin, std::size_t end) {
+        Dropped sum;
+        for (std::size_t f = begin; f != end; ++f) {
+          std::uint32_t* t = &corners[3 * f];
+          if (!same) {
+            for (int k = 0; k < 3; ++k) t[k] = weld.first[t[k]];
+          }
+          if (is_lost(t)) {
+            ++sum.not_finite;
+          } else if (is_degenerate(t)) {
+            ++sum.degenerate;
+          }
+        }
+        return sum;
+      });
   if (dropped.any()) drop_triangles(scene, warnings);
   return dropped;
 }

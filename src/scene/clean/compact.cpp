@@ -8,11 +8,10 @@ namespace ligne {
 namespace {
 
 /// Corners that one task visits.
-constexpr std::size_t kGrain = std::size_t{1} << 15;
 
 template <class Work>
 void for_blocks(std::size_t n, const Work& work) {
-  parallel_blocks(n, kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i != end; ++i) work(i);
   });
 }

@@ -53,7 +53,7 @@ bool equal(const Direction& a, const Direction& b) {
   return std::min(angle, 2 * std::numbers::pi - angle) <= a.tolerance + b.tolerance;
 }
 
-bool cross(const Sheet& s, const Sheet& t) {
+bool sheets_cross(const Sheet& s, const Sheet& t) {
   if (equal(s.a, t.a) || equal(s.a, t.b) || equal(s.b, t.a) || equal(s.b, t.b)) return false;
   const double end = turn(s.a, s.b);
   return (turn(s.a, t.a) < end) != (turn(s.a, t.b) < end);
@@ -157,7 +157,7 @@ class CrossingSearch {
     add_sheets(directions_, sheets_);
     bool crosses = false;
     for (std::size_t i = 0; i < sheets_.size() && !crosses; ++i) {
-      for (std::size_t k = i + 1; k < sheets_.size() && !crosses; ++k) crosses = cross(sheets_[i], sheets_[k]);
+      for (std::size_t k = i + 1; k < sheets_.size() && !crosses; ++k) crosses = sheets_cross(sheets_[i], sheets_[k]);
     }
     if (!crosses) return;
     scene_.corner_flags.resize(scene_.faces.corners().size(), 0);

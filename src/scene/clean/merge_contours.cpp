@@ -8,10 +8,10 @@
 #include <span>
 #include <unordered_map>
 
+#include "geometry/point.hpp"
+
 namespace ligne {
 namespace {
-
-double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
 
 /// Walks edges into simple contours.
 class BoundaryWalk {

@@ -11,7 +11,6 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kGrain = 16'384;
 /// Adjustable: how far slivers are followed to a face that has a normal.
 constexpr int kLongestChain = 8;
 
@@ -69,7 +68,7 @@ std::vector<glm::vec3> face_normals(const Scene& scene, const Topology& topology
   std::atomic<bool> any_without{false};
   for (const Object& object : scene.objects) {
     const std::size_t count = object.face_end - object.face_begin;
-    parallel_blocks(count, kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       bool without = false;
       for (std::size_t k = begin; k < end; ++k) {
         const auto f = static_cast<std::uint32_t>(object.face_begin + k);

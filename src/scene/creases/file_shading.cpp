@@ -21,7 +21,6 @@ constexpr double kFlatDegrees = 1;
 constexpr double kAveragedDegrees = 40;
 
 constexpr std::uint32_t kLevels = 1023;
-constexpr std::size_t kGrain = 16'384;
 
 double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
@@ -67,7 +66,7 @@ class Marker {
   void run() {
     const std::vector<Side> sides = sides_of(scene_);
     normals_.resize(scene_.faces.size());
-    parallel_blocks(normals_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(normals_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) normals_[f] = face_normal(scene_, static_cast<std::uint32_t>(f));
     });
     if (scene_.corner_flags.empty()) scene_.corner_flags.resize(scene_.faces.corners().size(), 0);

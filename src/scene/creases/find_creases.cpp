@@ -28,7 +28,6 @@ constexpr double kTurnCosine = 0.70710678;  ///< a crease continues over an edge
 
 /// Normals of small faces in float32 are off by about this much: an edge at the crease angle itself is no crease.
 constexpr double kSlackDegrees = 0.01;
-constexpr std::size_t kGrain = 16'384;
 
 float cosine_of(double degrees) {
   return static_cast<float>(std::cos(std::min(180.0, degrees + kSlackDegrees) * std::numbers::pi / 180));
@@ -99,7 +98,7 @@ class Finder {
     drop_spurs();
     drop_short();
     found_.is_crease.assign(bends_.size(), 0);
-    parallel_blocks(bends_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(bends_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e) found_.is_crease[e] = bends_[e] >= Bend::strong;
     });
     return std::move(found_);
@@ -114,7 +113,7 @@ class Finder {
   void classify() {
     const std::vector<glm::vec3> normals = face_normals(scene_, topology_);
     bends_.assign(topology_.edges.size(), Bend::none);
-    const Counts counts = parallel_reduce(bends_.size(), kGrain, Counts{}, [&](std::size_t begin, std::size_t end) {
+    const Counts counts = parallel_reduce(bends_.size(), kShortWorkBlock, Counts{}, [&](std::size_t begin, std::size_t end) {
       Counts sum;
       for (std::size_t e = begin; e < end; ++e) bends_[e] = bend_of(e, normals, sum);
       return sum;

@@ -16,8 +16,6 @@ constexpr double kBreak = 2;
 constexpr double kPartOfMedian = 1.0 / 8;
 constexpr double kPartOfModel = 1.0 / 4096;
 
-constexpr std::size_t kGrain = 256;
-
 std::vector<EdgeTree::Segment> segments_of(const Scene& scene, const std::vector<Edge>& edges) {
   std::vector<EdgeTree::Segment> segments;
   segments.reserve(edges.size());
@@ -29,7 +27,7 @@ std::vector<EdgeTree::Segment> segments_of(const Scene& scene, const std::vector
 std::vector<double> gaps_up_to(const Border& border, double distance) {
   const std::vector<std::uint32_t>& vertices = border.vertices();
   std::vector<double> gaps(vertices.size(), -1);
-  parallel_blocks(vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(vertices.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const NearestPoint near = border.nearest(vertices[k], distance);
       if (near.segment != kNone) gaps[k] = near.distance;

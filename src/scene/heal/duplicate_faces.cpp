@@ -25,8 +25,6 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kGrain = std::size_t{1} << 15;
-
 /// Finalizer of SplitMix64 (Steele, Lea, Flood 2014).
 std::uint64_t mix(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -60,7 +58,7 @@ std::vector<std::uint8_t> suspect_vertices(const Scene& scene, const Topology& t
     return (topology.edge_flags[e] & kEdgeManyFaces) != 0 || may_be_same(scene.faces, edge.face0, edge.face1);
   };
   const std::size_t n = topology.edges.size();
-  const std::size_t found = parallel_reduce(n, kGrain, std::size_t{0}, [&](std::size_t begin, std::size_t end) {
+  const std::size_t found = parallel_reduce(n, kShortWorkBlock, std::size_t{0}, [&](std::size_t begin, std::size_t end) {
     std::size_t count = 0;
     for (std::size_t e = begin; e < end; ++e) count += is_suspect(e);
     return count;

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/parallel.hpp"
 #include "scene/heal/border_gaps.hpp"
 #include "scene/heal/corner_uses.hpp"
 #include "scene/heal/face_writer.hpp"
@@ -14,8 +15,6 @@
 
 namespace ligne {
 namespace {
-
-constexpr std::size_t kGrain = 256;
 
 /// A vertex that lies on an edge of a face.
 struct Split {
@@ -58,7 +57,7 @@ std::size_t move_onto_edges(Scene& scene, const Object& object, std::span<const 
 std::vector<Split> splits_of(const Border& border, double distance, double inside) {
   const std::vector<std::uint32_t>& vertices = border.vertices();
   std::vector<NearestPoint> nearest(vertices.size());
-  parallel_blocks(vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(vertices.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) nearest[k] = border.nearest(vertices[k], distance, inside);
   });
   std::vector<Split> splits;

@@ -14,8 +14,7 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-constexpr std::size_t kLeaf = 4;        ///< triangles at most in a leaf of the tree
-constexpr std::size_t kGrain = 16'384;  ///< triangles of a task
+constexpr std::size_t kLeaf = 4;  ///< triangles at most in a leaf of the tree
 
 using Corner = std::array<float, 3>;
 
@@ -52,7 +51,7 @@ class SelfSearch {
  public:
   SelfSearch(std::span<const Point3> vertices, std::span<const Triangle> triangles, std::span<const std::uint32_t> own)
       : vertices_(vertices), triangles_(triangles), items_(own.size()) {
-    parallel_blocks(own.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(own.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) items_[i] = {box_of(own[i]), own[i]};
     });
     std::size_t nodes = 1;
@@ -88,7 +87,7 @@ class SelfSearch {
 
   template <class First, class Second>
   static void both(std::size_t size, First first, Second second) {
-    if (size > kGrain) {
+    if (size > kShortWorkBlock) {
       parallel_tasks(2, [&](std::size_t half) { half == 0 ? first() : second(); });
     } else {
       first();

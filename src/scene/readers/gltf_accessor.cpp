@@ -15,7 +15,6 @@ namespace ligne {
 namespace {
 
 /// Elements that one task converts.
-constexpr std::size_t kGrain = std::size_t{1} << 15;
 constexpr std::size_t kAllGood = std::numeric_limits<std::size_t>::max();
 
 std::size_t component_size(int type) {
@@ -112,10 +111,22 @@ auto with_type(int component_type, const Work& work) {
   }
 }
 
+/// The same for indices, is_index_type().
+template <class Work>
+auto with_index_type(int component_type, const Work& work) {
+  switch (component_type) {
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return work(std::uint8_t{});
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return work(std::uint16_t{});
+    default:
+      return work(std::uint32_t{});
+  }
+}
+
 std::uint32_t load_index(const GltfElements& from, std::size_t i) {
-  return with_type(from.component_type, [&](auto type) -> std::uint32_t {
-    return static_cast<std::uint32_t>(load<decltype(type)>(from.data + i * from.stride));
-  });
+  return with_index_type(from.component_type,
+                         [&](auto type) -> std::uint32_t { return load<decltype(type)>(from.data + i * from.stride); });
 }
 
 /// What was met while reading: the largest value without sign, and the first element that can not be.
@@ -131,7 +142,7 @@ bool is_identity(const glm::dmat4& m) { return m == glm::dmat4(1); }
 /// Reads elements and hands position number i to put(i, position).
 template <class T, class Put>
 Met read_as(const GltfElements& from, double scale, const Put& put) {
-  return parallel_reduce(from.count, kGrain, Met{}, [&](std::size_t begin, std::size_t end) {
+  return parallel_reduce(from.count, kShortWorkBlock, Met{}, [&](std::size_t begin, std::size_t end) {
     Met met;
     T largest = 0;  // of floats; the integers are always good
     for (std::size_t i = begin; i != end; ++i) {
@@ -237,18 +248,18 @@ void read_indices(const GltfDocument& document, const GltfAccessor& accessor, st
     if (from.count != 0) check(0, 0);
     std::fill(out.begin(), out.end(), first_vertex);
   } else {
-    const std::size_t bad = with_type(from.component_type, [&](auto type) {
+    const std::size_t bad = with_index_type(from.component_type, [&](auto type) {
       using T = decltype(type);
       const auto read = [&](std::size_t begin, std::size_t end) {
         std::uint32_t largest = 0;
         for (std::size_t i = begin; i != end; ++i) {
-          const auto index = static_cast<std::uint32_t>(load<T>(from.data + i * from.stride));
+          const std::uint32_t index = load<T>(from.data + i * from.stride);
           largest = std::max(largest, index);
           out[i] = first_vertex + index;
         }
         return largest < vertex_count ? kAllGood : begin;
       };
-      return parallel_reduce(from.count, kGrain, kAllGood, read,
+      return parallel_reduce(from.count, kShortWorkBlock, kAllGood, read,
                              [](std::size_t a, std::size_t b) { return std::min(a, b); });
     });
     // The block of the first bad index is known; an index that a sparse one replaces is bad nevertheless.

@@ -10,8 +10,6 @@
 namespace ligne {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// What stands for no height in files that do not say.
 constexpr double kNoDataByDefault = -9999;
 
@@ -147,7 +145,7 @@ class EsriReader {
       if (!value) throw error(shown(word) + " is not a number");
       if (heights_.size() == wanted_)
         throw error("more heights than the " + std::to_string(wanted_) + " of the header" + uneven_row_);
-      heights_.push_back(*value == no_data ? kNaN : *value);
+      heights_.push_back(*value == no_data ? kNoHeight : *value);
     }
     const std::size_t count = heights_.size() - before;
     if (count != 0 && count != columns_ && uneven_row_.empty()) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +16,9 @@
 #include "scene/surfaces/height_source.hpp"
 
 namespace ligne {
+
+/// What stands where a grid has no height.
+inline constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
 
 /// Tells the format by content and reads. `name` stands in error messages. What only GDAL reads needs the file itself and is
 /// refused when `file` is empty; files beside it that were read too are added to `opened`.

@@ -14,8 +14,6 @@
 namespace ligne {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// As much of a file as is looked at for bytes that no text has.
 constexpr std::size_t kLookedAt = 65536;
 
@@ -108,9 +106,9 @@ std::optional<double> height_in(std::string_view word) {
   std::string_view bare = word;
   if (bare.starts_with('-') || bare.starts_with('+')) bare.remove_prefix(1);
   for (const std::string_view hole : {"nan", "inf", "infinity"}) {
-    if (equal_ignoring_case(bare, hole)) return kNaN;
+    if (equal_ignoring_case(bare, hole)) return kNoHeight;
   }
-  if (equal_ignoring_case(word, "na") || word == "?") return kNaN;
+  if (equal_ignoring_case(word, "na") || word == "?") return kNoHeight;
   return {};
 }
 

@@ -14,8 +14,6 @@
 namespace ligne {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// Positions that are meant to be the same differ by no more than this part of the extent, from rounding when they were
 /// written: grids have fewer positions on an axis than a thousandth of its inverse.
 constexpr double kSamePosition = 0x1p-24;
@@ -87,7 +85,7 @@ std::unique_ptr<HeightSource> grid_with_holes(const std::vector<Point3>& points,
   }
   const bool dense = cells > 0 && kPlacesPerPoint * count >= static_cast<double>(columns * rows);
   if (!dense && kPointsPerCell * static_cast<double>(cells) < count) return nullptr;
-  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = given[k] ? sum[k] / given[k] : kNaN;
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = given[k] ? sum[k] / given[k] : kNoHeight;
   if (repeated > 0) warnings.add("points at the place of another one: heights averaged", repeated);
   return held_heights(std::move(x), std::move(y), std::move(sum), SampleOrder::first_row_lowest(columns), name);
 }

@@ -11,8 +11,6 @@
 namespace ligne {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// The line up to a '#' that is not within quotes.
 std::string_view without_comment(std::string_view line) {
   bool in_quotes = false;
@@ -106,6 +104,7 @@ class TextGridReader {
     const auto is_name = [](std::string_view f) { return f.empty() || is_quoted(f); };
     const bool all_quoted = std::all_of(fields.begin(), fields.end(), is_name);
     std::vector<std::string> names;
+    names.reserve(fields.size());
     for (const std::string_view field : fields)
       names.emplace_back(is_quoted(field) ? field.substr(1, field.size() - 2) : field);
     named_ = named_columns(names);
@@ -148,7 +147,7 @@ class TextGridReader {
       field = take_field(rest, separator_, ended);
       const bool corner = has_corner && column == 0;
       ++column;
-      values_.push_back(corner ? kNaN : height(field, column));
+      values_.push_back(corner ? kNoHeight : height(field, column));
     }
     corner_empty_ = corner_empty_ || (rows_ == 0 && (has_corner || fields_of(row, separator_).front().empty()));
     all_end_empty_ = all_end_empty_ && field.empty();
@@ -184,7 +183,7 @@ class TextGridReader {
   }
 
   double height(std::string_view field, std::size_t column) const {
-    if (field.empty()) return kNaN;
+    if (field.empty()) return kNoHeight;
     if (const std::optional<double> value = height_in(field)) return *value;
     if (separator_ == ';') {
       std::string with_point(field);

@@ -9,13 +9,13 @@ namespace {
 /// Roundings of a height over a plane: a dozen operations on products of a determinant and a depth.
 constexpr double kHeightRounding = 0x1p-49;
 
-struct Corners {
+struct FacetCorners {
   std::array<ProjectedVertex, 3> p;
   double area;
 };
 
-Corners corners_of(const Facet& f, const std::vector<ProjectedVertex>& vertices) {
-  Corners c{{vertices[f.v[0]], vertices[f.v[1]], vertices[f.v[2]]}, 0};
+FacetCorners facet_corners(const Facet& f, const std::vector<ProjectedVertex>& vertices) {
+  FacetCorners c{{vertices[f.v[0]], vertices[f.v[1]], vertices[f.v[2]]}, 0};
   c.area = orientation(c.p[0].p, c.p[1].p, c.p[2].p);
   return c;
 }
@@ -30,10 +30,11 @@ struct PenetrationSearch::Heights {
   std::array<double, 3> h;
   int above = 0, below = 0, on = 0;
 
-  static Heights over(const Corners& plane, float touch, const Corners& other);
+  static Heights over(const FacetCorners& plane, float touch, const FacetCorners& other);
 };
 
-PenetrationSearch::Heights PenetrationSearch::Heights::over(const Corners& plane, float touch, const Corners& other) {
+PenetrationSearch::Heights PenetrationSearch::Heights::over(const FacetCorners& plane, float touch,
+                                                            const FacetCorners& other) {
   Heights r;
   for (int i = 0; i < 3; ++i) {
     const LatticePoint q = other.p[i].p;
@@ -59,7 +60,7 @@ PenetrationSearch::Heights PenetrationSearch::Heights::over(const Corners& plane
 namespace {
 
 /// Where the boundary of `c`, whose corners have heights h over a plane, passes from "on or above" to "below".
-std::array<PagePoint, 2> crossings(const Corners& c, const std::array<double, 3>& heights) {
+std::array<PagePoint, 2> crossings(const FacetCorners& c, const std::array<double, 3>& heights) {
   std::array<PagePoint, 2> points{};
   int n = 0;
   for (int i = 0; i < 3 && n < 2; ++i) {
@@ -74,7 +75,7 @@ std::array<PagePoint, 2> crossings(const Corners& c, const std::array<double, 3>
 }
 
 /// The part of the segment that lies over the facet on the page.
-std::optional<PageSegment> clip_to_facet(const PageSegment& s, const Corners& facet) {
+std::optional<PageSegment> clip_to_facet(const PageSegment& s, const FacetCorners& facet) {
   std::array<double, 3> e0{}, e1{};
   for (int i = 0; i < 3; ++i) {
     const LatticePoint a = facet.p[i].p, b = facet.p[(i + 1) % 3].p;
@@ -87,7 +88,8 @@ std::optional<PageSegment> clip_to_facet(const PageSegment& s, const Corners& fa
   return PageSegment{s.at((*part)[0]), s.at((*part)[1])};
 }
 
-std::optional<PageSegment> common_segment(const Corners& a, const Corners& b, const std::array<double, 3>& b_over_a) {
+std::optional<PageSegment> common_segment(const FacetCorners& a, const FacetCorners& b,
+                                          const std::array<double, 3>& b_over_a) {
   const auto ends = crossings(b, b_over_a);
   return clip_to_facet({ends[0], ends[1]}, a);
 }
@@ -139,8 +141,8 @@ PlacedFacet PenetrationSearch::place(std::uint32_t facet) const {
 std::optional<PenetrationSearch::Found> PenetrationSearch::segment_of(const PlacedFacet& a, const PlacedFacet& b) {
   if (common_corners(a, b) > 1 || apart(a, b) || apart(b, a)) return std::nullopt;
   const Facet &fa = (*facets_)[a.id], &fb = (*facets_)[b.id];
-  const Corners ca = corners_of(fa, *vertices_);
-  const Corners cb = corners_of(fb, *vertices_);
+  const FacetCorners ca = facet_corners(fa, *vertices_);
+  const FacetCorners cb = facet_corners(fb, *vertices_);
   const Heights b_over_a = Heights::over(ca, fa.depth_tolerance, cb);
   if (b_over_a.on == 3) return std::nullopt;  // coplanar: they touch
   if (b_over_a.on + b_over_a.above == 3 && b_over_a.on < 2) return std::nullopt;
@@ -268,7 +270,7 @@ std::vector<Intersection> PenetrationSearch::finish(double least_steps) {
   result.reserve(pairs_.size());
   for (const Pair& pair : pairs_) {
     const Facet &fa = (*facets_)[pair.a], &fb = (*facets_)[pair.b];
-    const Corners a = corners_of(fa, *vertices_), b = corners_of(fb, *vertices_);
+    const FacetCorners a = facet_corners(fa, *vertices_), b = facet_corners(fb, *vertices_);
     const auto segment = common_segment(a, b, Heights::over(a, fa.depth_tolerance, b).h);
     if (!segment) continue;
     const Intersection i{rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face),

@@ -28,8 +28,8 @@ void for_rows(const HeightSource& heights, Take take, Merge merge) {
 
 /// The points with the least and the largest coordinates on the drawing plane.
 struct Extremes {
-  std::array<double, 2> low, high;
-  std::array<Point3, 2> at_low, at_high;
+  std::array<double, 2> low{}, high{};
+  std::array<Point3, 2> at_low{}, at_high{};
   bool empty = true;
 
   void take(const Point3& p, const Point2& on_plane) {

@@ -14,8 +14,6 @@ namespace {
 /// Part of the sizes that are added to a depth: two products, the coefficients of a plane through two matrices.
 constexpr double kDepthRounding = 0x1p-44;
 
-double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
-
 /// Whether a side of `a` has all of `b` outside, or less than `margin` inside.
 bool has_side_between(std::span<const Point2> a, std::span<const Point2> b, double margin) {
   for (std::size_t i = 0; i < a.size(); ++i) {

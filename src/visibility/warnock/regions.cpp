@@ -15,8 +15,6 @@ struct DirectedEdge {
   std::uint32_t piece = 0;
 };
 
-bool same(FramePoint a, FramePoint b) { return a.u == b.u && a.v == b.v; }
-
 /// An interval on a line of constant u (or v), of a trapezoid on its low or its high side.
 struct Interval {
   double line, from, to;
@@ -171,7 +169,7 @@ std::vector<Contour> trace(const std::vector<DirectedEdge>& edges, std::size_t b
       // The way on that turns most to the side of the region.
       std::size_t next = e;
       double best = 0;
-      for (auto o = std::lower_bound(first_edge, last_edge, edges[e].to, less); o != last_edge && same(o->from, edges[e].to);
+      for (auto o = std::lower_bound(first_edge, last_edge, edges[e].to, less); o != last_edge && o->from == edges[e].to;
            ++o) {
         const auto k = static_cast<std::size_t>(o - edges.begin());
         if (used[k - begin] && k != start) continue;

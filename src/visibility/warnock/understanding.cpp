@@ -19,8 +19,6 @@ bool all_sides(const Situation& s, const Placed& placed, Visit visit) {
   return true;
 }
 
-bool same(FramePoint a, FramePoint b) { return a.u == b.u && a.v == b.v; }
-
 /// Whether a side of the triangle has all of the other on its outer side or along it.
 bool side_separates(const FramePoint (&t)[3], const FramePoint (&o)[3]) {
   for (int i = 0; i < 3; ++i) {
@@ -168,8 +166,8 @@ bool seen_edges_meet_in_one_vertex(const Situation& s, std::span<const Placed* c
         a_serves = s.inner.holds(a);
         b_serves = s.inner.holds(b);
       } else {
-        a_serves = a_serves && (same(from, a) || same(to, a));
-        b_serves = b_serves && (same(from, b) || same(to, b));
+        a_serves = a_serves && (from == a || to == a);
+        b_serves = b_serves && (from == b || to == b);
       }
       return a_serves || b_serves;
     });

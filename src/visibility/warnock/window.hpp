@@ -13,6 +13,7 @@ namespace ligne::warnock {
 
 struct FramePoint {
   double u = 0, v = 0;  ///< whole numbers
+  friend bool operator==(FramePoint, FramePoint) = default;
 };
 
 struct WindowFrame {

@@ -8,11 +8,11 @@ namespace ligne::watkins {
 namespace {
 
 /// A side of a triangle of that face, or a line.
-struct Use {
+struct SideUse {
   std::uint32_t other;  ///< the higher vertex
   bool line;
   std::uint32_t index;
-  friend auto operator<=>(const Use&, const Use&) = default;
+  friend auto operator<=>(const SideUse&, const SideUse&) = default;
 };
 
 /// Plane of each face by its largest triangle on the page.
@@ -77,7 +77,7 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
   };
   for_each_use([&](std::uint32_t a, std::uint32_t b, bool, std::uint32_t) { ++begin[std::min(a, b) + 1]; });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Use> uses(begin.back());
+  std::vector<SideUse> uses(begin.back());
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   for_each_use([&](std::uint32_t a, std::uint32_t b, bool line, std::uint32_t i) {
     uses[next[std::min(a, b)]++] = {std::max(a, b), line, i};

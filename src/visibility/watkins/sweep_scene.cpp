@@ -21,11 +21,11 @@ LatticePoint point_of(std::uint64_t key) {
 }
 
 /// One use of a piece of page: as the side of a facet, or as a line.
-struct Use {
+struct PieceUse {
   std::uint32_t bottom;
   bool line;
   std::uint32_t index;
-  friend auto operator<=>(const Use&, const Use&) = default;
+  friend auto operator<=>(const PieceUse&, const PieceUse&) = default;
 };
 
 /// Uses by their top point: counted, dealt out, then ordered within each point.
@@ -49,13 +49,13 @@ class UseTable {
                  [&](std::size_t p) { std::sort(uses_.begin() + begin_[p], uses_.begin() + begin_[p + 1]); });
   }
   std::size_t points() const { return begin_.size() - 1; }
-  std::span<const Use> of(std::size_t point) const {
+  std::span<const PieceUse> of(std::size_t point) const {
     return {uses_.data() + begin_[point], uses_.data() + begin_[point + 1]};
   }
 
  private:
   std::vector<std::uint32_t> begin_, next_;
-  std::vector<Use> uses_;
+  std::vector<PieceUse> uses_;
 };
 
 /// One edge for the uses of one piece.
@@ -63,7 +63,7 @@ void add_edges(const UseTable& table, SweepScene& scene) {
   scene.first_start.assign(table.points() + 1, 0);
   for (std::size_t p = 0; p < table.points(); ++p) {
     scene.first_start[p] = static_cast<std::uint32_t>(scene.edges.size());
-    const std::span<const Use> uses = table.of(p);
+    const std::span<const PieceUse> uses = table.of(p);
     for (std::size_t i = 0; i < uses.size();) {
       SweepEdge edge;
       edge.top_point = static_cast<std::uint32_t>(p);
