@@ -48,6 +48,41 @@ TEST(ExactEnvelope, ALineIsCutWhereItGoesUnder) {
   }
 }
 
+TEST(ExactEnvelope, BandsTogetherFindWhatTheWholeFinds) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> at(0, 10);
+  const Columns columns(0, 10, 50);
+  const Bands bands(columns);
+  ASSERT_GT(bands.size(), 1u);
+  ExactEnvelope whole(0, 10, 50);
+  std::vector<ExactEnvelope> parts;
+  for (std::size_t b = 0; b < bands.size(); ++b) parts.emplace_back(columns, bands.of_band(b));
+  for (int k = 0; k < 2000; ++k) {
+    const auto [from, to] = std::minmax({at(random), at(random)});
+    const Line line{from, at(random) + k / 200., to, at(random) + k / 200.};
+    std::vector<Span> all, joined;
+    whole.find_above(line, all);
+    for (ExactEnvelope& part : parts) {
+      std::vector<Span> found, unused;
+      part.find_above(line, found);
+      part.raise(line, unused);
+      for (const Span& span : found) append_span(joined, span, part.least());
+    }
+    ASSERT_EQ(joined.size(), all.size()) << k;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_EQ(joined[i].from, all[i].from);
+      EXPECT_EQ(joined[i].to, all[i].to);
+    }
+    whole.raise(line, all);
+    // On both sides of a border each of the two bands knows the height.
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      const double border = columns.begin(bands.of_band(b).begin);
+      EXPECT_EQ(parts[b].height(border), whole.height(border));
+      EXPECT_EQ(parts[b].height_beside(border, -1), whole.height_beside(border, -1));
+    }
+  }
+}
+
 TEST(ExactEnvelope, WhatBeginsOnTheHorizonIsNeitherAboveNorBelow) {
   ExactEnvelope envelope(0, 10, 4);
   raised(envelope, {0, 1, 10, 7});

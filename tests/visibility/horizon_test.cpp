@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/parallel.hpp"
+
 namespace ligne::test {
 namespace {
 
@@ -245,6 +247,30 @@ TEST(Horizon, NoSurfaceIsLostWhereCurvesAreDense) {
   const auto length_by_curve = [&](int n) { return drawn(heights(wide, n), along({1, 0.7, -0.5})).length() / (2 * n); };
   const double coarse = length_by_curve(100);
   EXPECT_NEAR(length_by_curve(400), coarse, 0.01 * coarse);
+}
+
+TEST(Horizon, IsTheSameForAnyNumberOfThreads) {
+  const Function hills = [](double x, double y) { return std::sin(3 * x) * std::cos(4 * y) + 0.2 * x; };
+  const Function pierced = [&](double x, double y) {
+    return std::hypot(x, y) < 0.8 ? std::numeric_limits<double>::quiet_NaN() : hills(x, y);
+  };
+  // Along an axis every column is an upright line, and the lines that two bands meet at are among them.
+  for (const Point3& sight : {Point3{1, 2, -1}, Point3{0, 1, -0.5}, Point3{-1, 0.01, -0.2}}) {
+    for (const Function& f : {hills, pierced}) {
+      const FunctionHeights source = heights(f, 120, 2);
+      std::vector<Polylines> lines;
+      CameraRequest request;
+      request.direction = sight;
+      for (const unsigned threads : {1u, 2u, 7u}) {
+        run_with_threads(threads, [&] { lines.push_back(drawn(source, request).lines); });
+      }
+      ASSERT_GT(lines[0].points.size(), 1000u);
+      for (const Polylines& other : lines) {
+        EXPECT_EQ(other.begin, lines[0].begin);
+        EXPECT_EQ(other.points, lines[0].points);
+      }
+    }
+  }
 }
 
 TEST(Horizon, HolesEndCurves) {

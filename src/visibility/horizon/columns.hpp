@@ -1,9 +1,11 @@
 #pragma once
-/// The u axis of the picture in columns of equal width.
+/// The u axis of the picture in columns of equal width, and bands of them that are studied side by side.
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace ligne::horizon {
 
@@ -31,5 +33,38 @@ class Columns {
   double u_min_, extent_, width_;
   std::size_t count_;
 };
+
+/// Columns from begin to end - 1.
+struct ColumnRange {
+  std::size_t begin, end;
+  bool holds(std::size_t c) const { return begin <= c && c < end; }
+};
+
+/// Columns in up to kMostBands bands of nearly as many. Their number does not depend on that of the threads.
+class Bands {
+ public:
+  static constexpr std::size_t kMostBands = 16;
+
+  explicit Bands(const Columns& columns) : columns_(columns), size_(std::min(kMostBands, columns.count())) {
+    for (std::size_t band = 0; band < size_; ++band) of_column_.resize(of_band(band).end, static_cast<std::uint16_t>(band));
+  }
+
+  const Columns& columns() const { return columns_; }
+  std::size_t size() const { return size_; }
+  ColumnRange of_band(std::size_t band) const {
+    return {band * columns_.count() / size_, (band + 1) * columns_.count() / size_};
+  }
+  std::uint16_t of_column(std::size_t c) const { return of_column_[c]; }
+
+ private:
+  Columns columns_;
+  std::size_t size_;
+  std::vector<std::uint16_t> of_column_;
+};
+
+/// What a band holds: its own columns, and one more on either side, which the places beside its own border lie in.
+inline ColumnRange with_neighbours(ColumnRange own, const Columns& columns) {
+  return {own.begin - std::min<std::size_t>(own.begin, 1), std::min(own.end + 1, columns.count())};
+}
 
 }  // namespace ligne::horizon

@@ -22,7 +22,14 @@ double levelled(double d, double tolerance) { return std::abs(d) <= tolerance ? 
 }  // namespace
 
 Coverage::Coverage(double u_min, double u_max, std::size_t cells)
-    : columns_(u_min, u_max, cells), least_(kLeastPart * columns_.extent()), cells_(columns_.count()) {}
+    : Coverage(Columns(u_min, u_max, cells), {0, std::max<std::size_t>(cells, 1)}) {}
+
+Coverage::Coverage(const Columns& columns, ColumnRange own)
+    : columns_(columns),
+      own_(own),
+      held_(with_neighbours(own, columns)),
+      least_(kLeastPart * columns.extent()),
+      cells_(held_.end - held_.begin) {}
 
 double Coverage::tolerance(const Rim& rim) const {
   return kLevelPart * (std::max(columns_.extent(), std::abs(rim.v)) + std::abs(rim.slope) * columns_.extent());
@@ -43,10 +50,10 @@ void Coverage::cover(std::array<Corner, 3> c) {
 
 void Coverage::cover_between(double u0, double u1, const Rim& lower, const Rim& upper) {
   const std::size_t first = columns_.at(u0), last = columns_.at(u1);
-  for (std::size_t c = first; c <= last; ++c) {
+  for (std::size_t c = std::max(first, held_.begin); c <= last && c < held_.end; ++c) {
     const double from = c == first ? u0 : columns_.begin(c);
     const double to = c == last ? u1 : columns_.begin(c + 1);
-    if (to - from > least_) add(cells_[c], {from, to, lower, upper});
+    if (to - from > least_) add(cells_[c - held_.begin], {from, to, lower, upper});
   }
 }
 
@@ -146,12 +153,12 @@ void Coverage::find_uncovered(const Line& line, std::vector<Span>& uncovered) {
   const double line_tolerance = tolerance(rim);
   const std::size_t first = columns_.at(line.u0), last = columns_.at(line.u1);
   std::vector<Span> found;
-  for (std::size_t c = first; c <= last; ++c) {
+  for (std::size_t c = std::max(first, own_.begin); c <= last && c < own_.end; ++c) {
     const double from = c == first ? line.u0 : columns_.begin(c);
     const double to = c == last ? line.u1 : columns_.begin(c + 1);
     if (!(from < to)) continue;
     hidden_.clear();
-    for (const Band& b : cells_[c]) {
+    for (const Band& b : cells_[c - held_.begin]) {
       const double u0 = std::max(b.u0, from), u1 = std::min(b.u1, to);
       if (!(u0 < u1)) continue;
       const auto part = [&](const Rim& high, const Rim& low, double slack) {
@@ -174,7 +181,7 @@ void Coverage::find_uncovered(const Line& line, std::vector<Span>& uncovered) {
 
 void Coverage::find_covered_beside(double u, double v0, double v1, int side, std::vector<Span>& covered) const {
   const double at = u + 2 * (side < 0 ? -least_ : least_);
-  for (const Band& b : cells_[columns_.at(at)]) {
+  for (const Band& b : cells_[columns_.at(at) - held_.begin]) {
     if (!(b.u0 <= at && at <= b.u1)) continue;
     const double slack = std::max(tolerance(b.lower), tolerance(b.upper));
     const Span span{std::max(b.lower.height(at) - slack, v0), std::min(b.upper.height(at) + slack, v1)};

@@ -16,6 +16,8 @@ class Coverage {
  public:
   /// For triangles in [u_min, u_max].
   Coverage(double u_min, double u_max, std::size_t cells);
+  /// Over a band of columns: what is found lies in its own.
+  Coverage(const Columns& columns, ColumnRange own);
 
   struct Corner {
     double u, v;
@@ -60,11 +62,12 @@ class Coverage {
   void put(const Band& band);
 
   Columns columns_;
+  ColumnRange own_, held_;
   double least_;
-  std::vector<std::vector<Band>> cells_;
-  std::vector<Band> touched_, added_;  ///< scratch
-  std::vector<double> cuts_;           ///< scratch
-  std::vector<Span> hidden_;           ///< scratch
+  std::vector<std::vector<Band>> cells_;  ///< of the columns held
+  std::vector<Band> touched_, added_;     ///< scratch
+  std::vector<double> cuts_;              ///< scratch
+  std::vector<Span> hidden_;              ///< scratch
 };
 
 }  // namespace ligne::horizon

@@ -6,21 +6,15 @@
 #include "visibility/horizon/level.hpp"
 
 namespace ligne::horizon {
-namespace {
-
-/// Appends a span, joined to the last one where that ends.
-void append(std::vector<Span>& spans, Span span, double least) {
-  if (!spans.empty() && span.from - spans.back().to <= least) {
-    spans.back().to = std::max(spans.back().to, span.to);
-  } else {
-    spans.push_back(span);
-  }
-}
-
-}  // namespace
-
 ExactEnvelope::ExactEnvelope(double u_min, double u_max, std::size_t cells)
-    : columns_(u_min, u_max, cells), least_(kLeastPart * columns_.extent()), cells_(columns_.count()) {}
+    : ExactEnvelope(Columns(u_min, u_max, cells), {0, std::max<std::size_t>(cells, 1)}) {}
+
+ExactEnvelope::ExactEnvelope(const Columns& columns, ColumnRange own)
+    : columns_(columns),
+      own_(own),
+      held_(with_neighbours(own, columns)),
+      least_(kLeastPart * columns.extent()),
+      cells_(held_.end - held_.begin) {}
 
 /// Puts into found_ where the line is above the pieces of the cell, or where there are none.
 void ExactEnvelope::find_in_cell(const std::vector<Piece>& cell, const Piece& line, double tolerance) {
@@ -30,19 +24,19 @@ void ExactEnvelope::find_in_cell(const std::vector<Piece>& cell, const Piece& li
   for (const Piece& p : cell) {
     if (p.u1 <= at) continue;
     if (p.u0 >= line.u1) break;
-    if (p.u0 - at > least_) append(found_, {at, p.u0}, least_);
+    if (p.u0 - at > least_) append_span(found_, {at, p.u0}, least_);
     const double a = std::max(p.u0, at), b = std::min(p.u1, line.u1);
     at = b;
     const double da = level(line.height(a) - p.height(a)), db = level(line.height(b) - p.height(b));
     if (da <= 0 && db <= 0) continue;
     if (da >= 0 && db >= 0) {
-      append(found_, {a, b}, least_);
+      append_span(found_, {a, b}, least_);
       continue;
     }
     const double crossing = std::clamp(a + (b - a) * (da / (da - db)), a, b);
-    append(found_, da > 0 ? Span{a, crossing} : Span{crossing, b}, least_);
+    append_span(found_, da > 0 ? Span{a, crossing} : Span{crossing, b}, least_);
   }
-  if (line.u1 - at > least_) append(found_, {at, line.u1}, least_);
+  if (line.u1 - at > least_) append_span(found_, {at, line.u1}, least_);
 }
 
 /// Puts the line into the cell over the spans found, in place of what was there.
@@ -72,19 +66,20 @@ template <bool kRaise>
 void ExactEnvelope::search(const Line& line, std::vector<Span>& above) {
   const std::size_t first_span = above.size();
   const std::size_t first = columns_.at(line.u0), last = columns_.at(line.u1);
+  const ColumnRange range = kRaise ? held_ : own_;
   Piece piece{line.u0, line.u1, line.u0, line.v0, (line.v1 - line.v0) / (line.u1 - line.u0)};
   const double tolerance = kLevelPart * (std::max({columns_.extent(), std::abs(line.v0), std::abs(line.v1)}) +
                                          std::abs(piece.slope) * columns_.extent());
-  for (std::size_t c = first; c <= last; ++c) {
+  for (std::size_t c = std::max(first, range.begin); c <= last && c < range.end; ++c) {
     piece.u0 = c == first ? line.u0 : columns_.begin(c);
     piece.u1 = c == last ? line.u1 : columns_.begin(c + 1);
     if (!(piece.u0 < piece.u1)) continue;
-    find_in_cell(cells_[c], piece, tolerance);
+    find_in_cell(cell(c), piece, tolerance);
     if (found_.empty()) continue;
-    if constexpr (kRaise) rebuild(cells_[c], piece);
+    if constexpr (kRaise) rebuild(cell(c), piece);
     for (const Span& span : found_) {
       if (above.size() > first_span) {
-        append(above, span, least_);
+        append_span(above, span, least_);
       } else {
         above.push_back(span);
       }
@@ -105,7 +100,7 @@ double ExactEnvelope::height(double u) const {
   // Where pieces end the neighbours count too, also those of the next cell.
   const std::size_t first = columns_.at(u - least_), last = columns_.at(u + least_);
   for (std::size_t c = first; c <= last; ++c) {
-    for (const Piece& p : cells_[c]) {
+    for (const Piece& p : cell(c)) {
       if (p.u0 <= u + least_ && u <= p.u1 + least_) highest = std::max(highest, p.height(std::clamp(u, p.u0, p.u1)));
     }
   }
@@ -114,7 +109,7 @@ double ExactEnvelope::height(double u) const {
 
 double ExactEnvelope::height_beside(double u, int side) const {
   const double at = u + 2 * (side < 0 ? -least_ : least_);
-  for (const Piece& p : cells_[columns_.at(at)]) {
+  for (const Piece& p : cell(columns_.at(at))) {
     if (p.u0 <= at && at <= p.u1) return p.height(std::clamp(u, p.u0, p.u1));
   }
   return kNothing;
@@ -127,18 +122,22 @@ std::size_t ExactEnvelope::piece_count() const {
 }
 
 PixelEnvelope::PixelEnvelope(double u_min, double u_max, std::size_t columns)
-    : columns_(u_min, u_max, columns), heights_(columns_.count(), kNothing) {}
+    : PixelEnvelope(Columns(u_min, u_max, columns), {0, std::max<std::size_t>(columns, 1)}) {}
+
+PixelEnvelope::PixelEnvelope(const Columns& columns, ColumnRange own)
+    : columns_(columns), own_(own), heights_(own.end - own.begin, kNothing) {}
 
 template <bool kRaise>
 void PixelEnvelope::search(const Line& line, std::vector<Span>& above) {
   const std::size_t first_span = above.size(), first = columns_.at(line.u0), last = columns_.at(line.u1);
   const double slope = (line.v1 - line.v0) / (line.u1 - line.u0);
-  for (std::size_t c = first; c <= last; ++c) {
+  for (std::size_t c = std::max(first, own_.begin); c <= last && c < own_.end; ++c) {
     const double left = std::max(line.u0, columns_.begin(c));
     const double right = std::min(line.u1, columns_.begin(c + 1));
     const double height = line.v0 + slope * ((left + right) / 2 - line.u0);
-    if (!(height > heights_[c])) continue;
-    if constexpr (kRaise) heights_[c] = height;
+    double& highest = heights_[c - own_.begin];
+    if (!(height > highest)) continue;
+    if constexpr (kRaise) highest = height;
     if (above.size() > first_span && above.back().to >= left) {
       above.back().to = right;
     } else {

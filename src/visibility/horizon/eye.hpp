@@ -20,8 +20,10 @@ inline constexpr double kNearestPart = 0x1p-30;
 struct Sample {
   Point3 p;
   SightPoint seen;
-  HomogeneousPoint page;
-  bool hole = true, inside = false;  ///< inside the window
+  HomogeneousPoint page{};
+  bool hole = true;
+  bool placed = false;  ///< it is known where it is on the page, and whether
+  bool inside = false;  ///< the window holds it
 };
 
 /// The part of a segment that is in front of the eye: its ends, and where they are on the segment, as fractions in space.
@@ -38,9 +40,12 @@ class Eye {
         volume_{view.window, view.near_distance},
         nearest_(kNearestPart * view.camera.target_distance) {}
 
-  Sample sample(const Point3& p) const {
-    Sample s{p, sight_(p), to_homogeneous(view_, p), false, false};
+  /// Not placed on the page yet.
+  Sample sample(const Point3& p) const { return {p, sight_(p), {}, false}; }
+  Sample placed(Sample s) const {
+    s.page = to_homogeneous(view_, s.p);
     s.inside = volume_.contains(s.page);
+    s.placed = true;
     return s;
   }
 

@@ -15,16 +15,19 @@ namespace ligne::horizon {
 /// picture's width in parallel projection, nothing in perspective, where the corners' distance stands for it. The points may
 /// lie behind the eye.
 inline std::int8_t facing_of(const SightPoint& p, const SightPoint& q, const SightPoint& r, double picture) {
+  if (picture > 0) {  // w is 1: the same, without what is multiplied by it
+    const double turn = (q.x * r.y - q.y * r.x) + (r.x * p.y - r.y * p.x) + (p.x * q.y - p.y * q.x);
+    const double extent =
+        std::max(std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)), std::max(std::abs(r.x - p.x), std::abs(r.y - p.y)));
+    if (std::abs(turn) <= kLevelPart * picture * extent) return 0;
+    return turn > 0 ? 1 : -1;
+  }
   const double det = p.w * (q.x * r.y - q.y * r.x) + q.w * (r.x * p.y - r.y * p.x) + r.w * (p.x * q.y - p.y * q.x);
   // The determinant is thickness times side, in perspective times the square of the distance.
   const double side = std::max({std::abs(q.x - p.x), std::abs(q.y - p.y), std::abs(q.w - p.w), std::abs(r.x - p.x),
                                 std::abs(r.y - p.y), std::abs(r.w - p.w)});
-  double size = picture;
-  if (size == 0) {
-    const double distance = std::max({std::abs(p.w), std::abs(q.w), std::abs(r.w), std::abs(p.x), std::abs(p.y)});
-    size = distance * distance;
-  }
-  if (std::abs(det) <= kLevelPart * size * side) return 0;
+  const double distance = std::max({std::abs(p.w), std::abs(q.w), std::abs(r.w), std::abs(p.x), std::abs(p.y)});
+  if (std::abs(det) <= kLevelPart * distance * distance * side) return 0;
   return det > 0 ? 1 : -1;
 }
 

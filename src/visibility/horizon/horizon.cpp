@@ -68,9 +68,9 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
     for (const GridAxis::Part& px : parts_x) {
       const std::size_t cells = options.resolution ? options.resolution : x.at.size() + y.at.size();
       const auto range = u_range(camera, Sight(camera, px.sign, py.sign), x, y, transposed);
-      PartSweep<Horizon> sweep({heights, x, y, px, py, transposed}, study, options, range, cells, store);
-      sweep.run(progress);
-      segments += sweep.segments;
+      const Columns columns(range.first, range.second, cells);
+      PartSweep<Horizon> sweep({heights, x, y, px, py, transposed}, study, options, columns, store);
+      segments += sweep.run(progress);
     }
   }
   HorizonLines lines = std::move(store.lines);
@@ -131,7 +131,8 @@ HorizonLines horizon_lines(const HeightSource& heights, const View& view, const 
   const auto sweep = [&](const HeightSource& source, bool transposed) {
     if (options.resolution) return sweep_all<TwoHorizons<PixelEnvelope>>(source, transposed, study, options, statistics);
     // Curves that hide cover nothing: the classical method has no answer to holes.
-    if (!by_curves && (needs_coverage(heights, study.camera, options) || options.holes.value_or(survey(heights).holes))) {
+    const auto has_holes = [&] { return options.holes ? *options.holes : survey(heights).holes; };
+    if (!by_curves && (needs_coverage(heights, study.camera, options) || has_holes())) {
       return sweep_all<GeneralHorizon>(source, transposed, study, options, statistics);
     }
     return sweep_all<TwoHorizons<ExactEnvelope>>(source, transposed, study, options, statistics);

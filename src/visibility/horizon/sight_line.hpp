@@ -12,6 +12,7 @@ namespace ligne::horizon {
 
 class SightLine {
  public:
+  SightLine() = default;
   /// Upright are segments no wider than `upright`: they have no width that could hide.
   SightLine(const SightPoint& a, const SightPoint& b, double upright)
       : w0_(a.w), w1_(b.w), line_{a.u(), a.v(), b.u(), b.v()} {
@@ -22,6 +23,7 @@ class SightLine {
 
   bool upright() const { return upright_; }
   const Line& line() const { return line_; }  ///< u0 < u1; upright: v0 <= v1
+  double height_of_start() const { return turned_ ? line_.v1 : line_.v0; }
   Line upside_down() const { return {line_.u0, -line_.v0, line_.u1, -line_.v1}; }
 
   /// Spans of u, upright of v, become fractions of the segment in space, ascending.
@@ -36,9 +38,9 @@ class SightLine {
   }
 
  private:
-  double w0_, w1_;
-  Line line_;
-  bool upright_, turned_;
+  double w0_ = 1, w1_ = 1;
+  Line line_{};
+  bool upright_ = false, turned_ = false;
 };
 
 }  // namespace ligne::horizon

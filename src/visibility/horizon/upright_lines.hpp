@@ -12,9 +12,8 @@ namespace ligne::horizon {
 
 class UprightLines {
  public:
-  /// For lines at u in [u_min, u_max]. Lines no farther apart than `least` are one; parts no longer are rounding.
-  UprightLines(double u_min, double u_max, std::size_t cells, double least)
-      : columns_(u_min, u_max, cells), least_(least), cells_(columns_.count()) {}
+  /// Lines no farther apart than `least` are one; parts no longer are rounding.
+  UprightLines(const Columns& columns, double least) : columns_(columns), least_(least), cells_(columns.count()) {}
 
   /// Takes away from `spans` (of v, ascending) what has been drawn at u, and remembers the rest as drawn.
   void draw(double u, std::vector<Span>& spans);

@@ -1,0 +1,109 @@
+#include "visibility/horizon/part_lines.hpp"
+
+#include <algorithm>
+
+namespace ligne::horizon {
+namespace {
+
+/// What is seen of an upright line up to an end but for a rounding is seen to the very end, so that it goes on in the next
+/// line.
+void reach_ends(const Line& line, double least, std::vector<Span>& seen) {
+  if (seen.empty()) return;
+  if (seen.front().from - line.v0 <= least) seen.front().from = line.v0;
+  if (line.v1 - seen.back().to <= least) seen.back().to = line.v1;
+}
+
+/// What is above or below: puts the two together.
+void join(std::vector<Span>& above, const std::vector<Span>& below) {
+  above.insert(above.end(), below.begin(), below.end());
+  std::sort(above.begin(), above.end(), [](const Span& s, const Span& t) { return s.from < t.from; });
+  std::size_t count = 0;
+  for (const Span& s : above) {
+    if (count > 0 && s.from <= above[count - 1].to) {
+      above[count - 1].to = std::max(above[count - 1].to, s.to);
+    } else {
+      above[count++] = s;
+    }
+  }
+  above.resize(count);
+}
+
+void add_to(Chains& chains, const SightEdge& edge, double t0, double t1) {
+  chains.add(CurveTracker::at(edge.a->page, edge.b->page, t0), CurveTracker::at(edge.a->page, edge.b->page, t1));
+}
+
+}  // namespace
+
+PartLines::PartLines(const Eye& eye, const Columns& columns, double least, LineStore& store)
+    : eye_(eye),
+      upright_(kUprightPart * columns.extent()),
+      least_(least),
+      store_(store),
+      upright_lines_(columns, upright_) {}
+
+/// The fractions in space of an edge that are seen, and that are to be drawn: of an upright one those on which nothing has
+/// been drawn yet.
+const std::vector<Span>& PartLines::seen(const EdgeList& list, std::uint32_t number) {
+  const SightEdge& edge = list.edges[number];
+  const SightLine& sight = edge.line;
+  seen_.clear();
+  below_.clear();
+  for (std::size_t b = edge.first_band; b <= edge.last_band; ++b) {
+    const std::vector<SeenSpan>& spans = list.seen[b];
+    for (std::size_t& k = taken_[b]; k < spans.size() && spans[k].edge == number; ++k) {
+      if (sight.upright()) {
+        seen_.push_back(spans[k].span);
+      } else {
+        append_span(spans[k].below ? below_ : seen_, spans[k].span, least_);
+      }
+    }
+  }
+  if (!below_.empty()) join(seen_, below_);
+  if (sight.upright()) {
+    // Between two closed sides the horizons rise and fall with what is seen, and nothing is seen twice.
+    if (edge.open) upright_lines_.draw(sight.line().u0, seen_);
+    reach_ends(sight.line(), upright_, seen_);
+  }
+  sight.to_space(seen_);
+  return seen_;
+}
+
+void PartLines::give(const SightEdge& edge, const std::vector<Span>& seen) {
+  const FrontPart part{{}, {}, edge.from, edge.to};
+  const auto each = [&](auto sink) { eye_.give(*edge.a, *edge.b, part, seen, sink); };
+  switch (edge.goal) {
+    case Goal::curve:
+    case Goal::underside: {
+      Polylines& lines = edge.goal == Goal::curve ? store_.lines.curves : store_.lines.underside;
+      each([&](double t0, double t1) { edge.curve->add(edge.a->page, edge.b->page, t0, t1, lines); });
+      edge.curve->next_segment();
+      break;
+    }
+    case Goal::outline:
+      return each([&](double t0, double t1) { add_to(store_.outline, edge, t0, t1); });
+    case Goal::border:
+      return each([&](double t0, double t1) { add_to(store_.border, edge, t0, t1); });
+    case Goal::contour:
+      return each([&](double t0, double t1) { add_to(store_.contours[edge.number], edge, t0, t1); });
+    case Goal::base_contour:
+      return each([&](double t0, double t1) { add_to(store_.base_contours[edge.number], edge, t0, t1); });
+    case Goal::back_line:
+      return each([&](double t0, double t1) { store_.lines.back_lines[edge.number].push_back({t0, t1}); });
+    case Goal::interruption:
+    case Goal::nothing:
+      break;
+  }
+}
+
+void PartLines::add(EdgeList& list) {
+  taken_.assign(list.seen.size(), 0);
+  for (std::uint32_t k = 0; k < list.edges.size(); ++k) {
+    const SightEdge& edge = list.edges[k];
+    if (edge.goal == Goal::interruption) edge.curve->interrupt();
+    if (edge.is_asked()) give(edge, seen(list, k));
+  }
+  list.nearest_row.end();
+  list.row.end();
+}
+
+}  // namespace ligne::horizon

@@ -1,0 +1,34 @@
+#pragma once
+/// What is seen of the edges of one part of the grid becomes lines on the page, in the order of the edges.
+
+#include <vector>
+
+#include "visibility/horizon/edges.hpp"
+#include "visibility/horizon/line_store.hpp"
+#include "visibility/horizon/upright_lines.hpp"
+
+namespace ligne::horizon {
+
+class PartLines {
+ public:
+  /// Spans of two bands that are no farther apart than `least` are one.
+  PartLines(const Eye& eye, const Columns& columns, double least, LineStore& store);
+
+  /// Takes what the bands have seen of a strip.
+  void add(EdgeList& list);
+
+  UprightLines& upright_lines() { return upright_lines_; }
+
+ private:
+  const std::vector<Span>& seen(const EdgeList& list, std::uint32_t number);
+  void give(const SightEdge& edge, const std::vector<Span>& seen);
+
+  const Eye& eye_;
+  double upright_, least_;
+  LineStore& store_;
+  UprightLines upright_lines_;
+  std::vector<std::size_t> taken_;          ///< of each band's spans
+  std::vector<Span> above_, below_, seen_;  ///< scratch
+};
+
+}  // namespace ligne::horizon
