@@ -63,9 +63,12 @@ class EdgeFinder {
     for (std::size_t j = first_; j < last; ++j) {
       heights.read_row(j, std::span(raw_).subspan((j - first_) * columns_, columns_));
     }
-    z_ = raw_;
-    for (double& z : z_) z = window.holds(z) ? z : NAN;
-    up_.resize(z_.size() - columns_);
+    if (std::any_of(raw_.begin(), raw_.end(), [&](double z) { return !window.holds(z); })) {
+      counted_ = raw_;
+      for (double& z : counted_) z = window.holds(z) ? z : NAN;
+    }
+    z_ = counted_.empty() ? raw_.data() : counted_.data();
+    up_.resize(raw_.size() - columns_);
     for (std::size_t k = 0; k < up_.size(); ++k) up_[k] = z_[k + columns_] - z_[k];
   }
 
@@ -120,7 +123,9 @@ class EdgeFinder {
   HeightWindow window_;
   double range_;
   std::size_t columns_, rows_, begin_, end_, first_;
-  std::vector<double> raw_, z_;  ///< from row `first_` on: as they are, and NaN for those that do not count
+  std::vector<double> raw_;      ///< from row `first_` on
+  std::vector<double> counted_;  ///< NaN in place of those that do not count; empty when all do
+  const double* z_ = nullptr;    ///< counted_, or raw_ where all count
   std::vector<double> up_;       ///< steps of z_ to the next row
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Heights that are held in memory, in the order and of the type in which the file has them.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -34,6 +35,10 @@ class HeldHeights : public HeightSource {
 
   void read_row(std::size_t j, std::span<double> z) const override {
     std::ptrdiff_t at = order_.begin + static_cast<std::ptrdiff_t>(j) * order_.step_y;
+    if (order_.step_x == 1) {
+      std::copy_n(samples_.begin() + at, z.size(), z.begin());
+      return;
+    }
     for (double& height : z) {
       height = static_cast<double>(samples_[static_cast<std::size_t>(at)]);
       at += order_.step_x;
