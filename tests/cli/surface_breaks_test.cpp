@@ -145,6 +145,17 @@ TEST_F(SurfaceBreaksTest, NoStrokeGoesOverAJump) {
   }
 }
 
+TEST_F(SurfaceBreaksTest, AJumpThatRunsIntoTheBorderMakesNoWall) {
+  // Samples lie on the border where the jump meets it, and the border is a rounding farther than they are.
+  for (const char* formula :
+       {"r<=3 ? 2*(y>=0) : 0/0", "x>-3+y*y/99 ? 2*(y>0) : 0/0", "r<=3 && abs(y)>0.1 ? sign(y) : 0/0"}) {
+    border_.clear();
+    const auto drawn = segments({formula, "-x", "-3:3:13", "-y", "-3:3:13", "--samples", "49"});
+    ASSERT_GT(drawn.size(), 100u) << formula;
+    for (const auto& [p, q] : drawn) EXPECT_LT(std::abs(q.z - p.z), 0.01) << formula << " at " << p.x << ", " << p.y;
+  }
+}
+
 TEST_F(SurfaceBreaksTest, SteepIsNoJump) {
   // As many strokes of the border as of a plain surface: none but the curves at the rim.
   for (const char* formula : {"tanh(300*x)", "atan(1000*y)", "abs(x)", "sqrt(abs(x*y))", "10*x+y"}) {

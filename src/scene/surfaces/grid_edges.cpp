@@ -99,7 +99,7 @@ class EdgeFinder {
     const Point3 a{heights_.x()[i], heights_.y()[j], raw_[at]};
     const Point3 b{heights_.x()[along_column ? i : i + 1], heights_.y()[along_column ? j + 1 : j], raw_[at + step]};
     const bool start = window_.holds(a.z), end = window_.holds(b.z);
-    bool may_jump = false;
+    bool may_jump = may_jump_;
     if (start && end && !may_jump_) return;
     if (start && end) {
       const std::size_t place = along_column ? j : i, count = along_column ? rows_ : columns_;

@@ -159,6 +159,18 @@ std::vector<LinePiece> LineBreaks::pieces(const Point3& a, const Point3& b, bool
     refine(border, end, least, true, kMostRefinements, piece.points);
     if (from_start) std::reverse(piece.points.begin(), piece.points.end());
   };
+  // Between the end that counts and the border the surface may jump too.
+  const auto add_to_border = [&](const Point3& end, const Point3& beyond, bool from_start) {
+    const Point3 border = last_that_counts(end, beyond);
+    const bool jumps = may_jump && change(end, border) > kLeastJump * least;
+    const auto gap = jumps ? jump(end, border) : std::nullopt;
+    if (!gap) return add(end, border, from_start);
+    const Point3 &first = gap->before, &then = gap->after;
+    const bool goes_on = counts(then) && !is_point(then, border);
+    if (goes_on && !from_start) found.push_back({false, false, {border, then}});
+    add(end, counts(first) ? first : last_that_counts(end, first), from_start);
+    if (goes_on && from_start) found.push_back({false, false, {then, border}});
+  };
   const bool start = counts(a), end = counts(b);
   if (start && end) {
     std::vector<Pair> gaps;
@@ -175,9 +187,9 @@ std::vector<LinePiece> LineBreaks::pieces(const Point3& a, const Point3& b, bool
     }
     add(b, counts(last.after) ? last.after : last_that_counts(b, last.after), false);
   } else if (start) {
-    add(a, last_that_counts(a, b), true);
+    add_to_border(a, b, true);
   } else if (end) {
-    add(b, last_that_counts(b, a), false);
+    add_to_border(b, a, false);
   } else if (is_number(a) && is_number(b) && (a.z < window_.low) != (b.z < window_.low)) {
     if (const auto inside = crossing(a, b))
       found.push_back({false, false, {last_that_counts(*inside, a), last_that_counts(*inside, b)}});

@@ -28,7 +28,7 @@ class LineBreaks {
   LineBreaks(HeightFunction::At& at, const HeightWindow& window) : at_(at), window_(window) {}
 
   /// The pieces of the line from `a` to `b`, points with their heights, or NaN where there is none. `may_jump`: whether the
-  /// line is looked at for a jump where both of its ends have a height. `least`: what curves between its ends by no more
+  /// line is looked at for a jump. `least`: what curves between its ends by no more
   /// than this height is left straight.
   std::vector<LinePiece> pieces(const Point3& a, const Point3& b, bool may_jump, double least);
 
