@@ -4,6 +4,7 @@
 
 #include "cli/axes_options.hpp"
 #include "cli/curve_options.hpp"
+#include "cli/fill_options.hpp"
 #include "cli/hatch_options.hpp"
 #include "cli/method_options.hpp"
 #include "cli/options.hpp"
@@ -47,6 +48,7 @@ void check_engines(const SurfaceOptions& options, const SurfaceRequest& request)
     if (request.curves.contours || request.curves.contour_step)
       throw UsageError("--contours", "are lines, which --as-mesh does not write");
     if (picture.hatch.asked()) throw UsageError("--hatch", "makes lines, which --as-mesh does not write");
+    if (picture.fill.asked()) throw UsageError("--fill", "makes areas, which --as-mesh does not write");
     if (picture.axes.style) throw UsageError("--axes", "are lines, which --as-mesh does not write");
     return;
   }
@@ -218,6 +220,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   add_terrain_options(*surface, request);
   add_annotation_options(*surface, request);
   add_hatch_options(*surface, picture.hatch);
+  add_fill_options(*surface, picture.fill);
   add_method_choice(*surface, options);
   add_horizon_options(*surface, options);
   add_angle_options(*surface, request);

@@ -62,8 +62,25 @@ std::optional<AxesRequest> request_of(const AxesChoice& choice, const std::optio
   return request;
 }
 
+/// The sample of an area's colour: so many times as wide as high.
+constexpr double kSwatch = 5;
+
+void add_swatch(Drawing& drawing, const std::array<double, 3>& color, const std::array<Point2, 2>& sample) {
+  const double half = (sample[1].x - sample[0].x) / kSwatch / 2;
+  const std::vector<Point2> corners{{sample[0].x, sample[0].y - half},
+                                    {sample[1].x, sample[1].y - half},
+                                    {sample[1].x, sample[1].y + half},
+                                    {sample[0].x, sample[0].y + half}};
+  drawing.fills.push_back({{corners}, color});
+  drawing.layers.push_back({"legend", {}});
+  std::vector<Point2> outline = corners;
+  outline.push_back(corners.front());
+  drawing.layers.back().lines.add(outline);
+}
+
 /// Puts the sample of a legend's entry into the layer of the lines that it is about, so that one pen draws both.
 void add_sample(Drawing& drawing, const LegendEntry& entry, const std::array<Point2, 2>& sample) {
+  if (entry.filled && entry.color) return add_swatch(drawing, *entry.color, sample);
   for (Layer& layer : drawing.layers) {
     if (layer.name != entry.layer || layer.object != entry.object || layer.color != entry.color) continue;
     layer.lines.add(sample);

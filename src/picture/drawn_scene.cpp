@@ -101,12 +101,12 @@ Drawing DrawnScene::drawing(RunReport& run) const {
       drawing.texts.push_back(std::move(label));
     }
   }
-  add_surroundings(drawing, prepared_.around, request_.axes, run);
   if (result.regions && request_.fill.kind != FillKind::none) {
     drawing.fills = fill_regions(prepared_.scene, prepared_.view(), *result.regions, prepared_.lights, request_.fill.kind);
   } else if (result.order && paints_in_order(request_, prepared_.method)) {
     drawing.fills = paint(prepared_, *result.order, run);
   }
+  add_surroundings(drawing, prepared_.around, request_.axes, run);
   return drawing;
 }
 

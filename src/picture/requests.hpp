@@ -152,6 +152,7 @@ struct LegendEntry {
   std::string text;
   std::optional<std::array<double, 3>> color{};
   std::string layer{}, object{};  ///< of the lines that it is about
+  bool filled = false;            ///< it is about areas: its sample is one
 };
 
 /// Axes, a title and a map's signs round the picture of what is plotted.

@@ -22,6 +22,11 @@ constexpr std::array<std::array<double, 3>, 6> kLandColors{{{0.05, 0.35, 0.30},
                                                             {0.62, 0.27, 0.12},
                                                             {0.38, 0.16, 0.16}}};
 
+constexpr Point3 kWaterColor{0.80, 0.89, 0.95};
+
+/// Areas have tints of these colours, so that lines stand out on them: this part is white.
+constexpr double kWhiteOfTints = 0.45;
+
 const SurfacePoints* ground_of(const std::vector<SurfacePoints>& surfaces) {
   const auto found = std::find_if(surfaces.begin(), surfaces.end(), [](const SurfacePoints& s) { return !s.parametric; });
   return found == surfaces.end() ? nullptr : &*found;
@@ -39,9 +44,14 @@ std::string band_text(double low, double high) {
   const auto rounded = [](double height) {
     constexpr double kDigits = 1000;  // three after the first
     const double unit = height == 0 ? 1 : std::pow(10.0, std::floor(std::log10(std::abs(height)))) / kDigits;
-    return height_text(std::round(height / unit) * unit, unit, false);
+    return height_text(std::round(height / unit) * unit, 10 * unit, false);
   };
   return rounded(low) + " \u2013 " + rounded(high);
+}
+
+/// The band in which a height lies.
+std::size_t band_of(const std::vector<double>& limits, double z) {
+  return static_cast<std::size_t>(std::upper_bound(limits.begin() + 1, limits.end() - 1, z) - limits.begin()) - 1;
 }
 
 }  // namespace
@@ -115,6 +125,11 @@ std::vector<double> band_limits(const SurfaceRequest& request, double low, doubl
   return limits;
 }
 
+bool fills_colors(const SurfaceRequest& request) {
+  const FillKind kind = request.picture.fill.kind;
+  return (kind == FillKind::material || kind == FillKind::shade) && (request.bands || !request.colors.empty());
+}
+
 std::array<double, 3> band_color(const SurfaceRequest& request, std::size_t band, std::size_t count) {
   if (!request.colors.empty()) return request.colors[std::min(band, request.colors.size() - 1)];
   const double at = count < 2 ? 0 : static_cast<double>(band) * (kLandColors.size() - 1) / static_cast<double>(count - 1);
@@ -122,13 +137,49 @@ std::array<double, 3> band_color(const SurfaceRequest& request, std::size_t band
   std::array<double, 3> color{};
   for (std::size_t k = 0; k < 3; ++k) {
     color[k] = kLandColors[i][k] + (at - static_cast<double>(i)) * (kLandColors[i + 1][k] - kLandColors[i][k]);
+    if (fills_colors(request)) color[k] += kWhiteOfTints * (1 - color[k]);
   }
   return color;
+}
+
+void color_faces(const SurfaceRequest& request, const std::vector<double>& limits, double z_factor,
+                 const std::vector<ColoredSurface>& surfaces, Scene& scene) {
+  if (!fills_colors(request)) return;
+  const bool by_bands = !limits.empty();
+  const std::size_t count = by_bands ? limits.size() - 1 : request.colors.size();
+  constexpr std::uint32_t kWall = 0, kWater = 1, kFirst = 2;
+  scene.materials = {{"wall", {0.8, 0.8, 0.8}, 1}, {"water", kWaterColor, 1}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto color = by_bands ? band_color(request, i, count) : request.colors[i];
+    scene.materials.push_back(
+        {(by_bands ? "band " : "surface ") + std::to_string(i + 1), {color[0], color[1], color[2]}, 1});
+  }
+  scene.face_material.assign(scene.faces.size(), kWall);
+  std::size_t k = 0;
+  for (const Object& object : scene.objects) {
+    for (std::uint32_t face = object.face_begin; face < object.face_end; ++face) {
+      while (k + 1 < surfaces.size() && face >= surfaces[k].face_end) ++k;
+      const auto corners = scene.faces.contour(face, 0);
+      const std::optional<double>& water = surfaces[k].water;
+      std::uint32_t& material = scene.face_material[face];
+      if (water && std::all_of(corners.begin(), corners.end(),
+                               [&](std::uint32_t v) { return scene.vertices[v].z == *water * z_factor; })) {
+        material = kWater;
+      } else if (!by_bands) {
+        material = static_cast<std::uint32_t>(kFirst + k % count);
+      } else if (object.name == surfaces[k].name) {  // not a wall of it
+        double z = 0;
+        for (const std::uint32_t v : corners) z += scene.vertices[v].z / static_cast<double>(corners.size());
+        material = static_cast<std::uint32_t>(kFirst + band_of(limits, z / z_factor));
+      }
+    }
+  }
 }
 
 void add_surface_groups(const SurfaceRequest& request, const std::vector<double>& limits, double z_factor,
                         const std::vector<std::uint32_t>& face_ends, LineGroups& groups) {
   const bool by_bands = !limits.empty(), by_surface = !by_bands && !request.colors.empty();
+  if (fills_colors(request)) return;
   if (!by_bands && !by_surface) return;
   const auto first = static_cast<std::uint32_t>(groups.groups.size());
   const std::size_t count = by_bands ? limits.size() - 1 : face_ends.size();
@@ -145,8 +196,7 @@ void add_surface_groups(const SurfaceRequest& request, const std::vector<double>
     if (line_class == LineClass::contour && inner && contours_apart) return inner(source, line_class);
     if (by_bands) {
       const double z = (source.ends[0].z + source.ends[1].z) / 2 / z_factor;
-      const auto limit = std::upper_bound(limits.begin() + 1, limits.end() - 1, z);
-      return first + static_cast<std::uint32_t>(limit - limits.begin()) - 1;
+      return first + static_cast<std::uint32_t>(band_of(limits, z));
     }
     if (source.intersection || line_class == LineClass::intersection) return 0;
     const auto surface = std::upper_bound(face_ends.begin(), face_ends.end(), source.faces[0]);
@@ -165,10 +215,10 @@ std::vector<LegendEntry> legend_of(const SurfaceRequest& request, const std::vec
   std::size_t number = 0;
   for (std::size_t i = 0; i + 1 < limits.size(); ++i) {
     legend.push_back({named(number++, band_text(limits[i], limits[i + 1])), band_color(request, i, limits.size() - 1),
-                      "horizon", "band " + std::to_string(i + 1)});
+                      "horizon", "band " + std::to_string(i + 1), fills_colors(request)});
   }
   for (std::size_t i = 0; limits.empty() && i < surfaces.size(); ++i) {
-    LegendEntry entry{named(number++, surfaces[i]), {}, "horizon", {}};
+    LegendEntry entry{named(number++, surfaces[i]), {}, "horizon", {}, fills_colors(request)};
     if (!request.colors.empty()) {
       entry.color = request.colors[i % request.colors.size()];
       entry.object = "surface " + std::to_string(i + 1);

@@ -201,10 +201,14 @@ std::shared_ptr<LineGroups> groups_of(const SurfaceRequest& request, const std::
   return groups;
 }
 
-/// Cuts the meshes along the limits of bands, which are returned; the cuts are no lines.
-std::vector<double> cut_bands(const SurfaceRequest& request, std::vector<SurfaceMesh>& meshes) {
-  const auto range = height_range(meshes);
+/// Cuts the meshes along the limits of bands, which are returned; the cuts are no lines. Where all surfaces stand in water
+/// bands begin there.
+std::vector<double> cut_bands(const SurfaceRequest& request, const std::vector<std::optional<double>>& water,
+                              std::vector<SurfaceMesh>& meshes) {
+  auto range = height_range(meshes);
   if (!range || !request.bands) return {};
+  const bool all_in_water = std::all_of(water.begin(), water.end(), [](const auto& level) { return level.has_value(); });
+  if (all_in_water) (*range)[0] = std::max((*range)[0], **std::min_element(water.begin(), water.end()));
   std::vector<double> limits = band_limits(request, (*range)[0], (*range)[1]);
   for (SurfaceMesh& mesh : meshes) {
     cut_contours(mesh, limits);
@@ -238,7 +242,7 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
   if (with_lines) thin_curves(request, given, levels_of_water, surfaces, run);
   std::vector<SurfaceMesh> meshes = meshes_of(request, surfaces, run);
   const DrawnCurves curves = with_lines ? curves_of(request, surfaces, run) : DrawnCurves{};
-  const std::vector<double> limits = with_lines ? cut_bands(request, meshes) : std::vector<double>{};
+  const std::vector<double> limits = with_lines ? cut_bands(request, levels_of_water, meshes) : std::vector<double>{};
   const std::vector<WaterTriangles> water = flood_all(meshes, levels_of_water);
   MeshPlot plot;
   Point3 factor{1, 1, 1};
@@ -255,11 +259,15 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
     for (SurfaceMesh& mesh : meshes) cut_contours(mesh, levels);
   }
   plot.scene = surface_scene(meshes, factor, base);
-  if (plot.groups)
-    add_surface_groups(request, limits, factor.z, face_ends(meshes, base.has_value(), plot.scene), *plot.groups);
   std::vector<std::string> names;
   names.reserve(surfaces.size());
   for (const SurfacePoints& surface : surfaces) names.push_back(surface.name);
+  const std::vector<std::uint32_t> ends = face_ends(meshes, base.has_value(), plot.scene);
+  std::vector<ColoredSurface> colored;
+  colored.reserve(names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) colored.push_back({names[k], ends[k], levels_of_water[k]});
+  color_faces(request, limits, factor.z, colored, plot.scene);
+  if (plot.groups) add_surface_groups(request, limits, factor.z, ends, *plot.groups);
   plot.legend = legend_of(request, names, limits);
   Scene& scene = plot.scene;
   if (may_cross(request) && with_lines) {

@@ -138,6 +138,7 @@ std::string needs_mesh(const SurfaceRequest& request) {
   if (request.legend) return "--legend";
   if (request.picture.lines.hidden != HiddenLines::none) return "--hidden";
   if (request.picture.hatch.asked()) return "--hatch";
+  if (request.picture.fill.asked()) return "--fill";
   if (request.picture.output.format == OutputFormat::json) return "json";
   return "";
 }

@@ -75,6 +75,45 @@ TEST_F(CurvesTest, BandsDivideTheLinesByTheirHeights) {
   }
 }
 
+TEST_F(CurvesTest, FillsShowTheBandsInTheirColours) {
+  const std::vector<std::string> bands{"x",       "-x",     "0:10:11",  "-y",       "0:10:3",        "--bands",
+                                       "0,2,5",   "--fill", "material", "--colors", "red,lime,blue", "--legend",
+                                       "--lines", "y"};
+  const Outcome outcome = surface(bands, {"-o", "-", "--format", "svg"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::size_t fill = outcome.out.find("inkscape:label=\"fill\""),
+                    lines = outcome.out.find("inkscape:label=\"horizon\"");
+  ASSERT_NE(fill, std::string::npos);
+  ASSERT_NE(lines, std::string::npos);
+  for (const char* color : {"\"#f00\"", "\"#0f0\"", "\"#00f\""}) {
+    const std::size_t at = outcome.out.find(color);
+    EXPECT_TRUE(fill < at && at < lines) << color << " is that of an area";
+    EXPECT_EQ(outcome.out.find(color, lines), std::string::npos) << "lines on areas are black";
+  }
+  EXPECT_NE(outcome.out.find("inkscape:label=\"legend\""), std::string::npos) << "samples have a frame";
+  EXPECT_NE(outcome.out.find(">2 \u2013 5</text>"), std::string::npos);
+  for (const char* format : {"pdf", "png"}) EXPECT_EQ(surface(bands, {"-o", "-", "--format", format}).status, 0) << format;
+}
+
+TEST_F(CurvesTest, WaterIsNoBand) {
+  const Outcome outcome = surface({"x", "-x", "0:10:11", "-y", "0:10:3", "--water", "4", "--bands", "2", "--fill",
+                                   "material", "--legend", "--colors", "red,lime"},
+                                  {"-o", "-", "--format", "svg"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\"#cce3f2\""), std::string::npos) << "the colour of water";
+  EXPECT_NE(outcome.out.find(">4 \u2013 7</text>"), std::string::npos) << "bands begin at the shore";
+}
+
+TEST_F(CurvesTest, NumbersOfBandsHaveNoMoreDigitsThanTheyAreRoundedTo) {
+  const Outcome outcome =
+      surface({"x", "-x", "-1.2345678:1:5", "-y", "0:1:2", "--bands", "7", "--legend"}, {"-o", "-", "--format", "svg"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\u2212"
+                             "0.9153 \u2013 \u2212"
+                             "0.5961</text>"),
+            std::string::npos);
+}
+
 TEST_F(CurvesTest, NamesOnAnAxis) {
   const Outcome outcome = surface({"x+y", "-x", "0:2:3", "-y", "0:2:3", "--axes", "--x-names", "north,south,west"},
                                   {"-o", "-", "--format", "svg"});
