@@ -16,9 +16,9 @@ struct Place {
 class SurfaceBreaksTest : public SurfaceProgramTest {
  protected:
   /// Segments of the visible curves and borders, in the numbers of the axes.
-  std::vector<std::array<Place, 2>> segments(const std::vector<std::string>& arguments) {
+  std::vector<std::array<Place, 2>> segments(const std::vector<std::string>& arguments, const std::string& view = "top") {
     std::vector<std::string> all = arguments;
-    all.insert(all.end(), {"--z-scale", "1", "--aspect", "equal", "--view", "top", "--method", "appel"});
+    all.insert(all.end(), {"--z-scale", "1", "--aspect", "equal", "--view", view, "--method", "appel"});
     const Outcome outcome = surface(all, {"-o", "-", "--format", "json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     const json drawing = json::parse(outcome.out);
@@ -150,7 +150,7 @@ TEST_F(SurfaceBreaksTest, AJumpThatRunsIntoTheBorderMakesNoWall) {
   for (const char* formula :
        {"r<=3 ? 2*(y>=0) : 0/0", "x>-3+y*y/99 ? 2*(y>0) : 0/0", "r<=3 && abs(y)>0.1 ? sign(y) : 0/0"}) {
     border_.clear();
-    const auto drawn = segments({formula, "-x", "-3:3:13", "-y", "-3:3:13", "--samples", "49"});
+    const auto drawn = segments({formula, "-x", "-3:3:13", "-y", "-3:3:13", "--samples", "49"}, "iso");
     ASSERT_GT(drawn.size(), 100u) << formula;
     for (const auto& [p, q] : drawn) EXPECT_LT(std::abs(q.z - p.z), 0.01) << formula << " at " << p.x << ", " << p.y;
   }

@@ -26,6 +26,21 @@ TEST(TextGrid, Holes) {
   expect_grid(*grid("\t1\t2\n3\t\t\n"), {0, 1, 2}, {0, 1}, {{kNaN, 1, 2}, {3, kNaN, kNaN}});
 }
 
+TEST(TextGrid, NumbersThatStandForNoHeight) {
+  for (const std::string sign : {"-9999", "-32768", "-99999.0"}) {
+    Warnings warnings;
+    const auto source = grid("1,2,3,4\n4," + sign + ",6,-50\n7,8,9,1\n", warnings);
+    EXPECT_TRUE(std::isnan(heights_of(*source)[1][1])) << sign;
+    EXPECT_EQ(warnings.counts().size(), 1u);
+    Warnings of_table;
+    const auto table = grid("x,y,z\n0,0,1\n1,0,2\n0,1," + sign + "\n1,1,4\n", of_table);
+    EXPECT_TRUE(std::isnan(heights_of(*table)[1][0])) << sign;
+  }
+  // Depths of a sea, and numbers of another thing.
+  EXPECT_EQ(heights_of(*grid("-2000,-5000,-7000\n-9999,-9998,-9000\n"))[1][0], -9999);
+  EXPECT_EQ(heights_of(*grid("-9999,-9999\n-9999,-9999\n"))[1][0], -9999);
+}
+
 TEST(TextGrid, SeparatorAtTheEndOfEveryRow) {
   expect_grid(*grid("1,2,\n3,4,\n"), {0, 1}, {0, 1}, kTwoByTwo);
   expect_grid(*grid("1,2,\n3,4,5\n"), {0, 1, 2}, {0, 1}, {{1, 2, kNaN}, {3, 4, 5}});

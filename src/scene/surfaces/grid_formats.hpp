@@ -64,6 +64,10 @@ std::unique_ptr<HeightSource> grid_of_points(PointRows rows, const std::string& 
 /// other.
 bool find_blocks(PointRows& rows);
 
+/// Files without a header that names it say -9999, -32768 or -99999 where there is no height. Of each `step` values the last
+/// one is a height; those that are such a number, and far below all others, become NaN.
+void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, Warnings& warnings);
+
 /// Points in any order: a grid with holes where they are enough of one, else scattered points (scattered_points.hpp).
 std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridChoice& choice, const std::string& name,
                                               Warnings& warnings);

@@ -25,6 +25,9 @@ constexpr std::size_t kRowsLookedAt = 65536;
 /// Columns and rows that a grid with holes may have, for each of its points.
 constexpr double kMostPlaces = 8;
 
+/// A number such as -9999 stands for no height where no other height is lower than this part of it.
+constexpr double kFarFromSign = 0.1;
+
 /// The different positions of an axis, ascending.
 std::vector<double> positions_of(const std::vector<double>& at) {
   std::vector<double> sorted = at;
@@ -98,6 +101,25 @@ std::string lower_case(std::string text) {
 }
 
 }  // namespace
+
+void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, Warnings& warnings) {
+  for (const double sign : {-9999., -32768., -99999.}) {
+    std::size_t found = 0;
+    bool are_others_far = true;
+    for (std::size_t k = step - 1; k < values.size(); k += step) {
+      if (values[k] == sign) {
+        ++found;
+      } else if (values[k] < kFarFromSign * sign) {
+        are_others_far = false;
+      }
+    }
+    if (found == 0 || !are_others_far || (found + 1) * step > values.size()) continue;
+    for (std::size_t k = step - 1; k < values.size(); k += step) {
+      if (values[k] == sign) values[k] = kNaN;
+    }
+    warnings.add("heights of " + std::to_string(static_cast<int>(sign)) + " taken for places without one", found);
+  }
+}
 
 std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridChoice& choice, const std::string& name,
                                               Warnings& warnings) {

@@ -197,6 +197,8 @@ class TextGridReader {
 
   std::unique_ptr<HeightSource> finish() {
     if (rows_ == 0) throw InputError(name_, "holds no row of numbers");
+    const bool has_places = is_table_ || (columns_ == 3 && !has_index_ && !all_end_empty_);
+    leave_out_signs_of_nothing(values_, has_places ? 3 : 1, warnings_);
     if (is_table_) {
       points_.values = std::move(values_);
       points_.block_begins = {0};
