@@ -155,6 +155,8 @@ class Triangulation {
   /// The faces on the left of all edges that are triangles.
   Delaunay collect() const {
     Delaunay result;
+    result.triangles.reserve(2 * points_.size());
+    result.neighbours.reserve(2 * points_.size());
     std::vector<std::uint32_t> face(from_.size(), Delaunay::kNone);
     for (Edge e = 0; e < from_.size(); ++e) {
       if (from_[e] == Delaunay::kNone || face[e] != Delaunay::kNone) continue;

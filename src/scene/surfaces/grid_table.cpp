@@ -124,6 +124,7 @@ void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, W
 std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridChoice& choice, const std::string& name,
                                               Warnings& warnings) {
   std::vector<Point3> points;
+  points.reserve(rows.lines.size());
   for (std::size_t row = 0; row < rows.lines.size(); ++row) {
     const Point3 p{rows.values[3 * row], rows.values[3 * row + 1], rows.values[3 * row + 2]};
     for (int k = 0; k < 2; ++k) {

@@ -222,6 +222,8 @@ std::unique_ptr<HeightSource> surface_of_points(std::vector<Point3> points, std:
   if (merged > 0) warnings.add("points at the place of another one: heights averaged", merged);
   std::vector<LatticePoint> at;
   std::vector<double> heights;
+  at.reserve(placed.size());
+  heights.reserve(placed.size());
   for (const PlacedHeight& p : placed) {
     at.push_back(p.at);
     heights.push_back(p.height);
