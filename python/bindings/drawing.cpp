@@ -215,6 +215,7 @@ void DrawingHolder::draw(const PictureRequest& request, const Progress& progress
   PictureRequest picture = request;
   picture.progress = progress;
   RunReport report;
+  report.files = run_.files;  // of surfaces among models, and of earlier drawings
   if (!surface_) {
     drawn_ =
         std::make_unique<DrawnScene>(scene_->scene(), std::move(picture), report, std::nullopt, scene_->topology(), true);
@@ -269,6 +270,11 @@ Picture DrawingHolder::write(const py::dict& keywords, const py::object& progres
   return picture;
 }
 
+void DrawingHolder::refuse_its_inputs(const std::string& field, const std::string& file) const {
+  if (scene_) refuse_inputs(scene_->inputs(), field, file);
+  refuse_inputs(run_.files, field, file);
+}
+
 std::string DrawingHolder::write_mesh(MeshFormat format) const {
   if (!surface_) throw RequestError("as-mesh", "goes with surfaces; a scene is a mesh already");
   RunReport run;
@@ -303,6 +309,8 @@ void add_drawing(py::module_& module) {
       .def("save",
            [](DrawingHolder& holder, const std::string& file, const std::string& preview, const py::dict& keywords,
               const py::object& progress) {
+             holder.refuse_its_inputs("file", file);
+             holder.refuse_its_inputs("preview", preview);
              Picture picture = holder.write(with_format(keywords, file), progress);
              const py::gil_scoped_release released;
              OutputFiles files;
@@ -313,6 +321,7 @@ void add_drawing(py::module_& module) {
            })
       .def("save_mesh",
            [](const DrawingHolder& holder, const std::string& file) {
+             holder.refuse_its_inputs("file", file);
              const py::gil_scoped_release released;
              write_output(file, holder.write_mesh(mesh_format_of(file)));
            })

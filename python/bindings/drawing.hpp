@@ -31,6 +31,9 @@ class DrawingHolder {
   /// The file of another format or for other pens.
   Picture write(const pybind11::dict& keywords, const pybind11::object& progress);
 
+  /// Throws RequestError where a file to be written is one that was read.
+  void refuse_its_inputs(const std::string& field, const std::string& file) const;
+
   /// The surfaces as a mesh file. Throws RequestError where none were drawn.
   std::string write_mesh(MeshFormat format) const;
 

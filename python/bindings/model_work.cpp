@@ -76,6 +76,7 @@ std::string compare(const SceneArgument& scene, const py::dict& keywords, const 
   for_each_option(parameters,
                   [&](const std::string& name, py::handle value) { of_methods.emplace_back(name, text_of(name, value)); });
   request.methods = compared_methods(given.methods, of_methods);
+  refuse_inputs(scene->inputs(), "html", given.html);
   std::string text;
   run(progress, options.threads, [&](const Progress& report) {
     request.progress = report;
@@ -101,6 +102,7 @@ void compile(const SceneArgument& scene, const std::string& file, const std::str
              py::handle threads) {
   const Method& method = compiling_method(method_name);
   if (scene->models.compiled_for) throw RequestError("model", "is compiled already");
+  refuse_inputs(scene->inputs(), "file", file);
   MethodSettings settings;
   for_each_option(parameters, [&](const std::string& name, py::handle value) {
     set_parameter(settings, method, name, text_of(name, value));
@@ -121,6 +123,7 @@ std::vector<std::string> frames(const SceneArgument& scene, const std::string& f
   PictureRequest request = request_for(options, *scene);
   const bool as_pages = request.output.format == OutputFormat::pdf && !has_number_place(file);
   const std::vector<std::string> names = numbered_names(file, as_pages ? 1 : count);
+  for (const std::string& name : names) refuse_inputs(scene->inputs(), "file", name);
   run(progress, options.threads, [&](const Progress& report) {
     request.progress = report;
     RunReport run;

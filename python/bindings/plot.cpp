@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bindings/drawing.hpp"
+#include "bindings/scene.hpp"
 #include "bindings/values.hpp"
 #include "picture/errors.hpp"
 #include "picture/frame_names.hpp"
@@ -131,6 +132,8 @@ py::tuple plot(const std::vector<std::pair<std::string, std::optional<std::strin
     std::vector<DrawingText> texts;
     for (const auto& [name, text] : drawings)
       texts.push_back(text ? DrawingText{name, *text} : read_drawing_text(name, report.files));
+    refuse_inputs(report.files, "file", file);
+    refuse_inputs(report.files, "preview", options.preview);
     picture = plot_drawings(texts, request, !file.empty() && numbered, report);
     if (picture.parts.empty()) picture.parts.push_back({std::move(picture.bytes), 0, 0});
     if (file.empty()) return;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <pybind11/numpy.h>
@@ -12,6 +14,7 @@
 #include "bindings/mesh_scene.hpp"
 #include "bindings/options.hpp"
 #include "bindings/work.hpp"
+#include "files/message_text.hpp"
 #include "picture/errors.hpp"
 #include "picture/parse.hpp"
 #include "scene/clean/named_objects.hpp"
@@ -148,6 +151,22 @@ std::vector<std::string> object_names_of(const SceneHolder& holder) {
 }
 
 }  // namespace
+
+InputFiles SceneHolder::inputs() const {
+  InputFiles inputs;
+  for (const ModelFile& file : models.files) {
+    inputs.insert(inputs.end(), file.report.files.begin(), file.report.files.end());
+  }
+  return inputs;
+}
+
+void refuse_inputs(const InputFiles& inputs, const std::string& field, const std::string& file) {
+  for (const std::filesystem::path& input : inputs) {
+    std::error_code absent;
+    if (!file.empty() && std::filesystem::equivalent(file, input, absent) && !absent)
+      throw RequestError(field, printable(file, kLongestPath) + " is an input too, and would be lost");
+  }
+}
 
 void add_scene(py::module_& module) {
   py::class_<SceneHolder, std::shared_ptr<SceneHolder>>(module, "Scene", "A scene that was read and mended.")

@@ -359,3 +359,27 @@ def test_names_that_are_not_there():
         ligne.draw(CUBES, pen="material:nonsense=2")
     with pytest.raises(ligne.RequestError, match="^color: no object is called"):
         ligne.draw(CUBES, color={"nonsense": "red"})
+
+
+def test_no_input_is_overwritten(tmp_path):
+    """What was read is never written over, by whatever name."""
+    model, tree = tmp_path / "cubes.obj", tmp_path / "link.tree"
+    model.write_bytes(CUBES.read_bytes())
+    tree.symlink_to(model)
+    page, link = tmp_path / "page.html", tmp_path / "link.svg"
+    page.symlink_to(model)
+    link.symlink_to(model)
+    foreign = tmp_path / "foreign.svg"
+    foreign.write_bytes(SVG)
+    for write in (
+        lambda: ligne.compare(model, methods="appel,newell", html=page),
+        lambda: ligne.compile(model, tree),
+        lambda: ligne.draw(model).save(link),
+        lambda: ligne.draw(model).save(model, format="svg"),
+        lambda: ligne.draw(model, optimize="full").save(tmp_path / "a.svg", preview=link),
+        lambda: ligne.draw_frames(model, tmp_path / "cubes.obj", frames=2, format="pdf"),
+        lambda: ligne.plot(foreign, foreign),
+    ):
+        with pytest.raises(ligne.RequestError, match="is an input too"):
+            write()
+    assert model.read_bytes() == CUBES.read_bytes() and foreign.read_bytes() == SVG
