@@ -75,11 +75,14 @@ Option OptionGroup::add_repeatable_tuple(const std::string& names, const std::st
 
 Option OptionGroup::add_flag_or_value(const std::string& names, const std::string& kind,
                                       std::function<void(const std::string&)> take, const std::string& help) {
-  const auto first = [take = std::move(take), name = shown_name(names)](const std::vector<std::string>& texts) {
-    check_as(name, [&] { take(texts.empty() ? std::string() : texts[0]); });
+  static constexpr std::string_view kAlone = "true";  // what CLI11 gives for a flag without a value
+  const auto each = [take = std::move(take), name = shown_name(names)](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) check_as(name, [&] { take(text == kAlone ? std::string() : text); });
   };
-  CLI::Option* option = command_.add_option_function<std::vector<std::string>>(names, first, help);
-  option->expected(0, 1)->type_name(kind)->group(name_);
+  CLI::Option* option = command_.add_option_function<std::vector<std::string>>(names, each, help);
+  // Without a value of its own behind "=": what stands next is the next argument, such as a file.
+  option->expected(0)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  option->type_name("[=" + kind + "]")->group(name_);
   return Option(option);
 }
 

@@ -299,6 +299,25 @@ TEST_F(PlotTest, FillsAreHatchedByLayerColourAndTone) {
   EXPECT_GT(found["#0000ff"], 5 * found["#dddddd"]);
 }
 
+TEST_F(PlotTest, CrossHatchingTakesNoFileForAName) {
+  write("a.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60'>\n"
+        "<rect x='10' y='10' width='20' height='20' fill='red'/><rect x='40' y='10' width='20' height='20' fill='#00f'/>"
+        "</svg>");
+  const auto length = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"plot", "--hatch-spacing", "2"});
+    const ReadDrawing read = read_svg_drawing(written("b.svg", options), "b.svg", {});
+    double length = 0;
+    for (const Layer& layer : read.drawing.layers) length += measure(layer.lines, {0, 0}, false).down_mm;
+    return length;
+  };
+  const double plain = length({"a.svg"}), red = length({"--hatch-cross=red", "a.svg"});
+  EXPECT_GT(red, plain + 100);
+  EXPECT_NEAR(length({"--hatch-cross", "a.svg"}), length({"a.svg", "--hatch-cross"}), 1e-9);
+  EXPECT_GT(length({"--hatch-cross", "a.svg"}), red + 100) << "all fills";
+  EXPECT_NEAR(length({"--hatch-cross=red", "--hatch-cross=blue", "a.svg"}), length({"--hatch-cross", "a.svg"}), 1e-9);
+}
+
 TEST_F(PlotTest, ShortStrokesAreLeftOut) {
   write(
       "a.svg",
