@@ -242,7 +242,7 @@ def draw(
     hatch: str = "none",
     hatch_spacing: Optional[Length] = None,
     hatch_angle: Union[float, str] = 45,
-    hatch_levels: Union[int, str] = 4,
+    hatch_levels: Union[int, str, None] = None,
     hatch_cross: bool = False,
     page: Union[str, Tuple[float, float]] = "A4",
     landscape: bool = False,

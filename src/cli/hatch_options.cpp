@@ -15,14 +15,15 @@ void add_hatch_options(CLI::App& app, HatchRequest& request) {
       .standard("4 widths of the pen that hatches")
       .needs(hatch);
   group
-      .add("--hatch-angle", "DEG|face", request.direction, parse_hatch_direction,
-           "direction of the strokes, counter-clockwise; face: on each face its own")
+      .add("--hatch-angle", "DEG|HOW", request.direction, parse_hatch_direction,
+           "direction of the strokes, counter-clockwise; face: on each face its own; curvature: they follow the form; iso: "
+           "the curves of a surface")
       .standard("45")
       .needs(hatch);
   group
       .add("--hatch-levels", "N", request.levels, parse_hatch_levels,
            "degrees of darkness, 1 to 4, each with twice the distance of the one before; or continuous")
-      .standard("4")
+      .standard("4; continuous for strokes that follow the form")
       .needs(hatch);
   group.add_flag("--hatch-cross", request.cross, "a second family of strokes across the first").needs(hatch);
 }

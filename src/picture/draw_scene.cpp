@@ -4,6 +4,7 @@
 
 #include "picture/drawn_scene.hpp"
 #include "picture/errors.hpp"
+#include "picture/form_hatching.hpp"
 #include "picture/hatching.hpp"
 #include "visibility/registry.hpp"
 
@@ -29,6 +30,8 @@ void check(const PictureRequest& request) {
   if (request.hatch.asked()) {
     if (request.output.format == OutputFormat::json) throw RequestError("hatch", "a JSON drawing has no hatching");
     if (!(method.traits().products & (kRegions | kSpans))) refuse_hatching(method.traits().name);
+    if (follows_form(request.hatch) && !(method.traits().products & kRegions))
+      throw RequestError("hatch-angle", "strokes follow the form by a method that gives regions: " + methods_with(kRegions));
     if (request.gray_faces) throw RequestError("hatch", "does not go together with --shade");
   }
   if (wants_regions(request, method) && !(method.traits().products & kRegions)) {

@@ -14,8 +14,9 @@
 
 #include "picture/errors.hpp"
 #include "picture/fills.hpp"
+#include "picture/form_hatching.hpp"
+#include "picture/hatch_layers.hpp"
 #include "plotting/hatch.hpp"
-#include "plotting/paths/optimize.hpp"
 #include "view/brightness.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/registry.hpp"
@@ -24,9 +25,7 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-constexpr double kSpacingPens = 4;   ///< distance of the closest strokes in pen widths
-constexpr double kBrightest = 0.92;  ///< continuous: what gets more light is left white
-constexpr double kFaceStep = 7.5;    ///< directions of faces, degrees
+constexpr double kFaceStep = 7.5;  ///< directions of faces, degrees
 /// Materials in their order: degrees added to the direction of the strokes.
 constexpr double kMaterialTurns[] = {0, 90, 135, 45, 22.5, 112.5, 67.5, 157.5};
 constexpr double kMostLines = 1e6;  ///< of runs, on the page
@@ -60,16 +59,16 @@ struct DirectionRuns {
 class Hatching {
  public:
   explicit Hatching(const HatchScene& hatch)
-      : hatch_(hatch), light_(hatch.prepared.scene, hatch.prepared.view().camera, hatch.prepared.lights) {
-    pen_mm_ = layer_pen(0, "");
-    const double spacing = hatch.request().spacing_mm.value_or(kSpacingPens * pen_mm_);
+      : hatch_(hatch), layers_(hatch), light_(hatch.prepared.scene, hatch.prepared.view().camera, hatch.prepared.lights) {
+    pen_mm_ = layers_.pen_mm(0, "");
+    const double spacing = closest_strokes_mm(hatch.request(), pen_mm_);
     line_mm_ = hatch_line_mm(spacing, pen_mm_);
     if (std::hypot(hatch.plot.page.width_mm, hatch.plot.page.height_mm) / line_mm_ > kMostLines) {
       throw RequestError("hatch-spacing", "the strokes are too close: more than a million on the page");
     }
     closest_ = static_cast<unsigned>(std::lround(spacing / line_mm_));
     if (hatch.request().direction.by_face) find_directions();
-    if (hatch.request().kind == HatchKind::shade && hatch.request().levels == 0)
+    if (hatch.request().kind == HatchKind::shade && hatch.request().levels == 0u)
       flat_light_ = flat_light(hatch.prepared.scene, hatch.patches, light_);
   }
 
@@ -79,49 +78,21 @@ class Hatching {
   FaceHatch of(std::uint32_t face, const Region* region);
   void add(std::vector<FaceHatch>& faces, std::span<const DirectionRuns> directions);
 
-  std::vector<Layer> take() {
-    if (const auto least_mm = hatch_.prepared.request.lines.least_mm) {
-      for (Layer& layer : layers_) layer.lines = picked(layer.lines, long_strokes(layer.lines, *least_mm));
-    }
-    std::erase_if(layers_, [](const Layer& layer) { return layer.lines.size() == 0; });
-    return std::move(layers_);
-  }
+  std::vector<Layer> take() { return layers_.take(); }
 
  private:
-  /// Width of the pen that draws such a layer.
-  double layer_pen(unsigned shade, const std::string& material) const {
-    const double usual = hatch_.plot.style_of("hatch").width_mm;
-    const double width = hatch_.pens().empty()
-                             ? usual
-                             : hatch_.pens().pen(hatch_.pens().pen_of("hatch", material, shade)).width_mm.value_or(usual);
-    if (!(width > 0)) throw RequestError("hatch", "the pen has no width");
-    return width;
-  }
-
-  std::uint32_t layer_of(unsigned shade, const std::string& material);
   void find_directions();
   void space_evenly(std::vector<FaceHatch>& faces, std::span<const DirectionRuns> directions) const;
   void add(const HatchFrame& frame, std::span<const SurfaceRun> runs, std::span<const SurfaceHatch> surfaces);
 
   const HatchScene& hatch_;
+  HatchLayers layers_;
   FaceLight light_;
   double line_mm_ = 0, pen_mm_ = 0;
   unsigned closest_ = 1;
   std::vector<double> patch_degrees_;              ///< where the direction is by face
   std::vector<std::optional<double>> flat_light_;  ///< of patches that are flat; empty: not asked for
-  std::vector<Layer> layers_;
 };
-
-/// The layer's number. Shades and materials are distinguished only when pens are.
-std::uint32_t Hatching::layer_of(unsigned shade, const std::string& material) {
-  const unsigned by_shade = hatch_.pens().pen_of_shade.empty() ? 0 : shade;
-  const std::string by_material = hatch_.pens().pen_of_material.empty() ? std::string() : material;
-  for (std::uint32_t i = 0; i < layers_.size(); ++i) {
-    if (layers_[i].shade == by_shade && layers_[i].material == by_material) return i;
-  }
-  layers_.push_back({"hatch", {}, by_material, by_shade});
-  return static_cast<std::uint32_t>(layers_.size() - 1);
-}
 
 /// The direction on the page of the level lines of each patch, in steps; that of the request where the patch is level, or
 /// seen along them. A patch that is curved has that of the mean of what looks at the viewer.
@@ -176,11 +147,11 @@ FaceHatch Hatching::of(std::uint32_t face, const Region* region) {
     const bool whole = reached == 0xffffffffu && shares.empty() && !flat_light_.empty();
     const double light =
         std::clamp(whole && flat_light_[patch] ? *flat_light_[patch] : light_.of(face, reached, shares), 0.0, 1.0);
-    const unsigned shades = request.levels == 0 ? kMostShades : request.levels;
+    const unsigned levels = request.levels.value_or(kMostShades), shades = levels == 0 ? kMostShades : levels;
     shade = 1 + std::min(shades - 1, static_cast<unsigned>(light * shades));
-    how.strokes.rows = request.levels > 0   ? kRowCycle >> (shade - 1)
-                       : light > kBrightest ? 0
-                                            : static_cast<std::uint32_t>(std::ceil((1 - light) * kRowCycle));
+    how.strokes.rows = levels > 0                  ? kRowCycle >> (shade - 1)
+                       : light > kBrightestHatched ? 0
+                                                   : static_cast<std::uint32_t>(std::ceil((1 - light) * kRowCycle));
     how.cross = how.cross || (!hatch_.prepared.lights.empty() && reached == 0);
   } else if (request.kind == HatchKind::material) {
     const std::uint32_t own = scene.face_material.empty() ? 0 : scene.face_material[face];
@@ -191,7 +162,7 @@ FaceHatch Hatching::of(std::uint32_t face, const Region* region) {
     how.strokes.every = closest_ * shade;
   }
   how.degrees = half_turn(how.degrees);
-  how.strokes.layer = layer_of(shade, material.name);
+  how.strokes.layer = layers_.number(shade, material.name);
   return how;
 }
 
@@ -220,10 +191,10 @@ void Hatching::space_evenly(std::vector<FaceHatch>& faces, std::span<const Direc
 
 void Hatching::add(const HatchFrame& frame, std::span<const SurfaceRun> runs, std::span<const SurfaceHatch> surfaces) {
   std::vector<double> pens;
-  std::vector<Polylines> lines(layers_.size());
-  for (const Layer& layer : layers_) pens.push_back(layer_pen(layer.shade, layer.material));
+  std::vector<Polylines> lines(layers_.all().size());
+  for (const Layer& layer : layers_.all()) pens.push_back(layers_.pen_mm(layer));
   hatch_runs(frame, line_mm_, runs, surfaces, pens, lines);
-  for (std::size_t i = 0; i < layers_.size(); ++i) append(layers_[i].lines, lines[i]);
+  for (std::size_t i = 0; i < lines.size(); ++i) append(layers_.all()[i].lines, lines[i]);
 }
 
 /// Adds the strokes of all directions.
@@ -340,10 +311,13 @@ DirectionRuns seen_in_direction(const PreparedScene& prepared, std::span<const F
 }  // namespace
 
 HatchScene hatch_scene(const PreparedScene& prepared, const PlotOptions& plot) {
-  HatchScene hatch{prepared, plot, {}};
+  HatchScene hatch{prepared, plot, {}, {}};
   const bool stored = prepared.request.output.format == OutputFormat::json && (prepared.method.traits().products & kRegions);
   if (hatch.request().asked() || stored) {
     hatch.patches = hatch_patches(prepared.scene, prepared.topology, prepared.request.lines.crease_degrees);
+  }
+  if (follows_form(hatch.request())) {
+    hatch.form = form_mesh(prepared.scene, prepared.topology, prepared.request.lines.crease_degrees);
   }
   return hatch;
 }
@@ -360,6 +334,7 @@ bool hatches_regions(const PictureRequest& request, const Method& method) {
 std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Region>& regions, RunReport& run) {
   if (!hatches_regions(hatch.prepared.request, hatch.prepared.method)) return {};
   return timed(run.stages, "hatch", [&] {
+    if (follows_form(hatch.request())) return hatch_form(hatch, regions);
     Hatching hatching(hatch);
     std::vector<FaceHatch> faces;
     for (const Region& region : regions) {

@@ -6,6 +6,7 @@
 
 #include "drawing/drawing.hpp"
 #include "drawing/result_models.hpp"
+#include "picture/form_mesh.hpp"
 #include "picture/hatch_patches.hpp"
 #include "picture/scene_study.hpp"
 #include "plotting/writers.hpp"
@@ -17,6 +18,7 @@ struct HatchScene {
   const PreparedScene& prepared;
   const PlotOptions& plot;
   HatchPatches patches;  ///< none where nothing is hatched, now or later
+  FormMesh form;         ///< where strokes follow the form
 
   const HatchRequest& request() const { return prepared.request.hatch; }
   const PenTable& pens() const { return prepared.request.plotter.pens; }

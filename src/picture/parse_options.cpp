@@ -151,6 +151,10 @@ HatchDirection parse_hatch_direction(const std::string& text) {
   HatchDirection direction;
   if (text == "face") {
     direction.by_face = true;
+  } else if (text == "curvature") {
+    direction.form = FormLines::curvature;
+  } else if (text == "iso") {
+    direction.form = FormLines::iso;
   } else {
     direction.degrees = parse_within(text, -360, 360, "degrees");
   }

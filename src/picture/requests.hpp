@@ -28,6 +28,7 @@ namespace ligne {
 class CompiledScene;
 class Method;
 struct LineGroups;
+struct SurfaceCurves;
 
 /// From where the scene is seen.
 struct ViewRequest {
@@ -127,9 +128,13 @@ inline constexpr std::string_view kHatchNames[] = {"none", "shade", "material", 
 /// Degrees of darkness, as many as [Boulle1980] has at most.
 inline constexpr unsigned kMostShades = 4;
 
-/// Direction of the strokes: fixed, or on every face along its level lines.
+/// What strokes follow that bend with the form: the directions of principal curvature, or the curves of a surface.
+enum class FormLines : std::uint8_t { none, curvature, iso };
+
+/// Direction of the strokes: fixed, or on every face along its level lines, or along the form.
 struct HatchDirection {
   bool by_face = false;
+  FormLines form = FormLines::none;
   double degrees = 45;  ///< counter-clockwise as seen; of level faces too
 };
 
@@ -139,7 +144,7 @@ struct HatchRequest {
   std::optional<double> spacing_mm{};  ///< of the closest strokes; nothing: by the width of the pen
   HatchDirection direction{};
   bool cross = false;
-  unsigned levels = kMostShades;  ///< 0: continuous
+  std::optional<unsigned> levels{};  ///< 0: continuous; nothing: kMostShades, but continuous along the form
 
   bool asked() const { return kind != HatchKind::none; }
 };
@@ -213,6 +218,7 @@ struct PictureRequest {
   OutputRequest output{};
   std::string heading{};                       ///< title above the picture on the page, may be empty
   std::shared_ptr<const LineGroups> groups{};  ///< lines that are drawn apart; nullptr: none
+  std::shared_ptr<const SurfaceCurves> iso{};  ///< curves that hatching may follow; nullptr: there are none
   ContourLabels contour_labels = ContourLabels::none;
   bool label_decades = false;                       ///< heights of contours are decimal logarithms
   std::shared_ptr<const CompiledScene> compiled{};  ///< of the scene, by the method; nullptr: it is made when it is needed

@@ -17,6 +17,7 @@
 #include "picture/curve_distance.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
+#include "picture/form_field.hpp"
 #include "picture/surface_curves.hpp"
 #include "picture/surface_samples.hpp"
 #include "picture/surface_scale.hpp"
@@ -110,6 +111,7 @@ struct MeshPlot {
   std::optional<PlotBox> box;
   std::shared_ptr<LineGroups> groups;
   std::vector<LegendEntry> legend;
+  std::shared_ptr<const SurfaceCurves> iso;  ///< where hatching follows it
 };
 
 std::vector<SurfaceMesh> meshes_of(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
@@ -258,6 +260,8 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
     if (plot.box) plot.groups = groups_of(request, meshes, water, levels_of_water, levels, curves, *plot.box);
     for (SurfaceMesh& mesh : meshes) cut_contours(mesh, levels);
   }
+  if (request.picture.hatch.direction.form == FormLines::iso)
+    plot.iso = std::make_shared<SurfaceCurves>(surface_curves(surfaces, factor));
   plot.scene = surface_scene(meshes, factor, base);
   std::vector<std::string> names;
   names.reserve(surfaces.size());
@@ -299,6 +303,7 @@ SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector
   picture.lines.quality = Quality::exact;  // samples of ours: there is nothing to heal
   if (picture.output.format != OutputFormat::json) picture.heading = picture.output.title;
   picture.groups = plot.groups;
+  picture.iso = plot.iso;
   picture.axes.legend = plot.legend;
   picture.contour_labels = request.curves.labels;
   picture.label_decades = request.log_axes[2];
