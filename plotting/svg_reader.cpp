@@ -222,6 +222,18 @@ void SvgReader::walk_switch(const pugi::xml_node& node, const Context& context) 
   }
 }
 
+ClipPointer SvgReader::frame_clip(double width, double height, const Context& context) const {
+  Polylines frame;
+  Outline outline(frame, context.to_mm);
+  outline.move_to({0, 0});
+  for (const Point2 p : {Point2{width, 0}, {width, height}, {0, height}}) outline.line_to(p);
+  outline.close();
+  auto clip = std::make_shared<Clip>();
+  clip->any_of.emplace_back(frame, FillRule::nonzero, clip_work_);
+  clip->outer = context.clip;
+  return clip;
+}
+
 /// A nested svg, or a symbol whose size its <use> gives.
 void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const pugi::xml_node& size) {
   if (local_name(node) == "svg") {
@@ -234,17 +246,7 @@ void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const
   };
   const double width = side("width", context.port.width), height = side("height", context.port.height);
   if (!(width > 0 && height > 0)) return;
-  if (!context.style.overflow) {
-    Polylines frame;
-    Outline outline(frame, context.to_mm);
-    outline.move_to({0, 0});
-    for (const Point2 p : {Point2{width, 0}, {width, height}, {0, height}}) outline.line_to(p);
-    outline.close();
-    auto clip = std::make_shared<Clip>();
-    clip->any_of.emplace_back(frame, FillRule::nonzero, clip_work_);
-    clip->outer = context.clip;
-    context.clip = clip;
-  }
+  if (!context.style.overflow) context.clip = frame_clip(width, height, context);
   context.to_mm = context.to_mm * view_box_to(node, width, height, context.port);
   walk_children(node, context);
 }

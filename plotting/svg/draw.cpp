@@ -163,13 +163,24 @@ bool SvgReader::draw_shape(std::string_view name, const pugi::xml_node& node, co
   const Style& style = context.style;
   const Matrix& to_mm = context.to_mm;
   Polylines lines;
-  Outline outline(lines, to_mm);
+  // Other shapes have no vertices in the sense of SVG.
+  const bool marked = std::ranges::any_of(style.markers, [](const std::string& id) { return !id.empty(); }) &&
+                      (name == "path" || name == "line" || name == "polyline" || name == "polygon");
+  std::vector<PathVertex> vertices;
+  Outline outline(lines, to_mm, marked ? &vertices : nullptr);
   if (!outline_shape(name, node, context.port, outline)) return false;
   if (!style.visible) return true;
   const bool stroked = style.stroke && style.stroke_seen && style.stroke_width > 0;
   ++painted_;
   if (style.fill && style.fill_seen && name != "line" && has_area(lines)) draw_fill(node, lines, context, stroked);
-  if (!stroked || lines.size() == 0) return true;
+  if (stroked && lines.size() > 0) draw_stroke(node, lines, context);
+  if (marked) draw_markers(node, vertices, context);
+  return true;
+}
+
+void SvgReader::draw_stroke(const pugi::xml_node& node, Polylines lines, const Context& context) {
+  const Style& style = context.style;
+  const Matrix& to_mm = context.to_mm;
   if (!style.dashes.empty()) {
     if (!to_mm.is_similarity() && !(to_mm.b == 0 && to_mm.c == 0 && to_mm.a == -to_mm.d)) {
       throw std::invalid_argument("has dashes that a transform stretches, which are not known");
@@ -180,7 +191,6 @@ bool SvgReader::draw_shape(std::string_view name, const pugi::xml_node& node, co
   }
   const double width_mm = style.stroke_width * (style.non_scaling ? kMmPerPx : to_mm.mean_stretch());
   add_lines(style.round_caps ? lines : without_dots(lines), context, color_of(*style.stroke, node), width_mm);
-  return true;
 }
 
 }  // namespace ligne::svg

@@ -33,9 +33,27 @@ void Outline::move_to(Point2 p) {
   end();
   at_ = start_ = p;
   first_ = lines_.points.size();
+  if (!vertices_) return;
+  first_vertex_ = vertices_->size();
+  vertices_->push_back({p});
+}
+
+void Outline::note(Point2 towards, Point2 coming_from, Point2 end) {
+  if (!vertices_) return;
+  if (vertices_->empty() || vertices_->back().at != at_) {  // after a closed part
+    first_vertex_ = vertices_->size();
+    vertices_->push_back({at_});
+  }
+  vertices_->back().out = towards - at_;
+  vertices_->push_back({end, end - coming_from});
 }
 
 void Outline::line_to(Point2 p) {
+  note(p, at_, p);
+  straight_to(p);
+}
+
+void Outline::straight_to(Point2 p) {
   if (!open_) add(to_mm_(at_));
   open_ = true;
   add(to_mm_(p));
@@ -44,22 +62,24 @@ void Outline::line_to(Point2 p) {
 
 void Outline::quadratic_to(Point2 control, Point2 p) {
   const Point2 a = at_, pa = to_mm_(a), pc = to_mm_(control), pb = to_mm_(p);
+  note(control != a ? control : p, control != p ? control : a, p);
   const int n = pieces(2, glm::length(pa - 2.0 * pc + pb));
   for (int i = 1; i < n; ++i) {
     const double t = static_cast<double>(i) / n, u = 1 - t;
-    line_to(a * (u * u) + control * (2 * u * t) + p * (t * t));
+    straight_to(a * (u * u) + control * (2 * u * t) + p * (t * t));
   }
-  line_to(p);
+  straight_to(p);
 }
 
 void Outline::cubic_to(Point2 control1, Point2 control2, Point2 p) {
   const Point2 a = at_, pa = to_mm_(a), p1 = to_mm_(control1), p2 = to_mm_(control2), pb = to_mm_(p);
+  note(control1 != a ? control1 : control2 != a ? control2 : p, control2 != p ? control2 : control1 != p ? control1 : a, p);
   const int n = pieces(3, std::max(glm::length(pa - 2.0 * p1 + p2), glm::length(p1 - 2.0 * p2 + pb)));
   for (int i = 1; i < n; ++i) {
     const double t = static_cast<double>(i) / n, u = 1 - t;
-    line_to(a * (u * u * u) + control1 * (3 * u * u * t) + control2 * (3 * u * t * t) + p * (t * t * t));
+    straight_to(a * (u * u * u) + control1 * (3 * u * u * t) + control2 * (3 * u * t * t) + p * (t * t * t));
   }
-  line_to(p);
+  straight_to(p);
 }
 
 void Outline::arc(Point2 center, double rx, double ry, double rotation, double from, double sweep) {
@@ -71,7 +91,7 @@ void Outline::arc(Point2 center, double rx, double ry, double rotation, double f
   const double c = std::cos(rotation), s = std::sin(rotation);
   for (int i = 1; i <= n; ++i) {
     const double angle = from + sweep * i / n, x = rx * std::cos(angle), y = ry * std::sin(angle);
-    line_to({center.x + c * x - s * y, center.y + s * x + c * y});
+    straight_to({center.x + c * x - s * y, center.y + s * x + c * y});
   }
 }
 
@@ -104,6 +124,11 @@ void Outline::arc_to(double rx, double ry, double rotation_degrees, bool large, 
                       middle.y + s * rx * center_unit.x + c * ry * center_unit.y};
   // Radii beyond all numbers: the arc is straight.
   if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(turn)) return line_to(p);
+  const auto tangent = [&](Point2 unit) {
+    const Point2 along = Point2{-rx * unit.y, ry * unit.x} * (turn < 0 ? -1.0 : 1.0);
+    return Point2{c * along.x - s * along.y, s * along.x + c * along.y};
+  };
+  note(a + tangent(from), p - tangent(to), p);
   arc(center, rx, ry, rotation, std::atan2(from.y, from.x), turn);
   at_ = p;
   lines_.points.back() = to_mm_(p);
@@ -114,6 +139,10 @@ void Outline::close() {
   if (open_) lines_.points.back() = lines_.points[first_];
   end();
   at_ = start_;
+  if (!vertices_ || first_vertex_ + 1 >= vertices_->size()) return;
+  PathVertex &first = (*vertices_)[first_vertex_], &last = vertices_->back();
+  first.in = last.in;
+  last.out = first.out;
 }
 
 void Outline::end() {

@@ -16,10 +16,18 @@ inline constexpr double kFlatnessMm = 0.005;
 /// More points than this are refused: a plotter would take days, and a file of some bytes could ask for them.
 inline constexpr std::size_t kMostPoints = 50'000'000;
 
+/// A vertex of a path as its data tell it, where markers stand: the directions in which it is reached and left, units of the
+/// element; zero where there is none.
+struct PathVertex {
+  Point2 at{0, 0}, in{0, 0}, out{0, 0};
+};
+
 /// Collects lines; points come in the units of an element and are kept in page mm.
 class Outline {
  public:
-  Outline(Polylines& lines, const Matrix& to_mm) : lines_(lines), to_mm_(to_mm), first_(lines.points.size()) {}
+  /// `vertices`: collects them too, if it is not null.
+  Outline(Polylines& lines, const Matrix& to_mm, std::vector<PathVertex>* vertices = nullptr)
+      : lines_(lines), to_mm_(to_mm), vertices_(vertices), first_(lines.points.size()) {}
 
   void move_to(Point2 p);
   void line_to(Point2 p);
@@ -37,9 +45,14 @@ class Outline {
 
  private:
   void add(Point2 mm);
+  void straight_to(Point2 p);
+  /// A segment that leaves towards one point and comes to its end from another.
+  void note(Point2 towards, Point2 coming_from, Point2 end);
 
   Polylines& lines_;
   Matrix to_mm_;
+  std::vector<PathVertex>* vertices_;
+  std::size_t first_vertex_ = 0;  ///< of the line that is open
   Point2 at_{0, 0}, start_{0, 0};
   std::size_t first_;  ///< of the line that is open
   bool open_ = false;

@@ -60,12 +60,18 @@ class SvgReader {
   void walk_viewport(const pugi::xml_node& node, Context context, const pugi::xml_node& size);
   void follow_use(const pugi::xml_node& node, const Context& context);
   pugi::xml_node target_of(const pugi::xml_node& use) const;
+  /// What is inside the frame at (0, 0), and inside the clip of the context.
+  ClipPointer frame_clip(double width, double height, const Context& context) const;
   ClipPointer clip_of(const std::string& id, const pugi::xml_node& node, const Context& context);
   ClipPointer mask_of(const std::string& id, const pugi::xml_node& node, const Context& context);
   void add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
                       bool is_mask = false);
   std::optional<Matrix> box_of(const pugi::xml_node& node, const Context& context) const;
   bool draw_shape(std::string_view name, const pugi::xml_node& node, const Context& context);
+  void draw_stroke(const pugi::xml_node& node, Polylines lines, const Context& context);
+  void draw_markers(const pugi::xml_node& node, const std::vector<PathVertex>& vertices, const Context& context);
+  void draw_marker(const pugi::xml_node& marker, const pugi::xml_node& node, const PathVertex& vertex, bool start,
+                   const Context& context);
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);
   void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);
   void draw_text(const pugi::xml_node& node, const Context& context);

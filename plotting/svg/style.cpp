@@ -74,6 +74,8 @@ class StyleReader {
       style_.keep_blanks = value == "preserve";
     else if (name == "white-space")
       style_.keep_blanks = value == "pre" || value == "pre-wrap" || value == "break-spaces";
+    else if (name.starts_with("marker-"))
+      set_markers(name, value);
     else if (value == "none" || value == "normal" || value == "auto")
       return;
     else if (name == "clip-path")
@@ -82,23 +84,32 @@ class StyleReader {
       style_.mask = id_in(value);
     else if (name == "filter")
       refuse_(name, node_);
-    else if (name.starts_with("marker"))
-      refuse_("marker", node_);
     else if (name == "writing-mode")
       refuse_unless(value, {"lr-tb", "lr", "horizontal-tb"});
   }
 
   /// A property of a style sheet or a style attribute.
   void set_property(const StyleSheet::Declaration& declaration) {
+    if (declaration.name == "marker") set_markers("marker", declaration.value);  // no attribute, by SVG 1.1, 11.6.2
     // As an attribute it has been read where elements are placed; as a property it would come too late.
     if (declaration.name == "transform") refuse_("style", node_);
     set(declaration.name, declaration.value);
   }
 
  private:
+  void set_markers(std::string_view name, std::string_view value) {
+    constexpr std::string_view kNames[] = {"marker-start", "marker-mid", "marker-end"};
+    const std::string id = value == "none" ? "" : id_in(value);
+    for (std::size_t i = 0; i < style_.markers.size(); ++i) {
+      if (name == "marker" || name == kNames[i]) style_.markers[i] = id;
+    }
+  }
   /// A colour, or "url(#id)" with a colour behind it for those that do not find it.
   void set_paint(std::optional<Paint>& target, std::string_view value) {
-    if (value == "context-fill" || value == "context-stroke") return;
+    if (value == "context-fill" || value == "context-stroke") {
+      target = value == "context-fill" ? style_.context_fill : style_.context_stroke;
+      return;
+    }
     std::string server;
     if (value.starts_with("url(")) {
       const std::size_t end = std::min(value.find(')'), value.size());

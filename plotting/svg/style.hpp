@@ -1,6 +1,7 @@
 #pragma once
 /// What elements of an SVG inherit. Private to plotting.
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -37,6 +38,8 @@ struct Style {
   std::string anchor = "start";
   bool round_caps = false;  ///< or square ones: dots show
   bool fill_even_odd = false, clip_even_odd = false;
+  std::array<std::string, 3> markers{};               ///< ids of those at the start, in the middle, at the end
+  std::optional<Paint> context_fill, context_stroke;  ///< in a marker: of what it marks
   // Not inherited.
   double opacity = 1;
   std::optional<std::string> stop_color;  ///< of a gradient

@@ -174,6 +174,63 @@ TEST(SvgReader, LettersAreMovedAndSpaced) {
             std::string::npos);
 }
 
+/// All lines of a drawing of markers M, which a line with the attributes refers to, as "x,y x,y" with two decimals; sorted.
+std::vector<std::string> marks(const std::string& marker, const std::string& marked) {
+  const ReadDrawing drawing = read("<marker id='m' overflow='visible' " + marker + "</marker>" + marked);
+  std::vector<std::string> lines;
+  for (const Layer& layer : drawing.drawing.layers) {
+    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
+      std::string& text = lines.emplace_back();
+      for (const Point2 p : layer.lines[i]) {
+        char place[64];
+        std::snprintf(place, sizeof place, "%s%.2f,%.2f", text.empty() ? "" : " ", p.x + 1e-9, p.y + 1e-9);
+        text += place;
+      }
+    }
+  }
+  std::sort(lines.begin(), lines.end());
+  return lines;
+}
+
+TEST(SvgReader, Markers) {
+  using Lines = std::vector<std::string>;
+  const std::string stroke = "><path stroke='red' d='M0 0h1'/>";
+  EXPECT_EQ(marks(stroke, "<path stroke-width='2' d='M10 10h20v20' marker-end='url(#m)'/>"),
+            (Lines{"10.00,10.00 30.00,10.00 30.00,30.00", "30.00,30.00 32.00,30.00"}))
+      << "in widths of the stroke, not turned";
+  EXPECT_EQ(marks("orient='auto' markerUnits='userSpaceOnUse' refX='1'" + stroke,
+                  "<path stroke='none' stroke-width='2' d='M10 10h20v20' marker-end='url(#m)'/>"),
+            (Lines{"30.00,29.00 30.00,30.00"}))
+      << "without a stroke too";
+  EXPECT_EQ(marks("orient='auto'" + stroke, "<path stroke='none' d='M10 10h20v20h20' style='marker-mid:url(#m)'/>"),
+            (Lines{"30.00,10.00 30.71,10.71", "30.00,30.00 30.71,30.71"}))
+      << "half way between both sides";
+  EXPECT_EQ(
+      marks("orient='auto-start-reverse'" + stroke, "<g style='marker:url(#m)' stroke='none'><line x1='10' x2='20'/></g>"),
+      (Lines{"10.00,0.00 9.00,0.00", "20.00,0.00 21.00,0.00"}))
+      << "inherited";
+  EXPECT_EQ(marks("orient='90'" + stroke, "<g stroke='none' style='marker:url(#m)'><line x2='9' marker-start='none'/></g>"),
+            (Lines{"9.00,0.00 9.00,1.00"}));
+  EXPECT_EQ(marks("orient='auto'" + stroke, "<path stroke='none' d='M10 10C10 5 20 5 20 10' marker-end='url(#m)'/>"),
+            (Lines{"20.00,10.00 20.00,11.00"}))
+      << "along the curve, not along a chord";
+  EXPECT_EQ(marks("orient='auto'" + stroke, "<path stroke='none' d='M10 10A10 10 0 0 1 20 20' marker-start='url(#m)'/>"),
+            (Lines{"10.00,10.00 11.00,10.00"}));
+  EXPECT_EQ(marks("orient='auto'" + stroke, "<path stroke='none' d='M10 10h10v10z' marker-start='url(#m)'/>").size(), 1u);
+  EXPECT_EQ(marks("viewBox='0 0 10 10' refX='10' refY='5' markerWidth='4' markerHeight='4'><path stroke='red' d='M0 5h10'/>",
+                  "<line x1='50' x2='60' y1='50' y2='50' stroke='none' marker-end='url(#m)'/>"),
+            (Lines{"56.00,50.00 60.00,50.00"}));
+  EXPECT_TRUE(
+      marks("><path d='M0 0h1' stroke='context-stroke'/>", "<line x2='9' stroke='none' marker-end='url(#m)'/>").empty());
+  EXPECT_EQ(marks("><path d='M0 0h1' stroke='context-stroke'/>", "<line x2='9' marker-end='url(#m)'/>").size(), 2u);
+  EXPECT_EQ(marks(stroke, "<line x2='9' marker='url(#m)'/>").size(), 1u) << "a property, no attribute";
+  EXPECT_EQ(read("<line x2='5' marker-end='url(#none)'/>").drawing.layers.size(), 1u) << "as viewers do";
+  const ReadDrawing clipped = read(
+      "<marker id='m'><path d='M-5 1h20' stroke='red'/></marker><line x2='9' y1='9' y2='9' stroke='none' marker-end='url(#m)'/>");
+  ASSERT_EQ(clipped.drawing.layers.size(), 1u);
+  EXPECT_NEAR(clipped.drawing.layers[0].lines[0].back().x, 12, 1e-9) << "three wide, if nothing is said";
+}
+
 TEST(SvgReader, RefusesByName) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"<image href='a.png'/>", "<image> has image"},
@@ -182,7 +239,8 @@ TEST(SvgReader, RefusesByName) {
        "<g> has clip-path"},
       {"<clipPath id='c'><text>a</text></clipPath> <line x2='5' clip-path='url(#c)'/>", "<text> has clip-path"},
       {"<mask id='m'><image/></mask> <line x2='5' style='mask:url(#m)'/>", "<image> has mask"},
-      {"<line x2='5' marker-end='url(#m)'/>", "<line> has marker"},
+      {"<marker id='m'><path d='M0 0h1' marker-end='url(#m)'/></marker><line x2='5' marker-end='url(#m)'/>",
+       "has markers that lead on"},
       {"<style>@media print{line{stroke:none}}</style>", "<style> has style"},
       {"<style>line:first-child{stroke:none}</style>", "<style> has style"},
       {"<style>line{transform:none}</style>\n<line x2='5'/>", "<line> has "},

@@ -1,0 +1,88 @@
+/// Markers: drawings at the vertices of paths.
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "plotting/svg/reader.hpp"
+
+namespace ligne::svg {
+namespace {
+
+/// Width and height of a marker that tells none.
+constexpr double kUsualSide = 3;
+
+Point2 unit(Point2 v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : Point2{0, 0};
+}
+
+/// The direction at a vertex, radians: half way between those of both sides.
+double angle_at(const PathVertex& vertex) {
+  const Point2 in = unit(vertex.in), out = unit(vertex.out);
+  // At a turning point the direction is across; SVG leaves open to which side.
+  const Point2 way = in + out == Point2{0, 0} ? Point2{-in.y, in.x} : in + out;
+  return std::atan2(way.y, way.x);
+}
+
+Matrix rotation(double radians) {
+  const double c = std::cos(radians), s = std::sin(radians);
+  return {c, s, -s, c, 0, 0};
+}
+
+}  // namespace
+
+void SvgReader::draw_markers(const pugi::xml_node& node, const std::vector<PathVertex>& vertices, const Context& context) {
+  if (vertices.empty()) return;
+  if (skip_.contains("marker")) return refuse("marker", node);
+  const auto draw = [&](std::size_t kind, const PathVertex& vertex) {
+    const auto found = ids_.find(context.style.markers[kind]);
+    if (found == ids_.end() || local_name(found->second) != "marker") return;
+    draw_marker(found->second, node, vertex, kind == 0, context);
+  };
+  draw(0, vertices.front());
+  for (std::size_t i = 1; i + 1 < vertices.size(); ++i) draw(1, vertices[i]);
+  draw(2, vertices.back());
+}
+
+/// A marker has the style of where it is written, not of what it marks.
+void SvgReader::draw_marker(const pugi::xml_node& marker, const pugi::xml_node& node, const PathVertex& vertex, bool start,
+                            const Context& around) {
+  if (!marker.first_child()) return;
+  if (around.links >= kMostLinks) fail(node, "has markers that lead on more than " + std::to_string(kMostLinks) + " times");
+  Context context = around;
+  ++context.depth;
+  ++context.links;
+  bool displayed = true;
+  std::vector<pugi::xml_node> parents;
+  for (pugi::xml_node at = marker.parent(); at && at.type() == pugi::node_element; at = at.parent()) parents.push_back(at);
+  context.style = {};
+  for (auto parent = parents.rbegin(); parent != parents.rend(); ++parent) {
+    context.style = styled(*parent, context.style, displayed);
+  }
+  context.style.context_fill = around.style.fill;
+  context.style.context_stroke = around.style.stroke;
+  context.style = styled(marker, context.style, displayed);  // display says nothing of markers
+  const double width = length(marker, "markerWidth", kUsualSide), height = length(marker, "markerHeight", kUsualSide);
+  if (!(width > 0 && height > 0)) return;
+  const std::string_view orient = marker.attribute("orient").value();
+  double angle = 0;
+  if (orient.starts_with("auto")) {
+    angle = angle_at(vertex) + (start && orient == "auto-start-reverse" ? std::numbers::pi : 0);
+  } else if (Scanner scanner(orient); scanner.at_number()) {
+    angle = scanner.number() * std::numbers::pi / 180;
+  }
+  const bool own_units = std::string_view(marker.attribute("markerUnits").value()) == "userSpaceOnUse";
+  const double scale = own_units ? 1 : around.style.stroke_width;
+  const Matrix inside = view_box_to(marker, width, height, context.port);
+  const Point2 reference =
+      inside({length(marker, "refX", 0, context.port.width), length(marker, "refY", 0, context.port.height)});
+  context.to_mm = around.to_mm * Matrix{1, 0, 0, 1, vertex.at.x, vertex.at.y} * rotation(angle) *
+                  Matrix{scale, 0, 0, scale, 0, 0} * Matrix{1, 0, 0, 1, -reference.x, -reference.y};
+  if (!context.style.overflow) context.clip = frame_clip(width, height, context);
+  context.to_mm = context.to_mm * inside;
+  walk_children(marker, context);
+}
+
+}  // namespace ligne::svg
