@@ -337,6 +337,7 @@ std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Regi
     if (follows_form(hatch.request())) return hatch_form(hatch, regions);
     Hatching hatching(hatch);
     std::vector<FaceHatch> faces;
+    faces.reserve(regions.size());
     for (const Region& region : regions) {
       faces.push_back(region.level > 0 ? FaceHatch{} : hatching.of(region.face, &region));
     }
