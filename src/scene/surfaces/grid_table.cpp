@@ -115,7 +115,7 @@ void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, W
     }
     if (found == 0 || !are_others_far || (found + 1) * step > values.size()) continue;
     for (std::size_t k = step - 1; k < values.size(); k += step) {
-      if (values[k] == sign) values[k] = kNaN;
+      if (values[k] == sign) values[k] = kNoHeight;
     }
     warnings.add("heights of " + std::to_string(static_cast<int>(sign)) + " taken for places without one", found);
   }
