@@ -41,9 +41,10 @@ struct HiddenInterval {
   HiddenSides sides = HiddenSides::none;
 };
 
-/// The part of [from, to] on which the facet lies strictly in front of the line, by more than its depth tolerance
-/// somewhere. The ends at which the line enters or leaves the facet are quotients of exact determinants: two facets on one
-/// side give the same end to the last bit.
+/// What of [from, to] lies in the part of the line on which the facet lies strictly in front of it, by more than its depth
+/// tolerance somewhere. That part is found for the whole line: what is hidden does not depend on the pieces in which the
+/// line is asked about, which are those of cells, of windows or of what is not hidden yet. The ends at which the line enters
+/// or leaves the facet are quotients of exact determinants: two facets on one side give the same end to the last bit.
 /// `near_side` is set when a side of the facet lies along the line within `coincidence_steps`.
 inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, const ProjectedVertex* vertices, double from,
                                       double to, double coincidence_steps, bool& near_side) {
@@ -70,6 +71,7 @@ inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, 
 
   // The ends of the line against the sides: E_i(p0) = corner_i x corner_(i+1), E_i(p0) - E_i(p1) = f_(i+1) - f_i.
   HiddenSides sides = HiddenSides::both;
+  double enter = 0, leave = 1;
   double e0[3], fall[3];
   for (int i = 0; i < 3; ++i) {
     const int k = i == 2 ? 0 : i + 1;
@@ -86,26 +88,29 @@ inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, 
       if (q0 < 0 || q1 < 0) return {};
       sides = (x[k] - x[i]) * line.dx + (y[k] - y[i]) * line.dy > 0 ? HiddenSides::left : HiddenSides::right;
     } else if (q0 < 0) {
-      from = std::max(from, q0 / q0_q1);
+      enter = std::max(enter, q0 / q0_q1);
     } else if (q1 < 0) {
-      to = std::min(to, q0 / q0_q1);
+      leave = std::min(leave, q0 / q0_q1);
     }
   }
-  if (!(from < to)) return {};
+  if (!(std::max(enter, from) < std::min(leave, to))) return {};
   // Depth of the line behind the facet at both ends, where it is inside the facet and the weights are not negative.
   const double area = e0[0] + e0[1] + e0[2];
   const auto behind = [&](double t) {
     const double w2 = e0[0] - t * fall[0], w0 = e0[1] - t * fall[1], w1 = e0[2] - t * fall[2];
     return line.z(t) - (w0 * a.z + w1 * b.z + w2 * c.z) / area;
   };
-  const double d_from = behind(from), d_to = behind(to);
+  const double d_enter = behind(enter), d_leave = behind(leave);
   const double tolerance = facet.depth_tolerance;
-  if (d_from <= tolerance && d_to <= tolerance) return {};
-  if (d_from < -tolerance) {
-    from += (to - from) * (d_from / (d_from - d_to));
-  } else if (d_to < -tolerance) {
-    to = from + (to - from) * (d_from / (d_from - d_to));
+  if (d_enter <= tolerance && d_leave <= tolerance) return {};
+  if (d_enter < -tolerance) {
+    enter += (leave - enter) * (d_enter / (d_enter - d_leave));
+  } else if (d_leave < -tolerance) {
+    leave = enter + (leave - enter) * (d_enter / (d_enter - d_leave));
   }
+  from = std::max(from, enter);
+  to = std::min(to, leave);
+  if (!(from < to)) return {};
   return {from, to, sides};
 }
 
