@@ -36,6 +36,7 @@ void Extents::extend(const Extents& o) {
 
 PaintElements::PaintElements(const ProjectedScene& scene)
     : view_(scene.view),
+      scene_(scene),
       pieces_(*scene.model),
       volume_(face_volume(scene.view, scene.lattice)),
       margin_mm_(scene.lattice.step_mm) {
@@ -113,7 +114,7 @@ bool PaintElements::disjoint(std::uint32_t a, std::uint32_t b) const {
 Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b) const {
   const std::array<double, 3>&p = elements_[a].page_plane, &q = elements_[b].page_plane;
   const std::array<double, 3> d{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-  const double slopes = std::abs(p[0]) + std::abs(p[1]) + std::abs(q[0]) + std::abs(q[1]);
+  const double slope = std::min(std::abs(p[0]) + std::abs(p[1]), std::abs(q[0]) + std::abs(q[1]));
   Hiding result;
   for (const std::uint32_t i : elements_[a].parts) {
     for (const std::uint32_t k : elements_[b].parts) {
@@ -126,7 +127,9 @@ Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b) const {
         const double difference = d[0] * c.x + d[1] * c.y + d[2];
         const double sizes = std::abs(p[0] * c.x) + std::abs(p[1] * c.y) + std::abs(p[2]) + std::abs(q[0] * c.x) +
                              std::abs(q[1] * c.y) + std::abs(q[2]);
-        const double tolerance = margin_mm_ * slopes + kDepthRounding * sizes;
+        const double magnification = scene_.magnification(p[0] * c.x + p[1] * c.y + p[2]);
+        const double error_mm = scene_.input_error_mm * magnification;
+        const double tolerance = 2 * error_mm * (slope + magnification) + kDepthRounding * sizes;
         result.first |= difference < -tolerance;
         result.second |= difference > tolerance;
       }

@@ -55,7 +55,8 @@ class PaintElements {
   bool disjoint(std::uint32_t a, std::uint32_t b) const;
 
   /// Which of two elements that are not disjoint is in front, over all that their projections have in common. What differs
-  /// less in depth than the two planes do over a step of the lattice touches.
+  /// less in depth than the error of the input explains touches. That is less than the depth tolerance within which a facet
+  /// hides no line, which has room for the lattice too: so the order never leaves out what hides.
   Hiding hiding(std::uint32_t a, std::uint32_t b) const;
 
   /// Cuts the element by a plane into connected elements, whose numbers are returned: none when nothing was cut. An element
@@ -75,6 +76,7 @@ class PaintElements {
   bool disjoint_pieces(std::span<const Point2> a, std::span<const Point2> b) const;
 
   const View& view_;
+  const ProjectedScene& scene_;
   ModelPieces pieces_;
   ClipVolume volume_;
   double margin_mm_;
