@@ -152,6 +152,15 @@ Related turned(const Sight& sight, bool) {
   return {{computed(with_points(sight.scene, of_point)), mapped(upright, of_point, of_direction)}};
 }
 
+/// Round the diagonal of the axes by a third of a turn, with the camera: exact, however large the coordinates.
+Related axes_exchanged(const Sight& sight, bool) {
+  const Camera camera = make_camera(sight.camera, to_scene(sight.scene));
+  const auto exchanged = [](const Point3& p) { return Point3{p.z, p.x, p.y}; };
+  CameraRequest upright = sight.camera;
+  upright.up = -camera.down;
+  return {{with_points(sight.scene, exchanged), mapped(upright, exchanged, exchanged)}};
+}
+
 /// In the plane of the line of sight and what is up.
 Related mirrored(const Sight& sight, bool) {
   const Camera camera = make_camera(sight.camera, to_scene(sight.scene));
@@ -256,6 +265,16 @@ std::vector<Relation> all_relations() {
       {"triangulated", triangulated},
       {"halved", halved},
       {"with_hidden", with_hidden},
+  };
+}
+
+std::vector<Relation> relations_of_near_surfaces() {
+  return {
+      {"shuffled", shuffled},
+      {"rewound", rewound},
+      {"scaled", [](const Sight& s, bool) { return scaled(s, 1024); }},
+      {"turned", turned},
+      {"axes_exchanged", axes_exchanged},
   };
 }
 

@@ -32,4 +32,7 @@ struct Relation {
 /// All relations. Same arguments, same results.
 std::vector<Relation> all_relations();
 
+/// Those that leave surfaces as near to each other, in proportion, as they were.
+std::vector<Relation> relations_of_near_surfaces();
+
 }  // namespace ligne::test

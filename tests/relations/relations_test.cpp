@@ -4,14 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "geometry/parallel.hpp"
+#include "relations/line_drawing.hpp"
 #include "relations/relations.hpp"
 #include "scene/readers/reader.hpp"
-#include "support/page_segments.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 
@@ -57,110 +55,6 @@ const Subject kSubjects[] = {
 };
 
 const char* const kViewNames[] = {"odd", "front", "far"};
-
-/// A visible line on the page.
-struct Line {
-  LineClass line_class;
-  Segment place;
-};
-
-struct LineDrawing {
-  std::vector<Line> lines;
-  /// How far a line may be off: two steps of the lattice for the rounding of its two ends, and the distance at which one of
-  /// two lines stands for both. See docs/numerics.md.
-  double tolerance_mm = 0;
-};
-
-LineDrawing drawn(const Method& method, const Sight& sight) {
-  const Picture picture =
-      draw(to_scene(sight.scene), {sight.camera, "feature", false, 0, std::string(method.traits().name)});
-  LineDrawing result;
-  const Lattice& lattice = picture.model.lattice;
-  for (const Stroke& s : picture.model.strokes) {
-    if (s.visible) result.lines.push_back({s.line_class, {lattice.to_mm(s.from), lattice.to_mm(s.to)}});
-  }
-  result.tolerance_mm = coincidence_mm(picture.projected) + 2 * lattice.step_mm;
-  return result;
-}
-
-LineDrawing mirror_image(LineDrawing drawing) {
-  for (Line& line : drawing.lines) {
-    line.place.from.x = kPageWidth - line.place.from.x;
-    line.place.to.x = kPageWidth - line.place.to.x;
-  }
-  return drawing;
-}
-
-/// What of the lines of `a` no line of `b` of the same class covers; empty when nothing.
-std::string not_covered(const LineDrawing& a, const LineDrawing& b, double tolerance) {
-  std::string text;
-  for (const Line& line : a.lines) {
-    std::vector<Range> covered;
-    for (const Line& other : b.lines) {
-      if (other.line_class != line.line_class) continue;
-      if (const auto range = along(line.place, other.place, tolerance)) covered.push_back(*range);
-    }
-    for (const Range& gap : gaps(std::move(covered), 0, line.place.length())) {
-      if (gap.length() <= tolerance) continue;
-      const Point2 from = line.place.at(gap.from), to = line.place.at(gap.to);
-      char buffer[160];
-      std::snprintf(buffer, sizeof buffer, "    %s, page mm (%.5f, %.5f) - (%.5f, %.5f), %.6f mm long\n",
-                    kLineClassNames[static_cast<std::size_t>(line.line_class)].data(), from.x, from.y, to.x, to.y,
-                    gap.length());
-      text += buffer;
-    }
-  }
-  return text;
-}
-
-/// The differences of two drawings; empty when there are none.
-std::string differences(const LineDrawing& expected, const LineDrawing& found) {
-  const double tolerance = std::max(expected.tolerance_mm, found.tolerance_mm);
-  std::string text;
-  const std::string missing = not_covered(expected, found, tolerance), extra = not_covered(found, expected, tolerance);
-  if (!missing.empty()) text += "  no longer drawn:\n" + missing;
-  if (!extra.empty()) text += "  newly drawn:\n" + extra;
-  return text;
-}
-
-std::string options(const CameraRequest& camera) {
-  std::string text;
-  const auto add = [&](const char* name, const std::optional<Point3>& p) {
-    if (!p) return;
-    char buffer[128];
-    std::snprintf(buffer, sizeof buffer, " --%s=%.17g,%.17g,%.17g", name, p->x, p->y, p->z);
-    text += buffer;
-  };
-  add("direction", camera.direction);
-  add("eye", camera.eye);
-  add("target", camera.target);
-  add("up", camera.up);
-  if (camera.eye) text += " --fov=" + std::to_string(camera.fov_degrees);
-  return text;
-}
-
-/// Writes the scene beside other temporary files, and tells the command that draws it.
-std::string command(const std::string& stem, const Sight& sight, const Method& method) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("ligne-" + stem + ".json");
-  std::ofstream(file, std::ios::binary) << to_json(sight.scene);
-  return "  ligne draw " + file.string() + options(sight.camera) + " --landscape --quality exact --method " +
-         std::string(method.traits().name) + " -o " + stem + ".svg\n";
-}
-
-std::vector<const Method*> exact_methods() {
-  std::vector<const Method*> methods;
-  for (const Method* method : all_methods()) {
-    const MethodTraits& traits = method->traits();
-    if ((traits.products & kStrokes) && traits.exact && traits.only_for.empty()) methods.push_back(method);
-  }
-  return methods;
-}
-
-bool draws_well(const Method& method, const LineDrawing& drawing) {
-  if (method.traits().penetration) return true;
-  return std::none_of(drawing.lines.begin(), drawing.lines.end(),
-                      [](const Line& line) { return line.line_class == LineClass::intersection; });
-}
 
 Sight sight_of(const Scene& scene, const std::string& view_name) {
   for (const StandardView& view : standard_views(scene)) {
