@@ -7,6 +7,7 @@ namespace {
 
 // Adjustable: a stroke may cross this many cells of the index on the average.
 constexpr double kCellsPerStroke = 64;
+constexpr std::uint32_t kCrowd = 256;  ///< segments and points in one cell
 
 double median(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -16,45 +17,104 @@ double median(std::vector<float>& values) {
 
 }  // namespace
 
-StrokeIndex::Cell& StrokeIndex::cell(std::uint64_t key) {
-  std::uint32_t& number = cell_table_[key];
+std::uint32_t StrokeIndex::cell(std::size_t level, std::uint64_t key) {
+  std::uint32_t& number = levels_[level].cells[key];
   if (number == kNone) {
     number = static_cast<std::uint32_t>(cells_.size());
     cells_.emplace_back();
   }
-  return cells_[number];
+  return number;
+}
+
+std::uint32_t StrokeIndex::leaf_at(LatticePoint p) const {
+  std::uint32_t c = kNone;
+  for (const Level& level : levels_) {
+    c = level.cells.find(level.grid.cell_of(p));
+    if (c == kNone || !cells_[c].refined) break;
+  }
+  return c;
+}
+
+/// Puts a point that is in no list into the leaf where it is, on the level or below.
+void StrokeIndex::put_point(std::size_t level, std::uint32_t point) {
+  std::uint64_t key = 0;
+  std::uint32_t c = kNone;
+  for (;; ++level) {
+    key = levels_[level].grid.cell_of(points_[point].p);
+    c = cell(level, key);
+    if (!cells_[c].refined) break;
+  }
+  points_[point].next = cells_[c].first_point;
+  cells_[c].first_point = point;
+  ++cells_[c].load;
+  refine_if_crowded(level, key, c);
 }
 
 std::uint32_t StrokeIndex::add_end(LatticePoint p, std::uint32_t segment) {
-  std::uint32_t& point = point_table_[KeyTable::key(p)];
-  if (point == kNone) {
-    point = static_cast<std::uint32_t>(points_.size());
-    Cell& home = cell(grid_.cell_of(p));
-    points_.push_back({p, kNone, home.first_point});
-    home.first_point = point;
+  std::uint32_t& number = point_table_[KeyTable::key(p)];
+  const bool is_new = number == kNone;
+  if (is_new) {
+    number = static_cast<std::uint32_t>(points_.size());
+    points_.push_back({p});
   }
+  const std::uint32_t point = number;
   arms_.push_back({segment, points_[point].first_arm});
   points_[point].first_arm = static_cast<std::uint32_t>(arms_.size() - 1);
+  if (is_new) put_point(0, point);
   return point;
+}
+
+/// Lists the segment in the leaves of a range through which it passes, but for those in which it ends.
+void StrokeIndex::pass(std::size_t level, const CellRange& range, std::uint32_t segment) {
+  const LatticePoint from = segments_[segment].from, to = segments_[segment].to;
+  const SegmentGrid grid = levels_[level].grid;
+  const std::uint64_t homes[] = {grid.cell_of(from), grid.cell_of(to)};
+  grid.walk_cells(from, to, range, [&](std::int32_t column, std::int32_t row) {
+    const std::uint64_t key = KeyTable::key(column, row);
+    const std::uint32_t known = levels_[level].cells.find(key);
+    if (known != kNone && cells_[known].refined) {
+      pass(level + 1, parts_of(column, row), segment);
+      return false;
+    }
+    if (key == homes[0] || key == homes[1]) return false;
+    const std::uint32_t c = cell(level, key);
+    throughs_.push_back({segment, cells_[c].first_through});
+    cells_[c].first_through = static_cast<std::uint32_t>(throughs_.size() - 1);
+    ++cells_[c].load;
+    refine_if_crowded(level, key, c);
+    return false;
+  });
+}
+
+void StrokeIndex::refine_if_crowded(std::size_t level, std::uint64_t key, std::uint32_t c) {
+  if (cells_[c].load <= kCrowd || levels_[level].side < kParts * kLeastCellInTolerances * tolerance_) return;
+  if (levels_.size() == level + 1) levels_.emplace_back(levels_[level].side / kParts, tolerance_);
+  const Cell old = cells_[c];
+  cells_[c] = {};
+  cells_[c].refined = true;
+  std::vector<std::uint32_t> passing;
+  for (std::uint32_t i = old.first_through; i != kNone; i = throughs_[i].next) passing.push_back(throughs_[i].segment);
+  for (std::uint32_t e = old.first_point, next; e != kNone; e = next) {
+    next = points_[e].next;
+    for (std::uint32_t i = points_[e].first_arm; i != kNone; i = arms_[i].next) passing.push_back(arms_[i].segment);
+    put_point(level + 1, e);
+  }
+  std::sort(passing.begin(), passing.end());
+  passing.erase(std::unique(passing.begin(), passing.end()), passing.end());
+  const auto column = static_cast<std::int32_t>(key >> 32), row = static_cast<std::int32_t>(key);
+  for (const std::uint32_t segment : passing) pass(level + 1, parts_of(column, row), segment);
 }
 
 void StrokeIndex::insert(LatticePoint from, LatticePoint to) {
   const auto segment = static_cast<std::uint32_t>(segments_.size());
   segments_.push_back({from, to, static_cast<float>(length(from, to))});
-  const std::uint64_t homes[] = {grid_.cell_of(from), grid_.cell_of(to)};
-  grid_.walk(from, to, [&](std::uint64_t key) {
-    if (key == homes[0] || key == homes[1]) return false;
-    Cell& passed = cell(key);
-    throughs_.push_back({segment, passed.first_through});
-    passed.first_through = static_cast<std::uint32_t>(throughs_.size() - 1);
-    return false;
-  });
+  pass(0, {}, segment);
   const std::uint32_t a = add_end(from, segment), b = add_end(to, segment);
   pair_table_[pair_key(a, b)] = segment;
 }
 
 double index_cell(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance_steps) {
-  if (of.empty()) return 8 * tolerance_steps;
+  if (of.empty()) return kLeastCellInTolerances * tolerance_steps;
   std::vector<float> lengths;
   LatticePoint min{kLatticeLimit, kLatticeLimit}, max{-kLatticeLimit, -kLatticeLimit};
   double sum = 0;
@@ -69,7 +129,8 @@ double index_cell(const std::vector<Stroke>& strokes, const std::vector<std::uin
   }
   const double n = static_cast<double>(lengths.size());
   const double side = std::max(double(max.x) - min.x, double(max.y) - min.y);
-  return std::max({std::min<double>(median(lengths), side / std::sqrt(n)), sum / n / kCellsPerStroke, 8 * tolerance_steps});
+  return std::max({std::min<double>(median(lengths), side / std::sqrt(n)), sum / n / kCellsPerStroke,
+                   kLeastCellInTolerances * tolerance_steps});
 }
 
 }  // namespace ligne

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 #include "drawing/key_table.hpp"
@@ -12,6 +13,15 @@
 #include "geometry/lattice.hpp"
 
 namespace ligne {
+
+/// Cells are no smaller, in tolerances: the reach of the tolerance is a part of them.
+inline constexpr double kLeastCellInTolerances = 8;
+
+/// Cells of a grid, the last ones included; all of them unless told otherwise.
+struct CellRange {
+  std::int32_t column0 = std::numeric_limits<std::int32_t>::min(), row0 = column0;
+  std::int32_t column1 = std::numeric_limits<std::int32_t>::max(), row1 = column1;
+};
 
 /// A uniform grid of square cells over the page.
 class SegmentGrid {
@@ -24,12 +34,13 @@ class SegmentGrid {
   /// Calls visit(cell) for every cell within the tolerance of the segment until it returns true; true when it did.
   template <class Visit>
   bool walk(LatticePoint from, LatticePoint to, const Visit& visit) const {
-    return walk_cells(from, to, [&](std::int32_t column, std::int32_t row) { return visit(KeyTable::key(column, row)); });
+    return walk_cells(from, to, {},
+                      [&](std::int32_t column, std::int32_t row) { return visit(KeyTable::key(column, row)); });
   }
 
-  /// The same with visit(column, row).
+  /// The same with visit(column, row), for the cells of a range.
   template <class Visit>
-  bool walk_cells(LatticePoint from, LatticePoint to, const Visit& visit) const;
+  bool walk_cells(LatticePoint from, LatticePoint to, const CellRange& range, const Visit& visit) const;
 
   /// The point may lie on the line of the segment.
   bool near(LatticePoint p, LatticePoint from, LatticePoint to, double segment_length) const {
@@ -44,7 +55,8 @@ class SegmentGrid {
   double cell_, margin_;
 };
 
-/// A uniform grid (kept as a hash table of its cells) over segments, which are numbered as they come in.
+/// A grid (kept as a hash table of its cells) over segments, which are numbered as they come in. A cell in which there is a
+/// crowd gives what it has to cells of a finer grid.
 ///
 /// Where two segments coincide, each end of their common interval is an end of one of them, and lies on the other. So it
 /// is enough to ask which segments pass an end of the new one, and which ends lie along the new one. A cell therefore
@@ -54,7 +66,7 @@ class SegmentGrid {
 class StrokeIndex {
  public:
   /// As for SegmentGrid.
-  StrokeIndex(double cell, double tolerance) : grid_(cell, tolerance) {}
+  StrokeIndex(double cell, double tolerance) : tolerance_(tolerance) { levels_.emplace_back(cell, tolerance); }
 
   void insert(LatticePoint from, LatticePoint to);
 
@@ -71,6 +83,15 @@ class StrokeIndex {
   };
   struct Cell {
     std::uint32_t first_through = kNone, first_point = kNone;
+    std::uint32_t load = 0;  ///< segments that pass through, and points
+    bool refined = false;    ///< its lists are those of the cells below
+  };
+  /// A grid; cells of the next one are kParts times as small.
+  struct Level {
+    Level(double cell_side, double tolerance) : side(cell_side), grid(cell_side, tolerance) {}
+    double side;
+    SegmentGrid grid;
+    KeyTable cells;
   };
   struct EndPoint {
     LatticePoint p;
@@ -83,11 +104,22 @@ class StrokeIndex {
   static std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
     return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
   }
-  Cell& cell(std::uint64_t key);
+  static CellRange parts_of(std::int32_t column, std::int32_t row) {
+    return {column * kParts, row * kParts, column * kParts + kParts - 1, row * kParts + kParts - 1};
+  }
+  std::uint32_t cell(std::size_t level, std::uint64_t key);
+  std::uint32_t leaf_at(LatticePoint p) const;
   std::uint32_t add_end(LatticePoint p, std::uint32_t segment);
+  void pass(std::size_t level, const CellRange& range, std::uint32_t segment);
+  void put_point(std::size_t level, std::uint32_t point);
+  void refine_if_crowded(std::size_t level, std::uint64_t key, std::uint32_t cell);
+  template <class Visit>
+  void visit_leaves(std::size_t level, const CellRange& range, LatticePoint from, LatticePoint to, const Visit& visit) const;
 
-  SegmentGrid grid_;
-  KeyTable cell_table_, point_table_, pair_table_;
+  static constexpr std::int32_t kParts = 2;
+  double tolerance_;
+  std::vector<Level> levels_;
+  KeyTable point_table_, pair_table_;
   std::vector<Segment> segments_;
   std::vector<Cell> cells_;
   std::vector<EndPoint> points_;

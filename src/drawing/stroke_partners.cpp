@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "drawing/key_table.hpp"
 #include "drawing/stroke_index.hpp"
 #include "drawing/stroke_overlap.hpp"
 #include "geometry/parallel.hpp"
@@ -71,31 +72,25 @@ class EndGrid {
     std::uint32_t stroke;
   };
 
-  EndGrid(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double cell) : cell_(cell) {
+  /// `cell`: side of the cells, at least; `least_cell`: that of cells where there is a crowd.
+  EndGrid(const std::vector<End>& ends, double cell, double least_cell) : cell_(cell) {
     LatticePoint low{kLatticeLimit, kLatticeLimit}, high{-kLatticeLimit, -kLatticeLimit};
-    for (const std::uint32_t i : of) {
-      for (const LatticePoint p : {strokes[i].from, strokes[i].to}) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-      }
+    for (const End& e : ends) {
+      low = {std::min(low.x, e.p.x), std::min(low.y, e.p.y)};
+      high = {std::max(high.x, e.p.x), std::max(high.y, e.p.y)};
     }
-    const double columns = std::min(kMostColumns, std::ceil(2 * std::sqrt(static_cast<double>(of.size()))));
+    const double columns = std::min(kMostColumns, std::ceil(2 * std::sqrt(0.5 * static_cast<double>(ends.size()))));
     cell_ = std::max(cell_, std::ceil(std::max(double(high.x) - low.x, double(high.y) - low.y) / columns));
-    column0_ = index(low.x), row0_ = index(low.y);
-    columns_ = index(high.x) - column0_ + 1, rows_ = index(high.y) - row0_ + 1;
-    first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-    for (const std::uint32_t i : of) {
-      ++first_[cell_of(strokes[i].from) + 1];
-      ++first_[cell_of(strokes[i].to) + 1];
-    }
+    range_ = {index(low.x), index(low.y), index(high.x), index(high.y)};
+    columns_ = range_.column1 - range_.column0 + 1;
+    first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(range_.row1 - range_.row0 + 1) + 1, 0);
+    for (const End& e : ends) ++first_[cell_of(e.p) + 1];
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
     ends_.resize(first_.back());
     open_.resize(first_.size() - 1);
     for (std::size_t c = 0; c < open_.size(); ++c) open_[c] = first_[c + 1] - first_[c];
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (const std::uint32_t i : of) {
-      for (const LatticePoint p : {strokes[i].from, strokes[i].to}) ends_[next[cell_of(p)]++] = {p, i};
-    }
+    for (const End& e : ends) ends_[next[cell_of(e.p)]++] = e;
     // Equal points stand together, so that a point where thousands of strokes meet is passed by at once.
     parallel_blocks(first_.size() - 1, kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
@@ -104,13 +99,13 @@ class EndGrid {
         });
       }
     });
+    for (std::size_t c = 0; c + 1 < first_.size(); ++c) refine_if_crowded(c, least_cell);
   }
 
   /// The stroke is known to have a partner: its ends need not be looked at by others that have one.
   void settle(const Stroke& s) {
-    for (const LatticePoint p : {s.from, s.to}) {
-      std::atomic_ref(open_[cell_of(p)]).fetch_sub(1, std::memory_order_relaxed);
-    }
+    settle_end(s.from);
+    settle_end(s.to);
   }
 
   /// Calls visit(stroke) for the ends within the tolerance of the line of `s`, but for those at its own two ends. While
@@ -120,12 +115,13 @@ class EndGrid {
   void for_each_along(const Stroke& s, double tolerance, const Settled& settled, const Visit& visit) {
     const SegmentGrid grid(cell_, tolerance);
     const double stroke_length = length(s.from, s.to);
-    grid.walk_cells(s.from, s.to, [&](std::int32_t column, std::int32_t row) {
-      column -= column0_, row -= row0_;
-      if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return false;
-      const std::size_t c =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    grid.walk_cells(s.from, s.to, range_, [&](std::int32_t column, std::int32_t row) {
+      const std::size_t c = number_of(column, row);
       if (settled() && std::atomic_ref(open_[c]).load(std::memory_order_relaxed) == 0) return false;
+      if (EndGrid* const finer = finer_in(c)) {
+        finer->for_each_along(s, tolerance, settled, visit);
+        return false;
+      }
       for (std::uint32_t e = first_[c]; e < first_[c + 1];) {
         const LatticePoint p = ends_[e].p;
         const bool along = p != s.from && p != s.to && grid.near(p, s.from, s.to, stroke_length);
@@ -139,6 +135,7 @@ class EndGrid {
 
  private:
   static constexpr double kMostColumns = 2048;
+  static constexpr std::uint32_t kCrowd = 256;  ///< adjustable: points in one cell
 
   /// The first end behind number e, and before `last`, that is elsewhere: by doubling steps, since thousands may be alike.
   std::uint32_t next_point(std::uint32_t e, std::uint32_t last) const {
@@ -150,18 +147,53 @@ class EndGrid {
                                       ends_.begin());
   }
 
-  std::int32_t index(double v) const { return static_cast<std::int32_t>(std::floor(v / cell_)); }
-  std::size_t cell_of(LatticePoint p) const {
-    return static_cast<std::size_t>(index(p.y) - row0_) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(index(p.x) - column0_);
+  /// A cell with many points gets a grid of its own, where that has much smaller cells.
+  void refine_if_crowded(std::size_t c, double least_cell) {
+    if (first_[c + 1] - first_[c] <= kCrowd || cell_ < 2 * least_cell) return;
+    std::uint32_t points = 0;
+    for (std::uint32_t e = first_[c]; e < first_[c + 1]; e = next_point(e, first_[c + 1])) ++points;
+    if (points <= kCrowd) return;
+    finer_number_[c] = static_cast<std::uint32_t>(finer_.size());
+    finer_.emplace_back(std::vector<End>(ends_.begin() + first_[c], ends_.begin() + first_[c + 1]), least_cell, least_cell);
+  }
+  EndGrid* finer_in(std::size_t c) {
+    if (first_[c + 1] - first_[c] <= kCrowd) return nullptr;
+    const std::uint32_t number = finer_number_.find(c);
+    return number == KeyTable::kNone ? nullptr : &finer_[number];
   }
 
+  void settle_end(LatticePoint p) {
+    const std::size_t c = cell_of(p);
+    std::atomic_ref(open_[c]).fetch_sub(1, std::memory_order_relaxed);
+    if (EndGrid* const finer = finer_in(c)) finer->settle_end(p);
+  }
+
+  std::int32_t index(double v) const { return static_cast<std::int32_t>(std::floor(v / cell_)); }
+  std::size_t number_of(std::int32_t column, std::int32_t row) const {
+    return static_cast<std::size_t>(row - range_.row0) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column - range_.column0);
+  }
+  std::size_t cell_of(LatticePoint p) const { return number_of(index(p.x), index(p.y)); }
+
   double cell_;
-  std::int32_t column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;
+  CellRange range_;
+  std::int32_t columns_ = 0;
   std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> open_;  ///< per cell, ends of strokes that are not settled
   std::vector<End> ends_;
+  KeyTable finer_number_;  ///< by cell
+  std::vector<EndGrid> finer_;
 };
+
+/// Both ends of the strokes numbered in `of`.
+std::vector<EndGrid::End> ends_of(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of) {
+  std::vector<EndGrid::End> ends;
+  ends.reserve(2 * of.size());
+  for (const std::uint32_t i : of) {
+    for (const LatticePoint p : {strokes[i].from, strokes[i].to}) ends.push_back({p, i});
+  }
+  return ends;
+}
 
 /// Marks the strokes that share both ends with another one.
 template <class Mark>
@@ -226,7 +258,8 @@ std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double t
   for (const std::uint32_t i : candidates) {
     if (strokes[i].may_coincide) result[i] = Partners::none;
   }
-  EndGrid ends(strokes, candidates, index_cell(strokes, candidates, tolerance_steps));
+  EndGrid ends(ends_of(strokes, candidates), index_cell(strokes, candidates, tolerance_steps),
+               kLeastCellInTolerances * tolerance_steps);
   const auto has_partner = [&](std::uint32_t i) {
     return std::atomic_ref(result[i]).load(std::memory_order_relaxed) == Partners::some;
   };

@@ -126,6 +126,28 @@ TEST(CoincidentStrokesRandom, TheOrderOfTheInputDoesNotMatter) {
   }
 }
 
+TEST(CoincidentStrokesRandom, InACrowdBesideLongStrokesNothingIsLostOrDrawnTwice) {
+  // The long strokes make the cells of the page larger than the square that has all the short ones, each of them twice.
+  std::mt19937 random(17);
+  StrokeModel m;
+  const auto place = [&](int side) { return int(random() % static_cast<unsigned>(side)); };
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    m.strokes.push_back(stroke({-10'000'000, place(20'000'000) - 10'000'000}, {10'000'000, place(20'000'000) - 10'000'000},
+                               LineClass::mesh, i));
+  }
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    const LatticePoint from{place(5000), place(5000)}, to{from.x + place(400) - 200, from.y + 50 + place(200)};
+    m.strokes.push_back(stroke(from, to, LineClass::crease, 1000 + 2 * i));
+    m.strokes.push_back(stroke(to, from, LineClass::outline, 1001 + 2 * i));
+  }
+  const std::vector<Stroke> before = m.strokes;
+  remove_coincident_strokes(m, kTolerance);
+  expect_no_overlap(m.strokes);
+  std::vector<Stroke> some;
+  for (std::size_t i = 0; i < before.size(); i += 100) some.push_back(before[i]);
+  EXPECT_LE(farthest(some, m.strokes), 2 * kTolerance);
+}
+
 TEST(CoincidentStrokesRandom, ThousandsOnOneLineAndFromOnePointStayFast) {
   // By pairs these would be 5e9 each; the time limit of the test run tells.
   constexpr int count = 100000;
