@@ -137,6 +137,7 @@ FAMILIES = {
     "sheets in one plane": (overlapping_sheets, (100, 300, 900), []),
     "needles": (needles, (500, 1500, 4500), ["--edges", "outline,crease,border"]),
     "needles with intersections": (needles, (150, 450, 1350), []),
+    "needles, hidden dashed": (needles, (50, 100, 200), ["--hidden", "dashed"]),
     "penetrating boxes": (boxes, (1000, 3000, 9000), []),
     "penetrating boxes, hidden dashed": (boxes, (1000, 3000, 9000), ["--hidden", "dashed"]),
     "touching cubes": (touching_cubes, (1000, 3375, 10648), []),
