@@ -13,7 +13,8 @@ const auto kAnyFacet = [](const Facet&) { return true; };
 
 /// Triangles over lattice points.
 struct Mesh {
-  std::vector<ProjectedVertex> vertices;
+  ProjectedScene scene;
+  std::vector<ProjectedVertex>& vertices = scene.vertices;
   std::vector<Facet> facets;
   std::vector<CellFacet> list;
 
@@ -72,7 +73,7 @@ struct Mesh {
   }
 
   std::optional<float> cover(const CellSquare& cell) const {
-    return CellCover(facets, vertices.data(), kMargin).find(list.data(), list.size(), cell, kAnyFacet);
+    return CellCover(scene, facets, kMargin).find(list.data(), list.size(), cell, kAnyFacet);
   }
 };
 
@@ -117,6 +118,32 @@ TEST(CellCover, NearerOfTwoSheets) {
   EXPECT_LE(*depth, 11.001);
 }
 
+TEST(CellCover, FacetsOfBodiesThatTouch) {
+  Mesh mesh;
+  const auto a = mesh.add_vertex(0, 0, 1), b = mesh.add_vertex(1000, 0, 1), c = mesh.add_vertex(1000, 1000, 1),
+             d = mesh.add_vertex(0, 1000, 1);
+  const auto a2 = mesh.add_vertex(0, 0, 1), c2 = mesh.add_vertex(1000, 1000, 1);
+  mesh.add_facet(a, b, c);
+  mesh.add_facet(a2, c2, d);
+  EXPECT_FALSE(mesh.cover({400, 400, 200}).has_value()) << "nothing says that the sides are one";
+  mesh.scene.first_at_place = {a, b, c, d, a, c};
+  EXPECT_NEAR(mesh.cover({400, 400, 200}).value(), 1, 1e-5);
+}
+
+TEST(CellCover, NearerOfTwoSheetsThatMeetInASide) {
+  Mesh mesh;
+  const auto a = mesh.add_vertex(0, 0, 1), b = mesh.add_vertex(0, 1000, 1);
+  const auto near_left = mesh.add_vertex(-1000, 500, 2), near_right = mesh.add_vertex(1000, 500, 2);
+  const auto far_left = mesh.add_vertex(-1000, 500, 9), far_right = mesh.add_vertex(1000, 500, 9);
+  mesh.add_facet(a, b, far_left);
+  mesh.add_facet(a, b, far_right);
+  mesh.add_facet(a, b, near_left);
+  mesh.add_facet(a, b, near_right);
+  const CellSquare cell{-100, 400, 200};
+  ASSERT_TRUE(mesh.cover(cell).has_value());
+  EXPECT_LE(*mesh.cover(cell), 1.2) << "where the near ones are a tenth of the way to their third corner";
+}
+
 /// Whatever is taken for covered is covered, and whatever is taken for hidden lies behind the nearest facet.
 TEST(CellCover, HoldsAtAllPoints) {
   std::mt19937 rng(2);
@@ -129,7 +156,7 @@ TEST(CellCover, HoldsAtAllPoints) {
       mesh.add_sheet(-200, -200, 1600 / spacing + 1, spacing, 3 * unit(rng), round % 3, 0.3 * unit(rng) * unit(rng), rng);
     }
     const CellSquare cell{600 * unit(rng), 600 * unit(rng), 50 + 200 * unit(rng)};
-    CellCover cover(mesh.facets, mesh.vertices.data(), kMargin);
+    CellCover cover(mesh.scene, mesh.facets, kMargin);
     const auto depth = cover.find(mesh.list.data(), mesh.list.size(), cell, kAnyFacet);
     if (!depth) continue;
     ++covered;

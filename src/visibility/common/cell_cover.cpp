@@ -40,7 +40,7 @@ ClippedFacet clip_to_square(const Facet& f, const ProjectedVertex* vertices, dou
 }  // namespace
 
 void CellCover::add(const Facet& f) {
-  Member member{FacetFunctions(f, vertices_), 0, true};
+  Member member{FacetFunctions(f, scene_.vertices.data())};
   const FacetFunctions& g = member.functions;
   double z_near = 0;
   const Meeting meeting = meet(g, f, square_, margin_, z_near, member.z_far);
@@ -52,8 +52,8 @@ void CellCover::add(const Facet& f) {
   for (int i = 0; i < 3; ++i) {
     const double centre = g.ex[i] * x + g.ey[i] * y + g.e[i];
     if (centre - (std::abs(g.ex[i]) + std::abs(g.ey[i])) * reach > 0) continue;  // the cell is on the facet's side of it
-    const std::uint32_t a = f.v[i], b = f.v[(i + 1) % 3];
-    const LatticePoint from = vertices_[a].p, to = vertices_[b].p;
+    const std::uint32_t a = scene_.place(f.v[i]), b = scene_.place(f.v[(i + 1) % 3]);
+    const LatticePoint from = scene_.vertices[a].p, to = scene_.vertices[b].p;
     if (std::min(from.x, to.x) > x + reach || std::max(from.x, to.x) < x - reach) continue;
     if (std::min(from.y, to.y) > y + reach || std::max(from.y, to.y) < y - reach) continue;
     uses_.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), a > b, index});
@@ -82,58 +82,58 @@ void CellCover::number_sides() {
   side_begin_.push_back(static_cast<std::uint32_t>(uses_.size()));
 }
 
-/// Members that end at a side within the cell belong to no patch; nor do those that they leave alone, and so on.
-void CellCover::remove_ends() {
-  removed_.clear();
-  const auto remove_unpaired = [&](std::uint32_t side) {
-    if (alive_[0][side] > 0 && alive_[1][side] > 0) return;
-    for (std::uint32_t i = side_begin_[side]; i < side_begin_[side + 1]; ++i) {
-      Member& member = members_[uses_[i].member];
-      if (member.alive) removed_.push_back(uses_[i].member);
-      member.alive = false;
-    }
+void CellCover::remove(std::uint32_t member, std::uint32_t round) {
+  const auto take = [&](std::uint32_t m) {
+    if (members_[m].round != kStays) return;
+    members_[m].round = round;
+    removed_.push_back(m);
   };
-  for (std::uint32_t side = 0; side + 1 < side_begin_.size(); ++side) remove_unpaired(side);
+  take(member);
   while (!removed_.empty()) {
     const std::uint32_t* sides = &member_sides_[removed_.back() * 3];
     removed_.pop_back();
     for (int k = 0; k < 3 && sides[k] != kNone; ++k) {
-      if (--alive_[sides[k] & 1][sides[k] >> 1] == 0) remove_unpaired(sides[k] >> 1);
+      const std::uint32_t side = sides[k] >> 1;
+      if (--alive_[sides[k] & 1][side] > 0) continue;
+      for (std::uint32_t i = side_begin_[side]; i < side_begin_[side + 1]; ++i) take(uses_[i].member);
     }
   }
 }
 
+void CellCover::remove_ends() {
+  for (std::uint32_t side = 0; side + 1 < side_begin_.size(); ++side) {
+    if (alive_[0][side] > 0 && alive_[1][side] > 0) continue;
+    for (std::uint32_t i = side_begin_[side]; i < side_begin_[side + 1]; ++i) remove(uses_[i].member, 0);
+  }
+}
+
+/// Where surfaces meet in a side a patch can go on on one of them without the others. So the farthest member is removed,
+/// with what it leaves without a neighbour, and again the farthest, until none is left: what went last hides most.
 std::optional<float> CellCover::choose_patch() {
   planes_.clear();
   if (members_.empty()) return std::nullopt;
   number_sides();
   remove_ends();
-  DisjointSets patches(members_.size());
-  for (std::size_t side = 0; side + 1 < side_begin_.size(); ++side) {
-    std::uint32_t first = kNone;
-    for (std::uint32_t i = side_begin_[side]; i < side_begin_[side + 1]; ++i) {
-      if (!members_[uses_[i].member].alive) continue;
-      if (first == kNone) first = uses_[i].member;
-      patches.join(first, uses_[i].member);
-    }
-  }
-  // The lowest member of a patch collects its depth.
-  std::uint32_t nearest = kNone;
+  by_depth_.clear();
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
-    if (!members_[i].alive) continue;
-    Member& lowest = members_[patches.find(i)];
-    lowest.z_far = std::max(lowest.z_far, members_[i].z_far);
+    if (members_[i].round == kStays) by_depth_.push_back(i);
   }
-  for (std::uint32_t i = 0; i < members_.size(); ++i) {
-    if (!members_[i].alive || patches.find(i) != i) continue;
-    if (nearest == kNone || members_[i].z_far < members_[nearest].z_far) nearest = i;
+  if (by_depth_.empty()) return std::nullopt;
+  std::sort(by_depth_.begin(), by_depth_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return members_[a].z_far != members_[b].z_far ? members_[a].z_far > members_[b].z_far : a < b;
+  });
+  std::uint32_t round = 0;
+  double z_far = 0;
+  for (const std::uint32_t farthest : by_depth_) {
+    if (members_[farthest].round != kStays) continue;
+    z_far = members_[farthest].z_far;
+    remove(farthest, ++round);
   }
-  if (nearest == kNone) return std::nullopt;
-  for (std::uint32_t i = nearest; i < members_.size() && planes_.size() <= kMostPlanes; ++i) {
-    if (members_[i].alive && patches.find(i) == nearest) planes_.push_back(members_[i].functions);
+  for (std::uint32_t i = 0; i < members_.size() && planes_.size() <= kMostPlanes; ++i) {
+    if (members_[i].round == round) planes_.push_back(members_[i].functions);
   }
   if (planes_.size() > kMostPlanes) planes_.clear();
-  return round_up(members_[nearest].z_far);
+  return round_up(z_far);
 }
 
 /// The depth of the patch is nowhere beyond the farthest of its planes. That is a convex function and the depth of the facet
@@ -141,9 +141,9 @@ std::optional<float> CellCover::choose_patch() {
 bool CellCover::hides(const Facet& f) const {
   if (planes_.empty()) return false;
   const double half = square_.size / 2, x = square_.x + half, y = square_.y + half;
-  const ClippedFacet part = clip_to_square(f, vertices_, x, y, half + margin_);
+  const ClippedFacet part = clip_to_square(f, scene_.vertices.data(), x, y, half + margin_);
   if (part.count == 0) return false;
-  const FacetFunctions g(f, vertices_);
+  const FacetFunctions g(f, scene_.vertices.data());
   for (std::size_t i = 0; i < part.count; ++i) {
     const double px = x + part.corners[i].x, py = y + part.corners[i].y;
     const double z = g.depth(px, py) - g.slack;

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/disjoint_sets.hpp"
 #include "visibility/common/facet_in_cell.hpp"
 
 namespace ligne {
@@ -17,8 +16,8 @@ namespace ligne {
 class CellCover {
  public:
   /// `margin`: steps by which cells are widened.
-  CellCover(const std::vector<Facet>& facets, const ProjectedVertex* vertices, double margin)
-      : facets_(facets), vertices_(vertices), margin_(margin) {}
+  CellCover(const ProjectedScene& scene, const std::vector<Facet>& facets, double margin)
+      : scene_(scene), facets_(facets), margin_(margin) {}
 
   /// The farthest depth over the cell of the patch for which that is the nearest, depth tolerance added, if there is a
   /// patch. hides(facet): whether it may belong to one.
@@ -38,25 +37,29 @@ class CellCover {
   bool hides(const Facet& f) const;
 
  private:
+  static constexpr std::uint32_t kStays = 0xffffffffu;
   struct Member {
     FacetFunctions functions;
-    double z_far = 0;  ///< over the cell, depth tolerance added
-    bool alive = true;
+    double z_far = 0;              ///< over the cell, depth tolerance added
+    std::uint32_t round = kStays;  ///< in which it was removed
   };
   /// A side of a member that passes through the cell.
   struct SideUse {
-    std::uint64_t side;  ///< its vertices, the lower first
-    bool reversed;       ///< the member has it from the higher vertex to the lower
+    std::uint64_t side;  ///< its places, the lower first
+    bool reversed;       ///< the member has it from the higher place to the lower
     std::uint32_t member;
   };
 
   void add(const Facet& f);
   std::optional<float> choose_patch();
   void number_sides();
+  /// Removes a member, and those that it leaves with a side on which nothing goes on, and so on.
+  void remove(std::uint32_t member, std::uint32_t round);
+  /// Removes what ends within the cell: it belongs to no patch.
   void remove_ends();
 
+  const ProjectedScene& scene_;
   const std::vector<Facet>& facets_;
-  const ProjectedVertex* vertices_;
   double margin_;
   CellSquare square_;
   std::vector<Member> members_;
@@ -64,7 +67,7 @@ class CellCover {
   std::vector<std::uint32_t> side_begin_;    ///< first use of each side, and the end
   std::vector<std::uint32_t> alive_[2];      ///< by side: uses of members alive, forward and reversed
   std::vector<std::uint32_t> member_sides_;  ///< by member: up to three times 2 side + reversed, kNone for fewer
-  std::vector<std::uint32_t> removed_;
+  std::vector<std::uint32_t> removed_, by_depth_;
   std::vector<FacetFunctions> planes_;  ///< of the patch; none where it has too many
 };
 

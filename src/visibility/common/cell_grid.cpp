@@ -227,7 +227,7 @@ void CellGrid::Build::split_overfull() {
   grid.arenas_.resize(kArenas + 1);
   const std::size_t n = grid.cells_.size();
   parallel_for(kArenas, [&](std::size_t k) {
-    CellCover cover(facets, scene.vertices.data(), options.margin_steps);
+    CellCover cover(scene, facets, options.margin_steps);
     for (std::size_t i = n * k / kArenas; i < n * (k + 1) / kArenas; ++i) {
       Cell& cell = grid.cells_[i];
       CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
@@ -240,7 +240,7 @@ void CellGrid::Build::split_overfull() {
   parallel_for(kArenas, [&](std::size_t k) {
     Arena& arena = grid.arenas_[k + 1];
     std::vector<CellFacet> inherited;
-    CellCover cover(facets, scene.vertices.data(), options.margin_steps);
+    CellCover cover(scene, facets, options.margin_steps);
     for (std::size_t i = n * k / kArenas; i < n * (k + 1) / kArenas; ++i) {
       Cell& cell = grid.cells_[i];
       CellFacet* list = grid.arenas_[0].list.data() + cell.begin;

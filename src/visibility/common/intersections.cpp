@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -26,8 +24,9 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
   return !(s.at((*part)[0]).z > cover && s.at((*part)[1]).z > cover);
 }
 
-/// Adjustable: in leaves with more facets the pairs are compared by their planes over the leaf first.
-constexpr std::uint32_t kCrowded = 32;
+// Adjustable: in leaves with more facets the pairs are compared by their planes over the leaf first, and in those with many
+// more it is found out first which facets need not be compared at all.
+constexpr std::uint32_t kCrowded = 32, kManyTogether = 128;
 
 /// Pairs of facets that have no segment in common, as many as there is room for: where hundreds of facets meet in one line,
 /// every pair of them comes in all the leaves along it. The table grows with what is put into it, since most scenes have few
@@ -83,17 +82,9 @@ class LeafSearch {
       return grid_.complete() || seen_in(s, square, margin_, cell.occluder_depth);
     };
     if (crowded) {
-      group_planes(reach);
       search_crowd(reach, wanted);
-      return;
-    }
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-      const Item& a = items_[i];
-      for (std::size_t k = i + 1; k < items_.size(); ++k) {
-        const Item& b = items_[k];
-        if (b.z_near > a.z_far) break;  // items are ordered by z_near
-        if (a.box.meets(b.box) && a.place.face != b.place.face) found.test(a.place, b.place, wanted);
-      }
+    } else {
+      search_pairs(wanted);
     }
     found.forget_repeated();
   }
@@ -119,23 +110,49 @@ class LeafSearch {
     }
   };
 
-  /// The pairs of a crowded leaf, but for those of one pencil.
   template <class Wanted>
-  void search_crowd(double reach, const Wanted& wanted) {
-    find_pencil();
-    for (std::uint32_t i = 0; i < items_.size(); ++i) {
+  void search_pairs(const Wanted& wanted) {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
       const Item& a = items_[i];
-      const auto& others = in_pencil_[i] ? outside_ : all_;
-      for (auto other = std::upper_bound(others.begin(), others.end(), i); other != others.end(); ++other) {
-        const Item& b = items_[*other];
-        if (b.z_near > a.z_far) break;
-        if (!a.box.meets(b.box) || a.place.face == b.place.face) continue;
-        if (planes_[i].group == planes_[*other].group || planes_[i].apart(planes_[*other], reach)) continue;
-        if (fruitless_.holds(a.place.id, b.place.id) || found.test(a.place, b.place, wanted)) continue;
-        fruitless_.add(a.place.id, b.place.id);
+      for (std::size_t k = i + 1; k < items_.size(); ++k) {
+        const Item& b = items_[k];
+        if (b.z_near > a.z_far) break;  // items are ordered by z_near
+        if (a.box.meets(b.box) && a.place.face != b.place.face) found.test(a.place, b.place, wanted);
       }
     }
-    found.forget_repeated();
+  }
+
+  /// The pairs of a crowded leaf; in one with many facets but for those of one plane and of one pencil.
+  template <class Wanted>
+  void search_crowd(double reach, const Wanted& wanted) {
+    const auto n = static_cast<std::uint32_t>(items_.size());
+    const bool many = n > kManyTogether;
+    if (many) {
+      group_planes(reach);
+      find_pencil();
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const auto compare = [&](std::uint32_t k) { return compare_in_crowd(i, k, many, reach, wanted); };
+      if (many && in_pencil_[i]) {
+        auto other = std::upper_bound(outside_.begin(), outside_.end(), i);
+        while (other != outside_.end() && compare(*other)) ++other;
+      } else {
+        std::uint32_t k = i + 1;
+        while (k < n && compare(k)) ++k;
+      }
+    }
+  }
+
+  /// Returns whether items after k are to be compared with item i, too.
+  template <class Wanted>
+  bool compare_in_crowd(std::uint32_t i, std::uint32_t k, bool grouped, double reach, const Wanted& wanted) {
+    const Item &a = items_[i], &b = items_[k];
+    if (b.z_near > a.z_far) return false;
+    if (!a.box.meets(b.box) || a.place.face == b.place.face) return true;
+    if (planes_[i].apart(planes_[k], reach) || (grouped && planes_[i].group == planes_[k].group)) return true;
+    if (!PenetrationSearch::overlap(a.place, b.place) || fruitless_.holds(a.place.id, b.place.id)) return true;
+    if (!found.test_overlapping(a.place, b.place, wanted)) fruitless_.add(a.place.id, b.place.id);
+    return true;
   }
 
   /// The largest set of facets with one side in common. Their planes meet in the line of that side, which is no penetration
@@ -160,10 +177,10 @@ class LeafSearch {
     }
     in_pencil_.assign(items_.size(), false);
     for (std::size_t i = largest; i < largest_end; ++i) in_pencil_[side_uses_[i].item] = true;
-    all_.resize(items_.size());
-    std::iota(all_.begin(), all_.end(), 0u);
     outside_.clear();
-    std::copy_if(all_.begin(), all_.end(), std::back_inserter(outside_), [&](std::uint32_t i) { return !in_pencil_[i]; });
+    for (std::uint32_t i = 0; i < items_.size(); ++i) {
+      if (!in_pencil_[i]) outside_.push_back(i);
+    }
   }
 
   /// Planes whose depths over the cell are equal, in units of the tolerance, are one group. Of a thousand faces that lie in
@@ -173,8 +190,10 @@ class LeafSearch {
     for (std::uint32_t i = 0; i < planes_.size(); ++i) {
       const Plane& p = planes_[i];
       // Planes that coincide have one gradient, and so about one tolerance.
-      const double unit = std::exp2(std::ceil(std::log2(p.tolerance)));
-      const auto rounded = [&](double z) { return std::floor(z / unit + 0.5); };
+      int exponent = 0;
+      std::frexp(p.tolerance, &exponent);
+      const double unit = std::ldexp(1.0, exponent), per_unit = std::ldexp(1.0, -exponent);
+      const auto rounded = [&](double z) { return std::floor(z * per_unit + 0.5); };
       keys_.push_back({{unit, rounded(p.z), rounded(p.zx * reach), rounded(p.zy * reach)}, i});
     }
     std::sort(keys_.begin(), keys_.end());
@@ -200,8 +219,8 @@ class LeafSearch {
   std::vector<Plane> planes_;  ///< of the items, in crowded leaves
   std::vector<std::pair<std::array<double, 4>, std::uint32_t>> keys_;
   std::vector<SideUse> side_uses_;
-  std::vector<bool> in_pencil_;               ///< by item
-  std::vector<std::uint32_t> all_, outside_;  ///< items, and those not in the pencil
+  std::vector<bool> in_pencil_;         ///< by item
+  std::vector<std::uint32_t> outside_;  ///< the items that are not in it
 };
 
 }  // namespace

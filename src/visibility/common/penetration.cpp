@@ -138,8 +138,11 @@ PlacedFacet PenetrationSearch::place(std::uint32_t facet) const {
   return {facet, f.face, {f.v[0], f.v[1], f.v[2]}, {v[f.v[0]].p, v[f.v[1]].p, v[f.v[2]].p}};
 }
 
+bool PenetrationSearch::overlap(const PlacedFacet& a, const PlacedFacet& b) {
+  return common_corners(a, b) <= 1 && !apart(a, b) && !apart(b, a);
+}
+
 std::optional<PenetrationSearch::Found> PenetrationSearch::segment_of(const PlacedFacet& a, const PlacedFacet& b) {
-  if (common_corners(a, b) > 1 || apart(a, b) || apart(b, a)) return std::nullopt;
   const Facet &fa = (*facets_)[a.id], &fb = (*facets_)[b.id];
   const FacetCorners ca = facet_corners(fa, *vertices_);
   const FacetCorners cb = facet_corners(fb, *vertices_);

@@ -65,6 +65,16 @@ class PenetrationSearch {
   /// side of one that lies in the plane of the other is always remembered. Returns whether there is such a segment.
   template <class Wanted>
   bool test(const PlacedFacet& a, const PlacedFacet& b, Wanted wanted) {
+    return overlap(a, b) && test_overlapping(a, b, wanted);
+  }
+
+  /// Whether the two have a common inside on the page and no common side: without that nothing is found. On the lattice, and
+  /// much cheaper than the rest.
+  static bool overlap(const PlacedFacet& a, const PlacedFacet& b);
+
+  /// The rest of test(), for facets that overlap.
+  template <class Wanted>
+  bool test_overlapping(const PlacedFacet& a, const PlacedFacet& b, Wanted wanted) {
     const auto found = segment_of(a, b);
     if (found && wanted(found->segment)) pairs_.push_back(found->pair);
     return found.has_value();
