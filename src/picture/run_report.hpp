@@ -2,6 +2,7 @@
 /// What a run reports: times of its stages, the method's own figures, and warnings.
 
 #include <chrono>
+#include <ctime>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -15,12 +16,21 @@
 
 namespace ligne {
 
-/// Calls the work and, when it is done, adds its time under the stage's name. Work that finds no memory ends in a
+/// Times of a run's stages, on the clock and of the processor: of all threads together, and without what other programs
+/// take.
+struct StageTimes : Statistics {
+  std::vector<std::pair<std::string, double>> processor_seconds;
+};
+
+/// Calls the work and, when it is done, adds its times under the stage's name. Work that finds no memory ends in a
 /// MemoryError that names the stage; so does work that asks for more than there are addresses (std::length_error).
 template <class Work>
-auto timed(Statistics& stages, const Stage& stage, Work&& work) {
+auto timed(StageTimes& stages, const Stage& stage, Work&& work) {
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t processor_start = std::clock();
   const auto add_time = [&] {
+    const auto processor = static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
+    stages.processor_seconds.emplace_back(stage.name, processor);
     stages.time(stage.name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   };
   try {
@@ -51,7 +61,7 @@ struct RunReport {
   std::string method;
   Statistics study;   ///< the method's own counts and times
   Statistics clear;   ///< what clear lines leave out or change, by cause; empty for exact ones
-  Statistics stages;  ///< times of the whole run
+  StageTimes stages;  ///< of the whole run
   /// What was chosen where nothing was said: a name and a phrase.
   std::vector<std::pair<std::string, std::string>> choices;
   std::vector<RunWarning> warnings;
@@ -63,8 +73,8 @@ struct RunReport {
 /// As a table for people.
 std::string report_text(const RunReport& report);
 
-/// As JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "clear", "choices", "stages"};
-/// "clear" only where clear lines differ, "choices" only where something was chosen.
+/// As JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "clear", "choices", "stages",
+/// "processor_seconds"}; "clear" only where clear lines differ, "choices" only where something was chosen.
 std::string report_json(const RunReport& report);
 
 }  // namespace ligne

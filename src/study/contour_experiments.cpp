@@ -189,7 +189,7 @@ Result study_contour_clipping(const StudyRequest& request) {
                {"microseconds", ColumnKind::time}}};
   Chart chart{"Two convex contours", "corners", "microseconds"};
   chart.logarithmic = true;
-  chart.curves = {{"side by side", {}}, {"slabs", {}}, {"any against any", {}}};
+  chart.curves = {{"side by side", {}}, {"sectors", {}}, {"any against any", {}}};
   std::vector<double> corners, signs;
   for (const bool convex : {true, false}) {
     for (int n = 4; n <= request.pick(64, 1024); n *= 4) {
@@ -211,11 +211,11 @@ Result study_contour_clipping(const StudyRequest& request) {
       row("side by side (Sutherland, Hodgman)", "O(n) for one side", by_sides, 1, twice_area_of(sides),
           seconds_each([&] { return clip_side_by_side(s, c, unused).size(); }), 0);
       if (convex) {
-        ContourClipCounts by_slabs;
-        const Contour slabs = clip_convex(s, c, by_slabs);
+        ContourClipCounts by_sectors;
+        const Contour sectors = clip_convex(s, c, by_sectors);
         corners.push_back(n);
-        signs.push_back(double(by_slabs.signs));
-        row("slabs (Shamos)", "the sum of the sides", by_slabs, 1, twice_area_of(slabs),
+        signs.push_back(double(by_sectors.signs));
+        row("sectors (Shamos)", "the sum of the sides", by_sectors, 1, twice_area_of(sectors),
             seconds_each([&] { return clip_convex(s, c, unused).size(); }), 1);
       }
       // What the clip of the program takes: each side against each.
@@ -230,7 +230,7 @@ Result study_contour_clipping(const StudyRequest& request) {
   result.charts.push_back(std::move(chart));
   result.finding = e < 1.2 ? Finding::holds : Finding::no_longer;
   result.sentence =
-      "For convex contours the slabs take what the thesis promises, the sum of the sides (n to the " + fixed(e) +
+      "For convex contours sectors take what the thesis promises, the sum of the sides (n to the " + fixed(e) +
       "), and the others the product; a star falls apart, which side by side does not tell, for its parts stay one "
       "contour. The program clips by the general one alone: it is exact, and its faces have few sides.";
   return result;

@@ -145,9 +145,8 @@ Result study_segment_tests(const StudyRequest& request) {
   result.tables.push_back(std::move(table));
   result.finding = exact ? Finding::in_part : Finding::no_longer;
   result.sentence =
-      "The counts of the analytic and the vector test are those of the thesis to the last one, and of min-max the sums and products "
-      "are; the parametric test takes nine sums, not six, for those of its three determinants were left out there. The test with "
-      "the fewest operations is not the fastest any more: quotients and branches cost more than sums and products; and only "
+      "The counts of the analytic, the vector and the min-max test are those of the thesis to the last one; the parametric test "
+      "takes nine sums, not six, for those of its three determinants were left out there. The test with the fewest operations is not the fastest any more: quotients and branches cost more than sums and products; and only "
       "min-max errs in doubles.";
   return result;
 }

@@ -194,6 +194,11 @@ TEST_F(DrawTest, StatsToErrorAndFile) {
     EXPECT_NE(outcome.err.find("  " + name + " "), std::string::npos) << outcome.err;
   }
   EXPECT_EQ(stages, (std::set<std::string>{"read", "topology", "project", "study", "drawing", "write", "output"}));
+  for (const auto& [name, seconds] : stats["processor_seconds"].items()) {
+    EXPECT_EQ(stages.erase(name), 1u) << name;
+    EXPECT_GE(seconds.get<double>(), 0);
+  }
+  EXPECT_TRUE(stages.empty());
 }
 
 TEST_F(DrawTest, SameBytesForAnyNumberOfThreads) {

@@ -159,7 +159,7 @@ def without_measures(comparison):
     """A comparison without what no two runs have in common: times and memory."""
     for method in comparison["methods"]:
         assert method["seconds"] >= 0 and method["stages"].keys() >= {"study", "join"} or not method["drawn"]
-        for measured in ("stages", "phases"):
+        for measured in ("stages", "processor_seconds", "phases"):
             method[measured] = sorted(method[measured])
         del method["seconds"], method["peak_bytes"]
     return comparison

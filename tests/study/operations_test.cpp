@@ -79,6 +79,7 @@ TEST(Operations, OperationsAreCounted) {
   EXPECT_EQ(parametric.assignments, 7u);
   EXPECT_EQ(min_max.sums(), 9u);
   EXPECT_EQ(min_max.products + min_max.quotients, 12u);
+  EXPECT_EQ(min_max.tests, 17u);
   EXPECT_EQ(min_max.assignments, 1u);
 }
 
@@ -249,6 +250,30 @@ TEST(Operations, ClippedContoursHaveTheExactArea) {
     EXPECT_NEAR(twice_area_of(clip_side_by_side(as_points(subject), as_points(clip), counts)), truth, tolerance) << round;
     EXPECT_NEAR(twice_area_of(clip_convex(as_points(subject), as_points(clip), counts)), truth, tolerance) << round;
   }
+}
+
+/// On small grids corners lie on sides, on corners, and in line with each other, and the inner point on sides.
+TEST(Operations, SectorsClipWhatTouches) {
+  std::mt19937 random(16);
+  int common = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const int radius = 2 + round % 9;
+    auto subject = convex_contour(random, 3 + round % 11, radius), clip = convex_contour(random, 3 + round % 7, radius);
+    const LatticePoint shift = random_point(random, radius);
+    for (LatticePoint& p : clip) p = {p.x + shift.x, p.y + shift.y};
+    if (subject.size() < 3 || clip.size() < 3) continue;
+    const Contour s = as_points(subject), c = as_points(clip);
+    if (twice_area_of(s) <= 0 || twice_area_of(c) <= 0) continue;
+    const auto faces =
+        clip_contour_by_contour(make_contour_face(std::span(&subject, 1)), make_contour_face(std::span(&clip, 1)));
+    const double truth = twice_area(faces.inside), tolerance = std::ldexp(16.0 * radius, -kFineBits);
+    common += truth > 0;
+    ContourClipCounts counts;
+    EXPECT_NEAR(twice_area_of(clip_convex(s, c, counts)), truth, tolerance) << round;
+    EXPECT_NEAR(twice_area_of(clip_convex(c, s, counts)), truth, tolerance) << round;
+    EXPECT_LE(counts.signs, 2 * (6 * (s.size() + c.size()) + 40)) << round;
+  }
+  EXPECT_GT(common, 1000);
 }
 
 TEST(Operations, SortsSort) {

@@ -15,7 +15,7 @@ namespace ligne::studies {
 using Contour = std::vector<Point2>;
 
 struct ContourClipCounts {
-  std::uint64_t signs = 0;      ///< points against lines, or sides compared at one abscissa
+  std::uint64_t signs = 0;      ///< points against lines, and rays against rays
   std::uint64_t crossings = 0;  ///< computed
 };
 
@@ -23,8 +23,11 @@ struct ContourClipCounts {
 /// other. What falls apart stays one contour, whose parts are joined along the sides of the clip contour (figure 3.18).
 Contour clip_side_by_side(const Contour& subject, const Contour& clip, ContourClipCounts& counts);
 
-/// Shamos, in the form by slabs: between neighbouring abscissas of corners both contours are trapezoids, so each slab takes
-/// constant time and the whole the sum of the corners. Both convex. Empty when they have no area in common.
+/// Shamos, both convex: rays from an inner point of b through its corners part the plane into sectors, one for each side of
+/// b. The first corner of a is looked up among them; from there both contours are walked round together, each side against
+/// what lies in its sectors, so all takes the sum of the sides. Where a does not contain the point its sides are two chains,
+/// the far and the near one (figure 3.21). Exact but for the crossings computed, when coordinates are whole and below 2^22:
+/// all rays are multiples. Empty when they have no area in common, or a line or point.
 Contour clip_convex(const Contour& a, const Contour& b, ContourClipCounts& counts);
 
 /// Twice the area.

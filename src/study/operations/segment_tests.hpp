@@ -84,6 +84,15 @@ bool cross_parametric(const PlanePoint<N>& a, const PlanePoint<N>& b, const Plan
   }
 }
 
+template <class N>
+const N& lesser(const N& p, const N& q) {
+  return q < p ? q : p;
+}
+template <class N>
+const N& greater(const N& p, const N& q) {
+  return p < q ? q : p;
+}
+
 /// [Giloi1978]: the crossing of the two lines lies in the rectangles of both segments.
 template <class N>
 bool meet_min_max(const PlanePoint<N>& a, const PlanePoint<N>& b, const PlanePoint<N>& c, const PlanePoint<N>& d) {
@@ -95,13 +104,10 @@ bool meet_min_max(const PlanePoint<N>& a, const PlanePoint<N>& b, const PlanePoi
   if (det == zero) return false;
   /// Whether v, over det, lies between p and q, and between r and s.
   const auto within = [&](const N& v, const N& p, const N& q, const N& r, const N& s) {
-    const bool rising = p < q, second = r < s;
-    const N &low1 = rising ? p : q, &high1 = rising ? q : p, &low2 = second ? r : s, &high2 = second ? s : r;
-    const N &low = low1 < low2 ? low2 : low1, &high = high1 < high2 ? high1 : high2;
+    const N &low = greater(lesser(p, q), lesser(r, s)), &high = lesser(greater(p, q), greater(r, s));
     if constexpr (kDivides<N>) {
       const N place = v / det;
       const bool above = place >= low, below = place <= high;
-      count_test(v);
       return above && below;
     } else {
       const N least = low * det, most = high * det;
@@ -109,7 +115,6 @@ bool meet_min_max(const PlanePoint<N>& a, const PlanePoint<N>& b, const PlanePoi
     }
   };
   const bool in_x = within(c1 * b2 - c2 * b1, a.x, b.x, c.x, d.x), in_y = within(a1 * c2 - a2 * c1, a.y, b.y, c.y, d.y);
-  count_test(a.x);
   return in_x && in_y;
 }
 
