@@ -193,7 +193,7 @@ FAMILIES = {
     "plates in one place": (cost_inputs.identical_plates, (5, 40)),
     "cubes in one place": (cost_inputs.identical_cubes, (10, 1000)),
     "sheets in one plane": (cost_inputs.overlapping_sheets, (20, 100, 200)),
-    "needles": (cost_inputs.needles, (30, 100, 200)),
+    "needles": (cost_inputs.needles, (30, 60, 100)),
     "penetrating boxes": (cost_inputs.boxes, (20, 1000, 2000)),
     "touching cubes": (cost_inputs.touching_cubes, (27, 1331, 2744)),
     "squares on one edge": (cost_inputs.fan, (20, 150, 300)),

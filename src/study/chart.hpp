@@ -1,5 +1,5 @@
 #pragma once
-/// Plain line charts as SVG.
+/// Line charts as SVG, drawn as any picture is: ticks, texts, layers and the writer are the program's own.
 
 #include <span>
 #include <string>
@@ -13,7 +13,7 @@ struct Curve {
   std::vector<std::pair<double, double>> points;
 };
 
-/// With linear axes both begin at zero; with `logarithmic` ones all values are positive, and decades are marked.
+/// With linear axes both begin at zero; with `logarithmic` ones all values are positive.
 struct Chart {
   std::string title, x_label, y_label;
   std::vector<Curve> curves{};
