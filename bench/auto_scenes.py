@@ -197,8 +197,8 @@ FAMILIES = {
     "penetrating boxes": (cost_inputs.boxes, (20, 1000, 2000)),
     "touching cubes": (cost_inputs.touching_cubes, (27, 1331, 2744)),
     "squares on one edge": (cost_inputs.fan, (20, 150, 300)),
-    "star": (cost_inputs.star, (200, 8000)),
-    "comb": (cost_inputs.comb, (200, 8000)),
+    "star": (cost_inputs.star, (200, 4000)),
+    "comb": (cost_inputs.comb, (200, 4000)),
     "boxes in boxes": (cost_inputs.shells, (20, 200)),
     "stack of plates": (cost_inputs.stack, (20, 150, 600)),
 }

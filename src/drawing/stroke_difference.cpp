@@ -1,8 +1,10 @@
 #include "drawing/stroke_difference.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -58,18 +60,46 @@ class StrokesByCell {
   std::vector<std::uint32_t> found_;
 };
 
+/// The visible strokes of a drawing by their ends: most strokes of a scene are the same in two drawings, and where thousands
+/// run side by side, or through one point, only few need be held against all that are near.
+class StrokesByEnds {
+ public:
+  /// Of drawings on different lattices no two are the same.
+  StrokesByEnds(const StrokeModel& model, const Lattice& lattice, bool by_level) : by_level_(by_level) {
+    if (model.lattice.step_mm != lattice.step_mm || model.lattice.origin_mm != lattice.origin_mm) return;
+    for (const Stroke& s : model.strokes) {
+      if (s.visible) known_.push_back(key(s));
+    }
+    std::sort(known_.begin(), known_.end());
+  }
+  bool hold(const Stroke& s) const { return std::binary_search(known_.begin(), known_.end(), key(s)); }
+
+ private:
+  using Key = std::array<std::int32_t, 5>;
+  Key key(const Stroke& s) const {
+    const std::array<std::int32_t, 2> from{s.from.x, s.from.y}, to{s.to.x, s.to.y};
+    const auto& [first, second] = std::minmax(from, to);
+    return {first[0], first[1], second[0], second[1], by_level_ ? s.level : 0};
+  }
+
+  bool by_level_;
+  std::vector<Key> known_;
+};
+
 }  // namespace
 
 std::vector<paper::Segment> parts_missing(const StrokeModel& of, const StrokeModel& in, double tolerance_mm,
                                           bool same_level) {
-  StrokesByCell others(in, tolerance_mm);
+  const StrokesByEnds same(in, of.lattice, same_level);
+  std::optional<StrokesByCell> others;
   std::vector<paper::Segment> missing;
   for (const Stroke& stroke : of.strokes) {
-    if (!stroke.visible) continue;
+    if (!stroke.visible || same.hold(stroke)) continue;
+    if (!others) others.emplace(in, tolerance_mm);
     const paper::Segment segment = segment_of(of, stroke);
     if (segment.length() <= tolerance_mm) continue;
     std::vector<paper::Range> covered;
-    for (const std::uint32_t i : others.near(stroke)) {
+    for (const std::uint32_t i : others->near(stroke)) {
       const Stroke& other = in.strokes[i];
       if (same_level && other.level != stroke.level) continue;
       if (const auto range = paper::along(segment, segment_of(in, other), tolerance_mm)) covered.push_back(*range);

@@ -42,5 +42,18 @@ TEST(StrokeDifference, LevelsCountWhereTheyAreAskedFor) {
   EXPECT_EQ(parts_missing(direct, through, kHalf, true).size(), 1u);
 }
 
+TEST(StrokeDifference, TheSameStrokesBackToFront) {
+  const StrokeModel there = model({stroke({0, 0}, {100, 30}), stroke({20, 0}, {20, 50})});
+  const StrokeModel back = model({stroke({20, 50}, {20, 0}), stroke({100, 30}, {0, 0})});
+  EXPECT_EQ(difference_of(there, back, kHalf).length_mm, 0);
+}
+
+TEST(StrokeDifference, TheSamePointsOfAnotherLatticeAreElsewhere) {
+  const StrokeModel here = model({stroke({0, 0}, {100, 0})});
+  StrokeModel elsewhere = here;
+  elsewhere.lattice.origin_mm.y += 10;
+  EXPECT_NEAR(difference_of(here, elsewhere, kHalf).length_mm, 200, 1e-9);
+}
+
 }  // namespace
 }  // namespace ligne

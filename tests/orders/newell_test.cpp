@@ -115,9 +115,7 @@ TEST(Newell, Figure281eRings) {
 
 // Figure 2.83: the depths of all faces are apart, and Q_p is empty for each: nothing is compared.
 TEST(Newell, Figure283NothingIsCompared) {
-  Scene scene;
-  for (int i = 0; i < 20; ++i) add_plate(scene, 0, 10, 0, 10, 3 * i + 2, 3 * i);
-  const Sorted s = sorted(scene);
+  const Sorted s = sorted(studies::apart_in_depth(20));
   EXPECT_EQ(s.counts.compared, 0u);
   EXPECT_EQ(s.counts.slabs, 20u);
   Order farthest_first(20);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "geometry/parallel.hpp"
+#include "study/generators.hpp"
 #include "support/scenes.hpp"
 #include "visibility/warnock_tools.hpp"
 
@@ -100,22 +101,9 @@ TEST(WarnockControl, SceneWithoutAnything) {
   }
 }
 
-/// Figures 2.20 to 2.23: a square of 50 mm turned by 40 degrees, before a triangle that it hides; on a sheet of 100 x 100
-/// mm.
-std::uint64_t windows_of_square(double shift_x, double shift_y, unsigned window, unsigned split, unsigned resolution) {
-  Scene scene;
-  const double angle = 40 * std::acos(-1.0) / 180, c = std::cos(angle), s = std::sin(angle);
-  std::vector<Point3> square;
-  for (const auto& [x, y] : {std::pair{-25, -25}, {25, -25}, {25, 25}, {-25, 25}})
-    square.push_back({c * x - s * y, s * x + c * y, 0});
-  add_face(scene, {square});
-  std::vector<Point3> triangle;
-  for (const auto& [x, y] : {std::pair{-6, -5}, {16, -3}, {4, 17}}) triangle.push_back({x + shift_x, y + shift_y, -10.0});
-  add_face(scene, {triangle});
-  CameraRequest request = along({0, 0, -1});
-  request.up = Point3{0, 1, 0};
-  const View view = make_view(scene, make_camera(request, scene), {{{10, 10}, {90, 90}}}, {{0, 0}, {100, 100}}, 1);
-  const ProjectedScene projected = project(scene, build_topology(scene), view, {classes("all"), 30});
+/// Figures 2.20 to 2.23.
+std::uint64_t windows_of_square(double shift_x, double shift_z, unsigned window, unsigned split, unsigned resolution) {
+  const ProjectedScene projected = studies::on_square_sheet(studies::square_before_triangle(shift_x, shift_z));
   StudyOptions options;
   options.wanted = kStrokes;
   options.settings.set("warnock-window", window);
