@@ -103,7 +103,7 @@ std::string compare_text(const MethodComparison& comparison) {
   std::string text = "scene\n";
   for (const auto& [name, value] : lines_of(comparison.traits)) {
     constexpr std::size_t kColumn = 15;
-    text += "  " + name + std::string(kColumn - name.size(), ' ') + value + "\n";
+    text.append("  ").append(name).append(kColumn - name.size(), ' ').append(value).append("\n");
   }
   text += "  auto           " + comparison.chosen + ": " + comparison.why_chosen + "\n";
   std::vector<std::vector<std::string>> rows{{"method", "strokes", "visible mm", "differs mm", "study", "all", "memory"}};
