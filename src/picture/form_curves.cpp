@@ -12,11 +12,6 @@ namespace {
 
 using Key = std::tuple<double, double, double>;
 
-Point3 unit(const Point3& v) {
-  const double length = glm::length(v);
-  return length > 0 ? v / length : Point3{0, 0, 0};
-}
-
 /// Adds a direction to others of its line, whichever way it points.
 void add_way(Point3& sum, const Point3& way) { sum += glm::dot(sum, way) < 0 ? -way : way; }
 

@@ -38,11 +38,6 @@ constexpr double kNormalPart = 0.5;       ///< of `length`: smaller bumps do not
 constexpr std::size_t kMostRounds = 300;  ///< of conjugate gradients: so many edges directions reach into flat parts
 constexpr double kResidual = 1e-4;        ///< part of the first residual: directions, nothing that is hidden
 
-Point3 unit(const Point3& v) {
-  const double length = glm::length(v);
-  return length > 0 ? v / length : Point3{0, 0, 0};
-}
-
 constexpr double kQuarter = std::numbers::pi / 2;
 
 struct TangentFrame {
@@ -367,6 +362,11 @@ Point3 FormField::onward(const FormMesh& mesh, std::uint32_t triangle, const Wei
   }
   second = for_second > 0;
   return in_plane(sum, unit(mesh.area_vector(triangle)));
+}
+
+Point3 unit(const Point3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : Point3{0, 0, 0};
 }
 
 }  // namespace ligne

@@ -11,8 +11,6 @@ namespace {
 /// What is nearer is one place: the micrometre to which drawings are right.
 constexpr double kTouchMm = 1e-3;
 
-double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
-
 double distance_to(Point2 p, Point2 from, Point2 to) {
   const Point2 way = to - from;
   const double square = glm::dot(way, way);

@@ -6,8 +6,6 @@ namespace ligne::studies {
 namespace {
 
 double side_of(Point2 a, Point2 b, Point2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
-
-double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
 double dot(Point2 u, Point2 v) { return u.x * v.x + u.y * v.y; }
 
 /// Rays from an inner point of a convex contour through its corners: n sectors, one for each side.
