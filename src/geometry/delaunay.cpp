@@ -3,10 +3,19 @@
 //   the next edge round the face on the left of e is the one before e ^ 1 in its ring,
 //   the previous one round the face on its left is the reverse of the one behind e in its ring,
 //   the previous one round the face on its right is the one behind e ^ 1 in its ring.
+//
+// The points come along a Morton curve, so a range of them is cut in two by the highest bit in which its keys differ: along
+// x or along y, all of one half before all of the other. Cuts along y are cuts along x of the points turned by a quarter,
+// (x, y) to (y, -x), and turning changes none of the signs that decide.
 
 #include "geometry/delaunay.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cassert>
 #include <utility>
+
+#include "geometry/morton.hpp"
 
 namespace ligne {
 namespace {
@@ -31,150 +40,216 @@ class Triangulation {
  public:
   using Edge = std::uint32_t;
 
-  explicit Triangulation(std::span<const LatticePoint> points) : points_(points) {
-    next_.reserve(6 * points.size());
-    previous_.reserve(6 * points.size());
-    from_.reserve(6 * points.size());
+  explicit Triangulation(std::span<const LatticePoint> points) {
+    edges_.reserve(6 * points.size());
+    points_.reserve(points.size());
+    keys_.reserve(points.size());
+    for (const LatticePoint& p : points) {
+      points_.push_back({p, static_cast<std::uint32_t>(points_.size())});
+      keys_.push_back(morton_key(p));
+      assert(keys_.size() < 2 || keys_[keys_.size() - 2] < keys_.back());
+    }
   }
 
   Delaunay run() {
-    if (points_.size() >= 2) divide(0, static_cast<std::uint32_t>(points_.size()));
+    if (points_.size() >= 2) divide(0, static_cast<std::uint32_t>(points_.size()), Cut::by_keys);
     return collect();
   }
 
  private:
-  /// The hull's edges that leave its lowest point (by x) counter-clockwise, and its highest one clockwise.
+  struct Place {
+    LatticePoint at;
+    std::uint32_t number;  ///< of the caller's points
+  };
+
+  /// Along what a set of points is cut, and where.
+  enum class Axis { x, y };
+  enum class Cut { by_keys, in_halves };
+
+  /// The hull's edges that leave its lowest point along an axis counter-clockwise, and its highest one clockwise.
   using Ends = std::pair<Edge, Edge>;
 
-  std::uint32_t to(Edge e) const { return from_[e ^ 1]; }
-  Edge next_left(Edge e) const { return previous_[e ^ 1]; }
-  Edge previous_right(Edge e) const { return next_[e ^ 1]; }
+  struct HalfEdge {
+    Edge next, previous;  ///< in the ring
+    std::uint32_t from;   ///< kNone for edges that were removed
+    std::uint32_t face;   ///< on the left, once all is done
+  };
+
+  std::uint32_t from(Edge e) const { return edges_[e].from; }
+  std::uint32_t to(Edge e) const { return edges_[e ^ 1].from; }
+  Edge next(Edge e) const { return edges_[e].next; }
+  Edge previous(Edge e) const { return edges_[e].previous; }
+  Edge next_left(Edge e) const { return previous(e ^ 1); }
+  Edge previous_right(Edge e) const { return next(e ^ 1); }
 
   double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return orientation(points_[a], points_[b], points_[c]);
+    return orientation(points_[a].at, points_[b].at, points_[c].at);
   }
-  bool is_left(std::uint32_t p, Edge e) const { return turn(p, from_[e], to(e)) > 0; }
-  bool is_right(std::uint32_t p, Edge e) const { return turn(p, to(e), from_[e]) > 0; }
+  bool is_left(std::uint32_t p, Edge e) const { return turn(p, from(e), to(e)) > 0; }
+  bool is_right(std::uint32_t p, Edge e) const { return turn(p, to(e), from(e)) > 0; }
   bool circle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
-    return in_circle(points_[a], points_[b], points_[c], points_[d]);
+    return in_circle(points_[a].at, points_[b].at, points_[c].at, points_[d].at);
   }
 
   Edge make(std::uint32_t a, std::uint32_t b) {
-    const auto e = static_cast<Edge>(from_.size());
-    for (const Edge half : {e, e + 1}) {
-      next_.push_back(half);
-      previous_.push_back(half);
+    Edge e = static_cast<Edge>(edges_.size());
+    if (removed_.empty()) {
+      edges_.resize(edges_.size() + 2);
+    } else {
+      e = removed_.back();
+      removed_.pop_back();
     }
-    from_.push_back(a);
-    from_.push_back(b);
+    edges_[e] = {e, e, a, Delaunay::kNone};
+    edges_[e + 1] = {e + 1, e + 1, b, Delaunay::kNone};
     return e;
   }
 
   /// Joins two rings, or divides one.
   void splice(Edge a, Edge b) {
-    std::swap(next_[a], next_[b]);
-    previous_[next_[a]] = a;
-    previous_[next_[b]] = b;
+    std::swap(edges_[a].next, edges_[b].next);
+    edges_[edges_[a].next].previous = a;
+    edges_[edges_[b].next].previous = b;
   }
 
   /// An edge from the end of a to the beginning of b, so that all three have one face on their left.
   Edge connect(Edge a, Edge b) {
-    const Edge e = make(to(a), from_[b]);
+    const Edge e = make(to(a), from(b));
     splice(e, next_left(a));
     splice(e ^ 1, b);
     return e;
   }
 
   void remove(Edge e) {
-    splice(e, previous_[e]);
-    splice(e ^ 1, previous_[e ^ 1]);
-    from_[e] = from_[e ^ 1] = Delaunay::kNone;
+    splice(e, previous(e));
+    splice(e ^ 1, previous(e ^ 1));
+    edges_[e].from = edges_[e ^ 1].from = Delaunay::kNone;
+    removed_.push_back(e & ~Edge{1});
   }
 
-  Ends divide(std::uint32_t begin, std::uint32_t end) {
-    const std::uint32_t count = end - begin;
-    if (count == 2) {
-      const Edge a = make(begin, begin + 1);
-      return {a, a ^ 1};
+  /// By the axis, then by the one that a quarter turn makes of the other.
+  static bool is_before(const Place& a, const Place& b, Axis axis) {
+    const LatticePoint &p = a.at, &q = b.at;
+    return axis == Axis::x ? std::pair(p.x, p.y) < std::pair(q.x, q.y) : std::pair(p.y, -p.x) < std::pair(q.y, -q.x);
+  }
+  bool is_before(std::uint32_t a, std::uint32_t b, Axis axis) const { return is_before(points_[a], points_[b], axis); }
+
+  /// `edge`: of the hull, counter-clockwise.
+  Ends ends_along(Axis axis, Edge edge) const {
+    Edge lowest = edge, highest = edge ^ 1;
+    for (Edge e = previous_right(edge); e != edge; e = previous_right(e)) {
+      if (is_before(from(e), from(lowest), axis)) lowest = e;
+      if (is_before(from(highest), to(e), axis)) highest = e ^ 1;
     }
-    if (count == 3) return three(begin);
-    const std::uint32_t middle = begin + count / 2;
-    const Ends left = divide(begin, middle), right = divide(middle, end);
-    return merge(left, right);
+    return {lowest, highest};
   }
 
-  Ends three(std::uint32_t p) {
+  /// Gives an edge of the hull, counter-clockwise. The calls nest no deeper than keys have bits, and halves beyond that.
+  Edge divide(std::uint32_t begin, std::uint32_t end, Cut cut) {
+    if (end - begin == 2) return make(begin, begin + 1);
+    if (end - begin == 3) return three(begin);
+    std::uint32_t middle = begin + (end - begin) / 2;
+    Axis axis = Axis::x;
+    if (cut == Cut::by_keys) {
+      const int bit = std::bit_width(keys_[begin] ^ keys_[end - 1]) - 1;
+      const auto first = keys_.begin() + begin, last = keys_.begin() + end;
+      const auto upper = std::lower_bound(first, last, keys_[end - 1] >> bit << bit);
+      // A part of one point has no edge. There the points are cut in halves, and leave the order of their keys.
+      if (upper - first < 2 || last - upper < 2) return divide(begin, end, Cut::in_halves);
+      middle = static_cast<std::uint32_t>(upper - keys_.begin());
+      axis = bit % 2 == 0 ? Axis::x : Axis::y;
+    } else {
+      const auto first = points_.begin();
+      axis = longer_axis(begin, end);
+      std::nth_element(first + begin, first + middle, first + end,
+                       [axis](const Place& a, const Place& b) { return is_before(a, b, axis); });
+    }
+    const Edge left = divide(begin, middle, cut), right = divide(middle, end, cut);
+    return merge(ends_along(axis, left), ends_along(axis, right));
+  }
+
+  Axis longer_axis(std::uint32_t begin, std::uint32_t end) const {
+    LatticePoint low = points_[begin].at, high = low;
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const LatticePoint p = points_[k].at;
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    return high.x - low.x < high.y - low.y ? Axis::y : Axis::x;
+  }
+
+  Edge three(std::uint32_t p) {
+    const auto first = points_.begin() + p;
+    std::sort(first, first + 3, [](const Place& a, const Place& b) { return is_before(a, b, Axis::x); });
     const Edge a = make(p, p + 1), b = make(p + 1, p + 2);
     splice(a ^ 1, b);
     const double turned = turn(p, p + 1, p + 2);
-    if (turned == 0) return {a, b ^ 1};
+    if (turned == 0) return a;
     const Edge c = connect(b, a);
-    return turned > 0 ? Ends{a, b ^ 1} : Ends{c ^ 1, c};
+    return turned > 0 ? a : c ^ 1;
   }
 
-  Ends merge(Ends left, Ends right) {
+  /// Gives an edge of the hull, counter-clockwise.
+  Edge merge(Ends left, Ends right) {
     Edge inner_left = left.second, inner_right = right.first;
     for (;;) {  // the common tangent from below
-      if (is_left(from_[inner_right], inner_left)) {
+      if (is_left(from(inner_right), inner_left)) {
         inner_left = next_left(inner_left);
-      } else if (is_right(from_[inner_left], inner_right)) {
+      } else if (is_right(from(inner_left), inner_right)) {
         inner_right = previous_right(inner_right);
       } else {
         break;
       }
     }
     Edge base = connect(inner_right ^ 1, inner_left);
-    if (from_[inner_left] == from_[left.first]) left.first = base ^ 1;
-    if (from_[inner_right] == from_[right.second]) right.second = base;
+    const Edge hull = base ^ 1;  // the common tangent
     const auto is_above = [&](Edge e) { return is_right(to(e), base); };
     for (;;) {  // from one cross edge to the next above it
-      Edge candidate = next_[base ^ 1];
+      Edge candidate = next(base ^ 1);
       if (is_above(candidate)) {
-        while (circle(to(base), from_[base], to(candidate), to(next_[candidate]))) {
-          const Edge after = next_[candidate];
+        while (circle(to(base), from(base), to(candidate), to(next(candidate)))) {
+          const Edge after = next(candidate);
           remove(candidate);
           candidate = after;
         }
       }
-      Edge other = previous_[base];
+      Edge other = previous(base);
       if (is_above(other)) {
-        while (circle(to(base), from_[base], to(other), to(previous_[other]))) {
-          const Edge after = previous_[other];
+        while (circle(to(base), from(base), to(other), to(previous(other)))) {
+          const Edge after = previous(other);
           remove(other);
           other = after;
         }
       }
       const bool left_above = is_above(candidate), right_above = is_above(other);
-      if (!left_above && !right_above) return {left.first, right.second};
-      const bool take_right =
-          !left_above || (right_above && circle(to(candidate), from_[candidate], from_[other], to(other)));
+      if (!left_above && !right_above) return hull;
+      const bool take_right = !left_above || (right_above && circle(to(candidate), from(candidate), from(other), to(other)));
       base = take_right ? connect(other, base ^ 1) : connect(base ^ 1, candidate ^ 1);
     }
   }
 
   /// The faces on the left of all edges that are triangles.
-  Delaunay collect() const {
+  Delaunay collect() {
     Delaunay result;
     result.triangles.reserve(2 * points_.size());
     result.neighbours.reserve(2 * points_.size());
-    std::vector<std::uint32_t> face(from_.size(), Delaunay::kNone);
-    for (Edge e = 0; e < from_.size(); ++e) {
-      if (from_[e] == Delaunay::kNone || face[e] != Delaunay::kNone) continue;
+    for (Edge e = 0; e < edges_.size(); ++e) {
+      if (from(e) == Delaunay::kNone || edges_[e].face != Delaunay::kNone) continue;
       const Edge b = next_left(e), c = next_left(b);
-      if (next_left(c) != e || !(turn(from_[e], from_[b], from_[c]) > 0)) continue;
-      face[e] = face[b] = face[c] = static_cast<std::uint32_t>(result.triangles.size());
-      result.triangles.push_back({from_[e], from_[b], from_[c]});
+      if (next_left(c) != e || !(turn(from(e), from(b), from(c)) > 0)) continue;
+      edges_[e].face = edges_[b].face = edges_[c].face = static_cast<std::uint32_t>(result.triangles.size());
+      result.triangles.push_back({points_[from(e)].number, points_[from(b)].number, points_[from(c)].number});
       result.neighbours.push_back({e ^ 1, b ^ 1, c ^ 1});
     }
     for (std::array<std::uint32_t, 3>& beyond : result.neighbours) {
-      for (std::uint32_t& side : beyond) side = face[side];
+      for (std::uint32_t& side : beyond) side = edges_[side].face;
     }
     return result;
   }
 
-  std::span<const LatticePoint> points_;
-  std::vector<Edge> next_, previous_;  ///< in the ring
-  std::vector<std::uint32_t> from_;    ///< kNone for edges that were removed
+  std::vector<Place> points_;
+  std::vector<std::uint64_t> keys_;  ///< of the points as they came
+  std::vector<HalfEdge> edges_;
+  std::vector<Edge> removed_;  ///< pairs to be used again
 };
 
 }  // namespace

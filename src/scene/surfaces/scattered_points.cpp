@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/delaunay.hpp"
+#include "geometry/morton.hpp"
 #include "geometry/parallel.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/height_function.hpp"
@@ -157,6 +158,7 @@ class TriangulatedFunction : public HeightFunction {
 };
 
 struct PlacedHeight {
+  std::uint64_t key;  ///< along the curve that the triangulation asks for
   LatticePoint at;
   double height;
 };
@@ -164,15 +166,14 @@ struct PlacedHeight {
 /// Points that share a place become one.
 std::size_t merge_places(std::vector<PlacedHeight>& points) {
   parallel_sort(points.begin(), points.end(), [](const PlacedHeight& a, const PlacedHeight& b) {
-    return std::pair(a.at.x, a.at.y) != std::pair(b.at.x, b.at.y) ? std::pair(a.at.x, a.at.y) < std::pair(b.at.x, b.at.y)
-                                                                  : a.height < b.height;
+    return a.key != b.key ? a.key < b.key : a.height < b.height;
   });
   std::size_t count = 0, merged = 0;
   for (std::size_t i = 0; i < points.size();) {
     std::size_t end = i;
     double sum = 0;
-    while (end < points.size() && points[end].at == points[i].at) sum += points[end++].height;
-    points[count++] = {points[i].at, sum / static_cast<double>(end - i)};
+    while (end < points.size() && points[end].key == points[i].key) sum += points[end++].height;
+    points[count++] = {points[i].key, points[i].at, sum / static_cast<double>(end - i)};
     merged += end - i - 1;
     i = end;
   }
@@ -217,7 +218,10 @@ std::unique_ptr<HeightSource> surface_of_points(std::vector<Point3> points, std:
     throw on_a_line();
   const PlaneLattice lattice{low, (high - low) / (2. * kLatticeLimit)};
   std::vector<PlacedHeight> placed(points.size());
-  parallel_for(points.size(), [&](std::size_t i) { placed[i] = {lattice.snap(points[i].x, points[i].y), points[i].z}; });
+  parallel_for(points.size(), [&](std::size_t i) {
+    const LatticePoint p = lattice.snap(points[i].x, points[i].y);
+    placed[i] = {morton_key(p), p, points[i].z};
+  });
   const std::size_t merged = merge_places(placed);
   if (merged > 0) warnings.add("points at the place of another one: heights averaged", merged);
   std::vector<LatticePoint> at;
