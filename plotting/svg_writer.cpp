@@ -10,7 +10,9 @@
 #include <numbers>
 #include <set>
 #include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "geometry/parallel.hpp"
 #include "plotting/cairo_path.hpp"
@@ -92,14 +94,14 @@ class PathWriter {
   void end(bool closed) {
     if (closed && points_.size() > 1 && points_.front() == points_.back() && !arcs_.back()) points_.pop_back();
     if (points_.size() > 1) {
-      write(absolute_, false);
-      write(relative_, true);
+      const std::string_view absolute = write(absolute_, false), relative = write(relative_, true);
       out_ += "<path d=\"";
-      out_ += absolute_.size() <= relative_.size() ? absolute_ : relative_;
+      out_ += absolute.size() <= relative.size() ? absolute : relative;
       out_ += closed ? "Z\"/>\n" : "\"/>\n";
     } else if (stays_ && !moves_) {
-      write(absolute_, false);
-      out_ += "<path d=\"" + absolute_ + "h0\"/>\n";
+      out_ += "<path d=\"";
+      out_ += write(absolute_, false);
+      out_ += "h0\"/>\n";
     }
     points_.clear();
   }
@@ -129,10 +131,12 @@ class PathWriter {
     return p;
   }
 
-  void write(std::string& text, bool relative) {
-    constexpr std::size_t kPairs = 3;  // of numbers: radii, rotation and flags, point
-    text.resize(points_.size() * 2 * kPairs * kNumberBytes);
-    char* p = text.data();
+  /// The path as text in `buffer`, which only grows: to clear it for every path would take longer than to write it.
+  std::string_view write(std::vector<char>& buffer, bool relative) {
+    const bool is_straight = std::all_of(arcs_.begin(), arcs_.end(), [](const EllipticArc* arc) { return !arc; });
+    const std::size_t pairs = is_straight ? 1 : 3;  // of numbers: the point; radii, rotation and flags
+    buffer.resize(std::max(buffer.size(), points_.size() * 2 * pairs * kNumberBytes));
+    char* p = buffer.data();
     const auto pair = [&p](UnitPoint v) {
       p = write_fixed(p, v.x, kDecimals, true);
       *p++ = ' ';
@@ -147,14 +151,15 @@ class PathWriter {
       const UnitPoint origin = relative ? points_[i - 1] : UnitPoint{0, 0};
       pair({points_[i].x - origin.x, points_[i].y - origin.y});
     }
-    text.resize(static_cast<std::size_t>(p - text.data()));
+    return {buffer.data(), static_cast<std::size_t>(p - buffer.data())};
   }
 
   std::vector<UnitPoint> points_;
   std::vector<const EllipticArc*> arcs_;  ///< that leads to the point of the same index; null: a straight line
   Point2 start_{0, 0};
-  bool stays_ = false, moves_ = false;  ///< there are lines to the first point, to others
-  std::string absolute_, relative_, out_;
+  bool stays_ = false, moves_ = false;     ///< there are lines to the first point, to others
+  std::vector<char> absolute_, relative_;  ///< scratch
+  std::string out_;
 };
 
 struct Chunk {
