@@ -2,7 +2,6 @@
 /// The u axis of the picture in columns of equal width, and bands of them that are studied side by side.
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -23,7 +22,7 @@ class Columns {
 
   /// The column of u; the first or the last one for what lies outside.
   std::size_t at(double u) const {
-    const double c = std::floor((u - u_min_) / width_);
+    const double c = (u - u_min_) / width_;
     return c <= 0 ? 0 : std::min(static_cast<std::size_t>(c), count_ - 1);
   }
   /// Where column c begins.

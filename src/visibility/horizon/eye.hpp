@@ -77,9 +77,10 @@ class Eye {
     return contour;
   }
 
-  /// Calls sink(t0, t1) for what is seen of the segment inside the window. `seen` are fractions of `part`.
+  /// Calls sink(t0, t1) for what is seen of the segment inside the window. `seen` are fractions of the part from `from` to
+  /// `to`.
   template <class Sink>
-  void give(const Sample& a, const Sample& b, const FrontPart& part, const std::vector<Span>& seen, Sink sink) const {
+  void give(const Sample& a, const Sample& b, double from, double to, const std::vector<Span>& seen, Sink sink) const {
     if (seen.empty()) return;
     std::array<double, 2> inside{0, 1};
     if (!a.inside || !b.inside) {
@@ -87,10 +88,10 @@ class Eye {
       if (!clipped) return;
       inside = clipped->range;
     }
-    const double extent = part.to - part.from;
+    const double extent = to - from;
     for (const Span& s : seen) {
-      const double t0 = std::max(part.from + s.from * extent, inside[0]);
-      const double t1 = std::min(s.to == 1 ? part.to : part.from + s.to * extent, inside[1]);
+      const double t0 = std::max(from + s.from * extent, inside[0]);
+      const double t1 = std::min(s.to == 1 ? to : from + s.to * extent, inside[1]);
       if (t0 < t1) sink(t0, t1);
     }
   }

@@ -365,10 +365,13 @@ SightEdge& PartEdges::put(EdgeList& list, const FrontPart& part, bool upper, boo
   const std::size_t first = columns.at(line.u0), last = edge.line.upright() ? first : columns.at(line.u1);
   edge.first_band = bands_.of_column(first);
   edge.last_band = bands_.of_column(last);
-  const bool hides = (upper || lower) && !edge.line.upright();
-  const ColumnRange reached = hides ? with_neighbours({first, last + 1}, columns) : ColumnRange{first, last + 1};
-  for (std::size_t b = bands_.of_column(reached.begin); b <= bands_.of_column(reached.end - 1); ++b)
-    list.of_band[b].push_back(number);
+  std::size_t first_band = edge.first_band, last_band = edge.last_band;
+  if ((upper || lower) && !edge.line.upright()) {
+    const ColumnRange reached = with_neighbours({first, last + 1}, columns);
+    first_band = bands_.of_column(reached.begin);
+    last_band = bands_.of_column(reached.end - 1);
+  }
+  for (std::size_t b = first_band; b <= last_band; ++b) list.of_band[b].push_back(number);
   return edge;
 }
 

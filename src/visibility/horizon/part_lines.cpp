@@ -59,6 +59,7 @@ const std::vector<Span>& PartLines::seen(const EdgeList& list, std::uint32_t num
     }
   }
   if (!below_.empty()) join(seen_, below_);
+  if (seen_.empty()) return seen_;
   if (sight.upright()) {
     // Between two closed sides the horizons rise and fall with what is seen, and nothing is seen twice.
     if (edge.open) upright_lines_.draw(sight.line().u0, seen_);
@@ -69,8 +70,7 @@ const std::vector<Span>& PartLines::seen(const EdgeList& list, std::uint32_t num
 }
 
 void PartLines::give(const SightEdge& edge, const std::vector<Span>& seen) {
-  const FrontPart part{{}, {}, edge.from, edge.to};
-  const auto each = [&](auto sink) { eye_.give(*edge.a, *edge.b, part, seen, sink); };
+  const auto each = [&](auto sink) { eye_.give(*edge.a, *edge.b, edge.from, edge.to, seen, sink); };
   switch (edge.goal) {
     case Goal::curve:
     case Goal::underside: {

@@ -28,8 +28,12 @@ class SightLine {
 
   /// Spans of u, upright of v, become fractions of the segment in space, ascending.
   void to_space(std::vector<Span>& spans) const {
-    const double from = upright_ ? line_.v0 : line_.u0, extent = (upright_ ? line_.v1 : line_.u1) - from;
+    const double from = upright_ ? line_.v0 : line_.u0, to = upright_ ? line_.v1 : line_.u1, extent = to - from;
     for (Span& s : spans) {
+      if (s.from == from && s.to == to && from < to) {  // most lines are seen as a whole or not at all
+        s = {0, 1};
+        continue;
+      }
       s = {(s.from - from) / extent, (s.to - from) / extent};
       if (turned_) s = {1 - s.to, 1 - s.from};
       s = {fraction_in_space(w0_, w1_, s.from), fraction_in_space(w0_, w1_, s.to)};
