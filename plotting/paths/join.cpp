@@ -31,7 +31,7 @@
 namespace ligne {
 namespace {
 
-/// Part of the tolerance of simplification that is spent before overlaps are looked for.
+/// Part of the tolerances of simplification that is spent before overlaps are looked for.
 constexpr double kEarlyPart = 0.25;
 
 /// Polylines on the lattice without repeated points; what has no length goes to `dots`.
@@ -81,14 +81,15 @@ std::vector<char> shared_points(const LatticeLines& lines) {
 
 /// Segments of the lines as strokes of a model, numbered by source in their order; those of line i begin at
 /// line_begin[i].
-StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, std::vector<std::uint32_t>& line_begin) {
+StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, double most_lost,
+                        std::vector<std::uint32_t>& line_begin) {
   StrokeModel model;
   model.lattice = lines.lattice;
   const std::vector<char> shared = tolerance_mm > 0 ? shared_points(lines) : std::vector<char>{};
   std::vector<Point2> piece;
   std::vector<std::uint32_t> where;
   const auto add_piece = [&] {
-    const std::vector<std::uint32_t> kept = simplified(piece, tolerance_mm);
+    const std::vector<std::uint32_t> kept = simplified(piece, tolerance_mm, most_lost);
     for (std::size_t k = 1; k < kept.size(); ++k) {
       Stroke stroke;
       stroke.from = lines.points[where[kept[k - 1]]];
@@ -300,8 +301,9 @@ Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances)
   const LatticeLines snapped = on_lattice(lines);
   const bool once = tolerances.overlap_mm > 0;
   const double early = once ? kEarlyPart * tolerances.simplify_mm : 0;
+  const double early_loss = once ? kEarlyPart * tolerances.simplify_loss : 0;
   std::vector<std::uint32_t> line_begin;
-  StrokeModel model = segments_of(snapped, early, line_begin);
+  StrokeModel model = segments_of(snapped, early, early_loss, line_begin);
   if (once) {
     const std::vector<Stroke> whole = model.strokes;
     remove_equal(model.strokes);
@@ -318,8 +320,9 @@ Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances)
   const Polylines joined = join_near_ends(Chains(model).polylines(), tolerances.ends_mm);
 
   Polylines out;
-  for (std::size_t i = 0; i < joined.size(); ++i)
-    append(out, joined[i], simplified(joined[i], tolerances.simplify_mm - early));
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    append(out, joined[i], simplified(joined[i], tolerances.simplify_mm - early, tolerances.simplify_loss - early_loss));
+  }
   for (const LatticePoint dot : snapped.dots) {
     out.points.insert(out.points.end(), 2, snapped.lattice.to_mm(dot));
     out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));

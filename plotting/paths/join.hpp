@@ -14,6 +14,8 @@ struct JoinTolerances {
   /// the pen would have to be lifted for it.
   double lift_mm = 10;
   double simplify_mm = 0.02;  ///< how far the line may leave the points that are left out; zero keeps all that turn
+  /// Part of its length that a line may lose by that: ink is length times width. A circle keeps 41 points at the least.
+  double simplify_loss = 0.001;
 };
 
 /// The same lines with as few strokes as their ends allow: where strokes meet in a point the straightest continue each

@@ -32,10 +32,15 @@ std::pair<std::uint32_t, double> farthest(std::span<const Point2> line, std::uin
 
 }  // namespace
 
-std::vector<std::uint32_t> simplified(std::span<const Point2> line, double tolerance) {
+std::vector<std::uint32_t> simplified(std::span<const Point2> line, double tolerance, double most_lost) {
   const auto n = static_cast<std::uint32_t>(line.size());
   std::vector<std::uint32_t> kept;
   if (n == 0) return kept;
+  std::vector<double> way(n, 0);  // from the first point, along the line
+  for (std::uint32_t i = 1; i < n; ++i) way[i] = way[i - 1] + glm::distance(line[i - 1], line[i]);
+  const auto shortens = [&](std::uint32_t from, std::uint32_t to) {
+    return to > from + 1 && glm::distance(line[from], line[to]) < (way[to] - way[from]) * (1 - most_lost);
+  };
   std::vector<std::uint32_t> stack;
   kept.push_back(0);
   for (std::uint32_t start = 0; start + 1 < n;) {
@@ -44,7 +49,7 @@ std::vector<std::uint32_t> simplified(std::span<const Point2> line, double toler
     while (!stack.empty()) {
       const std::uint32_t from = kept.back(), to = stack.back();
       const auto [at, distance] = farthest(line, from, to);
-      if (distance > tolerance * tolerance) {
+      if (distance > tolerance * tolerance || shortens(from, to)) {
         stack.push_back(at);
       } else {
         kept.push_back(to);

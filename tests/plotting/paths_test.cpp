@@ -158,6 +158,34 @@ TEST(Simplified, KeepsWhatTurnsAndDropsWhatDoesNot) {
   EXPECT_EQ(simplified(there_and_back, 0.02).size(), 3u) << "the far point is no part of the segment";
 }
 
+Polylines circle(double radius_mm, int points) {
+  std::vector<Point2> line;
+  for (int i = 0; i < points; ++i)
+    line.push_back({50 + radius_mm * std::cos(i * 2 * M_PI / points), 50 + radius_mm * std::sin(i * 2 * M_PI / points)});
+  line.push_back(line.front());
+  return lines_of({line});
+}
+
+TEST(Simplified, KeepsAsMuchOfTheLengthAsIsAsked) {
+  for (const double radius : {0.005, 0.3, 3.0, 30.0}) {
+    const Polylines given = circle(radius, 720);
+    const std::vector<std::uint32_t> kept = simplified(given[0], 0.02, 0.001);
+    double length = 0;
+    for (std::size_t k = 1; k < kept.size(); ++k) length += glm::distance(given[0][kept[k - 1]], given[0][kept[k]]);
+    EXPECT_GE(length, 0.999 * total_length(given)) << radius;
+    // Halves of halves, of which the first that are allowed: at most twice as many as needed.
+    const double turn = std::min(std::sqrt(24 * 0.001), std::sqrt(8 * 0.02 / radius));
+    EXPECT_LE(static_cast<double>(kept.size()), 2 * 2 * M_PI / turn + 1) << radius;
+  }
+}
+
+TEST(JoinStrokes, AShapeSmallerThanTheToleranceKeepsItsLength) {
+  const Polylines given = circle(0.008, 64);
+  const Polylines joined = join_strokes(given, {});
+  ASSERT_EQ(joined.size(), 1u);
+  EXPECT_GE(total_length(joined), 0.999 * total_length(given) - 64 * 1e-6) << "but for rounding to the lattice";
+}
+
 TEST(EndTree, FindsWhatALookAtAllPointsFinds) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> place(0, 40);
