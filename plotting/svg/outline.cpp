@@ -13,11 +13,17 @@ namespace {
 
 constexpr double kMostPieces = 100'000;
 
-/// Pieces of a curve of the degree whose second differences are at most `bend` mm: n^2 = degree (degree - 1) / 8 bend /
-/// flatness.
-int pieces(double degree, double bend) {
-  return static_cast<int>(
-      std::clamp(std::ceil(std::sqrt(degree * (degree - 1) / 8 * bend / kFlatnessMm)), 1.0, kMostPieces));
+/// A chord of an arc that turns by a is shorter than it by a^2 / 24 of it.
+const double kMostTurn = std::sqrt(24 * kLengthLoss);
+
+/// Angle between two directions; zero where one is none.
+double turn_of(Point2 u, Point2 v) { return std::abs(std::atan2(cross(u, v), glm::dot(u, v))); }
+
+/// Pieces of a curve of the degree whose second differences are at most `bend` mm and whose control polygon turns by
+/// `turn`, which the curve does not exceed. n^2 = degree (degree - 1) / 8 bend / flatness.
+int pieces(double degree, double bend, double turn) {
+  const double flat = std::sqrt(degree * (degree - 1) / 8 * bend / kFlatnessMm);
+  return static_cast<int>(std::clamp(std::ceil(std::max(flat, turn / kMostTurn)), 1.0, kMostPieces));
 }
 
 }  // namespace
@@ -63,7 +69,7 @@ void Outline::straight_to(Point2 p) {
 void Outline::quadratic_to(Point2 control, Point2 p) {
   const Point2 a = at_, pa = to_mm_(a), pc = to_mm_(control), pb = to_mm_(p);
   note(control != a ? control : p, control != p ? control : a, p);
-  const int n = pieces(2, glm::length(pa - 2.0 * pc + pb));
+  const int n = pieces(2, glm::length(pa - 2.0 * pc + pb), turn_of(pc - pa, pb - pc));
   for (int i = 1; i < n; ++i) {
     const double t = static_cast<double>(i) / n, u = 1 - t;
     straight_to(a * (u * u) + control * (2 * u * t) + p * (t * t));
@@ -74,7 +80,10 @@ void Outline::quadratic_to(Point2 control, Point2 p) {
 void Outline::cubic_to(Point2 control1, Point2 control2, Point2 p) {
   const Point2 a = at_, pa = to_mm_(a), p1 = to_mm_(control1), p2 = to_mm_(control2), pb = to_mm_(p);
   note(control1 != a ? control1 : control2 != a ? control2 : p, control2 != p ? control2 : control1 != p ? control1 : a, p);
-  const int n = pieces(3, std::max(glm::length(pa - 2.0 * p1 + p2), glm::length(p1 - 2.0 * p2 + pb)));
+  const double bend = std::max(glm::length(pa - 2.0 * p1 + p2), glm::length(p1 - 2.0 * p2 + pb));
+  // Where the controls are one point, the turn is from the first leg to the last.
+  const double turn = p1 == p2 ? turn_of(p1 - pa, pb - p2) : turn_of(p1 - pa, p2 - p1) + turn_of(p2 - p1, pb - p2);
+  const int n = pieces(3, bend, turn);
   for (int i = 1; i < n; ++i) {
     const double t = static_cast<double>(i) / n, u = 1 - t;
     straight_to(a * (u * u * u) + control1 * (3 * u * u * t) + control2 * (3 * u * t * t) + p * (t * t * t));
@@ -84,7 +93,7 @@ void Outline::cubic_to(Point2 control1, Point2 control2, Point2 p) {
 
 void Outline::arc(Point2 center, double rx, double ry, double rotation, double from, double sweep) {
   const double radius = std::max(rx, ry) * to_mm_.stretch();
-  const double step = radius > kFlatnessMm ? 2 * std::acos(1 - kFlatnessMm / radius) : std::numbers::pi / 2;
+  const double step = radius > kFlatnessMm ? std::min(kMostTurn, 2 * std::acos(1 - kFlatnessMm / radius)) : kMostTurn;
   // Where the radius is beyond all proportion to the flatness, the step is nothing.
   const double wanted = step > 0 ? std::ceil(std::abs(sweep) / step) : kMostPieces;
   const int n = static_cast<int>(std::clamp(wanted, 4.0, kMostPieces));

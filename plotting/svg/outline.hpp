@@ -12,6 +12,9 @@ namespace ligne::svg {
 
 /// Largest distance of a chord from its curve, on the page.
 inline constexpr double kFlatnessMm = 0.005;
+/// Largest part of its length that a curve loses to its chords: small circles would else lose much more of their ink than
+/// large ones. As much again may go when points are left out later (JoinTolerances::simplify_loss).
+inline constexpr double kLengthLoss = 0.001;
 
 /// More points than this are refused: a plotter would take days, and a file of some bytes could ask for them.
 inline constexpr std::size_t kMostPoints = 50'000'000;

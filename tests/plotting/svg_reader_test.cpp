@@ -48,6 +48,13 @@ void expect_points(const std::string& body, const std::vector<Point2>& wanted) {
     EXPECT_NEAR(glm::distance(got[i], wanted[i]), 0, 1e-9) << body << " point " << i;
 }
 
+double length_of(const std::string& body) {
+  const std::vector<Point2> line = line_of(body);
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+  return length;
+}
+
 std::string error_of(const std::string& svg) {
   try {
     read_svg_drawing(svg, "a.svg", {});
@@ -94,6 +101,21 @@ TEST(SvgReader, CurvesAreWithinTheirFlatness) {
     if (p.x > 20.5 && p.x < 39.5) {
       EXPECT_GT(p.y, 50) << "S mirrors the control point";
     }
+  }
+}
+
+TEST(SvgReader, SmallCurvesKeepTheirLength) {
+  // A Bezier curve of the third degree with these controls is a quarter of a circle but for 0.02 % of its length; the
+  // quadratic one is a parabola of the length (sqrt 2 + asinh 1) / sqrt 2.
+  const std::string bezier = "<path d='M50 51C50.5522847 51 51 50.5522847 51 50'/>";
+  const std::string parabola = "<path d='M50 51Q51 51 51 50'/>";
+  for (const double size : {0.004, 0.05, 1.0}) {
+    const std::string scaled = "<g transform='scale(" + std::to_string(size) + ")'>", end = "</g>";
+    const double circle = 2 * std::numbers::pi * size,
+                 parabola_length = (std::sqrt(2) + std::asinh(1)) / std::sqrt(2) * size;
+    EXPECT_NEAR(length_of(scaled + "<circle cx='50' cy='50' r='1'/>" + end), circle, 0.001 * circle) << size;
+    EXPECT_NEAR(length_of(scaled + bezier + end), circle / 4, 0.0012 * circle / 4) << size;
+    EXPECT_NEAR(length_of(scaled + parabola + end), parabola_length, 0.001 * parabola_length) << size;
   }
 }
 
