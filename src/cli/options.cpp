@@ -75,6 +75,16 @@ Option OptionGroup::add_repeatable_tuple(const std::string& names, const std::st
 
 Option OptionGroup::add_flag_or_value(const std::string& names, const std::string& kind,
                                       std::function<void(const std::string&)> take, const std::string& help) {
+  const auto first = [take = std::move(take), name = shown_name(names)](const std::vector<std::string>& texts) {
+    check_as(name, [&] { take(texts.empty() ? std::string() : texts[0]); });
+  };
+  CLI::Option* option = command_.add_option_function<std::vector<std::string>>(names, first, help);
+  option->expected(0, 1)->type_name(kind)->group(name_);
+  return Option(option);
+}
+
+Option OptionGroup::add_repeatable_flag_or_value(const std::string& names, const std::string& kind,
+                                                 std::function<void(const std::string&)> take, const std::string& help) {
   static constexpr std::string_view kAlone = "true";  // what CLI11 gives for a flag without a value
   const auto each = [take = std::move(take), name = shown_name(names)](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) check_as(name, [&] { take(text == kAlone ? std::string() : text); });

@@ -61,6 +61,9 @@ class OptionGroup {
   /// An option that may stand alone, for which `take` is given an empty text, or with a value.
   Option add_flag_or_value(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
                            const std::string& help);
+  /// The same with a value behind "=" alone, so that a file may stand next; each use of it adds one.
+  Option add_repeatable_flag_or_value(const std::string& names, const std::string& kind,
+                                      std::function<void(const std::string&)> take, const std::string& help);
   /// A flag that may be given a value behind "=", "--axes=grid"; alone it is "true".
   Option add_flag_with_text(const std::string& names, std::string& target, const std::string& help);
 

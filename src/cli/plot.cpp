@@ -59,7 +59,7 @@ void add_fill_hatch_options(CLI::App& app, PlotDrawingRequest& request) {
                        "distance of the strokes, of all fills or of a layer or colour; repeatable");
   group.add_repeatable("--hatch-angle", "[NAME=]DEG", take(add_hatch_angle),
                        "their direction, counter-clockwise; repeatable");
-  group.add_flag_or_value(
+  group.add_repeatable_flag_or_value(
       "--hatch-cross", "NAME", take(add_hatch_cross),
       "a second family of strokes across the first, for all fills or, behind =, of a layer or colour; repeatable");
 }
