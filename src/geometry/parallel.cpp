@@ -17,6 +17,12 @@ namespace {
 /// Calls work(i) for all i; every task looks whether it is to end.
 template <class Partitioner>
 void loop(std::size_t count, FunctionRef<void(std::size_t)> work, const Partitioner& partitioner) {
+  // No thread is woken for what one does alone: in the study of a small scene they would only look for work.
+  if (count == 0) return;
+  if (count == 1) {
+    const StopScope scope(StopScope::current());
+    return work(0);
+  }
   const auto task = [work, stop = StopScope::current()](const tbb::blocked_range<std::size_t>& range) {
     const StopScope scope(stop);
     for (std::size_t i = range.begin(); i != range.end(); ++i) work(i);
