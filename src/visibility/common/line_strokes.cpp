@@ -1,6 +1,7 @@
 #include "visibility/common/line_strokes.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <mutex>
 #include <utility>
@@ -73,6 +74,7 @@ void LineStrokes::add(std::size_t count, MakeLineVisibility make, const std::fun
       if (line.p0 == line.p1) continue;  // seen end on
       parts.clear();
       const bool near = visibility(i, line, parts);
+      assert(are_ascending(parts));
       origin.may_coincide = origin.may_coincide || near;
       drop_short_parts(parts, page_length(line), shortest_);
       add_parts(line, parts, origin, out);

@@ -1,6 +1,7 @@
 #include "visibility/common/model_pieces.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -111,6 +112,7 @@ std::uint32_t ModelPieces::crossing(std::uint32_t a, std::uint32_t b, const Mode
 }
 
 std::uint32_t ModelPieces::cut(std::uint32_t piece, const ModelPlane& plane) {
+  assert(side(piece, plane) == PlaneSide::both);
   front_.clear();
   back_.clear();
   const auto count = corners(piece).size();
@@ -132,7 +134,9 @@ std::uint32_t ModelPieces::cut(std::uint32_t piece, const ModelPlane& plane) {
   };
   pieces_[piece] = append(front_);
   pieces_.push_back(append(back_));
-  return static_cast<std::uint32_t>(pieces_.size() - 1);
+  const auto behind = static_cast<std::uint32_t>(pieces_.size() - 1);
+  assert(side(piece, plane) == PlaneSide::front && side(behind, plane) == PlaneSide::back);
+  return behind;
 }
 
 }  // namespace ligne

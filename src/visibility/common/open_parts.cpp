@@ -1,8 +1,16 @@
 #include "visibility/common/open_parts.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace ligne {
+
+bool are_ascending(std::span<const LinePart> parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!(parts[i].from < parts[i].to) || (i > 0 && parts[i].from < parts[i - 1].to)) return false;
+  }
+  return true;
+}
 
 void OpenParts::take(double from, double to) {
   spare_.clear();

@@ -1,6 +1,8 @@
 #pragma once
 /// What is left of a line while facets take their intervals from it.
 
+#include <cassert>
+#include <span>
 #include <vector>
 
 #include "visibility/common/hidden_interval.hpp"
@@ -12,6 +14,9 @@ struct LinePart {
   double from = 0, to = 0;
   std::uint32_t level = 0;  ///< of what is seen: how many transparent faces are in front of it
 };
+
+/// Whether every part has a length and begins where the one before it ends, or later.
+bool are_ascending(std::span<const LinePart> parts);
 
 /// Begins with one open part; intervals are taken from it in any order.
 class OpenParts {
@@ -37,6 +42,7 @@ class OpenParts {
   /// The open parts, in order, when every interval has been taken.
   const std::vector<LinePart>& finish() {
     if (one_sided_.size() > 1) take_one_sided();
+    assert(are_ascending(open_));
     return open_;
   }
 

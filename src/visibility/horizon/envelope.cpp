@@ -1,6 +1,7 @@
 #include "visibility/horizon/envelope.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "visibility/horizon/level.hpp"
@@ -59,6 +60,8 @@ void ExactEnvelope::rebuild(std::vector<Piece>& cell, const Piece& line) {
   }
   for (const Span& span : found_) put(line, span.from, span.to);
   std::sort(rebuilt_.begin(), rebuilt_.end(), [](const Piece& a, const Piece& b) { return a.u0 < b.u0; });
+  assert(std::adjacent_find(rebuilt_.begin(), rebuilt_.end(),
+                            [this](const Piece& a, const Piece& b) { return a.u1 - b.u0 > least_; }) == rebuilt_.end());
   cell.assign(rebuilt_.begin(), rebuilt_.end());
 }
 

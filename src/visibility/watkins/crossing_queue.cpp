@@ -1,11 +1,15 @@
 #include "visibility/watkins/crossing_queue.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace ligne::watkins {
 
 void CrossingQueue::reset(std::vector<LatticePoint> fences, bool open_end) {
   fences_ = std::move(fences);
+  assert(std::is_sorted(fences_.begin(), fences_.end(),
+                        [](LatticePoint a, LatticePoint b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }));
   buckets_.assign(fences_.size() + (open_end ? 1 : 0), {});
   heap_.clear();
   bucket_ = 0;

@@ -1,6 +1,7 @@
 #include "visibility/watkins/line_scan.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <type_traits>
 
 namespace ligne::watkins {
@@ -260,6 +261,7 @@ void LineScan::study_line(SpanMethod<X>& method) {
 
 /// Whose edges bound the spans.
 void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
+  assert(are_left_to_right(found));
   std::erase_if(order_, [this](std::uint32_t slot) {
     slots_[slot].boundary = false;
     slots_[slot].before = slots_[slot].after = kNone;

@@ -42,6 +42,14 @@ struct VisibleSpan {
   std::uint32_t segment;  ///< index among the segments studied
 };
 
+/// Whether every span has a length and begins where the one before it ends, or further to the right.
+inline bool are_left_to_right(std::span<const VisibleSpan> spans) {
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    if (!(spans[i].x0 < spans[i].x1) || (i > 0 && spans[i].x0 < spans[i - 1].x1)) return false;
+  }
+  return true;
+}
+
 /// What a study costs, as [Boulle1980] counts it. `total()` is the sum over which methods are compared.
 struct SpanCounts {
   std::uint64_t comparisons = 0;   ///< of abscissas

@@ -1,6 +1,7 @@
 #include "visibility/watkins/stretch_study.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ligne::watkins {
@@ -114,6 +115,7 @@ void StretchStudy::propose(const PageLine& line, double t) {
   }
   std::sort(segments_.begin(), segments_.end(), [](const auto& a, const auto& b) { return comes_before(a, b); });
   spans_->study(segments_, found_);
+  assert(are_left_to_right(found_));
   proposed_.clear();
   for (const VisibleSpan& s : found_) {
     if (s.x0 <= 0 && s.x1 >= 0) proposed_.push_back(segments_[s.segment].face);

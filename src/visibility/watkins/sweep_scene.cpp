@@ -1,6 +1,7 @@
 #include "visibility/watkins/sweep_scene.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 #include "geometry/parallel.hpp"
@@ -95,6 +96,18 @@ void add_ends(SweepScene& scene) {
 
 }  // namespace
 
+bool is_in_scan_order(const SweepScene& scene) {
+  for (std::size_t p = 1; p < scene.points.size(); ++p) {
+    if (!comes_before(scene.points[p - 1], scene.points[p])) return false;
+  }
+  for (std::size_t e = 0; e < scene.edges.size(); ++e) {
+    const SweepEdge& edge = scene.edges[e];
+    if (edge.top_point >= edge.bottom_point || edge.bottom_point >= scene.points.size()) return false;
+    if (e > 0 && edge.top_point < scene.edges[e - 1].top_point) return false;
+  }
+  return true;
+}
+
 SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
                             std::span<const SweepLine> lines) {
   // Every place gets a number, in the order of the scan.
@@ -139,10 +152,12 @@ SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const 
   table.sort();
   add_edges(table, scene);
   add_ends(scene);
+  assert(is_in_scan_order(scene));
   return scene;
 }
 
 std::vector<SweepBand> make_bands(const SweepScene& scene) {
+  assert(is_in_scan_order(scene));
   constexpr std::uint32_t kPointsPerBand = 4096, kMostBands = 32;
   const auto n = static_cast<std::uint32_t>(scene.points.size());
   if (n == 0) return {};

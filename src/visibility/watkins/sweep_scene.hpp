@@ -57,6 +57,9 @@ struct SweepScene {
   }
 };
 
+/// Whether the scene is in the order that the scan takes it in. Both makers below assert it.
+bool is_in_scan_order(const SweepScene& scene);
+
 /// Lines whose two ends fall on one lattice point are left out, and those that are known to be hidden.
 SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
                             std::span<const SweepLine> lines);

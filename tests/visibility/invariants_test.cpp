@@ -1,0 +1,93 @@
+// What the studies promise each other is asserted: a planted breach ends the program.
+
+#include <gtest/gtest.h>
+
+#include "scene/clean/clean.hpp"
+#include "support/scenes.hpp"
+#include "visibility/common/line_strokes.hpp"
+#include "visibility/common/model_pieces.hpp"
+#include "visibility/watkins/crossing_queue.hpp"
+#include "visibility/watkins/span_method.hpp"
+#include "visibility/watkins/sweep_scene.hpp"
+
+namespace ligne {
+namespace {
+
+using namespace ligne::test;
+
+#ifdef NDEBUG
+#error "the tests are built with assertions"
+#endif
+
+class Invariants : public testing::Test {
+ protected:
+  // Other threads may be at work.
+  void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
+};
+
+TEST_F(Invariants, PartsOfALineAscend) {
+  using Parts = std::vector<LinePart>;
+  EXPECT_TRUE(are_ascending(Parts{}));
+  EXPECT_TRUE(are_ascending(Parts{{0, 0.5, 0}, {0.5, 1, 1}}));
+  EXPECT_FALSE(are_ascending(Parts{{0, 0.5, 0}, {0.4, 1, 0}}));
+  EXPECT_FALSE(are_ascending(Parts{{0.5, 1, 0}, {0, 0.5, 0}}));
+  EXPECT_FALSE(are_ascending(Parts{{0.5, 0.5, 0}}));
+
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}}});
+  Warnings warnings;
+  finish_scene(scene, warnings);
+  const View view = make_view(scene, make_camera(along({0, 1, 0}), scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+  const ProjectedScene projected = project(scene, build_topology(scene), view, {classes("all"), 30});
+  const Facets facets = make_facets(projected, 1);
+  const auto add = [&](const Parts& found) {
+    LineStrokes strokes(projected, facets, false, 1);
+    strokes.add_edges([&]() -> LineVisibility {
+      return [&found](std::size_t, const PageLine&, Parts& parts) {
+        parts = found;
+        return false;
+      };
+    });
+    return strokes.take().strokes.size();
+  };
+  EXPECT_EQ(add({{0, 0.25, 0}, {0.5, 1, 0}}), 6u);
+  EXPECT_DEATH(add({{0.5, 1, 0}, {0, 0.25, 0}}), "are_ascending");
+}
+
+TEST_F(Invariants, SpansOfALineGoFromLeftToRight) {
+  using Spans = std::vector<watkins::VisibleSpan>;
+  EXPECT_TRUE(watkins::are_left_to_right(Spans{{0, 1, 7}, {1, 3, 5}, {4, 5, 7}}));
+  EXPECT_FALSE(watkins::are_left_to_right(Spans{{0, 1, 7}, {0.5, 3, 5}}));
+  EXPECT_FALSE(watkins::are_left_to_right(Spans{{1, 1, 7}}));
+}
+
+TEST_F(Invariants, TheScanMeetsPointsAndEdgesInOrder) {
+  watkins::SweepScene scene;
+  scene.points = {{0, 0}, {4, 0}, {2, 3}};
+  scene.edges.resize(2);
+  scene.edges[0] = {{0, 0}, {2, 3}, 0, 2, 0, 0, 0, 0};
+  scene.edges[1] = {{4, 0}, {2, 3}, 1, 2, 0, 0, 0, 0};
+  EXPECT_EQ(watkins::make_bands(scene).size(), 1u);
+  watkins::SweepScene points = scene, edges = scene;
+  std::swap(points.points[0], points.points[1]);
+  EXPECT_DEATH(watkins::make_bands(points), "is_in_scan_order");
+  std::swap(edges.edges[0], edges.edges[1]);
+  EXPECT_DEATH(watkins::make_bands(edges), "is_in_scan_order");
+}
+
+TEST_F(Invariants, FencesOfTheCrossingsAscend) {
+  watkins::CrossingQueue queue;
+  queue.reset({{5, 1}, {0, 2}}, true);
+  EXPECT_DEATH(queue.reset({{0, 2}, {5, 1}}, true), "is_sorted");
+}
+
+TEST_F(Invariants, APieceIsCutByAPlaneThatPassesThroughIt) {
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}});
+  ModelPieces pieces(scene);
+  EXPECT_EQ(pieces.cut(0, {{1, 0, 0}, {1, 0, 0}}), 1u);
+  EXPECT_DEATH(pieces.cut(0, {{1, 0, 0}, {-1, 0, 0}}), "PlaneSide::both");
+}
+
+}  // namespace
+}  // namespace ligne
