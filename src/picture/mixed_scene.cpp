@@ -7,6 +7,7 @@
 #include "picture/errors.hpp"
 #include "picture/surface_mesh_picture.hpp"
 #include "scene/clean/clean.hpp"
+#include "scene/readers/reader.hpp"
 
 namespace ligne {
 namespace {

@@ -8,6 +8,7 @@
 #include "picture/errors.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/named_objects.hpp"
+#include "scene/readers/reader.hpp"
 
 namespace ligne {
 namespace {

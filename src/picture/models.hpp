@@ -9,8 +9,9 @@
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "scene/heal/heal.hpp"
+#include "scene/model/diagnostics.hpp"
 #include "scene/model/scene.hpp"
-#include "scene/readers/reader.hpp"
+#include "scene/readers/read_report.hpp"
 #include "visibility/method.hpp"
 
 namespace ligne {

@@ -9,7 +9,7 @@
 #include "scene/creases/file_shading.hpp"
 #include "scene/model/diagnostics.hpp"
 #include "scene/model/scene.hpp"
-#include "scene/readers/reader.hpp"
+#include "scene/readers/read_report.hpp"
 
 namespace ligne {
 

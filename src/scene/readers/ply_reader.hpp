@@ -6,7 +6,9 @@
 #include <string>
 
 #include "scene/creases/file_shading.hpp"
-#include "scene/readers/reader.hpp"
+#include "scene/model/diagnostics.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/readers/read_report.hpp"
 
 namespace ligne {
 

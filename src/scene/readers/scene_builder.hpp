@@ -6,7 +6,7 @@
 #include <string>
 
 #include "scene/model/scene.hpp"
-#include "scene/readers/reader.hpp"
+#include "scene/readers/read_report.hpp"
 
 namespace ligne {
 

@@ -5,7 +5,9 @@
 #include <span>
 #include <string>
 
-#include "scene/readers/reader.hpp"
+#include "scene/model/diagnostics.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/readers/read_report.hpp"
 
 namespace ligne {
 

@@ -1,0 +1,28 @@
+#pragma once
+/// What a reader says of its file beside the scene.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/input_file.hpp"
+
+namespace ligne {
+
+enum class ModelFormat { gltf, glb, obj, stl_ascii, stl_binary, ply, asc_3d_studio, ligne_scene, ligne_tree };
+
+/// Name as shown to people, "glTF binary" and the like.
+std::string_view to_string(ModelFormat format);
+
+/// What was in the file, before cleaning.
+struct ReadReport {
+  ModelFormat format = ModelFormat::obj;
+  std::size_t faces = 0;            ///< faces as stored, counted once per use
+  std::size_t triangles = 0;        ///< after fan triangulation of every face as stored
+  std::size_t vertices = 0;         ///< vertices as stored, before welding
+  std::vector<std::string> groups;  ///< OBJ without objects: names of its groups
+  InputFiles files;                 ///< opened or named: the model itself, and the buffers of a glTF
+};
+
+}  // namespace ligne
