@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "picture/form_mesh.hpp"
+#include "scene/form/form_mesh.hpp"
 #include "scene/surfaces/surface_points.hpp"
 
 namespace ligne {
@@ -53,8 +53,5 @@ SurfaceCurves surface_curves(const std::vector<SurfacePoints>& surfaces, const P
 
 /// The directions of curves. Vertices that are no such points, as where a surface was cut, have those of their neighbours.
 FormField curve_field(const FormMesh& mesh, const SurfaceCurves& curves);
-
-/// The vector at length 1; zero stays zero.
-Point3 unit(const Point3& v);
 
 }  // namespace ligne

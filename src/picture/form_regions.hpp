@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drawing/result_models.hpp"
-#include "picture/form_mesh.hpp"
+#include "scene/form/form_mesh.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

@@ -6,7 +6,7 @@
 
 #include "drawing/drawing.hpp"
 #include "drawing/result_models.hpp"
-#include "picture/form_mesh.hpp"
+#include "scene/form/form_mesh.hpp"
 #include "picture/hatch_patches.hpp"
 #include "picture/scene_study.hpp"
 #include "plotting/writers.hpp"

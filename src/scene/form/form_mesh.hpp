@@ -30,8 +30,13 @@ struct FormMesh {
   Point3 area_vector(std::uint32_t triangle) const;
 };
 
-/// Surfaces end where faces turn by more than `crease_degrees`. O(n log n).
-FormMesh form_mesh(const Scene& scene, const Topology& topology, double crease_degrees);
+/// Surfaces end where faces turn by more than `crease_degrees`; with `creases`, which says it of each edge of the topology,
+/// at these, and where faces turn by more than twice the angle. O(n log n).
+FormMesh form_mesh(const Scene& scene, const Topology& topology, double crease_degrees,
+                   const std::vector<std::uint8_t>* creases = nullptr);
+
+/// The vector at length 1; zero stays zero.
+Point3 unit(const Point3& v);
 
 /// The corner of `next` that is at the scene's vertex of the node, or -1.
 int corner_at(const FormMesh& mesh, std::uint32_t next, std::uint32_t node);

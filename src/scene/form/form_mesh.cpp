@@ -1,4 +1,4 @@
-#include "picture/form_mesh.hpp"
+#include "scene/form/form_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,15 +39,29 @@ bool unlike_wound(const std::vector<Triangle>& triangles, const Side& a, const S
   return triangles[a.triangle].v[a.corner] == triangles[b.triangle].v[b.corner];
 }
 
-void join_neighbours(const Scene& scene, const std::vector<Triangle>& triangles, double crease_degrees, FormMesh& mesh) {
-  const double cosine = std::cos(crease_degrees * std::numbers::pi / 180);
+/// Adjustable: no mean of normals means much across an edge of so many crease angles, whatever is said of the edge.
+constexpr double kSharp = 2;
+
+void join_neighbours(const Scene& scene, const Topology& topology, double crease_degrees,
+                     const std::vector<std::uint8_t>* creases, FormMesh& mesh) {
+  const std::vector<Triangle>& triangles = topology.triangles;
+  const double degrees = std::min(180.0, creases ? kSharp * crease_degrees : crease_degrees);
+  const double cosine = std::cos(degrees * std::numbers::pi / 180);
+  std::size_t edge = 0;  // in the order of the sides
+  const auto is_crease = [&](const Side& side) {
+    const auto before = [&](const Edge& e) { return e.v0 != side.low ? e.v0 < side.low : e.v1 < side.high; };
+    while (edge < topology.edges.size() && before(topology.edges[edge])) ++edge;
+    const bool found =
+        edge < topology.edges.size() && topology.edges[edge].v0 == side.low && topology.edges[edge].v1 == side.high;
+    return found && (*creases)[edge] != 0;
+  };
   std::vector<Point3> normals(scene.faces.size());
   parallel_for(normals.size(), [&](std::size_t f) { normals[f] = face_normal(scene, static_cast<std::uint32_t>(f)); });
   const std::vector<Side> sides = sides_of(triangles);
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i + 1;
     while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
-    if (end - i == 2) {
+    if (end - i == 2 && !(creases && is_crease(sides[i]))) {
       const Side &a = sides[i], &b = sides[i + 1];
       const std::uint32_t faces[] = {triangles[a.triangle].face, triangles[b.triangle].face};
       const double turn = glm::dot(normals[faces[0]], normals[faces[1]]);
@@ -145,7 +159,8 @@ Point3 FormMesh::area_vector(std::uint32_t triangle) const {
   return glm::cross(point(triangle, 1) - point(triangle, 0), point(triangle, 2) - point(triangle, 0));
 }
 
-FormMesh form_mesh(const Scene& scene, const Topology& topology, double crease_degrees) {
+FormMesh form_mesh(const Scene& scene, const Topology& topology, double crease_degrees,
+                   const std::vector<std::uint8_t>* creases) {
   FormMesh mesh;
   mesh.first.assign(scene.faces.size() + 1, 0);
   for (const Triangle& triangle : topology.triangles) {
@@ -153,11 +168,16 @@ FormMesh form_mesh(const Scene& scene, const Topology& topology, double crease_d
     ++mesh.first[triangle.face + 1];
   }
   for (std::size_t f = 0; f + 1 < mesh.first.size(); ++f) mesh.first[f + 1] += mesh.first[f];
-  join_neighbours(scene, topology.triangles, crease_degrees, mesh);
+  join_neighbours(scene, topology, crease_degrees, creases, mesh);
   wind_alike(mesh);
   make_nodes(scene, mesh);
   find_normals(mesh);
   return mesh;
+}
+
+Point3 unit(const Point3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : Point3{0, 0, 0};
 }
 
 int corner_at(const FormMesh& mesh, std::uint32_t next, std::uint32_t node) {
