@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$1"
 
-max_picture=$((300 * 1024)) max_pictures=$((4 * 1024 * 1024))  # half of it is the gallery of surfaces
+max_picture=$((300 * 1024)) max_pictures=$((6 * 1024 * 1024))  # a third of it is the gallery of surfaces
 failures=0
 fail() { echo "$*" >&2; failures=$((failures + 1)); }
 
