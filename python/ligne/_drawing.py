@@ -74,7 +74,8 @@ class Drawing:
 
     @cached_property
     def kind(self) -> np.ndarray:
-        """(n,) of text: the class of each stroke: outline, border, intersection, crease, mesh, shadow, profile, ..."""
+        """(n,) of text: the class of each stroke: outline, border, intersection, crease, mesh, shadow, profile,
+        suggestive, ridge, valley, ..."""
         return _KINDS[self._arrays["kind"]]
 
     @property

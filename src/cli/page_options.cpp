@@ -15,7 +15,8 @@ void add_width_option(CLI::App& app, LineWidths& widths, bool own_layers) {
             if (own_layers) require_layers(widths);
           },
           "widths of lines by class, such as profile=0.7,crease=0.25; repeatable")
-      .standard("of the pen width: profile 1.4, outline and border 1, crease and intersection 0.7, others 0.5");
+      .standard(
+          "of the pen width: profile 1.4, outline and border 1, crease, intersection and lines of the shape 0.7, others 0.5");
 }
 
 void add_page_options(CLI::App& app, PageRequest& request) {

@@ -83,27 +83,19 @@ void unfold(std::vector<CurvePoint>& line, double longest_mm) {
   line.resize(kept);
 }
 
-ContourCurve contour_curve(const Scene& scene, const View& view, const ContourChain& chain, double flatness_mm) {
+namespace {
+
+/// The curve through places with these tangents, unit vectors or zero, in pieces that are straight to `flatness_mm`.
+ContourCurve curve_through(const std::vector<Place>& places, const std::vector<Point2>& tangents, bool closed,
+                           double flatness_mm) {
   ContourCurve curve;
-  curve.closed = chain.closed;
-  const std::size_t n = chain.nodes.size();
-  std::vector<Place> places(n);
-  std::vector<Point2> tangents(n, {0, 0});
-  for (std::size_t i = 0; i < n; ++i) {
-    const ContourNode& node = chain.nodes[i];
-    const bool at_border = node.meets != kNone;
-    places[i] = place_of(view, at_border ? scene.vertices[node.meets] : node.on_surface);
-    if (at_border) continue;
-    const Point2 d = page_direction(view, node.on_surface, node.normal);
-    const double size = glm::length(d);
-    if (size > 0) tangents[i] = Point2{-d.y, d.x} / size;
-  }
+  curve.closed = closed;
   const auto add = [&](double at, Point2 mm, double depth, double weight) {
     const double length = curve.points.empty() ? 0 : curve.points.back().length + glm::length(mm - curve.points.back().mm);
     curve.points.push_back({at, mm, depth, weight, length});
   };
   add(0, places[0].mm, places[0].depth, places[0].weight);
-  for (std::size_t i = 0; i + 1 < n; ++i) {
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const Place &a = places[i], &b = places[i + 1];
     const Point2 d = b.mm - a.mm;
     const double length = glm::length(d);
@@ -124,6 +116,39 @@ ContourCurve contour_curve(const Scene& scene, const View& view, const ContourCh
     }
   }
   return curve;
+}
+
+}  // namespace
+
+ContourCurve contour_curve(const Scene& scene, const View& view, const ContourChain& chain, double flatness_mm) {
+  const std::size_t n = chain.nodes.size();
+  std::vector<Place> places(n);
+  std::vector<Point2> tangents(n, {0, 0});
+  for (std::size_t i = 0; i < n; ++i) {
+    const ContourNode& node = chain.nodes[i];
+    const bool at_border = node.meets != kNone;
+    places[i] = place_of(view, at_border ? scene.vertices[node.meets] : node.on_surface);
+    if (at_border) continue;
+    const Point2 d = page_direction(view, node.on_surface, node.normal);
+    const double size = glm::length(d);
+    if (size > 0) tangents[i] = Point2{-d.y, d.x} / size;
+  }
+  return curve_through(places, tangents, chain.closed, flatness_mm);
+}
+
+ContourCurve smooth_curve(const View& view, const std::vector<Point3>& points, bool closed, double flatness_mm) {
+  const std::size_t n = points.size();
+  std::vector<Place> places(n);
+  for (std::size_t i = 0; i < n; ++i) places[i] = place_of(view, points[i]);
+  std::vector<Point2> tangents(n, {0, 0});
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool at_end = i == 0 || i + 1 == n;
+    if (at_end && !closed) continue;
+    const Point2 d = places[at_end ? 1 : i + 1].mm - places[at_end ? n - 2 : i - 1].mm;
+    const double size = glm::length(d);
+    if (size > 0) tangents[i] = d / size;
+  }
+  return curve_through(places, tangents, closed, flatness_mm);
 }
 
 }  // namespace ligne

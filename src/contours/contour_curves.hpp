@@ -37,4 +37,7 @@ void unfold(std::vector<CurvePoint>& line, double longest_mm);
 /// `flatness_mm`. At borders of its region it ends where the outline of the mesh does.
 ContourCurve contour_curve(const Scene& scene, const View& view, const ContourChain& chain, double flatness_mm);
 
+/// The curve through points, whose tangents have the direction from the one before to the one behind.
+ContourCurve smooth_curve(const View& view, const std::vector<Point3>& points, bool closed, double flatness_mm);
+
 }  // namespace ligne

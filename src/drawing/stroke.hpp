@@ -22,13 +22,17 @@ enum class LineClass : std::uint8_t {
   horizon,       ///< iso-curve of a surface, whatever its faces (kCornerCurve)
   axes,          ///< line of the axes, of no face (add_lines in view/projected_scene.hpp)
   shadow,        ///< border of a shadow on a face; no edge of the scene
+  suggestive,    ///< where the surface turns as towards an outline and back (contours/shape_lines.hpp); no edge of the scene
+  ridge,         ///< where a surface is bent most, outwards; no edge either
+  valley,        ///< where a surface is bent most, inwards; no edge either
   profile,       ///< part of a line of one of the first classes behind which an object ends; decided when all else is
 };
-inline constexpr std::size_t kLineClassCount = 11;
+inline constexpr std::size_t kLineClassCount = 14;
 /// The first classes are those of the scene's edges.
 inline constexpr std::size_t kEdgeClassCount = 5;
 inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{
-    "outline", "border", "intersection", "crease", "mesh", "curve", "contour", "horizon", "axes", "shadow", "profile"};
+    "outline", "border", "intersection", "crease",     "mesh",  "curve",  "contour",
+    "horizon", "axes",   "shadow",       "suggestive", "ridge", "valley", "profile"};
 
 /// A set of classes.
 struct LineClasses {

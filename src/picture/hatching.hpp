@@ -6,10 +6,10 @@
 
 #include "drawing/drawing.hpp"
 #include "drawing/result_models.hpp"
-#include "scene/form/form_mesh.hpp"
 #include "picture/hatch_patches.hpp"
 #include "picture/scene_study.hpp"
 #include "plotting/writers.hpp"
+#include "scene/form/form_mesh.hpp"
 
 namespace ligne {
 

@@ -120,14 +120,16 @@ Axis parse_axis(std::string_view text) {
 }
 
 LineClasses parse_edges(std::string_view text) {
+  constexpr LineClass kMore[] = {LineClass::profile, LineClass::shadow, LineClass::suggestive, LineClass::ridge,
+                                 LineClass::valley};
   std::vector<std::string_view> names(kLineClassNames.begin(), kLineClassNames.begin() + kEdgeClassCount);
-  for (const LineClass more : {LineClass::profile, LineClass::shadow}) {
+  for (const LineClass more : kMore) {
     names.push_back(kLineClassNames[static_cast<std::size_t>(more)]);
   }
   LineClasses classes;
   for (const std::string_view word : split(text, ',')) {
     bool known = false;
-    for (const LineClass more : {LineClass::profile, LineClass::shadow}) {
+    for (const LineClass more : kMore) {
       if (word != kLineClassNames[static_cast<std::size_t>(more)]) continue;
       classes.add(more);
       known = true;

@@ -48,6 +48,19 @@ ContourOptions contour_options(const PictureRequest& request, const Creases& cre
           request.page.pen_width_mm};
 }
 
+/// Draws the lines of the shape that were studied, and tells how many there are.
+void add_shape_strokes(VisibilityResult& result, const PreparedScene& prepared) {
+  const LineRequest& lines = prepared.request.lines;
+  draw_shape_lines(*result.strokes, prepared.view(), prepared.shape_lines, lines.hidden != HiddenLines::none,
+                   contour_options(prepared.request, {}));
+  for (const LineClass c : kShapeClasses) {
+    if (!lines.classes.has(c)) continue;
+    const auto count = std::ranges::count(prepared.shape_lines.lines, c, &ShapeLine::line_class);
+    result.statistics.count("lines of class " + std::string(kLineClassNames[static_cast<std::size_t>(c)]),
+                            static_cast<std::uint64_t>(count));
+  }
+}
+
 void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement, RunReport& run) {
   const bool nothing = std::none_of(strokes.strokes.begin(), strokes.strokes.end(),
                                     [](const Stroke& s) { return s.line_class != LineClass::axes; });
@@ -153,6 +166,10 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
     if (draws_contours(request.lines)) {
       prepared.contours = replace_outlines(scene, prepared.topology, prepared.projected, contour_options(request, creases));
     }
+    if (has_shape_lines(request.lines.classes)) {
+      prepared.shape_lines = add_shape_lines(scene, prepared.topology, prepared.projected, request.lines.classes,
+                                             contour_options(request, creases));
+    }
     prepared.scans = std::move(creases.scans);
     if (request.groups) {
       std::vector<std::array<Point3, 2>> lines;
@@ -209,6 +226,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   clear_intersections(*found.result.strokes, prepared.scene, projected, request.lines, run);
   const ContourSources contours = draw_contours(*found.result.strokes, prepared.scene, prepared.view(), prepared.contours,
                                                 request.lines.hidden != HiddenLines::none, contour_options(request, {}));
+  add_shape_strokes(found.result, prepared);
   light_regions(prepared, found.result, run);
   warn_of_empty_or_cut(*found.result.strokes, prepared.around.placement, run);
   timed(run.stages, {"drawing", std::to_string(found.result.strokes->strokes.size()) + " strokes"},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contours/contour_lines.hpp"
+#include "contours/shape_lines.hpp"
 #include "picture/axes.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
@@ -30,6 +31,7 @@ struct PreparedScene {
   BackFaces back_faces;       ///< left out of `projected`
   std::vector<Light> lights;  ///< that cast shadows
   SmoothContours contours{};  ///< in place of outlines of meshes
+  ShapeLines shape_lines{};
   std::vector<ScanObject> scans{};
   std::uint32_t first_probe = 0;  ///< source of the first probe of a point (LineGroups)
 
