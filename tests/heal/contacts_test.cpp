@@ -102,6 +102,49 @@ TEST(Contacts, ChordErrorIsTheHeightOfTheArc) {
   }
 }
 
+/// A square post with narrow roundings, through a plate that is little wider.
+Scene post_in_plate(double half, double rounding, double plate) {
+  Scene scene;
+  begin_object(scene, "post");
+  const auto base = static_cast<std::uint32_t>(scene.vertices.size());
+  constexpr int kSteps = 4;
+  for (int corner = 0; corner < 4; ++corner) {
+    for (int i = 0; i <= kSteps; ++i) {
+      const double quarter = std::numbers::pi / 2, angle = corner * quarter + i * quarter / kSteps;
+      const double middle = corner * quarter + quarter / 2, inner = std::sqrt(2.0) * (half - rounding);
+      const Point3 p{inner * std::cos(middle) + rounding * std::cos(angle),
+                     inner * std::sin(middle) + rounding * std::sin(angle), -5};
+      scene.vertices.push_back(p);
+      scene.vertices.push_back(p + Point3{0, 0, 30});
+    }
+  }
+  const auto n = static_cast<std::uint32_t>(scene.vertices.size()) - base;
+  for (std::uint32_t i = 0; i < n; i += 2) {
+    const std::uint32_t next = (i + 2) % n;
+    scene.faces.add_face(std::array{base + i, base + next, base + next + 1, base + i + 1});
+  }
+  end_object(scene);
+  begin_object(scene, "plate");
+  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+  for (const int x : {-1, 1}) {
+    for (const int y : {-x, x}) scene.vertices.push_back({x * plate, y * plate, 0});
+  }
+  scene.faces.add_face(std::array{first, first + 1, first + 2, first + 3});
+  end_object(scene);
+  return scene;
+}
+
+TEST(Contacts, FlatSidesBesideNarrowRoundingsAreNoChords) {
+  const Scene scene = post_in_plate(5, 0.3, 5.2);
+  const FaceNeighbours neighbours(scene, {0, 4});
+  const ChordErrors errors(scene, neighbours, {0, 4}, 40);
+  EXPECT_GT(errors.of(4), 0);
+  EXPECT_LE(errors.of(4), errors.of(0)) << "the side lies no farther off than the rounding";
+  const double exact = intersections(scene, Quality::exact);
+  EXPECT_GT(exact, 100);
+  EXPECT_NEAR(intersections(scene, Quality::clear), exact, 1e-3 * exact) << "where it stands stays on its own place";
+}
+
 TEST(Contacts, APinInItsBoreHasNoIntersections) {
   Scene scene;
   add_tube(scene, 24, 10, {0, 0, 0}, {0, 0, 30}, 0);

@@ -9,6 +9,24 @@
 #include "scene/model/topology.hpp"
 
 namespace ligne {
+namespace {
+
+/// Adjustable: a face so many times as wide as its neighbour is a flat side beside a narrow rounding, and no chord of an arc
+/// of which both were parts. It lies as near to its shape as the rounding does.
+constexpr double kUneven = 4;
+
+/// How far the face with this normal reaches from one of its edges.
+double width_from(const Scene& scene, std::uint32_t face, const Point3& normal, std::uint32_t v0, std::uint32_t v1) {
+  const Point3 origin = scene.vertices[v0];
+  const Point3 across = glm::cross(normal, glm::normalize(scene.vertices[v1] - origin));
+  double width = 0;
+  for_each_edge(scene, face, [&](std::uint32_t v, std::uint32_t) {
+    width = std::max(width, std::abs(glm::dot(scene.vertices[v] - origin, across)));
+  });
+  return width;
+}
+
+}  // namespace
 
 ChordErrors::ChordErrors(const Scene& scene, const FaceNeighbours& neighbours, std::vector<std::uint32_t> faces,
                          double smooth_degrees)
@@ -28,12 +46,9 @@ void ChordErrors::add(const Scene& scene, std::uint32_t face, std::uint32_t neig
   // |n - m| = 2 sin(t/2), and tan(t/4) = sin(t/2) / (1 + cos(t/2)).
   const double sine = glm::length(n - m) / 2;
   if (sine > sine_cosine_degrees(smooth_degrees / 2).sine) return;
-  const Point3 origin = scene.vertices[v0], along = glm::normalize(scene.vertices[v1] - origin);
-  const Point3 across = glm::cross(n, along);
-  double width = 0;
-  for_each_edge(scene, face, [&](std::uint32_t v, std::uint32_t) {
-    width = std::max(width, std::abs(glm::dot(scene.vertices[v] - origin, across)));
-  });
+  double width = width_from(scene, face, n, v0, v1);
+  const double beside = width_from(scene, neighbour, m, v0, v1);
+  if (width > kUneven * beside) width = beside;
   double& error = errors_[static_cast<std::size_t>(place - faces_.begin())];
   error = std::max(error, width / 2 * sine / (1 + std::sqrt(1 - sine * sine)));
 }

@@ -11,8 +11,9 @@ namespace ligne {
 
 /// Estimates for some faces of a scene, by the angles at which their neighbours join them. A face of width w (from the edge
 /// to its farthest vertex) that bends by the angle t against its neighbour is the chord of an arc whose height is
-/// w/2 tan(t/4). Edges that bend by more than `smooth_degrees`, and those of one face or of more than two, are no part of a
-/// smooth surface.
+/// w/2 tan(t/4). Where it is much wider than its neighbour, it is a flat side beside a narrow rounding, whose width counts
+/// in place of its own. Edges that bend by more than `smooth_degrees`, and those of one face or of more than two, are no
+/// part of a smooth surface.
 class ChordErrors {
  public:
   /// `faces`: ascending, with their neighbours.
