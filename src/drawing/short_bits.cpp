@@ -66,11 +66,14 @@ std::size_t drop_short_bits(StrokeModel& model, double least_mm) {
   std::vector<Stroke>& strokes = model.strokes;
   const double least = least_mm / model.lattice.step_mm;
   const StrokeChains chains(strokes);
-  std::vector<std::uint8_t> is_edges(strokes.size(), 1);  // by chain: all of it
-  for (const std::uint32_t i : chains.seen()) is_edges[chains.chain_of(i)] &= is_edge(strokes[i]);
+  std::vector<std::uint8_t> is_edges(strokes.size(), 1), crossings = is_edges;  // by chain: all of it
+  for (const std::uint32_t i : chains.seen()) {
+    is_edges[chains.chain_of(i)] &= is_edge(strokes[i]);
+    crossings[chains.chain_of(i)] &= strokes[i].line_class == LineClass::intersection;
+  }
   return leave_out(strokes, chains, [&](std::uint32_t lowest) {
     const StrokeChains::Chain& chain = chains.chain(lowest);
-    return is_edges[lowest] && chain.length < least && chain.free_ends == 2 && chain.cut_ends > 0;
+    return is_edges[lowest] && chain.length < least && chain.free_ends == 2 && (chain.cut_ends > 0 || crossings[lowest]);
   });
 }
 

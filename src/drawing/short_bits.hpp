@@ -13,8 +13,9 @@ namespace ligne {
 std::size_t close_short_gaps(StrokeModel& model, double gap_mm);
 
 /// Hides visible strokes that continue each other, end at no end of another line, and are together shorter than `least_mm`,
-/// when visibility cuts off at least one of their ends. Short edges and small features stay, since they are whole. Where
-/// there are no hidden strokes they are left out. No two visible strokes coincide. Returns the number of such bits. O(n).
+/// when visibility cuts off at least one of their ends, or all of them are intersections: those of shapes end at edges.
+/// Short edges and small features stay, since they are whole. Where there are no hidden strokes they are left out. No two
+/// visible strokes coincide. Returns the number of such bits. O(n).
 std::size_t drop_short_bits(StrokeModel& model, double least_mm);
 
 }  // namespace ligne

@@ -56,10 +56,10 @@ class StrokeChains {
   std::vector<Node> nodes_;
 };
 
-/// Hides the chains for which is_left_out(lowest stroke) holds; where no stroke is hidden, takes them out. Returns their
-/// number. O(n).
-template <class IsLeftOut>
-std::size_t leave_out(std::vector<Stroke>& strokes, const StrokeChains& chains, const IsLeftOut& is_left_out) {
+/// Hides the chains (StrokeChains, or the runs of StrokeLines) for which is_left_out(lowest stroke) holds; where no stroke
+/// is hidden, takes them out. Returns their number. O(n).
+template <class Chains, class IsLeftOut>
+std::size_t leave_out(std::vector<Stroke>& strokes, const Chains& chains, const IsLeftOut& is_left_out) {
   const bool hidden_too = any_hidden(strokes);
   std::size_t count = 0;
   for (const std::uint32_t i : chains.seen()) {

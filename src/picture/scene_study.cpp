@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "contours/contour_strokes.hpp"
-#include "drawing/flecks.hpp"
-#include "drawing/short_bits.hpp"
 #include "picture/clear_creases.hpp"
 #include "picture/clear_intersections.hpp"
 #include "picture/culling.hpp"
@@ -16,7 +14,7 @@
 #include "picture/method_choice.hpp"
 #include "picture/point_marks.hpp"
 #include "picture/profile.hpp"
-#include "view/tolerances.hpp"
+#include "picture/tidy_strokes.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -69,36 +67,6 @@ void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement
   } else if (placement.larger_than_page()) {
     run.warn("the picture is larger than the page: what lies outside is left out");
   }
-}
-
-/// The number of the scan that a stroke belongs to, kNoBody for other objects.
-std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& strokes, const Stroke& s) {
-  const bool is_edge = s.source < strokes.edge_count;
-  const std::uint32_t number = is_edge ? s.source : strokes.intersections[s.source - strokes.edge_count].faces[0];
-  const auto end_of = [&](const ScanObject& scan) { return is_edge ? scan.edge_end : scan.face_end; };
-  const auto scan = std::ranges::upper_bound(scans, number, {}, end_of);
-  if (scan == scans.end() || number < (is_edge ? scan->edge_begin : scan->face_begin)) return kNoBody;
-  return static_cast<std::uint32_t>(scan - scans.begin());
-}
-
-/// Every line once; without gaps that are none on the page, and without bits that are no lines there.
-void tidy(StrokeModel& strokes, const PreparedScene& prepared, double coincidence, RunReport& run) {
-  const PictureRequest& request = prepared.request;
-  constexpr double kFleckInPens = 8, kFleckPart = 1.0 / 48;  // adjustable
-  constexpr double kLeastInPens = 1.5, kGapInPens = 1;       // a wider gap shows between the round ends of two strokes
-  const double pen_mm = request.page.pen_width_mm;
-  const double of_quality = request.lines.quality == Quality::clear ? kLeastInPens * pen_mm : 0;
-  const double least_mm = request.lines.least_mm.value_or(of_quality);
-  const std::size_t closed = least_mm > 0 ? close_short_gaps(strokes, std::min(least_mm, kGapInPens * pen_mm)) : 0;
-  remove_coincident_strokes(strokes, coincidence);
-  const std::size_t dropped = least_mm > 0 ? drop_short_bits(strokes, least_mm) : 0;
-  if (of_quality > 0 && least_mm > 0 && !prepared.scans.empty()) {
-    const std::size_t flecks = drop_flecks(strokes, [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); },
-                                           {kFleckInPens * pen_mm, kFleckPart, pen_mm / 2});
-    if (flecks > 0) run.clear.count("flecks of scans left out", flecks);
-  }
-  if (closed > 0) run.clear.count("short gaps closed", closed);
-  if (dropped > 0) run.clear.count("short bits of lines left out", dropped);
 }
 
 std::string faces_text(const Scene& scene) {
@@ -230,7 +198,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   light_regions(prepared, found.result, run);
   warn_of_empty_or_cut(*found.result.strokes, prepared.around.placement, run);
   timed(run.stages, {"drawing", std::to_string(found.result.strokes->strokes.size()) + " strokes"},
-        [&] { tidy(*found.result.strokes, prepared, coincidence_mm(prepared.projected), run); });
+        [&] { tidy_strokes(*found.result.strokes, prepared, run); });
   if (request.lines.profiles() != ProfileKind::off) {
     timed(run.stages, {"profiles", std::to_string(found.result.strokes->strokes.size()) + " strokes"},
           [&] { add_profiles(*found.result.strokes, prepared, contours); });

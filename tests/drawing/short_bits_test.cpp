@@ -83,6 +83,15 @@ TEST(ShortBits, OfOneChainCountTogether) {
   EXPECT_EQ(drop_short_bits(s.model, 0.7), 1u);
 }
 
+TEST(ShortBits, IntersectionsByThemselvesGoEvenWhole) {
+  Strokes s;
+  s.add(1, 0, 0.3, 0).add(2, 0, 100, 5);
+  s.model.strokes[0].t_to = 1;
+  EXPECT_EQ(drop_short_bits(s.model, 0.5), 0u);
+  s.model.strokes[0].line_class = LineClass::intersection;
+  EXPECT_EQ(drop_short_bits(s.model, 0.5), 1u);
+}
+
 TEST(ShortBits, WholeFeaturesAndWhatJoinsLinesStay) {
   Strokes whole;
   whole.add(1, 0, 100, 0);
