@@ -8,6 +8,9 @@ namespace ligne {
 namespace {
 
 constexpr double kCellMm = 2;
+/// Adjustable: visible ends are moved back by so many times the reach, where they are no farther beside the line that hides
+/// them.
+constexpr double kMostOblique = 4;
 /// Segments of a chain over which the length of those of its mesh is averaged, before and behind a place.
 constexpr int kSizeWindow = 3;
 
@@ -42,6 +45,15 @@ struct Change {
   std::uint32_t contour;
   std::size_t run;  ///< that ends there
   double length, reach;
+  double from, to;  ///< lengths
+
+  /// A crossing there may be what ends the visible run: within reach along the curve, or beside the line that crosses.
+  bool may_move_to(double at, const Point2& direction, const PageSegment& line) const {
+    const double shift = std::abs(at - length);
+    if (shift <= reach) return true;
+    const Point2 along = line.to - line.from;
+    return shift * std::abs(cross(direction, along)) <= reach * glm::length(direction) * glm::length(along);
+  }
 };
 
 std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double reach_mm) {
@@ -51,7 +63,10 @@ std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double 
     const std::vector<ContourRun>& runs = contours[c].runs;
     for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
       const double at = runs[i].to;
-      changes.push_back({c, i, curve.point_at(at).length, reach_at(curve, at, reach_mm)});
+      const double length = curve.point_at(at).length, reach = reach_at(curve, at, reach_mm);
+      const double before = runs[i].state == 0 ? kMostOblique * reach : reach;
+      const double after = runs[i + 1].state == 0 ? kMostOblique * reach : reach;
+      changes.push_back({c, i, length, reach, std::max(0.0, length - before), std::min(curve.length(), length + after)});
     }
   }
   return changes;
@@ -60,9 +75,8 @@ std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double 
 /// The nearest place along the curve at which a line in front crosses it.
 std::optional<double> nearest_crossing(const Change& change, const ContourCurve& curve, const SegmentFinder& finder) {
   std::optional<double> best;
-  const double from = std::max(0.0, change.length - change.reach),
-               to = std::min(curve.length(), change.length + change.reach);
-  const std::vector<CurvePoint> points = curve.part(curve.point_at_length(from).at, curve.point_at_length(to).at);
+  const std::vector<CurvePoint> points =
+      curve.part(curve.point_at_length(change.from).at, curve.point_at_length(change.to).at);
   for (std::size_t i = 1; i < points.size(); ++i) {
     const CurvePoint &a = points[i - 1], &b = points[i];
     finder.near(a.mm, b.mm, [&](const PageSegment& s) {
@@ -74,6 +88,7 @@ std::optional<double> nearest_crossing(const Change& change, const ContourCurve&
       if (!crossing(a.mm, b.mm, s, fraction, depth)) return;
       if (depth > a.depth + fraction * (b.depth - a.depth)) return;
       const double length = a.length + fraction * (b.length - a.length);
+      if (!change.may_move_to(length, b.mm - a.mm, s)) return;
       if (!best || std::abs(length - change.length) < std::abs(*best - change.length)) best = length;
     });
   }
@@ -151,8 +166,8 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
   SegmentFinder finder(kCellMm);
   for (const Change& change : changes) {
     const ContourCurve& curve = contours[change.contour].curve;
-    const std::vector<CurvePoint> points = curve.part(curve.point_at_length(change.length - change.reach).at,
-                                                      curve.point_at_length(change.length + change.reach).at);
+    const std::vector<CurvePoint> points =
+        curve.part(curve.point_at_length(change.from).at, curve.point_at_length(change.to).at);
     for (std::size_t i = 1; i < points.size(); ++i) finder.expect(points[i - 1].mm, points[i].mm);
   }
   finder.prepare();
@@ -186,7 +201,9 @@ struct MovedEnd {
   LatticePoint from, to;
 };
 
-/// Looks for the nearest contour in front that crosses the stroke near its end, or would if its source edge went on.
+/// Looks for the nearest contour in front that crosses the stroke near its end, or would if its source edge went on. A line
+/// that runs at an angle into the strip between the contour and the mesh ends farther behind the crossing than the strip is
+/// wide.
 std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool first, const SegmentFinder& finder,
                                   double reach_mm) {
   const Stroke& s = model.strokes[i];
@@ -195,7 +212,7 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
   if (!(length > 0)) return std::nullopt;
   const Point2 along = (end - other) / length;
   const double rest = (first ? s.t_from : 1 - s.t_to) / (s.t_to - s.t_from) * length;
-  const double back = std::min(reach_mm, length), on = std::clamp(rest, 0.0, reach_mm);
+  const double back = std::min(kMostOblique * reach_mm, length), on = std::clamp(rest, 0.0, reach_mm);
   const Point2 from = end - back * along, to = end + on * along;
   const double z_end = first ? s.z_from : s.z_to, slope = (first ? s.z_from - s.z_to : s.z_to - s.z_from) / length;
   std::optional<double> best;
@@ -204,6 +221,8 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
     if (!crossing(from, to, piece, fraction, depth)) return;
     const double shift = fraction * (back + on) - back;
     if (depth > z_end + shift * slope || shift <= -length || (best && std::abs(*best) <= std::abs(shift))) return;
+    const Point2 contour = piece.to - piece.from;
+    if (std::abs(shift * cross(along, contour)) > reach_mm * glm::length(contour)) return;
     best = shift;
   });
   if (!best) return std::nullopt;
