@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "geometry/parallel.hpp"
+
 namespace ligne {
 namespace {
 
@@ -104,16 +106,32 @@ class Tracer {
   enum class EdgeState : std::uint8_t { open, spent, line };
   enum class VertexState : std::uint8_t { open, beside, line };
 
-  /// Something at a vertex: a candidate, by its place in candidates_, or a face.
-  using At = std::pair<std::uint32_t, std::uint32_t>;
+  /// What there is at each vertex of the object, in ascending order: candidates, by their places in candidates_, or faces.
+  class AtVertices {
+   public:
+    /// Calls list(add), in which add(vertex, thing) is called for everything, twice.
+    template <class List>
+    AtVertices(std::uint32_t vertex_begin, std::uint32_t vertex_end, const List& list)
+        : vertex_begin_(vertex_begin), begin_(vertex_end - vertex_begin + 2, 0) {
+      list([&](std::uint32_t vertex, std::uint32_t) { ++begin_[vertex - vertex_begin_ + 2]; });
+      for (std::size_t v = 2; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
+      things_.resize(begin_.back());
+      list([&](std::uint32_t vertex, std::uint32_t thing) { things_[begin_[vertex - vertex_begin_ + 1]++] = thing; });
+    }
+    AtVertices() = default;
+
+    std::span<const std::uint32_t> operator[](std::uint32_t vertex) const {
+      const std::uint32_t v = vertex - vertex_begin_;
+      return {things_.data() + begin_[v], things_.data() + begin_[v + 1]};
+    }
+
+   private:
+    std::uint32_t vertex_begin_ = 0;
+    std::vector<std::uint32_t> begin_, things_;
+  };
 
   Point3 along(std::size_t e) const {
     return scene_.vertices[topology_.edges[e].v1] - scene_.vertices[topology_.edges[e].v0];
-  }
-
-  static std::span<const At> at(const std::vector<At>& list, std::uint32_t vertex) {
-    const auto first = std::lower_bound(list.begin(), list.end(), At(vertex, 0));
-    return {first, std::find_if(first, list.end(), [&](const At& a) { return a.first != vertex; })};
   }
 
   VertexState& state_of(std::uint32_t vertex) { return state_of_vertex_[vertex - object_.vertex_begin]; }
@@ -143,20 +161,28 @@ class Tracer {
     std::vector<std::uint8_t> wanted(object_.vertex_end - object_.vertex_begin, 0);
     for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
       const Edge& edge = topology_.edges[candidates_[k]];
-      edges_at_.emplace_back(edge.v0, k);
-      edges_at_.emplace_back(edge.v1, k);
       for (const std::uint32_t f : {edge.face0, edge.face1}) {
         for (const std::uint32_t v : scene_.faces.contour(f, 0)) wanted[v - object_.vertex_begin] = 1;
       }
     }
-    for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
-      for (const std::uint32_t v : scene_.faces.contour(f, 0)) {
-        if (wanted[v - object_.vertex_begin]) faces_at_.emplace_back(v, f);
+    edges_at_ = AtVertices(object_.vertex_begin, object_.vertex_end, [&](const auto& add) {
+      for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
+        add(topology_.edges[candidates_[k]].v0, k);
+        add(topology_.edges[candidates_[k]].v1, k);
       }
-    }
-    std::sort(edges_at_.begin(), edges_at_.end());
-    std::sort(faces_at_.begin(), faces_at_.end());
-    for (const std::uint32_t e : candidates_) wide_.push_back(wide_bend(e));
+    });
+    faces_at_ = AtVertices(object_.vertex_begin, object_.vertex_end, [&](const auto& add) {
+      for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
+        for (const std::uint32_t v : scene_.faces.contour(f, 0)) {
+          if (wanted[v - object_.vertex_begin]) add(v, f);
+        }
+      }
+    });
+    wide_.resize(candidates_.size());
+    parallel_blocks(candidates_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> round;
+      for (std::size_t k = begin; k < end; ++k) wide_[k] = wide_bend(candidates_[k], round);
+    });
     state_of_edge_.assign(candidates_.size(), EdgeState::open);
     firm_.assign(candidates_.size(), 0);
     refused_.assign(candidates_.size(), 0);
@@ -172,13 +198,19 @@ class Tracer {
 
   /// The angle between what lies on one side of an edge and what lies on the other, among the faces that share a vertex
   /// with its own: a triangle that stands out is a small part of either, and an edge that runs across a ridge has both
-  /// slopes on both sides.
-  double wide_bend(std::uint32_t e) const {
+  /// slopes on both sides. `round` is memory for those faces.
+  double wide_bend(std::uint32_t e, std::vector<std::uint32_t>& round) const {
     const Edge& edge = topology_.edges[e];
-    std::vector<std::uint32_t> round;
+    round.clear();
+    const auto add_faces = [&](std::uint32_t v) {
+      const auto faces = faces_at_[v];
+      round.insert(round.end(), faces.begin(), faces.end());
+    };
+    add_faces(edge.v0);
+    add_faces(edge.v1);
     for (const std::uint32_t f : {edge.face0, edge.face1}) {
       for (const std::uint32_t v : scene_.faces.contour(f, 0)) {
-        for (const At& face : at(faces_at_, v)) round.push_back(face.second);
+        if (v != edge.v0 && v != edge.v1) add_faces(v);
       }
     }
     std::sort(round.begin(), round.end());
@@ -230,8 +262,8 @@ class Tracer {
       firm_[k] = 2 * static_cast<std::size_t>(firm) >= line.edges.size();
     }
     for (const std::uint32_t v : line.vertices) {
-      for (const At& face : at(faces_at_, v)) {
-        for (const std::uint32_t next : scene_.faces.contour(face.second, 0)) {
+      for (const std::uint32_t face : faces_at_[v]) {
+        for (const std::uint32_t next : scene_.faces.contour(face, 0)) {
           state_of(next) = std::max(state_of(next), VertexState::beside);
         }
       }
@@ -249,7 +281,7 @@ class Tracer {
     const Point3 direction = glm::normalize(scene_.vertices[v] - behind);
     std::uint32_t best = kNone, best_vertex = kNone;
     double best_score = 0;
-    for (const auto& [vertex, k] : at(edges_at_, v)) {
+    for (const std::uint32_t k : edges_at_[v]) {
       if (state_of_edge_[k] != EdgeState::open || k == line.edges.back()) continue;
       const Edge& edge = topology_.edges[candidates_[k]];
       const std::uint32_t next = edge.v0 == v ? edge.v1 : edge.v0;
@@ -305,7 +337,7 @@ class Tracer {
   std::vector<std::uint8_t> firm_, refused_;  ///< per candidate
   std::vector<VertexState> state_of_vertex_;  ///< per vertex of the object
   std::vector<std::uint8_t> on_ridge_;        ///< per vertex of the object: an edge there bends by more than the angle
-  std::vector<At> edges_at_, faces_at_;
+  AtVertices edges_at_, faces_at_;            ///< the latter round vertices of candidates' faces only
 };
 
 }  // namespace
