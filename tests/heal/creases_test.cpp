@@ -194,6 +194,14 @@ TEST(Creases, SheetsThatCrossWithoutABendHaveNone) {
   EXPECT_EQ(find(read(flat + "f 1 9 10 2\n", ModelFormat::obj)).count(), 1u);
 }
 
+TEST(Creases, SheetsThatAllEndAtAnEdgeHaveOne) {
+  // Three nearly coplanar triangles on one side of the edge from 1 to 2, as where thin walls end.
+  const std::string ends = "v 0 0 0\nv 1 0 0\nv 0.2 1 0\nv 0.5 1 0.1\nv 0.8 1 -0.1\nf 1 2 3\nf 1 2 4\nf 2 1 5\n";
+  const Found found = find(read(ends, ModelFormat::obj));
+  EXPECT_EQ(found.count(), 1u);
+  EXPECT_EQ(found.creases.straight_sheets, 0u);
+}
+
 TEST(Creases, ASliverTakesTheNormalOfItsNeighbour) {
   // A flat square with a triangle of no height along its diagonal, off the plane by the rounding of its writer.
   const std::string text =

@@ -55,14 +55,14 @@ Point3 into_face(const Scene& scene, const Edge& edge, std::uint32_t f) {
   return length > 0 ? farthest / length : farthest;
 }
 
-/// The edges of more than two faces of which two bend: of all faces that have the edge, two whose directions from it are
-/// neither alike nor opposite.
+/// The edges of more than two faces that are seen: of all faces that have the edge, the directions of two from it are
+/// neither alike nor opposite; or all are alike, and the sheets end there.
 std::vector<std::uint8_t> bent_sheets(const Scene& scene, const Topology& topology, const Limits& limits) {
   std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::size_t>> wanted;
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
     if (topology.edge_flags[e] & kEdgeManyFaces) wanted.push_back({{topology.edges[e].v0, topology.edges[e].v1}, e});
   }
-  std::vector<std::uint8_t> bent(wanted.size(), 0);
+  std::vector<std::uint8_t> bent(wanted.size(), 0), goes_on(wanted.size(), 0);
   if (wanted.empty()) return bent;
   std::vector<Point3> first(wanted.size(), Point3(0));
   for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
@@ -78,10 +78,13 @@ std::vector<std::uint8_t> bent_sheets(const Scene& scene, const Topology& topolo
         if (direction == Point3(0)) continue;
         // All others are in line with the first one, or two of them bend.
         if (first[i] == Point3(0)) first[i] = direction;
-        if (std::abs(glm::dot(direction, first[i])) < limits.crease) bent[i] = 1;
+        const double cosine = glm::dot(direction, first[i]);
+        if (std::abs(cosine) < limits.crease) bent[i] = 1;
+        if (cosine < 0) goes_on[i] = 1;
       }
     }
   }
+  for (std::size_t i = 0; i < bent.size(); ++i) bent[i] |= first[i] != Point3(0) && !goes_on[i];
   return bent;
 }
 
