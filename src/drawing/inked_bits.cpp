@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drawing/key_table.hpp"
+#include "drawing/near_part.hpp"
 #include "drawing/stroke_chains.hpp"
 #include "drawing/stroke_index.hpp"
 #include "drawing/stroke_lines.hpp"
@@ -28,56 +29,12 @@ std::uint32_t giver(const StrokeLines& lines, std::uint32_t run, double least) {
   return run;
 }
 
-/// A part of a stroke, as fractions of it; none where from > to.
-struct Part {
-  double from = 2, to = -1;
-  void add(double a, double b) {
-    a = std::max(a, 0.0);
-    b = std::min(b, 1.0);
-    if (a > b) return;
-    from = std::min(from, a);
-    to = std::max(to, b);
-  }
-};
-
-/// The part of a stroke within `reach` of another one. What lies within a distance of a segment is convex: it is the hull of
-/// the parts in the two discs round its ends and in the strip between them.
-Part part_near(const Stroke& bit, const Stroke& line, double reach) {
-  const double dx = double(bit.to.x) - bit.from.x, dy = double(bit.to.y) - bit.from.y, square = dx * dx + dy * dy;
-  Part part;
-  for (const LatticePoint end : {line.from, line.to}) {
-    const double px = double(end.x) - bit.from.x, py = double(end.y) - bit.from.y;
-    const double middle = (px * dx + py * dy) / square, beside = std::abs(px * dy - py * dx) / std::sqrt(square);
-    if (beside > reach) continue;
-    const double half = std::sqrt((reach - beside) * (reach + beside) / square);
-    part.add(middle - half, middle + half);
-  }
-  const double ux = double(line.to.x) - line.from.x, uy = double(line.to.y) - line.from.y, length = std::hypot(ux, uy);
-  if (length == 0) return part;
-  // Fractions at which the stroke is at a distance along and beside the line: each linear in the fraction.
-  double from = 0, to = 1;
-  const auto clip = [&](double start, double slope, double low, double high) {
-    if (slope == 0) {
-      if (start < low || start > high) to = -1;
-      return;
-    }
-    const double a = (low - start) / slope, b = (high - start) / slope;
-    from = std::max(from, std::min(a, b));
-    to = std::min(to, std::max(a, b));
-  };
-  const double fx = double(bit.from.x) - line.from.x, fy = double(bit.from.y) - line.from.y;
-  clip((fx * ux + fy * uy) / length, (dx * ux + dy * uy) / length, 0, length);
-  clip((fx * uy - fy * ux) / length, (dx * uy - dy * ux) / length, -reach, reach);
-  part.add(from, to);
-  return part;
-}
-
 /// Of the whole, what no part covers.
-double uncovered(std::vector<Part>& parts) {
+double uncovered(std::vector<StrokePart>& parts) {
   std::sort(parts.begin(), parts.end(),
-            [](const Part& a, const Part& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
+            [](const StrokePart& a, const StrokePart& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
   double open = 0, covered_to = 0;
-  for (const Part& part : parts) {
+  for (const StrokePart& part : parts) {
     open += std::max(0.0, part.from - covered_to);
     covered_to = std::max(covered_to, part.to);
   }
@@ -150,14 +107,14 @@ std::size_t drop_inked_bits(StrokeModel& model, const InkLimits& limits) {
       return false;
     });
   }
-  std::vector<std::vector<Part>> covered(bits.size());
+  std::vector<std::vector<StrokePart>> covered(bits.size());
   for (const std::uint32_t i : lines.seen()) {
     if (is_short(i)) continue;
     grid.walk(strokes[i].from, strokes[i].to, [&](std::uint64_t cell) {
       for (std::uint32_t l = cells.find(cell); l != KeyTable::kNone; l = links[l].second) {
         const std::uint32_t b = links[l].first;
-        const Part part = part_near(strokes[bits[b]], strokes[i], reach);
-        if (part.from <= part.to) covered[b].push_back(part);
+        const StrokePart part = part_near(strokes[bits[b]], strokes[i], reach);
+        if (!part.empty()) covered[b].push_back(part);
       }
       return false;
     });

@@ -1,16 +1,23 @@
 #include "drawing/loose_ends.hpp"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "drawing/key_table.hpp"
+#include "drawing/near_part.hpp"
 #include "drawing/stroke_chains.hpp"
 #include "drawing/stroke_index.hpp"
 
 namespace ligne {
 namespace {
 
-constexpr double kLeastCosine = 0.5;  ///< adjustable: of the turn from a line into what joins it to the next
+// Adjustable: of the turn from a line into what joins it to the next; and that where the joint shows.
+constexpr double kLeastCosine = 0.5, kStraightCosine = 0.94;
+/// Adjustable: lines that are joined by what shows are so many times as long as that.
+constexpr double kLongInGaps = 2;
+/// Adjustable: what was joined may be long enough to be joined to more.
+constexpr int kMostRounds = 3;
 /// Chains whose ends may be joined to each other are so many gaps long, or a speck would be a ring.
 constexpr double kRingInGaps = 4;
 
@@ -23,8 +30,8 @@ struct LooseEnd {
 
 class LooseEnds {
  public:
-  LooseEnds(const std::vector<Stroke>& strokes, double gap)
-      : strokes_(strokes), chains_(strokes), gap_(gap), grid_(2 * gap, gap) {
+  LooseEnds(const std::vector<Stroke>& strokes, double gap, double wide)
+      : strokes_(strokes), chains_(strokes), gap_(gap), wide_(wide), grid_(2 * wide, wide) {
     for (const std::uint32_t i : chains_.seen()) {
       const Stroke& s = strokes[i];
       if (!is_edge(s) || s.line_class == LineClass::mesh || s.from == s.to) continue;
@@ -47,34 +54,42 @@ class LooseEnds {
     }
   }
 
+  LatticePoint point(const LooseEnd& e) const { return e.at_from ? strokes_[e.stroke].from : strokes_[e.stroke].to; }
+  bool shows(const LooseEnd& a, const LooseEnd& b) const { return length(point(a), point(b)) >= gap_; }
+  bool is_of(const LooseEnd& end, std::uint32_t stroke) const {
+    return chains_.chain_of(stroke) == chains_.chain_of(end.stroke);
+  }
+  const std::vector<std::uint32_t>& seen() const { return chains_.seen(); }
   double line_length(const LooseEnd& end) const { return chains_.chain(chains_.chain_of(end.stroke)).length; }
 
  private:
-  LatticePoint point(const LooseEnd& e) const { return e.at_from ? strokes_[e.stroke].from : strokes_[e.stroke].to; }
+  static double length(LatticePoint a, LatticePoint b) { return std::hypot(double(b.x) - a.x, double(b.y) - a.y); }
 
   /// The line goes on towards the point; a stroke shorter than the way to it has no direction that says anything.
   bool leads_to(const LooseEnd& e, LatticePoint p, double distance) const {
     const Stroke& s = strokes_[e.stroke];
     const double length = page_length(s);
-    if (length <= distance) return true;
+    const bool shows = distance >= gap_;
+    if (shows && line_length(e) < kLongInGaps * distance) return false;
+    if (length <= distance && !shows) return true;
     const LatticePoint end = point(e), start = e.at_from ? s.to : s.from;
     const double along =
         (double(end.x) - start.x) * (double(p.x) - end.x) + (double(end.y) - start.y) * (double(p.y) - end.y);
-    return along >= kLeastCosine * length * distance;
+    return along >= (shows ? kStraightCosine : kLeastCosine) * length * distance;
   }
 
   std::uint32_t nearest(std::uint32_t e) const {
     const LooseEnd& end = ends_[e];
     const LatticePoint p = point(end);
     std::uint32_t best = KeyTable::kNone;
-    double best_distance = gap_;
+    double best_distance = wide_;
     grid_.walk(p, p, [&](std::uint64_t cell) {
       for (std::uint32_t o = cells_.find(cell); o != KeyTable::kNone; o = ends_[o].next) {
         if (o == e) continue;
         const LooseEnd& other = ends_[o];
         const LatticePoint q = point(other);
-        const double distance = std::hypot(double(q.x) - p.x, double(q.y) - p.y);
-        if (distance >= gap_ || distance > best_distance || (distance == best_distance && o > best)) continue;
+        const double distance = length(p, q);
+        if (distance >= wide_ || distance > best_distance || (distance == best_distance && o > best)) continue;
         const bool same = chains_.chain_of(end.stroke) == chains_.chain_of(other.stroke);
         if (same && line_length(end) < kRingInGaps * gap_) continue;
         if (!leads_to(end, q, distance) || !leads_to(other, p, distance)) continue;
@@ -88,34 +103,83 @@ class LooseEnds {
 
   const std::vector<Stroke>& strokes_;
   StrokeChains chains_;
-  double gap_;
+  double gap_, wide_;
   SegmentGrid grid_;
   KeyTable cells_;
   std::vector<LooseEnd> ends_;
 };
 
-}  // namespace
+struct Joint {
+  Stroke stroke;
+  const LooseEnd *a, *b;
+  bool blocked = false;  ///< it shows, and another line is in its way
+};
 
-std::size_t join_loose_ends(StrokeModel& model, double gap_mm, const MakeSource& make_source) {
-  const LooseEnds ends(model.strokes, gap_mm / model.lattice.step_mm);
-  std::vector<Stroke> added;
+/// Finds the lines in the way of the joints that show.
+void block(std::vector<Joint>& joints, const LooseEnds& ends, const std::vector<Stroke>& strokes, double wide,
+           double clear) {
+  const SegmentGrid grid(2 * wide, clear);
+  KeyTable cells;                                              // of each cell the first link
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;  // joint, next link
+  for (std::uint32_t j = 0; j < joints.size(); ++j) {
+    if (!ends.shows(*joints[j].a, *joints[j].b)) continue;
+    grid.walk(joints[j].stroke.from, joints[j].stroke.to, [&](std::uint64_t cell) {
+      std::uint32_t& first = cells[cell];
+      links.emplace_back(j, first);
+      first = static_cast<std::uint32_t>(links.size() - 1);
+      return false;
+    });
+  }
+  if (links.empty()) return;
+  for (const std::uint32_t i : ends.seen()) {
+    grid.walk(strokes[i].from, strokes[i].to, [&](std::uint64_t cell) {
+      for (std::uint32_t l = cells.find(cell); l != KeyTable::kNone; l = links[l].second) {
+        Joint& joint = joints[links[l].first];
+        if (joint.blocked || ends.is_of(*joint.a, i) || ends.is_of(*joint.b, i)) continue;
+        joint.blocked = !part_near(joint.stroke, strokes[i], clear).empty();
+      }
+      return false;
+    });
+  }
+}
+
+std::size_t join_once(StrokeModel& model, const JointLimits& limits, const MakeSource& make_source) {
+  const double step = model.lattice.step_mm;
+  const LooseEnds ends(model.strokes, limits.gap_mm / step, limits.wide_mm / step);
+  std::vector<Joint> joints;
   ends.pairs([&](const LooseEnd& a, const LooseEnd& b) {
     const Stroke &s = model.strokes[a.stroke], &t = model.strokes[b.stroke];
     Stroke joint = ends.line_length(a) < ends.line_length(b) ? t : s;
     joint.t_from = 0;
     joint.t_to = 1;
-    joint.from = a.at_from ? s.from : s.to;
-    joint.to = b.at_from ? t.from : t.to;
+    joint.from = ends.point(a);
+    joint.to = ends.point(b);
     joint.z_from = a.at_from ? s.z_from : s.z_to;
     joint.z_to = b.at_from ? t.z_from : t.z_to;
     joint.w_from = a.at_from ? s.w_from : s.w_to;
     joint.w_to = b.at_from ? t.w_from : t.w_to;
-    model.intersections.push_back(make_source(joint));
-    joint.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size()) - 1;
-    added.push_back(joint);
+    joints.push_back({joint, &a, &b});
   });
-  model.strokes.insert(model.strokes.end(), added.begin(), added.end());
-  return added.size();
+  block(joints, ends, model.strokes, limits.wide_mm / step, limits.clear_mm / step);
+  std::erase_if(joints, [](const Joint& joint) { return joint.blocked; });
+  for (Joint& joint : joints) {
+    model.intersections.push_back(make_source(joint.stroke));
+    joint.stroke.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size()) - 1;
+  }
+  for (const Joint& joint : joints) model.strokes.push_back(joint.stroke);
+  return joints.size();
+}
+
+}  // namespace
+
+std::size_t join_loose_ends(StrokeModel& model, const JointLimits& limits, const MakeSource& make_source) {
+  std::size_t joined = 0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const std::size_t count = join_once(model, limits, make_source);
+    joined += count;
+    if (count == 0) break;
+  }
+  return joined;
 }
 
 }  // namespace ligne

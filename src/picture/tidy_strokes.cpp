@@ -16,6 +16,7 @@ namespace {
 // Adjustable, in widths of the pen.
 constexpr double kLeastInPens = 1.5;
 constexpr double kGapInPens = 1;      ///< a wider gap shows between the round ends of two strokes
+constexpr double kWideInGaps = 3;     ///< a gap that shows, in a line that goes straight on
 constexpr double kInkInPens = 0.5;    ///< to either side of a line
 constexpr double kShownInPens = 0.5;  ///< of a bit beside the ink of other lines
 constexpr double kFleckInPens = 8;
@@ -78,7 +79,8 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
   count("short gaps closed", close_short_gaps(strokes, gap_mm));
   remove_coincident_strokes(strokes, coincidence);
   if (clear) {
-    count("loose ends joined", join_loose_ends(strokes, gap_mm, JointSources(strokes, prepared.projected)));
+    const JointLimits limits{gap_mm, kWideInGaps * gap_mm, kInkInPens * pen_mm};
+    count("loose ends joined", join_loose_ends(strokes, limits, JointSources(strokes, prepared.projected)));
     count("short bits of another class than their line", join_short_classes(strokes, least_mm));
   }
   count("short bits of lines left out", drop_short_bits(strokes, least_mm));

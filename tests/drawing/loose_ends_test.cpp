@@ -12,7 +12,7 @@ constexpr auto kCrease = LineClass::crease, kOutline = LineClass::outline;
 
 SourceEdge no_source(const Stroke&) { return {}; }
 
-std::size_t joined(StrokeModel& m) { return join_loose_ends(m, 10, no_source); }
+std::size_t joined(StrokeModel& m) { return join_loose_ends(m, {10, 25, 5}, no_source); }
 
 TEST(LooseEnds, AreJoined) {
   StrokeModel m = model({stroke({0, 0}, {100, 0}, kCrease, 3), stroke({200, 3}, {105, 2}, kCrease, 4)});
@@ -43,7 +43,7 @@ TEST(LooseEnds, StayWhereAnotherLineEndsOrTheGapShows) {
   StrokeModel held =
       model({stroke({0, 0}, {100, 0}, kCrease), stroke({105, 0}, {200, 0}, kCrease), stroke({100, 0}, {100, 80}, kOutline)});
   EXPECT_EQ(joined(held), 0u);
-  StrokeModel far = model({stroke({0, 0}, {100, 0}, kCrease), stroke({110, 0}, {200, 0}, kCrease)});
+  StrokeModel far = model({stroke({0, 0}, {100, 0}, kCrease), stroke({125, 0}, {900, 0}, kCrease)});
   EXPECT_EQ(joined(far), 0u);
   StrokeModel mesh = model({stroke({0, 0}, {100, 0}), stroke({105, 0}, {200, 0})});
   EXPECT_EQ(joined(mesh), 0u);
@@ -54,6 +54,26 @@ TEST(LooseEnds, OfThreeTheNearestAreJoined) {
       model({stroke({0, 0}, {100, 0}, kCrease), stroke({104, 1}, {200, 1}, kCrease), stroke({107, -1}, {200, -1}, kCrease)});
   EXPECT_EQ(joined(m), 1u);
   EXPECT_EQ(m.strokes.back().to, (LatticePoint{104, 1}));
+}
+
+TEST(LooseEnds, OfLongLinesThatGoStraightOnAreJoinedWhereItShows) {
+  const Stroke left = stroke({0, 0}, {100, 0}, kCrease), right = stroke({120, 4}, {300, 12}, kCrease);
+  StrokeModel straight = model({left, right});
+  EXPECT_EQ(joined(straight), 1u);
+  StrokeModel turning = model({left, stroke({118, 9}, {300, 90}, kCrease)});
+  EXPECT_EQ(joined(turning), 0u);
+  StrokeModel short_line = model({stroke({70, 0}, {100, 0}, kCrease), right});
+  EXPECT_EQ(joined(short_line), 0u);
+  StrokeModel behind_a_post = model({left, right, stroke({110, -50}, {110, 50}, kOutline)});
+  EXPECT_EQ(joined(behind_a_post), 0u);
+  StrokeModel beside = model({left, right, stroke({110, 6}, {110, 50}, kOutline)});
+  EXPECT_EQ(joined(beside), 0u);
+}
+
+TEST(LooseEnds, MakeLinesLongEnoughForMore) {
+  StrokeModel m =
+      model({stroke({0, 0}, {100, 0}, kCrease), stroke({112, 0}, {137, 0}, kCrease), stroke({157, 0}, {300, 0}, kCrease)});
+  EXPECT_EQ(joined(m), 2u);
 }
 
 TEST(LooseEnds, OfOneSpeckMakeNoRing) {
