@@ -18,6 +18,9 @@ constexpr double kLeastCosine = 0.5, kStraightCosine = 0.94;
 constexpr double kLongInGaps = 2;
 /// Adjustable: what was joined may be long enough to be joined to more.
 constexpr int kMostRounds = 3;
+/// Ends of lines that continue each other are rounded to the lattice one by one: so many steps apart, the way from one to
+/// the other says nothing.
+constexpr double kRoundedSteps = 8;
 /// Chains whose ends may be joined to each other are so many gaps long, or a speck would be a ring.
 constexpr double kRingInGaps = 4;
 
@@ -67,6 +70,7 @@ class LooseEnds {
 
   /// The line goes on towards the point; a stroke shorter than the way to it has no direction that says anything.
   bool leads_to(const LooseEnd& e, LatticePoint p, double distance) const {
+    if (distance <= kRoundedSteps) return true;
     const Stroke& s = strokes_[e.stroke];
     const double length = page_length(s);
     const bool shows = distance >= gap_;
