@@ -119,32 +119,67 @@ struct Joint {
   bool blocked = false;  ///< it shows, and another line is in its way
 };
 
-/// Finds the lines in the way of the joints that show.
-void block(std::vector<Joint>& joints, const LooseEnds& ends, const std::vector<Stroke>& strokes, double wide,
-           double clear) {
-  const SegmentGrid grid(2 * wide, clear);
-  KeyTable cells;                                              // of each cell the first link
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;  // joint, next link
-  for (std::uint32_t j = 0; j < joints.size(); ++j) {
-    if (!ends.shows(*joints[j].a, *joints[j].b)) continue;
-    grid.walk(joints[j].stroke.from, joints[j].stroke.to, [&](std::uint64_t cell) {
-      std::uint32_t& first = cells[cell];
-      links.emplace_back(j, first);
-      first = static_cast<std::uint32_t>(links.size() - 1);
+/// Joints in the cells of a grid.
+class JointGrid {
+ public:
+  JointGrid(double cell, double reach) : grid_(cell, reach) {}
+
+  void add(std::uint32_t joint, const Stroke& stroke) {
+    grid_.walk(stroke.from, stroke.to, [&](std::uint64_t cell) {
+      std::uint32_t& first = cells_[cell];
+      links_.emplace_back(joint, first);
+      first = static_cast<std::uint32_t>(links_.size() - 1);
       return false;
     });
   }
-  if (links.empty()) return;
-  for (const std::uint32_t i : ends.seen()) {
-    grid.walk(strokes[i].from, strokes[i].to, [&](std::uint64_t cell) {
-      for (std::uint32_t l = cells.find(cell); l != KeyTable::kNone; l = links[l].second) {
-        Joint& joint = joints[links[l].first];
-        if (joint.blocked || ends.is_of(*joint.a, i) || ends.is_of(*joint.b, i)) continue;
-        joint.blocked = !part_near(joint.stroke, strokes[i], clear).empty();
+  bool empty() const { return links_.empty(); }
+  /// Calls found(joint) for those that the stroke may come near, some more than once, until it returns true; true when it
+  /// did.
+  template <class Found>
+  bool near(const Stroke& stroke, const Found& found) const {
+    return grid_.walk(stroke.from, stroke.to, [&](std::uint64_t cell) {
+      for (std::uint32_t l = cells_.find(cell); l != KeyTable::kNone; l = links_[l].second) {
+        if (found(links_[l].first)) return true;
       }
       return false;
     });
   }
+
+ private:
+  SegmentGrid grid_;
+  KeyTable cells_;                                              // of each cell the first link
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> links_;  // joint, next link
+};
+
+/// Finds the lines in the way of the joints that show.
+void block(std::vector<Joint>& joints, const LooseEnds& ends, const std::vector<Stroke>& strokes, double wide,
+           double clear) {
+  JointGrid grid(2 * wide, clear);
+  for (std::uint32_t j = 0; j < joints.size(); ++j) {
+    if (ends.shows(*joints[j].a, *joints[j].b)) grid.add(j, joints[j].stroke);
+  }
+  if (grid.empty()) return;
+  for (const std::uint32_t i : ends.seen()) {
+    grid.near(strokes[i], [&](std::uint32_t j) {
+      Joint& joint = joints[j];
+      if (joint.blocked || ends.is_of(*joint.a, i) || ends.is_of(*joint.b, i)) return false;
+      joint.blocked = !part_near(joint.stroke, strokes[i], clear).empty();
+      return false;
+    });
+  }
+}
+
+/// Takes out the hidden strokes that lie all along joints: they are the line that is seen now.
+void drop_hidden(std::vector<Stroke>& strokes, const std::vector<Joint>& joints, double wide, double clear) {
+  if (joints.empty() || !any_hidden(strokes)) return;
+  JointGrid grid(2 * wide, clear);
+  for (std::uint32_t j = 0; j < joints.size(); ++j) grid.add(j, joints[j].stroke);
+  std::erase_if(strokes, [&](const Stroke& s) {
+    return !s.visible && s.from != s.to && grid.near(s, [&](std::uint32_t j) {
+      const StrokePart part = part_near(s, joints[j].stroke, clear);
+      return part.from == 0 && part.to == 1;
+    });
+  });
 }
 
 std::size_t join_once(StrokeModel& model, const JointLimits& limits, const MakeSource& make_source) {
@@ -170,6 +205,7 @@ std::size_t join_once(StrokeModel& model, const JointLimits& limits, const MakeS
     model.intersections.push_back(make_source(joint.stroke));
     joint.stroke.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size()) - 1;
   }
+  drop_hidden(model.strokes, joints, limits.wide_mm / step, limits.clear_mm / step);
   for (const Joint& joint : joints) model.strokes.push_back(joint.stroke);
   return joints.size();
 }

@@ -18,9 +18,9 @@ struct JointLimits {
 };
 
 /// Joins lines of which each ends nearest to the end of the other, where no other line ends: a stroke between the two ends
-/// is added, with a source of its own. Nothing is added to the mesh's own lines. No two visible strokes coincide. Returns
-/// the number of such strokes. O(n + m), with m the grid cells of the side of `wide_mm` x 2 that lines pass near the wide
-/// joints.
+/// is added, with a source of its own. Hidden strokes along it are taken out. Nothing is added to the mesh's own lines. No
+/// two visible strokes coincide. Returns the number of such strokes. O(n + m), with m the grid cells of the side of
+/// `wide_mm` x 2 that lines pass near the wide joints.
 std::size_t join_loose_ends(StrokeModel& model, const JointLimits& limits, const MakeSource& make_source);
 
 }  // namespace ligne

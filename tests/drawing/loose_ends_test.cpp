@@ -83,6 +83,14 @@ TEST(LooseEnds, MakeLinesLongEnoughForMore) {
   EXPECT_EQ(joined(m), 2u);
 }
 
+TEST(LooseEnds, TheHiddenLineBetweenThemGoes) {
+  StrokeModel m = model({stroke({0, 0}, {1000, 0}, kCrease), stroke({1200, 0}, {3000, 0}, kCrease),
+                         hidden(stroke({1000, 0}, {1100, -20}, kCrease)), hidden(stroke({1100, -20}, {1200, 0}, kCrease)),
+                         hidden(stroke({1100, -20}, {1100, 900}, kCrease))});
+  EXPECT_EQ(joined(m), 1u);
+  EXPECT_EQ(m.strokes.size(), 4u);
+}
+
 TEST(LooseEnds, OfOneSpeckMakeNoRing) {
   StrokeModel speck = model({stroke({0, 0}, {80, 0}, kCrease)});
   EXPECT_EQ(joined(speck), 0u);
