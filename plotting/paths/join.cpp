@@ -5,7 +5,8 @@
 /// curve become long enough that
 ///    two of them can be seen to lie on each other.
 /// 3. Segments that lie on each other are drawn once (remove_coincident_strokes of the drawing), but where that only costs
-/// lifts (bridge_cuts).
+/// lifts (bridge_cuts). Lines so small that their segments are shorter than the tolerance are compared whole before
+/// (small_doubles).
 /// 4. Ends in one lattice point are paired, the straightest first, the rest in their order. This makes chains and rings. A
 /// ring R that touches another chain C in a
 ///    node is taken into it: pairs (r1, r2) and (c1, c2) become (c1, r1) and (r2, c2), which cuts both there and ties them
@@ -27,6 +28,7 @@
 #include "plotting/paths/bridge_cuts.hpp"
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/simplify.hpp"
+#include "plotting/paths/small_doubles.hpp"
 
 namespace ligne {
 namespace {
@@ -65,6 +67,24 @@ LatticeLines on_lattice(const Polylines& lines) {
   std::sort(out.dots.begin(), out.dots.end());
   out.dots.erase(std::unique(out.dots.begin(), out.dots.end()), out.dots.end());
   return out;
+}
+
+/// Without small lines that lie on others.
+void remove_small_doubles(LatticeLines& lines, double tolerance_mm) {
+  std::vector<Point2> places;
+  places.reserve(lines.points.size());
+  for (const LatticePoint p : lines.points) places.push_back(lines.lattice.to_mm(p));
+  const std::vector<char> doubled = small_doubles(places, lines.begin, tolerance_mm);
+  if (std::ranges::find(doubled, 1) == doubled.end()) return;
+  std::vector<LatticePoint> points;
+  std::vector<std::uint32_t> begin{0};
+  for (std::size_t i = 0; i < doubled.size(); ++i) {
+    if (doubled[i]) continue;
+    points.insert(points.end(), lines.points.begin() + lines.begin[i], lines.points.begin() + lines.begin[i + 1]);
+    begin.push_back(static_cast<std::uint32_t>(points.size()));
+  }
+  lines.points = std::move(points);
+  lines.begin = std::move(begin);
 }
 
 /// For every point whether another one lies on the same lattice point.
@@ -298,8 +318,9 @@ void append(Polylines& out, std::span<const Point2> line, std::span<const std::u
 }  // namespace
 
 Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances) {
-  const LatticeLines snapped = on_lattice(lines);
+  LatticeLines snapped = on_lattice(lines);
   const bool once = tolerances.overlap_mm > 0;
+  if (once) remove_small_doubles(snapped, tolerances.overlap_mm);
   const double early = once ? kEarlyPart * tolerances.simplify_mm : 0;
   const double early_loss = once ? kEarlyPart * tolerances.simplify_loss : 0;
   std::vector<std::uint32_t> line_begin;

@@ -9,11 +9,11 @@ namespace ligne {
 /// 0.025 mm.
 struct JoinTolerances {
   double ends_mm = 0.05;     ///< ends so near to each other become one stroke, by a straight piece from one to the other
-  double overlap_mm = 0.02;  ///< segments that lie on each other within this are drawn once; zero leaves them
+  double overlap_mm = 0.01;  ///< segments that lie on each other within this are drawn once; zero leaves them
   /// What a line loses to another, between two parts that stay, is drawn all the same where it is shorter than this and
   /// the pen would have to be lifted for it.
   double lift_mm = 10;
-  double simplify_mm = 0.02;  ///< how far the line may leave the points that are left out; zero keeps all that turn
+  double simplify_mm = 0.01;  ///< how far the line may leave the points that are left out; zero keeps all that turn
   /// Part of its length that a line may lose by that: ink is length times width. A circle keeps 41 points at the least.
   double simplify_loss = 0.001;
 };

@@ -266,7 +266,7 @@ def draw(
     pen: Pens = None,
     optimize: Optional[str] = None,
     join: Length = 0.05,
-    simplify: Length = 0.02,
+    simplify: Length = 0.01,
     threads: int = 0,
     max_memory: Union[str, float, None] = None,
     progress: Progress = None,

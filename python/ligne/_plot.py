@@ -66,7 +66,7 @@ def plot(
     pen: Pens = None,
     optimize: Optional[str] = None,
     join: Length = 0.05,
-    simplify: Length = 0.02,
+    simplify: Length = 0.01,
     report: bool = False,
     preview: Optional[Path] = None,
     threads: int = 0,
