@@ -8,12 +8,13 @@ To be run by hand, with public collections of drawings; docs/plotting.md has the
 Pillow.
 
 What is compared: a picture of the lines that should be drawn, black, with round ends, of the widths in the file, made from
-the file by this script without any code of ours, against a picture of the result. Filled areas without a line of their own
+the file by this script without any code of ours, against a picture of the result. Where they
+differ, finer ones are compared, in which the narrowest stroke is some pixels wide. Filled areas without a line of their own
 are outlined with 0.35 mm. White areas are painted white, in the order of the file, and so hide what lies under them; those
 that are translucent have no line and hide nothing. A pen cannot be half hidden, and its ends are round: where a white area
-covers a line, ink within half a pen of the area's rim does not count in either picture. Texts are left out on both sides,
+covers a line, ink within half a pen of the area's rim, on both sides of it, does not count in either picture. Texts are left out on both sides,
 since a typeface is no stroke font. `ink` is the difference of the two amounts of ink; `stray` is ink of either that lies
-farther than a pixel from all ink of the other.
+farther than a pixel, and than 0.02 mm, from all ink of the other.
 """
 
 import argparse
@@ -30,6 +31,8 @@ import xml.etree.ElementTree as ElementTree
 import numpy
 from PIL import Image
 
+Image.MAX_IMAGE_PIXELS = None  # the pictures are our own
+
 SVG = "http://www.w3.org/2000/svg"
 SHAPES = {"path", "line", "polyline", "polygon", "rect", "circle", "ellipse"}
 KEYS = ("fill", "stroke", "stroke-width", "fill-opacity", "stroke-opacity", "opacity", "display", "visibility",
@@ -38,9 +41,12 @@ INHERITED = {"fill", "stroke", "stroke-width", "fill-opacity", "stroke-opacity",
              "stroke-linecap"}
 UNSEEN = {"text", "style", "flowRoot", "image", "metadata", "title", "desc", "defs", "symbol", "clipPath", "mask", "marker",
           "linearGradient", "radialGradient", "filter", "pattern", "script"}
-PIXELS = 3200  # fewer, and the rounding of strokes two pixels wide is above what is looked for
+# Of the longer side. A stroke of one pixel is darkest where it lies on a row of them, so the narrowest one should be wider.
+PIXELS, MOST_PIXELS, PIXELS_OF_STROKE = 3200, 9600, 3
 LEAST_STEPS = 32  # of a curve: half a circle in so many chords is 0.04 % too short
 PEN_MM = 0.35
+PATIENCE_S = 100  # scribbles of many thousand crossings take a renderer hours
+NEAR_MM = 0.02  # what lines may move by default: nobody sees it
 ACCEPTED, AGREES = 0.98, 0.002
 
 
@@ -338,16 +344,12 @@ def add_shape(shape, style, m, out, seen):
 def pixels(svg, width, height):
     """Darkness from 0 to 1."""
     command = ["rsvg-convert", "--unlimited", "-w", str(width), "-h", str(height), "-b", "white"]
-    run = subprocess.run(command, input=svg, capture_output=True, check=True, timeout=300)
+    run = subprocess.run(command, input=svg, capture_output=True, check=True, timeout=PATIENCE_S)
     return 1 - numpy.asarray(Image.open(io.BytesIO(run.stdout)).convert("L"), numpy.float32) / 255
 
 
-def grown(ink):
-    best = ink.copy()
-    for dy in (-1, 0, 1):
-        for dx in (-1, 0, 1):
-            best = numpy.maximum(best, numpy.roll(ink, (dy, dx), (0, 1)))
-    return best
+def grown(ink, reach):
+    return 1 - eroded(1 - ink, reach)
 
 
 def root_matrix(root, page):
@@ -403,17 +405,30 @@ def eroded(seen, reach):
     return seen
 
 
+def stroke_widths(shapes):
+    """In px of the page."""
+    return [float(width) for style, _ in shapes for width in re.findall(r"stroke-width:([\d.]+)", style)]
+
+
+def longer_side(shapes, page):
+    """How many pixels it has."""
+    narrowest = min((w for w in stroke_widths(shapes) if w > 0), default=PEN_MM * 96 / 25.4)
+    return min(MOST_PIXELS, max(PIXELS, math.ceil(PIXELS_OF_STROKE * max(page) * 96 / 25.4 / narrowest)))
+
+
 def white_rims(shapes, seen, page, width, height):
-    """0 where a white area covers ink, within half a pen of its rim, 1 elsewhere. `seen`: the picture of the shapes."""
+    """0 where a white area covers ink, within half a pen of its rim, and where a line may stick out that is so covered, 1
+    elsewhere. `seen`: the picture of the shapes."""
     if not any(map(hides, shapes)):
         return 1
     bare = [(style.replace("fill:#fff", "fill:none"), data) for style, data in shapes if "stroke:#000" in style]
     covered = pixels(flat(bare, page), width, height) > seen
     everywhere = ("fill:#000", f"M0,0H{page[0] * 4}V{page[1] * 4}H0z")
     white = 1 - pixels(flat([everywhere, *shapes], page), width, height)
-    widest = max(float(w) for style, _ in shapes for w in re.findall(r"stroke-width:([\d.]+)", style) or [0])
+    widest = max(stroke_widths(shapes), default=0)
     reach = math.ceil(widest / 2 * width / (page[0] * 96 / 25.4)) + 1
-    return 1 - (covered & (white > 0) & (eroded(white, reach) < 1))
+    halved = covered & (white > 0) & (eroded(white, reach) < 1)
+    return 1 - grown(halved, reach)
 
 
 def compare(source, result, page):
@@ -422,15 +437,22 @@ def compare(source, result, page):
         drawn = shapes_of(source, page), shapes_of(result, page)
     except NotCompared:
         return None
-    width = PIXELS if page[0] >= page[1] else max(1, round(PIXELS * page[0] / page[1]))
-    height = PIXELS if page[1] > page[0] else max(1, round(PIXELS * page[1] / page[0]))
+    coarse = difference(drawn, page, PIXELS)
+    fine = longer_side(drawn[0], page)
+    return coarse if max(coarse) <= AGREES or fine == PIXELS else difference(drawn, page, fine)
+
+
+def difference(drawn, page, pixels_of_side):
+    pixel_mm = max(page) / pixels_of_side
+    width, height = (max(1, round(side / pixel_mm)) for side in page)
     before, after = (pixels(flat(shapes, page), width, height) for shapes in drawn)
     counts = white_rims(drawn[0], before, page, width, height)
     before, after = before * counts, after * counts
     ink = before.sum()
     if ink == 0:
         return (0.0 if after.sum() == 0 else 1.0), 0.0
-    stray = numpy.maximum(before - grown(after), 0).sum() + numpy.maximum(after - grown(before), 0).sum()
+    reach = max(1, math.ceil(NEAR_MM / pixel_mm))
+    stray = sum(float(numpy.maximum(one - grown(other, reach), 0).sum()) for one, other in ((before, after), (after, before)))
     return float(abs(after.sum() - ink) / ink), float(stray / ink)
 
 
@@ -451,10 +473,11 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--ligne", default="build/release/src/cli/ligne")
     parser.add_argument("--keep", type=pathlib.Path, help="a folder for the results")
+    parser.add_argument("--only", default="", help="files whose path contains this")
     parser.add_argument("--quick", action="store_true", help="accepted or not, nothing else")
     given = parser.parse_args()
     device = {"speed_down": 40.0, "speed_up": 80.0, "lift": 0.25}  # grbl-servo
-    files = sorted(p for p in given.folder.rglob("*") if p.suffix.lower() == ".svg")
+    files = sorted(p for p in given.folder.rglob("*") if p.suffix.lower() == ".svg" and given.only in str(p))
     accepted, compared, agree, slower, timed = [], 0, 0, [], 0
     total = {"before": 0.0, "after": 0.0}
     for file in files:
