@@ -9,18 +9,11 @@
 #include <utility>
 
 #include "files/message_text.hpp"
+#include "plotting/color_names.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {
 namespace {
-
-// CSS 1.
-constexpr std::pair<std::string_view, std::uint32_t> kColors[] = {
-    {"black", 0x000000},  {"silver", 0xc0c0c0}, {"gray", 0x808080},   {"grey", 0x808080},    {"white", 0xffffff},
-    {"maroon", 0x800000}, {"red", 0xff0000},    {"purple", 0x800080}, {"fuchsia", 0xff00ff}, {"magenta", 0xff00ff},
-    {"green", 0x008000},  {"lime", 0x00ff00},   {"olive", 0x808000},  {"yellow", 0xffff00},  {"navy", 0x000080},
-    {"blue", 0x0000ff},   {"teal", 0x008080},   {"aqua", 0x00ffff},   {"cyan", 0x00ffff},    {"orange", 0xffa500},
-    {"brown", 0xa52a2a}};
 
 std::array<double, 3> of_code(std::uint32_t code) {
   return {(code >> 16 & 255u) / 255.0, (code >> 8 & 255u) / 255.0, (code & 255u) / 255.0};
@@ -64,9 +57,7 @@ std::array<double, 3> parse_color(std::string_view text) {
       return of_code((code >> 8) * 0x110000 + (code >> 4 & 15) * 0x1100 + (code & 15) * 0x11);
     }
   }
-  for (const auto& [name, code] : kColors) {
-    if (name == text) return of_code(code);
-  }
+  if (const auto code = color_named(text)) return of_code(*code);
   throw std::invalid_argument(shown(text, '"') + " is not a colour: #rrggbb, or a name such as red");
 }
 

@@ -72,20 +72,25 @@ void SvgReader::survey(const pugi::xml_node& root) {
   }
 }
 
-/// Size of the page and where its units lie on it. A file that tells none has that which vpype gives it.
+/// Size of the page and where its units lie on it. Of a page that tells one side the viewBox tells the other. A file that
+/// tells none has that which vpype gives it.
 Context SvgReader::place_page(const pugi::xml_node& root) {
   const std::vector<double> box = numbers(root.attribute("viewBox").value());
-  const auto side = [&](const char* name, std::size_t of_box) {
+  const auto told = [&](const char* name) {
     const std::string_view value = root.attribute(name).value();
-    if (!value.empty() && !value.ends_with('%')) return length(root, name);
+    return !value.empty() && !value.ends_with('%') && value != "auto";
+  };
+  const auto side = [&](const char* name, std::size_t of_box, const char* other, std::size_t of_other) {
+    if (told(name)) return length(root, name);
     if (!root.attribute("viewBox")) {
       result_.size_assumed = true;
       return kAssumedPx;
     }
-    return box.size() == 4 ? box[of_box] : 0.0;
+    if (box.size() != 4) return 0.0;
+    return told(other) && box[of_other] > 0 ? length(root, other) * box[of_box] / box[of_other] : box[of_box];
   };
   Context context;
-  const double width = side("width", 2), height = side("height", 3);
+  const double width = side("width", 2, "height", 3), height = side("height", 3, "width", 2);
   const Matrix inside = view_box_to(root, width, height, context.port);
   Page& page = result_.page;
   page = {width * kMmPerPx, height * kMmPerPx, 0};
@@ -246,8 +251,14 @@ void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const
   };
   const double width = side("width", context.port.width), height = side("height", context.port.height);
   if (!(width > 0 && height > 0)) return;
+  const Matrix inside = view_box_to(node, width, height, context.port);
+  // SVG 2, 5.5: the point that lies where the <use> stands; where none is told, it is the corner of the frame.
+  const auto shift = [&](const char* name) { return node.attribute(name) && local_name(node) == "symbol"; };
+  const Point2 reference =
+      inside({length(node, "refX", 0, context.port.width), length(node, "refY", 0, context.port.height)});
+  context.to_mm = context.to_mm * Matrix{1, 0, 0, 1, shift("refX") ? -reference.x : 0, shift("refY") ? -reference.y : 0};
   if (!context.style.overflow) context.clip = frame_clip(width, height, context);
-  context.to_mm = context.to_mm * view_box_to(node, width, height, context.port);
+  context.to_mm = context.to_mm * inside;
   walk_children(node, context);
 }
 

@@ -84,6 +84,8 @@ class StyleReader {
       style_.mask = id_in(value);
     else if (name == "filter")
       refuse_(name, node_);
+    else if (name == "transform-origin")
+      refuse_origin(value);
     else if (name == "writing-mode")
       refuse_unless(value, {"lr-tb", "lr", "horizontal-tb"});
   }
@@ -204,6 +206,11 @@ class StyleReader {
     if (value.size() >= 2 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front())
       value = value.substr(1, value.size() - 2);
     return value.starts_with('#') ? std::string(value.substr(1)) : std::string();
+  }
+  /// Transforms are taken about the origin of the units.
+  void refuse_origin(std::string_view value) {
+    constexpr std::string_view kOrigins[] = {"0", "0 0", "0px 0px", "0px", "0% 0%", "left top", "top left"};
+    if (node_.attribute("transform") && std::ranges::find(kOrigins, value) == std::end(kOrigins)) refuse_("style", node_);
   }
   void refuse_unless(std::string_view value, std::initializer_list<std::string_view> plain) {
     if (std::find(plain.begin(), plain.end(), value) == plain.end()) refuse_("text", node_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -251,7 +252,9 @@ std::optional<std::string> paint(std::string_view text) {
     return code;
   }
   try {
-    return color_code(parse_color(clean));
+    std::string name(clean);  // of which SVG does not tell large letters from small ones
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return color_code(parse_color(name));
   } catch (const std::invalid_argument&) {
     // Other names of colours are names of layers as they stand.
     if (!clean.empty() &&

@@ -38,6 +38,10 @@ ReadDrawing read_drawing(const PlotDrawingRequest& request, const DrawingText& d
   const char begins = first_character(content);
   if (begins == '{') return read_json_drawing(content, drawing.name);
   if (begins == '<') return read_svg_drawing(drawing.text, drawing.name, request.skip, fills);
+  if (content.starts_with("\x1f\x8b"))
+    throw std::runtime_error(drawing.name + ": is compressed; gzip -dc FILE | ligne plot - reads it");
+  if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff"))
+    throw std::runtime_error(drawing.name + ": is text of two bytes a letter (UTF-16); save it as UTF-8");
   throw std::runtime_error(drawing.name + ": is neither a ligne-drawing nor an SVG");
 }
 

@@ -172,6 +172,15 @@ TEST_F(PlotTest, RefusesByNameAndLeavesNothingBehind) {
   EXPECT_NE(skipped.err.find("1 times image left out"), std::string::npos);
 }
 
+TEST_F(PlotTest, PackedAndWideTextsAreToldHowToGoIn) {
+  write("packed.svgz", "\x1f\x8b\x08 and so on");
+  write("wide.svg", std::string("\xff\xfe<\0s\0v\0g\0", 10));
+  EXPECT_EQ(run({"plot", "packed.svgz", "-o", "a.svg"}).err,
+            "ligne: packed.svgz: is compressed; gzip -dc FILE | ligne plot - reads it\n");
+  EXPECT_EQ(run({"plot", "wide.svg", "-o", "a.svg"}).err,
+            "ligne: wide.svg: is text of two bytes a letter (UTF-16); save it as UTF-8\n");
+}
+
 TEST_F(PlotTest, TheSameBytesWithAnyNumberOfThreads) {
   const std::vector<std::string> surface{"surface",   "sin(r)/r", "-x", "-12:12:30", "-y",
                                          "-12:12:30", "--margin", "20", "--device",  "hp7475a"};

@@ -134,6 +134,27 @@ TEST(SvgReader, TransformsUnitsAndGroups) {
   EXPECT_NEAR(glm::distance(wide.drawing.layers[0].lines[0][0], Point2(25, 0)), 0, 1e-9) << "xMidYMid";
 }
 
+TEST(SvgReader, APageThatTellsOneSideHasTheShapeOfItsViewBox) {
+  const auto page_of = [](const std::string& sides) {
+    return read_svg_drawing("<svg " + sides + " viewBox='0 0 200 100'><line stroke='red' x2='200' y2='100'/></svg>", "a.svg",
+                            {});
+  };
+  for (const char* sides : {"height='50mm'", "width='auto' height='50mm'", "width='100mm'", "width='100mm' height='100%'"}) {
+    const ReadDrawing drawing = page_of(sides);
+    EXPECT_NEAR(drawing.page.width_mm, 100, 1e-9) << sides;
+    EXPECT_NEAR(drawing.page.height_mm, 50, 1e-9) << sides;
+    EXPECT_NEAR(glm::distance(drawing.drawing.layers[0].lines[0][1], Point2(100, 50)), 0, 1e-9) << sides;
+  }
+  EXPECT_NEAR(page_of("width='auto'").page.width_mm, 200 * 25.4 / 96, 1e-9);
+}
+
+TEST(SvgReader, ColoursKeepTheirNames) {
+  EXPECT_EQ(read("<line x2='1' stroke='SteelBlue'/>").drawing.layers[0].name, "#4682b4");
+  EXPECT_EQ(read("<line x2='1' stroke='rebeccapurple'/>").drawing.layers[0].name, "#663399");
+  EXPECT_EQ(read("<line x2='1' stroke='yellowgreen'/>").drawing.layers[0].name, "#9acd32");
+  EXPECT_EQ(read("<line x2='1' stroke='aliceblue'/>").drawing.layers[0].name, "#f0f8ff");
+}
+
 TEST(SvgReader, LinksLayersAndWhatDoesNotShow) {
   expect_points("<defs><line id='l' x2='5'/></defs><use xlink:href='#l' x='3' y='4'/>", {{3, 4}, {8, 4}});
   expect_points(
@@ -276,6 +297,7 @@ TEST(SvgReader, RefusesByName) {
       {"<path d='M1 2L3'/>", "number"},
       {"<polyline points='1 2 3'/>", "odd number"},
       {"<g transform='spin(3)'/>", "transforms"},
+      {"<line x2='5' transform='rotate(45)' transform-origin='5 5'/>", "<line> has style"},
       {"<line x2='1e300' transform='scale(1e300)'/>", "kilometre"},
       {"<line x2='nan'/>", "number"},
       {"<use xlink:href='other.svg#a'/>", "leads out of the file"},
@@ -426,6 +448,9 @@ TEST(SvgReader, SymbolsAndNestedDrawings) {
   EXPECT_EQ(lines_of(read(symbol + "<use xlink:href='#s' x='5' y='6' width='20' height='20'/>")),
             Lines{"500,600 2500,2600 "});
   EXPECT_EQ(lines_of(read(symbol + "<use href='#s' x='5' width='0' height='20'/>")), Lines{});
+  EXPECT_EQ(lines_of(read("<symbol id='r' viewBox='0 0 10 10' refX='5' refY='10'><line x2='10' y2='10'/></symbol>"
+                          "<use href='#r' x='50' y='60' width='20' height='20'/>")),
+            Lines{"4000,4000 6000,6000 "});
   EXPECT_EQ(
       lines_of(read("<symbol id='g' overflow='visible'><path d='M1 1L-4 1'/></symbol><use xlink:href='#g' x='50' y='50'/>")),
       Lines{"5100,5100 4600,5100 "});
