@@ -45,7 +45,7 @@ UNSEEN = {"text", "style", "flowRoot", "image", "metadata", "title", "desc", "de
 PIXELS, MOST_PIXELS, PIXELS_OF_STROKE = 3200, 9600, 3
 LEAST_STEPS = 32  # of a curve: half a circle in so many chords is 0.04 % too short
 PEN_MM = 0.35
-PATIENCE_S = 100  # scribbles of many thousand crossings take a renderer hours
+PATIENCE_S = 300  # scribbles of many thousand crossings take a renderer hours
 NEAR_MM = 0.02  # what lines may move by default: nobody sees it
 ACCEPTED, AGREES = 0.98, 0.002
 

@@ -308,6 +308,22 @@ Cover cover_of(const Polylines& strokes, const Contours& area, double pen) {
   return cover;
 }
 
+/// A letter S as a pen with a broad nib writes it: its stroke swells to 1.6 mm and thins out to 0.3 mm.
+std::vector<Point2> letter_s() {
+  std::vector<Point2> left, right;
+  constexpr int kSteps = 60;
+  for (int i = 0; i <= kSteps; ++i) {
+    // The upper arc from the right over the top to the middle, and the same turned round for the lower one.
+    const double t = 2.0 * i / kSteps, sign = t < 1 ? 1 : -1, part = t < 1 ? t : 2 - t;
+    const double angle = -0.3 - part * (1.5 * M_PI - 0.3), width = 0.15 + 0.65 * std::sin(t * M_PI / 2);
+    const Point2 out{std::cos(angle), std::sin(angle)}, middle{10, 10 - sign * 2.5};
+    (t < 1 ? left : right).push_back(middle + out * (sign * (2.5 + width)));
+    (t < 1 ? right : left).push_back(middle + out * (sign * (2.5 - width)));
+  }
+  left.insert(left.end(), right.rbegin(), right.rend());
+  return left;
+}
+
 TEST(Hatch, FillsLeaveNothingWhite) {
   std::vector<Point2> star;
   for (int i = 0; i < 10; ++i) {
@@ -316,6 +332,7 @@ TEST(Hatch, FillsLeaveNothingWhite) {
   }
   const Contours areas[] = {{circle({10, 10}, 5)},
                             {star},
+                            {letter_s()},
                             {circle({10, 10}, 5), circle({11, 10}, 2.5)},
                             {{{2, 2}, {9, 2}, {9, 3.1}, {3.4, 3.1}, {3.4, 5}, {7, 5}, {7, 6}, {3.4, 6}, {3.4, 9}, {2, 9}}},
                             {{{0, 0}, {8, 8}, {8.3, 7.7}, {0.3, -0.3}}}};
