@@ -29,6 +29,8 @@ struct PlotOptions {
   std::string title;                                     ///< document title, may be empty
   double dpi = 150;                                      ///< PNG
   bool curves = false;                                   ///< arcs where lines are tessellated ones (paths/fit_curves.hpp)
+  std::optional<double> curve_rise_mm{};                 ///< CurveLimits::most_rise_mm; nothing: the width of the pen
+  bool starts_stay = false;                              ///< with `curves`: the strokes begin where they do in the plot
   std::function<LineStyle(const std::string&)> style{};  ///< of a layer; empty: layer_style
 
   LineStyle style_of(const std::string& layer) const {
@@ -46,7 +48,7 @@ struct PlotOptions {
   std::optional<CurveLimits> curves_of(const Layer& layer) const {
     if (!curves || !may_be_curved(layer)) return {};
     // Of the outline's pen, not of the layer's: a rim is an outline on one side and a crease on the other.
-    return CurveLimits{kCurveToleranceMm, pen_width_mm};
+    return CurveLimits{kCurveToleranceMm, curve_rise_mm.value_or(pen_width_mm), starts_stay};
   }
 };
 

@@ -297,7 +297,7 @@ CurvedPath fit_curves(std::span<const Point2> line, const CurveLimits& limits) {
     if (line.size() > 1) dot.pieces.push_back({line.back()});
     return dot;
   }
-  const bool closed = line.size() > 3 && line.front() == line.back() && corners.size() > 3;
+  const bool closed = !limits.start_stays && line.size() > 3 && line.front() == line.back() && corners.size() > 3;
   if (closed) {
     begin_at(corners, longest_segment(corners));
     corners = corners_of(corners);  // where the line began before, there may be no corner

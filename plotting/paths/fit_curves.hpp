@@ -20,6 +20,7 @@ struct CurveLimits {
   /// Most that a circle of the arc's longer radius rises over a step of the line. What the shape hides ends on its chords:
   /// with the width of the pen, its ink still meets that of the arc.
   double most_rise_mm = 0.35;
+  bool start_stays = false;  ///< closed lines begin where they did: the pen arrives there
 };
 
 /// One straight line, or one arc of less than half a turn.
@@ -36,8 +37,8 @@ struct CurvedPath {
 };
 
 /// The line as straight pieces and arcs that begin and end exactly at points of it, corners among them. A closed line begins
-/// where it is best for that. Sizes and directions of the arcs are whole numbers of kArcDecimals decimals (mm and degrees),
-/// so that a file that says them so holds what was checked. Rules: docs/curves.md. Time O(n log n).
+/// where it is best for that, or where it did. Sizes and directions of the arcs are whole numbers of kArcDecimals decimals
+/// (mm and degrees), so that a file that says them so holds what was checked. Rules: docs/curves.md. Time O(n log n).
 CurvedPath fit_curves(std::span<const Point2> line, const CurveLimits& limits);
 inline constexpr int kArcDecimals = 4;
 

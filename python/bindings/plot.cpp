@@ -108,6 +108,7 @@ PlotDrawingRequest plot_request(const py::dict& keywords, Options& options, RunR
   options.plotter.request.min_length_mm = plot.plotter.min_length_mm;
   options.plotter.request.parts = plot.plotter.parts;
   plot.plotter = plotter_request(options.plotter, plot.format, run.files);
+  plot.curves = options.picture.output.curves.value_or(false);
   check(plot);
   if (plot.plotter.parts.every_mm.has_value() == plot.plotter.parts.action.empty())
     throw RequestError("every", "goes with do, the name of an action");

@@ -59,6 +59,7 @@ def plot(
     park: Optional[str] = None,
     format: Optional[str] = None,
     dpi: float = 150,
+    curves: Union[str, bool, None] = None,
     device: Optional[str] = None,
     device_file: Optional[Path] = None,
     fit_device: bool = False,

@@ -109,6 +109,7 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
   }
   RunReport run;
   request.plotter = plotter_request(options.plotter.choice, request.format, run.files);
+  request.curves = options.curves.value_or(false);
   const bool numbered = has_number_place(output);
   request.plotter.parts.split_files = numbered;
   request.plotter.parts.pen_files = has_number_place(output, 'p');
@@ -148,6 +149,7 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
   add_sheet_options(plot, options.request);
   add_output_options(plot, options.output, "svg pdf png hpgl gcode (default: by the suffix)");
   add_dpi_option(plot, options.request.dpi);
+  add_curves_option(plot, options.curves, "off");
   add_plotter_options(plot, options.plotter);
   add_part_options(plot, options.plotter.choice.request.parts);
   add_run_options(plot, options.run);

@@ -1,6 +1,7 @@
 #pragma once
 /// ligne plot: drawings from files, made ready for pens.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct PlotCommandOptions {
   PlotDrawingRequest request;
   std::string occlude;  ///< as written: empty, "true" for the flag alone
   OutputOptions output;
+  std::optional<bool> curves;
   PlotterOptions plotter;
   RunOptions run;
 };

@@ -9,6 +9,7 @@
 #include "picture/errors.hpp"
 #include "picture/placement.hpp"
 #include "plotting/plot.hpp"
+#include "plotting/svg/outline.hpp"
 #include "plotting/tiles.hpp"
 
 namespace ligne {
@@ -176,6 +177,10 @@ Picture write_sheet(const Drawing& drawing, const Page& page, bool dashes_cut, c
   style.widths_mm = request.widths_mm;
   style.hidden_solid = dashes_cut;
   style.dpi = request.dpi;
+  style.curves = request.curves;
+  style.starts_stay = plotter.by_pens();
+  // What curves rise over the chords that reading and simplifying made of them; a polygon of the file rises more.
+  style.curve_rise_mm = svg::kFlatnessMm + plotter.tolerances.simplify_mm;
   style.style = [&](const std::string& layer) { return style_of_layer(layer, style.pen_width_mm, style.hidden_solid); };
   return timed(run.stages, "write",
                [&] { return write_picture(drawing, style, plotter, request.format, run, nullptr, pages); });

@@ -34,6 +34,7 @@ struct PlotDrawingRequest {
   std::optional<std::array<unsigned, 2>> grid;  ///< columns and rows of cells, a drawing in each
   OutputFormat format = OutputFormat::svg;
   double dpi = 150;
+  bool curves = false;  ///< arcs where lines are tessellated ones: SVG, PDF, PNG
   PlotterRequest plotter;
   MemoryLimit memory;
 };

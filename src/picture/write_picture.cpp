@@ -266,7 +266,7 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
     }
     PlotOptions by_pen = style;
     by_pen.style = styles_of(part);
-    by_pen.curves = false;  // the way of the pen is measured and simplified along its points
+    by_pen.curves = style.curves && style.starts_stay;  // else the way of the pen would not be the one that was planned
     return written_as(format, drawing_of(part), by_pen, under, pages);
   };
   write_parts(std::move(plot), plotter, order.home, bytes_of, picture);

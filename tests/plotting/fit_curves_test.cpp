@@ -99,6 +99,21 @@ TEST(FitCurves, AnArcThatRisesTooMuchStaysAPolygon) {
   EXPECT_EQ(arcs_of(fit_curves(closed(large, 96), {kCurveToleranceMm, 0.02})), 0u);
 }
 
+TEST(FitCurves, AStartThatStays) {
+  std::vector<Point2> line = in_tenths(closed({{100, 100}, {20, 20}}, 96));
+  line.pop_back();
+  std::rotate(line.begin(), line.begin() + 17, line.end());
+  line.push_back(line.front());
+  CurveLimits limits;
+  limits.start_stays = true;
+  const CurvedPath path = fit_curves(line, limits);
+  EXPECT_EQ(path.start, line.front());
+  EXPECT_EQ(path.pieces.back().to, line.back());
+  EXPECT_EQ(arcs_of(path), path.pieces.size());
+  EXPECT_LE(path.pieces.size(), 5u);
+  expect_sound(line, path);
+}
+
 TEST(FitCurves, EllipsesAtManyTilts) {
   std::size_t whole = 0, all = 0;
   for (int tilt = 5; tilt <= 85; tilt += 10) {
