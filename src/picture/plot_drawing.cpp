@@ -245,8 +245,9 @@ ReadDrawing drawings_in_grid(std::span<const DrawingText> drawings, const PlotDr
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     ReadDrawing read = placed_drawing(in_cell, drawings[i], pen_mm, run);
     sheet.dashes_cut = read.dashes_cut;
-    const Point2 place{static_cast<double>(i % columns) * (cell.x + request.margin_mm),
-                       static_cast<double>(i / columns) * (cell.y + request.margin_mm)};
+    const std::size_t row = i / columns, column = i % columns;
+    const Point2 place{static_cast<double>(column) * (cell.x + request.margin_mm),
+                       static_cast<double>(row) * (cell.y + request.margin_mm)};
     add_drawing(sheet.drawing, std::move(read.drawing), area.min + place);
   }
   return sheet;

@@ -29,7 +29,7 @@ std::string written_as(OutputFormat format, const Drawing& drawing, const PlotOp
                                        : write_svg(drawing, style);
 }
 
-std::string padded(std::string text, std::size_t width) {
+std::string padded(const std::string& text, std::size_t width) {
   return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
 }
 
