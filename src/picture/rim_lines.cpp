@@ -11,6 +11,9 @@
 namespace ligne {
 namespace {
 
+/// Adjustable: the rims of a face that has no more are looked at one by one, whatever else lies near them.
+constexpr std::uint32_t kFewRims = 32;
+
 /// Whether the face looks at the viewer.
 bool looks_at(const Scene& scene, std::uint32_t face, const Camera& camera) {
   const Point3 sight = camera.perspective ? scene.vertices[scene.faces.contour(face, 0)[0]] - camera.eye : camera.forward;
@@ -64,9 +67,18 @@ std::optional<RimLines::Place> RimLines::nearest(std::uint32_t face, double dist
   double widest = 0;
   const auto first =
       std::lower_bound(rims_.begin(), rims_.end(), face, [](const Rim& r, std::uint32_t f) { return r.face < f; });
-  for (auto rim = first; rim != rims_.end() && rim->face == face; ++rim) widest = std::max(widest, rim->distance);
-  const NearestPoint found =
-      tree_.nearest(p, distance + widest, [&](std::uint32_t rim, double) { return rims_[rim].face == face; });
+  auto last = first;
+  for (; last != rims_.end() && last->face == face; ++last) widest = std::max(widest, last->distance);
+  const auto begin = static_cast<std::uint32_t>(first - rims_.begin()),
+             end = static_cast<std::uint32_t>(last - rims_.begin());
+  // At a corner, which is equally near to two rims, the tree decides for faces of few rims as for those of many.
+  NearestPoint found;
+  bool several = end - begin > kFewRims;
+  if (!several) found = tree_.nearest_of(begin, end, p, distance + widest, several);
+  if (several) {
+    const auto of_face = [&](std::uint32_t rim, double) { return begin <= rim && rim < end; };
+    found = tree_.nearest(p, distance + widest, of_face);
+  }
   if (found.segment == 0xffffffffu || found.distance > distance + rims_[found.segment].distance) return std::nullopt;
   return Place{found.segment, found.at};
 }
@@ -110,8 +122,10 @@ std::vector<Stroke> RimLines::pieces(StrokeModel& model, const Stroke& stroke, c
     const double error = errors_.of(other);
     if (error == 0) continue;
     const double distance = error + object_precision(scene_, face) + object_precision(scene_, other);
-    const auto p = nearest(face, distance, from), q = nearest(face, distance, to);
-    if (!p || !q || !classes.has(line_class(rims_[p->rim], view.camera))) continue;
+    const auto p = nearest(face, distance, from);
+    if (!p) continue;
+    const auto q = nearest(face, distance, to);
+    if (!q || !classes.has(line_class(rims_[p->rim], view.camera))) continue;
     if (p->rim == q->rim) {
       add_piece(model, pieces, stroke, view, p->rim, p->at, q->at);
       return pieces;

@@ -61,6 +61,7 @@ Border::Border(const Scene& scene, std::vector<Edge> edges)
   };
   sort_unique(vertices_);
   sort_unique(faces);
+  one_face_ = faces.size() == 1;
   for (const std::uint32_t f : faces) {
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       for (const std::uint32_t v : scene.faces.contour(f, c)) corners_.emplace_back(f, v);
@@ -93,6 +94,7 @@ bool Border::adjacent(std::uint32_t u, std::uint32_t v) const {
 }
 
 NearestPoint Border::nearest(std::uint32_t v, double distance, double inside) const {
+  if (one_face_) return {};  // which has v, whatever comes near
   return tree_.nearest(scene_.vertices[v], distance, [&](std::uint32_t s, double at) {
     const Edge& edge = edges_[s];
     if (edge.v0 == v || edge.v1 == v) return false;

@@ -34,6 +34,7 @@ class Border {
   std::vector<Edge> edges_;  ///< ordered by their vertices
   std::vector<std::uint32_t> vertices_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;  ///< (face, vertex) of the faces at the border, sorted
+  bool one_face_ = false;                                         ///< all edges are of one face
   EdgeTree tree_;
 };
 

@@ -14,11 +14,16 @@ namespace {
 constexpr std::uint32_t kLeaf = 4;
 constexpr int kMostVisits = 256;
 
-/// Place on the segment that is nearest to p, from 0 to 1.
-double foot(const EdgeTree::Segment& s, const Point3& p) {
+/// The point of a segment that is nearest to another point.
+struct Foot {
+  double at, distance;  ///< from 0 to 1 along the segment
+};
+
+Foot foot(const EdgeTree::Segment& s, const Point3& p) {
   const Point3 along = s.b - s.a;
   const double square = glm::dot(along, along);
-  return square > 0 ? std::clamp(glm::dot(p - s.a, along) / square, 0.0, 1.0) : 0;
+  const double at = square > 0 ? std::clamp(glm::dot(p - s.a, along) / square, 0.0, 1.0) : 0;
+  return {at, glm::distance(p, s.a + at * along)};
 }
 
 }  // namespace
@@ -84,10 +89,27 @@ NearestPoint EdgeTree::nearest(const Point3& p, double distance, FunctionRef<boo
     for (std::uint32_t k = range.begin; k < range.end; ++k) {
       if (++visits > kMostVisits) return best;
       const std::uint32_t s = order_[k];
-      const double at = foot(segments_[s], p);
-      const double d = glm::distance(p, segments_[s].a + at * (segments_[s].b - segments_[s].a));
+      const auto [at, d] = foot(segments_[s], p);
       if (d > best.distance || (d == best.distance && best.segment != NearestPoint{}.segment)) continue;
       if (accept(s, at)) best = {s, at, d};
+    }
+  }
+  return best;
+}
+
+NearestPoint EdgeTree::nearest_of(std::uint32_t begin, std::uint32_t end, const Point3& p, double distance,
+                                  bool& several) const {
+  NearestPoint best;
+  best.distance = distance;
+  several = false;
+  for (std::uint32_t s = begin; s < end; ++s) {
+    const auto [at, d] = foot(segments_[s], p);
+    const bool is_first = best.segment == NearestPoint{}.segment;
+    if (d < best.distance || (d == best.distance && is_first)) {
+      best = {s, at, d};
+      several = false;
+    } else if (d == best.distance) {
+      several = true;
     }
   }
   return best;

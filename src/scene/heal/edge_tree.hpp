@@ -29,6 +29,10 @@ class EdgeTree {
   /// crowds of segments at one place take no time without bound; beyond that the nearest so far is returned.
   NearestPoint nearest(const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept) const;
 
+  /// The nearest point within `distance` on segments [begin, end), which are all looked at; of equally near ones the first,
+  /// and `several` says that there are others.
+  NearestPoint nearest_of(std::uint32_t begin, std::uint32_t end, const Point3& p, double distance, bool& several) const;
+
  private:
   struct Box {
     Point3 low, high;

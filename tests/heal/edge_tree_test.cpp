@@ -1,0 +1,66 @@
+/// The tree of segments against all segments one by one.
+
+#include "scene/heal/edge_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <random>
+
+namespace ligne {
+namespace {
+
+constexpr std::uint32_t kNowhere = NearestPoint{}.segment;
+
+std::vector<EdgeTree::Segment> random_segments(std::mt19937& random, std::size_t n) {
+  std::uniform_real_distribution<double> place(-1, 1);
+  const auto point = [&] { return Point3{place(random), place(random), place(random)}; };
+  std::vector<EdgeTree::Segment> segments;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point3 a = point();
+    segments.push_back({a, a + 0.1 * point()});
+  }
+  return segments;
+}
+
+TEST(EdgeTree, OfARangeTheNearestIsFoundByTheTreeToo) {
+  std::mt19937 random(1);
+  const std::vector<EdgeTree::Segment> segments = random_segments(random, 300);
+  const EdgeTree tree(segments);
+  std::size_t found = 0;
+  for (const EdgeTree::Segment& p : random_segments(random, 500)) {
+    for (const double distance : {0.05, 0.3, 10.0}) {
+      bool several = false;
+      const NearestPoint one_by_one = tree.nearest_of(20, 60, p.a, distance, several);
+      EXPECT_FALSE(several);
+      const NearestPoint by_tree = tree.nearest(p.a, distance, [](std::uint32_t s, double) { return s >= 20 && s < 60; });
+      EXPECT_TRUE(one_by_one.segment != kNowhere || distance < 1);
+      // The tree looks at a limited number of segments, so it may find less, and never more.
+      if (by_tree.segment == kNowhere) continue;
+      ++found;
+      EXPECT_LE(one_by_one.distance, by_tree.distance);
+      EXPECT_TRUE(one_by_one.segment != by_tree.segment || one_by_one.at == by_tree.at);
+    }
+  }
+  EXPECT_GT(found, 300u);
+}
+
+TEST(EdgeTree, OfEquallyNearSegmentsTheFirstOfARangeIsGiven) {
+  const EdgeTree::Segment s{{0, 0, 0}, {1, 0, 0}};
+  const EdgeTree tree({s, s, s, s});
+  bool several = false;
+  const auto nearest = [&](std::uint32_t begin, std::uint32_t end, double distance) {
+    return tree.nearest_of(begin, end, {0.25, 2, 0}, distance, several);
+  };
+  EXPECT_EQ(nearest(1, 4, 3).segment, 1u);
+  EXPECT_EQ(nearest(1, 4, 3).at, 0.25);
+  EXPECT_TRUE(several);
+  EXPECT_EQ(nearest(1, 4, 2).segment, 1u) << "the distance itself is near enough";
+  EXPECT_EQ(nearest(2, 3, 3).segment, 2u);
+  EXPECT_FALSE(several);
+  EXPECT_EQ(nearest(1, 4, 1).segment, kNowhere);
+  EXPECT_EQ(nearest(2, 2, 3).segment, kNowhere);
+}
+
+}  // namespace
+}  // namespace ligne
