@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "geometry/parallel.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/common/crowd_hiders.hpp"
 #include "visibility/common/facet_functions.hpp"
 
 // Per leaf all pairs of facets that may meet in depth and on the page are tested.
@@ -27,6 +29,8 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
 // Adjustable: in leaves with more facets the pairs are compared by their planes over the leaf first, and in those with many
 // more it is found out first which facets need not be compared at all.
 constexpr std::uint32_t kCrowded = 32, kManyTogether = 128;
+// Adjustable: the pairs of a leaf with more facets are dealt out to tasks, by so many facets.
+constexpr std::size_t kManyItems = 1024, kItemsPerTask = 256;
 
 /// Pairs of facets that have no segment in common, as many as there is room for: where hundreds of facets meet in one line,
 /// every pair of them comes in all the leaves along it. The table grows with what is put into it, since most scenes have few
@@ -60,36 +64,45 @@ class FruitlessPairs {
   int bits_ = 0;
 };
 
+double least_steps(const ProjectedScene& scene) { return kLeastPartMm / scene.lattice.step_mm; }
+
+/// What the comparisons of one task need and find.
+struct Comparisons {
+  Comparisons(const ProjectedScene& scene, const std::vector<Facet>& facets)
+      : found(facets, scene.vertices), hiders(scene, facets, least_steps(scene)) {}
+  PenetrationSearch found;
+  FruitlessPairs fruitless;
+  CrowdHiders hiders;
+};
+
 /// What one task works with.
 class LeafSearch {
  public:
   LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double margin)
-      : found(facets, scene.vertices), scene_(scene), facets_(facets), grid_(grid), margin_(margin) {}
+      : scene_(scene), facets_(facets), grid_(grid), margin_(margin), own_(scene, facets) {}
 
   void search(const Cell& cell, const CellSquare& square) {
     if (cell.count < 2 || cell.one_face) return;
     items_.clear();
     planes_.clear();
-    const CellFacet* list = grid_.list(cell);
-    const double half = square.size / 2, reach = half + margin_;
+    const Leaf leaf{cell, square, grid_.list(cell), square.size / 2 + margin_};
+    const double half = square.size / 2;
     const bool crowded = cell.count > kCrowded;
     for (std::uint32_t i = 0; i < cell.count; ++i) {
-      const Facet& facet = facets_[list[i].facet];
-      items_.push_back({found.place(list[i].facet), list[i].z_near, facet.z_far, list[i].box});
+      const CellFacet& listed = leaf.list[i];
+      const Facet& facet = facets_[listed.facet];
+      items_.push_back({own_.found.place(listed.facet), listed.z_near, facet.z_far, listed.box});
       if (crowded) planes_.emplace_back(FacetFunctions(facet, scene_.vertices.data()), square.x + half, square.y + half);
     }
-    const auto wanted = [&](const PageSegment& s) {
-      return grid_.complete() || seen_in(s, square, margin_, cell.occluder_depth);
-    };
     if (crowded) {
-      search_crowd(reach, wanted);
+      search_crowd(leaf);
     } else {
-      search_pairs(wanted);
+      search_pairs(leaf);
     }
-    found.forget_repeated();
+    own_.found.forget_repeated();
   }
 
-  PenetrationSearch found;
+  PenetrationSearch take() { return std::move(own_.found); }
 
  private:
   struct Item {
@@ -110,50 +123,80 @@ class LeafSearch {
     }
   };
 
-  template <class Wanted>
-  void search_pairs(const Wanted& wanted) {
+  struct Leaf {
+    const Cell& cell;
+    const CellSquare& square;
+    const CellFacet* list;
+    double reach;  ///< half its side, with the margin
+  };
+
+  bool wanted(const PageSegment& s, const Leaf& leaf) const {
+    return grid_.complete() || seen_in(s, leaf.square, margin_, leaf.cell.occluder_depth);
+  }
+
+  void search_pairs(const Leaf& leaf) {
     for (std::size_t i = 0; i < items_.size(); ++i) {
       const Item& a = items_[i];
       for (std::size_t k = i + 1; k < items_.size(); ++k) {
         const Item& b = items_[k];
         if (b.z_near > a.z_far) break;  // items are ordered by z_near
-        if (a.box.meets(b.box) && a.place.face != b.place.face) found.test(a.place, b.place, wanted);
+        if (!a.box.meets(b.box) || a.place.face == b.place.face) continue;
+        own_.found.test(a.place, b.place, [&](const PageSegment& s) { return wanted(s, leaf); });
       }
     }
   }
 
   /// The pairs of a crowded leaf; in one with many facets but for those of one plane and of one pencil.
-  template <class Wanted>
-  void search_crowd(double reach, const Wanted& wanted) {
-    const auto n = static_cast<std::uint32_t>(items_.size());
-    const bool many = n > kManyTogether;
-    if (many) {
-      group_planes(reach);
+  void search_crowd(const Leaf& leaf) {
+    const std::size_t n = items_.size();
+    if (n > kManyTogether) {
+      group_planes(leaf.reach);
       find_pencil();
     }
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const auto compare = [&](std::uint32_t k) { return compare_in_crowd(i, k, many, reach, wanted); };
+    if (n <= kManyItems) return compare(leaf, 0, n, own_);
+    const std::size_t blocks = block_count(n, kItemsPerTask);
+    std::vector<std::optional<Comparisons>> made(blocks);
+    parallel_for(blocks, [&](std::size_t block) {
+      Comparisons& own = made[block].emplace(scene_, facets_);
+      compare(leaf, block * kItemsPerTask, std::min(n, (block + 1) * kItemsPerTask), own);
+    });
+    for (std::optional<Comparisons>& part : made) own_.found.add(std::move(part->found));
+  }
+
+  /// Compares the items [begin, end) of a crowded leaf with those behind them.
+  void compare(const Leaf& leaf, std::size_t begin, std::size_t end, Comparisons& own) const {
+    const auto n = static_cast<std::uint32_t>(items_.size());
+    const bool many = n > kManyTogether;
+    // The farthest first: of them most is hidden, and what hides it is learnt.
+    for (auto i = static_cast<std::uint32_t>(end); i-- > begin;) {
+      const auto compare_with = [&](std::uint32_t k) { return compare_in_crowd(i, k, many, leaf, own); };
       if (many && in_pencil_[i]) {
         auto other = std::upper_bound(outside_.begin(), outside_.end(), i);
-        while (other != outside_.end() && compare(*other)) ++other;
+        while (other != outside_.end() && compare_with(*other)) ++other;
       } else {
         std::uint32_t k = i + 1;
-        while (k < n && compare(k)) ++k;
+        while (k < n && compare_with(k)) ++k;
       }
+      own.found.forget_repeated();
     }
   }
 
   /// Returns whether items after k are to be compared with item i, too.
-  template <class Wanted>
-  bool compare_in_crowd(std::uint32_t i, std::uint32_t k, bool many, double reach, const Wanted& wanted) {
+  bool compare_in_crowd(std::uint32_t i, std::uint32_t k, bool many, const Leaf& leaf, Comparisons& own) const {
     const Item &a = items_[i], &b = items_[k];
     if (b.z_near > a.z_far) return false;
     if (!a.box.meets(b.box) || a.place.face == b.place.face) return true;
-    if (planes_[i].apart(planes_[k], reach) || (many && planes_[i].group == planes_[k].group)) return true;
+    if (planes_[i].apart(planes_[k], leaf.reach) || (many && planes_[i].group == planes_[k].group)) return true;
     // To look a pair up takes longer than to find that the two do not overlap, unless large facets meet in leaf after leaf.
     if (!many && !PenetrationSearch::overlap(a.place, b.place)) return true;
-    if (fruitless_.holds(a.place.id, b.place.id)) return true;
-    if (!found.test(a.place, b.place, wanted)) fruitless_.add(a.place.id, b.place.id);
+    if (own.fruitless.holds(a.place.id, b.place.id)) return true;
+    const auto pair_wanted = [&](const PageSegment& s) {
+      if (grid_.complete()) return true;
+      if (!wanted(s, leaf)) return false;
+      const PageLine line(rounded(s.from), rounded(s.to), a.place.face, b.place.face);
+      return !own.hiders.hide(line, leaf.list, leaf.cell.count);
+    };
+    if (!own.found.test(a.place, b.place, pair_wanted)) own.fruitless.add(a.place.id, b.place.id);
     return true;
   }
 
@@ -216,8 +259,8 @@ class LeafSearch {
   const std::vector<Facet>& facets_;
   const CellGrid& grid_;
   double margin_;
+  Comparisons own_;
   std::vector<Item> items_;
-  FruitlessPairs fruitless_;
   std::vector<Plane> planes_;  ///< of the items, in crowded leaves
   std::vector<std::pair<std::array<double, 4>, std::uint32_t>> keys_;
   std::vector<SideUse> side_uses_;
@@ -237,11 +280,11 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
     for (std::size_t i = task * kCellsPerTask; i < std::min(n, (task + 1) * kCellsPerTask); ++i) {
       grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare& square) { search.search(cell, square); });
     }
-    found[task] = std::move(search.found);
+    found[task] = search.take();
   });
   PenetrationSearch all(facets, scene.vertices);
   for (PenetrationSearch& f : found) all.add(std::move(f));
-  return all.finish(kLeastPartMm / scene.lattice.step_mm);
+  return all.finish(least_steps(scene));
 }
 
 }  // namespace ligne

@@ -109,10 +109,6 @@ bool apart(const PlacedFacet& a, const PlacedFacet& b) {
   return false;
 }
 
-ProjectedVertex rounded(const PagePoint& p) {
-  return {{static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))}, p.z};
-}
-
 /// Drops segments no longer than `least` steps, which rounding leaves where surfaces touch, unless longer ones go on at both
 /// ends: a line of many facets may have short pieces, and is to be one line.
 void drop_specks(std::vector<Intersection>& segments, double least) {
@@ -131,6 +127,10 @@ void drop_specks(std::vector<Intersection>& segments, double least) {
 }
 
 }  // namespace
+
+ProjectedVertex rounded(const PagePoint& p) {
+  return {{static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))}, p.z};
+}
 
 PlacedFacet PenetrationSearch::place(std::uint32_t facet) const {
   const Facet& f = (*facets_)[facet];

@@ -46,6 +46,9 @@ std::optional<std::array<double, 2>> clip_parameters(const std::array<double, N>
   return std::array<double, 2>{from, to};
 }
 
+/// The place of the lattice next to a point.
+ProjectedVertex rounded(const PagePoint& p);
+
 /// A facet's places, gathered once for many tests.
 struct PlacedFacet {
   std::uint32_t id, face;

@@ -1,0 +1,78 @@
+#include "visibility/common/crowd_hiders.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ligne {
+
+/// The facet goes to the front, and what was there behind it.
+void CrowdHiders::Known::remember(std::uint32_t facet) {
+  const auto end = facets.begin() + static_cast<std::ptrdiff_t>(count);
+  auto place = std::find(facets.begin(), end, facet);
+  if (place == end) {
+    if (count < kKnown) {
+      ++count;
+    } else {
+      --place;
+    }
+  }
+  std::copy_backward(facets.begin(), place, place + 1);
+  facets.front() = facet;
+}
+
+/// A line and the same line backwards have one direction.
+std::size_t CrowdHiders::direction_of(const PageLine& line) {
+  const bool flat = std::abs(line.dx) >= std::abs(line.dy);
+  const double slope = flat ? line.dy / line.dx : line.dx / line.dy;  // from -1 to 1
+  const auto part = static_cast<std::size_t>(std::clamp(static_cast<int>((slope + 1) * kSlopes), 0, 2 * kSlopes - 1));
+  return flat ? part : part + 2 * kSlopes;
+}
+
+/// Takes from what is open of the line what the facet hides; returns whether that is anything.
+bool CrowdHiders::take(const PageLine& line, std::uint32_t facet) {
+  const Facet& f = facets_[facet];
+  if (f.face == line.face0 || f.face == line.face1) return false;
+  if (!scene_.face_is_transparent.empty() && scene_.face_is_transparent[f.face]) return false;
+  bool near_side = false;
+  const HiddenInterval hidden =
+      hidden_interval(line, f, scene_.vertices.data(), open_.from(), open_.to(), /*coincidence_steps=*/0, near_side);
+  open_.take(hidden);
+  return hidden.sides != HiddenSides::none;
+}
+
+bool CrowdHiders::is_hidden(const PageLine& line) {
+  if (open_.empty()) return true;
+  const double length = std::sqrt(line.dx * line.dx + line.dy * line.dy);
+  if ((open_.to() - open_.from()) * length > least_) return false;
+  parts_.assign(1, {open_.from(), open_.to()});
+  drop_short_parts(parts_, length, least_);
+  return parts_.empty();
+}
+
+bool CrowdHiders::hide(const PageLine& line, const CellFacet* list, std::size_t count) {
+  if (line.p0 == line.p1) return false;
+  patience_ += kPatiencePerLine;
+  open_.reset(0, 1);
+  Known& known = known_[direction_of(line)];
+  for (std::size_t i = 0; i < known.count; ++i) {
+    const std::uint32_t facet = known.facets[i];
+    if (!take(line, facet) || !is_hidden(line)) continue;
+    known.remember(facet);
+    return true;
+  }
+  if (in_vain_ > patience_) return false;
+  found_.clear();
+  const double z_far = std::max(line.z0, line.z1);
+  const CellFacet* entry = list;
+  for (; entry != list + count && entry->z_near <= z_far; ++entry) {
+    if (!take(line, entry->facet)) continue;
+    found_.push_back(entry->facet);
+    if (!is_hidden(line)) continue;
+    for (const std::uint32_t facet : found_) known.remember(facet);
+    return true;
+  }
+  in_vain_ += static_cast<std::size_t>(entry - list);
+  return false;
+}
+
+}  // namespace ligne
