@@ -80,7 +80,7 @@ class Precedence {
  private:
   /// A stroke that stands, and where the one on trial lies on it: a is the one on trial.
   struct Hit {
-    std::uint32_t standing;
+    std::uint32_t standing, entry;
     StrokeOverlap common;
   };
 
@@ -102,7 +102,7 @@ class Precedence {
   double tolerance_steps_, tolerance_mm_;
   std::vector<Standing> standing_;
   std::vector<Trial> waiting_;
-  std::vector<std::uint32_t> indexed_;  ///< which of the standing strokes are in the index, in its order
+  std::vector<std::uint32_t> indexed_;  ///< the strokes that stand or stood, in the order of the index
   std::vector<std::uint32_t> seen_;     ///< for each of them the number of the trial in which it was met last
   std::uint32_t trial_ = 0;
   std::vector<Hit> hits_;
@@ -143,17 +143,17 @@ void Precedence::try_one(const Trial& trial) {
   hits_.clear();
   index_.query(stroke.from, stroke.to, [&](std::uint32_t entry) {
     const std::uint32_t i = indexed_[entry];
-    if (!standing_[i].stands || seen_[entry] == trial_) return;
+    if (seen_[entry] == trial_) return;
     seen_[entry] = trial_;
     const Stroke& standing = standing_[i].stroke;
     if (!stroke.may_coincide && !standing.may_coincide) return;
     if (const auto common = overlap(stroke.from, stroke.to, standing.from, standing.to, tolerance_steps_)) {
-      hits_.push_back({i, *common});
+      hits_.push_back({i, entry, *common});
     }
   });
 
   losses_.clear();
-  for (const auto& [i, common] : hits_) {
+  for (const auto& [i, entry, common] : hits_) {
     const Stroke& standing = standing_[i].stroke;
     if (precedes(stroke, standing, common)) continue;
     const auto end = [&](double fraction) { return fraction < 0.5 ? standing.from : standing.to; };
@@ -161,8 +161,9 @@ void Precedence::try_one(const Trial& trial) {
   }
   if (!losses_.empty()) return cut(stroke, losses_);
 
-  for (const auto& [i, common] : hits_) {
+  for (const auto& [i, entry, common] : hits_) {
     standing_[i].stands = false;
+    index_.erase(entry);
     const auto end = [&](double fraction) { return fraction < 0.5 ? stroke.from : stroke.to; };
     Loss loss{{common.b_from, end(common.a_from)}, {common.b_to, end(common.a_to)}};
     if (loss.from.fraction > loss.to.fraction) std::swap(loss.from, loss.to);
@@ -221,10 +222,20 @@ Precedence decide(const std::vector<Stroke>& strokes, const std::vector<Partners
   return precedence;
 }
 
+/// In a crowd, where nearly every stroke has a partner, all are compared from the beginning: there pieces find partners
+/// among the few others all the time, and each time all is decided anew.
+void take_all_of_a_crowd(std::vector<Partners>& partners) {
+  constexpr std::ptrdiff_t kCrowd = 1024, kOneIn = 4;  // adjustable
+  const auto some = std::count(partners.begin(), partners.end(), Partners::some);
+  if (some < kCrowd || kOneIn * std::count(partners.begin(), partners.end(), Partners::none) > some) return;
+  std::replace(partners.begin(), partners.end(), Partners::none, Partners::some);
+}
+
 /// What is left of a stroke that crosses another at a very small angle may lie within the tolerance of it, where the whole
 /// did not. Finds such partners; returns whether there are any.
 bool find_partners_of_pieces(const std::vector<Stroke>& strokes, const Precedence& precedence, double tolerance_steps,
                              std::vector<Partners>& partners) {
+  if (std::find(partners.begin(), partners.end(), Partners::none) == partners.end()) return false;
   std::vector<Stroke> compared;
   precedence.take_pieces(compared);
   if (compared.empty()) return false;
@@ -255,6 +266,7 @@ void remove_coincident_strokes(StrokeModel& model, double tolerance_mm) {
   // The lattice knows nothing finer than its step.
   const double tolerance_steps = std::max(tolerance_mm / model.lattice.step_mm, 1.0);
   std::vector<Partners> partners = find_partners(strokes, tolerance_steps);
+  take_all_of_a_crowd(partners);
   const std::vector<Turn> turns = find_turns(strokes, partners, tolerance_mm);
   if (turns.empty()) return;
   Precedence precedence = decide(strokes, partners, turns, tolerance_steps, tolerance_mm);

@@ -44,6 +44,7 @@ void StrokeIndex::put_point(std::size_t level, std::uint32_t point) {
     c = cell(level, key);
     if (!cells_[c].refined) break;
   }
+  points_[point].listed = true;
   points_[point].next = cells_[c].first_point;
   cells_[c].first_point = point;
   ++cells_[c].load;
@@ -60,7 +61,8 @@ std::uint32_t StrokeIndex::add_end(LatticePoint p, std::uint32_t segment) {
   const std::uint32_t point = number;
   arms_.push_back({segment, points_[point].first_arm});
   points_[point].first_arm = static_cast<std::uint32_t>(arms_.size() - 1);
-  if (is_new) put_point(0, point);
+  ++points_[point].arms;
+  if (is_new || !points_[point].listed) put_point(0, point);
   return point;
 }
 
@@ -97,8 +99,10 @@ void StrokeIndex::refine_if_crowded(std::size_t level, std::uint64_t key, std::u
   for (std::uint32_t e = old.first_point, next; e != kNone; e = next) {
     next = points_[e].next;
     for (std::uint32_t i = points_[e].first_arm; i != kNone; i = arms_[i].next) passing.push_back(arms_[i].segment);
-    put_point(level + 1, e);
+    points_[e].listed = false;
+    if (points_[e].arms > 0) put_point(level + 1, e);
   }
+  std::erase_if(passing, [&](std::uint32_t segment) { return segments_[segment].erased; });
   std::sort(passing.begin(), passing.end());
   passing.erase(std::unique(passing.begin(), passing.end()), passing.end());
   const auto column = static_cast<std::int32_t>(key >> 32), row = static_cast<std::int32_t>(key);
@@ -107,10 +111,17 @@ void StrokeIndex::refine_if_crowded(std::size_t level, std::uint64_t key, std::u
 
 void StrokeIndex::insert(LatticePoint from, LatticePoint to) {
   const auto segment = static_cast<std::uint32_t>(segments_.size());
-  segments_.push_back({from, to, static_cast<float>(length(from, to))});
+  segments_.push_back({from, to, static_cast<float>(length(from, to)), false, {}});
   pass(0, {}, segment);
   const std::uint32_t a = add_end(from, segment), b = add_end(to, segment);
+  segments_[segment].ends = {a, b};
   pair_table_[pair_key(a, b)] = segment;
+}
+
+void StrokeIndex::erase(std::uint32_t segment) {
+  if (segments_[segment].erased) return;
+  segments_[segment].erased = true;
+  for (const std::uint32_t point : segments_[segment].ends) --points_[point].arms;
 }
 
 double index_cell(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance_steps) {

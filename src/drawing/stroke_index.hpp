@@ -2,6 +2,7 @@
 /// Finds, among segments of the page, those that may lie on a given one.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -70,9 +71,13 @@ class StrokeIndex {
 
   void insert(LatticePoint from, LatticePoint to);
 
+  /// Segment number `segment` is no longer to be found; it keeps its number. The lists forget it when they are next gone
+  /// through.
+  void erase(std::uint32_t segment);
+
   /// Calls found(segment) for every inserted segment that may coincide with from-to; some more than once.
   template <class Found>
-  void query(LatticePoint from, LatticePoint to, const Found& found) const;
+  void query(LatticePoint from, LatticePoint to, const Found& found);
 
  private:
   static constexpr std::uint32_t kNone = KeyTable::kNone;
@@ -80,6 +85,8 @@ class StrokeIndex {
   struct Segment {
     LatticePoint from, to;
     float length;
+    bool erased = false;
+    std::array<std::uint32_t, 2> ends{};  ///< its points
   };
   struct Cell {
     std::uint32_t first_through = kNone, first_point = kNone;
@@ -96,6 +103,8 @@ class StrokeIndex {
   struct EndPoint {
     LatticePoint p;
     std::uint32_t first_arm = kNone, next = kNone;
+    std::uint32_t arms = 0;  ///< segments that are not erased
+    bool listed = true;      ///< in the list of its cell
   };
   struct Link {
     std::uint32_t segment, next;
@@ -114,7 +123,11 @@ class StrokeIndex {
   void put_point(std::size_t level, std::uint32_t point);
   void refine_if_crowded(std::size_t level, std::uint64_t key, std::uint32_t cell);
   template <class Visit>
-  void visit_leaves(std::size_t level, const CellRange& range, LatticePoint from, LatticePoint to, const Visit& visit) const;
+  void visit_leaves(std::size_t level, const CellRange& range, LatticePoint from, LatticePoint to, const Visit& visit);
+  template <class Visit>
+  void visit_links(std::vector<Link>& links, std::uint32_t& first, const Visit& visit);
+  template <class Visit>
+  void visit_points(Cell& cell, const Visit& visit);
 
   static constexpr std::int32_t kParts = 2;
   double tolerance_;

@@ -37,7 +37,7 @@ bool SegmentGrid::walk_cells(LatticePoint from, LatticePoint to, const CellRange
 /// The cells within the tolerance of the segment that are not refined.
 template <class Visit>
 void StrokeIndex::visit_leaves(std::size_t level, const CellRange& range, LatticePoint from, LatticePoint to,
-                               const Visit& visit) const {
+                               const Visit& visit) {
   levels_[level].grid.walk_cells(from, to, range, [&](std::int32_t column, std::int32_t row) {
     const std::uint32_t c = levels_[level].cells.find(KeyTable::key(column, row));
     if (c == kNone) return false;
@@ -50,37 +50,63 @@ void StrokeIndex::visit_leaves(std::size_t level, const CellRange& range, Lattic
   });
 }
 
+/// The segments of a list, which forgets those that are erased.
+template <class Visit>
+void StrokeIndex::visit_links(std::vector<Link>& links, std::uint32_t& first, const Visit& visit) {
+  for (std::uint32_t* link = &first; *link != kNone;) {
+    Link& l = links[*link];
+    if (segments_[l.segment].erased) {
+      *link = l.next;
+    } else {
+      visit(l.segment);
+      link = &l.next;
+    }
+  }
+}
+
+/// The points of a cell, which forgets those at which no segment ends any more.
+template <class Visit>
+void StrokeIndex::visit_points(Cell& cell, const Visit& visit) {
+  for (std::uint32_t* link = &cell.first_point; *link != kNone;) {
+    EndPoint& point = points_[*link];
+    if (point.arms == 0) {
+      point.listed = false;
+      *link = point.next;
+    } else {
+      visit(point);
+      link = &point.next;
+    }
+  }
+}
+
 template <class Found>
-void StrokeIndex::query(LatticePoint from, LatticePoint to, const Found& found) const {
+void StrokeIndex::query(LatticePoint from, LatticePoint to, const Found& found) {
   // Segments that pass an end of this one.
   for (const LatticePoint p : {from, to}) {
     const std::uint32_t c = leaf_at(p);
     if (c == kNone) continue;
-    const auto visit_near = [&](const std::vector<Link>& links, std::uint32_t first) {
-      for (std::uint32_t i = first; i != kNone; i = links[i].next) {
-        const Segment& s = segments_[links[i].segment];
-        if (levels_[0].grid.near(p, s.from, s.to, s.length)) found(links[i].segment);
-      }
+    const auto visit_near = [&](std::uint32_t segment) {
+      const Segment& s = segments_[segment];
+      if (levels_[0].grid.near(p, s.from, s.to, s.length)) found(segment);
     };
-    visit_near(throughs_, cells_[c].first_through);
-    for (std::uint32_t e = cells_[c].first_point; e != kNone; e = points_[e].next) {
-      if (points_[e].p != p) visit_near(arms_, points_[e].first_arm);
-    }
+    visit_links(throughs_, cells_[c].first_through, visit_near);
+    visit_points(cells_[c], [&](EndPoint& point) {
+      if (point.p != p) visit_links(arms_, point.first_arm, visit_near);
+    });
   }
   // Ends along this one.
   const double segment_length = length(from, to);
-  visit_leaves(0, {}, from, to, [&](const Cell& leaf) {
-    for (std::uint32_t e = leaf.first_point; e != kNone; e = points_[e].next) {
-      const LatticePoint p = points_[e].p;
-      if (p == from || p == to || !levels_[0].grid.near(p, from, to, segment_length)) continue;
-      for (std::uint32_t i = points_[e].first_arm; i != kNone; i = arms_[i].next) found(arms_[i].segment);
-    }
+  visit_leaves(0, {}, from, to, [&](Cell& leaf) {
+    visit_points(leaf, [&](EndPoint& point) {
+      if (point.p == from || point.p == to || !levels_[0].grid.near(point.p, from, to, segment_length)) return;
+      visit_links(arms_, point.first_arm, found);
+    });
   });
   // The segment with the same ends.
   const std::uint32_t a = point_table_.find(KeyTable::key(from)), b = point_table_.find(KeyTable::key(to));
   if (a == kNone || b == kNone) return;
   const std::uint32_t same = pair_table_.find(pair_key(a, b));
-  if (same != kNone) found(same);
+  if (same != kNone && !segments_[same].erased) found(same);
 }
 
 }  // namespace ligne
