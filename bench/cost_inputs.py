@@ -75,6 +75,29 @@ def needles(n, obj):
         obj.add([[-c for c in d], [a + b for a, b in zip(d, e)], [a - b for a, b in zip(d, e)]], [(0, 1, 2)])
 
 
+def rotated(p, axis, angle):
+    """The point turned about an axis of length 1."""
+    c, s = math.cos(angle), math.sin(angle)
+    along = sum(a * b for a, b in zip(axis, p)) * (1 - c)
+    x, y, z = axis
+    cross = (y * p[2] - z * p[1], z * p[0] - x * p[2], x * p[1] - y * p[0])
+    return [c * a + s * b + along * e for a, b, e in zip(p, cross, axis)]
+
+
+def random_direction(rng):
+    d = [rng.gauss(0, 1) for _ in range(3)]
+    length = math.sqrt(sum(c * c for c in d))
+    return [c / length for c in d]
+
+
+def boxes_about_a_point(n, obj):
+    """n slender boxes about one point, turned at random."""
+    rng = random.Random(6)
+    for _ in range(n):
+        axis, angle = random_direction(rng), rng.uniform(-2, 2)
+        obj.add([rotated(v, axis, angle) for v in box((-0.05, -0.11, -0.06), (0.1, 0.22, 0.12))], CUBE)
+
+
 def boxes(n, obj):
     """n boxes that penetrate each other, as dense for every n."""
     rng, side = random.Random(3), n ** (1 / 3)
@@ -138,6 +161,8 @@ FAMILIES = {
     "needles": (needles, (500, 1500, 4500), ["--edges", "outline,crease,border"]),
     "needles with intersections": (needles, (150, 450, 1350), []),
     "needles, hidden dashed": (needles, (50, 100, 200), ["--hidden", "dashed"]),
+    "boxes about a point": (boxes_about_a_point, (50, 150, 450), []),
+    "boxes about a point, hidden dashed": (boxes_about_a_point, (15, 30, 60), ["--hidden", "dashed"]),
     "penetrating boxes": (boxes, (1000, 3000, 9000), []),
     "penetrating boxes, hidden dashed": (boxes, (1000, 3000, 9000), ["--hidden", "dashed"]),
     "touching cubes": (touching_cubes, (1000, 3375, 10648), []),
