@@ -2,7 +2,10 @@
 ///
 /// That surface keeps coordinates as 24.8 fixed point of its unit, which is the point: 1.4 micrometres. So the drawing is
 /// made on a recording surface of a finer unit and painted with a scale; Cairo then writes it as a form with a content
-/// stream in that unit, placed by one matrix.
+/// stream in that unit, placed by one matrix. Areas go straight onto the PDF surface, whose rounding moves them by no more
+/// than 0.7 micrometres: of recordings with hundreds of areas over each other Cairo 1.16 makes a bitmap, of another size at
+/// that, and takes a minute. They lie on white paper that is painted first, since each would otherwise join its extents to a
+/// region of all before it.
 
 #include <cmath>
 
@@ -50,7 +53,6 @@ void PdfDocument::add_page(const Drawing& drawing, const PlotOptions& options) {
   const cairo_rectangle_t extents{0, 0, std::ceil(width * units), std::ceil(height * units)};
   const CairoSurface recording(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &extents));
   const CairoContext pen(cairo_create(recording.get()));
-  paint_fills(pen.get(), drawing.fills, units * kPointsPerMm);
   for (const Layer& layer : drawing.layers) {
     stroke_polylines(pen.get(), layer.lines, options.style_of(layer),
                      {units * kPointsPerMm, kPartsOfUnit * units * kPointsPerMm, options.curves_of(layer)});
@@ -67,7 +69,13 @@ void PdfDocument::add_page(const Drawing& drawing, const PlotOptions& options) {
     }
   }
   cairo_surface_t* const surface = surface_->cairo.get();
-  if (!drawing.layers.empty() || !drawing.fills.empty()) {
+  if (!drawing.fills.empty()) {
+    const CairoContext cairo(cairo_create(surface));
+    cairo_set_source_rgb(cairo.get(), 1, 1, 1);
+    cairo_paint(cairo.get());
+    paint_fills(cairo.get(), drawing.fills, kPointsPerMm);
+  }
+  if (!drawing.layers.empty()) {
     const CairoContext cairo(cairo_create(surface));
     cairo_scale(cairo.get(), 1 / units, 1 / units);
     cairo_set_source_surface(cairo.get(), recording.get(), 0, 0);
