@@ -147,7 +147,8 @@ void append_area(std::string& out, std::uint32_t face, const std::vector<std::ve
   out += ']';
 }
 
-void append_region(std::string& out, const Region& region, const RegionLook* look) {
+void append_region(std::string& out, const Region& region, const RegionLook* look,
+                   const std::vector<std::uint32_t>* through) {
   append_area(out, region.face, region.contours);
   if (region.level > 0) out += ",\"level\":" + std::to_string(region.level);
   if (region.lights != 0xffffffffu) {
@@ -183,6 +184,14 @@ void append_region(std::string& out, const Region& region, const RegionLook* loo
       out += ",\"material_name\":";
       out += json_string(look->material);
     }
+  }
+  if (through && !through->empty()) {
+    out += ",\"through\":[";
+    for (std::size_t i = 0; i < through->size(); ++i) {
+      if (i > 0) out += ',';
+      append_integer(out, (*through)[i]);
+    }
+    out += ']';
   }
   out += '}';
 }
@@ -300,7 +309,8 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
   if (document.regions) {
     out += ",\n\"regions\":";
     append_array(out, document.regions->size(), [&](std::string& text, std::size_t i) {
-      append_region(text, (*document.regions)[i], document.region_looks.empty() ? nullptr : &document.region_looks[i]);
+      append_region(text, (*document.regions)[i], document.region_looks.empty() ? nullptr : &document.region_looks[i],
+                    document.seen_through.empty() ? nullptr : &document.seen_through[i]);
     });
   }
   if (document.order) {

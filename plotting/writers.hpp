@@ -28,6 +28,7 @@ struct PlotOptions {
   bool hidden_solid = false;
   std::string title;                                     ///< document title, may be empty
   double dpi = 150;                                      ///< PNG
+  bool svg_by_cairo = false;                             ///< SVG: as Cairo's own SVG surface writes it
   bool curves = false;                                   ///< arcs where lines are tessellated ones (paths/fit_curves.hpp)
   std::optional<double> curve_rise_mm{};                 ///< CurveLimits::most_rise_mm; nothing: the width of the pen
   bool starts_stay = false;                              ///< with `curves`: the strokes begin where they do in the plot
@@ -54,6 +55,8 @@ struct PlotOptions {
 
 /// SVG: width, height and viewBox in mm, one Inkscape layer group per layer with the style on it, one path per polyline.
 std::string write_svg(const Drawing& drawing, const PlotOptions& options);
+/// SVG through Cairo's SVG surface: width and height in mm, no layers, on white paper.
+std::string write_cairo_svg(const Drawing& drawing, const PlotOptions& options);
 /// A PDF of true size, page by page.
 class PdfDocument {
  public:
@@ -95,6 +98,8 @@ struct DrawingDocument {
   const StrokeModel* strokes = nullptr;
   const std::vector<Region>* regions = nullptr;
   std::vector<RegionLook> region_looks{};  ///< one for each region, or none
+  /// For each region the numbers of those that are seen through it; or none.
+  std::vector<std::vector<std::uint32_t>> seen_through{};
   const PaintOrder* order = nullptr;
   const SpanModel* spans = nullptr;
   const std::vector<std::vector<Point2>>* debug = nullptr;  ///< polylines that show how the method worked

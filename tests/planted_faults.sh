@@ -32,6 +32,8 @@ programs_of() {
     horizon_*) echo visibility_test cli_program_test ;;
     plot_*) echo plotting_test cli_program_test ;;
     bsp_*) echo bsp_test orders_test all_methods_test random_scenes_test ;;
+    newell_*) echo newell_test orders_test regions_test all_methods_test random_scenes_test ;;
+    convex_tree_*) echo convex_tree_test orders_test regions_test all_methods_test random_scenes_test ;;
     view_*) echo view_test all_methods_test random_scenes_test ;;
     *) echo visibility_test known_answers_test all_methods_test geometry_replay_test random_scenes_test relations_test picture_test \
          embree_models_test ;;

@@ -75,7 +75,7 @@ class Drawing:
     @cached_property
     def kind(self) -> np.ndarray:
         """(n,) of text: the class of each stroke: outline, border, intersection, crease, mesh, shadow, profile,
-        suggestive, ridge, valley, ..."""
+        suggestive, ridge, valley, detail, ..."""
         return _KINDS[self._arrays["kind"]]
 
     @property

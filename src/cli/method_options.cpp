@@ -52,7 +52,7 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice,
   group
       .add(
           "--edges", "LIST", request.classes, parse_given_edges,
-          "of outline,crease,border,intersection,mesh,shadow,profile,suggestive,ridge,valley; feature: the first four; all: all of the model")
+          "of outline,crease,border,intersection,mesh,shadow,profile,suggestive,ridge,valley,detail; feature: the first four; all: all of the model")
       .standard("feature");
   group.add("--crease", "DEG", request.crease_degrees, parse_crease, "angle between normals above which an edge is a crease")
       .standard("30");

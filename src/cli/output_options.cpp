@@ -24,6 +24,15 @@ void add_curves_option(CLI::App& app, std::optional<bool>& curves, const std::st
       .standard(standard);
 }
 
+void add_svg_option(CLI::App& app, SvgWriter& writer) {
+  OptionGroup(app, "Output")
+      .add(
+          "--svg", "layers|cairo", writer,
+          [](const std::string& text) { return static_cast<SvgWriter>(parse_choice(text, kSvgWriterNames)); },
+          "SVG: in layers with a path for each line, or as Cairo's own SVG surface writes it")
+      .standard("layers");
+}
+
 void add_title_option(CLI::App& app, std::string& title, const std::string& help) {
   OptionGroup(app, "Output")
       .add(

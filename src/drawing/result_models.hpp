@@ -35,6 +35,12 @@ struct PaintOrder {
   std::vector<PaintPiece> pieces;
 };
 
+/// A number to be written round a point of the page.
+struct PageNumber {
+  Point2 middle{0, 0};  ///< page mm
+  std::uint32_t number = 0;
+};
+
 /// Scan lines of the page, from the top downwards.
 struct SpanLines {
   double first_mm = 0;    ///< height of the first on the page

@@ -25,14 +25,15 @@ enum class LineClass : std::uint8_t {
   suggestive,    ///< where the surface turns as towards an outline and back (contours/shape_lines.hpp); no edge of the scene
   ridge,         ///< where a surface is bent most, outwards; no edge either
   valley,        ///< where a surface is bent most, inwards; no edge either
+  detail,        ///< contour of a detail on a face; no edge of the scene
   profile,       ///< part of a line of one of the first classes behind which an object ends; decided when all else is
 };
-inline constexpr std::size_t kLineClassCount = 14;
+inline constexpr std::size_t kLineClassCount = 15;
 /// The first classes are those of the scene's edges.
 inline constexpr std::size_t kEdgeClassCount = 5;
 inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{
-    "outline", "border", "intersection", "crease",     "mesh",  "curve",  "contour",
-    "horizon", "axes",   "shadow",       "suggestive", "ridge", "valley", "profile"};
+    "outline", "border", "intersection", "crease", "mesh",   "curve",  "contour", "horizon",
+    "axes",    "shadow", "suggestive",   "ridge",  "valley", "detail", "profile"};
 
 /// A set of classes.
 struct LineClasses {

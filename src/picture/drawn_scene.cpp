@@ -14,6 +14,8 @@
 #include "picture/line_groups.hpp"
 #include "picture/parts.hpp"
 #include "picture/point_marks.hpp"
+#include "picture/seen_through.hpp"
+#include "plotting/stroke_text.hpp"
 #include "plotting/writers.hpp"
 #include "scene/clean/named_objects.hpp"
 #include "view/brightness.hpp"
@@ -27,6 +29,20 @@ void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& p
   Layer layer{"debug", {}};
   for (const std::vector<Point2>& line : polylines) layer.lines.add(line);
   drawing.layers.insert(drawing.layers.begin(), std::move(layer));
+}
+
+/// Numbers that show how the method worked as polylines, like the rest of that.
+void write_debug_numbers(VisibilityResult& result, const PictureRequest& request, const Page& page) {
+  if (result.debug_numbers.empty()) return;
+  const double height_mm = text_height_mm(request.axes, page);
+  for (const PageNumber& n : result.debug_numbers) {
+    Polylines lines;
+    append_stroke_text({std::to_string(n.number), n.middle, height_mm, TextAcross::center, TextUp::middle}, lines);
+    for (std::size_t i = 0; i + 1 < lines.begin.size(); ++i) {
+      result.debug.emplace_back(lines.points.begin() + lines.begin[i], lines.points.begin() + lines.begin[i + 1]);
+    }
+  }
+  result.debug_numbers.clear();
 }
 
 /// Pieces of faces from the back to the front.
@@ -77,6 +93,7 @@ DrawnScene::DrawnScene(const Scene& scene, PictureRequest request, RunReport& ru
   HatchScene hatch = hatch_scene(prepared_, plot);
   hatching_ = hatch_spans(hatch, run);
   study_ = ligne::study(prepared_, gray_face_lines(request_, plot), has_edges_, run);
+  write_debug_numbers(study_.result, request_, prepared_.around.placement.page);
   if (study_.result.regions) {
     std::ranges::move(hatch_regions(hatch, *study_.result.regions, run), std::back_inserter(hatching_));
   }
@@ -148,7 +165,10 @@ std::string DrawnScene::json(const PlotOptions& plot) const {
   DrawingDocument document;
   document.strokes = &*result.strokes;
   document.regions = result.regions ? &*result.regions : nullptr;
-  if (result.regions) document.region_looks = looks_of(prepared_, *result.regions, patches_);
+  if (result.regions) {
+    document.region_looks = looks_of(prepared_, *result.regions, patches_);
+    document.seen_through = seen_through(prepared_.scene, *result.regions, result.strokes->lattice);
+  }
   document.order = result.order ? &*result.order : nullptr;
   document.spans = result.spans ? &*result.spans : nullptr;
   document.debug = result.debug.empty() ? nullptr : &result.debug;

@@ -120,8 +120,8 @@ Axis parse_axis(std::string_view text) {
 }
 
 LineClasses parse_edges(std::string_view text) {
-  constexpr LineClass kMore[] = {LineClass::profile, LineClass::shadow, LineClass::suggestive, LineClass::ridge,
-                                 LineClass::valley};
+  constexpr LineClass kMore[] = {LineClass::profile, LineClass::shadow, LineClass::suggestive,
+                                 LineClass::ridge,   LineClass::valley, LineClass::detail};
   std::vector<std::string_view> names(kLineClassNames.begin(), kLineClassNames.begin() + kEdgeClassCount);
   for (const LineClass more : kMore) {
     names.push_back(kLineClassNames[static_cast<std::size_t>(more)]);

@@ -88,7 +88,7 @@ const Method& method_of(const PictureRequest& request) {
 
 bool paints_in_order(const PictureRequest& request, const Method& method) {
   const std::uint8_t products = method.traits().products;
-  return request.fill.kind != FillKind::none && request.fill.lights.empty() && !(products & kRegions) && (products & kOrder);
+  return request.fill.kind != FillKind::none && request.fill.lights.empty() && (products & kOrder);
 }
 
 std::uint8_t wanted_products(const PictureRequest& request, const Method& method) {
@@ -108,6 +108,10 @@ bool wants_regions(const PictureRequest& request, const Method& method) {
 SourceEdge SceneStudy::source(const Scene& scene, std::uint32_t number) const {
   const StrokeModel& strokes = *result.strokes;
   if (number >= strokes.edge_count) return strokes.intersections.at(number - strokes.edge_count);
+  if (number >= first_detail && number - first_detail < details.size()) {
+    const DetailLine& detail = details[number - first_detail];
+    return {detail.ends, {detail.face, kNone}, false};
+  }
   if (number >= edges.size()) return {lines.at(number - edges.size()), {kNone, kNone}, false};
   const Edge& edge = edges[number];
   return {{scene.vertices[edge.v0], scene.vertices[edge.v1]}, {edge.face0, edge.face1}, false};
@@ -146,6 +150,13 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
       prepared.first_probe = prepared.projected.source_count;
       add_lines(prepared.projected, probes_of(request.groups->points, prepared.view()), LineClass::curve);
     }
+    prepared.first_detail = prepared.projected.source_count;
+    if (request.lines.classes.has(LineClass::detail)) {
+      prepared.details = detail_lines(scene);
+      std::vector<std::array<Point3, 2>> lines;
+      for (const DetailLine& line : prepared.details) lines.push_back(line.ends);
+      add_lines(prepared.projected, lines, LineClass::detail);
+    }
     add_lines(prepared.projected, all_lines(prepared.around), LineClass::axes);
   });
   prepared.lights = lights_of(request, scene);
@@ -159,6 +170,8 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   if (keep_edges && request.groups) {
     for (const SpaceLine& line : request.groups->lines) found.lines.push_back(line.ends);
   }
+  if (keep_edges) found.details = std::move(prepared.details);
+  found.first_detail = prepared.first_detail;
   prepared.topology = {};
 
   const ProjectedScene& projected = prepared.projected;
@@ -186,6 +199,9 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   if (!found.result.beyond.empty()) {
     run.warn("the drawing may be wrong: --method " + std::string(found.method->traits().name) + " is for " +
              std::string(found.method->traits().only_for) + ", and of this scene " + found.result.beyond);
+  }
+  if (!found.result.left_out.empty()) {
+    run.warn("--method " + std::string(found.method->traits().name) + " leaves out " + found.result.left_out);
   }
   remove_hidden_axes(*found.result.strokes);
   if (request.groups) {

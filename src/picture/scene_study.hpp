@@ -9,6 +9,7 @@
 #include "contours/contour_lines.hpp"
 #include "contours/shape_lines.hpp"
 #include "picture/axes.hpp"
+#include "picture/detail_lines.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "scene/creases/find_creases.hpp"
@@ -34,6 +35,8 @@ struct PreparedScene {
   ShapeLines shape_lines{};
   std::vector<ScanObject> scans{};
   std::uint32_t first_probe = 0;  ///< source of the first probe of a point (LineGroups)
+  std::vector<DetailLine> details{};
+  std::uint32_t first_detail = 0;  ///< source of the first of them
 
   const View& view() const { return around.placement.view; }
 };
@@ -45,6 +48,8 @@ struct SceneStudy {
   std::vector<Edge> edges;                     ///< of the scene, where `keep_edges` asks for them
   std::vector<std::array<Point3, 2>> lines{};  ///< beside them (LineGroups), the same
   std::vector<std::uint8_t> points_seen{};     ///< of those of LineGroups
+  std::vector<DetailLine> details{};           ///< of the scene, the same as `edges`
+  std::uint32_t first_detail = 0;              ///< source of the first of them
 
   /// The source of a stroke: an edge of the scene, an intersection or the border of a shadow.
   SourceEdge source(const Scene& scene, std::uint32_t number) const;
@@ -54,7 +59,7 @@ struct SceneStudy {
 /// that gives regions; else the default one, in whose place another one may draw the lines (method_choice.hpp).
 const Method& method_of(const PictureRequest& request);
 
-/// Fills are painted from the back to the front, since the method gives an order and no regions.
+/// Fills are painted from the back to the front, since the method gives an order, and no light casts shadows.
 bool paints_in_order(const PictureRequest& request, const Method& method);
 
 /// Products that the picture is made of; a JSON drawing holds all that there are but pixels.

@@ -10,7 +10,7 @@
 #include "picture/face_carrier.hpp"
 #include "picture/region_faces.hpp"
 #include "view/tolerances.hpp"
-#include "visibility/atherton_weiler/visible_faces.hpp"
+#include "visibility/common/visible_faces.hpp"
 
 namespace ligne {
 namespace {
@@ -105,7 +105,7 @@ void add_lit(const Scene& scene, const Topology& topology, const View& view, con
   grid_options.margin_steps = coincidence_mm(seen) / seen.lattice.step_mm + 1;
   grid_options.see_through = true;
   const CellGrid grid(seen, facets.facets, grid_options);
-  const atherton_weiler::VisibleFaces visible = atherton_weiler::find_visible_faces(seen, facets.facets, grid, {});
+  const VisibleFaces visible = find_visible_faces(seen, facets.facets, grid, {});
   for (const Region& region : visible.regions) {
     const FacePlane plane = plane_of(scene, region.face);
     if (side_of_eye(camera, plane) * side_of_eye(view.camera, plane) <= 0) continue;

@@ -69,9 +69,11 @@ struct VisibilityResult {
   std::optional<SpanModel> spans;
   std::optional<PixelModel> pixels;
   std::vector<std::vector<Point2>> debug;  ///< what shows how the method went about it: polylines in page mm
+  std::vector<PageNumber> debug_numbers;   ///< the same: numbers, of which polylines are made
   Statistics statistics;
   /// Why this scene is not one that the method can do: what is drawn may be wrong. Empty when it can; see only_for.
   std::string beyond;
+  std::string left_out;  ///< what of the scene the method does not take part in its study, in words; empty: nothing
 };
 
 /// A method holds no state: study() may be called from several threads, and the same input gives the same result whatever

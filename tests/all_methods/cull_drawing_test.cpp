@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <numbers>
 #include <random>
+#include <set>
 
 #include "drawing/stroke_difference.hpp"
 #include "scene/clean/clean.hpp"
@@ -117,17 +118,33 @@ TEST(CullDrawing, ChangesNoBall) {
   EXPECT_GT(kept, 50u);
 }
 
-/// All edges of the inner box are seen through the outer one, whose own back edges are seen as well.
-TEST(CullDrawing, ABoxInABoxOfGlass) {
-  Scene scene;
-  add_box(scene, {0, 0, 0}, {10, 10, 10});
-  add_box(scene, {3, 3, 3}, {4, 4, 4});
-  scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
-  scene.face_material = {1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0};
-  const Drawings d = drawings(scene, along({-0.37, 0.83, -0.41}), "atherton-weiler");
-  EXPECT_EQ(d.faces, 3u) << "of the inner box";
-  EXPECT_EQ(differences(d), "");
-  EXPECT_EQ(d.culled.strokes.size(), d.all.strokes.size());
+/// All edges of the inner cube that it does not hide itself are seen through the outer one, whose own back edges are seen as
+/// well; by every method that sees through glass.
+TEST(CullDrawing, ACubeInACubeOfGlass) {
+  Warnings warnings;
+  const Scene scene =
+      read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/atherton_weiler/scenes/cube_in_glass.json", {}, warnings);
+  for (const char* method : {"atherton-weiler", "newell", "bsp", "convex-tree"}) {
+    const Drawings d = drawings(scene, along({-0.37, 0.83, -0.41}), method);
+    EXPECT_EQ(d.faces, 3u) << "of the inner cube; " << method;
+    EXPECT_EQ(differences(d), "") << method;
+    EXPECT_EQ(d.culled.strokes.size(), d.all.strokes.size()) << method;
+    std::set<std::uint32_t> edges;
+    for (const Stroke& s : d.culled.strokes) edges.insert(s.source);
+    EXPECT_EQ(edges.size(), 12u + 9u) << "edges of the outer cube, and those of the inner one that it does not hide itself";
+  }
+}
+
+TEST(CullDrawing, ChangesNoSceneWithGlass) {
+  const std::filesystem::path folder = std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/atherton_weiler/scenes";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    Warnings warnings;
+    const Scene scene = read_scene(entry.path(), {}, warnings);
+    for (const StandardView& view : standard_views(scene)) {
+      const Drawings d = drawings(scene, view.camera, "atherton-weiler");
+      EXPECT_EQ(differences(d), "") << entry.path().stem() << ", view " << view.name;
+    }
+  }
 }
 
 TEST(CullDrawing, ChangesNothingBehindGlass) {

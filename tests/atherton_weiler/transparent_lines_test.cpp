@@ -9,6 +9,7 @@
 #include "support/scenes.hpp"
 #include "visibility/appel/appel.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
+#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {
@@ -62,6 +63,23 @@ void expect_equal(const std::vector<double>& found, const std::vector<double>& w
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], wanted[i], kEdgeMm) << "edge " << i;
 }
 
+/// Warnock's method takes glass away before its study: [Boulle1980] 2.2.2.6.
+TEST(TransparentFaces, AreLeftOutByWarnock) {
+  const Scene scene = boxes_of_glass(3);
+  const ProjectedScene with_glass = projected(scene, along({-1, 2, -1}));
+  ProjectedScene without = with_glass;
+  std::erase_if(without.triangles, [&](const Triangle& t) { return with_glass.face_is_transparent[t.face] != 0; });
+  without.face_is_transparent.clear();
+  const auto glass = [&](std::uint32_t face) { return face == kNone || with_glass.face_is_transparent[face]; };
+  std::erase_if(without.edges, [&](const ProjectedEdge& e) { return glass(e.face0) && glass(e.face1); });
+  const VisibilityResult found = find_method("warnock")->study(with_glass, {});
+  expect_equal(lengths(*found.strokes, 0, 255), lengths(*AppelMethod().study(without, {}).strokes, 0, 255));
+  const auto faces = std::ranges::count(with_glass.face_is_transparent, std::uint8_t{1});
+  EXPECT_EQ(found.left_out, std::to_string(faces) + " transparent faces");
+  for (const Region& r : *found.regions) EXPECT_FALSE(with_glass.face_is_transparent[r.face]);
+  EXPECT_EQ(find_method("warnock")->study(without, {}).left_out, "");
+}
+
 /// In the middle of every longer stroke: as many transparent triangles are in front of it as its level says, and no opaque
 /// one.
 void expect_levels(const StrokeModel& model, const ProjectedScene& scene) {
@@ -108,6 +126,13 @@ TEST(TransparentLines, AreThoseWithoutTheGlassAndThoseInFrontOfIt) {
         expect_equal(lengths(found, 0, 0), lengths(in_front, 0, 0));
         EXPECT_GT(sum(lengths(found, 1, 1)), 300);
         EXPECT_GT(sum(lengths(found, 2, 255)), 50);
+        expect_levels(found, with_glass);
+      }
+      for (const char* method : {"newell", "bsp", "convex-tree"}) {
+        SCOPED_TRACE(method);
+        const StrokeModel found = *find_method(method)->study(with_glass, {}).strokes;
+        expect_equal(lengths(found, 0, 255), lengths(all, 0, 255));
+        expect_equal(lengths(found, 0, 0), lengths(in_front, 0, 0));
         expect_levels(found, with_glass);
       }
     }

@@ -25,7 +25,8 @@ TEST_F(DrawTest, ShadowLines) {
   EXPECT_EQ(dark.err, "ligne: --edges: there is no light that casts a shadow: give --light, or lights in the scene\n");
   const Outcome lines = run({"draw", scene, "--edges", "shadow", "--method", "appel", "-o", "x.svg"});
   EXPECT_EQ(lines.status, 2);
-  EXPECT_EQ(lines.err, "ligne: --edges: needs a method that gives regions: atherton-weiler, warnock\n");
+  EXPECT_EQ(lines.err,
+            "ligne: --edges: needs a method that gives regions: atherton-weiler, warnock, newell, bsp, convex-tree\n");
 }
 
 TEST_F(DrawTest, GlassAndLightGiveTheSameBytesForAnyNumberOfThreads) {

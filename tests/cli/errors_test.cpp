@@ -68,8 +68,9 @@ INSTANTIATE_TEST_SUITE_P(
         draw("LinesWord", {"--method", "watkins", "--lines", "many"}, "--lines: "),
         draw("LinesHuge", {"--method", "watkins", "--lines", "99999999999999999999"}, "--lines: "),
         draw("ShadeInSvg", {"--method", "watkins", "--shade"}, "--shade: gray faces are for PNG"),
-        draw("HatchWithoutSpans", {"--method", "appel", "--hatch", "shade"},
-             "--hatch: method appel gives neither regions nor spans; regions: atherton-weiler, warnock; spans: watkins"),
+        draw(
+            "HatchWithoutSpans", {"--method", "appel", "--hatch", "shade"},
+            "--hatch: method appel gives neither regions nor spans; regions: atherton-weiler, warnock, newell, bsp, convex-tree; spans: watkins"),
         draw(
             "HatchLength", {"--hatch", "1mm"},
             "--hatch: \"1mm\" is not one of none, shade, material or plain; the distance of the strokes is --hatch-spacing"),

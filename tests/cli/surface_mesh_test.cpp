@@ -202,7 +202,7 @@ TEST_F(SurfaceMeshTest, HatchedSurfaces) {
   EXPECT_EQ(
       hatched({"--method", "horizon"})
           .err.rfind(
-              "ligne: --hatch: method horizon gives neither regions nor spans; regions: atherton-weiler, warnock; spans: watkins",
+              "ligne: --hatch: method horizon gives neither regions nor spans; regions: atherton-weiler, warnock, newell, bsp, convex-tree; spans: watkins",
               0),
       0u);
   EXPECT_EQ(run({"surface", "x", "--hatch", "shade", "--as-mesh", "-o", "x.obj"}).status, 2);

@@ -5,11 +5,11 @@
 #include "view/tolerances.hpp"
 #include "visibility/atherton_weiler/border_lines.hpp"
 #include "visibility/atherton_weiler/polygon_study.hpp"
-#include "visibility/atherton_weiler/transparent_lines.hpp"
-#include "visibility/atherton_weiler/visible_faces.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/intersections.hpp"
 #include "visibility/common/line_strokes.hpp"
+#include "visibility/common/transparent_lines.hpp"
+#include "visibility/common/visible_faces.hpp"
 #include "visibility/common/visible_parts.hpp"
 
 // Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that
@@ -40,10 +40,23 @@ class LineSearch {
 
 enum class Study : std::uint8_t { faces, polygons, silhouettes };
 constexpr std::string_view kStudies[] = {"faces", "polygons", "silhouettes"};
+constexpr std::string_view kShowNames[] = {"clips"};
 constexpr MethodParameter kParameters[] = {
     {"study", "HOW",
      "every face by itself, or the classical study of polygons nearest first, convex bodies by faces or by silhouettes",
-     "faces", kStudies}};
+     "faces", kStudies},
+    {"show", "clips", "as layer debug: the polygons that the clipping leaves of the faces", "", kShowNames}};
+
+std::vector<std::vector<Point2>> contours_of(const std::vector<Region>& regions) {
+  std::vector<std::vector<Point2>> contours;
+  for (const Region& region : regions) {
+    for (const std::vector<Point2>& contour : region.contours) {
+      contours.push_back(contour);
+      contours.back().push_back(contour.front());
+    }
+  }
+  return contours;
+}
 
 void report(const StudyCounts& counts, Statistics& statistics) {
   statistics.count("facets behind covers", counts.not_listed);
@@ -146,6 +159,7 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
   statistics.count("regions", visible.regions.size());
   statistics.count("lines beside borders", studied);
   statistics.count("strokes", result.strokes->strokes.size());
+  if (options.settings.find("show")) result.debug = contours_of(visible.regions);
   if (options.wanted & kRegions) result.regions = std::move(visible.regions);
   return result;
 }

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "visibility/atherton_weiler/visible_faces.hpp"
 #include "visibility/common/open_parts.hpp"
+#include "visibility/common/visible_faces.hpp"
 
 namespace ligne::atherton_weiler {
 

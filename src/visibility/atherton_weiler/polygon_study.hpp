@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "visibility/atherton_weiler/visible_faces.hpp"
+#include "visibility/common/visible_faces.hpp"
 
 namespace ligne::atherton_weiler {
 

@@ -11,7 +11,7 @@ const MethodTraits& BspMethod::traits() const {
   static const MethodTraits traits{
       "bsp",
       "a tree of the faces, each in the plane of one, built once for any viewpoint; a walk through it gives their order",
-      kStrokes | kOrder,
+      kStrokes | kRegions | kOrder,
       true,
       true,
       "H. Fuchs, Z. Kedem, B. Naylor, On visible surface generation by a priori tree structures, 1980",

@@ -10,6 +10,7 @@
 
 #include "visibility/common/dividing_plane.hpp"
 #include "visibility/common/model_pieces.hpp"
+#include "visibility/common/partition_lines.hpp"
 #include "visibility/method.hpp"
 
 namespace ligne {
@@ -35,6 +36,9 @@ class BspTree final : public CompiledScene {
 
   const ModelPieces& pieces() const { return pieces_; }
   const Counts& counts() const { return counts_; }
+
+  /// Its planes, node by node.
+  std::vector<PartitionNode> partition() const;
 
   /// Calls visit(piece, rank) for all pieces from the front to the back. Those of one node lie in one plane and have one
   /// rank: none hides another one.

@@ -9,22 +9,27 @@
 #include "visibility/common/clock.hpp"
 #include "visibility/common/intersections.hpp"
 #include "visibility/common/line_strokes.hpp"
+#include "visibility/common/transparent_lines.hpp"
+#include "visibility/common/visible_faces.hpp"
 #include "visibility/common/visible_parts.hpp"
 
 // Phases: (1) facets, (2) the screen grid with covers, (3) intersections that are not behind covers, (4) every line through
-// the cells it crosses, nearest facets first, until nothing of it is left. See docs/methods/appel.md.
+// the cells it crosses, nearest facets first, until nothing of it is left. (5) Where an order of the faces is known,
+// regions. See docs/methods/appel.md and docs/methods/bsp.md.
 
 namespace ligne {
 namespace {
 
 /// Screen grid for a study; few candidate lines need few of its cells.
 CellGrid::Options grid_options(const ProjectedScene& scene, const Facets& facets, double coincidence_steps,
-                               bool hidden_strokes) {
+                               bool hidden_strokes, bool regions, bool see_through) {
   constexpr std::size_t kManyLines = 4;
   CellGrid::Options options;
   options.margin_steps = coincidence_steps + 1;
   options.drop_hidden = !(hidden_strokes && scene.with_intersections);
-  if (!scene.with_intersections && scene.edges.size() * kManyLines < facets.facets.size()) options.only_along = &scene.edges;
+  options.see_through = see_through;
+  if (!regions && !scene.with_intersections && scene.edges.size() * kManyLines < facets.facets.size())
+    options.only_along = &scene.edges;
   return options;
 }
 
@@ -51,7 +56,9 @@ VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& op
   statistics.time("facets", clock.lap());
 
   // 2. The screen grid.
-  const CellGrid::Options of_grid = grid_options(scene, facets, coincidence_steps, options.hidden_strokes);
+  const bool regions = ranks && (options.wanted & kRegions), see_through = ranks && !scene.face_is_transparent.empty();
+  const CellGrid::Options of_grid =
+      grid_options(scene, facets, coincidence_steps, options.hidden_strokes, regions, see_through);
   const CellGrid grid(scene, facets.facets, of_grid);
   statistics.time("grid", clock.lap());
 
@@ -65,6 +72,13 @@ VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& op
   if (ranks) known = without_thin_faces(*ranks, facets);
   TestTotals totals;
   const auto search_lines = [&]() -> LineVisibility {
+    if (see_through) {
+      const auto search = std::make_shared<TransparentLines>(scene, facets.facets, grid, coincidence_steps);
+      return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
+        parts = search->find(line);
+        return true;
+      };
+    }
     const auto search =
         std::make_shared<VisibleParts>(scene, facets.facets, grid, coincidence_steps, &totals, known ? &*known : nullptr);
     return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
@@ -77,6 +91,16 @@ VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& op
   strokes.add_intersections(intersections, search_lines);
   result.strokes = strokes.take();
   statistics.time("lines", clock.lap());
+
+  // 5. Regions.
+  if (regions) {
+    VisibleFaces visible = find_visible_faces(scene, facets.facets, grid, {}, &*known);
+    statistics.time("regions", clock.lap());
+    statistics.count("pairs of facets by the order", visible.counts.by_order);
+    statistics.count("pairs of facets by their depths", visible.counts.compared);
+    statistics.count("regions", visible.regions.size());
+    result.regions = std::move(visible.regions);
+  }
 
   statistics.count("facets", facets.facets.size());
   statistics.count("candidate edges", scene.edges.size());

@@ -8,7 +8,9 @@
 namespace ligne {
 
 /// Strokes, with their counts and times. `ranks`: the order of the faces of the scene; a line is then only compared with
-/// faces that have pieces before its own. Without it depths alone decide.
+/// faces that have pieces before its own. Without it depths alone decide, and every face is opaque. With it lines behind
+/// transparent faces have levels, and regions are given where they are wanted: every face clipped by those before it in the
+/// order.
 VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& options, const FaceRanks* ranks = nullptr);
 
 }  // namespace ligne

@@ -7,7 +7,9 @@
 
 #include "visibility/common/clock.hpp"
 #include "visibility/common/dividing_plane.hpp"
+#include "visibility/common/order_numbers.hpp"
 #include "visibility/common/paint_pieces.hpp"
+#include "visibility/common/partition_lines.hpp"
 #include "visibility/common/study_edges.hpp"
 
 namespace ligne {
@@ -15,7 +17,8 @@ namespace ligne {
 /// The parameters of methods that compile a tree.
 inline constexpr unsigned kMostCandidates = 64;
 inline constexpr std::string_view kPartitionNames[] = {"mixed", "faces"};
-inline constexpr std::string_view kTreeShowNames[] = {"splits"};
+enum class TreeShow : std::uint8_t { splits, order, tree };
+inline constexpr std::string_view kTreeShowNames[] = {"splits", "order", "tree"};
 inline constexpr MethodParameter kTreeParameters[] = {
     {"candidates",
      "K",
@@ -27,7 +30,9 @@ inline constexpr MethodParameter kTreeParameters[] = {
      true},
     {"partition", "HOW", "sets of many faces are divided by planes of no face too, or by planes of faces only", "mixed",
      kPartitionNames, 0, 0, true},
-    {"show", "splits", "the pieces of faces that were cut, as layer debug", "", kTreeShowNames},
+    {"show", "splits|order|tree",
+     "as layer debug: the pieces of faces that were cut, the order of painting as numbers, or the planes of the tree", "",
+     kTreeShowNames},
 };
 
 inline PlaneChoice plane_choice(const MethodSettings& settings) {
@@ -50,13 +55,16 @@ VisibilityResult compile_and_study(const ProjectedScene& scene, const StudyOptio
   return result;
 }
 
-/// `Tree` has pieces() and front_to_back(viewpoint, visit(piece, rank)), where pieces of one rank do not hide each other.
+/// `Tree` has pieces(), partition() and front_to_back(viewpoint, visit(piece, rank)), where pieces of one rank do not hide
+/// each other.
 template <class Tree>
 VisibilityResult study_tree(const Tree& tree, const ProjectedScene& scene, const StudyOptions& options) {
   Clock clock;
   FaceRanks ranks(scene.model->faces.size());
   std::vector<std::uint32_t> front_to_back;
-  const bool paint = options.wanted & kOrder;
+  const bool shows = options.settings.find("show").has_value();
+  const TreeShow show = options.settings.choice("show", TreeShow::splits);
+  const bool paint = (options.wanted & kOrder) || (shows && show == TreeShow::order);
   tree.front_to_back(viewpoint_of(scene.view.camera), [&](std::uint32_t piece, std::uint32_t rank) {
     ranks.add(tree.pieces().face(piece), rank);
     if (paint) front_to_back.push_back(piece);
@@ -64,13 +72,15 @@ VisibilityResult study_tree(const Tree& tree, const ProjectedScene& scene, const
   PaintOrder order;
   PaintPieces pieces(scene, tree.pieces());
   for (auto piece = front_to_back.rbegin(); piece != front_to_back.rend(); ++piece) pieces.add(*piece, order);
-  std::vector<std::vector<Point2>> cut;
-  if (options.settings.find("show")) cut = pieces.outlines_of_cut();
+  std::vector<std::vector<Point2>> shown;
+  if (shows && show == TreeShow::splits) shown = pieces.outlines_of_cut();
+  if (shows && show == TreeShow::tree) shown = partition_lines(scene, tree.partition());
   const double seconds = clock.lap();
 
   VisibilityResult result = study_edges(scene, options, &ranks);
-  if (paint) result.order = std::move(order);
-  result.debug = std::move(cut);
+  if (shows && show == TreeShow::order) result.debug_numbers = order_numbers(order);
+  if (options.wanted & kOrder) result.order = std::move(order);
+  result.debug = std::move(shown);
   auto& times = result.statistics.seconds;
   times.insert(times.begin(), {"order", seconds});
   return result;

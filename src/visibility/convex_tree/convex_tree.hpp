@@ -10,6 +10,7 @@
 
 #include "visibility/common/dividing_plane.hpp"
 #include "visibility/common/model_pieces.hpp"
+#include "visibility/common/partition_lines.hpp"
 #include "visibility/method.hpp"
 
 namespace ligne {
@@ -36,6 +37,9 @@ class ConvexTree final : public CompiledScene {
 
   const ModelPieces& pieces() const { return pieces_; }
   const Counts& counts() const { return counts_; }
+
+  /// Its separating planes, and its convex sets as nodes that divide nothing.
+  std::vector<PartitionNode> partition() const;
 
   /// Calls visit(piece, rank) for all pieces from the front to the back. Pieces of one rank do not hide each other: they
   /// belong to one convex set, and all look at the viewer, or all look away.

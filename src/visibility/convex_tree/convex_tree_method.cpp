@@ -11,7 +11,7 @@ const MethodTraits& ConvexTreeMethod::traits() const {
   static const MethodTraits traits{
       "convex-tree",
       "convex sets of triangles, one inside the other, with planes between them, compiled once for any viewpoint",
-      kStrokes | kOrder,
+      kStrokes | kRegions | kOrder,
       true,
       true,
       "S. Huet, Compilation d'objets 3D, 1994",

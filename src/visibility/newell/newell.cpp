@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "visibility/common/clock.hpp"
+#include "visibility/common/order_numbers.hpp"
 #include "visibility/common/paint_pieces.hpp"
 #include "visibility/common/study_edges.hpp"
 #include "visibility/newell/priority_list.hpp"
@@ -15,10 +16,23 @@ namespace {
 
 using namespace newell;
 
-constexpr std::string_view kShowNames[] = {"splits"};
+enum class Show : std::uint8_t { splits, order, zones, slabs };
+constexpr std::string_view kShowNames[] = {"splits", "order", "zones", "slabs"};
 constexpr MethodParameter kParameters[] = {
-    {"show", "splits", "the pieces of faces that were cut, as layer debug", "", kShowNames},
+    {"show", "splits|order|zones|slabs",
+     "as layer debug: the pieces of faces that were cut, the order of painting as numbers, or the sets that were found apart "
+     "on the page or in depth",
+     "", kShowNames},
 };
+
+/// The sets as rectangles. Slabs, which lie over each other on the page, are numbered in the order of painting.
+void show_sets(const std::vector<PriorityList::FoundSet>& sets, bool numbers, VisibilityResult& result) {
+  for (const PriorityList::FoundSet& set : sets) {
+    const Point2 a(set.extents.low[0], set.extents.low[1]), b(set.extents.high[0], set.extents.high[1]);
+    result.debug.push_back({a, {b.x, a.y}, b, {a.x, b.y}, a});
+    if (numbers) result.debug_numbers.push_back({(a + b) * 0.5, set.number});
+  }
+}
 
 void report(const ListCounts& counts, Statistics& statistics) {
   statistics.count("zones", counts.zones);
@@ -44,7 +58,7 @@ const MethodTraits& NewellMethod::traits() const {
   static const MethodTraits traits{
       "newell",
       "a list of the faces by depth, checked and mended pair by pair; faces that have no place in it are cut",
-      kStrokes | kOrder,
+      kStrokes | kRegions | kOrder,
       true,
       true,
       "M. Newell, R. Newell, T. Sancha, A solution to the hidden surface problem, 1972",
@@ -58,24 +72,32 @@ VisibilityResult NewellMethod::study(const ProjectedScene& scene, const StudyOpt
   PaintElements elements(scene);
   const double seconds_of_elements = clock.lap();
   const std::size_t faces = elements.size();
-  PriorityList list(elements);
+  const bool shows = options.settings.find("show").has_value();
+  const Show show = options.settings.choice("show", Show::splits);
+  PriorityList list(elements, shows && show >= Show::zones);
   const std::vector<std::uint32_t> farthest_first = list.sort();
   const double seconds_of_list = clock.lap();
 
   FaceRanks ranks(scene.model->faces.size());
   PaintPieces pieces(scene, elements.pieces());
   PaintOrder order;
+  std::vector<std::uint32_t> number_of_piece;
+  const bool paint = (options.wanted & kOrder) || (shows && show == Show::order);
   for (std::size_t i = 0; i < farthest_first.size(); ++i) {
     const Element& element = elements[farthest_first[i]];
     ranks.add(element.face, static_cast<std::uint32_t>(farthest_first.size() - i));
-    if (!(options.wanted & kOrder)) continue;
+    if (!paint) continue;
     for (const std::uint32_t part : element.parts) pieces.add(part, order);
+    number_of_piece.resize(order.pieces.size(), static_cast<std::uint32_t>(i + 1));
   }
   std::vector<std::vector<Point2>> cut;
-  if (options.settings.find("show")) cut = pieces.outlines_of_cut();
+  if (shows && show == Show::splits) cut = pieces.outlines_of_cut();
   VisibilityResult result = study_edges(scene, options, &ranks);
-  if (options.wanted & kOrder) result.order = std::move(order);
   result.debug = std::move(cut);
+  if (shows && show == Show::order) result.debug_numbers = order_numbers(order, number_of_piece);
+  if (shows && show == Show::zones) show_sets(list.zones(), false, result);
+  if (shows && show == Show::slabs) show_sets(list.slabs(), true, result);
+  if (options.wanted & kOrder) result.order = std::move(order);
   Statistics& statistics = result.statistics;
   statistics.seconds.insert(statistics.seconds.begin(), {{"elements", seconds_of_elements}, {"list", seconds_of_list}});
   statistics.count("faces in the list", faces);

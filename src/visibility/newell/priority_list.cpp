@@ -25,8 +25,8 @@ Extents extents_of_all(const PaintElements& elements) {
 
 }  // namespace
 
-PriorityList::PriorityList(PaintElements& elements)
-    : elements_(elements), levels_(extents_of_all(elements), elements.size()) {
+PriorityList::PriorityList(PaintElements& elements, bool keep_sets)
+    : elements_(elements), levels_(extents_of_all(elements), elements.size()), keep_sets_(keep_sets) {
   for (std::uint32_t i = 0; i < elements.size(); ++i) farthest_.push_back(elements[i].extents.high[2]);
   Set by_depth(elements.size());
   std::iota(by_depth.begin(), by_depth.end(), 0u);
@@ -72,10 +72,20 @@ bool PriorityList::decompose(const Set& set, std::vector<Set>& waiting) {
     }
     if (parts.size() == 1) continue;
     (axis == 2 ? counts_.slabs : counts_.zones) += parts.size();
+    if (keep_sets_) keep(parts, axis == 2);
     for (Set& part : parts) waiting.push_back(std::move(part));
     return true;
   }
   return false;
+}
+
+/// Parts come the nearest first, or from the left, or from the top.
+void PriorityList::keep(const std::vector<Set>& parts, bool slabs) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    FoundSet found{{}, static_cast<std::uint32_t>(slabs ? parts.size() - i : i + 1)};
+    for (const std::uint32_t e : parts[i]) found.extents.extend(elements_[e].extents);
+    (slabs ? slabs_ : zones_).push_back(found);
+  }
 }
 
 void PriorityList::sort_list(const Set& set) {

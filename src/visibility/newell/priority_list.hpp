@@ -36,15 +36,26 @@ struct ListCounts {
 /// Sorts all elements, farthest first; cuts those that have no place in an order.
 class PriorityList {
  public:
-  explicit PriorityList(PaintElements& elements);
+  /// `keep_sets`: zones() and slabs() are wanted.
+  explicit PriorityList(PaintElements& elements, bool keep_sets = false);
 
   std::vector<std::uint32_t> sort();
   const ListCounts& counts() const { return counts_; }
+
+  /// A set that was found apart from others: its extents, and its number among them, from 1; slabs are painted in this
+  /// order.
+  struct FoundSet {
+    Extents extents;
+    std::uint32_t number = 0;
+  };
+  const std::vector<FoundSet>& zones() const { return zones_; }
+  const std::vector<FoundSet>& slabs() const { return slabs_; }
 
  private:
   using Set = std::vector<std::uint32_t>;
 
   bool decompose(const Set& set, std::vector<Set>& waiting);
+  void keep(const std::vector<Set>& parts, bool slabs);
   void sort_list(const Set& set);
   void output(std::uint32_t element);
 
@@ -70,6 +81,8 @@ class PriorityList {
   std::vector<double> farthest_;  ///< depth of every element; by itself, since sorts ask for little else
   std::vector<std::pair<double, std::uint32_t>> found_;  ///< minus the farthest depth, and number, while a set is collected
   ListCounts counts_;
+  bool keep_sets_;
+  std::vector<FoundSet> zones_, slabs_;
   std::vector<std::uint32_t> order_;
 
   // The list at hand: what was moved to its head, the initial sort, and what was put in later.

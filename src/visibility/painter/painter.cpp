@@ -10,6 +10,7 @@
 #include "visibility/common/depth_buffer.hpp"
 #include "visibility/common/facet_functions.hpp"
 #include "visibility/common/line_strokes.hpp"
+#include "visibility/common/order_numbers.hpp"
 #include "visibility/painter/paint_sequence.hpp"
 
 // Phases: (1) facets and their grid, (2) the order, (3) lines: each is painted with the later of its faces, and covered by
@@ -22,9 +23,11 @@ using namespace painter;
 
 constexpr unsigned kRows = 2048;
 constexpr std::string_view kSortNames[] = {"mean", "farthest", "resolved"};
+constexpr std::string_view kShowNames[] = {"order"};
 constexpr MethodParameter kParameters[] = {
     {"depth-sort", "HOW", "by the mean or the farthest depth of each face, or that with pairs resolved where planes tell",
      "resolved", kSortNames},
+    {"show", "order", "as layer debug: the order of painting as numbers", "", kShowNames},
 };
 
 /// What painting leaves of lines.
@@ -119,6 +122,30 @@ PixelModel paint(const ProjectedScene& scene, const PaintSequence& sequence, con
   return buffer.take_pixels();
 }
 
+/// The triangles of the faces as they are painted.
+PaintOrder paint_order(const ProjectedScene& scene, const PaintSequence& sequence) {
+  std::vector<std::vector<std::uint32_t>> triangles_at(sequence.faces.size());
+  for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
+    const std::uint32_t place = sequence.place(scene.triangles[i].face);
+    if (place != PaintSequence::kNever) triangles_at[place].push_back(i);
+  }
+  PaintOrder order;
+  for (const std::vector<std::uint32_t>& triangles : triangles_at) {
+    for (const std::uint32_t i : triangles) {
+      const auto& v = scene.triangles[i].v;
+      const ProjectedVertex &a = scene.vertices[v[0]], &b = scene.vertices[v[1]], &c = scene.vertices[v[2]];
+      const double area = orientation(a.p, b.p, c.p) * scene.lattice.step_mm * scene.lattice.step_mm;
+      if (area == 0) continue;
+      const Point2 p = scene.lattice.to_mm(a.p), q = scene.lattice.to_mm(b.p), r = scene.lattice.to_mm(c.p);
+      // Cramer's rule.
+      const double zq = b.z - a.z, zr = c.z - a.z;
+      const double gx = (zq * (r.y - p.y) - zr * (q.y - p.y)) / area, gy = (zr * (q.x - p.x) - zq * (r.x - p.x)) / area;
+      order.pieces.push_back({scene.triangles[i].face, {{p, q, r}}, {gx, gy, a.z - gx * p.x - gy * p.y}});
+    }
+  }
+  return order;
+}
+
 /// A depth by which faces can be sorted needs a viewer before the scene.
 bool cut_off_in_perspective(const ProjectedScene& scene) {
   return scene.view.camera.perspective && !scene.edge_parts.empty();
@@ -140,7 +167,7 @@ const MethodTraits& PainterMethod::traits() const {
   static const MethodTraits traits{
       "painter",
       "faces painted from the farthest to the nearest, sorted by depth, without cutting any",
-      kStrokes | kPixels,
+      kStrokes | kOrder | kPixels,
       true,
       false,
       "M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem, 1972 (its simple versions)",
@@ -180,6 +207,12 @@ VisibilityResult PainterMethod::study(const ProjectedScene& scene, const StudyOp
   strokes.add_edges(painted, options.progress);
   result.strokes = strokes.take();
   statistics.time("lines", clock.lap());
+
+  const bool shows = options.settings.find("show").has_value();
+  if ((options.wanted & kOrder) || shows) {
+    result.order = paint_order(scene, sequence);
+    if (shows) result.debug_numbers = order_numbers(*result.order);
+  }
 
   // 4. Pixels.
   if (options.wanted & kPixels) {

@@ -60,6 +60,32 @@ FramePoint point_of_failure(const FaceTable& table, const Lists& lists, const Wi
   return middle_in(table.at(s.v0), table.at(s.v1), w);
 }
 
+/// Sides of the nearest intersectors that run through the window as its borders do: where they are, across and down.
+struct CutsAlongSides {
+  double u = kNowhere, v = kNowhere;
+  static constexpr double kNowhere = std::numeric_limits<double>::infinity();
+};
+
+CutsAlongSides sides_in_the_way(const FaceTable& table, const Lists& lists, const Window& w, FramePoint centre) {
+  CutsAlongSides cuts;
+  const auto take = [](double& best, double at, double middle) {
+    if (std::abs(at - middle) < std::abs(best - middle)) best = at;
+  };
+  std::size_t tried = 0;
+  for (const Element& e : lists.elements) {
+    if (e.relation != Relation::intersector) continue;
+    if (++tried > kTriedElements) break;
+    for (const Side& s : table.sides_of(table.faces[e.face])) {
+      const FramePoint p = table.at(s.v0), q = table.at(s.v1);
+      const bool meets_v = std::min(p.v, q.v) < w.v1 && w.v0 < std::max(p.v, q.v);
+      const bool meets_u = std::min(p.u, q.u) < w.u1 && w.u0 < std::max(p.u, q.u);
+      if (p.u == q.u && w.u0 < p.u && p.u < w.u1 && meets_v) take(cuts.u, p.u, centre.u);
+      if (p.v == q.v && w.v0 < p.v && p.v < w.v1 && meets_u) take(cuts.v, p.v, centre.v);
+    }
+  }
+  return cuts;
+}
+
 }  // namespace
 
 void Counts::operator+=(const Counts& o) {
@@ -92,7 +118,13 @@ Division divide(const FaceTable& table, const Lists& lists, const Window& w, con
   d.across = w.width() > least && w.width() * kSlender > w.height();
   d.down = w.height() > least && w.height() * kSlender > w.width();
   const FramePoint centre{std::floor((w.u0 + w.u1) / 2), std::floor((w.v0 + w.v1) / 2)};
-  const FramePoint p = rules.split == SplitChoice::vertex ? point_of_failure(table, lists, w, centre) : centre;
+  if (rules.split == SplitChoice::side) {
+    const CutsAlongSides cuts = sides_in_the_way(table, lists, w, centre);
+    const bool across = cuts.u != CutsAlongSides::kNowhere && w.width() > least;
+    const bool down = cuts.v != CutsAlongSides::kNowhere && w.height() > least;
+    if (across || down) return {across ? cuts.u : centre.u, down ? cuts.v : centre.v, across, down};
+  }
+  const FramePoint p = rules.split == SplitChoice::centre ? centre : point_of_failure(table, lists, w, centre);
   d.u = w.u0 < p.u && p.u < w.u1 ? p.u : centre.u;
   d.v = w.v0 < p.v && p.v < w.v1 ? p.v : centre.v;
   return d;
@@ -157,6 +189,12 @@ bool Control::few_edges(const Lists& lists, const std::vector<Piece>& pieces) co
   return m * n + (rules_.find_pairs || rules_.areas ? n * n / 2 : 0) <= kLittleWork;
 }
 
+/// What the module of understanding looks at. The precision of its tests leaves at least a third of the window.
+Window Control::inner(const Window& window) const {
+  const double most = std::floor(std::min(window.width(), window.height()) / 3);
+  return window.grown(-std::max(margin_, std::min(rules_.precision, most)));
+}
+
 void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces, int depth, int stalled, Task& task) const {
   Counts& counts = task.outcome.counts;
   ++counts.windows;
@@ -172,7 +210,7 @@ void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces
     return;
   }
   Clock clock;
-  const Situation situation(table_, lists, window.grown(-margin_), exact ? kMostOfExact : kMostElements, counts.analysis,
+  const Situation situation(table_, lists, inner(window), exact ? kMostOfExact : kMostElements, counts.analysis,
                             counts.depth);
   const Understood understood = understand(situation, rules_.knowledge);
   counts.understanding_seconds += clock.lap();

@@ -18,13 +18,14 @@
 
 namespace ligne::warnock {
 
-enum class SplitChoice : std::uint8_t { centre, vertex };
+enum class SplitChoice : std::uint8_t { centre, vertex, side };
 
 struct Rules {
   SplitChoice split = SplitChoice::centre;
   double limit = 0;  ///< frame units: a window whose sides are no longer is not divided; 0: none, windows are solved exactly
   double margin_steps = 0;  ///< what can lie on a line of the window lies within it
   double coincidence_steps = 0;
+  double precision = 0;  ///< frame units: what lies so near to the border of a window does not count when it is understood
   bool find_pairs = false;    ///< penetrating faces are looked for
   bool drop_hidden = true;    ///< what covers hide is not looked at
   bool areas = false;         ///< visible areas are wanted
@@ -70,8 +71,9 @@ struct Division {
 };
 
 /// `split` centre: the middle. vertex: of the vertices of the nearest intersectors that lie in the window the one nearest to
-/// its centre; where there is none, the middle of an intersecting side. A window is not cut across its shorter side when it
-/// is more than four times as long.
+/// its centre; where there is none, the middle of an intersecting side. side: along the sides of these intersectors that run
+/// as the borders of the window do, and of each direction the nearest to its centre; where there is none, as vertex. A
+/// window is not cut across its shorter side when it is more than four times as long.
 Division divide(const FaceTable& table, const Lists& lists, const Window& window, const Rules& rules);
 
 /// The part of a piece in each child: index 0..3 = (u >= cut) + 2 (v >= cut). Calls visit(child, piece), from the piece's
@@ -121,6 +123,7 @@ class Control {
             Task& task) const;
   void draw_at_limit(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Task& task) const;
   bool few_edges(const Lists& lists, const std::vector<Piece>& pieces) const;
+  Window inner(const Window& window) const;
 
   const FaceTable& table_;
   const std::vector<PageLine>& lines_;

@@ -11,6 +11,7 @@
 #include "visibility/common/line_strokes.hpp"
 #include "visibility/warnock/control.hpp"
 #include "visibility/warnock/initial_window.hpp"
+#include "visibility/warnock/opaque_scene.hpp"
 #include "visibility/warnock/regions.hpp"
 
 // Phases: (1) facets and faces, sorted by depth; (2) windows with the candidate edges: visible parts, penetrating pairs; (3)
@@ -23,15 +24,30 @@ namespace {
 using namespace warnock;
 
 constexpr std::string_view kWindowNames[] = {"screen", "bounding", "principal"};
-constexpr std::string_view kSplitNames[] = {"centre", "vertex"};
+constexpr std::string_view kSplitNames[] = {"centre", "vertex", "side"};
+constexpr std::string_view kKnowledgeNames[] = {"nothing", "two", "four", "all"};
 constexpr std::string_view kShowNames[] = {"windows"};
 constexpr unsigned kLowestResolution = 1, kHighestResolution = 1 << 20;
+constexpr unsigned kFinestPrecision = 1, kRoughestPrecision = 1000;
+constexpr double kPrecisionUnit = 0.01;  ///< of the smallest window
 
 constexpr MethodParameter kParameters[] = {
     {"warnock-window", "screen|bounding|principal",
      "first window: the sheet, the square round the scene, or the smallest rectangle of any direction", "bounding",
      kWindowNames},
-    {"warnock-split", "centre|vertex", "where windows are divided", "centre", kSplitNames},
+    {"warnock-split", "centre|vertex|side",
+     "where windows are divided: in the middle, at a vertex, or along sides that run as their borders do", "centre",
+     kSplitNames},
+    {"understanding", "nothing|two|four|all", "how many cases of a window are understood, and drawn without a division",
+     "all", kKnowledgeNames},
+    {"warnock-precision",
+     "N",
+     "with --resolution: what lies within N hundredths of the smallest window of a border is not looked at when a window is "
+     "understood",
+     "",
+     {},
+     kFinestPrecision,
+     kRoughestPrecision},
     {"resolution",
      "N",
      "classical limit: no window smaller than the sheet's longer side by N (default: none, exact)",
@@ -134,6 +150,9 @@ Rules rules_of(const ProjectedScene& scene, const StudyOptions& options, const I
   rules.margin_steps = rules.coincidence_steps + 1;
   rules.split = options.settings.choice("warnock-split", SplitChoice::centre);
   if (resolution) rules.limit = std::max(1.0, std::ceil(longer_side_mm(scene) / *resolution / step * first.frame.unit()));
+  const auto precision = options.settings.find("warnock-precision");
+  if (resolution && precision) rules.precision = std::floor(rules.limit * *precision * kPrecisionUnit);
+  rules.knowledge = options.settings.choice("understanding", Knowledge::all);
   rules.find_pairs = scene.with_intersections || (options.wanted & kRegions);
   rules.drop_hidden = !(options.hidden_strokes && scene.with_intersections);
   rules.show_windows = options.settings.find("show").has_value();
@@ -189,7 +208,9 @@ const MethodTraits& WarnockMethod::traits() const {
   return traits;
 }
 
-VisibilityResult WarnockMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+VisibilityResult WarnockMethod::study(const ProjectedScene& whole, const StudyOptions& options) const {
+  const std::optional<OpaqueScene> opaque = without_transparent_faces(whole);
+  const ProjectedScene& scene = opaque ? opaque->scene : whole;
   VisibilityResult result;
   Statistics& statistics = result.statistics;
   const double step = scene.lattice.step_mm;
@@ -245,6 +266,10 @@ VisibilityResult WarnockMethod::study(const ProjectedScene& scene, const StudyOp
   statistics.count("strokes", result.strokes->strokes.size());
   if (result.regions) statistics.count("regions", result.regions->size());
   report_times(of_edges.counts, statistics);
+  if (opaque) {
+    statistics.count("transparent faces, left out", opaque->faces_left_out);
+    result.left_out = std::to_string(opaque->faces_left_out) + " transparent faces";
+  }
   result.debug = page_lines(of_edges.cuts, first.frame, scene.lattice);
   return result;
 }

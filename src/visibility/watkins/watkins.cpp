@@ -22,13 +22,18 @@ namespace {
 using namespace watkins;
 
 constexpr std::string_view kExactWord[] = {"exact"};
+constexpr std::string_view kShowNames[] = {"spans"};
 constexpr unsigned kMostLines = 1u << 20;
+constexpr unsigned kShownLines = 48;    ///< adjustable: of an exact study
+constexpr double kTickOfSpacing = 0.3;  ///< adjustable: height of the ends of spans, of the distance of two lines
 
 constexpr MethodParameter kParameters[] = {
     {"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point", "stack",
      kSpanMethodNames, 0, 0},
     {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event", "exact", kExactWord, 1,
      kMostLines},
+    {"show", "spans", "as layer debug: the runs of scan lines on which one face is seen; 48 lines without --lines", "",
+     kShowNames},
 };
 
 void report(const SpanCounts& counts, Statistics& statistics) {
@@ -122,6 +127,7 @@ class WatkinsStudy {
   void study_lines();
   void make_spans();
   void make_strokes();
+  void show_spans();
   std::vector<SweepLine> all_lines() const {
     std::vector<SweepLine> all = lines_;
     all.insert(all.end(), crossed_.begin(), crossed_.end());
@@ -247,6 +253,22 @@ void WatkinsStudy::make_strokes() {
   result_.statistics.count("strokes", result_.strokes->strokes.size());
 }
 
+/// Spans as lines on the page with a tick at either end, where they are seen apart.
+void WatkinsStudy::show_spans() {
+  if (!options_.settings.find("show")) return;
+  LineStudyOptions options = by_lines_;
+  options.track = false;
+  options.collect_spans = true;
+  const unsigned count = exact_ ? kShownLines : line_count_;
+  const double spacing = scene_.view.window.height() / count;
+  const SpanLines lines{scene_.view.window.min.y + spacing / 2, spacing, count};
+  const Point2 tick{0, kTickOfSpacing * spacing};
+  for (const Span& s : study_by_lines(scene_, facets_.facets, all_lines(), grid_of_lines(scene_, count), options).spans) {
+    const Point2 from{s.x_from, lines.y_mm(s.line)}, to{s.x_to, lines.y_mm(s.line)};
+    result_.debug.push_back({from + tick, from, to, to + tick});
+  }
+}
+
 VisibilityResult WatkinsStudy::run() {
   make_lines();
   leave_out_what_is_hidden();
@@ -256,6 +278,7 @@ VisibilityResult WatkinsStudy::run() {
   make_spans();
   if (result_.spans) result_.statistics.count("spans", result_.spans->spans.size());
   make_strokes();
+  show_spans();
   return std::move(result_);
 }
 

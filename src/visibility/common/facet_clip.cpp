@@ -1,4 +1,4 @@
-#include "visibility/atherton_weiler/facet_clip.hpp"
+#include "visibility/common/facet_clip.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 // faces that meet its half, whole as they are, and parts that go on across a border are put together when the edges are
 // linked. The sides of halves are odd numbers of half steps, so that no corner lies on them and no side runs along them.
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 namespace {
 
 /// Adjustable: a window over which so many rims pass, or fewer, is not halved.
@@ -305,4 +305,4 @@ void FacetClip::borders_in(const Window& window, std::span<const Number> list, b
   }
 }
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

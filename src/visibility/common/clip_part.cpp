@@ -1,6 +1,6 @@
-#include "visibility/atherton_weiler/clip_part.hpp"
+#include "visibility/common/clip_part.hpp"
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 
 ClipPart whole_facet(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t facet) {
   const Facet& f = facets[facet];
@@ -51,4 +51,4 @@ ClipPart left_of(const ClipPart& triangle, const LatticeSegment& line) {
   return part;
 }
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

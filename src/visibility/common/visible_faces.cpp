@@ -1,4 +1,4 @@
-#include "visibility/atherton_weiler/visible_faces.hpp"
+#include "visibility/common/visible_faces.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -14,7 +14,7 @@
 // behind clips nothing, it will itself be clipped. (2) Pieces of several facets are one face: what two of them have in
 // common vanishes. (3) The borders are linked to contours.
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 namespace {
 
 /// Facets by face, in the order of the first facet of each: neighbours on the page stay neighbours.
@@ -84,11 +84,12 @@ constexpr std::size_t kFirstCheck = 4;
 /// One task's memory.
 class Worker {
  public:
-  Worker(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
+  Worker(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, const FaceRanks* ranks,
          std::vector<std::uint8_t>& touches)
       : scene_(scene),
         facets_(facets),
         grid_(grid),
+        ranks_(ranks),
         touches_(touches),
         stamp_(facets.size(), 0),
         number_(facets.size(), 0) {}
@@ -119,6 +120,7 @@ class Worker {
   const ProjectedScene& scene_;
   const std::vector<Facet>& facets_;
   const CellGrid& grid_;
+  const FaceRanks* ranks_;
   std::vector<std::uint8_t>& touches_;
   std::vector<std::uint32_t> stamp_;     ///< per facet: the facet for which it was looked at last, plus one
   std::vector<std::uint32_t> number_;    ///< per facet: what compare() said then
@@ -189,6 +191,12 @@ std::vector<ContourFace> Worker::rings(std::uint32_t a, const Near& g) const {
 std::uint32_t Worker::compare(std::uint32_t facet, std::uint32_t other, StudyCounts& counts) {
   const Facet &f = facets_[facet], &g = facets_[other];
   if (g.face == f.face || clear(g.face)) return kNothing;
+  if (ranks_ && (ranks_->all_before(f.face, g.face) || ranks_->all_before(g.face, f.face))) {
+    ++counts.by_order;
+    if (ranks_->all_before(f.face, g.face)) return kNothing;
+    if (!transparent(g.face) && covered_by(facet, other)) return kCovers;
+    return clip_.add(whole_facet(facets_, scene_.vertices, other), transparent(g.face));
+  }
   const FacetOrder order = order_of(facets_, scene_.vertices, facet, other);
   if (order.order == DepthOrder::apart) return kNothing;
   ++counts.compared;
@@ -293,7 +301,7 @@ void add_regions(const Lattice& lattice, std::uint32_t face, std::uint32_t level
 }
 
 VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
-                                const std::function<void(double)>& progress) {
+                                const std::function<void(double)>& progress, const FaceRanks* ranks) {
   constexpr std::size_t kFacesPerTask = 256;
   VisibleFaces result;
   result.facet_touches.assign(facets.size(), 0);
@@ -305,7 +313,7 @@ VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<F
   std::size_t done = 0;
   parallel_for(tasks, [&](std::size_t task) {
     std::optional<Worker>& worker = workers[thread_index()];
-    if (!worker) worker.emplace(scene, facets, grid, result.facet_touches);
+    if (!worker) worker.emplace(scene, facets, grid, ranks, result.facet_touches);
     for (std::size_t g = task * kFacesPerTask; g < std::min(n, (task + 1) * kFacesPerTask); ++g) {
       worker->study(std::span(faces.facets).subspan(faces.begin[g], faces.begin[g + 1] - faces.begin[g]), found[task]);
     }
@@ -325,4 +333,4 @@ VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<F
   return result;
 }
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

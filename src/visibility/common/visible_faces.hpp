@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "drawing/result_models.hpp"
-#include "visibility/atherton_weiler/facet_clip.hpp"
 #include "visibility/common/cell_grid.hpp"
+#include "visibility/common/face_ranks.hpp"
+#include "visibility/common/facet_clip.hpp"
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 
 /// A part of a side of a facet that borders a region of the facet's face.
 struct BorderPart {
@@ -25,6 +26,7 @@ struct StudyCounts {
   std::uint64_t ties = 0;         ///< pairs that coincide
   std::uint64_t clips = 0;        ///< clip faces laid over a subject
   std::uint64_t not_listed = 0;   ///< facets behind a cover everywhere
+  std::uint64_t by_order = 0;     ///< pairs of facets that an order of the faces decides
   void operator+=(const StudyCounts& o) {
     compared += o.compared;
     wrong_sorts += o.wrong_sorts;
@@ -32,6 +34,7 @@ struct StudyCounts {
     ties += o.ties;
     clips += o.clips;
     not_listed += o.not_listed;
+    by_order += o.by_order;
   }
 };
 
@@ -48,8 +51,9 @@ struct VisibleFaces {
 void add_regions(const Lattice& lattice, std::uint32_t face, std::uint32_t level, std::vector<ContourEdge>& edges,
                  bool several_pieces, VisibleFaces& out);
 
-/// `grid` lists the facets of the scene. `progress` may be empty.
+/// `grid` lists the facets of the scene. `progress` may be empty. `ranks`: an order of the faces, which then says for every
+/// two whose pieces all stand before each other which is in front; of other pairs, and without it, depths decide.
 VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
-                                const std::function<void(double)>& progress);
+                                const std::function<void(double)>& progress, const FaceRanks* ranks = nullptr);
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

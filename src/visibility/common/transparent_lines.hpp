@@ -6,7 +6,7 @@
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/open_parts.hpp"
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 
 /// Like VisibleParts, but a transparent face hides nothing: what is behind it is seen at a higher level. Working
 /// memory that is kept from line to line. The grid is one through which transparent faces are seen.
@@ -38,4 +38,4 @@ class TransparentLines {
   std::vector<LinePart> parts_;
 };
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "geometry/edge_overlay.hpp"
-#include "visibility/atherton_weiler/clip_part.hpp"
-#include "visibility/atherton_weiler/shared_sides.hpp"
+#include "visibility/common/clip_part.hpp"
+#include "visibility/common/shared_sides.hpp"
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 
 /// Working memory that is kept from facet to facet.
 class FacetClip {
@@ -86,4 +86,4 @@ class FacetClip {
   std::vector<std::vector<ContourEdge>>* out_ = nullptr;
 };
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

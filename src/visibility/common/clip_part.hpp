@@ -8,7 +8,7 @@
 #include "geometry/contour_face.hpp"
 #include "visibility/common/facet.hpp"
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 
 /// Numbers of source segments: side k of facet f is 3 f + k; cuts have one number in common.
 inline constexpr std::uint32_t kCutSource = 0xffffffffu;
@@ -25,4 +25,4 @@ struct ClipPart {
 ClipPart whole_facet(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t facet);
 ClipPart left_of(const ClipPart& triangle, const LatticeSegment& line);
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

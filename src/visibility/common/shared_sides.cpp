@@ -1,8 +1,8 @@
-#include "visibility/atherton_weiler/shared_sides.hpp"
+#include "visibility/common/shared_sides.hpp"
 
 #include <cstddef>
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 namespace {
 
 std::size_t hash_of(const LatticeSegment& s) {
@@ -56,4 +56,4 @@ void SharedSides::insert(std::uint32_t side) {
   slots_[i] = {round_, side};
 }
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

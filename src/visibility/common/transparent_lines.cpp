@@ -1,8 +1,8 @@
-#include "visibility/atherton_weiler/transparent_lines.hpp"
+#include "visibility/common/transparent_lines.hpp"
 
 #include <algorithm>
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 
 std::vector<LinePart>& TransparentLines::find(const PageLine& line) {
   parts_.clear();
@@ -47,4 +47,4 @@ void TransparentLines::search_leaf(const PageLine& line, const Cell& cell, const
   }
 }
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "visibility/atherton_weiler/clip_part.hpp"
+#include "visibility/common/clip_part.hpp"
 
-namespace ligne::atherton_weiler {
+namespace ligne {
 
 class SharedSides {
  public:
@@ -45,4 +45,4 @@ class SharedSides {
   std::uint32_t round_ = 0;
 };
 
-}  // namespace ligne::atherton_weiler
+}  // namespace ligne

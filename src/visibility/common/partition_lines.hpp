@@ -1,0 +1,25 @@
+#pragma once
+/// The planes of a tree over space, as lines on the page.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "view/projected_scene.hpp"
+#include "visibility/common/model_pieces.hpp"
+
+namespace ligne {
+
+/// A node of a tree, behind its parent in the list of nodes.
+struct PartitionNode {
+  ModelPlane plane;
+  bool divides = true;  ///< what is below it is divided by its plane
+  std::uint32_t parent = 0xffffffffu;
+  bool in_front = false;  ///< in front of its parent's plane
+};
+
+/// Per dividing node the part of its plane that divides: inside the box round the scene, and on its own side of the planes
+/// of the nodes above it. Closed outlines in page mm; those seen edge on are lines there and back.
+std::vector<std::vector<Point2>> partition_lines(const ProjectedScene& scene, std::span<const PartitionNode> nodes);
+
+}  // namespace ligne

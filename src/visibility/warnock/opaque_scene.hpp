@@ -1,0 +1,20 @@
+#pragma once
+/// [Boulle1980] 2.2.2.6: transparent faces are taken out of the description model before the study.
+
+#include <cstddef>
+#include <optional>
+
+#include "view/projected_scene.hpp"
+
+namespace ligne::warnock {
+
+struct OpaqueScene {
+  ProjectedScene scene;
+  std::size_t faces_left_out = 0;
+};
+
+/// The scene without its transparent faces, and without the edges that only such faces have; an edge that an opaque face has
+/// too keeps its class. Nothing when all faces in view are opaque.
+std::optional<OpaqueScene> without_transparent_faces(const ProjectedScene& scene);
+
+}  // namespace ligne::warnock

@@ -1,0 +1,126 @@
+// What --show draws of a method: numbers of an order, planes of a tree, zones and slabs, spans, clipped polygons.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "study/generators.hpp"
+#include "support/scenes.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne::test {
+namespace {
+
+using studies::add_plate;
+
+/// The viewer looks along +y: what has the larger y is farther.
+VisibilityResult shown(const Scene& scene, const char* method, std::string_view what) {
+  const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
+  StudyOptions options;
+  const auto parameters = find_method(method)->traits().parameters;
+  const auto show = std::ranges::find(parameters, "show", &MethodParameter::name);
+  const auto word = std::ranges::find(show->words, what);
+  options.settings.set("show", static_cast<unsigned>(word - show->words.begin()));
+  return find_method(method)->study(picture.projected, options);
+}
+
+bool covers(const PaintPiece& piece, Point2 p) {
+  bool in = false;
+  const auto& c = piece.contours[0];
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Point2 a = c[i], b = c[(i + 1) % c.size()];
+    if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) in = !in;
+  }
+  return in;
+}
+
+Scene three_plates() {
+  Scene scene;
+  add_plate(scene, 0, 6, 0, 6, 5, 5);
+  add_plate(scene, 3, 9, 3, 9, 2, 2);
+  add_plate(scene, 5, 7, 5, 7, 0, 0);
+  return scene;
+}
+
+TEST(Show, NumbersStandOnWhatIsSeenOfTheFacesInTheOrderOfPainting) {
+  const Scene scene = three_plates();
+  for (const char* method : {"newell", "bsp", "convex-tree", "painter"}) {
+    const VisibilityResult result = shown(scene, method, "order");
+    ASSERT_EQ(result.debug_numbers.size(), 3u) << method;
+    for (const PageNumber& n : result.debug_numbers) {
+      std::uint32_t last = kNone;
+      for (const PaintPiece& piece : result.order->pieces) {
+        if (covers(piece, n.middle)) last = piece.face;
+      }
+      EXPECT_EQ(last + 1, n.number) << "the faces are numbered from the farthest on; " << method;
+    }
+  }
+}
+
+TEST(Show, AHiddenFaceHasNoNumber) {
+  Scene scene;
+  add_plate(scene, 0, 6, 0, 6, 5, 5);
+  add_plate(scene, -1, 9, -1, 9, 2, 2);
+  const VisibilityResult result = shown(scene, "newell", "order");
+  ASSERT_EQ(result.debug_numbers.size(), 1u);
+  EXPECT_EQ(result.debug_numbers[0].number, 2u);
+}
+
+TEST(Show, PlanesOfATreeAreClosedLines) {
+  const VisibilityResult result = shown(studies::ring(5), "bsp", "tree");
+  EXPECT_GE(result.debug.size(), 5u);
+  for (const auto& line : result.debug) EXPECT_EQ(line.front(), line.back());
+  Scene cube;
+  add_box(cube, {0, 0, 0}, {2, 2, 2});
+  EXPECT_TRUE(shown(cube, "convex-tree", "tree").debug.empty()) << "a convex body needs no plane";
+}
+
+TEST(Show, SlabsAreNumberedFromTheFarthest) {
+  const VisibilityResult result = shown(three_plates(), "newell", "slabs");
+  ASSERT_EQ(result.debug.size(), 3u);
+  ASSERT_EQ(result.debug_numbers.size(), 3u);
+  const auto width = [&](std::size_t i) { return result.debug[i][1].x - result.debug[i][0].x; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (result.debug_numbers[i].number != 3) continue;
+    EXPECT_NEAR(width(i) * 3, width((i + 1) % 3), 1e-6) << "the smallest is nearest";
+  }
+  EXPECT_TRUE(shown(three_plates(), "newell", "zones").debug.empty());
+}
+
+TEST(Show, ZonesAreSetsBesideEachOther) {
+  Scene scene;
+  add_plate(scene, 0, 4, 0, 4, 5, 1);
+  add_plate(scene, 1, 3, 1, 3, 4, 2);
+  add_plate(scene, 6, 9, 0, 4, 5, 1);
+  const VisibilityResult result = shown(scene, "newell", "zones");
+  ASSERT_EQ(result.debug.size(), 2u);
+  EXPECT_LE(result.debug[0][1].x, result.debug[1][0].x);
+}
+
+TEST(Show, SpansEndWhereAnotherFaceIsSeen) {
+  Scene scene;
+  add_plate(scene, 0, 90, 0, 90, 5, 5);
+  add_plate(scene, 30, 60, 30, 60, 2, 2);
+  const VisibilityResult result = shown(scene, "watkins", "spans");
+  std::map<double, int> on_line;
+  for (const auto& span : result.debug) {
+    ASSERT_EQ(span.size(), 4u);
+    EXPECT_EQ(span[1].y, span[2].y);
+    ++on_line[span[1].y];
+  }
+  EXPECT_EQ(on_line.begin()->second, 1) << "above the nearer plate";
+  int most = 0;
+  for (const auto& [y, count] : on_line) most = std::max(most, count);
+  EXPECT_EQ(most, 3);
+}
+
+TEST(Show, ClipsAreTheContoursOfWhatIsLeft) {
+  Scene scene;
+  add_plate(scene, 0, 9, 0, 9, 5, 5);
+  add_plate(scene, 3, 6, 3, 6, 2, 2);
+  EXPECT_EQ(shown(scene, "atherton-weiler", "clips").debug.size(), 3u) << "a plate with a hole, and the other plate";
+}
+
+}  // namespace
+}  // namespace ligne::test

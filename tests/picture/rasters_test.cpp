@@ -1,0 +1,144 @@
+// The SVG in layers, that of Cairo's own surface, and the PDF are one picture: each is made into pixels by a reader that
+// knows nothing of us, librsvg and Poppler.
+
+#include <cairo.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace ligne::test {
+namespace {
+
+const std::filesystem::path kSource = LIGNE_SOURCE_DIR;
+
+struct Raster {
+  int width = 0, height = 0;
+  std::vector<std::array<int, 3>> pixels;
+  const std::array<int, 3>& at(int x, int y) const {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  }
+};
+
+class Rasters : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / ("ligne-rasters-" + std::to_string(getpid()));
+    std::filesystem::create_directory(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string written(std::vector<std::string> arguments, const std::string& name) const {
+    const std::string file = (folder_ / name).string();
+    arguments.insert(arguments.end(), {"-q", "-o", file});
+    const Outcome outcome = run_ligne(kSource, arguments);
+    if (outcome.status != 0) throw std::runtime_error(outcome.err);
+    return file;
+  }
+
+  Raster raster(const std::string& file) const {
+    const std::string png = file + ".png";
+    const bool pdf = std::filesystem::path(file).extension() == ".pdf";
+    const std::string command = pdf ? std::string(PDFTOPPM) + " -r 150 -png -singlefile " + file + " " + file
+                                    : std::string(RSVG_CONVERT) + " -d 150 -p 150 -b white -o " + png + " " + file;
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+    cairo_surface_t* const surface = cairo_image_surface_create_from_png(png.c_str());
+    if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) throw std::runtime_error("no picture: " + png);
+    Raster result{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
+    const unsigned char* const data = cairo_image_surface_get_data(surface);
+    for (int y = 0; y < result.height; ++y) {
+      for (int x = 0; x < result.width; ++x) {
+        const unsigned char* const p = data + y * cairo_image_surface_get_stride(surface) + 4 * x;
+        result.pixels.push_back({p[2], p[1], p[0]});
+      }
+    }
+    cairo_surface_destroy(surface);
+    return result;
+  }
+
+  std::filesystem::path folder_;
+};
+
+/// Pixels of the first whose colour does not lie between those that the second has in the place and beside it: readers
+/// smooth edges in their own ways, and round the page to pixels.
+std::size_t missing(const Raster& a, const Raster& b) {
+  constexpr int kSmoothing = 40;
+  std::size_t count = 0;
+  for (int y = 1; y + 1 < std::min(a.height, b.height); ++y) {
+    for (int x = 1; x + 1 < std::min(a.width, b.width); ++x) {
+      std::array<int, 3> low = b.at(x, y), high = low;
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          for (std::size_t c = 0; c < 3; ++c) {
+            low[c] = std::min(low[c], b.at(x + dx, y + dy)[c]);
+            high[c] = std::max(high[c], b.at(x + dx, y + dy)[c]);
+          }
+        }
+      }
+      bool between = true;
+      for (std::size_t c = 0; c < 3; ++c) {
+        between = between && low[c] - kSmoothing <= a.at(x, y)[c] && a.at(x, y)[c] <= high[c] + kSmoothing;
+      }
+      count += !between;
+    }
+  }
+  return count;
+}
+
+std::size_t dark(const Raster& a) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(a.pixels, [](const std::array<int, 3>& p) { return p[0] + p[1] + p[2] < 3 * 128; }));
+}
+
+TEST_F(Rasters, BothSvgsAndThePdfAreOnePicture) {
+  const std::vector<std::vector<std::string>> drawings{
+      {"draw", "tests/corpus/house.json", "--hidden", "dashed", "--title", "a house"},
+      {"draw", "tests/corpus/holes_behind_holes.json", "--fill", "shade"},
+      {"draw", "tests/atherton_weiler/scenes/transparent_three.json", "--view", "front", "--fill", "material"},
+      {"draw", "examples/models/gear-pair.json", "--fill", "material", "--method", "bsp"},
+      {"surface", "sin(x)*cos(y)", "-x", "-3:3", "-y", "-3:3", "--axes"}};
+  for (const std::vector<std::string>& drawing : drawings) {
+    SCOPED_TRACE(drawing[1]);
+    std::vector<std::string> by_cairo = drawing;
+    by_cairo.insert(by_cairo.end(), {"--svg", "cairo"});
+    const Raster layers = raster(written(drawing, "layers.svg")), cairo = raster(written(by_cairo, "cairo.svg")),
+                 pdf = raster(written(drawing, "page.pdf"));
+    EXPECT_GT(dark(layers), 1000u);
+    EXPECT_LE(std::abs(layers.width - cairo.width), 1);
+    EXPECT_LE(std::abs(layers.width - pdf.width), 1);
+    EXPECT_LE(std::abs(layers.height - cairo.height), 1);
+    EXPECT_LE(std::abs(layers.height - pdf.height), 1);
+    // Readers set texts, and Poppler draws thin lines, each in its own way: a few pixels of them.
+    const std::size_t few = dark(layers) / 100;
+    EXPECT_LE(missing(layers, cairo), few);
+    EXPECT_LE(missing(cairo, layers), few);
+    EXPECT_LE(missing(pdf, cairo), few);
+    EXPECT_LE(missing(cairo, pdf), few);
+  }
+}
+
+TEST_F(Rasters, CairosSvgHasTheSizeOfThePageAndTheSameBytesAgain) {
+  const std::vector<std::string> drawing{"draw", "tests/corpus/house.json", "--svg", "cairo", "--page", "100x80mm"};
+  const auto text = [](const std::string& file) {
+    std::ostringstream bytes;
+    bytes << std::ifstream(file).rdbuf();
+    return bytes.str();
+  };
+  const std::string first = text(written(drawing, "first.svg")), second = text(written(drawing, "second.svg"));
+  EXPECT_EQ(first, second);
+  EXPECT_NE(first.find("width=\"100mm\" height=\"80mm\" viewBox=\"0 0 100000 80000\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ligne::test
