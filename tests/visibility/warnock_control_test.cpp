@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -73,6 +74,26 @@ TEST(WarnockControl, DivisionAtAVertexThatStandsInTheWay) {
   EXPECT_NEAR(e.v, 22, 1) << "the middle of the side in the window";
 }
 
+TEST(WarnockControl, DivisionAlongASideThatRunsAsTheBordersDo) {
+  Stage stage;
+  stage.add({{-900, 30, 1}, {40, 20, 1}, {40, 900, 1}, {-900, 900, 1}});
+  const FaceTable& table = stage.table();
+  Rules rules;
+  rules.split = SplitChoice::side;
+  AnalysisCounts counts;
+  const Analysis analysis(table, 1, true);
+  const auto division = [&](const Window& w) { return divide(table, analysis.begin(w, counts), w, rules); };
+  const Division across = division({-100, 100, 100, 300});
+  EXPECT_TRUE(across.across && !across.down) << "the upright side alone meets the window";
+  EXPECT_EQ(across.u, 40);
+  const Division corner = division({-100, 1000, 800, 1000});
+  EXPECT_TRUE(corner.across && corner.down);
+  EXPECT_EQ(corner.u, 40);
+  EXPECT_EQ(corner.v, 900);
+  const Division vertex = division({-300, 30, -200, 100});
+  EXPECT_TRUE(vertex.across && vertex.down) << "only the slanted side meets the window: its middle";
+}
+
 TEST(WarnockControl, PrincipalDirectionIsThatOfTheSmallestRectangle) {
   ProjectedScene scene;
   for (const auto& [x, y] : {std::pair{0, 0}, {400, 300}, {250, 500}, {-150, 200}, {100, 200}})
@@ -128,6 +149,29 @@ TEST(WarnockFindings, FewerWindowsFromTheScreenToTheBoundingSquareToThePrincipal
   EXPECT_EQ(windows_of_square(4, 2, kPrincipal, 0, 1024), 1u);
   // Divisions at vertices: no better.
   EXPECT_EQ(windows_of_square(0, 0, kScreen, 1, 1024), 67u);
+}
+
+/// Divided at vertices the bounding square takes fewer windows where the triangle stands well, and more where it does not.
+TEST(WarnockFindings, VerticesMaySaveWindowsOfTheBoundingSquare) {
+  EXPECT_EQ(windows_of_square(0, 0, 1, 1, 1024), 13u);
+  EXPECT_EQ(windows_of_square(4, 2, 1, 1, 1024), 117u);
+}
+
+TEST(WarnockFindings, KnowledgeAndRoughTestsSaveWindows) {
+  const ProjectedScene projected = studies::on_square_sheet(studies::square_before_triangle(4, 2));
+  const auto windows = [&](const char* option, unsigned value) {
+    StudyOptions options;
+    options.wanted = kStrokes;
+    options.settings.set("resolution", 1024);
+    if (value > 0) options.settings.set(option, option == std::string_view("understanding") ? value - 1 : value);
+    const VisibilityResult result = find_method("warnock")->study(projected, options);
+    EXPECT_EQ(result.strokes->strokes.size(), 4u);
+    return std::ranges::find(result.statistics.counts, "windows studied", [](const auto& c) { return c.first; })->second;
+  };
+  EXPECT_GT(windows("understanding", 1), windows("understanding", 2));
+  EXPECT_GE(windows("understanding", 2), windows("understanding", 3));
+  EXPECT_EQ(windows("understanding", 4), windows("understanding", 0)) << "all, which is the default";
+  EXPECT_LE(windows("warnock-precision", 100), windows("warnock-precision", 1));
 }
 
 TEST(WarnockFindings, FewEdgesAreSolvedInOneWindow) {
