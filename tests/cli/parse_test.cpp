@@ -73,7 +73,7 @@ TEST(ParseEdges, ListsAndGroups) {
   EXPECT_EQ(
       complaint([] { parse_edges("outline,edges"); }),
       "\"edges\" is not one of outline, border, intersection, crease, mesh, profile, shadow, suggestive, ridge, valley, "
-      "feature or all");
+      "detail, feature or all");
   EXPECT_NE(complaint([] { parse_edges(""); }), "");
   EXPECT_NE(complaint([] { parse_edges("outline,"); }), "");
 }
