@@ -22,6 +22,7 @@ class UnitMaker {
 
   std::vector<ContourFace> outline(const std::vector<std::uint32_t>& facets) const {
     std::vector<ContourFace> faces;
+    faces.reserve(facets.size());
     for (const std::uint32_t f : facets) faces.push_back(whole_facet(facets_, scene_.vertices, f).face());
     return united(faces);
   }
