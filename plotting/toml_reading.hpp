@@ -59,7 +59,7 @@ class TomlTable {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
     const auto value = node->value_exact<bool>();
-    if (!value) fail(std::string(key) + " is neither true nor false", node);
+    if (!value) fail(std::string(key).append(" is neither true nor false"), node);
     return value;
   }
   /// Exactly `n` numbers.

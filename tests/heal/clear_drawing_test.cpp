@@ -13,6 +13,7 @@
 
 #include "picture/models.hpp"
 #include "picture/scene_study.hpp"
+#include "scene/readers/reader.hpp"
 
 namespace ligne {
 namespace {
