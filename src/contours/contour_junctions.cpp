@@ -80,8 +80,9 @@ std::optional<double> nearest_crossing(const Change& change, const ContourCurve&
   for (std::size_t i = 1; i < points.size(); ++i) {
     const CurvePoint &a = points[i - 1], &b = points[i];
     finder.near(a.mm, b.mm, [&](const PageSegment& s) {
-      if (s.chain == change.contour && s.length_to > change.length - 2 * change.reach &&
-          s.length_from < change.length + 2 * change.reach) {
+      // The curve lies on itself where it is searched, and does not hide itself there.
+      if (s.chain == change.contour && s.length_to > change.from - change.reach &&
+          s.length_from < change.to + change.reach) {
         return;
       }
       double fraction = 0, depth = 0;

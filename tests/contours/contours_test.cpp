@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "contours/contour_junctions.hpp"
 #include "contours/parametric_mesh.hpp"
 #include "geometry/parallel.hpp"
 
@@ -230,6 +231,25 @@ TEST(SmoothContours, LinesBehindThemEndThereAtAnyAngle) {
     deepest = std::max(deepest, kRadius * drawn.view.scale - glm::length(p - centre));
   }
   EXPECT_LT(deepest, 0.05) << "mm on the page";
+}
+
+/// A bent curve that is seen up to its middle, where nothing crosses it: the end stays, since a curve does not hide itself
+/// where it lies on itself.
+TEST(SmoothContours, ACurveDoesNotShortenItself) {
+  SeenContour contour;
+  for (int i = 0; i <= 60; ++i) {
+    CurvePoint point;
+    point.at = i;
+    point.mm = {i, 0.005 * i * i};
+    if (i > 0) point.length = contour.curve.points.back().length + glm::length(point.mm - contour.curve.points.back().mm);
+    contour.curve.points.push_back(point);
+  }
+  contour.runs = {{0, 30, 0}, {30, 60, kHiddenState}};
+  contour.sides.assign(60, 1);
+  std::vector<SeenContour> contours{contour};
+  move_ends_of_contours(contours, {}, 1);
+  EXPECT_EQ(contours[0].runs[0].to, 30);
+  EXPECT_EQ(contours[0].runs[1].from, 30);
 }
 
 TEST(SmoothContours, DoNotDependOnTheNumberOfThreads) {
