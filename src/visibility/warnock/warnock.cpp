@@ -185,6 +185,7 @@ std::vector<std::vector<Point2>> page_lines(const std::vector<WindowCut>& cuts, 
                                             const Lattice& lattice) {
   std::vector<std::vector<Point2>> lines;
   const auto point = [&](FramePoint p) { return lattice.origin_mm + frame.to_page(p.u, p.v) * lattice.step_mm; };
+  lines.reserve(cuts.size());
   for (const WindowCut& c : cuts) lines.push_back({point(c.from), point(c.to)});
   return lines;
 }
