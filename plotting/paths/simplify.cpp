@@ -5,20 +5,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "plotting/paths/segment_distance.hpp"
+
 namespace ligne {
 namespace {
 
 /// Adjustable: a longer line is worked on in pieces of so many points, since the time for a piece can grow with the square
 /// of its points.
 constexpr std::uint32_t kPiecePoints = 2048;
-
-double squared_distance(Point2 p, Point2 a, Point2 b) {
-  const Point2 along = b - a;
-  const double length = glm::dot(along, along);
-  const double t = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0.0;
-  const Point2 away = p - (a + along * t);
-  return glm::dot(away, away);
-}
 
 /// The point between the two that is farthest from their segment, with its squared distance.
 std::pair<std::uint32_t, double> farthest(std::span<const Point2> line, std::uint32_t from, std::uint32_t to) {

@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "plotting/paths/segment_distance.hpp"
+
 namespace ligne {
 namespace {
 
@@ -24,14 +26,6 @@ bool is_small(Line line, double tolerance) {
   double length = 0;
   for (std::size_t k = 1; k < line.size(); ++k) length += glm::distance(line[k - 1], line[k]);
   return length <= kSmallLength * tolerance && length <= static_cast<double>(line.size() - 1) * kShortSegment * tolerance;
-}
-
-double squared_distance(Point2 p, Point2 a, Point2 b) {
-  const Point2 along = b - a;
-  const double length = glm::dot(along, along);
-  const double t = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0.0;
-  const Point2 away = p - (a + along * t);
-  return glm::dot(away, away);
 }
 
 bool lies_on(Point2 p, Line line, double reach) {
