@@ -24,10 +24,10 @@ namespace ligne {
 namespace {
 
 /// Units to a millimetre: a power of ten, since people read the file. 1/256 of the finest is 4 nm.
-constexpr double kFinestUnits = 1000;
+constexpr double kMostUnitsPerMm = 1000;
 
 double units_per_mm(double largest_mm) {
-  double units = kFinestUnits;
+  double units = kMostUnitsPerMm;
   while (largest_mm * units > kCairoLimit - 1) units /= 10;
   return units;
 }

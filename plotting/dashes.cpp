@@ -7,22 +7,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "plotting/paths/path_length.hpp"
+
 namespace ligne {
 namespace {
 
 /// A pattern shorter than this can not be seen, and would make strokes without end: the line stays whole.
 constexpr double kShortestPatternMm = 1e-3;
-
-double length(std::span<const Point2> line) {
-  double sum = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) sum += glm::distance(line[i - 1], line[i]);
-  return sum;
-}
-
-void add(Polylines& out, std::span<const Point2> line) {
-  out.points.insert(out.points.end(), line.begin(), line.end());
-  out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
-}
 
 /// Walks a line and takes the parts that are marks of the pattern: marks and gaps in turn, from `offset` on.
 void cut_line(Polylines& out, std::span<const Point2> line, std::span<const double> pattern, double offset) {
@@ -94,10 +85,10 @@ Polylines cut_dashes(const Polylines& lines, std::span<const double> dashes_mm, 
     const auto line = lines[i];
     if (line.empty()) continue;
     // As many whole patterns, and one dash more, as come nearest to the length of the line.
-    const double wanted = length(line);
+    const double wanted = path_length(line);
     const double patterns = std::round((wanted - drawn[0]) / period);
     if (patterns < 1) {
-      add(out, line);
+      out.add(line);
       continue;
     }
     const double stretch = wanted / (patterns * period + drawn[0]);

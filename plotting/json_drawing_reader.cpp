@@ -12,8 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kLargestPageMm = 100000;
-
 /// Strokes by layer; they are taken out of the JSON tree as they come, so that a large drawing does not stand in memory
 /// twice.
 class DrawingReader {

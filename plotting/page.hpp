@@ -14,6 +14,8 @@
 namespace ligne {
 
 inline constexpr double kMmPerInch = 25.4;
+/// Wider or higher pages are refused: 100 m.
+inline constexpr double kLargestPageMm = 100000;
 
 struct Page {
   double width_mm = 210;

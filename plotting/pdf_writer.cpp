@@ -22,13 +22,13 @@ constexpr double kPointsPerMm = 72 / kMmPerInch;
 
 /// Units to a point: a power of ten, since Cairo writes matrices as decimal numbers. Cairo 1.16 aborts on recording surfaces
 /// that are painted smaller than about 1:500, so no finer than this.
-constexpr double kFinestUnits = 100;
+constexpr double kMostUnitsPerPoint = 100;
 
 /// Coordinates are rounded to this part of a unit: 0.44 micrometres. Cairo's own 256ths would only make longer numbers.
 constexpr double kPartsOfUnit = 8;
 
 double units_per_point(double largest_mm) {
-  double units = kFinestUnits;
+  double units = kMostUnitsPerPoint;
   while (largest_mm * kPointsPerMm * units > kCairoLimit - 1) units /= 10;
   return units;
 }

@@ -8,14 +8,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "plotting/paths/path_length.hpp"
+
 namespace ligne {
 namespace {
-
-double length(std::span<const Point2> line) {
-  double sum = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) sum += glm::distance(line[i - 1], line[i]);
-  return sum;
-}
 
 /// Puts strokes of one plot together to another.
 class PlotBuilder {
@@ -72,7 +68,7 @@ class Clock {
     }
     const double up = glm::distance(at_, line.front());
     at_ = line.back();
-    return more + pace_.seconds({1, length(line), up});
+    return more + pace_.seconds({1, path_length(line), up});
   }
 
  private:
@@ -150,7 +146,7 @@ std::vector<Plot> split_plot(const Plot& plot, const PlotSplit& split, const Dev
   for_each_stroke(plot, [&](std::size_t p, std::size_t i, std::span<const Point2> line) {
     if (plot.pens[p].pen.skip) return part.add(p, i, line);
     const double more = split.by == SplitBy::lifts      ? 1
-                        : split.by == SplitBy::distance ? length(line)
+                        : split.by == SplitBy::distance ? path_length(line)
                                                         : clock->seconds(p, line);
     if (taken > 0 && taken + more > split.most) {
       parts.push_back(part.take());

@@ -11,7 +11,7 @@ namespace ligne {
 namespace {
 
 /// Strokes of the preview come in so many colours.
-constexpr std::size_t kColors = 24;
+constexpr std::size_t kOrderColors = 24;
 constexpr double kTravelWidthMm = 0.12;
 
 /// From blue over green and yellow to red: t from 0 to 1.
@@ -24,11 +24,6 @@ std::array<double, 3> order_color(double t) {
   for (std::size_t c = 0; c < 3; ++c)
     color[c] = stops[i][c] + (at - static_cast<double>(i)) * (stops[i + 1][c] - stops[i][c]);
   return color;
-}
-
-void add(Polylines& to, std::span<const Point2> line) {
-  to.points.insert(to.points.end(), line.begin(), line.end());
-  to.begin.push_back(static_cast<std::uint32_t>(to.points.size()));
 }
 
 }  // namespace
@@ -79,13 +74,13 @@ std::string write_preview(const Plot& plot, Point2 home, bool returns) {
     for (std::size_t i = 0; i < pen.lines.size(); ++i, ++number) {
       const auto line = pen.lines[i];
       if (line.empty()) continue;
-      add(drawing.layers[0].lines, std::array{at, line.front()});
+      drawing.layers[0].lines.add(std::array{at, line.front()});
       at = line.back();
-      const std::string name = "order-" + std::to_string(number * kColors / count + 1);
+      const std::string name = "order-" + std::to_string(number * kOrderColors / count + 1);
       if (drawing.layers.back().name != name) drawing.layers.push_back({name, {}});
-      add(drawing.layers.back().lines, line);
+      drawing.layers.back().lines.add(line);
     }
-    if (returns) add(drawing.layers[0].lines, std::array{at, home});
+    if (returns) drawing.layers[0].lines.add(std::array{at, home});
   }
   PlotOptions options;
   options.page = plot.page;
@@ -93,7 +88,7 @@ std::string write_preview(const Plot& plot, Point2 home, bool returns) {
     LineStyle style{kTravelWidthMm, {0.6, 0.6, 0.6}, {}};
     if (layer == "pen-up") return style;
     style.width_mm = width;
-    style.color = order_color((std::stod(layer.substr(6)) - 1) / (kColors - 1));
+    style.color = order_color((std::stod(layer.substr(6)) - 1) / (kOrderColors - 1));
     return style;
   };
   return write_svg(drawing, options);

@@ -17,7 +17,7 @@ namespace {
 constexpr int kDeepest = 200;
 /// Elements that are shown by links, in all.
 constexpr std::size_t kMostLinked = 1'000'000;
-constexpr double kLargestPageMm = 100000, kAssumedPx = 1000;
+constexpr double kAssumedPx = 1000;
 
 }  // namespace
 

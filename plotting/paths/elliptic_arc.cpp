@@ -13,8 +13,6 @@
 namespace ligne {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Newton's method for the two fits comes from a side where it is monotone; it stops where rounding stops it.
 constexpr int kMostSteps = 100;
 
@@ -198,15 +196,15 @@ EllipticArc arc_between(Point2 from, Point2 to, const Ellipse& size, bool positi
   const Point2 bisector = positive ? Point2{-half.y, half.x} : Point2{half.y, -half.x};
   ellipse.centre += turned(bisector * away * ellipse.radii, ellipse.rotation);
   arc.from = angle_of(ellipse, from);
-  arc.sweep = std::remainder(angle_of(ellipse, to) - arc.from, 2 * kPi);
-  if (positive ? arc.sweep < 0 : arc.sweep > 0) arc.sweep += positive ? 2 * kPi : -2 * kPi;
+  arc.sweep = std::remainder(angle_of(ellipse, to) - arc.from, 2 * std::numbers::pi);
+  if (positive ? arc.sweep < 0 : arc.sweep > 0) arc.sweep += positive ? 2 * std::numbers::pi : -2 * std::numbers::pi;
   return arc;
 }
 
 std::vector<Point2> bezier_points(const EllipticArc& arc, double tolerance) {
   // A quarter of a unit circle is off by 2.7e-4, and the error goes with the sixth power of the angle.
   constexpr double kQuarterError = 2.8e-4;
-  const double quarters = std::abs(arc.sweep) / (kPi / 2);
+  const double quarters = std::abs(arc.sweep) / (std::numbers::pi / 2);
   const double wanted = quarters * std::pow(kQuarterError * arc.ellipse.radii.x / tolerance, 1.0 / 6);
   const int count = std::max({1, static_cast<int>(std::ceil(wanted)), static_cast<int>(std::ceil(quarters))});
   const double step = arc.sweep / count, handle = 4.0 / 3 * std::tan(step / 4);

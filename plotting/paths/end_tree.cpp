@@ -11,12 +11,12 @@ namespace {
 // Adjustable: points in a leaf.
 constexpr std::uint32_t kLeafPoints = 8;
 
-double squared_distance(Point2 a, Point2 b) {
+double squared_distance_of_points(Point2 a, Point2 b) {
   const Point2 d = a - b;
   return d.x * d.x + d.y * d.y;
 }
 
-inline double squared_distance(const Rect& box, Point2 p) {
+inline double squared_distance_of_box(const Rect& box, Point2 p) {
   const double x = std::max({box.min.x - p.x, 0.0, p.x - box.max.x});
   const double y = std::max({box.min.y - p.y, 0.0, p.y - box.max.y});
   return x * x + y * y;
@@ -76,12 +76,13 @@ void EndTree::search(std::uint32_t index, Point2 p, const double& limit, const T
   if (node.left_over == 0) return;
   if (node.left == 0) {
     for (std::uint32_t i = node.first; i < node.last; ++i) {
-      if (there_[i]) take(squared_distance(points_[i], p), order_[i]);
+      if (there_[i]) take(squared_distance_of_points(points_[i], p), order_[i]);
     }
     return;
   }
   std::uint32_t near = node.left, far = node.right;
-  double near_distance = squared_distance(nodes_[near].box, p), far_distance = squared_distance(nodes_[far].box, p);
+  double near_distance = squared_distance_of_box(nodes_[near].box, p),
+         far_distance = squared_distance_of_box(nodes_[far].box, p);
   if (far_distance < near_distance) {
     std::swap(near, far);
     std::swap(near_distance, far_distance);

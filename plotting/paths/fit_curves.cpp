@@ -26,8 +26,6 @@
 namespace ligne {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// What rounding moves a point by: coordinates of single precision and of six digits on a page, and the tenth of a
 /// micrometre that files keep. What lies so near to a chord is no corner.
 constexpr double kRoundingMm = 0.0005;
@@ -43,11 +41,11 @@ constexpr double kUneven = 1.25;
 
 /// The largest step from corner to corner, in eccentric angle: twelve to the turn are a circle, ten are a polygon. Between
 /// the two, since perspective makes steps uneven.
-constexpr double kMostStep = 2 * kPi / 11;
+constexpr double kMostStep = 2 * std::numbers::pi / 11;
 
 /// Most that a chord may deviate from the tangent in the middle of its arc. On an ellipse they are parallel; points within
 /// the tolerance alone would let the curve have bumps.
-constexpr double kMostTurn = 3 * kPi / 180;
+constexpr double kMostTurn = 3 * std::numbers::pi / 180;
 
 /// The shorter radius in tolerances: what is more slender is a line there and back.
 constexpr double kLeastRadius = 4;
@@ -57,14 +55,14 @@ constexpr double kLargestRadiusMm = 100'000;
 
 /// Arcs are written in parts of about so much, three to a turn. The centre follows from the two ends, and near half a turn
 /// any rounding of the radii would move it far.
-constexpr double kPartSweep = 2 * kPi / 3 + 0.01;
+constexpr double kPartSweep = 2 * std::numbers::pi / 3 + 0.01;
 
 /// Sweeps of a whole turn add up to it but for rounding.
-constexpr double kWholeTurn = 2 * kPi + 1e-3;
+constexpr double kWholeTurn = 2 * std::numbers::pi + 1e-3;
 
 /// Straight pieces: most that a segment of the line deviates from the piece in direction, where it is longer than so many
 /// tolerances. What is shorter has no direction of its own.
-constexpr double kStraightTurn = kPi / 180;
+constexpr double kStraightTurn = std::numbers::pi / 180;
 constexpr double kShort = 10;
 
 double rounded(double value) {
@@ -189,7 +187,7 @@ class CurveFit {
       if (distance(ellipse, corners_[i]) > round.tolerance) return false;
       if (i == last) break;
       const double from = angle_of(ellipse, corners_[i]);
-      const double step = std::remainder(angle_of(ellipse, corners_[i + 1]) - from, 2 * kPi);
+      const double step = std::remainder(angle_of(ellipse, corners_[i + 1]) - from, 2 * std::numbers::pi);
       if ((step > 0) != positive || std::abs(step) > kMostStep) return false;
       const Point2 chord = corners_[i + 1] - corners_[i];
       Point2 tangent = tangent_at(ellipse, from + step / 2);
@@ -216,7 +214,7 @@ class CurveFit {
   bool parts(std::size_t first, const std::vector<double>& swept, const Ellipse& ellipse, bool positive, Arcs& arcs) const {
     Ellipse size = ellipse;
     size.radii = {rounded(size.radii.x), rounded(size.radii.y)};
-    size.rotation = rounded(size.rotation * 180 / kPi) * kPi / 180;
+    size.rotation = rounded(size.rotation * 180 / std::numbers::pi) * std::numbers::pi / 180;
     arcs.clear();
     const double count = std::ceil(swept.back() / kPartSweep);
     std::size_t from = 0;

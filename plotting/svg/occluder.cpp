@@ -9,7 +9,7 @@ namespace {
 /// Adjustable: most cells along a side of the grid of occluders.
 constexpr double kMostCells = 256;
 /// Parts of a segment that are shorter, in parts of it, are the rounding of a crossing.
-constexpr double kLeastPart = 1e-12;
+constexpr double kLeastPartSeen = 1e-12;
 
 bool hidden_by(const Occluder& occluder, Point2 p) {
   if (!occluder.area.surrounds(p)) return false;
@@ -92,7 +92,7 @@ void Occluders::remove_hidden(Polylines& lines, std::vector<std::uint32_t>& pain
       for (const std::uint32_t c : over_) add_crossings(occluders_[c], a, b, at);
       std::sort(at.begin(), at.end());
       for (std::size_t n = 1; n < at.size(); ++n) {
-        if (at.size() > 2 && at[n] - at[n - 1] <= kLeastPart) continue;
+        if (at.size() > 2 && at[n] - at[n - 1] <= kLeastPartSeen) continue;
         const Point2 middle = a + (b - a) * ((at[n - 1] + at[n]) / 2);
         const bool hidden =
             std::any_of(over_.begin(), over_.end(), [&](std::uint32_t c) { return hidden_by(occluders_[c], middle); });

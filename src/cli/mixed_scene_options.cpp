@@ -9,7 +9,7 @@
 namespace ligne {
 namespace {
 
-constexpr unsigned kMostSamples = 2000;
+constexpr unsigned kMostSamplesOfCurve = 2000;
 
 }  // namespace
 
@@ -25,12 +25,12 @@ void add_mixed_scene_options(CLI::App& draw, SurfaceRequest& request) {
   group.add("-y", "A:B[:N]", request.y, parse_range, "the same of y");
   group
       .add(
-          "--samples", "N", request.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamples); },
+          "--samples", "N", request.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamplesOfCurve); },
           "formula: points along a curve")
       .standard("5 between curves");
   group
       .add(
-          "--every", "N", request.every, [](const std::string& t) { return parse_count(t, 1, kMostSamples); },
+          "--every", "N", request.every, [](const std::string& t) { return parse_count(t, 1, kMostSamplesOfCurve); },
           "grid: a curve at every Nth row and column")
       .standard("60 curves each way");
   group.add("--z-scale", "K", request.z_scale, parse_positive, "heights of surfaces are multiplied by K").standard("1");

@@ -13,9 +13,10 @@ namespace {
 /// astray.
 constexpr double kHighestRise = 0.07;
 
-class Tracer {
+class ContourTracer {
  public:
-  Tracer(const Scene& scene, const SmoothPatch& patch) : scene_(scene), patch_(patch), done_(patch.triangles.size(), 0) {}
+  ContourTracer(const Scene& scene, const SmoothPatch& patch)
+      : scene_(scene), patch_(patch), done_(patch.triangles.size(), 0) {}
 
   std::vector<ContourChain> trace() {
     std::vector<ContourChain> chains;
@@ -104,7 +105,7 @@ class Tracer {
 }  // namespace
 
 std::vector<ContourChain> trace_contours(const Scene& scene, const SmoothPatch& patch) {
-  return Tracer(scene, patch).trace();
+  return ContourTracer(scene, patch).trace();
 }
 
 }  // namespace ligne

@@ -9,6 +9,9 @@
 
 namespace ligne {
 
+/// Pieces of a curve are straight to this; four times the accuracy that drawings owe would still not be seen.
+inline constexpr double kCurveFlatnessMm = 0.002;
+
 /// A point of a curve. `at`: i + t at the fraction t of segment i of its chain.
 struct CurvePoint {
   double at = 0;

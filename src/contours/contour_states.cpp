@@ -20,7 +20,7 @@ void append(std::vector<ContourRun>& runs, const ContourRun& run) {
 /// times longer.
 constexpr double kToAndFro = 4;
 
-double length_of(const ContourRun& run, const ContourCurve& curve) {
+double weighed_length(const ContourRun& run, const ContourCurve& curve) {
   const CurvePoint from = curve.point_at(run.from), to = curve.point_at(run.to);
   const double length = to.length - from.length;
   return run.state < 0 ? std::max(glm::length(to.mm - from.mm), length / kToAndFro) : length;
@@ -31,7 +31,7 @@ void merge_short(std::vector<ContourRun>& runs, const ContourCurve& curve, doubl
   const std::size_t n = runs.size();
   if (n < 2) return;
   std::vector<double> lengths(n);
-  for (std::size_t i = 0; i < n; ++i) lengths[i] = length_of(runs[i], curve);
+  for (std::size_t i = 0; i < n; ++i) lengths[i] = weighed_length(runs[i], curve);
   if (curve.closed && n > 2 && runs.front().state == runs.back().state) {
     lengths.front() = lengths.back() = lengths.front() + lengths.back();
   }

@@ -7,8 +7,6 @@
 namespace ligne {
 namespace {
 
-/// Pieces of a curve are straight to this; four times the accuracy that drawings owe would still not be seen.
-constexpr double kFlatnessMm = 0.002;
 /// Ends are moved to the line that they meet by so many widths of the pen.
 constexpr double kReachInPens = 2;
 
@@ -25,7 +23,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
   constexpr std::size_t kChainsPerTask = 8;
   parallel_blocks(n, kChainsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      seen[c].curve = contour_curve(scene, view, contours.chains[c], kFlatnessMm);
+      seen[c].curve = contour_curve(scene, view, contours.chains[c], kCurveFlatnessMm);
       seen[c].runs = runs_of(strokes, contours.first_source[c], contours.chains[c].size(), hidden_too);
       seen[c].sides = contours.sides[c];
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);

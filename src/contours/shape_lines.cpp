@@ -8,9 +8,6 @@
 namespace ligne {
 namespace {
 
-/// As of contours: pieces of a curve are straight to this.
-constexpr double kFlatnessMm = 0.002;
-
 // Adjustable.
 /// Points of a line are moved towards their neighbours so many times: it was cut from triangles, and zigzags.
 constexpr int kEvenings = 8;
@@ -75,7 +72,7 @@ void draw_shape_lines(StrokeModel& model, const View& view, const ShapeLines& li
   parallel_blocks(n, kLinesPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const ShapeLine& line = lines.lines[i];
-      curves[i] = smooth_curve(view, evened_points(line), line.closed, kFlatnessMm);
+      curves[i] = smooth_curve(view, evened_points(line), line.closed, kCurveFlatnessMm);
       runs[i] = runs_of(strokes, lines.first_source[i], line.size(), hidden_too);
       drop_short_runs(runs[i], curves[i], kShortestChangeInPens * options.pen_width_mm);
       hide_short_runs(runs[i], curves[i], kShortestSeenInPens * options.pen_width_mm);

@@ -9,9 +9,9 @@
 namespace ligne {
 namespace {
 
-class Tracer {
+class ZeroTracer {
  public:
-  Tracer(const FormMesh& mesh, const std::vector<double>& value, const std::vector<Point3>& way)
+  ZeroTracer(const FormMesh& mesh, const std::vector<double>& value, const std::vector<Point3>& way)
       : mesh_(mesh), value_(value), way_(way), done_(mesh.triangles.size(), 0) {}
 
   std::vector<ZeroChain> trace() {
@@ -96,7 +96,7 @@ class Tracer {
 
 std::vector<ZeroChain> trace_zero_set(const FormMesh& mesh, const std::vector<double>& value,
                                       const std::vector<Point3>& way) {
-  return Tracer(mesh, value, way).trace();
+  return ZeroTracer(mesh, value, way).trace();
 }
 
 }  // namespace ligne

@@ -28,7 +28,7 @@ constexpr double kLabelHeight = 0.75;  ///< of the other texts: heights in conto
 constexpr double kLabelDistanceMm = 120, kLabelDistancePart = 0.6;
 
 /// The room is found by trying: with less room for the picture there may be fewer numbers, and these may be shorter.
-constexpr double kSlackMm = 1e-3;  ///< the accuracy of the drawing
+constexpr double kRoomSlackMm = 1e-3;  ///< the accuracy of the drawing
 constexpr int kFreeTrials = 3, kMostTrials = 8;
 
 /// What reaches over the picture, on each side.
@@ -37,8 +37,8 @@ Room overhang(const Rect& picture, const Rect& all) {
 }
 
 bool holds(const Room& room, const Room& need) {
-  return need.left <= room.left + kSlackMm && need.top <= room.top + kSlackMm && need.right <= room.right + kSlackMm &&
-         need.bottom <= room.bottom + kSlackMm;
+  return need.left <= room.left + kRoomSlackMm && need.top <= room.top + kRoomSlackMm &&
+         need.right <= room.right + kRoomSlackMm && need.bottom <= room.bottom + kRoomSlackMm;
 }
 
 Room widest(const Room& a, const Room& b) {

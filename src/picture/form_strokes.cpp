@@ -46,7 +46,7 @@ struct Sample {
   FormTone tone;
 };
 
-struct Stroke {
+struct PlacedStroke {
   std::vector<Sample> samples;
   bool second = false;
 };
@@ -59,11 +59,11 @@ double share_of(std::uint64_t key) {
   return static_cast<double>((key ^ (key >> 31)) >> 11) * 0x1p-53;
 }
 
-class Placement {
+class StrokePlacement {
  public:
-  Placement(const FormMesh& mesh, const FormField& field, const FormWalk& walk, const FormRegions& regions,
-            std::span<const std::uint32_t> surfaces, const std::function<FormTone(const FormPlace&)>& tone,
-            const FormStrokeOptions& options)
+  StrokePlacement(const FormMesh& mesh, const FormField& field, const FormWalk& walk, const FormRegions& regions,
+                  std::span<const std::uint32_t> surfaces, const std::function<FormTone(const FormPlace&)>& tone,
+                  const FormStrokeOptions& options)
       : mesh_(mesh), field_(field), walk_(walk), regions_(regions), surfaces_(surfaces), tone_(tone), options_(options) {}
 
   void add(bool second, double distance_mm, std::span<const FormPlace> begins);
@@ -90,7 +90,7 @@ class Placement {
   std::span<const std::uint32_t> surfaces_;
   const std::function<FormTone(const FormPlace&)>& tone_;
   const FormStrokeOptions& options_;
-  std::vector<Stroke> strokes_;
+  std::vector<PlacedStroke> strokes_;
   std::unordered_map<std::uint64_t, std::vector<Sample>> cells_;
   double points_ = 0;
   // Of the strokes that are added now:
@@ -99,24 +99,24 @@ class Placement {
   double limit_ = 0;  ///< where strokes are to be so far apart or farther, this one ends
 };
 
-std::uint64_t Placement::cell_of(Point2 page, int dx, int dy) const {
+std::uint64_t StrokePlacement::cell_of(Point2 page, int dx, int dy) const {
   const double size = options_.closest_mm;
   return grid_cell(static_cast<std::int32_t>(std::floor(page.x / size)) + dx,
                    static_cast<std::int32_t>(std::floor(page.y / size)) + dy);
 }
 
-void Placement::file(const Sample& sample) {
+void StrokePlacement::file(const Sample& sample) {
   if (++points_ > options_.most_points) throw std::length_error("too many points");
   cells_[cell_of(sample.place.page)].push_back(sample);
 }
 
 /// The last that was filed of those that are left.
-void Placement::withdraw(const Sample& sample) {
+void StrokePlacement::withdraw(const Sample& sample) {
   --points_;
   cells_[cell_of(sample.place.page)].pop_back();
 }
 
-Sample Placement::sample(const FormPlace& place, const Point3& along, double length) const {
+Sample StrokePlacement::sample(const FormPlace& place, const Point3& along, double length) const {
   const FormTriangle& triangle = mesh_.triangles[place.triangle];
   Point3 normal{0, 0, 0};
   for (std::size_t k = 0; k < 3; ++k) normal += mesh_.normals[triangle.node[k]] * place.weights[k];
@@ -133,11 +133,11 @@ Sample Placement::sample(const FormPlace& place, const Point3& along, double len
           tone_(place)};
 }
 
-bool Placement::allowed(const Sample& sample, bool second) const {
+bool StrokePlacement::allowed(const Sample& sample, bool second) const {
   return sample.tone.spacing_mm[second] < limit_ && !regions_.near_rim(sample.place.page, sample.tone.pen_mm / 2);
 }
 
-bool Placement::crowded(const Sample& sample, double distance_mm, const Sample** own) const {
+bool StrokePlacement::crowded(const Sample& sample, double distance_mm, const Sample** own) const {
   const auto reach = static_cast<int>(std::ceil(distance_mm / options_.closest_mm));
   for (int dx = -reach; dx <= reach; ++dx) {
     for (int dy = -reach; dy <= reach; ++dy) {
@@ -161,7 +161,7 @@ bool Placement::crowded(const Sample& sample, double distance_mm, const Sample**
 }
 
 /// Appends points until the stroke ends. `closed` where it came back to its beginning, which is then its last point too.
-Placement::End Placement::trace(std::vector<Sample>& line, Point3 along, double sign) {
+StrokePlacement::End StrokePlacement::trace(std::vector<Sample>& line, Point3 along, double sign) {
   FormPlace place = line.front().place;
   bool second = second_, closing = false;
   double length = 0, last = 0;
@@ -194,7 +194,7 @@ Placement::End Placement::trace(std::vector<Sample>& line, Point3 along, double 
   }
 }
 
-bool Placement::begin_at(const FormPlace& place, double share) {
+bool StrokePlacement::begin_at(const FormPlace& place, double share) {
   limit_ = distance_ < kSparsest * options_.closest_mm ? 2 * distance_ / (1 + share) : FormTone::kNoStrokes;
   const Point3 along = field_.at(mesh_, place.triangle, place.weights, second_);
   if (along == Point3{0, 0, 0}) return false;
@@ -205,7 +205,7 @@ bool Placement::begin_at(const FormPlace& place, double share) {
   const End end = trace(onward, along, 1);
   const bool closed = end == End::closed;
   const int free_ends = closed ? 0 : (end == End::free) + (trace(back, -along, -1) == End::free);
-  Stroke stroke{{back.rbegin(), back.rend() - 1}, second_};
+  PlacedStroke stroke{{back.rbegin(), back.rend() - 1}, second_};
   stroke.samples.insert(stroke.samples.end(), onward.begin(), onward.end());
   double length = 0;
   for (std::size_t i = 1; i < stroke.samples.size(); ++i) {
@@ -223,7 +223,7 @@ bool Placement::begin_at(const FormPlace& place, double share) {
   return true;
 }
 
-void Placement::begin_beside(std::uint32_t stroke) {
+void StrokePlacement::begin_beside(std::uint32_t stroke) {
   double next = 0, length = 0;
   for (std::size_t i = 0; i + 1 < strokes_[stroke].samples.size(); ++i) {
     const FormPlace place = strokes_[stroke].samples[i].place;  // by value: strokes are added
@@ -240,7 +240,7 @@ void Placement::begin_beside(std::uint32_t stroke) {
   }
 }
 
-void Placement::add(bool second, double distance_mm, std::span<const FormPlace> begins) {
+void StrokePlacement::add(bool second, double distance_mm, std::span<const FormPlace> begins) {
   second_ = second;
   distance_ = distance_mm;
   std::uint32_t next = 0;
@@ -255,9 +255,9 @@ void Placement::add(bool second, double distance_mm, std::span<const FormPlace> 
   }
 }
 
-std::vector<FormStroke> Placement::take() const {
+std::vector<FormStroke> StrokePlacement::take() const {
   std::vector<FormStroke> result;
-  for (const Stroke& stroke : strokes_) {
+  for (const PlacedStroke& stroke : strokes_) {
     const std::vector<Sample>& samples = stroke.samples;
     for (std::size_t from = 0; from + 1 < samples.size();) {
       std::size_t to = from + 1;  // the last point of what is of one layer
@@ -285,7 +285,7 @@ std::vector<FormStroke> form_strokes(const FormMesh& mesh, const FormField& fiel
                                      std::span<const std::uint32_t> surfaces,
                                      const std::function<FormTone(const FormPlace&)>& tone,
                                      const FormStrokeOptions& options) {
-  Placement placement(mesh, field, walk, regions, surfaces, tone, options);
+  StrokePlacement placement(mesh, field, walk, regions, surfaces, tone, options);
   std::vector<FormPlace> begins;
   for (const Region& region : seen) {
     const std::optional<Point2> inside = region.level == 0 ? FormRegions::point_inside(region) : std::nullopt;

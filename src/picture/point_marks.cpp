@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kBeforeMm = 0.2, kProbeMm = 0.02;  ///< a point that much behind the surface is on it, to the eye
 // In heights of capitals.
-constexpr double kMark = 0.45, kBeside = 0.4;
+constexpr double kMarkPart = 0.45, kBesidePart = 0.4;
 
 /// Where a label may stand: to the right, to the left, above, below, and between these.
 struct LabelPlace {
@@ -58,7 +58,7 @@ std::vector<TextItem> mark_points(Drawing& drawing, const std::vector<MarkedPoin
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!seen[i]) continue;
     const Point2 p = page_point(view, points[i].at);
-    const double r = kMark * h;
+    const double r = kMarkPart * h;
     for (const Point2 d : {Point2{r, r}, Point2{r, -r}}) layer.lines.add(std::array{p - d, p + d});
     boxes.push_back({p, {r, r}, 0});
     gaps.push_back(boxes.back());
@@ -67,12 +67,12 @@ std::vector<TextItem> mark_points(Drawing& drawing, const std::vector<MarkedPoin
     if (!seen[i] || points[i].label.empty()) continue;
     const Point2 p = page_point(view, points[i].at);
     for (const LabelPlace& side : kLabelPlaces) {
-      const double away = (kMark + kBeside) * h;
+      const double away = (kMarkPart + kBesidePart) * h;
       const TextItem item{points[i].label, p + Point2{side.x * away, side.y * away}, h, side.across, side.up, 0};
       TextBox box = text_box(item, text_extent(item.text, h, style));
       if (std::any_of(boxes.begin(), boxes.end(), [&](const TextBox& other) { return overlap(other, box); })) continue;
       boxes.push_back(box);
-      box.half += Point2{kBeside * h / 2, kBeside * h / 2};
+      box.half += Point2{kBesidePart * h / 2, kBesidePart * h / 2};
       gaps.push_back(box);
       labels.push_back(item);
       break;

@@ -23,7 +23,7 @@ constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000;
 constexpr std::size_t kHeldSamples = std::size_t{1} << 22;
 
 /// More samples of a formula are refused: to compute them takes minutes.
-constexpr std::size_t kMostSamples = 1'000'000'000;
+constexpr std::size_t kMostSamplesOfFormula = 1'000'000'000;
 
 /// Positions of the samples, and every how many there is a curve.
 struct Positions {
@@ -55,9 +55,9 @@ std::string samples_text(std::size_t columns, std::size_t rows) {
 
 /// Refuses more samples of formulas than can be computed; `ranges` names the options that give the numbers of curves.
 void check_samples(const SurfaceRequest& request, const Positions& columns, const Positions& rows, const char* ranges) {
-  if (columns.at.size() <= kMostSamples / rows.at.size()) return;
+  if (columns.at.size() <= kMostSamplesOfFormula / rows.at.size()) return;
   const std::string cause =
-      "gives " + samples_text(columns.at.size(), rows.at.size()) + ", more than " + std::to_string(kMostSamples);
+      "gives " + samples_text(columns.at.size(), rows.at.size()) + ", more than " + std::to_string(kMostSamplesOfFormula);
   if (request.samples) throw RequestError("samples", cause);
   throw RequestError("", std::string(ranges) + ": " + cause);
 }

@@ -76,7 +76,7 @@ struct Method {
   SegmentTest<Int128> whole;
   bool closed;  ///< a common end counts
 };
-constexpr Method kMethods[] = {
+constexpr Method kSegmentMethods[] = {
     {"analytic", "14 / 14 / 3 / 0", cross_analytic<Real>, cross_analytic<double>, cross_analytic<Int128>, false},
     {"vector", "12 / 10 / 3 / 0", cross_vector<Real>, cross_vector<double>, cross_vector<Int128>, false},
     {"parametric", "6 / 6 / 5 / 7", cross_parametric<Real>, cross_parametric<double>, cross_parametric<Int128>, false},
@@ -111,7 +111,7 @@ Result study_segment_tests(const StudyRequest& request) {
                {"wrong in whole numbers", ColumnKind::count},
                {"ns", ColumnKind::time}}};
   bool exact = true;
-  for (const Method& m : kMethods) {
+  for (const Method& m : kSegmentMethods) {
     Operations most;
     std::uint64_t wrong = 0, wrong_whole = 0;
     for (const Pair& p : pairs) {

@@ -17,7 +17,7 @@ namespace {
 using namespace watkins;
 
 constexpr std::uint32_t kLines = 512;
-constexpr SpanMethodKind kMethods[] = {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box};
+constexpr SpanMethodKind kSpanMethods[] = {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box};
 
 /// Figure 2.45: three segments, drawn after what the text says of them: 1 and 2 overlap, and 3 lies before both.
 std::vector<ScanSegment<double>> three_segments() {
@@ -87,7 +87,7 @@ Result study_span_sort(const StudyRequest& request) {
       auto backwards = squares<double>(n, angle, 512.0 / 400 * 1024);
       std::reverse(backwards.begin(), backwards.end());
       std::vector<Cell> row{std::to_string(int(angle)), std::to_string(n), "1.3 (stack)"};
-      for (const SpanMethodKind kind : kMethods)
+      for (const SpanMethodKind kind : kSpanMethods)
         row.emplace_back(double(program_operations(kind, backwards)) / double(program_operations(kind, sorted)));
       flat.rows.push_back(std::move(row));
     }
@@ -107,7 +107,7 @@ Result study_span_sort(const StudyRequest& request) {
     const ScanInput input = make_scan_input(s);
     std::vector<Cell> row{s.name, "1.3 (stack)"};
     std::vector<double> times;
-    for (const SpanMethodKind kind : kMethods) {
+    for (const SpanMethodKind kind : kSpanMethods) {
       const ScanCost with = scan_cost(input, kLines, false, {kind, false, false, true}, request.pick(1, 3));
       const ScanCost without = scan_cost(input, kLines, false, {kind, false, false, false}, request.pick(1, 3));
       row.emplace_back(double(without.spans.total()) / double(with.spans.total()));

@@ -27,8 +27,6 @@ Extent extent(const json& drawing) {
   return box;
 }
 
-constexpr double kMicrometre = 1e-3;
-
 TEST_F(DrawTest, SaysWhatWasClippedAway) {
   const json front = drawn({"cube.obj", "--view", "front"})["view"];
   EXPECT_EQ(front["window"], json::parse("[0,0,210,297]"));

@@ -8,8 +8,6 @@
 namespace ligne::test {
 namespace {
 
-constexpr int kFailed = 1, kUsage = 2;
-
 struct Mistake {
   const char* name;
   std::vector<std::string> arguments;

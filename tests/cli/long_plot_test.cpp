@@ -7,7 +7,7 @@
 namespace ligne::test {
 namespace {
 
-constexpr const char* kSvg =
+constexpr const char* kFourLinesSvg =
     "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
     "<path d='M10 10H50'/><path d='M10 20H50'/><path d='M10 30H50' stroke='red'/><path d='M10 40H50' stroke='red'/>\n</svg>\n";
 
@@ -15,7 +15,7 @@ class LongPlotTest : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    write("a.svg", kSvg);
+    write("a.svg", kFourLinesSvg);
   }
 
   void made(std::vector<std::string> arguments) const {
@@ -32,22 +32,16 @@ class LongPlotTest : public ProgramTest {
   bool there(const std::string& name) const { return std::filesystem::exists(file(name)); }
 };
 
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
-  return n;
-}
-
 TEST_F(LongPlotTest, PartsAsFilesAndAsPauses) {
   made({"a.svg", "--split", "lifts=3", "-o", "part%02d.gcode"});
-  EXPECT_EQ(count(contents(file("part01.gcode")), "M3 S90"), 3u);
-  EXPECT_EQ(count(contents(file("part02.gcode")), "M3 S90"), 1u);
+  EXPECT_EQ(count_of(contents(file("part01.gcode")), "M3 S90"), 3u);
+  EXPECT_EQ(count_of(contents(file("part02.gcode")), "M3 S90"), 1u);
   EXPECT_FALSE(there("part03.gcode"));
   made({"a.svg", "--split", "distance=8cm", "-o", "a.gcode"});
-  EXPECT_EQ(count(contents(file("a.gcode")), "M0\n"), 1u);
-  EXPECT_EQ(count(contents(file("a.gcode")), "M3 S90"), 4u);
+  EXPECT_EQ(count_of(contents(file("a.gcode")), "M0\n"), 1u);
+  EXPECT_EQ(count_of(contents(file("a.gcode")), "M3 S90"), 4u);
   made({"a.svg", "--split", "time=3s", "-o", "a.gcode"});
-  EXPECT_EQ(count(contents(file("a.gcode")), "M0\n"), 1u) << "a stroke takes 1.25 s, and its way";
+  EXPECT_EQ(count_of(contents(file("a.gcode")), "M0\n"), 1u) << "a stroke takes 1.25 s, and its way";
   refused({"a.svg", "--split", "lifts=3", "-o", "a.plt"}, "--split: device cutter has no action \"pause\"; it has none");
   refused({"a.svg", "--split", "lifts=3", "-o", "a%d.svg"},
           "--split, --every, --from-stroke, --from-time, --park and %p go with pens or a --device");
@@ -58,12 +52,12 @@ TEST_F(LongPlotTest, WhatIsResumedIsTheEndOfTheWhole) {
   made({"a.svg", "-o", "whole.gcode"});
   made({"a.svg", "--from-stroke", "3", "-o", "rest.gcode"});
   const std::string whole = contents(file("whole.gcode")), rest = contents(file("rest.gcode"));
-  EXPECT_EQ(count(rest, "M3 S90"), 2u);
+  EXPECT_EQ(count_of(rest, "M3 S90"), 2u);
   const std::string strokes = rest.substr(rest.find("G0 X"));
   EXPECT_TRUE(whole.ends_with(strokes));
   // The first stroke takes 22 mm of way, a lift and 40 mm of line: 1.5 s; the second is drawn at that time.
   made({"a.svg", "--from-time", "2s", "-o", "rest.gcode"});
-  EXPECT_EQ(count(contents(file("rest.gcode")), "M3 S90"), 3u);
+  EXPECT_EQ(count_of(contents(file("rest.gcode")), "M3 S90"), 3u);
   refused({"a.svg", "--from-time", "soon", "-o", "a.gcode"},
           "--from-time: \"soon\" is no time such as 90s, 30min, 2h or 12:30");
 }
@@ -71,17 +65,17 @@ TEST_F(LongPlotTest, WhatIsResumedIsTheEndOfTheWhole) {
 TEST_F(LongPlotTest, ABrushIsDipped) {
   made({"a.svg", "--every", "0.1m", "--do", "dip", "-o", "a.gcode"});
   // 160 mm: at the beginning and once more, in the middle of a stroke.
-  EXPECT_EQ(count(contents(file("a.gcode")), "G4 P1\n"), 2u);
-  EXPECT_EQ(count(contents(file("a.gcode")), "M3 S90"), 4u + 1 + 2);
+  EXPECT_EQ(count_of(contents(file("a.gcode")), "G4 P1\n"), 2u);
+  EXPECT_EQ(count_of(contents(file("a.gcode")), "M3 S90"), 4u + 1 + 2);
   refused({"a.svg", "--every", "3m", "--do", "wash", "-o", "a.gcode"},
           "--do: device grbl-servo has no action \"wash\"; it has dip, pause");
 }
 
 TEST_F(LongPlotTest, AFileForEachPen) {
   made({"a.svg", "--pen", "#ff0000=2,red", "--pen", "rest=1", "-o", "pen%p.gcode"});
-  EXPECT_EQ(count(contents(file("pen1.gcode")), "M3 S90"), 2u);
-  EXPECT_EQ(count(contents(file("pen2.gcode")), "M3 S90"), 2u);
-  EXPECT_EQ(count(contents(file("pen2.gcode")), "M0"), 0u);
+  EXPECT_EQ(count_of(contents(file("pen1.gcode")), "M3 S90"), 2u);
+  EXPECT_EQ(count_of(contents(file("pen2.gcode")), "M3 S90"), 2u);
+  EXPECT_EQ(count_of(contents(file("pen2.gcode")), "M0"), 0u);
   made({"a.svg", "--pen", "#ff0000=2,red", "--pen", "rest=1", "--split", "lifts=1", "-o", "pen%p-%d.gcode"});
   for (const char* name : {"pen1-1.gcode", "pen1-2.gcode", "pen2-3.gcode", "pen2-4.gcode"}) EXPECT_TRUE(there(name)) << name;
   made({"a.svg", "--pen", "#ff0000=2,red", "--pen", "rest=1", "--park", "home", "-o", "parked.gcode"});
@@ -107,7 +101,7 @@ TEST_F(LongPlotTest, SeveralDrawingsOnOneSheet) {
   made({"a.svg", "a.svg", "a.svg", "--grid", "2x2", "--page", "200x120", "--margin", "0", "-o", "all.svg"});
   const std::string all = contents(file("all.svg"));
   EXPECT_NE(all.find("width=\"200mm\" height=\"120mm\""), std::string::npos);
-  EXPECT_EQ(count(all, "inkscape:label="), 2u) << "layers of one name are one";
+  EXPECT_EQ(count_of(all, "inkscape:label="), 2u) << "layers of one name are one";
   EXPECT_NE(all.find("M110 10l"), std::string::npos) << all;
   EXPECT_NE(all.find("M10 70l"), std::string::npos) << all;
   refused({"a.svg", "a.svg", "-o", "all.svg"}, "several drawings go on one sheet with --grid CxR, such as 2x2");

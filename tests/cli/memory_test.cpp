@@ -8,8 +8,6 @@
 namespace ligne::test {
 namespace {
 
-constexpr int kDone = 0, kFailed = 1, kUsage = 2;
-
 /// The sanitizer's allocator ends the program in its own way.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kOwnAllocator = true;

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kSvg =
+constexpr const char* kThreeLinesSvg =
     "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"60mm\" viewBox=\"0 0 100 60\" fill=\"none\" stroke=\"black\">\n"
     "<path d=\"M20 20H45\"/><path d=\"M70 20H45\"/><path d=\"M70 20V40\" stroke=\"red\"/>\n</svg>\n";
 
@@ -27,14 +27,8 @@ class PlotTest : public ProgramTest {
   }
 };
 
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
-  return n;
-}
-
 TEST_F(PlotTest, AnSvgBecomesHpglOfTrueSize) {
-  write("a.svg", kSvg);
+  write("a.svg", kThreeLinesSvg);
   const std::string hpgl = written("a.plt", {"plot", "a.svg"});
   // One stroke over the corner of both colours, in steps of 0.025 mm from the lower left of the page.
   EXPECT_EQ(hpgl, "IN;\nSP1;\nPU800,1600;\nPD2800,1600,2800,800;\nPU0,0;\nSP0;\n");
@@ -59,23 +53,23 @@ TEST_F(PlotTest, LoopsBeginAtTheNearestCornerAndEndThere) {
 }
 
 TEST_F(PlotTest, PensByColourAndLayersForOtherPrograms) {
-  write("a.svg", kSvg);
+  write("a.svg", kThreeLinesSvg);
   const std::string svg = written("b.svg", {"plot", "a.svg", "--pen", "#ff0000=2,red,0.7", "--pen", "rest=1,black"});
-  EXPECT_EQ(count(svg, "inkscape:groupmode=\"layer\""), 2u);
+  EXPECT_EQ(count_of(svg, "inkscape:groupmode=\"layer\""), 2u);
   EXPECT_NE(svg.find("inkscape:label=\"1\""), std::string::npos);
   EXPECT_NE(svg.find("inkscape:label=\"2 #ff0000\""), std::string::npos);
   EXPECT_NE(svg.find("stroke-width=\"0.7\""), std::string::npos);
   const std::string gcode = written("b.nc", {"plot", "a.svg", "--pen", "#ff0000=2", "--pen", "rest=1"});
-  EXPECT_EQ(count(gcode, "M0 (pen 2"), 1u);
-  EXPECT_EQ(count(gcode, "M0 "), 1u);
+  EXPECT_EQ(count_of(gcode, "M0 (pen 2"), 1u);
+  EXPECT_EQ(count_of(gcode, "M0 "), 1u);
 }
 
 TEST_F(PlotTest, ColoursStay) {
-  write("a.svg", kSvg);
+  write("a.svg", kThreeLinesSvg);
   const std::string svg = written("b.svg", {"plot", "a.svg"});
   EXPECT_NE(svg.find("inkscape:label=\"#ff0000\" id=\"pen-#ff0000\" fill=\"none\" stroke=\"#f00\""), std::string::npos)
       << svg;
-  EXPECT_EQ(count(svg, "<path"), 2u) << "the two black lines are one";
+  EXPECT_EQ(count_of(svg, "<path"), 2u) << "the two black lines are one";
 }
 
 constexpr const char* kLayered =
@@ -91,14 +85,14 @@ TEST_F(PlotTest, LayersKeepNamesColoursAndWidthsHoweverOften) {
   const std::string first = written("b.svg", {"plot", "a.svg", "--device", "axidraw-v3"}),
                     second = written("c.svg", {"plot", "b.svg", "--device", "axidraw-v3"});
   for (const char* label : {"\"3 red\"", "\"1 black\"", "\"%2 draft\""})
-    EXPECT_EQ(count(first, std::string("inkscape:label=") + label), 1u) << first;
-  EXPECT_EQ(count(first, "<g stroke=\"#f00\" stroke-width=\"0.5\""), 1u) << first;
-  EXPECT_EQ(count(first, "stroke=\"#800000\" stroke-width=\"0.8\""), 1u) << first;
+    EXPECT_EQ(count_of(first, std::string("inkscape:label=") + label), 1u) << first;
+  EXPECT_EQ(count_of(first, "<g stroke=\"#f00\" stroke-width=\"0.5\""), 1u) << first;
+  EXPECT_EQ(count_of(first, "stroke=\"#800000\" stroke-width=\"0.8\""), 1u) << first;
   EXPECT_EQ(second, first) << "a second pass changes nothing";
   const std::string plain = written("d.svg", {"plot", "a.svg"});
-  EXPECT_EQ(count(plain, "inkscape:label=\"%2 draft\""), 1u);
-  EXPECT_EQ(count(plain, "stroke-width=\"0.8\""), 1u) << plain;
-  EXPECT_EQ(count(written("e.svg", {"plot", "a.svg", "--pen-width", "0.3"}), "stroke-width=\"0.8\""), 0u);
+  EXPECT_EQ(count_of(plain, "inkscape:label=\"%2 draft\""), 1u);
+  EXPECT_EQ(count_of(plain, "stroke-width=\"0.8\""), 1u) << plain;
+  EXPECT_EQ(count_of(written("e.svg", {"plot", "a.svg", "--pen-width", "0.3"}), "stroke-width=\"0.8\""), 0u);
   const std::string hpgl = written("a.hpgl", {"plot", "a.svg"});
   EXPECT_NE(hpgl.find("SP1;"), std::string::npos);
   EXPECT_NE(hpgl.find("SP3;"), std::string::npos);
@@ -112,9 +106,9 @@ TEST_F(PlotTest, FillsAreOutlinedWithOneWarning) {
       "<rect x='10' y='10' width='9' height='9'/><rect x='30' y='10' width='9' height='9' fill='url(#g)'/><plotdata/></svg>");
   const Outcome plain = run({"plot", "a.svg", "-o", "a.hpgl"});
   EXPECT_EQ(plain.status, 0);
-  EXPECT_EQ(count(plain.err, "2 filled areas are drawn by the outline"), 1u) << plain.err;
-  EXPECT_EQ(count(plain.err, "elements that SVG does not know are left out: <plotdata>"), 1u) << plain.err;
-  EXPECT_EQ(count(run({"plot", "a.svg", "--fill", "outline", "-o", "a.hpgl"}).err, "filled"), 0u);
+  EXPECT_EQ(count_of(plain.err, "2 filled areas are drawn by the outline"), 1u) << plain.err;
+  EXPECT_EQ(count_of(plain.err, "elements that SVG does not know are left out: <plotdata>"), 1u) << plain.err;
+  EXPECT_EQ(count_of(run({"plot", "a.svg", "--fill", "outline", "-o", "a.hpgl"}).err, "filled"), 0u);
   const Outcome refused = run({"plot", "a.svg", "--fill", "refuse", "-o", "b.hpgl"});
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(refused.err.find("--fill outline or --fill hatch draws it"), std::string::npos) << refused.err;
@@ -125,8 +119,8 @@ TEST_F(PlotTest, OrderingCutsAndJoinsNothing) {
       "a.svg",
       "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
       "<path d='M20 20H90'/><path d='M20 50H30'/><path d='M20 20H90'/></svg>");
-  EXPECT_EQ(count(written("a.hpgl", {"plot", "a.svg", "--optimize", "order"}), "PD"), 3u);
-  EXPECT_EQ(count(written("b.hpgl", {"plot", "a.svg"}), "PD"), 2u);
+  EXPECT_EQ(count_of(written("a.hpgl", {"plot", "a.svg", "--optimize", "order"}), "PD"), 3u);
+  EXPECT_EQ(count_of(written("b.hpgl", {"plot", "a.svg"}), "PD"), 2u);
 }
 
 TEST_F(PlotTest, DrawingsOfOursComeAsJsonAndAsSvg) {
@@ -135,13 +129,13 @@ TEST_F(PlotTest, DrawingsOfOursComeAsJsonAndAsSvg) {
   const std::string direct = written("direct.hpgl", {"draw", "cube.obj", "--margin", "20", "--device", "hp7475a"});
   const std::string json_way = written("json.hpgl", {"plot", "cube.json", "--device", "hp7475a"});
   const std::string svg_way = written("svg.hpgl", {"plot", "cube.svg", "--device", "hp7475a"});
-  EXPECT_EQ(count(direct, "PU"), count(json_way, "PU"));
-  EXPECT_EQ(count(direct, "PU"), count(svg_way, "PU"));
+  EXPECT_EQ(count_of(direct, "PU"), count_of(json_way, "PU"));
+  EXPECT_EQ(count_of(direct, "PU"), count_of(svg_way, "PU"));
   EXPECT_EQ(json_way.size(), direct.size());
 }
 
 TEST_F(PlotTest, ReportAndPreview) {
-  write("a.svg", kSvg);
+  write("a.svg", kThreeLinesSvg);
   const Outcome outcome = run({"plot", "a.svg", "--report", "--preview", "way.svg", "-o", "a.gcode"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("before             3     0.070 m"), std::string::npos) << outcome.err;
@@ -151,7 +145,7 @@ TEST_F(PlotTest, ReportAndPreview) {
 }
 
 TEST_F(PlotTest, ScaleAndPage) {
-  write("a.svg", kSvg);
+  write("a.svg", kThreeLinesSvg);
   EXPECT_NE(written("a.plt", {"plot", "a.svg", "--scale", "2:1"}).find("PU1600,3200;\nPD5600,3200,5600,1600;"),
             std::string::npos);
   // 50 mm wide, made to fill 100 mm between the margins.
@@ -190,10 +184,10 @@ TEST_F(PlotTest, CurvesAsArcsWhereThePenArrives) {
     EXPECT_EQ(begins(lines).size(), 3u);
     EXPECT_EQ(begins(arcs), begins(lines)) << arcs;
     EXPECT_LT(arcs.size() * 2, lines.size());
-    EXPECT_EQ(count(arcs, "5 5 0 0 1 "), 3u) << arcs;
-    EXPECT_EQ(count(arcs, "8 8 0 0 1 "), 3u) << arcs;
-    EXPECT_EQ(count(arcs, " 0 0 1 "), 6u) << "none of the hexagon: " << arcs;
-    EXPECT_EQ(count(lines, " 0 0 1 "), 0u);
+    EXPECT_EQ(count_of(arcs, "5 5 0 0 1 "), 3u) << arcs;
+    EXPECT_EQ(count_of(arcs, "8 8 0 0 1 "), 3u) << arcs;
+    EXPECT_EQ(count_of(arcs, " 0 0 1 "), 6u) << "none of the hexagon: " << arcs;
+    EXPECT_EQ(count_of(lines, " 0 0 1 "), 0u);
   }
   EXPECT_LT(written("plain.svg", {"plot", "round.svg", "--curves", "on"}).size() * 2,
             written("plain-l.svg", {"plot", "round.svg"}).size());
@@ -224,7 +218,7 @@ TEST_F(PlotTest, ADeviceOfOnesOwn) {
       "mine.toml",
       "name = \"mine\"\ntitle = \"My plotter\"\nlanguage = \"hpgl\"\nstep = 0.1\nlimits = [0, 0, 200, 300]\nbegin = [\"HELLO\"]\n"
       "travel = \"U{x},{y};\"\ndraw = \"D{points};\"\ndot = \"D;\"\nspeed_down = 10\nspeed_up = 20\nlift_seconds = 1\npen_change_seconds = 1\n");
-  write("a.svg", kSvg);
+  write("a.svg", kThreeLinesSvg);
   EXPECT_EQ(written("a.hpgl", {"plot", "a.svg", "--device-file", "mine.toml"}), "HELLO\nU200,400;\nD700,400,700,200;\n");
 }
 
@@ -248,8 +242,8 @@ TEST_F(PlotTest, WhatLeavesTheLimitsIsToldInMillimetres) {
   EXPECT_TRUE(outcome.err.starts_with("ligne: device hp7475a, paper A4: the drawing leaves the limits: ")) << outcome.err;
   const Outcome fitted = run({"plot", "wide.svg", "--device", "hp7475a", "--fit-device", "--report", "-o", "a.hpgl"});
   EXPECT_EQ(fitted.status, 0);
-  EXPECT_EQ(count(fitted.err, "the drawing is made smaller, to 0.9"), 1u) << fitted.err;
-  EXPECT_EQ(count(fitted.err, "of its size, which fits hp7475a\n"), 1u) << "in the title of the report";
+  EXPECT_EQ(count_of(fitted.err, "the drawing is made smaller, to 0.9"), 1u) << fitted.err;
+  EXPECT_EQ(count_of(fitted.err, "of its size, which fits hp7475a\n"), 1u) << "in the title of the report";
 }
 
 TEST_F(PlotTest, ADrawingWithoutAScaleFitsTheDevice) {
@@ -262,7 +256,7 @@ TEST_F(PlotTest, ADrawingWithoutAScaleFitsTheDevice) {
 }
 
 TEST_F(PlotTest, PensForWhatIsNotThereAreMistakes) {
-  write("a.svg", kSvg);
+  write("a.svg", kThreeLinesSvg);
   const Outcome layer = run({"plot", "a.svg", "--pen", "nonsense=2", "-o", "a.hpgl"});
   EXPECT_EQ(layer.status, 2);
   EXPECT_NE(layer.err.find("there is no layer \"nonsense\"; there are #000000, #ff0000;"), std::string::npos) << layer.err;
@@ -359,8 +353,8 @@ TEST_F(PlotTest, ShortStrokesAreLeftOut) {
       "a.svg",
       "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
       "<path d='M20 20H20.4'/><path d='M20.4 20H22'/><path d='M50 50H50.5'/></svg>");
-  EXPECT_EQ(count(written("a.hpgl", {"plot", "a.svg", "--min-length", "1"}), "PD"), 1u) << "pieces of one line are one";
-  EXPECT_EQ(count(written("a.hpgl", {"plot", "a.svg"}), "PD"), 2u);
+  EXPECT_EQ(count_of(written("a.hpgl", {"plot", "a.svg", "--min-length", "1"}), "PD"), 1u) << "pieces of one line are one";
+  EXPECT_EQ(count_of(written("a.hpgl", {"plot", "a.svg"}), "PD"), 2u);
 }
 
 TEST_F(PlotTest, MaterialsHavePens) {
@@ -371,8 +365,8 @@ TEST_F(PlotTest, MaterialsHavePens) {
       run({"draw", "two.json", "--view", "top", "--pen", "material:glass=2,blue", "--pen", "rest=1", "-o", "two.svg"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string svg = contents(file("two.svg"));
-  EXPECT_EQ(count(svg, "inkscape:groupmode=\"layer\""), 2u);
-  EXPECT_EQ(count(svg, "<path"), 2u);
+  EXPECT_EQ(count_of(svg, "inkscape:groupmode=\"layer\""), 2u);
+  EXPECT_EQ(count_of(svg, "<path"), 2u);
 }
 
 }  // namespace

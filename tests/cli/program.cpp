@@ -50,6 +50,12 @@ int open_for_writing(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
 std::size_t Outcome::error_lines() const { return static_cast<std::size_t>(std::count(err.begin(), err.end(), '\n')); }
 
 std::string contents(const std::filesystem::path& file) {

@@ -17,6 +17,12 @@ struct Outcome {
   std::size_t error_lines() const;
 };
 
+inline constexpr int kDone = 0, kFailed = 1, kUsage = 2;  ///< exit statuses
+inline constexpr double kMicrometre = 1e-3;               ///< in mm
+
+/// How often `part` occurs in `text`.
+std::size_t count_of(const std::string& text, const std::string& part);
+
 /// Runs the program with these arguments; the folder is its current one. Standard output goes to the descriptor `out_fd`,
 /// which is closed, or else into the outcome.
 Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments, int out_fd = -1);

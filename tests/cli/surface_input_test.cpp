@@ -8,7 +8,6 @@ namespace ligne::test {
 namespace {
 
 using nlohmann::json;
-constexpr double kMicrometre = 1e-3;
 
 class SurfaceInputTest : public SurfaceProgramTest {
  protected:

@@ -8,8 +8,6 @@ namespace ligne::test {
 namespace {
 
 using nlohmann::json;
-constexpr double kPi = std::numbers::pi;
-constexpr double kMicrometre = 1e-3;
 
 class SurfaceLinesTest : public SurfaceProgramTest {
  protected:
@@ -73,7 +71,7 @@ TEST_F(SurfaceLinesTest, ContoursAlongTheSights) {
   // On the plane they are seen where the surface above, 10 of them, is out of the way: from below all of them.
   const auto below = layers({"x", "-x", "0:1:3", "-y", "0:1:3", "--z-scale", "1", "--contours-base", "-1", "--azimuth", "90",
                              "--elevation", "-60", "--scale", "100:1"});
-  EXPECT_NEAR(below.at("contour-base"), 10 * 100 * std::sin(kPi / 3), 0.01);
+  EXPECT_NEAR(below.at("contour-base"), 10 * 100 * std::sin(std::numbers::pi / 3), 0.01);
 }
 
 TEST_F(SurfaceLinesTest, TheSurfaceBelowTheEyeHidesTheAxes) {
@@ -112,7 +110,7 @@ TEST_F(SurfaceLinesTest, ContoursOfACone) {
   const std::vector<std::string> cone{
       "r", "-x",        "-3.5:3.5:71", "-y",     "-3.5:3.5:71", "--z-range", "0:3.5", "--contour-step",
       "1", "--z-scale", "1",           "--view", "top"};
-  EXPECT_NEAR(length(drawn(cone), "contour"), 2 * kPi * (1 + 2 + 3), 0.01);
+  EXPECT_NEAR(length(drawn(cone), "contour"), 2 * std::numbers::pi * (1 + 2 + 3), 0.01);
   std::vector<std::string> alone = cone;
   alone.insert(alone.end(), {"--lines", "none", "--outline", "off"});
   const json drawing = drawn(alone);
@@ -134,10 +132,10 @@ TEST_F(SurfaceLinesTest, ContoursOfEverySurface) {
                             "2", "--z-scale", "1", "--view", "top"});
   // From above the upper bowl hides the lower one inside r = 2; the levels 6 and 4 are r^2 = 2 and 4 on it, the last of
   // which is the crossing.
-  EXPECT_NEAR(length(bowls, "contour"), 2 * kPi * (std::sqrt(2.0) + std::sqrt(6.0)), 0.1);
+  EXPECT_NEAR(length(bowls, "contour"), 2 * std::numbers::pi * (std::sqrt(2.0) + std::sqrt(6.0)), 0.1);
   const json torus = drawn({"--parametric", "(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)", "-u", "0:2*pi:61", "-v",
                             "0:2*pi:61", "--contour-step", "0.5", "--view", "top"});
-  EXPECT_NEAR(length(torus, "contour"), 2 * kPi * (4 + 2 + 2 * 3 + 3), 0.1)
+  EXPECT_NEAR(length(torus, "contour"), 2 * std::numbers::pi * (4 + 2 + 2 * 3 + 3), 0.1)
       << "at 0 the equators, at 0.5 two circles of mean radius 3, and the top";
 }
 

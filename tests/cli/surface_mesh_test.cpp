@@ -9,8 +9,6 @@ namespace ligne::test {
 namespace {
 
 using nlohmann::json;
-constexpr double kPi = std::numbers::pi;
-constexpr double kMicrometre = 1e-3;
 
 using SurfaceMeshTest = SurfaceProgramTest;
 
@@ -56,7 +54,7 @@ TEST_F(SurfaceMeshTest, TorusFromAbove) {
                             "0:2*pi:21", "--samples", "2", "--lines", "x", "--view", "top"});
   // Seen from above the outer and the inner equator are the outline: polygons of 24 sides.
   const double sides = 24;
-  EXPECT_NEAR(length(torus, "outline"), 2 * sides * std::sin(kPi / sides) * (4 + 2), kMicrometre);
+  EXPECT_NEAR(length(torus, "outline"), 2 * sides * std::sin(std::numbers::pi / sides) * (4 + 2), kMicrometre);
   // Each curve of constant u is half a polygon of 20 sides, seen from above as the straight line from r = 2 to r = 4.
   EXPECT_NEAR(length(torus, "horizon"), sides * 2, kMicrometre);
   EXPECT_EQ(length(torus, "intersection"), 0);
@@ -91,7 +89,7 @@ TEST_F(SurfaceMeshTest, TheHorizonAndTheMeshDrawTheSame) {
 TEST_F(SurfaceMeshTest, HeightRangesEndInBorders) {
   const json bowl =
       drawn({"x^2+y^2", "-x", "-2:2:41", "-y", "-2:2:41", "--z-range", "0:1", "--z-scale", "1", "--view", "top"});
-  EXPECT_NEAR(length(bowl, "border"), 2 * kPi, 0.01);
+  EXPECT_NEAR(length(bowl, "border"), 2 * std::numbers::pi, 0.01);
   double largest = 0;
   for (const json& stroke : bowl["strokes"]) {
     for (const json& end : stroke["source"]["ends"]) largest = std::max(largest, end[2].get<double>());

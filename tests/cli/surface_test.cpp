@@ -101,12 +101,6 @@ TEST_F(SurfaceTest, ThreadsAndHorizons) {
   EXPECT_NE(with({"--horizon", "pixels", "--resolution", "300"}), with({}));
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
-  return n;
-}
-
 TEST_F(SurfaceTest, AxesAreLayersOfTheirOwn) {
   const std::vector<std::string> plot{"sin(r)/r", "-x", "-9:9", "-y", "-9:9", "--title", "a < b", "--x-label", "east"};
   const auto with = [&](std::vector<std::string> more) {
@@ -118,22 +112,22 @@ TEST_F(SurfaceTest, AxesAreLayersOfTheirOwn) {
   EXPECT_NE(text.find("id=\"text\""), std::string::npos);
   for (const char* label :
        {">a &lt; b</text>", ">east</text>", ">y</text>", ">z</text>", ">\u22124</text>", ">0.8</text>"}) {
-    EXPECT_EQ(count(text, label), label == std::string(">\u22124</text>") ? 2u : 1u) << label;
+    EXPECT_EQ(count_of(text, label), label == std::string(">\u22124</text>") ? 2u : 1u) << label;
   }
   const std::string strokes = with({"--axes", "--text", "stroke"});
-  EXPECT_EQ(count(strokes, "<text"), 0u);
-  EXPECT_EQ(count(strokes, "id=\"text\""), 1u);
-  EXPECT_GT(count(with({"--axes=grid"}), "<path"), count(text, "<path"));
-  EXPECT_EQ(count(with({"--axes", "--y-label", ""}), ">y</text>"), 0u) << "an empty name is none";
+  EXPECT_EQ(count_of(strokes, "<text"), 0u);
+  EXPECT_EQ(count_of(strokes, "id=\"text\""), 1u);
+  EXPECT_GT(count_of(with({"--axes=grid"}), "<path"), count_of(text, "<path"));
+  EXPECT_EQ(count_of(with({"--axes", "--y-label", ""}), ">y</text>"), 0u) << "an empty name is none";
   EXPECT_EQ(with({"--axes", "--threads", "1"}), with({"--axes", "--threads", "4"}));
 }
 
 TEST_F(SurfaceTest, ATitleNeedsNoAxes) {
   const std::string text = svg({"x*y", "--title", "saddle"});
-  EXPECT_EQ(count(text, "<title>saddle</title>"), 1u);
-  EXPECT_EQ(count(text, ">saddle</text>"), 1u);
-  EXPECT_EQ(count(text, "id=\"axes\""), 0u);
-  EXPECT_EQ(count(svg({"x*y"}), "<text"), 0u);
+  EXPECT_EQ(count_of(text, "<title>saddle</title>"), 1u);
+  EXPECT_EQ(count_of(text, ">saddle</text>"), 1u);
+  EXPECT_EQ(count_of(text, "id=\"axes\""), 0u);
+  EXPECT_EQ(count_of(svg({"x*y"}), "<text"), 0u);
 }
 
 /// Length in mm of all that a layer of an SVG holds.
@@ -173,13 +167,13 @@ TEST_F(SurfaceTest, TheSurfaceHidesTheAxesBehindIt) {
 TEST_F(SurfaceTest, AxesEverywhereAndOfEverything) {
   for (const char* elevation : {"90", "-90", "0", "89.999", "-30"}) {
     for (const char* azimuth : {"0", "90", "-90", "45"}) {
-      EXPECT_EQ(count(svg({"x*y", "--axes=grid", "--elevation", elevation, "--azimuth", azimuth}), "id=\"axes\""), 1u);
+      EXPECT_EQ(count_of(svg({"x*y", "--axes=grid", "--elevation", elevation, "--azimuth", azimuth}), "id=\"axes\""), 1u);
     }
   }
-  EXPECT_EQ(count(svg({"3", "--axes"}), "id=\"axes\""), 1u) << "a flat surface";
-  EXPECT_EQ(count(svg({"x*y", "--axes=box", "--eye", "4,4,2", "--target=-5,-5,0", "--fov", "90"}), "id=\"axes\""), 1u)
+  EXPECT_EQ(count_of(svg({"3", "--axes"}), "id=\"axes\""), 1u) << "a flat surface";
+  EXPECT_EQ(count_of(svg({"x*y", "--axes=box", "--eye", "4,4,2", "--target=-5,-5,0", "--fov", "90"}), "id=\"axes\""), 1u)
       << "from within the box";
-  EXPECT_EQ(count(svg({"1e9+x", "--axes", "-x", "0:1e-7", "-y", "0:1e9", "--page", "a6"}), "id=\"axes\""), 1u);
+  EXPECT_EQ(count_of(svg({"1e9+x", "--axes", "-x", "0:1e-7", "-y", "0:1e9", "--page", "a6"}), "id=\"axes\""), 1u);
   fails({"sqrt(-1-r)", "--axes", "-o", "a.svg"}, 1, "surface: sqrt(-1-r) is nowhere a number");
 }
 

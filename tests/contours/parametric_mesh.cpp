@@ -13,7 +13,7 @@
 namespace ligne::test {
 namespace {
 
-constexpr double kTurn = 2 * 3.14159265358979323846;
+constexpr double kWholeTurn = 2 * 3.14159265358979323846;
 
 /// A tube round a closed curve. `frame` gives the curve's point at u.
 Point3 tube(const std::function<Point3(double)>& curve, double radius, double u, double v) {
@@ -21,7 +21,7 @@ Point3 tube(const std::function<Point3(double)>& curve, double radius, double u,
   const Point3 along = glm::normalize(curve(u + kStep) - curve(u - kStep));
   const Point3 side = glm::normalize(glm::cross(along, Point3{0, 0, 1}));
   const Point3 up = glm::cross(side, along);
-  return curve(u) + radius * (std::cos(kTurn * v) * side + std::sin(kTurn * v) * up);
+  return curve(u) + radius * (std::cos(kWholeTurn * v) * side + std::sin(kWholeTurn * v) * up);
 }
 
 }  // namespace
@@ -34,15 +34,16 @@ Point3 ParametricSurface::normal(double u, double v) const {
 std::vector<ParametricSurface> test_surfaces() {
   const auto ring = [](double a, double b, double height, int waves) {
     return [=](double u) {
-      return Point3{a * std::cos(kTurn * u), b * std::sin(kTurn * u), height * std::sin(waves * kTurn * u)};
+      return Point3{a * std::cos(kWholeTurn * u), b * std::sin(kWholeTurn * u), height * std::sin(waves * kWholeTurn * u)};
     };
   };
   return {
       {"torus", [=](double u, double v) { return tube(ring(65, 65, 0, 1), 30, u, v); }},
-      {"swelling", [=](double u, double v) { return tube(ring(65, 65, 0, 1), 24 + 6 * std::sin(3 * kTurn * u), u, v); }},
+      {"swelling",
+       [=](double u, double v) { return tube(ring(65, 65, 0, 1), 24 + 6 * std::sin(3 * kWholeTurn * u), u, v); }},
       {"saddle", [=](double u, double v) { return tube(ring(65, 65, 15, 2), 22, u, v); }},
       {"oval", [=](double u, double v) { return tube(ring(80, 50, 0, 1), 25, u, v); }},
-      {"tilted", [=](double u, double v) { return tube(ring(70, 60, 20, 1), 22 + 4 * std::cos(kTurn * u), u, v); }},
+      {"tilted", [=](double u, double v) { return tube(ring(70, 60, 20, 1), 22 + 4 * std::cos(kWholeTurn * u), u, v); }},
   };
 }
 

@@ -59,7 +59,7 @@ double share_beyond(const Polylines& lines, const Distances& truth, double mm) {
 }
 
 constexpr std::size_t kViews = 4;
-const std::array<Point3, kViews> kDirections{{{-1, 1, -1}, {-0.3, 1, -0.8}, {0.9, 0.5, -0.65}, {0.2, 0.4, -1}}};
+const std::array<Point3, kViews> kViewDirections{{{-1, 1, -1}, {-0.3, 1, -0.8}, {0.9, 0.5, -0.65}, {0.2, 0.4, -1}}};
 
 /// Visible curves of each surface in each view, counted in pictures of the exact contours.
 const std::array<std::array<std::size_t, kViews>, 5> kCurves{
@@ -73,7 +73,7 @@ TEST_P(Surfaces, HasTheCurvesOfTheSurfaceAtEveryRefinement) {
     for (const int size : {1, 2, 4, 6}) {
       SCOPED_TRACE(testing::Message() << surface.name << ", view " << view << ", " << 3600 * size * size << " triangles");
       const Scene scene = uneven_mesh(surface, 60 * size, 30 * size, 0.3, static_cast<std::uint32_t>(size));
-      const DrawnOutlines drawn = draw_outlines(scene, kDirections[view]);
+      const DrawnOutlines drawn = draw_outlines(scene, kViewDirections[view]);
       EXPECT_EQ(drawn.lines.size(), kCurves[GetParam()][view]);
       const Polylines truth = true_contours(surface, drawn.view, 800, 400);
       const Distances distances(truth);

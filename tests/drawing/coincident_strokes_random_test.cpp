@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-constexpr double kTolerance = 2;
+constexpr double kApart = 2;
 
 double distance(Point2 p, const Stroke& s) {
   const Point2 a{s.from.x, s.from.y}, d{double(s.to.x) - s.from.x, double(s.to.y) - s.from.y};
@@ -42,7 +42,7 @@ void expect_no_overlap(const std::vector<Stroke>& strokes) {
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     for (std::size_t j = i + 1; j < strokes.size(); ++j) {
       if (!strokes[i].may_coincide && !strokes[j].may_coincide) continue;
-      EXPECT_FALSE(overlap(strokes[i].from, strokes[i].to, strokes[j].from, strokes[j].to, kTolerance)) << i << " " << j;
+      EXPECT_FALSE(overlap(strokes[i].from, strokes[i].to, strokes[j].from, strokes[j].to, kApart)) << i << " " << j;
     }
   }
 }
@@ -73,9 +73,9 @@ TEST(CoincidentStrokesRandom, CollinearStrokesKeepTheirUnion) {
   for (std::uint32_t seed = 1; seed <= 60; ++seed) {
     StrokeModel m = model(random_strokes(seed, 60, 0));
     const std::vector<Stroke> before = m.strokes;
-    remove_coincident_strokes(m, kTolerance);
-    EXPECT_LE(farthest(before, m.strokes), kTolerance) << "lost, seed " << seed;
-    EXPECT_LE(farthest(m.strokes, before), kTolerance) << "invented, seed " << seed;
+    remove_coincident_strokes(m, kApart);
+    EXPECT_LE(farthest(before, m.strokes), kApart) << "lost, seed " << seed;
+    EXPECT_LE(farthest(m.strokes, before), kApart) << "invented, seed " << seed;
     expect_no_overlap(m.strokes);
   }
 }
@@ -84,10 +84,10 @@ TEST(CoincidentStrokesRandom, NearlyCollinearStrokesKeepTheirUnion) {
   for (std::uint32_t seed = 1; seed <= 60; ++seed) {
     StrokeModel m = model(random_strokes(seed, 60, 1));
     const std::vector<Stroke> before = m.strokes;
-    remove_coincident_strokes(m, kTolerance);
+    remove_coincident_strokes(m, kApart);
     // A loser that gives its place to a winner which later loses to a third moves by the tolerance each time.
-    EXPECT_LE(farthest(before, m.strokes), 2 * kTolerance) << "lost, seed " << seed;
-    EXPECT_LE(farthest(m.strokes, before), 2 * kTolerance) << "invented, seed " << seed;
+    EXPECT_LE(farthest(before, m.strokes), 2 * kApart) << "lost, seed " << seed;
+    EXPECT_LE(farthest(m.strokes, before), 2 * kApart) << "invented, seed " << seed;
     expect_no_overlap(m.strokes);
   }
 }
@@ -104,7 +104,7 @@ TEST(CoincidentStrokesRandom, OfOneClassAndDepthTheLengthIsThatOfTheUnion) {
       strokes.push_back(stroke({40 * from, 30 * from}, {40 * to, 30 * to}, LineClass::crease, i));
     }
     StrokeModel m = model(strokes);
-    remove_coincident_strokes(m, kTolerance);
+    remove_coincident_strokes(m, kApart);
     double sum = 0;
     for (const Stroke& s : m.strokes) sum += length(s.from, s.to);
     EXPECT_NEAR(sum, 50.0 * double(std::count(covered.begin(), covered.end(), true)), 1e-6) << "round " << round;
@@ -116,8 +116,8 @@ TEST(CoincidentStrokesRandom, TheOrderOfTheInputDoesNotMatter) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     StrokeModel m = model(random_strokes(seed, 80, 1)), shuffled = m;
     std::shuffle(shuffled.strokes.begin(), shuffled.strokes.end(), random);
-    remove_coincident_strokes(m, kTolerance);
-    remove_coincident_strokes(shuffled, kTolerance);
+    remove_coincident_strokes(m, kApart);
+    remove_coincident_strokes(shuffled, kApart);
     ASSERT_EQ(m.strokes.size(), shuffled.strokes.size());
     for (std::size_t i = 0; i < m.strokes.size(); ++i) {
       EXPECT_TRUE(m.strokes[i].from == shuffled.strokes[i].from && m.strokes[i].to == shuffled.strokes[i].to &&
@@ -141,11 +141,11 @@ TEST(CoincidentStrokesRandom, InACrowdBesideLongStrokesNothingIsLostOrDrawnTwice
     m.strokes.push_back(stroke(to, from, LineClass::outline, 1001 + 2 * i));
   }
   const std::vector<Stroke> before = m.strokes;
-  remove_coincident_strokes(m, kTolerance);
+  remove_coincident_strokes(m, kApart);
   expect_no_overlap(m.strokes);
   std::vector<Stroke> some;
   for (std::size_t i = 0; i < before.size(); i += 100) some.push_back(before[i]);
-  EXPECT_LE(farthest(some, m.strokes), 2 * kTolerance);
+  EXPECT_LE(farthest(some, m.strokes), 2 * kApart);
 }
 
 TEST(CoincidentStrokesRandom, ThousandsOnOneLineAndFromOnePointStayFast) {
@@ -158,9 +158,9 @@ TEST(CoincidentStrokesRandom, ThousandsOnOneLineAndFromOnePointStayFast) {
     line.strokes.push_back(stroke({from, 0}, {to, 0}, LineClass::mesh, std::uint32_t(i)));
     fan.strokes.push_back(stroke({0, 0}, {200 * (i + 1), 100 * (i + 1)}, LineClass::mesh, random()));
   }
-  remove_coincident_strokes(line, kTolerance);
+  remove_coincident_strokes(line, kApart);
   EXPECT_LT(line.strokes.size(), 1000u);
-  remove_coincident_strokes(fan, kTolerance);
+  remove_coincident_strokes(fan, kApart);
   double sum = 0;
   for (const Stroke& s : fan.strokes) sum += length(s.from, s.to);
   EXPECT_NEAR(sum, std::hypot(200.0 * count, 100.0 * count), 1e-6 * sum);

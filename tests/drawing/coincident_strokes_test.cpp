@@ -11,11 +11,11 @@ namespace ligne {
 namespace {
 
 /// Of the tests' lattice steps, which are millimetres.
-constexpr double kTolerance = 2;
+constexpr double kCoincidence = 2;
 
 std::vector<Stroke> removed(std::vector<Stroke> strokes) {
   StrokeModel m = model(std::move(strokes));
-  remove_coincident_strokes(m, kTolerance);
+  remove_coincident_strokes(m, kCoincidence);
   std::sort(m.strokes.begin(), m.strokes.end(),
             [](const Stroke& l, const Stroke& r) { return std::tie(l.source, l.t_from) < std::tie(r.source, r.t_from); });
   return std::move(m.strokes);
@@ -148,7 +148,7 @@ TEST(CoincidentStrokes, StrokesThatLieOnNoOtherKeepTheirOrder) {
   Stroke other = stroke({0, 9}, {9, 9}, LineClass::mesh, 2);
   other.may_coincide = false;
   StrokeModel m = model({second, other, first});
-  remove_coincident_strokes(m, kTolerance);
+  remove_coincident_strokes(m, kCoincidence);
   ASSERT_EQ(m.strokes.size(), 3u);
   EXPECT_EQ(m.strokes[0].from, second.from);
   EXPECT_EQ(m.strokes[1].from, other.from);
@@ -159,7 +159,7 @@ TEST(CoincidentStrokes, ACutMeetsTheWinnerExactlySoThatTheyJoin) {
   // Two edges one step apart, one longer: together one line, drawn in one go.
   StrokeModel m =
       model({stroke({0, 0}, {1000, 0}, LineClass::outline, 0), stroke({500, 1}, {2000, 1}, LineClass::outline, 1)});
-  remove_coincident_strokes(m, kTolerance);
+  remove_coincident_strokes(m, kCoincidence);
   const Drawing drawing = make_drawing(m);
   ASSERT_EQ(drawing.layers.size(), 1u);
   EXPECT_EQ(drawing.layers[0].lines.size(), 1u);

@@ -8,14 +8,14 @@
 namespace ligne {
 namespace {
 
-constexpr auto kCrease = LineClass::crease, kOutline = LineClass::outline;
+constexpr auto kCreaseClass = LineClass::crease, kOutlineClass = LineClass::outline;
 
 SourceEdge no_source(const Stroke&) { return {}; }
 
 std::size_t joined(StrokeModel& m) { return join_loose_ends(m, {100, 250, 50}, no_source); }
 
 TEST(LooseEnds, AreJoined) {
-  StrokeModel m = model({stroke({0, 0}, {1000, 0}, kCrease, 3), stroke({2000, 30}, {1050, 20}, kCrease, 4)});
+  StrokeModel m = model({stroke({0, 0}, {1000, 0}, kCreaseClass, 3), stroke({2000, 30}, {1050, 20}, kCreaseClass, 4)});
   m.edge_count = 10;
   EXPECT_EQ(joined(m), 1u);
   ASSERT_EQ(m.strokes.size(), 3u);
@@ -27,76 +27,77 @@ TEST(LooseEnds, AreJoined) {
 }
 
 TEST(LooseEnds, TakeTheClassOfTheLongerLine) {
-  StrokeModel m = model({stroke({0, 0}, {1000, 0}, kCrease), stroke({1050, 0}, {3000, 0}, kOutline)});
+  StrokeModel m = model({stroke({0, 0}, {1000, 0}, kCreaseClass), stroke({1050, 0}, {3000, 0}, kOutlineClass)});
   EXPECT_EQ(joined(m), 1u);
-  EXPECT_EQ(m.strokes.back().line_class, kOutline);
+  EXPECT_EQ(m.strokes.back().line_class, kOutlineClass);
 }
 
 TEST(LooseEnds, APieceThatFillsTheGapButForRoundingIsJoinedAtBothEnds) {
-  StrokeModel m = model({stroke({0, 0}, {10'000, 0}, kCrease), stroke({9'998, 1}, {12'001, -1}, kCrease),
-                         stroke({12'000, 0}, {20'000, 0}, kCrease)});
+  StrokeModel m = model({stroke({0, 0}, {10'000, 0}, kCreaseClass), stroke({9'998, 1}, {12'001, -1}, kCreaseClass),
+                         stroke({12'000, 0}, {20'000, 0}, kCreaseClass)});
   EXPECT_EQ(join_loose_ends(m, {1000, 2500, 500}, no_source), 2u);
   EXPECT_EQ(make_drawing(m).layers.at(0).lines.size(), 1u);
 }
 
 TEST(LooseEnds, StayWhereTheLineTurnsAway) {
-  StrokeModel back = model({stroke({0, 0}, {1000, 0}, kCrease), stroke({0, 50}, {1000, 50}, kCrease)});
+  StrokeModel back = model({stroke({0, 0}, {1000, 0}, kCreaseClass), stroke({0, 50}, {1000, 50}, kCreaseClass)});
   EXPECT_EQ(joined(back), 0u) << "two lines that end beside each other";
-  StrokeModel corner = model({stroke({0, 0}, {1000, 0}, kCrease), stroke({1000, 50}, {1000, 900}, kCrease)});
+  StrokeModel corner = model({stroke({0, 0}, {1000, 0}, kCreaseClass), stroke({1000, 50}, {1000, 900}, kCreaseClass)});
   EXPECT_EQ(joined(corner), 0u) << "a corner";
 }
 
 TEST(LooseEnds, StayWhereAnotherLineEndsOrTheGapShows) {
-  StrokeModel held = model(
-      {stroke({0, 0}, {1000, 0}, kCrease), stroke({1050, 0}, {2000, 0}, kCrease), stroke({1000, 0}, {1000, 800}, kOutline)});
+  StrokeModel held = model({stroke({0, 0}, {1000, 0}, kCreaseClass), stroke({1050, 0}, {2000, 0}, kCreaseClass),
+                            stroke({1000, 0}, {1000, 800}, kOutlineClass)});
   EXPECT_EQ(joined(held), 0u);
-  StrokeModel far = model({stroke({0, 0}, {1000, 0}, kCrease), stroke({1250, 0}, {9000, 0}, kCrease)});
+  StrokeModel far = model({stroke({0, 0}, {1000, 0}, kCreaseClass), stroke({1250, 0}, {9000, 0}, kCreaseClass)});
   EXPECT_EQ(joined(far), 0u);
   StrokeModel mesh = model({stroke({0, 0}, {1000, 0}), stroke({1050, 0}, {2000, 0})});
   EXPECT_EQ(joined(mesh), 0u);
 }
 
 TEST(LooseEnds, OfThreeTheNearestAreJoined) {
-  StrokeModel m = model({stroke({0, 0}, {1000, 0}, kCrease), stroke({1040, 10}, {2000, 10}, kCrease),
-                         stroke({1070, -10}, {2000, -10}, kCrease)});
+  StrokeModel m = model({stroke({0, 0}, {1000, 0}, kCreaseClass), stroke({1040, 10}, {2000, 10}, kCreaseClass),
+                         stroke({1070, -10}, {2000, -10}, kCreaseClass)});
   EXPECT_EQ(joined(m), 1u);
   EXPECT_EQ(m.strokes.back().to, (LatticePoint{1040, 10}));
 }
 
 TEST(LooseEnds, OfLongLinesThatGoStraightOnAreJoinedWhereItShows) {
-  const Stroke left = stroke({0, 0}, {1000, 0}, kCrease), right = stroke({1200, 40}, {3000, 120}, kCrease);
+  const Stroke left = stroke({0, 0}, {1000, 0}, kCreaseClass), right = stroke({1200, 40}, {3000, 120}, kCreaseClass);
   StrokeModel straight = model({left, right});
   EXPECT_EQ(joined(straight), 1u);
-  StrokeModel turning = model({left, stroke({1180, 90}, {3000, 900}, kCrease)});
+  StrokeModel turning = model({left, stroke({1180, 90}, {3000, 900}, kCreaseClass)});
   EXPECT_EQ(joined(turning), 0u);
-  StrokeModel short_line = model({stroke({700, 0}, {1000, 0}, kCrease), right});
+  StrokeModel short_line = model({stroke({700, 0}, {1000, 0}, kCreaseClass), right});
   EXPECT_EQ(joined(short_line), 0u);
-  StrokeModel behind_a_post = model({left, right, stroke({1100, -500}, {1100, 500}, kOutline)});
+  StrokeModel behind_a_post = model({left, right, stroke({1100, -500}, {1100, 500}, kOutlineClass)});
   EXPECT_EQ(joined(behind_a_post), 0u);
-  StrokeModel beside = model({left, right, stroke({1100, 60}, {1100, 500}, kOutline)});
+  StrokeModel beside = model({left, right, stroke({1100, 60}, {1100, 500}, kOutlineClass)});
   EXPECT_EQ(joined(beside), 0u);
 }
 
 TEST(LooseEnds, MakeLinesLongEnoughForMore) {
-  StrokeModel m = model(
-      {stroke({0, 0}, {1000, 0}, kCrease), stroke({1120, 0}, {1370, 0}, kCrease), stroke({1570, 0}, {3000, 0}, kCrease)});
+  StrokeModel m = model({stroke({0, 0}, {1000, 0}, kCreaseClass), stroke({1120, 0}, {1370, 0}, kCreaseClass),
+                         stroke({1570, 0}, {3000, 0}, kCreaseClass)});
   EXPECT_EQ(joined(m), 2u);
 }
 
 TEST(LooseEnds, TheHiddenLineBetweenThemGoes) {
-  StrokeModel m = model({stroke({0, 0}, {1000, 0}, kCrease), stroke({1200, 0}, {3000, 0}, kCrease),
-                         hidden(stroke({1000, 0}, {1100, -20}, kCrease)), hidden(stroke({1100, -20}, {1200, 0}, kCrease)),
-                         hidden(stroke({1100, -20}, {1100, 900}, kCrease))});
+  StrokeModel m =
+      model({stroke({0, 0}, {1000, 0}, kCreaseClass), stroke({1200, 0}, {3000, 0}, kCreaseClass),
+             hidden(stroke({1000, 0}, {1100, -20}, kCreaseClass)), hidden(stroke({1100, -20}, {1200, 0}, kCreaseClass)),
+             hidden(stroke({1100, -20}, {1100, 900}, kCreaseClass))});
   EXPECT_EQ(joined(m), 1u);
   EXPECT_EQ(m.strokes.size(), 4u);
 }
 
 TEST(LooseEnds, OfOneSpeckMakeNoRing) {
-  StrokeModel speck = model({stroke({0, 0}, {80, 0}, kCrease)});
+  StrokeModel speck = model({stroke({0, 0}, {80, 0}, kCreaseClass)});
   EXPECT_EQ(joined(speck), 0u);
-  StrokeModel ring =
-      model({stroke({0, 0}, {500, 0}, kCrease), stroke({500, 0}, {500, 500}, kCrease), stroke({500, 500}, {0, 500}, kCrease),
-             stroke({0, 500}, {0, 50}, kCrease), stroke({0, 50}, {-30, 30}, kCrease)});
+  StrokeModel ring = model({stroke({0, 0}, {500, 0}, kCreaseClass), stroke({500, 0}, {500, 500}, kCreaseClass),
+                            stroke({500, 500}, {0, 500}, kCreaseClass), stroke({0, 500}, {0, 50}, kCreaseClass),
+                            stroke({0, 50}, {-30, 30}, kCreaseClass)});
   EXPECT_EQ(joined(ring), 1u);
 }
 

@@ -5,10 +5,10 @@
 namespace ligne {
 namespace {
 
-constexpr double kTolerance = 10;
+constexpr double kOverlapTolerance = 10;
 
 std::optional<StrokeOverlap> test(LatticePoint a0, LatticePoint a1, LatticePoint b0, LatticePoint b1) {
-  return overlap(a0, a1, b0, b1, kTolerance);
+  return overlap(a0, a1, b0, b1, kOverlapTolerance);
 }
 
 TEST(StrokeOverlap, PartOfTheOther) {

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string corpus(const std::string& name) { return LIGNE_SOURCE_DIR "/tests/corpus/" + name + ".json"; }
+std::string corpus_file(const std::string& name) { return LIGNE_SOURCE_DIR "/tests/corpus/" + name + ".json"; }
 
 /// Drawn length of each class, mm.
 using Lengths = std::array<double, kLineClassCount>;
@@ -53,8 +53,8 @@ class Defect : public testing::TestWithParam<const char*> {};
 /// ends.
 TEST_P(Defect, DrawsAsTheCube) {
   for (const char* view : {"iso", "front", "top", "dimetric", "right", "back"}) {
-    const Lengths expected = drawn(corpus("cube"), Quality::exact, view);
-    const Lengths clear = drawn(corpus(GetParam()), Quality::clear, view);
+    const Lengths expected = drawn(corpus_file("cube"), Quality::exact, view);
+    const Lengths clear = drawn(corpus_file(GetParam()), Quality::clear, view);
     for (std::size_t c = 0; c < kLineClassCount; ++c) {
       EXPECT_NEAR(clear[c], expected[c], 0.1) << view << ", " << kLineClassNames[c];
     }
@@ -111,7 +111,8 @@ Scene shuffled(const Scene& scene, unsigned seed) {
 }
 
 TEST(ClearDrawing, TheOrderOfFacesDoesNotMatter) {
-  std::vector<std::string> files{corpus("cube_stored_twice"), corpus("cube_with_crack"), corpus("t_junction")};
+  std::vector<std::string> files{corpus_file("cube_stored_twice"), corpus_file("cube_with_crack"),
+                                 corpus_file("t_junction")};
   const fs::path chair = fs::path(LIGNE_MODELS_DIR) / "chair_model.obj";
   if (fs::exists(chair)) files.push_back(chair.string());
   for (const std::string& file : files) {

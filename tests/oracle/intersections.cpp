@@ -12,7 +12,7 @@ namespace {
 /// many micrometres beside it is moved by the rounding of the page (a hundredth of delta) by up to half a micrometre.
 constexpr double kWidestDoubt = 50;
 /// Lines shorter than this are none.
-constexpr double kShortestMm = 2.5 * kMicrometre;
+constexpr double kShortestLineMm = 2.5 * kMicrometre;
 /// Parts of a line that are shorter are not asked about.
 constexpr double kShortestPartMm = 0.1 * kMicrometre;
 
@@ -58,7 +58,7 @@ std::optional<Line> common_line(const Face& f, const Face& g, const Projection& 
     return PagePoint{x, y, f.plane.z(x, y)};
   };
   const Line line(at(along_x ? x0 : y0), at(along_x ? x1 : y1), projection);
-  if (line.length_mm < kShortestMm) return {};
+  if (line.length_mm < kShortestLineMm) return {};
   return line;
 }
 
@@ -137,7 +137,7 @@ void cross_faces(Oracle::State& state, std::uint32_t f, std::uint32_t g) {
 void cross_edge(Oracle::State& state, const Edge& edge, const Line& line, std::uint32_t g) {
   const Face& wall = state.faces[g];
   const Vector3 a = exact(edge.a), b = exact(edge.b);
-  if (line.length_mm < kShortestMm || !line.box.meets(wall.box, 0, 0) || line.box.z0 > wall.box.z1 ||
+  if (line.length_mm < kShortestLineMm || !line.box.meets(wall.box, 0, 0) || line.box.z0 > wall.box.z1 ||
       wall.box.z0 > line.box.z1 || line.surely_beside(wall) || !state.lies_in_plane(a, wall) ||
       !state.lies_in_plane(b, wall)) {
     return;

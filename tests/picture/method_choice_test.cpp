@@ -57,7 +57,7 @@ Studied studied(const Scene& scene, const Point3& direction) {
   return result;
 }
 
-const Point3 kOblique{-0.37, 0.83, -0.41};
+const Point3 kObliqueView{-0.37, 0.83, -0.41};
 
 TEST(MethodChoice, IsNeverBeyondItsMethod) {
   std::size_t scenes = 0;
@@ -65,7 +65,7 @@ TEST(MethodChoice, IsNeverBeyondItsMethod) {
     if (entry.path().extension() != ".json") continue;
     Warnings warnings;
     const Scene scene = read_scene(entry.path(), {}, warnings);
-    for (const Point3& direction : {kOblique, Point3{0, 0, -1}}) {
+    for (const Point3& direction : {kObliqueView, Point3{0, 0, -1}}) {
       const Studied s = studied(scene, direction);
       EXPECT_EQ(s.by_choice.result.beyond, "") << entry.path().stem();
       EXPECT_LT(s.difference.length_mm, kSameLineMm) << entry.path().stem();
@@ -105,14 +105,14 @@ Scene ball(std::uint32_t n, double dent, std::uint32_t dents, bool open = false)
 }
 
 TEST(MethodChoice, TakesCullingForAConvexBody) {
-  const Studied s = studied(ball(48, 0, 0), kOblique);
+  const Studied s = studied(ball(48, 0, 0), kObliqueView);
   EXPECT_EQ(s.by_choice.method->traits().name, "culling");
   EXPECT_EQ(s.by_choice.why, "rule 2: one opaque convex body of many faces");
   EXPECT_LT(s.difference.length_mm, kSameLineMm);
 }
 
 TEST(MethodChoice, TakesTheDefaultForOthers) {
-  const auto name = [](const Scene& scene) { return studied(scene, kOblique).by_choice.method->traits().name; };
+  const auto name = [](const Scene& scene) { return studied(scene, kObliqueView).by_choice.method->traits().name; };
   EXPECT_EQ(name(ball(8, 0, 0)), "appel") << "small";
   EXPECT_EQ(name(ball(48, 0, 0, true)), "appel") << "open";
   EXPECT_EQ(name(ball(48, 0.2, 24)), "appel") << "half a ring of dents";
@@ -126,7 +126,7 @@ TEST(MethodChoice, TakesTheDefaultForOthers) {
 TEST(MethodChoice, FindsADentThatItsSampleMisses) {
   std::set<std::string> whys;
   for (std::uint32_t n = 40; n < 64; n += 2) {
-    const Studied s = studied(ball(n, 0.01, 1), kOblique);
+    const Studied s = studied(ball(n, 0.01, 1), kObliqueView);
     EXPECT_EQ(s.by_choice.method->traits().name, "appel") << n;
     whys.insert(s.by_choice.why);
   }

@@ -20,7 +20,7 @@
 namespace ligne::test {
 namespace {
 
-const std::filesystem::path kSource = LIGNE_SOURCE_DIR;
+const std::filesystem::path kRunFolder = LIGNE_SOURCE_DIR;
 
 struct Colors {
   int width = 0, height = 0;
@@ -51,8 +51,8 @@ Colors drawn(const std::string& file, const std::string& method, const std::stri
   const std::filesystem::path png =
       std::filesystem::temp_directory_path() / ("ligne-painting-" + std::to_string(getpid()) + ".png");
   const Outcome outcome =
-      run_ligne(kSource, {"draw", file, "--method", method, "--fill", fill, "--edges", "border", "--dpi", "150",
-                          "--landscape", "--quality", "exact", "-q", "--threads", "1", "-o", png.string()});
+      run_ligne(kRunFolder, {"draw", file, "--method", method, "--fill", fill, "--edges", "border", "--dpi", "150",
+                             "--landscape", "--quality", "exact", "-q", "--threads", "1", "-o", png.string()});
   if (outcome.status != 0) throw std::runtime_error(outcome.err);
   Colors colors = read_colors(png);
   std::filesystem::remove(png);

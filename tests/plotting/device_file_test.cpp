@@ -35,7 +35,7 @@ std::string device_with(const std::string& language, const std::string& key, con
   return found || key.empty() ? text : text + key + " = " + value + "\n";
 }
 
-std::string error_of(const std::string& toml) {
+std::string device_error(const std::string& toml) {
   try {
     read_device(toml, "F");
   } catch (const std::runtime_error& error) {
@@ -55,12 +55,13 @@ TEST(DeviceFile, SpeedsAndTimesHaveBounds) {
       {"lift_seconds", "0", "600", {"-0.1", "601", "1e300", "inf"}, "0 to 600 s"},
       {"pen_change_seconds", "0", "86400", {"-0.1", "86401", "1e300", "inf"}, "0 to 86400 s"}};
   for (const auto& c : cases) {
-    for (const char* good : {c.least, c.most}) EXPECT_EQ(error_of(device_with("hpgl", c.key, good)), "no error") << c.key;
+    for (const char* good : {c.least, c.most})
+      EXPECT_EQ(device_error(device_with("hpgl", c.key, good)), "no error") << c.key;
     for (const char* bad : c.bad) {
-      const std::string line = error_of(device_with("hpgl", c.key, bad));
+      const std::string line = device_error(device_with("hpgl", c.key, bad));
       EXPECT_TRUE(line.ends_with(std::string(": ") + c.key + " is not from " + c.range)) << bad << ": " << line;
     }
-    EXPECT_TRUE(error_of(device_with("hpgl", c.key, "nan")).ends_with(" is not a number"));
+    EXPECT_TRUE(device_error(device_with("hpgl", c.key, "nan")).ends_with(" is not a number"));
   }
 }
 
@@ -78,7 +79,7 @@ TEST(DeviceFile, PapersHaveBounds) {
   const auto with_paper = [](const std::string& paper) {
     std::string text = device_with("hpgl", "", "");
     text.erase(text.find("limits"), text.find('\n', text.find("limits")) + 1 - text.find("limits"));
-    return error_of(text + "[[paper]]\nname = \"p\"\n" + paper);
+    return device_error(text + "[[paper]]\nname = \"p\"\n" + paper);
   };
   EXPECT_EQ(with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1, 1]\n"), "no error");
   EXPECT_NE(with_paper("width = 1e300\nheight = 297\nlimits = [0, 0, 1, 1]\n").find("at most 100000 mm"), std::string::npos);
@@ -92,7 +93,7 @@ TEST(DeviceFile, PapersHaveBounds) {
 
 TEST(DeviceFile, WhatIsNotKnownInBracesIsAnErrorThatListsWhatIs) {
   const auto error = [](const char* key, const char* value, const char* language = "hpgl") {
-    const std::string line = error_of(device_with(language, key, value));
+    const std::string line = device_error(device_with(language, key, value));
     const std::size_t cause = line.find(": ");
     return cause == std::string::npos ? line : line.substr(cause + 2);
   };

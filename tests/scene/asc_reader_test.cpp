@@ -12,7 +12,7 @@ Scene plain_asc(std::span<const std::byte> bytes, const std::string& name, ReadR
 
 using namespace reader_test;
 
-std::string error(const std::string& text) { return error_of(plain_asc, text); }
+std::string asc_error(const std::string& text) { return error_of(plain_asc, text); }
 
 const std::string kHead = "Named object: \"Box\"\nTri-mesh, Vertices: 3     Faces: 1\nVertex list:\n";
 const std::string kVertices =
@@ -61,7 +61,7 @@ TEST(AscReader, LightsAndCamerasEndAMeshWithoutAnObjectLine) {
   const Result r = read_raw(plain_asc, kHead + kVertices + kFace + camera + kHead + kVertices + kFace + light);
   expect_sound(r.scene);
   EXPECT_EQ(r.scene.objects.size(), 2u);
-  EXPECT_EQ(error(kHead + kVertices + camera), "M:7: mesh 'Box' ends with 3 of 3 vertices and 0 of 1 faces");
+  EXPECT_EQ(asc_error(kHead + kVertices + camera), "M:7: mesh 'Box' ends with 3 of 3 vertices and 0 of 1 faces");
 }
 
 TEST(AscReader, UnknownLinesAreCounted) {
@@ -70,28 +70,28 @@ TEST(AscReader, UnknownLinesAreCounted) {
 }
 
 TEST(AscReader, ErrorsNameTheLine) {
-  EXPECT_EQ(error(kHead + "Vertex 0: X: 0 Y: zero Z: 0\n"), "M:4: 'zero' is not a coordinate");
-  EXPECT_EQ(error(kHead + "Vertex 0: X: 0 Z: 0\n"), "M:4: expected 'Y:', found 'Z: 0'");
-  EXPECT_EQ(error(kHead + "Vertex 1: X: 0 Y: 0 Z: 0\n"), "M:4: expected vertex 0, found '1'");
-  EXPECT_EQ(error(kHead + kVertices + "Vertex 3: X: 0 Y: 0 Z: 0\n"), "M:7: vertex 3 of a mesh with 3");
-  EXPECT_EQ(error(kHead + kVertices + "Face 0: A:0 B:1 C:3 AB:1 BC:1 CA:1\n"), "M:7: face names vertex 3 of 3");
-  EXPECT_EQ(error(kHead + kVertices + "Face 0: A:0 B:-1 C:2 AB:1 BC:1 CA:1\n"),
+  EXPECT_EQ(asc_error(kHead + "Vertex 0: X: 0 Y: zero Z: 0\n"), "M:4: 'zero' is not a coordinate");
+  EXPECT_EQ(asc_error(kHead + "Vertex 0: X: 0 Z: 0\n"), "M:4: expected 'Y:', found 'Z: 0'");
+  EXPECT_EQ(asc_error(kHead + "Vertex 1: X: 0 Y: 0 Z: 0\n"), "M:4: expected vertex 0, found '1'");
+  EXPECT_EQ(asc_error(kHead + kVertices + "Vertex 3: X: 0 Y: 0 Z: 0\n"), "M:7: vertex 3 of a mesh with 3");
+  EXPECT_EQ(asc_error(kHead + kVertices + "Face 0: A:0 B:1 C:3 AB:1 BC:1 CA:1\n"), "M:7: face names vertex 3 of 3");
+  EXPECT_EQ(asc_error(kHead + kVertices + "Face 0: A:0 B:-1 C:2 AB:1 BC:1 CA:1\n"),
             "M:7: '-1' after 'B:' is not a whole number in range");
-  EXPECT_EQ(error(kHead + kVertices + "Face 0: A:0 B:1\n"), "M:7: expected 'C:', found ''");
-  EXPECT_EQ(error(kHead + kVertices + "Face 0: A:0 B:1 C:2 AB:1\n"), "M:7: expected 'BC:', found ''");
-  EXPECT_EQ(error(kHead + kVertices + kFace + "Face 1: A:0 B:1 C:2\n"), "M:9: face 1 of a mesh with 1");
-  EXPECT_EQ(error(kHead + kVertices), "M:6: mesh 'Box' ends with 3 of 3 vertices and 0 of 1 faces");
-  EXPECT_EQ(error(kHead + "Vertex 0: X:0 Y:0 Z:0\n\nNamed object: \"b\"\n"),
+  EXPECT_EQ(asc_error(kHead + kVertices + "Face 0: A:0 B:1\n"), "M:7: expected 'C:', found ''");
+  EXPECT_EQ(asc_error(kHead + kVertices + "Face 0: A:0 B:1 C:2 AB:1\n"), "M:7: expected 'BC:', found ''");
+  EXPECT_EQ(asc_error(kHead + kVertices + kFace + "Face 1: A:0 B:1 C:2\n"), "M:9: face 1 of a mesh with 1");
+  EXPECT_EQ(asc_error(kHead + kVertices), "M:6: mesh 'Box' ends with 3 of 3 vertices and 0 of 1 faces");
+  EXPECT_EQ(asc_error(kHead + "Vertex 0: X:0 Y:0 Z:0\n\nNamed object: \"b\"\n"),
             "M:6: mesh 'Box' ends with 1 of 3 vertices and 0 of 1 faces");
-  EXPECT_EQ(error("Named object: \"a\"\nTri-mesh, Vertices: 4294967295 Faces: 1\n"),
+  EXPECT_EQ(asc_error("Named object: \"a\"\nTri-mesh, Vertices: 4294967295 Faces: 1\n"),
             "M:2: '4294967295' after 'Vertices:' is not a whole number in range");
-  EXPECT_EQ(error("Named object: \"a\"\nTri-mesh, Vertices: 4000000000 Faces: 4000000000\n"),
+  EXPECT_EQ(asc_error("Named object: \"a\"\nTri-mesh, Vertices: 4000000000 Faces: 4000000000\n"),
             "M:2: mesh 'a' ends with 0 of 4000000000 vertices and 0 of 4000000000 faces");
-  EXPECT_EQ(error("Named object: \"a\"\nTri-mesh\n"), "M:2: expected 'Vertices:', found ''");
-  EXPECT_EQ(error("Named object: \"a\"\nVertex 0: X:0 Y:0 Z:0\n"), "M:2: mesh data outside a tri-mesh");
-  EXPECT_EQ(error(kHead + "Material:\"a\"\n"), "M:4: material before the first face");
-  EXPECT_EQ(error("Position: X:0 Y:0 Z:0\n"), "M:1: position outside a light or camera");
-  EXPECT_EQ(error("Ambient light color: Red=1\n"), "M: holds no faces");
+  EXPECT_EQ(asc_error("Named object: \"a\"\nTri-mesh\n"), "M:2: expected 'Vertices:', found ''");
+  EXPECT_EQ(asc_error("Named object: \"a\"\nVertex 0: X:0 Y:0 Z:0\n"), "M:2: mesh data outside a tri-mesh");
+  EXPECT_EQ(asc_error(kHead + "Material:\"a\"\n"), "M:4: material before the first face");
+  EXPECT_EQ(asc_error("Position: X:0 Y:0 Z:0\n"), "M:1: position outside a light or camera");
+  EXPECT_EQ(asc_error("Ambient light color: Red=1\n"), "M: holds no faces");
 }
 
 TEST(AscReader, ModelsOfOthers) {

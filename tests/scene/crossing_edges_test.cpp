@@ -1,6 +1,7 @@
 /// Edges along which surfaces pass through each other.
 
 #include "scene/clean/crossing_edges.hpp"
+#include "even_positions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +14,6 @@
 
 namespace ligne {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-std::vector<double> evenly(double from, double to, std::size_t intervals) {
-  std::vector<double> positions;
-  for (std::size_t i = 0; i <= intervals; ++i)
-    positions.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(intervals));
-  return positions;
-}
 
 /// Number of edges that are marked, over all objects.
 int crossing_edges(Scene scene) {
@@ -74,13 +66,14 @@ TEST(CrossingEdges, WhatTouchesDoesNotCross) {
 }
 
 TEST(CrossingEdges, SurfacesThatCrossThemselves) {
-  const auto full = evenly(0, 2 * kPi, 12);
+  const auto full = evenly(0, 2 * std::numbers::pi, 12);
   const std::array<std::string, 3> klein{"(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*cos(u)",
                                          "(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*sin(u)",
                                          "sin(u/2)*sin(v)+cos(u/2)*sin(2*v)"};
   EXPECT_EQ(of_parametric(klein, full, full), 12) << "the circle in the middle of the eight";
-  EXPECT_EQ(of_parametric({"sin(u)*cos(v)", "sin(u)*sin(v)", "cos(u)"}, evenly(0, kPi, 6), full), 0) << "poles";
-  EXPECT_EQ(of_parametric({"(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)"}, evenly(0, 4 * kPi, 24), full), 0)
+  EXPECT_EQ(of_parametric({"sin(u)*cos(v)", "sin(u)*sin(v)", "cos(u)"}, evenly(0, std::numbers::pi, 6), full), 0) << "poles";
+  EXPECT_EQ(of_parametric({"(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)"}, evenly(0, 4 * std::numbers::pi, 24), full),
+            0)
       << "twice round";
 }
 

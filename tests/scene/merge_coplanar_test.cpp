@@ -71,7 +71,7 @@ std::vector<std::array<double, 3>> points(const Scene& scene, std::size_t f, std
   return out;
 }
 
-using Points = std::vector<std::array<double, 3>>;
+using ContourPoints = std::vector<std::array<double, 3>>;
 
 const Keep kAll = [](int, int) { return true; };
 
@@ -81,8 +81,8 @@ TEST(MergeCoplanar, GridWithHole) {
         3, 3, [](int x, int y) { return x != 1 || y != 1; }, triangles));
     ASSERT_EQ(scene.faces.size(), 1u);
     ASSERT_EQ(scene.faces.contour_count(0), 2u);
-    EXPECT_EQ(points(scene, 0, 0), (Points{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}}));
-    EXPECT_EQ(points(scene, 0, 1), (Points{{1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}}));
+    EXPECT_EQ(points(scene, 0, 0), (ContourPoints{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}}));
+    EXPECT_EQ(points(scene, 0, 1), (ContourPoints{{1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}}));
     EXPECT_EQ(scene.vertices.size(), 8u) << "the vertices left out are gone";
     EXPECT_EQ(scene.objects[0].face_end, 1u);
     EXPECT_EQ(scene.objects[0].vertex_end, 8u);
@@ -92,8 +92,8 @@ TEST(MergeCoplanar, GridWithHole) {
 TEST(MergeCoplanar, TwoPiecesAreTwoFaces) {
   const Scene scene = merged(grid(5, 2, [](int x, int) { return x != 2; }));
   ASSERT_EQ(scene.faces.size(), 2u);
-  EXPECT_EQ(points(scene, 0, 0), (Points{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}));
-  EXPECT_EQ(points(scene, 1, 0), (Points{{3, 0, 0}, {5, 0, 0}, {5, 2, 0}, {3, 2, 0}}));
+  EXPECT_EQ(points(scene, 0, 0), (ContourPoints{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}));
+  EXPECT_EQ(points(scene, 1, 0), (ContourPoints{{3, 0, 0}, {5, 0, 0}, {5, 2, 0}, {3, 2, 0}}));
 }
 
 TEST(MergeCoplanar, PiecesThatTouchInACornerStaySimple) {
@@ -145,7 +145,7 @@ TEST(MergeCoplanar, MaterialsStayApart) {
   ASSERT_EQ(out.faces.size(), 2u);
   EXPECT_EQ(out.face_material, (Corners{0, 1}));
   EXPECT_EQ(out.details[0].face, 1u);
-  EXPECT_EQ(points(out, 0, 0), (Points{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}));
+  EXPECT_EQ(points(out, 0, 0), (ContourPoints{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}));
 }
 
 TEST(MergeCoplanar, ObjectsStayApart) {
@@ -171,7 +171,7 @@ TEST(MergeCoplanar, BentFacesStayApart) {
   const auto roof = [](int x, int) { return x <= 2 ? 0.5 * x : 2 - 0.5 * x; };
   const Scene scene = merged(grid(4, 3, kAll, true, roof));
   ASSERT_EQ(scene.faces.size(), 2u);
-  EXPECT_EQ(points(scene, 0, 0), (Points{{0, 0, 0}, {2, 0, 1}, {2, 3, 1}, {0, 3, 0}}))
+  EXPECT_EQ(points(scene, 0, 0), (ContourPoints{{0, 0, 0}, {2, 0, 1}, {2, 3, 1}, {0, 3, 0}}))
       << "the ridge has lost its vertices on both sides";
 }
 
@@ -261,7 +261,7 @@ TEST(MergeCoplanar, VerticesThatOthersUseStay) {
   scene.faces.add_face(Corners{1, n, n + 1, 2});
   const Scene out = merged(scene);
   ASSERT_EQ(out.faces.size(), 2u);
-  EXPECT_EQ(points(out, 0, 0), (Points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}));
+  EXPECT_EQ(points(out, 0, 0), (ContourPoints{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}));
 }
 
 TEST(MergeCoplanar, WallInsideOfAPlate) {
@@ -309,7 +309,7 @@ TEST(MergeCoplanar, TrianglesWithoutAreaJoin) {
   scene.faces.add_face(Corners{1, 5, 6, 2, 4});
   const Scene out = merged(scene);
   ASSERT_EQ(out.faces.size(), 1u);
-  EXPECT_EQ(points(out, 0, 0), (Points{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}));
+  EXPECT_EQ(points(out, 0, 0), (ContourPoints{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}));
 }
 
 TEST(MergeCoplanar, EmptyScene) {

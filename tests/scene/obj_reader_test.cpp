@@ -12,7 +12,7 @@ Scene plain_obj(std::span<const std::byte> bytes, const std::string& name, ReadR
 
 using namespace reader_test;
 
-std::string error(const std::string& text) { return error_of(plain_obj, text); }
+std::string obj_error(const std::string& text) { return error_of(plain_obj, text); }
 
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
@@ -100,37 +100,39 @@ TEST(ObjReader, LinesAndCurvesAreLeftOutAndCounted) {
 }
 
 TEST(ObjReader, ErrorsNameTheLine) {
-  EXPECT_EQ(error(kSquare + "f 1 2\n"), "M:5: face with 2 corners, needs 3 or more");
-  EXPECT_EQ(error(kSquare + "f\n"), "M:5: face with 0 corners, needs 3 or more");
-  EXPECT_EQ(error(kSquare + "f 1 2 5\n"), "M:5: face names vertex 5 of 4");
-  EXPECT_EQ(error(kSquare + "f 1 2 -5\n"), "M:5: face names vertex -5 of 4");
-  EXPECT_EQ(error(kSquare + "f 0 1 2\n"), "M:5: face names vertex 0 of 4");
-  EXPECT_EQ(error(kSquare + "f 1 2 three\n"), "M:5: 'three' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
-  EXPECT_EQ(error(kSquare + "f 1 2 3.5\n"), "M:5: '3.5' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
-  EXPECT_EQ(error(kSquare + "f 1 2 3/1/1/1\n"), "M:5: '3/1/1/1' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
-  EXPECT_EQ(error(kSquare + "f 1 2 /3\n"), "M:5: '/3' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
-  EXPECT_EQ(error(kSquare + "f 1 2 99999999999\n"),
+  EXPECT_EQ(obj_error(kSquare + "f 1 2\n"), "M:5: face with 2 corners, needs 3 or more");
+  EXPECT_EQ(obj_error(kSquare + "f\n"), "M:5: face with 0 corners, needs 3 or more");
+  EXPECT_EQ(obj_error(kSquare + "f 1 2 5\n"), "M:5: face names vertex 5 of 4");
+  EXPECT_EQ(obj_error(kSquare + "f 1 2 -5\n"), "M:5: face names vertex -5 of 4");
+  EXPECT_EQ(obj_error(kSquare + "f 0 1 2\n"), "M:5: face names vertex 0 of 4");
+  EXPECT_EQ(obj_error(kSquare + "f 1 2 three\n"), "M:5: 'three' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
+  EXPECT_EQ(obj_error(kSquare + "f 1 2 3.5\n"), "M:5: '3.5' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
+  EXPECT_EQ(obj_error(kSquare + "f 1 2 3/1/1/1\n"), "M:5: '3/1/1/1' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
+  EXPECT_EQ(obj_error(kSquare + "f 1 2 /3\n"), "M:5: '/3' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
+  EXPECT_EQ(obj_error(kSquare + "f 1 2 99999999999\n"),
             "M:5: '99999999999' is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
-  EXPECT_EQ(error(kSquare + "f 1 2 2147483647\n"), "M:5: face names vertex 2147483647 of 4");
-  EXPECT_EQ(error("v 0 0\n"), "M:1: vertex with 2 coordinates, needs 3");
-  EXPECT_EQ(error("v 0 0 0\nv 0 zero 0\n"), "M:2: 'zero' is not a coordinate of a vertex");
-  EXPECT_EQ(error("v 0 nan 0\n"), "M:1: 'nan' is not a coordinate of a vertex");
-  EXPECT_EQ(error("v 0 inf 0\n"), "M:1: 'inf' is not a coordinate of a vertex");
-  EXPECT_EQ(error("v 0 1e999 0\n"), "M:1: '1e999' is not a coordinate of a vertex");
-  EXPECT_EQ(error("v 0 1,5 0\n"), "M:1: '1,5' is not a coordinate of a vertex");
-  EXPECT_EQ(error("v 0 0x10 0\n"), "M:1: '0x10' is not a coordinate of a vertex");
-  EXPECT_EQ(error("v 1 2 3 4 5 6 7 8 9\n"), "M:1: vertex with more than 8 numbers");
-  EXPECT_EQ(error("\r\nv 0 0 0\r\n\r\nf 1 \\\r\n2\r\n"), "M:4: face with 2 corners, needs 3 or more");
-  EXPECT_EQ(error(kSquare + "f 1 2 3 \\"), "M:5: the file ends in a continued line");
-  EXPECT_EQ(error(kSquare), "M: holds no faces");
-  EXPECT_EQ(error(kSquare + std::string("f 1 2\0 3\n", 10)), "M:5: zero byte in a text file");
-  EXPECT_EQ(error("v 0 0 " + std::string(100, 'x')),
+  EXPECT_EQ(obj_error(kSquare + "f 1 2 2147483647\n"), "M:5: face names vertex 2147483647 of 4");
+  EXPECT_EQ(obj_error("v 0 0\n"), "M:1: vertex with 2 coordinates, needs 3");
+  EXPECT_EQ(obj_error("v 0 0 0\nv 0 zero 0\n"), "M:2: 'zero' is not a coordinate of a vertex");
+  EXPECT_EQ(obj_error("v 0 nan 0\n"), "M:1: 'nan' is not a coordinate of a vertex");
+  EXPECT_EQ(obj_error("v 0 inf 0\n"), "M:1: 'inf' is not a coordinate of a vertex");
+  EXPECT_EQ(obj_error("v 0 1e999 0\n"), "M:1: '1e999' is not a coordinate of a vertex");
+  EXPECT_EQ(obj_error("v 0 1,5 0\n"), "M:1: '1,5' is not a coordinate of a vertex");
+  EXPECT_EQ(obj_error("v 0 0x10 0\n"), "M:1: '0x10' is not a coordinate of a vertex");
+  EXPECT_EQ(obj_error("v 1 2 3 4 5 6 7 8 9\n"), "M:1: vertex with more than 8 numbers");
+  EXPECT_EQ(obj_error("\r\nv 0 0 0\r\n\r\nf 1 \\\r\n2\r\n"), "M:4: face with 2 corners, needs 3 or more");
+  EXPECT_EQ(obj_error(kSquare + "f 1 2 3 \\"), "M:5: the file ends in a continued line");
+  EXPECT_EQ(obj_error(kSquare), "M: holds no faces");
+  EXPECT_EQ(obj_error(kSquare + std::string("f 1 2\0 3\n", 10)), "M:5: zero byte in a text file");
+  EXPECT_EQ(obj_error("v 0 0 " + std::string(100, 'x')),
             "M:1: '" + std::string(40, 'x') + "...' is not a coordinate of a vertex");
-  EXPECT_EQ(error("v 0 0 \x1b[2J"), "M:1: '\\x1b[2J' is not a coordinate of a vertex");
+  EXPECT_EQ(obj_error("v 0 0 \x1b[2J"), "M:1: '\\x1b[2J' is not a coordinate of a vertex");
 }
 
 // The first error is the one that is told, and what follows is not read.
-TEST(ObjReader, StopsAtTheFirstError) { EXPECT_EQ(error("v a 0 0\nf 1 2\n"), "M:1: 'a' is not a coordinate of a vertex"); }
+TEST(ObjReader, StopsAtTheFirstError) {
+  EXPECT_EQ(obj_error("v a 0 0\nf 1 2\n"), "M:1: 'a' is not a coordinate of a vertex");
+}
 
 struct Model {
   const char* file;

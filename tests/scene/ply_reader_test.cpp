@@ -15,7 +15,7 @@ Scene plain_ply(std::span<const std::byte> bytes, const std::string& name, ReadR
 
 using namespace reader_test;
 
-std::string error(const std::string& text) { return error_of(plain_ply, text); }
+std::string ply_error(const std::string& text) { return error_of(plain_ply, text); }
 
 std::string header(const std::string& format, const std::string& vertices, const std::string& faces,
                    const std::string& type = "float") {
@@ -24,7 +24,7 @@ std::string header(const std::string& format, const std::string& vertices, const
          "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-const std::string kSquare = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string kSquareCorners = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 /// Appends a number in the byte order.
 template <typename T>
@@ -36,7 +36,7 @@ void put(std::string& out, std::endian order, T value) {
 }
 
 TEST(PlyReader, TextWithPolygons) {
-  const Result r = read_raw(plain_ply, header("ascii", "4", "2") + kSquare + "4 0 1 2 3\n3 0 1 2\n");
+  const Result r = read_raw(plain_ply, header("ascii", "4", "2") + kSquareCorners + "4 0 1 2 3\n3 0 1 2\n");
   expect_sound(r.scene);
   EXPECT_EQ(r.scene.faces.contour(0, 0).size(), 4u);
   EXPECT_EQ(r.report.triangles, 3u);
@@ -46,10 +46,10 @@ TEST(PlyReader, TextWithPolygons) {
 
 TEST(PlyReader, ByteOrderMarkAndBlankLinesInFront) {
   const std::string front = "\xEF\xBB\xBF\r\n \n";
-  const std::string text = front + header("ascii", "4", "1") + kSquare + "4 0 1 2 3\n";
+  const std::string text = front + header("ascii", "4", "1") + kSquareCorners + "4 0 1 2 3\n";
   EXPECT_EQ(detect_format(bytes_of(text), "", "M"), ModelFormat::ply);
   EXPECT_EQ(read_raw(plain_ply, text).scene.faces.size(), 1u);
-  EXPECT_EQ(error(front + header("ascii", "4", "1") + "0 0\n"), "M:13: line with too few numbers");
+  EXPECT_EQ(ply_error(front + header("ascii", "4", "1") + "0 0\n"), "M:13: line with too few numbers");
 }
 
 TEST(PlyReader, ExtraElementsAndPropertiesInAnyOrder) {
@@ -84,9 +84,9 @@ TEST(PlyReader, BinaryInBothByteOrders) {
     EXPECT_EQ(r.scene.vertices[2], Point3(0.2, 3, -600));
     EXPECT_EQ(r.scene.faces.corners()[0], 2u);
     EXPECT_EQ(r.scene.objects[0].precision, std::ldexp(0.5, 10 - 24));
-    EXPECT_EQ(error(bytes + "!"), "M: has 1 bytes more than the header names elements for");
-    EXPECT_EQ(error(bytes.substr(0, bytes.size() - 1)), "M: the file ends in face 0 of 1");
-    EXPECT_EQ(error(bytes.substr(0, bytes.size() - 20)), "M: the file ends in vertex 2 of 3");
+    EXPECT_EQ(ply_error(bytes + "!"), "M: has 1 bytes more than the header names elements for");
+    EXPECT_EQ(ply_error(bytes.substr(0, bytes.size() - 1)), "M: the file ends in face 0 of 1");
+    EXPECT_EQ(ply_error(bytes.substr(0, bytes.size() - 20)), "M: the file ends in vertex 2 of 3");
   }
 }
 
@@ -98,62 +98,63 @@ TEST(PlyReader, DoublesKeepTheirPlaces) {
 
 TEST(PlyReader, ErrorsInTextNameTheLine) {
   const std::string three = "0 0 0\n1 0 0\n0 1 0\n";
-  EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 9\n"), "M: face 0 names vertex 9 of 3");
-  EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 -1\n"), "M:14: corner of a face is not a vertex index");
-  EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 1.5\n"), "M:14: '1.5' is not a whole number");
-  EXPECT_EQ(error(header("ascii", "3", "1") + three + "2 0 1\n"), "M:14: face with 2 corners, needs 3 or more");
-  EXPECT_EQ(error(header("ascii", "3", "1") + three + "-3 0 1\n"), "M:14: list of negative length");
-  EXPECT_EQ(error(header("ascii", "3", "1") + three + "4e38 0 1\n"), "M:14: list longer than any file");
-  EXPECT_EQ(error(header("ascii", "3", "1") + three + "4 0 1 2\n"), "M:14: line with too few numbers");
-  EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 2 0\n"), "M:14: line with too many numbers, from '0' on");
-  EXPECT_EQ(error(header("ascii", "3", "1") + "0 0 0\n1 zero 0\n"), "M:12: 'zero' is not a number");
-  EXPECT_EQ(error(header("ascii", "3", "1") + "0 0 0\n1 nan 0\n"), "M:12: 'nan' is not a number");
-  EXPECT_EQ(error(header("ascii", "3", "1") + "0 0 0\n1 0"), "M:12: line with too few numbers");
-  EXPECT_EQ(error(header("ascii", "3", "1") + "0 0 0\n1 0 0\n"), "M:12: the file ends before vertex 2 of 3");
-  EXPECT_EQ(error(header("ascii", "3", "1") + three), "M:13: the file ends before face 0 of 1");
-  EXPECT_EQ(error(header("ascii", "9000000000000000000", "1") + three),
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + three + "3 0 1 9\n"), "M: face 0 names vertex 9 of 3");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + three + "3 0 1 -1\n"), "M:14: corner of a face is not a vertex index");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + three + "3 0 1 1.5\n"), "M:14: '1.5' is not a whole number");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + three + "2 0 1\n"), "M:14: face with 2 corners, needs 3 or more");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + three + "-3 0 1\n"), "M:14: list of negative length");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + three + "4e38 0 1\n"), "M:14: list longer than any file");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + three + "4 0 1 2\n"), "M:14: line with too few numbers");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + three + "3 0 1 2 0\n"), "M:14: line with too many numbers, from '0' on");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + "0 0 0\n1 zero 0\n"), "M:12: 'zero' is not a number");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + "0 0 0\n1 nan 0\n"), "M:12: 'nan' is not a number");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + "0 0 0\n1 0"), "M:12: line with too few numbers");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + "0 0 0\n1 0 0\n"), "M:12: the file ends before vertex 2 of 3");
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + three), "M:13: the file ends before face 0 of 1");
+  EXPECT_EQ(ply_error(header("ascii", "9000000000000000000", "1") + three),
             "M:13: the file ends before vertex 3 of 9000000000000000000");
-  EXPECT_EQ(error(header("ascii", "3", "1") + three + "3 0 1 2\n3 0 1 2\n"),
+  EXPECT_EQ(ply_error(header("ascii", "3", "1") + three + "3 0 1 2\n3 0 1 2\n"),
             "M:15: more lines than the header names elements");
-  EXPECT_EQ(error(header("ascii", "3", "0") + three), "M: holds no faces");
+  EXPECT_EQ(ply_error(header("ascii", "3", "0") + three), "M: holds no faces");
 }
 
 TEST(PlyReader, HostileBinaryCounts) {
   const std::string lying = header("binary_little_endian", "4000000000", "1");
-  EXPECT_EQ(error(lying + std::string(30, '\0')), "M: the file ends in vertex 2 of 4000000000");
+  EXPECT_EQ(ply_error(lying + std::string(30, '\0')), "M: the file ends in vertex 2 of 4000000000");
   const std::string list =
       "ply\nformat binary_big_endian 1.0\nelement x 1\nproperty list uint double p\nelement vertex 0\nproperty float x\nproperty float y\n"
       "property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n";
-  EXPECT_EQ(
-      error("ply\nformat ascii 1.0\nelement a\x1b[2J\x07 1\nproperty int a\n" + list.substr(list.find("element vertex"))),
-      "M:11: the file ends before a\\x1b[2J\\x07 0 of 1");
-  EXPECT_EQ(error(list + "\xFF\xFF\xFF\xFF"), "M: the file ends in x 0 of 1");
-  EXPECT_EQ(error(header("binary_little_endian", "0", "1") + std::string("\x02\0\0\0\0\0\0\0\0", 9)),
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement a\x1b[2J\x07 1\nproperty int a\n" +
+                      list.substr(list.find("element vertex"))),
+            "M:11: the file ends before a\\x1b[2J\\x07 0 of 1");
+  EXPECT_EQ(ply_error(list + "\xFF\xFF\xFF\xFF"), "M: the file ends in x 0 of 1");
+  EXPECT_EQ(ply_error(header("binary_little_endian", "0", "1") + std::string("\x02\0\0\0\0\0\0\0\0", 9)),
             "M: face 0 of 1: face with 2 corners, needs 3 or more");
 }
 
 TEST(PlyReader, ErrorsInTheHeader) {
-  EXPECT_EQ(error("ply\nformat ascii 1.0\n"), "M:3: PLY header without 'end_header'");
-  EXPECT_EQ(error("ply"), "M:2: PLY header without 'end_header'");
-  EXPECT_EQ(error("ply\nend_header\n"), "M:2: PLY header without 'format'");
-  EXPECT_EQ(error("plyx\n"), "M:1: a PLY file begins with a line 'ply'");
-  EXPECT_EQ(error("ply\nformat ascii 2.0\n"), "M:2: PLY version '2.0' is not known, only 1.0 is");
-  EXPECT_EQ(error("ply\nformat text 1.0\n"),
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\n"), "M:3: PLY header without 'end_header'");
+  EXPECT_EQ(ply_error("ply"), "M:2: PLY header without 'end_header'");
+  EXPECT_EQ(ply_error("ply\nend_header\n"), "M:2: PLY header without 'format'");
+  EXPECT_EQ(ply_error("plyx\n"), "M:1: a PLY file begins with a line 'ply'");
+  EXPECT_EQ(ply_error("ply\nformat ascii 2.0\n"), "M:2: PLY version '2.0' is not known, only 1.0 is");
+  EXPECT_EQ(ply_error("ply\nformat text 1.0\n"),
             "M:2: 'text' is not a PLY format (ascii, binary_little_endian, binary_big_endian)");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex many\n"), "M:3: 'many' is not a number of elements");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex -1\n"), "M:3: '-1' is not a number of elements");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement\n"), "M:3: element without a name");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a 1\nelement a 1\n"), "M:4: element 'a' a second time");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nproperty float x\n"), "M:3: property before the first element");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a 1\nproperty half x\n"), "M:4: 'half' is not a PLY type");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a 1\nproperty list float int x\n"),
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex many\n"), "M:3: 'many' is not a number of elements");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex -1\n"), "M:3: '-1' is not a number of elements");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement\n"), "M:3: element without a name");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement a 1\nelement a 1\n"), "M:4: element 'a' a second time");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nproperty float x\n"), "M:3: property before the first element");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement a 1\nproperty half x\n"), "M:4: 'half' is not a PLY type");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement a 1\nproperty list float int x\n"),
             "M:4: the length of a list can not be a float");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement a 1\nproperty int\n"), "M:4: property without a name");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nwhatever\n"), "M:3: 'whatever' is not a statement of a PLY header");
-  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nend_header\n"),
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement a 1\nproperty int\n"), "M:4: property without a name");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nwhatever\n"), "M:3: 'whatever' is not a statement of a PLY header");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nend_header\n"),
             "M: PLY header names no z of vertices");
   EXPECT_EQ(
-      error("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n"),
+      ply_error(
+          "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n"),
       "M: PLY header names no list vertex_indices of faces");
 }
 

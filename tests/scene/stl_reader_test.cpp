@@ -10,7 +10,7 @@ namespace {
 
 using namespace reader_test;
 
-std::string error(const std::string& text) { return error_of(read_stl_ascii, text); }
+std::string stl_error(const std::string& text) { return error_of(read_stl_ascii, text); }
 
 const std::string kFacet =
     "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\nendfacet\n";
@@ -49,23 +49,23 @@ TEST(StlReader, CaseLineEndsAndNormalsDoNotMatter) {
 }
 
 TEST(StlReader, TextErrorsNameTheLine) {
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 x 0\n"),
+  EXPECT_EQ(stl_error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 x 0\n"),
             "M:5: 'x' is not a coordinate of a vertex");
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n"),
+  EXPECT_EQ(stl_error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n"),
             "M:4: 'nan' is not a coordinate of a vertex");
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0"), "M:4: the file ends in a vertex");
-  EXPECT_EQ(error("solid a\nfacet normal 0 0"), "M:2: the file ends in a facet");
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1 1 outer loop"), "M:2: expected 'outer loop' in a facet, found '1'");
-  EXPECT_EQ(error("solid a\n" + kFacet), "M:8: the file ends in a solid; expected 'facet' or 'endsolid'");
-  EXPECT_EQ(error("solid a\nsolid b\n"), "M:2: expected 'facet' or 'endsolid', found 'solid'");
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n"),
+  EXPECT_EQ(stl_error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0"), "M:4: the file ends in a vertex");
+  EXPECT_EQ(stl_error("solid a\nfacet normal 0 0"), "M:2: the file ends in a facet");
+  EXPECT_EQ(stl_error("solid a\nfacet normal 0 0 1 1 outer loop"), "M:2: expected 'outer loop' in a facet, found '1'");
+  EXPECT_EQ(stl_error("solid a\n" + kFacet), "M:8: the file ends in a solid; expected 'facet' or 'endsolid'");
+  EXPECT_EQ(stl_error("solid a\nsolid b\n"), "M:2: expected 'facet' or 'endsolid', found 'solid'");
+  EXPECT_EQ(stl_error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n"),
             "M:6: expected 'vertex' in a facet, found 'endloop'");
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n"),
+  EXPECT_EQ(stl_error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n"),
             "M:7: expected 'endloop' after the three vertices of a facet, found 'vertex'");
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop"),
+  EXPECT_EQ(stl_error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop"),
             "M:7: the file ends after a facet's loop; expected 'endfacet'");
-  EXPECT_EQ(error("solid a\nendsolid a\n"), "M: holds no faces");
-  EXPECT_EQ(error("solid a\nendsolid a\nfacet"), "M:3: expected 'solid', found 'facet'");
+  EXPECT_EQ(stl_error("solid a\nendsolid a\n"), "M: holds no faces");
+  EXPECT_EQ(stl_error("solid a\nendsolid a\nfacet"), "M:3: expected 'solid', found 'facet'");
 }
 
 TEST(StlReader, BinaryEvenWithAHeaderThatBeginsWithSolid) {

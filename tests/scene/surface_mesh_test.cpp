@@ -13,6 +13,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "even_positions.hpp"
 #include "height_tools.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/surfaces/height_filters.hpp"
@@ -24,13 +25,6 @@ namespace {
 using height_test::error_line;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPi = std::numbers::pi;
-
-std::vector<double> evenly(double from, double to, std::size_t intervals) {
-  std::vector<double> positions;
-  for (std::size_t i = 0; i <= intervals; ++i)
-    positions.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(intervals));
-  return positions;
-}
 
 SurfacePoints heights(const std::string& formula, std::size_t intervals, double from = -2, double to = 2) {
   return points_of(*formula_heights(formula, evenly(from, to, intervals), evenly(from, to, intervals)));

@@ -59,11 +59,11 @@ StandardView on_cut_sheet(StandardView view, const Scene& scene) {
   return view;
 }
 
-Point3 axis_vector(Axis axis) { return {axis == Axis::x ? 1 : 0, axis == Axis::y ? 1 : 0, axis == Axis::z ? 1 : 0}; }
+Point3 up_vector(Axis axis) { return {axis == Axis::x ? 1 : 0, axis == Axis::y ? 1 : 0, axis == Axis::z ? 1 : 0}; }
 
 /// From the front, as far from a vertex as that is above the centre: a field of view of 90 degrees ends at it.
 StandardView through_a_vertex(const Scene& scene) {
-  const Point3 forward = front(scene.up_axis), up = axis_vector(scene.up_axis);
+  const Point3 forward = front(scene.up_axis), up = up_vector(scene.up_axis);
   Point3 low = scene.vertices[0], high = low;
   for (const Point3& v : scene.vertices) {
     low = glm::min(low, v);

@@ -19,8 +19,8 @@
 namespace ligne::test {
 namespace {
 
-const Rect kSheet{{0, 0}, {297, 210}};
-const Frame kFrame{{{10, 10}, {287, 200}}};
+const Rect kA4{{0, 0}, {297, 210}};
+const Frame kA4Frame{{{10, 10}, {287, 200}}};
 
 Point2 true_page_point(const View& view, const Point3& p) {
   const glm::dvec4 h = view.model_to_page * glm::dvec4(p, 1);
@@ -49,7 +49,7 @@ struct Projected {
 
 Projected project_all(const Scene& scene, const CameraRequest& request) {
   Projected result{build_topology(scene), {}};
-  const View view = make_view(scene, make_camera(request, scene), kFrame, kSheet);
+  const View view = make_view(scene, make_camera(request, scene), kA4Frame, kA4);
   result.scene = project(scene, result.topology, view, {classes("all"), 30});
   return result;
 }

@@ -13,6 +13,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "height_functions.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 #include "support/page_segments.hpp"
@@ -24,7 +25,6 @@
 namespace ligne::test {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// What two exact methods may be apart: the accuracy of a drawing.
 constexpr double kAccuracyMm = 0.001;
 /// Lines on each other are apart by roundings to a lattice of 8 nm. (A mesh takes lines for one that come as near as a
@@ -218,7 +218,7 @@ void for_surfaces(unsigned seed, Test test) {
   }
 }
 
-CameraRequest along(double azimuth, double elevation) {
+CameraRequest camera_along(double azimuth, double elevation) {
   const double a = azimuth * kDegree, e = elevation * kDegree;
   CameraRequest request;
   request.direction = Point3{-std::cos(a) * std::cos(e), -std::sin(a) * std::cos(e), -std::sin(e)};
@@ -231,7 +231,7 @@ TEST(HorizonAlongAxes, AgreesWithTheMesh) {
     for_surfaces(seed, [](const HeightSource& heights, const HorizonOptions& options, const std::string& what) {
       for (const double azimuth : {-180.0, -90.0, 0.0, 90.0, 180.0, 270.0}) {
         for (const double elevation : {0.0, 10.0, 30.0, 90.0, -30.0}) {
-          compare(heights, along(azimuth, elevation), options,
+          compare(heights, camera_along(azimuth, elevation), options,
                   what + ", azimuth " + std::to_string(azimuth) + ", elevation " + std::to_string(elevation));
         }
       }

@@ -11,12 +11,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "height_functions.hpp"
 #include "visibility/horizon/horizon.hpp"
 
 namespace ligne::test {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class Heights : public HeightSource {
  public:
@@ -31,13 +30,6 @@ class Heights : public HeightSource {
   std::function<double(double, double)> f_;
 };
 
-std::vector<double> positions(std::size_t n) {
-  std::vector<double> at;
-  for (std::size_t i = 0; i < n; ++i) at.push_back(2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1);
-  return at;
-}
-
-double waves(double x, double y) { return 0.3 * std::sin(5 * x * y + 0.1) + 0.1 * x; }
 double holed(double x, double y) { return std::hypot(x - 0.1, y + 0.2) < 0.4 ? kNaN : waves(x, y); }
 
 struct Triangle3 {
@@ -116,15 +108,6 @@ class Scenery {
   View view_;
 };
 
-double length(const Polylines& lines) {
-  double sum = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto line = lines[i];
-    for (std::size_t k = 1; k < line.size(); ++k) sum += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
-  }
-  return sum;
-}
-
 std::vector<CameraRequest> cameras() {
   std::vector<CameraRequest> all;
   for (const Point3& direction :
@@ -157,9 +140,9 @@ TEST(HorizonLines, ContoursAreSeenWhereRaysAreFree) {
       }
       const std::string where = f == waves ? "waves" : "holed";
       // The rays are as coarse as a third of a piece where a line goes under.
-      EXPECT_NEAR(length(lines.contours), on_surface, 0.01 * on_surface) << where;
-      EXPECT_NEAR(length(lines.base_contours), on_base, 0.015 * on_base) << where;
-      EXPECT_GT(length(lines.base_contours), 0) << where;
+      EXPECT_NEAR(length_of(lines.contours), on_surface, 0.01 * on_surface) << where;
+      EXPECT_NEAR(length_of(lines.base_contours), on_base, 0.015 * on_base) << where;
+      EXPECT_GT(length_of(lines.base_contours), 0) << where;
     }
   }
 }
@@ -204,13 +187,13 @@ TEST(HorizonLines, SidesApartAreTheWhole) {
     const Scenery scenery(heights, request);
     HorizonOptions options;
     Statistics statistics;
-    const double all = length(horizon_lines(heights, scenery.view(), options, statistics).curves);
+    const double all = length_of(horizon_lines(heights, scenery.view(), options, statistics).curves);
     options.underside = Underside::apart;
     const HorizonLines apart = horizon_lines(heights, scenery.view(), options, statistics);
-    EXPECT_NEAR(length(apart.curves) + length(apart.underside), all, 1e-3);
+    EXPECT_NEAR(length_of(apart.curves) + length_of(apart.underside), all, 1e-3);
     options.underside = Underside::none;
     const HorizonLines upper = horizon_lines(heights, scenery.view(), options, statistics);
-    EXPECT_NEAR(length(upper.curves), length(apart.curves), 1e-9);
+    EXPECT_NEAR(length_of(upper.curves), length_of(apart.curves), 1e-9);
     EXPECT_EQ(upper.underside.size(), 0u);
   }
   // From below a plate shows nothing but its lower side.
@@ -239,7 +222,7 @@ TEST(HorizonLines, RimsOfHolesAreBorders) {
   const HorizonLines lines = horizon_lines(heights, scenery.view(), options, statistics);
   EXPECT_EQ(lines.border.size(), 2u);
   EXPECT_EQ(lines.curves.size(), 0u);
-  EXPECT_NEAR(length(lines.border), 4 * 190 + 8 * 190 / 8.0, 1e-3);
+  EXPECT_NEAR(length_of(lines.border), 4 * 190 + 8 * 190 / 8.0, 1e-3);
 }
 
 }  // namespace

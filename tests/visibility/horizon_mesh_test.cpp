@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "height_functions.hpp"
 #include "scene/model/topology.hpp"
 #include "view/projected_scene.hpp"
 #include "view/tolerances.hpp"
@@ -19,27 +20,6 @@
 
 namespace ligne::test {
 namespace {
-
-using Function = std::function<double(double, double)>;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-class FunctionHeights : public HeightSource {
- public:
-  FunctionHeights(Function f, std::vector<double> x, std::vector<double> y)
-      : HeightSource(std::move(x), std::move(y)), f_(std::move(f)) {}
-  void read_row(std::size_t j, std::span<double> z) const override {
-    for (std::size_t i = 0; i < z.size(); ++i) z[i] = f_(x()[i], y()[j]);
-  }
-
- private:
-  Function f_;
-};
-
-std::vector<double> positions(std::size_t n) {
-  std::vector<double> at;
-  for (std::size_t i = 0; i < n; ++i) at.push_back(2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1);
-  return at;
-}
 
 Scene mesh_of(const HeightSource& heights) {
   Scene scene;
@@ -66,15 +46,6 @@ Scene mesh_of(const HeightSource& heights) {
   scene.objects.push_back({"surface", 0, static_cast<std::uint32_t>(scene.vertices.size()), 0,
                            static_cast<std::uint32_t>(scene.faces.size()), 0});
   return scene;
-}
-
-double length(const Polylines& lines) {
-  double sum = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto line = lines[i];
-    for (std::size_t k = 1; k < line.size(); ++k) sum += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
-  }
-  return sum;
 }
 
 struct Lengths {
@@ -110,11 +81,6 @@ Lengths by_mesh(const Scene& scene, const View& view, bool lines_once) {
   return found;
 }
 
-double waves(double x, double y) { return 0.3 * std::sin(5 * x * y + 0.1) + 0.1 * x; }
-double sombrero(double x, double y) {
-  const double r = std::hypot(x, y) * 12;
-  return r == 0 ? 1 : std::sin(r) / r;
-}
 double rough(double x, double y) {
   return 0.15 * std::sin(917.3 * x + 1.3) * std::sin(631.7 * y + 0.4) + 0.1 * std::sin(4 * x);
 }
@@ -149,8 +115,8 @@ void compare(const Surface& surface, const CameraRequest& request, std::size_t n
   const Lengths mesh = by_mesh(mesh_of(heights), view, lines_once);
   const std::string where = std::string(surface.name) + ", " + place;
   // Pieces shorter than a quarter micrometre are dropped by each in its own way; the mesh lies on a lattice of 8 nm.
-  EXPECT_NEAR(length(lines.curves), mesh.curves, tolerance * mesh.curves) << where;
-  EXPECT_NEAR(length(lines.outline), mesh.outline, 1e-3 + 0.1 * tolerance * mesh.curves + 10 * tolerance * mesh.outline)
+  EXPECT_NEAR(length_of(lines.curves), mesh.curves, tolerance * mesh.curves) << where;
+  EXPECT_NEAR(length_of(lines.outline), mesh.outline, 1e-3 + 0.1 * tolerance * mesh.curves + 10 * tolerance * mesh.outline)
       << where;
 }
 

@@ -14,23 +14,10 @@
 #include <vector>
 
 #include "geometry/parallel.hpp"
+#include "height_functions.hpp"
 
 namespace ligne::test {
 namespace {
-
-using Function = std::function<double(double, double)>;
-
-class FunctionHeights : public HeightSource {
- public:
-  FunctionHeights(Function f, std::vector<double> x, std::vector<double> y)
-      : HeightSource(std::move(x), std::move(y)), f_(std::move(f)) {}
-  void read_row(std::size_t j, std::span<double> z) const override {
-    for (std::size_t i = 0; i < z.size(); ++i) z[i] = f_(x()[i], y()[j]);
-  }
-
- private:
-  Function f_;
-};
 
 FunctionHeights heights(const Function& f, int n, double half = 1) {
   std::vector<double> at;
@@ -68,7 +55,7 @@ HorizonOptions by_curves() {
   return options;
 }
 
-CameraRequest along(const Point3& direction) {
+CameraRequest camera_along(const Point3& direction) {
   CameraRequest request;
   request.direction = direction;
   return request;
@@ -88,7 +75,7 @@ struct Seen {
   Real u, v, w;
 };
 
-struct Piece {
+struct CurvePiece {
   Seen a, b;
   Point3 from, to;
   Real at(Real u) const { return a.v + (b.v - a.v) * (u - a.u) / (b.u - a.u); }
@@ -102,7 +89,7 @@ struct Piece {
 double brute_force(const HeightSource& source, const Drawn& picture) {
   const std::size_t nx = source.x().size(), ny = source.y().size();
   const Camera& camera = picture.view.camera;
-  std::vector<Piece> nearer;
+  std::vector<CurvePiece> nearer;
   double sum = 0;
   std::vector<double> before(nx), row(nx);
   const auto seen = [&](const Point3& p) -> Seen {
@@ -118,9 +105,9 @@ double brute_force(const HeightSource& source, const Drawn& picture) {
     return Point2{h.x / h.w, h.y / h.w};
   };
   const auto take = [&](const Point3& p, const Point3& q) {
-    Piece piece{seen(p), seen(q), p, q};
+    CurvePiece piece{seen(p), seen(q), p, q};
     std::vector<Real> cuts{piece.left(), piece.right()};
-    for (const Piece& n : nearer) {
+    for (const CurvePiece& n : nearer) {
       const Real l = std::max(n.left(), piece.left()), r = std::min(n.right(), piece.right());
       if (l >= r) continue;
       const Real dl = piece.at(l) - n.at(l), dr = piece.at(r) - n.at(r);
@@ -131,7 +118,7 @@ double brute_force(const HeightSource& source, const Drawn& picture) {
     for (std::size_t k = 1; k < cuts.size(); ++k) {
       const Real u = (cuts[k - 1] + cuts[k]) / 2, v = piece.at(u);
       Real highest = -std::numeric_limits<Real>::infinity(), lowest = -highest;
-      for (const Piece& n : nearer) {
+      for (const CurvePiece& n : nearer) {
         if (!(n.left() < u && u < n.right())) continue;
         highest = std::max(highest, n.at(u));
         lowest = std::min(lowest, n.at(u));
@@ -159,18 +146,13 @@ double brute_force(const HeightSource& source, const Drawn& picture) {
   return sum;
 }
 
-double waves(double x, double y) { return 0.3 * std::sin(5 * x * y + 0.1) + 0.1 * x; }
-double sombrero(double x, double y) {
-  const double r = std::hypot(x, y) * 12;
-  return r == 0 ? 1 : std::sin(r) / r;
-}
 double ridges(double x, double y) { return 0.4 * std::abs(std::fmod(7 * x + 3 * y + 20, 2) - 1); }
 
 TEST(Horizon, IsWhatAllPairsSay) {
   for (const Function& f : {Function(waves), Function(sombrero), Function(ridges)}) {
     const FunctionHeights source = heights(f, 21);
     for (const Point3& direction : {Point3{1, 0.7, -0.5}, Point3{0.3, 1, -0.2}, Point3{1, 0.2, 0.4}, Point3{0.6, 0.8, -3}}) {
-      const Drawn picture = drawn(source, along(direction), by_curves());
+      const Drawn picture = drawn(source, camera_along(direction), by_curves());
       EXPECT_NEAR(picture.length(), brute_force(source, picture), 0.01) << direction.x;
     }
     for (const Point3& eye : {Point3{-3, -2.5, 2}, Point3{-1.2, -1.4, 0.6}}) {
@@ -182,17 +164,17 @@ TEST(Horizon, IsWhatAllPairsSay) {
 
 TEST(Horizon, SidesAreAlike) {
   // The same surface turned by quarters, seen from directions turned with it.
-  const double full = drawn(heights(waves, 25), along({1, 0.7, -0.5})).length();
-  const double full_by_curves = drawn(heights(waves, 25), along({1, 0.7, -0.5}), by_curves()).length();
+  const double full = drawn(heights(waves, 25), camera_along({1, 0.7, -0.5})).length();
+  const double full_by_curves = drawn(heights(waves, 25), camera_along({1, 0.7, -0.5}), by_curves()).length();
   const auto turned = [](double x, double y) { return waves(y, -x); };  // a quarter: the cells' diagonals are others
-  EXPECT_NEAR(drawn(heights(turned, 25), along({-0.7, 1, -0.5}), by_curves()).length(), full_by_curves, 1e-3);
+  EXPECT_NEAR(drawn(heights(turned, 25), camera_along({-0.7, 1, -0.5}), by_curves()).length(), full_by_curves, 1e-3);
   const auto half = [](double x, double y) { return waves(-x, -y); };
-  EXPECT_NEAR(drawn(heights(half, 25), along({-1, -0.7, -0.5})).length(), full, 1e-3);
+  EXPECT_NEAR(drawn(heights(half, 25), camera_along({-1, -0.7, -0.5})).length(), full, 1e-3);
 }
 
 TEST(Horizon, FromAboveAllIsSeen) {
   const FunctionHeights source = heights(waves, 15);
-  const Drawn picture = drawn(source, along({0, 0, -1}));
+  const Drawn picture = drawn(source, camera_along({0, 0, -1}));
   EXPECT_EQ(picture.lines.size(), 30u);
   EXPECT_NEAR(picture.length(), 30 * 190, 1e-6);  // a square as high as the frame
 }
@@ -200,7 +182,7 @@ TEST(Horizon, FromAboveAllIsSeen) {
 TEST(Horizon, AlongAnAxisCurvesAreUprightLines) {
   // A ramp that rises away from the viewer: its far half is seen as its near half is.
   const FunctionHeights source = heights([](double, double y) { return 0.5 * y; }, 9);
-  const Drawn picture = drawn(source, along({0, 1, 0}));
+  const Drawn picture = drawn(source, camera_along({0, 1, 0}));
   // 9 level lines of width 2 and 9 upright ones of height 1, fitted to a width of 277 mm.
   EXPECT_NEAR(picture.length(), 277 * (9 + 9 * 0.5), 1e-6);
 }
@@ -228,12 +210,12 @@ TEST(Horizon, TheEyeOverTheGroundSeesAllOfAFlatOne) {
 
 TEST(Horizon, PixelsTendToExact) {
   const FunctionHeights source = heights(sombrero, 41);
-  const double exact = drawn(source, along({1, 0.7, -0.5})).length();
+  const double exact = drawn(source, camera_along({1, 0.7, -0.5})).length();
   double before = 1e300;
   for (const std::size_t resolution : {200, 2000, 20'000}) {
     HorizonOptions options;
     options.resolution = resolution;
-    const double off = std::abs(drawn(source, along({1, 0.7, -0.5}), options).length() - exact);
+    const double off = std::abs(drawn(source, camera_along({1, 0.7, -0.5}), options).length() - exact);
     EXPECT_LT(off, before) << resolution;
     before = off;
   }
@@ -244,7 +226,9 @@ TEST(Horizon, PixelsTendToExact) {
 // here.
 TEST(Horizon, NoSurfaceIsLostWhereCurvesAreDense) {
   const auto wide = [](double x, double y) { return sombrero(x * 2 / 3, y * 2 / 3); };  // sin(r)/r up to 8
-  const auto length_by_curve = [&](int n) { return drawn(heights(wide, n), along({1, 0.7, -0.5})).length() / (2 * n); };
+  const auto length_by_curve = [&](int n) {
+    return drawn(heights(wide, n), camera_along({1, 0.7, -0.5})).length() / (2 * n);
+  };
   const double coarse = length_by_curve(100);
   EXPECT_NEAR(length_by_curve(400), coarse, 0.01 * coarse);
 }
@@ -279,21 +263,21 @@ TEST(Horizon, HolesEndCurves) {
   };
   const FunctionHeights source =
       heights(with_hole, 9);  // positions in steps of a quarter; the hole is the sample in the middle
-  const Drawn picture = drawn(source, along({0, 0, -1}));
+  const Drawn picture = drawn(source, camera_along({0, 0, -1}));
   EXPECT_EQ(picture.lines.size(), 20u);
   EXPECT_NEAR(picture.length(), 18 * 190 - 4 * 190 / 8.0, 1e-6);
 }
 
 TEST(Horizon, NothingToSee) {
   const FunctionHeights source = heights([](double, double) { return std::numeric_limits<double>::quiet_NaN(); }, 5);
-  EXPECT_EQ(drawn(source, along({1, 1, -1})).lines.size(), 0u);
+  EXPECT_EQ(drawn(source, camera_along({1, 1, -1})).lines.size(), 0u);
 }
 
 TEST(Horizon, StridesLeaveOutCurvesNotSamples) {
   HorizonOptions options;
   options.x_stride = 0;
   options.y_stride = 4;
-  EXPECT_EQ(drawn(heights(waves, 10), along({0, 0, -1}), options).lines.size(), 4u);  // rows 0, 4, 8 and the last
+  EXPECT_EQ(drawn(heights(waves, 10), camera_along({0, 0, -1}), options).lines.size(), 4u);  // rows 0, 4, 8 and the last
 }
 
 }  // namespace

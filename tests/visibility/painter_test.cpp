@@ -19,7 +19,7 @@ namespace {
 
 using namespace painter;
 
-ProjectedScene projected(const Scene& scene, const CameraRequest& request) {
+ProjectedScene whole_page(const Scene& scene, const CameraRequest& request) {
   const View view = make_view(scene, make_camera(request, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
                               {{0, 0}, {kPageWidth, kPageHeight}});
   return project(scene, build_topology(scene), view, {classes("all"), 30});
@@ -46,7 +46,7 @@ TEST(Painter, APlaneTellsWhatDepthsDoNot) {
   add_face(scene, {{{0, 0, 0}, {100, 0, 0}, {100, 100, 50}, {0, 100, 50}}});    // a slope, z = y / 2
   add_face(scene, {{{20, 30, 0}, {40, 30, 0}, {40, 30, 10}, {20, 30, 10}}});    // below it: behind
   add_face(scene, {{{60, 60, 40}, {80, 60, 40}, {80, 60, 50}, {60, 60, 50}}});  // above it: in front
-  const ProjectedScene page = projected(scene, front());
+  const ProjectedScene page = whole_page(scene, front());
   // Means 50, 30, 60; farthest 100, 30, 60.
   EXPECT_EQ(sequence_of(page, DepthSort::mean).faces, (Faces{2, 0, 1}));
   EXPECT_EQ(sequence_of(page, DepthSort::mean).wrong, 2u);
@@ -66,7 +66,7 @@ TEST(Painter, FacesOfOneDepthEach) {
     const double x = 7 * i % 30, y = (11 * i) % 20;
     add_face(scene, {{{x, y, x}, {x + 40, y, x}, {x + 40, y, x + 30}, {x, y, x + 30}}});
   }
-  const PaintSequence sequence = sequence_of(projected(scene, front()), DepthSort::resolved);
+  const PaintSequence sequence = sequence_of(whole_page(scene, front()), DepthSort::resolved);
   EXPECT_TRUE(sequence.level);
   EXPECT_EQ(sequence.overlapping, 0u);
   ASSERT_EQ(sequence.faces.size(), 20u);
@@ -83,7 +83,7 @@ Scene corpus_scene(const std::string& name) {
 /// Figure 2.81 of the thesis: a, b are resolved, c penetrates, d overlaps mutually, e in a ring.
 TEST(Painter, FiguresOfTheThesis) {
   const auto sequence = [](const char* name) {
-    return sequence_of(projected(corpus_scene(name), front()), DepthSort::resolved);
+    return sequence_of(whole_page(corpus_scene(name), front()), DepthSort::resolved);
   };
   for (const char* name : {"thesis_2_72", "thesis_2_81a", "thesis_2_81b"}) {
     EXPECT_EQ(sequence(name).wrong + sequence(name).penetrating + sequence(name).left, 0u) << name;

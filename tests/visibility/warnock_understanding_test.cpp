@@ -13,8 +13,8 @@ constexpr Window kWindow{-1000, 1000, -1000, 1000};
 constexpr std::int32_t kFar = 5000;  ///< well outside the window
 
 /// The situation in kWindow.
-struct Seen {
-  explicit Seen(Stage& stage)
+struct StudiedWindow {
+  explicit StudiedWindow(Stage& stage)
       : table(stage.table()),
         lists(Analysis(table, 1, true).begin(kWindow, analysis)),
         situation(table, lists, kWindow.grown(-1), 64, analysis, depth),
@@ -45,7 +45,7 @@ TEST(WarnockUnderstanding, SurrounderBeforeEverything) {
   const auto front = add_tilted_cover(stage, 1, 3);
   add_tilted_cover(stage, 2, 4);                          // behind it, though their depths overlap
   stage.add({{-500, 0, 3}, {500, 0, 3.5}, {0, 500, 3}});  // behind it where it is
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_TRUE(surrounder_before_everything(s.situation, s.covers));
   EXPECT_EQ(s.covers.front->face->face, front);
   EXPECT_EQ(understand(s.situation), Understood::surrounder);
@@ -55,7 +55,7 @@ TEST(WarnockUnderstanding, SurrounderIsNotBeforeWhatTouchesIt) {
   Stage stage;
   add_cover(stage, 1);
   stage.add_rectangle(-100, -100, 100, 100, 1);  // lies on it: its rim is drawn
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_FALSE(surrounder_before_everything(s.situation, s.covers));
   EXPECT_EQ(understand(s.situation), Understood::single_intersector);
 }
@@ -64,7 +64,7 @@ TEST(WarnockUnderstanding, SurrounderOfWhichTheRimRunsAlongTheWindow) {
   Stage stage;
   stage.add_rectangle(-1000, -1000, 1000, 1000, 1);  // the window itself
   stage.add({{-500, 0, 3}, {500, 0, 3.5}, {0, 500, 3}});
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_TRUE(surrounder_before_everything(s.situation, s.covers));
 }
 
@@ -74,7 +74,7 @@ TEST(WarnockUnderstanding, TwoPenetratingSurroundersBeforeEverything) {
   add_tilted_cover(stage, 3, 1);
   add_cover(stage, 4);
   stage.add({{-500, 0, 3}, {500, 0, 3.5}, {0, 500, 3}});
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_FALSE(surrounder_before_everything(s.situation, s.covers));
   EXPECT_TRUE(penetrating_surrounders_before_everything(s.situation, s.covers));
   EXPECT_EQ(understand(s.situation), Understood::penetrating_surrounders);
@@ -85,7 +85,7 @@ TEST(WarnockUnderstanding, TwoPenetratingSurroundersWithSomethingBeforeThem) {
   add_tilted_cover(stage, 1, 3);
   add_tilted_cover(stage, 3, 1);
   stage.add({{-100, 0, 1.5}, {100, 0, 1.5}, {0, 100, 1.5}});
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_FALSE(penetrating_surrounders_before_everything(s.situation, s.covers));
   EXPECT_EQ(understand(s.situation), Understood::no);
 }
@@ -95,7 +95,7 @@ TEST(WarnockUnderstanding, ThreePenetratingSurroundersFail) {
   add_tilted_cover(stage, 1, 3);
   add_tilted_cover(stage, 3, 1);
   add_cover(stage, 1.99);
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_TRUE(s.covers.failed);
   EXPECT_EQ(understand(s.situation), Understood::no);
 }
@@ -107,7 +107,7 @@ TEST(WarnockUnderstanding, SeenEdgesInOneLine) {
   stage.add({{-kFar, 100, 1}, {kFar, 100, 1}, {kFar, kFar, 2}, {-kFar, kFar, 2}});
   stage.add({{-kFar, 100, 1}, {kFar, 100, 1}, {kFar, kFar, 1.5}, {-kFar, kFar, 1.5}});
   stage.add_rectangle(-100, -100, 100, 100, 6);
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_EQ(s.intersectors().size(), 2u);
   EXPECT_TRUE(seen_edges_in_one_line(s.situation, s.intersectors()));
   EXPECT_EQ(understand(s.situation), Understood::one_line);
@@ -117,7 +117,7 @@ TEST(WarnockUnderstanding, SeenEdgesInTwoLines) {
   Stage stage;
   stage.add({{-kFar, 100, 1}, {kFar, 100, 1}, {kFar, kFar, 2}, {-kFar, kFar, 2}});
   stage.add({{-kFar, 101, 1}, {kFar, 101, 1}, {kFar, kFar, 1.5}, {-kFar, kFar, 1.5}});
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_FALSE(seen_edges_in_one_line(s.situation, s.intersectors()));
 }
 
@@ -125,7 +125,7 @@ TEST(WarnockUnderstanding, SeenEdgesInOneLineOfFacesThatCross) {
   Stage stage;
   stage.add({{-kFar, 100, 1}, {kFar, 100, 3}, {kFar, kFar, 3}, {-kFar, kFar, 1}});
   stage.add({{-kFar, 100, 3}, {kFar, 100, 1}, {kFar, kFar, 1}, {-kFar, kFar, 3}});
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_EQ(s.intersectors().size(), 2u);
   EXPECT_FALSE(seen_edges_in_one_line(s.situation, s.intersectors()));
   EXPECT_EQ(understand(s.situation), Understood::no);
@@ -136,7 +136,7 @@ TEST(WarnockUnderstanding, SingleIntersector) {
   add_cover(stage, 5);
   stage.add({{-500, 0, 3}, {500, 0, 3.5}, {0, 500, 3}});
   stage.add_rectangle(-100, -100, 100, 100, 6);  // hidden
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_TRUE(single_intersector(s.intersectors()));
   EXPECT_EQ(understand(s.situation), Understood::single_intersector);
 }
@@ -145,7 +145,7 @@ TEST(WarnockUnderstanding, SingleIntersectorThroughTheCoverFails) {
   Stage stage;
   add_cover(stage, 3);
   stage.add({{-500, 0, 2}, {500, 0, 4}, {0, 500, 2}});
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_FALSE(seen_intersectors(s.situation, s.covers.front).has_value());
   EXPECT_EQ(understand(s.situation), Understood::no);
 }
@@ -155,7 +155,7 @@ TEST(WarnockUnderstanding, DepthIsComparedWhereTheIntersectorIs) {
   Stage stage;
   add_cover(stage, 3);
   stage.add({{-500, -500, 1}, {-100, -500, 2.5}, {-100, 500, 2.5}, {-500, 500, 1}});  // at x = 1000 its plane is at 6.6
-  Seen s(stage);
+  StudiedWindow s(stage);
   ASSERT_EQ(s.intersectors().size(), 1u);
   EXPECT_EQ(s.situation.compare(*s.intersectors()[0], *s.covers.front).order, DepthOrder::first);
   EXPECT_EQ(understand(s.situation), Understood::single_intersector);
@@ -166,7 +166,7 @@ TEST(WarnockUnderstanding, DepthIsComparedOverTheContour) {
   Stage stage;
   add_cover(stage, 3);
   stage.add({{-500, -500, 1}, {500, -500, 2.9}, {-500, 500, 2.9}});  // the fourth corner of its box is at 4.8
-  Seen s(stage);
+  StudiedWindow s(stage);
   ASSERT_EQ(s.intersectors().size(), 1u);
   EXPECT_EQ(s.situation.compare(*s.intersectors()[0], *s.covers.front).order, DepthOrder::first);
   EXPECT_GT(s.depth.clipped, 0u);
@@ -181,7 +181,7 @@ TEST(WarnockUnderstanding, SeenEdgesMeetInOneVertex) {
   stage.add({tip, a, b});
   stage.add({tip, b, c});
   stage.add({tip, c, a});
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_FALSE(seen_edges_in_one_line(s.situation, s.intersectors()));
   EXPECT_TRUE(seen_edges_meet_in_one_vertex(s.situation, s.intersectors()));
   EXPECT_EQ(understand(s.situation), Understood::one_vertex);
@@ -191,7 +191,7 @@ TEST(WarnockUnderstanding, SeenEdgesMeetInTwoVertices) {
   Stage stage;
   stage.add({{0, 0, 1}, {kFar, 0, 4}, {-kFar, kFar, 4}});
   stage.add({{0, 1, 2}, {kFar, 1, 4}, {-kFar, kFar, 4}});
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_FALSE(seen_edges_meet_in_one_vertex(s.situation, s.intersectors()));
 }
 
@@ -200,7 +200,7 @@ TEST(WarnockUnderstanding, SeenEdgesMeetOutsideTheWindow) {
   const Corner tip{1500, 0, 1};
   stage.add({tip, {-kFar, 100, 4}, {-kFar, 300, 4}});
   stage.add({tip, {-kFar, -100, 4}, {-kFar, -300, 4}});
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_FALSE(seen_edges_meet_in_one_vertex(s.situation, s.intersectors()));
 }
 
@@ -210,7 +210,7 @@ TEST(WarnockUnderstanding, SeenIntersectorsApart) {
   stage.add_rectangle(-500, -500, -100, 500, 1);
   stage.add_rectangle(100, -300, 400, 500, 2);
   stage.add_rectangle(400, -300, 600, 500, 3);  // beside it, with a common side
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_TRUE(seen_intersectors_apart(s.situation, s.intersectors()));
   EXPECT_EQ(understand(s.situation), Understood::apart);
 }
@@ -219,7 +219,7 @@ TEST(WarnockUnderstanding, SeenIntersectorsOverEachOther) {
   Stage stage;
   stage.add_rectangle(-500, -500, 101, 500, 1);
   stage.add_rectangle(100, -300, 400, 500, 2);
-  Seen s(stage);
+  StudiedWindow s(stage);
   EXPECT_FALSE(seen_intersectors_apart(s.situation, s.intersectors()));
   EXPECT_EQ(understand(s.situation), Understood::no);
 }

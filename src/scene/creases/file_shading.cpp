@@ -16,7 +16,7 @@ namespace {
 
 /// Adjustable: normals as near to each other are one; and as near to that of the face are shading it flat.
 constexpr double kSameDegrees = 5;
-constexpr double kFlatDegrees = 1;
+constexpr double kFlatShadingDegrees = 1;
 /// Less than the 45 degrees of a chamfer: what averaged normals may make smooth.
 constexpr double kAveragedDegrees = 40;
 
@@ -131,7 +131,7 @@ class Marker {
 
   /// Files disagree on the side to which a face looks.
   bool is_flat(const Side& side) const {
-    const double flat = cosine(kFlatDegrees);
+    const double flat = cosine(kFlatShadingDegrees);
     for (const std::uint32_t corner : {side.corner, side.next}) {
       const Point3 normal = unpacked_direction(shading_.corner_normals[corner]);
       if (std::abs(glm::dot(normal, normals_[side.face])) < flat) return false;

@@ -20,7 +20,7 @@ constexpr double kFlatDegrees = 1;
 
 // Adjustable: what is a clean line on it.
 constexpr double kWidePart = 3.0 / 4;       ///< of the crease angle: where the surface bends less, no line runs on
-constexpr double kTurnCosine = 0.70710678;  ///< 45 degrees from one edge to the direction of the last kLookBack
+constexpr double kWalkCosine = 0.70710678;  ///< 45 degrees from one edge to the direction of the last kLookBack
 constexpr std::size_t kLookBack = 3;
 constexpr std::size_t kFewestEdges = 6;
 constexpr double kRidgePart = 2.0 / 3;        ///< of its vertices have an edge that bends by more than the crease angle
@@ -288,7 +288,7 @@ class Tracer {
       if (!may_run(v, next)) continue;
       const double cosine = glm::dot(glm::normalize(scene_.vertices[next] - scene_.vertices[v]), direction);
       const double score = cosine * cosine * wide_[k];
-      if (cosine < kTurnCosine || score <= best_score) continue;
+      if (cosine < kWalkCosine || score <= best_score) continue;
       best = k, best_vertex = next, best_score = score;
     }
     if (best == kNone) return false;

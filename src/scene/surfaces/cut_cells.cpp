@@ -6,6 +6,7 @@
 #include "geometry/parallel.hpp"
 #include "scene/surfaces/cell_contours.hpp"
 #include "scene/surfaces/grid_edges.hpp"
+#include "scene/surfaces/height_breaks.hpp"
 
 namespace ligne {
 namespace {
@@ -18,9 +19,8 @@ constexpr std::size_t kRowsAsked = 256;
 
 /// Heights that reach so many times farther than what is left without poles may come from one.
 constexpr double kFarOut = 4;
-/// Steps of a climb, from the width of a cell down to what doubles tell apart, and the growth that makes a peak a pole.
+/// Steps of a climb, from the width of a cell down to what doubles tell apart.
 constexpr int kMostSteps = 200;
-constexpr double kPoleGrowth = 0x1p20;
 
 /// Whether heights grow beyond bounds near a sample, upwards or downwards, against the range of all samples.
 bool climbs_to_pole(const HeightSource& heights, const HeightFunction& function, const Point3& sample, double up,

@@ -21,7 +21,7 @@ constexpr double kSteepAs = 1.0;     ///< the tangent with which that slope is l
 constexpr double kLeastDark = 0.12;  ///< what is lighter stays white
 constexpr double kThresholds[] = {0.12, 0.55, 0.3, 0.75};  ///< darkness from which level lines are drawn, in turn
 constexpr std::size_t kMostLevels = 20'000;
-constexpr int kMostTriangles = 2000;  ///< that one stroke runs through
+constexpr int kMostTrianglesOfStroke = 2000;  ///< that one stroke runs through
 
 struct Slopes {
   std::vector<Point3> vertices;  ///< scaled
@@ -182,7 +182,7 @@ class Descent {
   /// Appends the way from a point of the triangle to the height `end`; it also ends in a valley, and at a rim.
   void run(std::uint32_t triangle, Point3 p, double end, std::vector<std::array<Point3, 2>>& lines) const {
     std::uint64_t entered = 0;
-    for (int n = 0; n < kMostTriangles; ++n) {
+    for (int n = 0; n < kMostTrianglesOfStroke; ++n) {
       const Point2 g = slopes_.gradient[triangle], down = -g;
       const double steepness = glm::dot(g, g);
       if (!(steepness > 0) || (!skip_.empty() && skip_[triangle])) return;

@@ -16,8 +16,6 @@ constexpr int kMostHalvings = 60;
 constexpr int kJumpHalvings = 40;
 /// What is left of a change that is a jump: more than this part.
 constexpr double kJumpPart = 1. / 64;
-/// A change that has grown by more than this is a pole's.
-constexpr double kPoleGrowth = 0x1p20;
 /// Of what is nothing to see, what is no jump either but a rounding.
 constexpr double kLeastJump = 0x1p-10;
 /// Jumps between two samples are looked for to this depth.

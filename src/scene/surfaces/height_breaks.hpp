@@ -11,6 +11,9 @@
 
 namespace ligne {
 
+/// A change that grows by more than this between samples is a pole's.
+inline constexpr double kPoleGrowth = 0x1p20;
+
 /// Heights that count: finite, and within these.
 struct HeightWindow {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();

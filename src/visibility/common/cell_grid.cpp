@@ -22,11 +22,7 @@ constexpr double kEntriesPerFacet = 64;  ///< the leaves have about so many entr
 constexpr double kLeastBudget = 4e6;     ///< or so many in all, whichever is more
 constexpr double kSmallestCell = 64;     ///< steps; smaller cells are not split
 constexpr double kGain = 0.7;            ///< see progress in split()
-constexpr std::size_t kBlock = 65'536;
-
-struct CellRange {
-  std::uint16_t column0, column1, row0, row1;
-};
+constexpr std::size_t kFacetsPerBlock = 65'536;
 
 void sort_by_depth(CellFacet* begin, CellFacet* end) {
   std::sort(begin, end, [](const CellFacet& a, const CellFacet& b) {
@@ -37,11 +33,15 @@ void sort_by_depth(CellFacet* begin, CellFacet* end) {
 }  // namespace
 
 struct CellGrid::Build {
+  struct Range {
+    std::uint16_t column0, column1, row0, row1;
+  };
+
   const ProjectedScene& scene;
   const std::vector<Facet>& facets;
   const Options& options;
   CellGrid& grid;
-  std::vector<CellRange> ranges;     ///< per facet, margin included
+  std::vector<Range> ranges;         ///< per facet, margin included
   std::vector<std::uint8_t> wanted;  ///< per top-level cell, when only some are filled
 
   bool hides(const Facet& f) const {
@@ -70,7 +70,7 @@ struct CellGrid::Build {
   /// Rows are dealt out in bands, each filled by one task that scans all facets: lists keep the order of the facets.
   template <class Work>
   void for_each_band(Work work) const {
-    const int bands = std::clamp(static_cast<int>(facets.size() / kBlock), 1, 4);
+    const int bands = std::clamp(static_cast<int>(facets.size() / kFacetsPerBlock), 1, 4);
     parallel_for(static_cast<std::size_t>(bands), [&](std::size_t band) {
       const int b = static_cast<int>(band);
       work(grid.rows_ * b / bands, grid.rows_ * (b + 1) / bands);
@@ -118,10 +118,10 @@ void CellGrid::Build::find_ranges() {
   ranges.resize(facets.size());
   const double inverse = 1 / grid.size_, margin = options.margin_steps;
   const auto clamped = [](double v, int n) { return static_cast<std::uint16_t>(v < 0 ? 0 : v >= n ? n - 1 : v); };
-  const std::size_t blocks = (facets.size() + kBlock - 1) / kBlock;
+  const std::size_t blocks = (facets.size() + kFacetsPerBlock - 1) / kFacetsPerBlock;
   parallel_for(blocks, [&](std::size_t block) {
-    const std::size_t last = std::min(facets.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < last; ++i) {
+    const std::size_t last = std::min(facets.size(), (block + 1) * kFacetsPerBlock);
+    for (std::size_t i = block * kFacetsPerBlock; i < last; ++i) {
       const auto [left, right, top, bottom] = page_box(facets[i], scene.vertices.data());
       ranges[i] = {clamped((left - margin - grid.x_) * inverse, grid.columns_),
                    clamped((right + margin - grid.x_) * inverse, grid.columns_),
@@ -145,7 +145,7 @@ void CellGrid::Build::mark_wanted() {
 template <class Visit>
 void CellGrid::Build::for_each_meeting(int row0, int row1, bool large_only, Visit visit) const {
   for (std::size_t i = 0; i < facets.size(); ++i) {
-    const CellRange r = ranges[i];
+    const Range r = ranges[i];
     if (r.row1 < row0 || r.row0 >= row1) continue;
     const int columns = r.column1 - r.column0 + 1, rows = r.row1 - r.row0 + 1;
     if (large_only && (columns < 3 || rows < 3)) continue;

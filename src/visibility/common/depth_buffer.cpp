@@ -38,6 +38,8 @@ void append_borders(std::span<const Triangle> triangles, std::vector<Side>& all,
   }
 }
 
+}  // namespace
+
 /// Depth over the plane of a triangle: at its first corner, and by how much it changes from pixel to pixel.
 struct PixelPlane {
   double u = 0, v = 0, z = 0, du = 0, dv = 0;
@@ -52,6 +54,8 @@ struct PixelPlane {
   }
   double at(double other_u, double other_v) const { return z + (other_u - u) * du + (other_v - v) * dv; }
 };
+
+namespace {
 
 /// The triangles with those of each face behind each other.
 std::vector<Triangle> by_face(const std::vector<Triangle>& triangles) {

@@ -9,7 +9,7 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kBlock = 4096;  ///< lines that one thread studies at a time
+constexpr std::size_t kLinesPerBlock = 4096;  ///< lines that one thread studies at a time
 
 LatticePoint point(const PageLine& line, double t) {
   if (t == 0) return line.p0;
@@ -62,12 +62,12 @@ LineStrokes::LineStrokes(const ProjectedScene& scene, const Facets& facets, bool
 template <class LineOf>
 void LineStrokes::add(std::size_t count, MakeLineVisibility make, const std::function<void(double)>& progress,
                       LineOf line_of) {
-  std::vector<std::vector<Stroke>> made(block_count(count, kBlock));
+  std::vector<std::vector<Stroke>> made(block_count(count, kLinesPerBlock));
   std::mutex progress_mutex;
   std::size_t done = 0;
-  parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(count, kLinesPerBlock, [&](std::size_t begin, std::size_t end) {
     const LineVisibility visibility = make();
-    std::vector<Stroke>& out = made[begin / kBlock];
+    std::vector<Stroke>& out = made[begin / kLinesPerBlock];
     std::vector<LinePart> parts;
     for (std::size_t i = begin; i < end; ++i) {
       auto [line, origin] = line_of(i);

@@ -44,7 +44,7 @@ bool covers(const LineOnPage& line, const Facet& facet, const std::vector<Projec
 }
 
 /// A rectangle of the lattice.
-struct Box {
+struct LineBox {
   std::int32_t left = kLatticeLimit, top = kLatticeLimit, right = -kLatticeLimit, bottom = -kLatticeLimit;
 
   void extend(LatticePoint p) {
@@ -53,7 +53,7 @@ struct Box {
     top = std::min(top, p.y);
     bottom = std::max(bottom, p.y);
   }
-  bool meets(const Box& o) const { return left <= o.right && o.left <= right && top <= o.bottom && o.top <= bottom; }
+  bool meets(const LineBox& o) const { return left <= o.right && o.left <= right && top <= o.bottom && o.top <= bottom; }
 };
 
 /// The lines by the cells of a grid through which they run.
@@ -81,7 +81,7 @@ class LineGrid {
 
   /// Calls visit(line) for the lines that may run through the box, some more than once.
   template <class Visit>
-  void near(const Box& box, Visit visit) const {
+  void near(const LineBox& box, Visit visit) const {
     if (!box.meets(all_)) return;
     for_cells(box, [&](std::size_t cell) {
       for (std::uint32_t k = begin_[cell]; k < begin_[cell + 1]; ++k) {
@@ -92,7 +92,7 @@ class LineGrid {
 
  private:
   template <class Visit>
-  void for_cells(const Box& box, Visit visit) const {
+  void for_cells(const LineBox& box, Visit visit) const {
     const auto index = [&](std::int32_t v, std::int32_t origin) {
       return static_cast<std::size_t>((double(v) - origin) / size_);
     };
@@ -108,7 +108,7 @@ class LineGrid {
   /// Row by row of cells; a step to both sides is for the roundings.
   template <class Visit>
   void for_cells_of(const LineOnPage& line, Visit visit) const {
-    Box box;
+    LineBox box;
     for (const LatticePoint p : line) box.extend(p);
     const double slope = line[0].y == line[1].y ? 0 : (double(line[1].x) - line[0].x) / (double(line[1].y) - line[0].y);
     const auto row_of = [&](std::int32_t y) { return std::floor((double(y) - all_.top) / size_); };
@@ -117,7 +117,7 @@ class LineGrid {
       const double bottom = std::min<double>(box.bottom, all_.top + (row + 1) * size_);
       double x0 = line[0].x + (top - line[0].y) * slope, x1 = line[0].x + (bottom - line[0].y) * slope;
       if (line[0].y == line[1].y) x0 = box.left, x1 = box.right;
-      Box part;
+      LineBox part;
       part.left = std::max<std::int32_t>(box.left, static_cast<std::int32_t>(std::floor(std::min(x0, x1))) - 1);
       part.right = std::min<std::int32_t>(box.right, static_cast<std::int32_t>(std::ceil(std::max(x0, x1))) + 1);
       part.top = part.bottom =
@@ -126,8 +126,8 @@ class LineGrid {
     }
   }
 
-  std::vector<Box> boxes_;
-  Box all_;
+  std::vector<LineBox> boxes_;
+  LineBox all_;
   double size_ = 1;
   int columns_ = 1;
   std::vector<std::uint32_t> begin_, list_;
@@ -148,7 +148,7 @@ class Covers {
       std::vector<std::uint32_t> met(lines.size(), kNone);  // per line: the facet with which it was met last
       for (std::size_t f = first; f < last; ++f) {
         const Facet& facet = facets[f];
-        Box box;
+        LineBox box;
         for (const std::uint32_t v : facet.v) box.extend(vertices[v].p);
         grid.near(box, [&](std::uint32_t line) {
           if (met[line] == f || facet.z_near > depths_[line].load(std::memory_order_relaxed)) return;

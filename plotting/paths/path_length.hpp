@@ -1,0 +1,20 @@
+#pragma once
+/// How long a path is.
+
+#include <cstddef>
+#include <span>
+
+#include <glm/geometric.hpp>
+
+#include "geometry/point.hpp"
+
+namespace ligne {
+
+/// The length of a polyline, in its own units.
+inline double path_length(std::span<const Point2> line) {
+  double sum = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) sum += glm::distance(line[i - 1], line[i]);
+  return sum;
+}
+
+}  // namespace ligne
