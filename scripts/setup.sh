@@ -116,7 +116,7 @@ build() {
   tell "building ligne"
   # A folder that was moved is configured anew.
   if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then rm -f "$folder/CMakeCache.txt"; fi
-  if ! { cmake -S "$root" -B "$folder" -G Ninja "$@" && cmake --build "$folder"; } >"$log" 2>&1 </dev/null; then
+  if ! { cmake -S "$root" -B "$folder" -G Ninja -DLIGNE_UNITY=ON "$@" && cmake --build "$folder"; } >"$log" 2>&1 </dev/null; then
     cat "$log" >&2
     echo "ligne: the build failed; its log is $log" >&2
     return 1
