@@ -12,11 +12,30 @@ namespace {
 /// between them, which below the crease angle of 30 degrees is less than this share. More comes of normals that have gone
 /// astray.
 constexpr double kHighestRise = 0.07;
+/// A fraction of an edge is found to 2^-20: a micrometre of a metre.
+constexpr int kHalvings = 20;
+/// Tangents of a contour and the chord between its nodes differ by less than the angle of this cosine (60 degrees);
+/// otherwise the surface is not known well enough.
+constexpr double kLeastAlong = 0.5;
+
+/// The zero of the cubic with these values and slopes at 0 and 1; the values have different signs.
+double zero_between(double v0, double v1, double slope0, double slope1) {
+  const auto value = [&](double t) {
+    const double s = 1 - t;
+    return s * s * ((1 + 2 * t) * v0 + t * slope0) + t * t * ((1 + 2 * s) * v1 - s * slope1);
+  };
+  double low = 0, high = 1;
+  for (int step = 0; step < kHalvings; ++step) {
+    const double middle = (low + high) / 2;
+    ((value(middle) >= 0) == (v0 >= 0) ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
 
 class ContourTracer {
  public:
-  ContourTracer(const Scene& scene, const SmoothPatch& patch)
-      : scene_(scene), patch_(patch), done_(patch.triangles.size(), 0) {}
+  ContourTracer(const Scene& scene, const Camera& camera, const SmoothPatch& patch)
+      : scene_(scene), camera_(camera), patch_(patch), done_(patch.triangles.size(), 0) {}
 
   std::vector<ContourChain> trace() {
     std::vector<ContourChain> chains;
@@ -59,13 +78,42 @@ class ContourTracer {
       done_[t] = 1;
       const auto sides = crossed_sides(t);
       const std::uint32_t exit = sides[0] == entry ? sides[1] : sides[0];
+      const ContourNode end = node(exit);
+      if (const auto cusp = cusp_between(chain.nodes.back(), end)) {
+        chain.triangles.push_back(t);
+        chain.nodes.push_back(*cusp);
+      }
       chain.triangles.push_back(t);
-      chain.nodes.push_back(node(exit));
+      chain.nodes.push_back(end);
       t = beyond(exit);
       entry = patch_.across[exit];
     }
     if (closed) chain.nodes.back() = chain.nodes.front();
     return chain;
+  }
+
+  /// The node at which a contour runs along the sight.
+  std::optional<ContourNode> cusp_between(const ContourNode& a, const ContourNode& b) const {
+    if (!(a.radial * b.radial < 0)) return std::nullopt;
+    const auto curve = ContourCubic::between(a, b);
+    if (!curve) return std::nullopt;
+    const Point3 across = glm::cross(a.normal + b.normal, to_eye(camera_, a.on_surface));
+    const double t0 = glm::dot(curve->tangent(0), across), t1 = glm::dot(curve->tangent(1), across);
+    if ((t0 >= 0) == (t1 >= 0)) return std::nullopt;
+    double low = 0, high = 1;
+    for (int step = 0; step < kHalvings; ++step) {
+      const double middle = (low + high) / 2;
+      ((glm::dot(curve->tangent(middle), across) >= 0) == (t0 >= 0) ? low : high) = middle;
+    }
+    ContourNode cusp;
+    const double t = (low + high) / 2;
+    cusp.side = a.side;
+    cusp.on_mesh = (1 - t) * a.on_mesh + t * b.on_mesh;
+    cusp.on_surface = curve->point(t);
+    cusp.normal = glm::normalize((1 - t) * a.normal + t * b.normal);
+    const Point3 tangent = curve->tangent(t);
+    cusp.tangent = (curve->with_chain ? 1.0 : -1.0) * tangent / glm::length(tangent);
+    return cusp;
   }
 
   const Point3& vertex(std::uint32_t corner) const { return scene_.vertices[patch_.triangles[corner / 3].v[corner % 3]]; }
@@ -79,16 +127,36 @@ class ContourTracer {
     const Point3 &p = vertex(a), &q = vertex(b);
     const Point3 &np = patch_.normals[patch_.sector[a]], &nq = patch_.normals[patch_.sector[b]];
     const double ga = patch_.g[patch_.sector[a]], gb = patch_.g[patch_.sector[b]];
-    const double t = ga == gb ? 0.5 : std::clamp(ga / (ga - gb), 0.0, 1.0);
+    const bool fitted = patch_.fitted[patch_.sector[a]] && patch_.fitted[patch_.sector[b]];
+    const Point3 d = q - p;
+    const NormalTurn &wa = patch_.turns[patch_.sector[a]], &wb = patch_.turns[patch_.sector[b]];
+    double t = ga == gb ? 0.5 : std::clamp(ga / (ga - gb), 0.0, 1.0);
+    if (fitted) {
+      const auto slope = [&](const Point3& at, const Point3& n, const NormalTurn& turn) {
+        return glm::dot(turned(turn, d), to_eye(camera_, at)) - (camera_.perspective ? glm::dot(n, d) : 0);
+      };
+      t = zero_between(ga, gb, slope(p, np, wa), slope(q, nq, wb));
+    }
     out.on_mesh = p + t * (q - p);
-    const Point3 n = (1 - t) * np + t * nq;
+    Point3 n = (1 - t) * np + t * nq;
+    if (fitted) n += (1 - t) * t * ((1 - t) * (turned(wa, d) - (nq - np)) - t * (turned(wb, d) - (nq - np)));
     const double size = glm::length(n);
     out.normal = size > 0 ? n / size : np;
     // Cubic with tangents in the tangent planes of the ends [Vlachos2001].
-    const Point3 d = q - p;
     const Point3 rise = (1 - t) * t * (t * glm::dot(d, nq) * nq - (1 - t) * glm::dot(d, np) * np);
     const double most = kHighestRise * glm::length(d), height = glm::length(rise);
     out.on_surface = out.on_mesh + (height > most ? rise * (most / height) : rise);
+    if (fitted) {
+      NormalTurn turn;
+      for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = (1 - t) * wa[i] + t * wb[i];
+      const Point3 eye = to_eye(camera_, out.on_surface), grows = turned(turn, eye);
+      const Point3 along = glm::cross(out.normal, grows);
+      const double length = glm::length(along);
+      if (length > 0) {
+        out.tangent = along / length;
+        out.radial = glm::dot(grows, eye) / (length * glm::length(eye));
+      }
+    }
     if (patch_.across[side] == kNone) {
       const bool facing = patch_.facing[side / 3] >= 0;
       const std::uint32_t corner = patch_.looks_at_viewer(side) != facing ? side : next_corner(side);
@@ -98,14 +166,26 @@ class ContourTracer {
   }
 
   const Scene& scene_;
+  const Camera& camera_;
   const SmoothPatch& patch_;
   std::vector<std::uint8_t> done_;
 };
 
 }  // namespace
 
-std::vector<ContourChain> trace_contours(const Scene& scene, const SmoothPatch& patch) {
-  return ContourTracer(scene, patch).trace();
+std::optional<ContourCubic> ContourCubic::between(const ContourNode& a, const ContourNode& b) {
+  const Point3 chord = b.on_surface - a.on_surface;
+  const double length = glm::length(chord);
+  if (!(length > 0) || a.tangent == Point3(0.0) || b.tangent == Point3(0.0)) return std::nullopt;
+  const bool with_chain = glm::dot(a.tangent + b.tangent, chord) >= 0;
+  const Point3 from = with_chain ? a.tangent : -a.tangent, to = with_chain ? b.tangent : -b.tangent;
+  if (std::min(glm::dot(from, chord), glm::dot(to, chord)) < kLeastAlong * length) return std::nullopt;
+  return ContourCubic{{a.on_surface, a.on_surface + length / 3 * from, b.on_surface - length / 3 * to, b.on_surface},
+                      with_chain};
+}
+
+std::vector<ContourChain> trace_contours(const Scene& scene, const Camera& camera, const SmoothPatch& patch) {
+  return ContourTracer(scene, camera, patch).trace();
 }
 
 }  // namespace ligne

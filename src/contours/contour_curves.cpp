@@ -1,7 +1,9 @@
 #include "contours/contour_curves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -85,9 +87,19 @@ void unfold(std::vector<CurvePoint>& line, double longest_mm) {
 
 namespace {
 
+/// Pieces of a Bezier curve on the page that are straight to `flatness_mm`.
+int pieces_of(const View& view, const ContourCubic& cubic, double flatness_mm) {
+  std::array<Point2, 4> p;
+  for (std::size_t i = 0; i < 4; ++i) p[i] = place_of(view, cubic.controls[i]).mm;
+  const double bend = 6 * std::max(glm::length(p[0] - 2.0 * p[1] + p[2]), glm::length(p[1] - 2.0 * p[2] + p[3]));
+  return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * flatness_mm)))), 1, kMostPieces);
+}
+
 /// The curve through places with these tangents, unit vectors or zero, in pieces that are straight to `flatness_mm`.
-ContourCurve curve_through(const std::vector<Place>& places, const std::vector<Point2>& tangents, bool closed,
-                           double flatness_mm) {
+/// `cubic_of(i)`: the curve in space from place i to the next, where that is known.
+template <class CubicOf>
+ContourCurve curve_through(const View& view, const std::vector<Place>& places, const std::vector<Point2>& tangents,
+                           bool closed, double flatness_mm, CubicOf cubic_of) {
   ContourCurve curve;
   curve.closed = closed;
   const auto add = [&](double at, Point2 mm, double depth, double weight) {
@@ -97,6 +109,15 @@ ContourCurve curve_through(const std::vector<Place>& places, const std::vector<P
   add(0, places[0].mm, places[0].depth, places[0].weight);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const Place &a = places[i], &b = places[i + 1];
+    if (const std::optional<ContourCubic> cubic = cubic_of(i)) {
+      const int pieces = pieces_of(view, *cubic, flatness_mm);
+      for (int k = 1; k <= pieces; ++k) {
+        const double t = double(k) / pieces;
+        const Place place = k == pieces ? b : place_of(view, cubic->point(t));
+        add(double(i) + t, place.mm, place.depth, place.weight);
+      }
+      continue;
+    }
     const Point2 d = b.mm - a.mm;
     const double length = glm::length(d);
     int pieces = 1;
@@ -133,7 +154,11 @@ ContourCurve contour_curve(const Scene& scene, const View& view, const ContourCh
     const double size = glm::length(d);
     if (size > 0) tangents[i] = Point2{-d.y, d.x} / size;
   }
-  return curve_through(places, tangents, chain.closed, flatness_mm);
+  return curve_through(view, places, tangents, chain.closed, flatness_mm, [&](std::size_t i) -> std::optional<ContourCubic> {
+    const ContourNode &a = chain.nodes[i], &b = chain.nodes[i + 1];
+    if (a.meets != kNone || b.meets != kNone) return std::nullopt;
+    return ContourCubic::between(a, b);
+  });
 }
 
 ContourCurve smooth_curve(const View& view, const std::vector<Point3>& points, bool closed, double flatness_mm) {
@@ -148,7 +173,8 @@ ContourCurve smooth_curve(const View& view, const std::vector<Point3>& points, b
     const double size = glm::length(d);
     if (size > 0) tangents[i] = d / size;
   }
-  return curve_through(places, tangents, closed, flatness_mm);
+  return curve_through(view, places, tangents, closed, flatness_mm,
+                       [](std::size_t) { return std::optional<ContourCubic>(); });
 }
 
 }  // namespace ligne

@@ -85,8 +85,8 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
   const View& view = projected.view;
   const SmoothPatch patch = smooth_patch(scene, topology, view.camera, outlines, options.borders);
   const std::vector<OutlineSide> sides = outline_sides(topology, patch, outlines);
-  ContourChoice choice =
-      choose_contours(scene, view, patch, trace_contours(scene, patch), sides, kCoarseInPens * options.pen_width_mm);
+  ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, view.camera, patch), sides,
+                                         kCoarseInPens * options.pen_width_mm);
 
   const OutlineGraph graph(patch, sides);
   const double slack_mm = kSlackSteps * projected.lattice.step_mm + 2 * projected.input_error_mm;

@@ -49,7 +49,10 @@ class Sights {
     const std::size_t n = chain_.size();
     std::vector<double> weighted(n);
     for (std::size_t i = 0; i < n; ++i) {
-      weighted[i] = slope(chain_.triangles[i]) * glm::length(chain_.nodes[i + 1].on_mesh - chain_.nodes[i].on_mesh);
+      const ContourNode &a = chain_.nodes[i], &b = chain_.nodes[i + 1];
+      const bool known = a.tangent != Point3(0.0) && b.tangent != Point3(0.0);
+      weighted[i] = (known ? (a.radial + b.radial) / 2 : slope(chain_.triangles[i])) *
+                    glm::length(chain_.nodes[i + 1].on_mesh - chain_.nodes[i].on_mesh);
     }
     std::vector<int> side(n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -64,7 +67,26 @@ class Sights {
       }
       side[i] = sum >= 0 ? 1 : -1;
     }
+    move_to_cusps(side);
     return side;
+  }
+
+  /// Averages change a few segments beside the cusp that a fitted surface has.
+  void move_to_cusps(std::vector<int>& side) const {
+    const std::size_t n = side.size();
+    const std::vector<int> averaged = side;
+    for (std::size_t i = 1; i < n; ++i) {
+      if (averaged[i] == averaged[i - 1]) continue;
+      std::size_t nearest = n;
+      const std::size_t first = i > kSlopeWindow ? i - kSlopeWindow : 1, last = std::min(n - 1, i + kSlopeWindow);
+      for (std::size_t k = first; k <= last; ++k) {
+        const auto away = [&](std::size_t node) { return node > i ? node - i : i - node; };
+        if (chain_.nodes[k].is_cusp() && (nearest == n || away(k) < away(nearest))) nearest = k;
+      }
+      if (nearest == n) continue;
+      for (std::size_t k = i; k < nearest; ++k) side[k] = averaged[i - 1];
+      for (std::size_t k = nearest; k < i; ++k) side[k] = averaged[i];
+    }
   }
 
   ContourSight sight(std::size_t i, int side) {

@@ -1,6 +1,7 @@
 #include "contours/contour_states.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -74,6 +75,26 @@ std::vector<ContourRun> runs_of(const std::vector<Stroke>& strokes, std::uint32_
 void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm) {
   // From the shortest up, so that a crowd of tiny runs does not take a longer one with it.
   for (const double share : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) merge_short(runs, curve, share * shortest_mm);
+}
+
+void end_runs_at_cusps(std::vector<ContourRun>& runs, const ContourCurve& curve, const std::vector<std::uint32_t>& cusps,
+                       double reach_mm) {
+  std::vector<double> lengths;
+  lengths.reserve(cusps.size());
+  for (const std::uint32_t node : cusps) lengths.push_back(curve.point_at(node).length);
+  for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+    if ((runs[i].state >= 0) == (runs[i + 1].state >= 0)) continue;
+    const double from = curve.point_at(runs[i].from).length, at = curve.point_at(runs[i].to).length,
+                 to = curve.point_at(runs[i + 1].to).length;
+    double best = reach_mm;
+    double place = runs[i].to;
+    for (std::size_t k = 0; k < cusps.size(); ++k) {
+      if (lengths[k] <= from || lengths[k] >= to || std::abs(lengths[k] - at) > best) continue;
+      best = std::abs(lengths[k] - at);
+      place = cusps[k];
+    }
+    runs[i].to = runs[i + 1].from = place;
+  }
 }
 
 }  // namespace ligne

@@ -10,6 +10,15 @@ namespace {
 /// Ends are moved to the line that they meet by so many widths of the pen.
 constexpr double kReachInPens = 2;
 
+/// The nodes at which the free side changes, and the contour runs along the sight.
+std::vector<std::uint32_t> cusps_of(const ContourChain& chain, const std::vector<int>& sides) {
+  std::vector<std::uint32_t> cusps;
+  for (std::uint32_t i = 1; i < sides.size(); ++i) {
+    if (sides[i] != sides[i - 1] && chain.nodes[i].is_cusp()) cusps.push_back(i);
+  }
+  return cusps;
+}
+
 }  // namespace
 
 ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View& view, const SmoothContours& contours,
@@ -19,6 +28,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
   const std::size_t n = contours.chains.size();
   const std::uint32_t first = n > 0 ? contours.first_source.front() : contours.first_probe;
   const std::vector<Stroke> strokes = take_strokes(model, first, contours.first_probe - first);
+  const double reach_mm = kReachInPens * options.pen_width_mm;
   std::vector<SeenContour> seen(n);
   constexpr std::size_t kChainsPerTask = 8;
   parallel_blocks(n, kChainsPerTask, [&](std::size_t begin, std::size_t end) {
@@ -27,9 +37,9 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
       seen[c].runs = runs_of(strokes, contours.first_source[c], contours.chains[c].size(), hidden_too);
       seen[c].sides = contours.sides[c];
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
+      end_runs_at_cusps(seen[c].runs, seen[c].curve, cusps_of(contours.chains[c], contours.sides[c]), reach_mm);
     }
   });
-  const double reach_mm = kReachInPens * options.pen_width_mm;
   move_ends_of_contours(seen, model, reach_mm);
   for (SeenContour& contour : seen) drop_short_runs(contour.runs, contour.curve, options.pen_width_mm);
   add_missing_outlines(model, view, contours, probes, seen, options.pen_width_mm, reach_mm);

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "contours/patch_fits.hpp"
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/parallel.hpp"
 #include "view/edge_classes.hpp"
@@ -95,6 +96,7 @@ class PatchBuilder {
     join_sides();
     make_sectors();
     if (cut_at_sharp_vertices()) make_sectors();
+    fit_surfaces(scene_, camera_, patch_);
   }
 
  private:

@@ -5,7 +5,8 @@
 /// label of a vertex is the sign of g there. A *sector* is a run of triangles round a vertex that no border parts; a vertex
 /// has one normal and one label in each of its sectors.
 ///
-/// A normal is a mean of face normals with weights that are not negative. So where all faces round a vertex look the same
+/// A normal is a mean of face normals with weights that are not negative, or that of a surface through the vertices
+/// (patch_fits.hpp), which keeps to the following. Where all faces round a vertex look the same
 /// way the vertex has the label of its faces, and zero sets of g run only through triangles that touch the outline of the
 /// mesh. That is why a patch of two rings of triangles round that outline is all that is needed.
 
@@ -14,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "contours/surface_fits.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "view/view.hpp"
@@ -29,6 +31,8 @@ struct SmoothPatch {
   std::vector<std::uint8_t> complete;  ///< per corner: all triangles of its sector are in the patch
   std::vector<Point3> normals;         ///< per sector, unit length; zero where no face round it has an area
   std::vector<double> g;               ///< per sector
+  std::vector<NormalTurn> turns;       ///< per sector, where `fitted`
+  std::vector<std::uint8_t> fitted;    ///< per sector: normal and turn are those of a fitted surface
 
   /// Zero counts as looking at the viewer: so g is never zero at a vertex.
   bool looks_at_viewer(std::uint32_t corner) const { return g[sector[corner]] >= 0; }

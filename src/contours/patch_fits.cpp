@@ -1,0 +1,123 @@
+#include "contours/patch_fits.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "geometry/parallel.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::size_t kSectorsPerTask = 256;
+constexpr int kRings = 2;
+
+/// The corners of each sector.
+class SectorCorners {
+ public:
+  explicit SectorCorners(const SmoothPatch& patch) : begin_(patch.normals.size() + 1, 0), corners_(patch.sector.size()) {
+    for (const std::uint32_t s : patch.sector) ++begin_[s + 1];
+    for (std::size_t s = 1; s < begin_.size(); ++s) begin_[s] += begin_[s - 1];
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t c = 0; c < corners_.size(); ++c) corners_[next[patch.sector[c]]++] = c;
+  }
+  std::span<const std::uint32_t> of(std::uint32_t sector) const {
+    return {corners_.data() + begin_[sector], corners_.data() + begin_[sector + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_, corners_;
+};
+
+class PatchFits {
+ public:
+  PatchFits(const Scene& scene, const Camera& camera, SmoothPatch& patch)
+      : scene_(scene), camera_(camera), patch_(patch), corners_(patch) {
+    patch_.turns.assign(patch_.normals.size(), NormalTurn{});
+    patch_.fitted.assign(patch_.normals.size(), 0);
+  }
+
+  /// First the sectors whose faces do not all look one way: only these may change their labels. Then the other ends of the
+  /// sides that are crossed.
+  void fit_all() {
+    std::vector<std::uint32_t> first, then;
+    std::vector<std::uint8_t> taken(patch_.normals.size(), 0);
+    for (std::uint32_t s = 0; s < taken.size(); ++s) {
+      if (!any_faces(s, true) || !any_faces(s, false)) continue;
+      taken[s] = 1;
+      first.push_back(s);
+    }
+    fit(first);
+    for (std::uint32_t c = 0; c < patch_.sector.size(); ++c) {
+      if (patch_.looks_at_viewer(c) == patch_.looks_at_viewer(next_corner(c))) continue;
+      for (const std::uint32_t s : {patch_.sector[c], patch_.sector[next_corner(c)]}) {
+        if (!std::exchange(taken[s], 1)) then.push_back(s);
+      }
+    }
+    fit(then);
+  }
+
+ private:
+  /// Some faces of the sector look to the side of the viewer, or to the other one.
+  bool any_faces(std::uint32_t sector, bool towards) const {
+    const auto own = corners_.of(sector);
+    return std::any_of(own.begin(), own.end(), [&](std::uint32_t c) { return (patch_.facing[c / 3] >= 0) == towards; });
+  }
+
+  const Point3& place(std::uint32_t sector) const {
+    const std::uint32_t c = corners_.of(sector)[0];
+    return scene_.vertices[patch_.triangles[c / 3].v[c % 3]];
+  }
+
+  void fit(const std::vector<std::uint32_t>& sectors) {
+    parallel_blocks(sectors.size(), kSectorsPerTask, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> reached;
+      std::vector<Point3> points;
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::uint32_t s = sectors[i];
+        if (!patch_.complete[corners_.of(s)[0]] || patch_.normals[s] == Point3(0.0)) continue;
+        reach_rings(s, reached);
+        points.clear();
+        for (std::size_t k = 1; k < reached.size(); ++k) points.push_back(place(reached[k]));
+        SurfaceFit fit;
+        if (!fit_surface(place(s), patch_.normals[s], points, fit)) continue;
+        const double g = glm::dot(fit.normal, to_eye(camera_, place(s)));
+        if (!any_faces(s, g >= 0)) continue;
+        patch_.normals[s] = fit.normal;
+        patch_.turns[s] = fit.turn;
+        patch_.g[s] = g;
+        patch_.fitted[s] = 1;
+      }
+    });
+  }
+
+  /// The sector, and those within two rings of triangles.
+  void reach_rings(std::uint32_t sector, std::vector<std::uint32_t>& reached) const {
+    reached.assign(1, sector);
+    std::size_t next = 0;
+    for (int ring = 0; ring < kRings; ++ring) {
+      for (const std::size_t last = reached.size(); next < last; ++next) {
+        for (const std::uint32_t c : corners_.of(reached[next])) {
+          for (const std::uint32_t other : {patch_.sector[next_corner(c)], patch_.sector[last_corner(c)]}) {
+            if (std::find(reached.begin(), reached.end(), other) == reached.end()) reached.push_back(other);
+          }
+        }
+      }
+    }
+  }
+
+  const Scene& scene_;
+  const Camera& camera_;
+  SmoothPatch& patch_;
+  SectorCorners corners_;
+};
+
+}  // namespace
+
+void fit_surfaces(const Scene& scene, const Camera& camera, SmoothPatch& patch) {
+  PatchFits(scene, camera, patch).fit_all();
+}
+
+}  // namespace ligne
