@@ -10,11 +10,10 @@ namespace {
 /// Ends are moved to the line that they meet by so many widths of the pen.
 constexpr double kReachInPens = 2;
 
-/// The nodes at which the free side changes, and the contour runs along the sight.
-std::vector<std::uint32_t> cusps_of(const ContourChain& chain, const std::vector<int>& sides) {
+std::vector<std::uint32_t> cusps_of(const ContourChain& chain) {
   std::vector<std::uint32_t> cusps;
-  for (std::uint32_t i = 1; i < sides.size(); ++i) {
-    if (sides[i] != sides[i - 1] && chain.nodes[i].is_cusp()) cusps.push_back(i);
+  for (std::uint32_t i = 1; i < chain.size(); ++i) {
+    if (chain.nodes[i].is_cusp()) cusps.push_back(i);
   }
   return cusps;
 }
@@ -37,7 +36,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
       seen[c].runs = runs_of(strokes, contours.first_source[c], contours.chains[c].size(), hidden_too);
       seen[c].sides = contours.sides[c];
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
-      end_runs_at_cusps(seen[c].runs, seen[c].curve, cusps_of(contours.chains[c], contours.sides[c]), reach_mm);
+      end_runs_at_cusps(seen[c].runs, seen[c].curve, cusps_of(contours.chains[c]), reach_mm);
     }
   });
   move_ends_of_contours(seen, model, reach_mm);
