@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "contours/patch_fits.hpp"
-#include "geometry/disjoint_sets.hpp"
+#include "geometry/filed_pairs.hpp"
 #include "geometry/parallel.hpp"
 #include "view/edge_classes.hpp"
 
@@ -46,9 +46,25 @@ std::vector<std::uint32_t> touching(const std::vector<Triangle>& triangles, cons
   return all;
 }
 
-/// A side with its ends in ascending order.
-struct Side {
-  std::uint32_t low, high, side;
+/// The vertices of some triangles, numbered in ascending order.
+class VertexNumbers {
+ public:
+  VertexNumbers(const std::vector<Triangle>& triangles, std::size_t vertices) : number_(vertices, kNone) {
+    for (const Triangle& t : triangles) {
+      for (const std::uint32_t v : t.v) number_[v] = 0;
+    }
+    for (std::uint32_t v = 0; v < vertices; ++v) {
+      if (number_[v] == kNone) continue;
+      number_[v] = static_cast<std::uint32_t>(vertices_.size());
+      vertices_.push_back(v);
+    }
+  }
+  std::size_t size() const { return vertices_.size(); }
+  std::uint32_t of(std::uint32_t vertex) const { return number_[vertex]; }
+  std::uint32_t vertex(std::uint32_t number) const { return vertices_[number]; }
+
+ private:
+  std::vector<std::uint32_t> number_, vertices_;
 };
 
 /// What is said of edges, for edges that are asked about in ascending order.
@@ -94,6 +110,7 @@ class PatchBuilder {
   void build() {
     measure_triangles();
     join_sides();
+    weigh_normals();
     make_sectors();
     if (cut_at_sharp_vertices()) make_sectors();
     fit_surfaces(scene_, camera_, patch_);
@@ -106,74 +123,62 @@ class PatchBuilder {
     const std::size_t n = patch_.triangles.size();
     face_normals_.resize(n);
     patch_.facing.resize(n);
-    for (std::uint32_t t = 0; t < n; ++t) {
-      const Point3 &a = vertex(3 * t), &b = vertex(3 * t + 1), &c = vertex(3 * t + 2);
-      const Point3 area = glm::cross(b - a, c - a);
-      const double size = glm::length(area);
-      face_normals_[t] = size > 0 ? area / size : kNoNormal;
-      const Point3 eye = to_eye(camera_, a);
-      const double d = glm::dot(area, eye);
-      patch_.facing[t] = std::abs(d) <= kEdgeOnSine * size * glm::length(eye) ? 0 : d > 0 ? 1 : -1;
-    }
+    parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
+        const Point3 &a = vertex(3 * t), &b = vertex(3 * t + 1), &c = vertex(3 * t + 2);
+        const Point3 area = glm::cross(b - a, c - a);
+        const double size = glm::length(area);
+        face_normals_[t] = size > 0 ? area / size : kNoNormal;
+        const Point3 eye = to_eye(camera_, a);
+        const double d = glm::dot(area, eye);
+        patch_.facing[t] = std::abs(d) <= kEdgeOnSine * size * glm::length(eye) ? 0 : d > 0 ? 1 : -1;
+      }
+    });
   }
 
   /// Pairs the sides that two triangles have in common, unless a border runs along them.
   void join_sides() {
-    std::vector<Side> sides;
-    sides.reserve(3 * patch_.triangles.size());
-    for (std::uint32_t s = 0; s < 3 * patch_.triangles.size(); ++s) {
-      const Triangle& t = patch_.triangles[s / 3];
-      const std::uint32_t a = t.v[s % 3], b = t.v[(s + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), s});
-    }
-    parallel_sort(sides.begin(), sides.end(), [](const Side& l, const Side& r) {
-      if (l.low != r.low) return l.low < r.low;
-      return l.high != r.high ? l.high < r.high : l.side < r.side;
-    });
-    patch_.across.assign(sides.size(), kNone);
-    for (std::size_t i = 0; i < sides.size();) {
-      std::size_t end = i + 1;
-      while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
-      if (end - i == 2 && are_smooth(sides[i], sides[i + 1].side)) {
-        patch_.across[sides[i].side] = sides[i + 1].side;
-        patch_.across[sides[i + 1].side] = sides[i].side;
+    const auto n = static_cast<std::uint32_t>(3 * patch_.triangles.size());
+    const VertexNumbers numbers(patch_.triangles, scene_.vertices.size());
+    const FiledPairs sides(numbers.size(), n, [&](const auto& add) {
+      for (std::uint32_t t = 0; t < patch_.triangles.size(); ++t) {
+        const auto& v = patch_.triangles[t].v;
+        const std::array of{numbers.of(v[0]), numbers.of(v[1]), numbers.of(v[2])};
+        for (std::uint32_t k = 0; k < 3; ++k) add(of[k], of[(k + 1) % 3], 3 * t + k);
       }
-      i = end;
-    }
+    });
+    patch_.across.assign(n, kNone);
+    sides.for_each_pair(0, numbers.size(), [&](std::uint32_t low, std::span<const FiledPairs::Entry> pair) {
+      if (pair.size() != 2) return;
+      const std::uint32_t a = pair[0].thing, b = pair[1].thing;
+      if (!are_smooth(numbers.vertex(low), numbers.vertex(pair[0].high), a, b)) return;
+      patch_.across[a] = b;
+      patch_.across[b] = a;
+    });
   }
 
-  /// Two sides on one edge: wound alike, and no crease. A triangle without area has no direction that could differ.
-  bool are_smooth(const Side& side, std::uint32_t r) {
-    const std::uint32_t s = side.side;
+  /// Two sides on the edge from `low` to `high`: wound alike, and no crease. A triangle without area has no direction that
+  /// could differ.
+  bool are_smooth(std::uint32_t low, std::uint32_t high, std::uint32_t s, std::uint32_t r) {
     if (patch_.triangles[s / 3].v[s % 3] == patch_.triangles[r / 3].v[r % 3]) return false;
-    if (edges_.given() && edges_.has(side.low, side.high)) return false;
+    if (edges_.given() && edges_.has(low, high)) return false;
     const Point3 &a = face_normals_[s / 3], &b = face_normals_[r / 3];
     return a == kNoNormal || b == kNoNormal || glm::dot(a, b) >= (edges_.given() ? sharp_cosine_ : crease_cosine_);
   }
 
+  /// Numbers the sectors in the order of their first corners, and sums their normals in the order of their corners.
   void make_sectors() {
     const auto corners = static_cast<std::uint32_t>(3 * patch_.triangles.size());
-    DisjointSets sets(corners);
-    for (std::uint32_t s = 0; s < corners; ++s) {
-      const std::uint32_t r = patch_.across[s];
-      if (r == kNone || r < s) continue;
-      sets.join(s, next_corner(r));
-      sets.join(next_corner(s), r);
-    }
-    patch_.sector.resize(corners);
+    patch_.sector.assign(corners, kNone);
     patch_.normals.clear();
     std::vector<std::uint32_t> first;  // corner of each sector
     for (std::uint32_t c = 0; c < corners; ++c) {
-      const std::uint32_t root = sets.find(c);
-      if (root == c) {
-        patch_.sector[c] = static_cast<std::uint32_t>(patch_.normals.size());
-        patch_.normals.push_back(kNoNormal);
-        first.push_back(c);
-      } else {
-        patch_.sector[c] = patch_.sector[root];  // the lowest member, met before
-      }
+      if (patch_.sector[c] != kNone) continue;
+      number_sector(c, static_cast<std::uint32_t>(first.size()));
+      first.push_back(c);
     }
-    for (std::uint32_t c = 0; c < corners; ++c) patch_.normals[patch_.sector[c]] += weighted_normal(c);
+    patch_.normals.assign(first.size(), kNoNormal);
+    for (std::uint32_t c = 0; c < corners; ++c) patch_.normals[patch_.sector[c]] += weighted_normals_[c];
     patch_.g.resize(patch_.normals.size());
     for (std::size_t s = 0; s < patch_.normals.size(); ++s) {
       Point3& n = patch_.normals[s];
@@ -183,12 +188,37 @@ class PatchBuilder {
     }
   }
 
+  /// Gives a number to the corners that hang together round the vertex of corner c: a ring, or a row between two borders.
+  void number_sector(std::uint32_t c, std::uint32_t number) {
+    std::uint32_t at = c;
+    do {
+      patch_.sector[at] = number;
+      const std::uint32_t r = patch_.across[at];
+      if (r == kNone) break;
+      at = next_corner(r);
+    } while (patch_.sector[at] == kNone);
+    if (at == c && patch_.across[c] != kNone) return;  // all round
+    for (at = c;;) {
+      const std::uint32_t r = patch_.across[last_corner(at)];
+      if (r == kNone) return;
+      at = r;
+      patch_.sector[at] = number;
+    }
+  }
+
   /// The share of a corner in the normal of its vertex: the weights of N. Max (Weights for computing vertex normals from
   /// facet normals, 1999), for which the normals of a mesh with its vertices on a sphere are exact, however uneven.
   Point3 weighted_normal(std::uint32_t c) const {
     const Point3 a = vertex(next_corner(c)) - vertex(c), b = vertex(last_corner(c)) - vertex(c);
     const double sizes = glm::dot(a, a) * glm::dot(b, b);
     return sizes > 0 ? glm::cross(a, b) / sizes : kNoNormal;
+  }
+
+  void weigh_normals() {
+    weighted_normals_.resize(3 * patch_.triangles.size());
+    parallel_blocks(weighted_normals_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) weighted_normals_[c] = weighted_normal(static_cast<std::uint32_t>(c));
+    });
   }
 
   /// Makes borders of all sides at vertices whose faces differ too much from their normal; whether there are any.
@@ -218,6 +248,7 @@ class PatchBuilder {
   SmoothPatch& patch_;
   double crease_cosine_, sharp_cosine_;
   std::vector<Point3> face_normals_;
+  std::vector<Point3> weighted_normals_;  ///< per corner
 };
 
 }  // namespace

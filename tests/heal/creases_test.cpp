@@ -145,7 +145,7 @@ TEST(Creases, PackedDirectionsAreRightToATenthOfADegree) {
   for (int i = 0; i < 1000; ++i) {
     const Point3 direction{std::sin(i), std::cos(1.7 * i), std::sin(2.3 * i + 1)};
     const double length = std::hypot(direction.x, direction.y, direction.z);
-    const Point3 back = unpacked_direction(packed_direction(direction));
+    const Point3 back = glm::normalize(unpacked_direction(packed_direction(direction)));
     const double cosine = (direction.x * back.x + direction.y * back.y + direction.z * back.z) / length;
     EXPECT_LT(std::acos(std::min(1.0, cosine)) * 180 / std::numbers::pi, 0.15);
   }

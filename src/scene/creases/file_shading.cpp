@@ -4,9 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <tuple>
+#include <span>
 #include <utility>
 
+#include "geometry/filed_pairs.hpp"
 #include "geometry/parallel.hpp"
 #include "scene/clean/weld.hpp"
 #include "scene/model/topology.hpp"
@@ -24,76 +25,124 @@ constexpr std::uint32_t kLevels = 1023;
 
 double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
+/// Whether the cosine of the angle between two directions in levels is not below one that is not negative.
 bool within(std::uint32_t a, std::uint32_t b, double least_cosine) {
-  return a == b || glm::dot(unpacked_direction(a), unpacked_direction(b)) >= least_cosine;
+  if (a == b) return true;
+  const Point3 p = unpacked_direction(a), q = unpacked_direction(b);
+  const double d = glm::dot(p, q);
+  return d >= 0 && d * d >= least_cosine * least_cosine * glm::dot(p, p) * glm::dot(q, q);
 }
 
-/// A side of a face, by the positions of its ends.
+/// A side of a face: from the corner where it begins to the one at its end.
 struct Side {
-  std::uint32_t low, high;
-  std::uint32_t corner, next;  ///< where it begins, and the corner at its end
+  std::uint32_t corner, next;
   std::uint32_t face;
-  friend bool operator<(const Side& a, const Side& b) {
-    return std::tuple(a.low, a.high, a.corner) < std::tuple(b.low, b.high, b.corner);
-  }
 };
 
-std::vector<Side> sides_of(const Scene& scene) {
-  const Weld weld = weld_vertices(scene);
-  std::vector<Side> sides;
-  sides.reserve(scene.faces.corners().size());
-  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
-    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-      const auto contour = scene.faces.contour(f, c);
-      const auto first = static_cast<std::uint32_t>(scene.faces.corner_index(f, c));
-      const auto n = static_cast<std::uint32_t>(contour.size());
-      for (std::uint32_t k = 0; k < n; ++k) {
-        const std::uint32_t next = k + 1 == n ? 0 : k + 1;
-        const std::uint32_t a = weld.first[contour[k]], b = weld.first[contour[next]];
-        if (a == kNone || b == kNone || a == b) continue;
-        sides.push_back({std::min(a, b), std::max(a, b), first + k, first + next, f});
+/// The sides of faces, by the corners where they begin.
+class Sides {
+ public:
+  explicit Sides(const PolygonFaces& faces) {
+    if (faces.all_triangles()) return;
+    next_.resize(faces.corners().size());
+    face_.resize(faces.corners().size());
+    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+      for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
+        const std::size_t first = faces.corner_index(f, c), end = first + faces.contour(f, c).size();
+        for (std::size_t k = first; k < end; ++k) {
+          next_[k] = static_cast<std::uint32_t>(k + 1 == end ? first : k + 1);
+          face_[k] = f;
+        }
       }
     }
   }
-  parallel_sort(sides.begin(), sides.end());
-  return sides;
+
+  std::uint32_t next(std::uint32_t corner) const {
+    if (!next_.empty()) return next_[corner];
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+  }
+  Side operator[](std::uint32_t corner) const { return {corner, next(corner), face_.empty() ? corner / 3 : face_[corner]}; }
+
+ private:
+  std::vector<std::uint32_t> next_, face_;  ///< empty while all faces are triangles
+};
+
+/// The sides of all faces by the positions of their ends; those without two of them are left out.
+FiledPairs file_sides(const Scene& scene, const Sides& sides) {
+  const Weld weld = weld_vertices(scene);
+  const std::span<const std::uint32_t> corners = scene.faces.corners();
+  return FiledPairs(scene.vertices.size(), corners.size(), [&](const auto& add) {
+    for (std::uint32_t k = 0; k < corners.size(); ++k) {
+      const std::uint32_t a = weld.first[corners[k]], b = weld.first[corners[sides.next(k)]];
+      if (a != kNone && b != kNone && a != b) add(a, b, k);
+    }
+  });
 }
 
 class Marker {
  public:
-  Marker(Scene& scene, const FileShading& shading) : scene_(scene), shading_(shading) {}
+  Marker(Scene& scene, const FileShading& shading) : scene_(scene), shading_(shading), sides_(scene.faces) {}
 
   void run() {
-    const std::vector<Side> sides = sides_of(scene_);
-    normals_.resize(scene_.faces.size());
-    parallel_blocks(normals_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) normals_[f] = face_normal(scene_, static_cast<std::uint32_t>(f));
-    });
+    const FiledPairs filed = file_sides(scene_, sides_);
+    measure_faces();
     if (scene_.corner_flags.empty()) scene_.corner_flags.resize(scene_.faces.corners().size(), 0);
-    std::vector<std::pair<const Side*, const Side*>> smooth;
-    std::vector<std::uint8_t> has_sharp(scene_.objects.size(), 0);
-    for (std::size_t i = 0; i < sides.size();) {
-      std::size_t end = i + 1;
-      while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
-      if (end - i == 2 && sides[i].face != sides[i + 1].face) {
-        const Side &a = sides[i], &b = sides[i + 1];
+    // Each side is of one pair, so no two tasks mark the same corner.
+    const std::size_t nodes = scene_.vertices.size(), blocks = block_count(nodes, kShortWorkBlock);
+    std::vector<std::vector<std::pair<Side, Side>>> smooth(blocks);
+    std::vector<std::vector<std::size_t>> sharp_objects(blocks);
+    parallel_blocks(nodes, kShortWorkBlock, [&](std::size_t first, std::size_t last) {
+      const std::size_t block = first / kShortWorkBlock;
+      filed.for_each_pair(first, last, [&](std::uint32_t, std::span<const FiledPairs::Entry> pair) {
+        if (pair.size() != 2) return;
+        const Side a = sides_[pair[0].thing], b = sides_[pair[1].thing];
+        if (a.face == b.face) return;
         const Said said = said_of(a, b);
-        if (said == Said::sharp) {
-          mark(a, b, kCornerSharp);
-          has_sharp[object_of(a.face)] = 1;
-        }
-        if (said == Said::smooth) smooth.emplace_back(&a, &b);
-      }
-      i = end;
+        if (said == Said::smooth) smooth[block].emplace_back(a, b);
+        if (said != Said::sharp) return;
+        mark(a, b, kCornerSharp);
+        const std::size_t object = object_of(a.face);
+        if (sharp_objects[block].empty() || sharp_objects[block].back() != object) sharp_objects[block].push_back(object);
+      });
+    });
+    std::vector<std::uint8_t> has_sharp(scene_.objects.size(), 0);
+    for (const auto& objects : sharp_objects) {
+      for (const std::size_t object : objects) has_sharp[object] = 1;
     }
     const double averaged = cosine(kAveragedDegrees);
-    for (const auto& [a, b] : smooth) {
-      if (has_sharp[object_of(a->face)] || bend(*a, *b) >= averaged) mark(*a, *b, kCornerSmooth);
-    }
+    parallel_for(blocks, [&](std::size_t block) {
+      for (const auto& [a, b] : smooth[block]) {
+        if (has_sharp[object_of(a.face)] || bend(a, b) >= averaged) mark(a, b, kCornerSmooth);
+      }
+    });
   }
 
  private:
   enum class Said { nothing, smooth, sharp };
+
+  /// The normal of each face, and whether that of the file at each of its corners is the same, on whatever side: files
+  /// disagree on the side to which a face looks.
+  void measure_faces() {
+    const std::vector<std::uint32_t>& shaded = shading_.corner_normals;
+    normals_.resize(scene_.faces.size());
+    is_flat_.resize(shaded.size(), 0);
+    const double flat = cosine(kFlatShadingDegrees);
+    parallel_blocks(normals_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        normals_[f] = face_normal(scene_, static_cast<std::uint32_t>(f));
+        for (std::size_t c = 0; !shaded.empty() && c < scene_.faces.contour_count(f); ++c) {
+          const std::size_t first = scene_.faces.corner_index(f, c);
+          const std::size_t last = first + std::as_const(scene_.faces).contour(f, c).size();
+          for (std::size_t k = first; k < last; ++k) {
+            if (shaded[k] == 0) continue;
+            const Point3 direction = unpacked_direction(shaded[k]);
+            const double d = glm::dot(direction, normals_[f]);
+            is_flat_[k] = d * d >= flat * flat * glm::dot(direction, direction);
+          }
+        }
+      }
+    });
+  }
 
   std::size_t object_of(std::uint32_t face) const {
     const auto after = std::upper_bound(scene_.objects.begin(), scene_.objects.end(), face,
@@ -125,19 +174,10 @@ class Marker {
     if (is_flat(a) && is_flat(b)) return Said::nothing;
     const bool like = same_way(a, b);
     const std::uint32_t at_start = like ? b.corner : b.next, at_end = like ? b.next : b.corner;
-    const double same = cosine(kSameDegrees);
-    return within(n[a.corner], n[at_start], same) || within(n[a.next], n[at_end], same) ? Said::smooth : Said::sharp;
+    return within(n[a.corner], n[at_start], same_) || within(n[a.next], n[at_end], same_) ? Said::smooth : Said::sharp;
   }
 
-  /// Files disagree on the side to which a face looks.
-  bool is_flat(const Side& side) const {
-    const double flat = cosine(kFlatShadingDegrees);
-    for (const std::uint32_t corner : {side.corner, side.next}) {
-      const Point3 normal = unpacked_direction(shading_.corner_normals[corner]);
-      if (std::abs(glm::dot(normal, normals_[side.face])) < flat) return false;
-    }
-    return true;
-  }
+  bool is_flat(const Side& side) const { return is_flat_[side.corner] && is_flat_[side.next]; }
 
   Said by_groups(std::uint32_t a, std::uint32_t b) const {
     const std::uint32_t p = shading_.face_groups[a], q = shading_.face_groups[b];
@@ -152,7 +192,10 @@ class Marker {
 
   Scene& scene_;
   const FileShading& shading_;
-  std::vector<Point3> normals_;
+  Sides sides_;
+  std::vector<Point3> normals_;        ///< per face
+  std::vector<std::uint8_t> is_flat_;  ///< per corner: shaded with the normal of its face
+  const double same_ = cosine(kSameDegrees);
 };
 
 }  // namespace
@@ -170,9 +213,8 @@ std::uint32_t packed_direction(const Point3& direction) {
 
 Point3 unpacked_direction(std::uint32_t packed) {
   --packed;
-  Point3 direction;
-  for (int k = 2; k >= 0; --k, packed >>= 10) direction[k] = static_cast<double>(packed & kLevels) / kLevels * 2 - 1;
-  return glm::normalize(direction);
+  const auto level = [&](unsigned shift) { return 2.0 * static_cast<double>(packed >> shift & kLevels) - kLevels; };
+  return {level(20), level(10), level(0)};
 }
 
 void mark_smooth_edges(Scene& scene, const FileShading& shading) {

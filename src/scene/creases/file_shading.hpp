@@ -9,7 +9,7 @@
 namespace ligne {
 
 /// A direction in 32 bits: three times ten, right to a tenth of a degree. Zero and what is not finite become 0, no
-/// direction.
+/// direction. Unpacked it has whole coordinates, and not the length 1.
 std::uint32_t packed_direction(const Point3& direction);
 Point3 unpacked_direction(std::uint32_t packed);
 
