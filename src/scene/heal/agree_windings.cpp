@@ -65,8 +65,8 @@ void turn(Scene& scene, std::uint32_t face) {
 
 std::size_t agree_windings(Scene& scene, const Topology& topology) {
   bool agree = true;
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-    agree = agree && !(joins_two_faces(topology, e) && (topology.edge_flags[e] & kEdgeUnlikeWound));
+  for (std::size_t e = 0; e < topology.edges.size() && agree; ++e) {
+    agree = !(topology.edge_flags[e] & kEdgeUnlikeWound) || !joins_two_faces(topology, e);
   }
   if (agree) return 0;
   const Neighbours neighbours(scene.faces.size(), topology);

@@ -108,18 +108,6 @@ NearestPoint Border::nearest(std::uint32_t v, double distance, double inside) co
   });
 }
 
-std::vector<std::vector<Edge>> border_edges(const Scene& scene, const Topology& topology) {
-  // Edges are ordered by their vertices, and objects own ascending ranges of them.
-  std::vector<std::vector<Edge>> borders(scene.objects.size());
-  std::size_t object = 0;
-  for (const Edge& edge : topology.edges) {
-    if (edge.face1 != kNone) continue;
-    while (edge.v0 >= scene.objects[object].vertex_end) ++object;
-    borders[object].push_back(edge);
-  }
-  return borders;
-}
-
 GapBreak find_gap_break(const Border& border, double precision, double model_size) {
   const double median = border.median_length();
   const double roundings = straightness_tolerance(precision, median);

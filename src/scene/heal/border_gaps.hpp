@@ -38,9 +38,6 @@ class Border {
   EdgeTree tree_;
 };
 
-/// The border edges of every object, in the order of the objects.
-std::vector<std::vector<Edge>> border_edges(const Scene& scene, const Topology& topology);
-
 /// What lies within a distance, and what does not.
 struct GapBreak {
   double distance = 0;   ///< of what is a crack; 0: there is none

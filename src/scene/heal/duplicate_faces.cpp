@@ -42,6 +42,10 @@ std::uint64_t hash(std::span<const std::uint32_t> key) {
 /// order.
 bool may_be_same(const PolygonFaces& faces, std::uint32_t a, std::uint32_t b) {
   if (a == b) return false;
+  if (faces.all_triangles()) {
+    const std::uint32_t *p = &faces.corners()[3 * std::size_t{a}], *q = &faces.corners()[3 * std::size_t{b}];
+    return std::uint64_t{p[0]} + p[1] + p[2] == std::uint64_t{q[0]} + q[1] + q[2];
+  }
   const auto p = faces.contour(a, 0), q = faces.contour(b, 0);
   if (p.size() != q.size()) return false;
   std::uint64_t sum = 0;
@@ -50,8 +54,30 @@ bool may_be_same(const PolygonFaces& faces, std::uint32_t a, std::uint32_t b) {
   return sum == 0;
 }
 
+/// Whether there is an edge of more than two faces, or a vertex from which two edges with the same two faces go to higher
+/// ones: the lowest vertex of a face that is stored twice is such a one.
+bool may_have_faces_twice(const Topology& topology) {
+  constexpr std::size_t kFan = 16;  ///< adjustable: larger ones are not looked at
+  const std::size_t n = topology.edges.size();
+  std::atomic<bool> any{false};
+  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    bool found = false;
+    for (std::size_t e = begin; e < end && !found; ++e) {
+      const Edge& edge = topology.edges[e];
+      found = (topology.edge_flags[e] & kEdgeManyFaces) != 0;
+      if (edge.face1 == kNone) continue;
+      for (std::size_t other = e + 1; other < n && topology.edges[other].v0 == edge.v0 && !found; ++other) {
+        found = other - e > kFan || (topology.edges[other].face0 == edge.face0 && topology.edges[other].face1 == edge.face1);
+      }
+    }
+    if (found) any.store(true, std::memory_order_relaxed);
+  });
+  return any;
+}
+
 /// Per vertex: lies on an edge that faces stored twice would have. Empty when there is none.
 std::vector<std::uint8_t> suspect_vertices(const Scene& scene, const Topology& topology) {
+  if (!may_have_faces_twice(topology)) return {};
   const auto is_suspect = [&](std::size_t e) {
     const Edge& edge = topology.edges[e];
     if (edge.face1 == kNone) return false;
@@ -236,9 +262,12 @@ void drop_duplicate_faces(Scene& scene, const DuplicateFaces& duplicates) {
   }
   for (Detail& detail : scene.details) detail.face = duplicates.first[detail.face];
   FaceWriter writer(scene);
-  for (std::uint32_t f = 0; f < duplicates.first.size(); ++f) {
-    writer.begin(f);
-    if (duplicates.first[f] == f) writer.keep(f);
+  const auto n = static_cast<std::uint32_t>(duplicates.first.size());
+  for (std::uint32_t f = 0; f < n;) {
+    std::uint32_t end = f;
+    while (end < n && duplicates.first[end] == end) ++end;
+    writer.keep(f, end);
+    for (f = end; f < n && duplicates.first[f] != f; ++f) writer.begin(f);
   }
   writer.finish();
   drop_unused_vertices(scene);

@@ -15,7 +15,25 @@ FaceWriter::FaceWriter(Scene& scene) : scene_(scene) {
 
 void FaceWriter::begin(std::uint32_t f) { first_new_.resize(f + 1, static_cast<std::uint32_t>(faces_.size())); }
 
-void FaceWriter::keep(std::uint32_t f) {
+void FaceWriter::keep(std::uint32_t first, std::uint32_t last) {
+  if (first == last) return;
+  if (!scene_.faces.all_triangles() || !faces_.all_triangles()) {
+    for (std::uint32_t f = first; f < last; ++f) keep_polygon(f);
+    return;
+  }
+  begin(first);
+  for (std::uint32_t k = 1; k < last - first; ++k) first_new_.push_back(static_cast<std::uint32_t>(faces_.size()) + k);
+  const auto own = [&](const auto& of_corners) {
+    return std::span(of_corners).subspan(3 * std::size_t{first}, 3 * std::size_t{last - first});
+  };
+  const auto corners = own(std::as_const(scene_.faces).corners());
+  std::copy(corners.begin(), corners.end(), faces_.append_triangles(last - first).begin());
+  if (!scene_.corner_flags.empty()) add_flags(own(scene_.corner_flags));
+  add_origins(first, last);
+}
+
+void FaceWriter::keep_polygon(std::uint32_t f) {
+  begin(f);
   const PolygonFaces& faces = scene_.faces;
   std::size_t count = 0;
   for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
@@ -27,7 +45,7 @@ void FaceWriter::keep(std::uint32_t f) {
     count += contour.size();
   }
   if (!scene_.corner_flags.empty()) add_flags(std::span(scene_.corner_flags).subspan(faces.corner_index(f, 0), count));
-  add_origin(f);
+  add_origins(f, f + 1);
 }
 
 void FaceWriter::replace(std::uint32_t f, const LooseFace& face) {
@@ -41,13 +59,13 @@ void FaceWriter::replace(std::uint32_t f, const LooseFace& face) {
     begin = end;
   }
   add_flags(face.flags);
-  add_origin(f);
+  add_origins(f, f + 1);
 }
 
 void FaceWriter::replace(std::uint32_t f, const CutTriangle& triangle) {
   faces_.add_face(triangle.vertices);
   add_flags(triangle.flags);
-  add_origin(f);
+  add_origins(f, f + 1);
 }
 
 void FaceWriter::finish() {
@@ -69,9 +87,12 @@ void FaceWriter::add_flags(std::span<const std::uint8_t> flags) {
   flags_.insert(flags_.end(), flags.begin(), flags.end());
 }
 
-void FaceWriter::add_origin(std::uint32_t f) {
-  if (!scene_.face_material.empty()) material_.push_back(scene_.face_material[f]);
-  if (!scene_.face_source.empty()) source_.push_back(scene_.face_source[f]);
+void FaceWriter::add_origins(std::uint32_t first, std::uint32_t last) {
+  const auto add = [&](std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from) {
+    if (!from.empty()) to.insert(to.end(), from.begin() + first, from.begin() + last);
+  };
+  add(material_, scene_.face_material);
+  add(source_, scene_.face_source);
 }
 
 LooseFace loose_face(const Scene& scene, std::uint32_t f) {

@@ -13,19 +13,20 @@ class FaceWriter {
  public:
   explicit FaceWriter(Scene& scene);
 
-  /// Face f of the scene as it stands there.
-  void keep(std::uint32_t f);
+  /// Faces [first, last) of the scene as they stand there.
+  void keep(std::uint32_t first, std::uint32_t last);
   /// Another face or triangle in the place of face f.
   void replace(std::uint32_t f, const LooseFace& face);
   void replace(std::uint32_t f, const CutTriangle& triangle);
-  /// Tells that what follows is in the place of face f; faces come in ascending order.
+  /// Tells that what is put in the place of face f follows; faces come in ascending order.
   void begin(std::uint32_t f);
   /// Puts the new faces into the scene, and objects and details on their new numbers. Vertices stay.
   void finish();
 
  private:
+  void keep_polygon(std::uint32_t f);
   void add_flags(std::span<const std::uint8_t> flags);
-  void add_origin(std::uint32_t f);
+  void add_origins(std::uint32_t first, std::uint32_t last);
 
   Scene& scene_;
   PolygonFaces faces_;

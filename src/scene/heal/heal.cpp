@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
+#include <span>
 
 #include "scene/clean/cut_nonplanar.hpp"
 #include "scene/heal/agree_windings.hpp"
+#include "scene/heal/border_edges.hpp"
 #include "scene/heal/border_gaps.hpp"
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/face_writer.hpp"
@@ -24,29 +27,43 @@ double size_of(const Scene& scene) {
   return glm::distance(low, high);
 }
 
-/// The distance within which the borders of each object are sewn, and what was seen of them.
-std::vector<double> sewing_distances(const Scene& scene, const Topology& topology, const HealOptions& options,
-                                     HealReport& report) {
-  std::vector<std::vector<Edge>> borders = border_edges(scene, topology);
-  std::vector<double> distances(scene.objects.size(), 0);
-  if (std::all_of(borders.begin(), borders.end(), [](const auto& edges) { return edges.empty(); })) return distances;
+/// The borders of the objects that are sewn, and the distances, and what was seen of them.
+std::vector<std::unique_ptr<Border>> borders_to_sew(const Scene& scene, const Topology& topology, const HealOptions& options,
+                                                    Sewing& sewing, HealReport& report) {
+  std::vector<std::vector<Edge>> edges = border_edges(scene, topology);
+  std::vector<std::unique_ptr<Border>> borders(edges.size());
+  if (std::all_of(edges.begin(), edges.end(), [](const auto& list) { return list.empty(); })) return borders;
   const double size = size_of(scene);
   std::vector<GapBreak> gaps(scene.objects.size());
   std::vector<std::size_t> counts(scene.objects.size());
   parallel_tasks(scene.objects.size(), [&](std::size_t i) {
-    counts[i] = borders[i].size();
-    if (borders[i].empty()) return;
-    const Border border(scene, std::move(borders[i]));
-    gaps[i] = options.sew_distance ? gaps_within(border, *options.sew_distance)
-                                   : find_gap_break(border, scene.objects[i].precision, size);
+    counts[i] = edges[i].size();
+    if (edges[i].empty()) return;
+    auto border = std::make_unique<Border>(scene, std::move(edges[i]));
+    gaps[i] = options.sew_distance ? gaps_within(*border, *options.sew_distance)
+                                   : find_gap_break(*border, scene.objects[i].precision, size);
+    if (gaps[i].near > 0 && gaps[i].distance > 0) borders[i] = std::move(border);
   });
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     report.border_edges += counts[i];
     if (gaps[i].near == 0) continue;
-    distances[i] = gaps[i].distance;
+    sewing.distances[i] = gaps[i].distance;
     report.sewn.push_back({i, gaps[i].distance, counts[i], counts[i], gaps[i].near, gaps[i].next});
   }
-  return distances;
+  return borders;
+}
+
+/// Sewing triangles makes no borders but between vertices of borders; polygons may be cut anywhere.
+void mark_borders(const Scene& scene, std::span<const std::unique_ptr<Border>> borders, std::vector<std::uint8_t>& marked) {
+  marked.assign(scene.vertices.size(), 0);
+  for (std::size_t i = 0; i < borders.size(); ++i) {
+    if (!borders[i]) continue;
+    for (const std::uint32_t v : borders[i]->vertices()) marked[v] = 1;
+    const Object& object = scene.objects[i];
+    if (!scene.faces.all_triangles()) {
+      std::fill(marked.begin() + object.vertex_begin, marked.begin() + object.vertex_end, std::uint8_t{1});
+    }
+  }
 }
 
 /// Vertices that moved may have left polygons that are not planar: those are cut.
@@ -55,12 +72,15 @@ void cut_bent_faces(Scene& scene) {
   FaceWriter writer(scene);
   for (const Object& object : scene.objects) {
     for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-      writer.begin(f);
       const LooseFace face = loose_face(scene, f);
       bool covered = true;
       std::vector<CutTriangle> triangles;
       if (!is_planar(scene.vertices, face, object.precision)) triangles = cut_into_triangles(scene.vertices, face, covered);
-      if (triangles.empty()) writer.keep(f);
+      if (triangles.empty()) {
+        writer.keep(f, f + 1);
+        continue;
+      }
+      writer.begin(f);
       for (const CutTriangle& triangle : triangles) writer.replace(f, triangle);
     }
   }
@@ -68,23 +88,25 @@ void cut_bent_faces(Scene& scene) {
 }
 
 void sew(Scene& scene, Topology& topology, const HealOptions& options, HealReport& report) {
-  const std::vector<double> distances = sewing_distances(scene, topology, options, report);
-  if (report.sewn.empty()) return;
-  std::vector<std::uint8_t> settled;  // per vertex: it has moved, or another one has come to it
-  report.vertices_moved = join_border_vertices(scene, topology, distances, settled);
-  if (report.vertices_moved > 0) {
-    cut_bent_faces(scene);
-    topology = build_topology(scene);
+  Sewing sewing{std::vector<double>(scene.objects.size(), 0)};
+  {
+    const std::vector<std::unique_ptr<Border>> borders = borders_to_sew(scene, topology, options, sewing, report);
+    if (report.sewn.empty()) return;
+    mark_borders(scene, borders, sewing.may_be_on_border);
+    report.vertices_moved = join_border_vertices(scene, borders, sewing);
   }
+  bool changed = report.vertices_moved > 0;
+  if (changed) cut_bent_faces(scene);
   // What was split may lie beside another vertex now.
   for (int round = 0; round < kMostRounds; ++round) {
-    const EdgeSplits split = split_border_edges(scene, topology, distances, settled);
+    const EdgeSplits split = split_border_edges(scene, sewing);
     if (split.splits == 0) break;
+    changed = true;
     report.edges_split += split.splits;
     report.vertices_moved += split.vertices_moved;
     if (split.vertices_moved > 0) cut_bent_faces(scene);
-    topology = build_topology(scene);
   }
+  if (changed) topology = build_topology(scene);
 
   const std::vector<std::vector<Edge>> left = border_edges(scene, topology);
   for (SewnBorders& sewn : report.sewn) sewn.edges_left = left[sewn.object].size();

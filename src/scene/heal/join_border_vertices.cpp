@@ -78,20 +78,18 @@ class Joiner {
 
 }  // namespace
 
-std::size_t join_border_vertices(Scene& scene, const Topology& topology, std::span<const double> distances,
-                                 std::vector<std::uint8_t>& settled) {
-  std::vector<std::vector<Edge>> borders = border_edges(scene, topology);
+std::size_t join_border_vertices(Scene& scene, std::span<const std::unique_ptr<Border>> borders, Sewing& sewing) {
   std::vector<std::uint32_t> target(scene.vertices.size());
   for (std::uint32_t v = 0; v < target.size(); ++v) target[v] = v;
   std::vector<std::size_t> moved(scene.objects.size(), 0);
   parallel_tasks(scene.objects.size(), [&](std::size_t i) {
-    if (!(distances[i] > 0) || borders[i].empty()) return;
-    const Border border(scene, std::move(borders[i]));
-    Joiner joiner(scene, scene.objects[i], border, distances[i], target);
-    for (const std::uint32_t v : border.vertices()) moved[i] += joiner.take(v);
+    if (!borders[i]) return;
+    Joiner joiner(scene, scene.objects[i], *borders[i], sewing.distances[i], target);
+    for (const std::uint32_t v : borders[i]->vertices()) moved[i] += joiner.take(v);
   });
   std::size_t sum = 0;
   for (const std::size_t n : moved) sum += n;
+  std::vector<std::uint8_t>&settled = sewing.settled, &may_be_on_border = sewing.may_be_on_border;
   settled.assign(scene.vertices.size(), 0);
   if (sum == 0) return 0;
   for (std::uint32_t& v : scene.faces.corners()) v = target[v];
@@ -101,9 +99,12 @@ std::size_t join_border_vertices(Scene& scene, const Topology& topology, std::sp
   // A finished scene uses all its vertices, so those that moved are the ones to go, and the others keep their order.
   std::size_t left = 0;
   for (std::uint32_t v = 0; v < target.size(); ++v) {
-    if (target[v] == v) settled[left++] = settled[v];
+    if (target[v] != v) continue;
+    settled[left] = settled[v];
+    may_be_on_border[left++] = may_be_on_border[v];
   }
   settled.resize(left);
+  may_be_on_border.resize(left);
   drop_unused_vertices(scene);
   return sum;
 }

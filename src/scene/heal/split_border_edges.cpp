@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/parallel.hpp"
-#include "scene/heal/border_gaps.hpp"
+#include "scene/heal/border_edges.hpp"
 #include "scene/heal/corner_uses.hpp"
 #include "scene/heal/face_writer.hpp"
 #include "scene/heal/sew_borders.hpp"
@@ -175,15 +175,14 @@ bool write_split(const Scene& scene, std::uint32_t f, double precision, std::spa
 
 }  // namespace
 
-EdgeSplits split_border_edges(Scene& scene, const Topology& topology, std::span<const double> distances,
-                              std::vector<std::uint8_t>& settled) {
-  std::vector<std::vector<Edge>> borders = border_edges(scene, topology);
+EdgeSplits split_border_edges(Scene& scene, Sewing& sewing) {
+  std::vector<std::vector<Edge>> borders = border_edges(scene, sewing.may_be_on_border);
   std::vector<std::vector<Split>> found(scene.objects.size());
   parallel_tasks(scene.objects.size(), [&](std::size_t i) {
-    if (!(distances[i] > 0) || borders[i].empty()) return;
+    if (!(sewing.distances[i] > 0) || borders[i].empty()) return;
     const Border border(scene, std::move(borders[i]));
     const double inside = straightness_tolerance(scene.objects[i].precision, border.median_length());
-    found[i] = splits_of(border, distances[i], inside);
+    found[i] = splits_of(border, sewing.distances[i], inside);
     std::sort(found[i].begin(), found[i].end());
   });
   // Objects own ascending ranges of faces: the lists in a row are one sorted list.
@@ -192,23 +191,26 @@ EdgeSplits split_border_edges(Scene& scene, const Topology& topology, std::span<
   EdgeSplits done;
   if (splits.empty()) return done;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i].empty()) done.vertices_moved += move_onto_edges(scene, scene.objects[i], found[i], settled);
+    if (!found[i].empty()) done.vertices_moved += move_onto_edges(scene, scene.objects[i], found[i], sewing.settled);
   }
   FaceWriter writer(scene);
-  std::size_t k = 0;
-  for (const Object& object : scene.objects) {
-    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-      writer.begin(f);
-      const std::size_t first = k;
-      while (k < splits.size() && splits[k].face == f) ++k;
-      const auto own = std::span(splits).subspan(first, k - first);
-      if (!own.empty() && write_split(scene, f, object.precision, own, writer)) {
-        done.splits += own.size();
-      } else {
-        writer.keep(f);
-      }
+  std::uint32_t written = 0;
+  std::size_t object = 0;
+  for (std::size_t k = 0; k < splits.size();) {
+    const std::uint32_t f = splits[k].face;
+    std::size_t end = k;
+    while (end < splits.size() && splits[end].face == f) ++end;
+    while (f >= scene.objects[object].face_end) ++object;
+    writer.keep(written, f);
+    written = f;
+    writer.begin(f);
+    if (write_split(scene, f, scene.objects[object].precision, std::span(splits).subspan(k, end - k), writer)) {
+      done.splits += end - k;
+      ++written;
     }
+    k = end;
   }
+  writer.keep(written, static_cast<std::uint32_t>(scene.faces.size()));
   writer.finish();
   return done;
 }
