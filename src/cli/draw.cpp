@@ -9,6 +9,7 @@
 #include "cli/page_options.hpp"
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
+#include "picture/clear_creases.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/frame_names.hpp"
@@ -83,6 +84,7 @@ void draw(const DrawOptions& options, PictureRequest request) {
   files.were_read(run.files);
   ModelRequest model = options.model;
   model.quality = request.lines.quality;
+  model.shading = asks_for_creases(request.lines.studied());
   model.unit_mm = request.page.unit_mm;
   model.tell_parts =
       request.output.group_objects || !request.output.colors.empty() || !request.plotter.pens.pen_of_object.empty();

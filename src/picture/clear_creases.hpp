@@ -10,6 +10,9 @@
 
 namespace ligne {
 
+/// Whether lines of these classes are creases, or depend on them.
+bool asks_for_creases(LineClasses classes);
+
 /// The edges that a picture has: of exact lines by the crease angle, of clear ones by find_creases(), whose result goes into
 /// `creases`, which must outlive the selection. What clear lines change is counted in `run`.
 EdgeSelection select_edges(const Scene& scene, const Topology& topology, const LineRequest& request, LineClasses classes,

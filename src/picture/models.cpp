@@ -43,7 +43,7 @@ void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_numb
 ReadOptions read_options(const ModelRequest& request) {
   ReadOptions options;
   options.groups = request.tell_parts || request.parts.asked();
-  options.shading = request.quality == Quality::clear;
+  options.shading = request.quality == Quality::clear && request.shading;
   if (request.quality == Quality::exact) {
     options.weld_distance = request.weld_distance.value_or(0);
     options.merge_coplanar = request.merge_coplanar;

@@ -41,6 +41,7 @@ struct ModelRequest {
   std::optional<double> weld_distance{};
   bool merge_coplanar = false;  ///< put coplanar neighbouring faces together into polygons
   Quality quality = Quality::clear;
+  bool shading = true;  ///< clear lines: creases are asked for, so what a file says of smooth and sharp edges counts
 };
 
 /// One of the files: what was in it, and what was mended.

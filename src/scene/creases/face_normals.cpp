@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
@@ -14,12 +15,16 @@ namespace {
 /// Adjustable: how far slivers are followed to a face that has a normal.
 constexpr int kLongestChain = 8;
 
-bool is_sliver(const Scene& scene, const Object& object, std::uint32_t f) {
+/// As face_normal(), and zero for slivers.
+Point3 own_normal(const Scene& scene, const Object& object, std::uint32_t f) {
   const auto contour = scene.faces.contour(f, 0);
-  if (contour.size() != 3) return false;
-  const Point3 a = scene.vertices[contour[0]], b = scene.vertices[contour[1]], c = scene.vertices[contour[2]];
-  const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-  return glm::length(glm::cross(b - a, c - a)) <= straightness_tolerance(object.precision, longest) * longest;
+  if (contour.size() != 3) return face_normal(scene, f);
+  const Point3 &a = scene.vertices[contour[0]], &b = scene.vertices[contour[1]], &c = scene.vertices[contour[2]];
+  const Point3 ab = b - a, ac = c - a, bc = c - b;
+  const Point3 area = glm::cross(ab, ac);
+  const double longest = std::sqrt(std::max({glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ac, ac)}));
+  const double length = glm::length(area);
+  return length <= straightness_tolerance(object.precision, longest) * longest ? Point3{0, 0, 0} : area / length;
 }
 
 /// The normals that faces without one take from their neighbours across their longest edges.
@@ -72,7 +77,7 @@ std::vector<glm::vec3> face_normals(const Scene& scene, const Topology& topology
       bool without = false;
       for (std::size_t k = begin; k < end; ++k) {
         const auto f = static_cast<std::uint32_t>(object.face_begin + k);
-        if (!is_sliver(scene, object, f)) normals[f] = face_normal(scene, f);
+        normals[f] = own_normal(scene, object, f);
         without = without || normals[f] == glm::vec3{0, 0, 0};
       }
       if (without) any_without.store(true, std::memory_order_relaxed);

@@ -179,7 +179,7 @@ class Tracer {
       }
     });
     wide_.resize(candidates_.size());
-    parallel_blocks(candidates_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(candidates_.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> round;
       for (std::size_t k = begin; k < end; ++k) wide_[k] = wide_bend(candidates_[k], round);
     });

@@ -1,5 +1,8 @@
 #include "scene/heal/border_edges.hpp"
 
+#include <span>
+#include <utility>
+
 #include "geometry/filed_pairs.hpp"
 
 namespace ligne {
@@ -43,13 +46,25 @@ std::vector<std::vector<Edge>> border_edges(const Scene& scene, const std::vecto
     std::uint32_t from, to, face;
   };
   std::vector<Side> sides;
-  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
+  const auto add_side = [&](std::uint32_t from, std::uint32_t to, std::uint32_t f) {
+    if (from != kNone && to != kNone) sides.push_back({from, to, f});
+  };
+  const bool triangles = scene.faces.all_triangles();
+  const std::span<const std::uint32_t> corners = scene.faces.corners();
+  for (std::uint32_t f = 0; triangles && f < scene.faces.size(); ++f) {
+    const std::uint32_t* v = &corners[3 * std::size_t{f}];
+    const std::uint32_t a = number[v[0]], b = number[v[1]], c = number[v[2]];
+    add_side(a, b, f);
+    add_side(b, c, f);
+    add_side(c, a, f);
+  }
+  for (std::uint32_t f = 0; !triangles && f < scene.faces.size(); ++f) {
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       const auto contour = scene.faces.contour(f, c);
       std::uint32_t from = number[contour.back()];
       for (const std::uint32_t v : contour) {
         const std::uint32_t to = number[v];
-        if (from != kNone && to != kNone) sides.push_back({from, to, f});
+        add_side(from, to, f);
         from = to;
       }
     }

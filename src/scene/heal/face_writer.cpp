@@ -1,6 +1,7 @@
 #include "scene/heal/face_writer.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -22,7 +23,8 @@ void FaceWriter::keep(std::uint32_t first, std::uint32_t last) {
     return;
   }
   begin(first);
-  for (std::uint32_t k = 1; k < last - first; ++k) first_new_.push_back(static_cast<std::uint32_t>(faces_.size()) + k);
+  first_new_.resize(last);
+  std::iota(first_new_.begin() + first, first_new_.end(), static_cast<std::uint32_t>(faces_.size()));
   const auto own = [&](const auto& of_corners) {
     return std::span(of_corners).subspan(3 * std::size_t{first}, 3 * std::size_t{last - first});
   };
