@@ -96,16 +96,35 @@ class CreaseMarks {
   std::size_t at_ = 0;
 };
 
+/// Cosine of an angle of so many crease angles.
+double cosine(const RegionBorders& borders, double times) {
+  constexpr double kDegree = 3.14159265358979323846 / 180;
+  return std::cos(std::min(180.0, times * borders.crease_degrees + kCreaseSlackDegrees) * kDegree);
+}
+
+/// Whether a region certainly ends at an edge. Where the angle decides, faces of more than three corners are not asked.
+bool is_border(const Scene& scene, const Topology& topology, const RegionBorders& borders, std::uint32_t e) {
+  if (borders.creases && (*borders.creases)[e]) return true;
+  if (topology.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound)) return true;
+  const Edge& edge = topology.edges[e];
+  const auto is_triangle = [&](std::uint32_t f) {
+    return scene.faces.contour_count(f) == 1 && scene.faces.contour(f, 0).size() == 3;
+  };
+  if (!is_triangle(edge.face0) || !is_triangle(edge.face1)) return false;
+  const Point3 a = face_normal(scene, edge.face0), b = face_normal(scene, edge.face1);
+  return a != kNoNormal && b != kNoNormal && glm::dot(a, b) < cosine(borders, borders.creases ? kSharp : 1);
+}
+
 class PatchBuilder {
  public:
   PatchBuilder(const Scene& scene, const Topology& topology, const Camera& camera, const RegionBorders& borders,
                SmoothPatch& patch)
-      : scene_(scene), camera_(camera), edges_(topology.edges, borders.creases), patch_(patch) {
-    constexpr double kDegree = 3.14159265358979323846 / 180;
-    const auto cosine = [&](double degrees) { return std::cos(std::min(180.0, degrees + kCreaseSlackDegrees) * kDegree); };
-    crease_cosine_ = cosine(borders.crease_degrees);
-    sharp_cosine_ = cosine(kSharp * borders.crease_degrees);
-  }
+      : scene_(scene),
+        camera_(camera),
+        edges_(topology.edges, borders.creases),
+        patch_(patch),
+        crease_cosine_(cosine(borders, 1)),
+        sharp_cosine_(cosine(borders, kSharp)) {}
 
   void build() {
     measure_triangles();
@@ -260,6 +279,7 @@ SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Cam
   SmoothPatch patch;
   VertexSet on_outline(scene.vertices.size());
   for (const std::uint32_t e : outline_edges) {
+    if (is_border(scene, topology, borders, e)) continue;  // what lies on either side looks one way
     on_outline.add(topology.edges[e].v0);
     on_outline.add(topology.edges[e].v1);
   }
