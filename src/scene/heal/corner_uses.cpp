@@ -8,7 +8,14 @@ namespace ligne {
 CornerUses::CornerUses(const Scene& scene, const Object& object, const std::vector<std::uint32_t>& vertices) {
   std::vector<std::uint8_t> wanted(object.vertex_end - object.vertex_begin, 0);
   for (const std::uint32_t v : vertices) wanted[v - object.vertex_begin] = 1;
+  const bool triangles = scene.faces.all_triangles();
+  const std::uint32_t* corners = scene.faces.corners().data();
   for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+    if (triangles) {  // most faces have none of the vertices
+      const std::uint32_t* v = corners + 3 * std::size_t{f};
+      const auto is_wanted = [&](int k) { return wanted[v[k] - object.vertex_begin]; };
+      if (!(is_wanted(0) | is_wanted(1) | is_wanted(2))) continue;
+    }
     const bool triangle = scene.faces.contour_count(f) == 1 && scene.faces.contour(f, 0).size() == 3;
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       const auto contour = scene.faces.contour(f, c);
