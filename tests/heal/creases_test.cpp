@@ -126,6 +126,61 @@ TEST(Creases, PlyNormals) {
   EXPECT_EQ(found.creases.smooth_by_file, 1u);
 }
 
+std::string in_base64(std::span<const std::byte> bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
+    const auto three = std::to_integer<unsigned>(bytes[i]) << 16 | std::to_integer<unsigned>(bytes[i + 1]) << 8 |
+                       std::to_integer<unsigned>(bytes[i + 2]);
+    for (const int shift : {18, 12, 6, 0}) text += kDigits[three >> shift & 63];
+  }
+  return text;
+}
+
+/// Two triangles that bend by 35 degrees, with one normal at their common vertices. `normal`: the accessor said to have it.
+std::string bent_gltf(const std::string& normal) {
+  const std::vector<float> numbers{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0.5f,  // positions
+                                   0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};    // normals
+  const std::vector<std::uint16_t> corners{0, 1, 2, 2, 1, 3};
+  const std::span<const std::byte> data = std::as_bytes(std::span(numbers)), indices = std::as_bytes(std::span(corners));
+  return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":108,"uri":"data:application/octet-stream;base64,)" +
+         in_base64(data) + in_base64(indices) +
+         R"("}],"bufferViews":[{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":12}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+         R"({"bufferView":0,"byteOffset":48,"componentType":5126,"count":4,"type":"VEC3"},)"
+         R"({"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":)" +
+         normal + R"(},"indices":2}]}],"nodes":[{"mesh":0}]})";
+}
+
+TEST(Creases, GltfNormals) {
+  const auto flags = [](const std::string& normal) { return read(bent_gltf(normal), ModelFormat::gltf).corner_flags; };
+  EXPECT_EQ(std::ranges::count(flags("1"), kCornerSmooth), 2) << "both sides of the common edge";
+  for (const char* broken : {"2", "3", "-1", "\"one\""}) {
+    const std::vector<std::uint8_t> of_broken = flags(broken);
+    EXPECT_EQ(std::ranges::count(of_broken, kCornerSmooth), 0) << broken << " is left out, not refused";
+  }
+}
+
+/// A step whose lower edge has a chamfer of that width at 45 degrees, shaded as a rounding; its upper edge is sharp.
+std::string step_with_chamfer(double width) {
+  std::ostringstream obj;
+  const double x = 1 + width;
+  for (const auto& [u, v] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {x, width}, {x, x}, {1 + x, x}}) {
+    obj << "v " << u << " 0 " << v << "\nv " << u << " 3 " << v << '\n';
+  }
+  obj << "vn 0 0 1\nvn -0.38 0 0.92\nvn -0.92 0 0.38\nvn -0.98 0 0.2\n"
+      << "f 1//1 3//2 4//2 2//1\nf 3//2 5//3 6//3 4//2\nf 5//3 7//4 8//4 6//3\nf 7//1 9//1 10//1 8//1\n";
+  return obj.str();
+}
+
+TEST(Creases, SmallRoundingsAreDrawnAsTheEdgesThatTheyRound) {
+  const Found wide = find(read(step_with_chamfer(0.5), ModelFormat::obj));
+  EXPECT_EQ(wide.count(), 1u) << "the sharp edge alone";
+  EXPECT_EQ(wide.creases.smooth_by_file, 2u);
+  EXPECT_EQ(find(read(step_with_chamfer(0.005), ModelFormat::obj)).count(), 3u);
+}
+
 TEST(Creases, AscSmoothingGroups) {
   const auto asc = [](const char* first, const char* second) {
     return std::string(

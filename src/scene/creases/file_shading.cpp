@@ -218,7 +218,10 @@ Point3 unpacked_direction(std::uint32_t packed) {
 }
 
 void mark_smooth_edges(Scene& scene, const FileShading& shading) {
-  if (shading.corner_normals.empty() && shading.face_groups.empty()) return;
+  const auto says_nothing = [](const std::vector<std::uint32_t>& said) {
+    return std::all_of(said.begin(), said.end(), [](std::uint32_t one) { return one == 0; });
+  };
+  if (says_nothing(shading.corner_normals) && says_nothing(shading.face_groups)) return;
   Marker(scene, shading).run();
 }
 

@@ -11,6 +11,7 @@
 
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/parallel.hpp"
+#include "scene/creases/across_edge.hpp"
 #include "scene/creases/bend.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "scene/creases/trace_creases.hpp"
@@ -19,11 +20,12 @@ namespace ligne {
 namespace {
 
 /// Adjustable.
-constexpr double kLowPart = 0.5;         ///< of the crease angle: down to there a crease continues, or a sharp edge is one
-constexpr double kFirmDegrees = 20;      ///< above the crease angle: no fleck of a bend
-constexpr double kSurelySharp = 60;      ///< an edge so sharp is a crease whatever the file says of its shading
-constexpr double kShortPart = 1.0 / 16;  ///< of the object's size
-constexpr double kSpurPart = 1.0 / 64;   ///< of the object's size: a longer edge is no spur
+constexpr double kLowPart = 0.5;          ///< of the crease angle: down to there a crease continues, or a sharp edge is one
+constexpr double kFirmDegrees = 20;       ///< above the crease angle: no fleck of a bend
+constexpr double kSurelySharp = 60;       ///< an edge so sharp is a crease whatever the file says of its shading
+constexpr double kRoundPart = 1.0 / 256;  ///< of the object's size: a smaller rounding is drawn as the edge that it rounds
+constexpr double kShortPart = 1.0 / 16;   ///< of the object's size
+constexpr double kSpurPart = 1.0 / 64;    ///< of the object's size: a longer edge is no spur
 constexpr double kTurnCosine = 0.70710678;  ///< a crease continues over an edge that turns by less than 45 degrees
 
 /// Normals of small faces in float32 are off by about this much: an edge at the crease angle itself is no crease.
@@ -41,19 +43,6 @@ struct Limits {
         sharp(cosine_of(std::max(kSurelySharp, crease))) {}
   float low, crease, firm, sharp;  ///< cosines: smaller is sharper
 };
-
-/// Unit vector from an edge into a face that has it, in the face's plane.
-Point3 into_face(const Scene& scene, const Edge& edge, std::uint32_t f) {
-  const Point3 a = scene.vertices[edge.v0], along = glm::normalize(scene.vertices[edge.v1] - a);
-  Point3 farthest{0, 0, 0};
-  for (const std::uint32_t v : scene.faces.contour(f, 0)) {
-    const Point3 to = scene.vertices[v] - a;
-    const Point3 across = to - glm::dot(to, along) * along;
-    if (glm::dot(across, across) > glm::dot(farthest, farthest)) farthest = across;
-  }
-  const double length = glm::length(farthest);
-  return length > 0 ? farthest / length : farthest;
-}
 
 /// The edges of more than two faces that are seen: of all faces that have the edge, the directions of two from it are
 /// neither alike nor opposite; or all are alike, and the sheets end there.
@@ -74,8 +63,9 @@ std::vector<std::uint8_t> bent_sheets(const Scene& scene, const Topology& topolo
         const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
         if (at == wanted.end() || at->first != key.first) continue;
         const auto i = static_cast<std::size_t>(at - wanted.begin());
-        const Point3 direction = into_face(scene, topology.edges[at->second], f);
-        if (direction == Point3(0)) continue;
+        const Point3 across = across_face(scene, topology.edges[at->second], f);
+        if (across == Point3(0)) continue;
+        const Point3 direction = across / glm::length(across);
         // All others are in line with the first one, or two of them bend.
         if (first[i] == Point3(0)) first[i] = direction;
         const double cosine = glm::dot(direction, first[i]);
@@ -91,7 +81,7 @@ std::vector<std::uint8_t> bent_sheets(const Scene& scene, const Topology& topolo
 class Finder {
  public:
   Finder(const Scene& scene, const Topology& topology, double crease_degrees)
-      : scene_(scene), topology_(topology), degrees_(crease_degrees), limits_(crease_degrees) {}
+      : scene_(scene), topology_(topology), degrees_(crease_degrees), limits_(crease_degrees), sizes_(object_sizes()) {}
 
   Creases run() {
     classify();
@@ -145,8 +135,12 @@ class Finder {
     const float cosine = glm::dot(normals[edge.face0], normals[edge.face1]) * turn;
     if (flags & kEdgeSmooth) {
       if (cosine < limits_.sharp) return Bend::firm;
-      counts.smooth += cosine < limits_.crease;
-      return Bend::none;
+      if (cosine >= limits_.crease) return Bend::none;
+      const double radius = radius_across(scene_, edge, std::acos(std::max(-1.0f, cosine)));
+      if (radius >= kRoundPart * sizes_[object_of(edge.v0)]) {
+        ++counts.smooth;
+        return Bend::none;
+      }
     }
     if (flags & kEdgeSharp) {
       if (cosine >= limits_.low) return Bend::none;
@@ -313,14 +307,13 @@ class Finder {
 
   /// Single short edges that stand out from a crease that goes on without them.
   void drop_spurs() {
-    const std::vector<double> sizes = object_sizes();
     std::vector<std::uint32_t> spurs;
     for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
       if (!is_open(node)) continue;
       for (const End& end : ends_of(node)) {
         if (bends_[end.edge] != Bend::strong) continue;
         const Edge& edge = topology_.edges[end.edge];
-        if (length_of(end.edge) >= kSpurPart * sizes[object_of(edge.v0)]) continue;
+        if (length_of(end.edge) >= kSpurPart * sizes_[object_of(edge.v0)]) continue;
         const std::uint32_t other = edge.v0 == nodes_[node].vertex ? edge.v1 : edge.v0;
         if (creases_at(node_of(other)) >= 3) spurs.push_back(end.edge);
       }
@@ -335,12 +328,11 @@ class Finder {
       if (is_open(node)) found.of(node).open = true;
       if (anchored_[node] && creases_at(node) > 0) found.of(node).anchored = true;
     }
-    const std::vector<double> sizes = object_sizes();
     const auto stays = [&](std::uint32_t root) {
       const Chain& chain = found.list[root];
       // Three edges in a ring are the rim of a triangle.
       const bool ends_nowhere = !chain.open && (chain.anchored || chain.edges > 3);
-      return chain.firm || ends_nowhere || chain.length >= kShortPart * sizes[object_of(nodes_[root].vertex)];
+      return chain.firm || ends_nowhere || chain.length >= kShortPart * sizes_[object_of(nodes_[root].vertex)];
     };
     for (const auto& [node, e] : found.edges) {
       if (!stays(found.sets.find(node))) bends_[e] = Bend::none;
@@ -376,8 +368,9 @@ class Finder {
   const Topology& topology_;
   double degrees_;
   Limits limits_;
-  std::vector<Bend> bends_;  ///< per edge
-  std::vector<End> ends_;    ///< of the edges that bend, sorted
+  std::vector<double> sizes_;  ///< per object
+  std::vector<Bend> bends_;    ///< per edge
+  std::vector<End> ends_;      ///< of the edges that bend, sorted
   std::vector<Node> nodes_;
   std::vector<std::uint8_t> anchored_;  ///< per node: on a border
   Creases found_;

@@ -305,6 +305,9 @@ class Checker {
     json out{{"attributes", json::object()}, {"mode", item.whole("mode").value_or(4)}};
     if (out["mode"] > 6) item.fail("mode " + out["mode"].dump() + " is not known");
     if (const auto position = attributes.index("POSITION", accessors_)) out["attributes"]["POSITION"] = *position;
+    // How a surface is shaded is no reason to refuse it: normals that are broken are left out.
+    const json* normals = attributes.find("NORMAL");
+    if (normals && normals->is_number_unsigned() && *normals < accessors_) out["attributes"]["NORMAL"] = *normals;
     if (const auto indices = item.index("indices", accessors_)) out["attributes"][kGltfIndices] = *indices;
     if (const auto material = item.index("material", materials_)) out["material"] = *material;
     const auto extensions = item.object("extensions");
