@@ -13,7 +13,6 @@
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/end_tree.hpp"
 #include "plotting/paths/optimize.hpp"
-#include "plotting/paths/simplify.hpp"
 
 namespace ligne {
 namespace {
@@ -172,33 +171,12 @@ TEST(JoinStrokes, NothingIsNothing) {
   EXPECT_EQ(order_strokes({}, {}).size(), 0u);
 }
 
-TEST(Simplified, KeepsWhatTurnsAndDropsWhatDoesNot) {
-  const std::vector<Point2> line{{0, 0}, {1, 0.01}, {2, 0}, {3, 0.5}, {4, 0}};
-  EXPECT_EQ(simplified(line, 0.02), (std::vector<std::uint32_t>{0, 2, 3, 4}));
-  EXPECT_EQ(simplified(line, 0), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
-  const std::vector<Point2> there_and_back{{0, 0}, {5, 0}, {1, 0}};
-  EXPECT_EQ(simplified(there_and_back, 0.02).size(), 3u) << "the far point is no part of the segment";
-}
-
 Polylines circle(double radius_mm, int points) {
   std::vector<Point2> line;
   for (int i = 0; i < points; ++i)
     line.push_back({50 + radius_mm * std::cos(i * 2 * M_PI / points), 50 + radius_mm * std::sin(i * 2 * M_PI / points)});
   line.push_back(line.front());
   return lines_of({line});
-}
-
-TEST(Simplified, KeepsAsMuchOfTheLengthAsIsAsked) {
-  for (const double radius : {0.005, 0.3, 3.0, 30.0}) {
-    const Polylines given = circle(radius, 720);
-    const std::vector<std::uint32_t> kept = simplified(given[0], 0.02, 0.001);
-    double length = 0;
-    for (std::size_t k = 1; k < kept.size(); ++k) length += glm::distance(given[0][kept[k - 1]], given[0][kept[k]]);
-    EXPECT_GE(length, 0.999 * total_length(given)) << radius;
-    // Halves of halves, of which the first that are allowed: at most twice as many as needed.
-    const double turn = std::min(std::sqrt(24 * 0.001), std::sqrt(8 * 0.02 / radius));
-    EXPECT_LE(static_cast<double>(kept.size()), 2 * 2 * M_PI / turn + 1) << radius;
-  }
 }
 
 TEST(JoinStrokes, AShapeSmallerThanTheToleranceKeepsItsLength) {
