@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <string_view>
 
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
@@ -180,6 +182,27 @@ TEST(WatkinsSweep, BandsHoldEveryPointOnce) {
   }
   EXPECT_EQ(next, sweep.points.size());
   for (std::size_t i = 1; i < sweep.points.size(); ++i) ASSERT_TRUE(comes_before(sweep.points[i - 1], sweep.points[i]));
+}
+
+/// Boxes in boxes seen along their diagonal: no facet covers the cells on the edges of the outermost one, but its faces do
+/// together, and the scan meets nothing of the others.
+TEST(WatkinsSweep, LeavesOutWhatConnectedFacetsHideTogether) {
+  constexpr int kBoxes = 400;
+  Scene scene;
+  for (int k = 1; k <= kBoxes; ++k) {
+    const double r = 1 + double(k) / kBoxes;
+    add_box(scene, {-r, -r, -r}, {2 * r, 2 * r, 2 * r});
+  }
+  const Prepared p = prepare(scene, along({-1, 1, -1}));
+  const Statistics counts = find_method("watkins")->study(p.projected, {}).statistics;
+  const auto count = [&](std::string_view name) {
+    const auto found =
+        std::ranges::find(counts.counts, name, [](const auto& named) { return std::string_view(named.first); });
+    return found == counts.counts.end() ? 0 : found->second;
+  };
+  EXPECT_EQ(count("facets"), 12u * kBoxes);
+  EXPECT_GT(count("facets before all covers"), 0u);
+  EXPECT_LT(count("facets before all covers"), 12u * kBoxes / 8);
 }
 
 /// Pairs that penetrate: every crossing of two plates, found where they begin to overlap on the page.

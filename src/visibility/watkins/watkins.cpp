@@ -5,6 +5,7 @@
 
 #include "geometry/parallel.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/line_strokes.hpp"
 #include "visibility/watkins/exact_study.hpp"
@@ -99,6 +100,33 @@ void leave_out_hidden(const ProjectedScene& scene, const OccluderGrid& covers, s
   });
 }
 
+/// Whether the line lies behind the covers of all cells that it runs through.
+bool lies_behind(const CellGrid& grid, const SweepLine& line) {
+  bool behind = true;
+  const PageLine on_page(line.from, line.to, line.face0, line.face1);
+  grid.for_each_leaf(on_page, [&](const Cell& cell, const CellSquare&, double from, double to) {
+    behind = behind && cell.occluder_depth < on_page.z(from) && cell.occluder_depth < on_page.z(to);
+  });
+  return behind;
+}
+
+/// The same by cells that connected facets cover together. What is in no cell's list lies behind such patches everywhere, or
+/// coincides with another facet there.
+void leave_out_hidden(const CellGrid& grid, std::vector<Facet>& facets, std::vector<SweepLine>& lines) {
+  std::vector<std::uint8_t> listed(facets.size());
+  for (std::size_t i = 0; i < grid.top_cell_count(); ++i) {
+    grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare&) {
+      for (std::uint32_t k = 0; k < cell.count; ++k) listed[grid.list(cell)[k].facet] = 1;
+    });
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    if (listed[i]) facets[kept++] = facets[i];
+  }
+  facets.resize(kept);
+  parallel_for(lines.size(), [&](std::size_t i) { lines[i].behind = lines[i].behind || lies_behind(grid, lines[i]); });
+}
+
 /// A study, phase by phase.
 class WatkinsStudy {
  public:
@@ -147,6 +175,7 @@ class WatkinsStudy {
   std::vector<SweepLine> lines_;    ///< the candidate edges
   std::vector<SweepLine> crossed_;  ///< the intersections
   std::optional<OccluderGrid> occluders_;
+  std::optional<CellGrid> cells_;  ///< for their covers
   std::vector<Intersection> intersections_;
   /// Of edges, and behind them, by a number of lines, of intersections; in the exact study these have their own.
   FoundIntervals found_, found_of_intersections_;
@@ -173,6 +202,8 @@ void WatkinsStudy::leave_out_what_is_hidden() {
     occluders_.emplace(scene_.vertices, facets_.facets, exact_options_.coincidence_steps + 1);
     exact_options_.covers = &*occluders_;
     leave_out_hidden(scene_, *occluders_, facets_.facets, lines_);
+    cells_.emplace(scene_, facets_.facets, CellGrid::Options{exact_options_.coincidence_steps + 1});
+    leave_out_hidden(*cells_, facets_.facets, lines_);
     result_.statistics.count("facets before all covers", facets_.facets.size());
   }
   result_.statistics.time("covers", clock_.lap());
@@ -188,7 +219,10 @@ void WatkinsStudy::study_edges() {
   if (finds_intersections()) {
     intersections_ = take_intersections(first, scene_.vertices, facets_.facets, kLeastPartMm / step_);
   }
-  for (const Intersection& i : intersections_) crossed_.push_back({i.from, i.to, i.face0, i.face1});
+  for (const Intersection& i : intersections_) {
+    crossed_.push_back({i.from, i.to, i.face0, i.face1});
+    crossed_.back().behind = cells_ && lies_behind(*cells_, crossed_.back());
+  }
   result_.statistics.count("intersection segments", intersections_.size());
   result_.statistics.time("edges", clock_.lap());
 }
@@ -243,6 +277,7 @@ void WatkinsStudy::make_strokes() {
   if (scene_.with_intersections) {
     strokes.add_intersections(intersections_, [&]() -> LineVisibility {
       return [this, open = OpenParts()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
+        if (crossed_[i].behind) return true;
         parts = exact_ ? found_of_intersections_.visible_parts(i, open) : found_.visible_parts(lines_.size() + i, open);
         return true;
       };
