@@ -30,6 +30,9 @@ constexpr double kFaceStep = 7.5;  ///< directions of faces, degrees
 constexpr double kMaterialTurns[] = {0, 90, 135, 45, 22.5, 112.5, 67.5, 157.5};
 constexpr double kMostLines = 1e6;  ///< of runs, on the page
 constexpr double kMostRuns = 3e7;   ///< on all faces: a gigabyte
+/// Under one width of the pen. Every one is held against all others that the pen covers; even a tone that draws one of
+/// sixteen of them is solid ink long before.
+constexpr double kMostLinesUnderPen = 128;
 
 /// How a face is hatched: its strokes in words of plotting/hatch.hpp, and their direction.
 struct FaceHatch {
@@ -65,6 +68,9 @@ class Hatching {
     line_mm_ = hatch_line_mm(spacing, pen_mm_);
     if (std::hypot(hatch.plot.page.width_mm, hatch.plot.page.height_mm) / line_mm_ > kMostLines) {
       throw RequestError("hatch-spacing", "the strokes are too close: more than a million on the page");
+    }
+    if (pen_mm_ / line_mm_ > kMostLinesUnderPen) {
+      throw RequestError("hatch-spacing", "the strokes are too close: more than 128 under the pen");
     }
     closest_ = static_cast<unsigned>(std::lround(spacing / line_mm_));
     if (hatch.request().direction.by_face) find_directions();

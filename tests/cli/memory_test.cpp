@@ -199,6 +199,8 @@ INSTANTIATE_TEST_SUITE_P(
         draw("Resolution", {"--method", "warnock", "--resolution", "1000000000"}, "--resolution: "),
         draw("Lines", {"--method", "watkins", "--lines", "1000000000"}, "--lines: "),
         draw("HatchSpacing", {"--hatch", "plain", "--hatch-spacing", "1e-9"}, "--hatch-spacing: the strokes are too close"),
+        draw("HatchUnderPen", {"--hatch", "plain", "--hatch-spacing", "0.001"},
+             "--hatch-spacing: the strokes are too close: more than 128 under the pen\n"),
         draw("HatchBySpans", {"--method", "watkins", "--hatch", "plain", "--hatch-spacing", "0.0001"},
              "--hatch-spacing: the strokes are too close"),
         draw("Threads", {"--threads", "1000000000"}, "--threads: "),
