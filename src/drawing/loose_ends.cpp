@@ -24,17 +24,22 @@ constexpr double kRoundedSteps = 8;
 /// Chains whose ends may be joined to each other are so many gaps long, or a speck would be a ring.
 constexpr double kRingInGaps = 4;
 
+/// More than the roundings of a squared distance.
+constexpr double kAbout = 1 + 0x1p-40;
+
 struct LooseEnd {
   std::uint32_t stroke;
   bool at_from;
   std::uint32_t next = KeyTable::kNone;     ///< in its cell
   std::uint32_t nearest = KeyTable::kNone;  ///< of the others that it may be joined to
+  LatticePoint point{};
+  double dx = 0, dy = 0, length = 0;  ///< the stroke's way to the end
 };
 
 class LooseEnds {
  public:
   LooseEnds(const std::vector<Stroke>& strokes, double gap, double wide)
-      : strokes_(strokes), chains_(strokes), gap_(gap), wide_(wide), grid_(2 * wide, wide) {
+      : chains_(strokes), gap_(gap), wide_(wide), grid_(2 * wide, wide) {
     for (const std::uint32_t i : chains_.seen()) {
       const Stroke& s = strokes[i];
       if (!is_edge(s) || s.line_class == LineClass::mesh || s.from == s.to) continue;
@@ -42,6 +47,12 @@ class LooseEnds {
         if (!chains_.is_free(at_from ? s.from : s.to)) continue;
         std::uint32_t& first = cells_[grid_.cell_of(at_from ? s.from : s.to)];
         ends_.push_back({i, at_from, first});
+        LooseEnd& end = ends_.back();
+        end.point = at_from ? s.from : s.to;
+        const LatticePoint start = at_from ? s.to : s.from;
+        end.dx = double(end.point.x) - start.x;
+        end.dy = double(end.point.y) - start.y;
+        end.length = page_length(s);
         first = static_cast<std::uint32_t>(ends_.size() - 1);
       }
     }
@@ -57,8 +68,7 @@ class LooseEnds {
     }
   }
 
-  LatticePoint point(const LooseEnd& e) const { return e.at_from ? strokes_[e.stroke].from : strokes_[e.stroke].to; }
-  bool shows(const LooseEnd& a, const LooseEnd& b) const { return length(point(a), point(b)) >= gap_; }
+  bool shows(const LooseEnd& a, const LooseEnd& b) const { return length(a.point, b.point) >= gap_; }
   bool is_of(const LooseEnd& end, std::uint32_t stroke) const {
     return chains_.chain_of(stroke) == chains_.chain_of(end.stroke);
   }
@@ -68,30 +78,39 @@ class LooseEnds {
  private:
   static double length(LatticePoint a, LatticePoint b) { return std::hypot(double(b.x) - a.x, double(b.y) - a.y); }
 
+  static double along(const LooseEnd& e, LatticePoint p) {
+    return e.dx * (double(p.x) - e.point.x) + e.dy * (double(p.y) - e.point.y);
+  }
+
   /// The line goes on towards the point; a stroke shorter than the way to it has no direction that says anything.
   bool leads_to(const LooseEnd& e, LatticePoint p, double distance) const {
     if (distance <= kRoundedSteps) return true;
-    const Stroke& s = strokes_[e.stroke];
-    const double length = page_length(s);
     const bool shows = distance >= gap_;
     if (shows && line_length(e) < kLongInGaps * distance) return false;
-    if (length <= distance && !shows) return true;
-    const LatticePoint end = point(e), start = e.at_from ? s.to : s.from;
-    const double along =
-        (double(end.x) - start.x) * (double(p.x) - end.x) + (double(end.y) - start.y) * (double(p.y) - end.y);
-    return along >= (shows ? kStraightCosine : kLeastCosine) * length * distance;
+    if (e.length <= distance && !shows) return true;
+    return along(e, p) >= (shows ? kStraightCosine : kLeastCosine) * e.length * distance;
+  }
+
+  /// leads_to() is false, as can be told in a moment: where thousands of lines end side by side, nearly all others are asked
+  /// about in vain.
+  static bool leads_away(const LooseEnd& e, LatticePoint p, double squared_distance) {
+    return along(e, p) < 0 && e.length * e.length > kAbout * squared_distance &&
+           squared_distance > kAbout * kRoundedSteps * kRoundedSteps;
   }
 
   std::uint32_t nearest(std::uint32_t e) const {
     const LooseEnd& end = ends_[e];
-    const LatticePoint p = point(end);
+    const LatticePoint p = end.point;
     std::uint32_t best = KeyTable::kNone;
     double best_distance = wide_;
     grid_.walk(p, p, [&](std::uint64_t cell) {
       for (std::uint32_t o = cells_.find(cell); o != KeyTable::kNone; o = ends_[o].next) {
         if (o == e) continue;
         const LooseEnd& other = ends_[o];
-        const LatticePoint q = point(other);
+        const LatticePoint q = other.point;
+        const double dx = double(q.x) - p.x, dy = double(q.y) - p.y, squared = dx * dx + dy * dy;
+        if (squared > kAbout * best_distance * best_distance) continue;
+        if (leads_away(end, q, squared) || leads_away(other, p, squared)) continue;
         const double distance = length(p, q);
         if (distance >= wide_ || distance > best_distance || (distance == best_distance && o > best)) continue;
         const bool same = chains_.chain_of(end.stroke) == chains_.chain_of(other.stroke);
@@ -105,7 +124,6 @@ class LooseEnds {
     return best;
   }
 
-  const std::vector<Stroke>& strokes_;
   StrokeChains chains_;
   double gap_, wide_;
   SegmentGrid grid_;
@@ -191,8 +209,8 @@ std::size_t join_once(StrokeModel& model, const JointLimits& limits, const MakeS
     Stroke joint = ends.line_length(a) < ends.line_length(b) ? t : s;
     joint.t_from = 0;
     joint.t_to = 1;
-    joint.from = ends.point(a);
-    joint.to = ends.point(b);
+    joint.from = a.point;
+    joint.to = b.point;
     joint.z_from = a.at_from ? s.z_from : s.z_to;
     joint.z_to = b.at_from ? t.z_from : t.z_to;
     joint.w_from = a.at_from ? s.w_from : s.w_to;
