@@ -380,6 +380,16 @@ CellGrid::CellGrid(const ProjectedScene& scene, const std::vector<Facet>& facets
   build.split_overfull();
 }
 
+std::vector<std::uint8_t> CellGrid::listed(std::size_t facets) const {
+  std::vector<std::uint8_t> listed(facets);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    for_each_leaf_of(i, [&](const Cell& cell, const CellSquare&) {
+      for (std::uint32_t k = 0; k < cell.count; ++k) listed[list(cell)[k].facet] = 1;
+    });
+  }
+  return listed;
+}
+
 std::size_t CellGrid::entry_count() const {
   std::size_t n = 0;
   for (std::size_t i = 0; i < cells_.size(); ++i) {

@@ -105,6 +105,8 @@ class CellGrid {
   bool complete() const { return complete_; }
   std::size_t top_cell_count() const { return cells_.size(); }
   const CellFacet* list(const Cell& cell) const { return arenas_[cell.arena].list.data() + cell.begin; }
+  /// By facet, of so many: 1 where it is in the list of any leaf. The others can not be seen, and hide nothing that is.
+  std::vector<std::uint8_t> listed(std::size_t facets) const;
   std::size_t entry_count() const;
   std::size_t leaf_count() const;
 

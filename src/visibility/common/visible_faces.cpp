@@ -85,11 +85,12 @@ constexpr std::size_t kFirstCheck = 4;
 class Worker {
  public:
   Worker(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, const FaceRanks* ranks,
-         std::vector<std::uint8_t>& touches)
+         const std::vector<std::uint8_t>& listed, std::vector<std::uint8_t>& touches)
       : scene_(scene),
         facets_(facets),
         grid_(grid),
         ranks_(ranks),
+        listed_(listed),
         touches_(touches),
         stamp_(facets.size(), 0),
         number_(facets.size(), 0) {}
@@ -121,6 +122,7 @@ class Worker {
   const std::vector<Facet>& facets_;
   const CellGrid& grid_;
   const FaceRanks* ranks_;
+  const std::vector<std::uint8_t>& listed_;  ///< per facet: it does not lie behind covers everywhere
   std::vector<std::uint8_t>& touches_;
   std::vector<std::uint32_t> stamp_;     ///< per facet: the facet for which it was looked at last, plus one
   std::vector<std::uint32_t> number_;    ///< per facet: what compare() said then
@@ -224,6 +226,10 @@ std::uint32_t Worker::compare(std::uint32_t facet, std::uint32_t other, StudyCou
 }
 
 void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
+  if (!listed_[facet]) {
+    ++counts.not_listed;
+    return;
+  }
   const Facet& f = facets_[facet];
   const LatticePoint a = scene_.vertices[f.v[0]].p, b = scene_.vertices[f.v[1]].p, c = scene_.vertices[f.v[2]].p;
   const double x0 = std::min({a.x, b.x, c.x}), x1 = std::max({a.x, b.x, c.x}), y0 = std::min({a.y, b.y, c.y}),
@@ -308,12 +314,13 @@ VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<F
   const FacesOfFacets faces = group(facets);
   const std::size_t n = faces.begin.size() - 1, tasks = (n + kFacesPerTask - 1) / kFacesPerTask;
   std::vector<VisibleFaces> found(tasks);
+  const std::vector<std::uint8_t> listed = grid.listed(facets.size());
   std::vector<std::optional<Worker>> workers(thread_count());
   std::mutex progress_mutex;
   std::size_t done = 0;
   parallel_for(tasks, [&](std::size_t task) {
     std::optional<Worker>& worker = workers[thread_index()];
-    if (!worker) worker.emplace(scene, facets, grid, ranks, result.facet_touches);
+    if (!worker) worker.emplace(scene, facets, grid, ranks, listed, result.facet_touches);
     for (std::size_t g = task * kFacesPerTask; g < std::min(n, (task + 1) * kFacesPerTask); ++g) {
       worker->study(std::span(faces.facets).subspan(faces.begin[g], faces.begin[g + 1] - faces.begin[g]), found[task]);
     }

@@ -113,12 +113,7 @@ bool lies_behind(const CellGrid& grid, const SweepLine& line) {
 /// The same by cells that connected facets cover together. What is in no cell's list lies behind such patches everywhere, or
 /// coincides with another facet there.
 void leave_out_hidden(const CellGrid& grid, std::vector<Facet>& facets, std::vector<SweepLine>& lines) {
-  std::vector<std::uint8_t> listed(facets.size());
-  for (std::size_t i = 0; i < grid.top_cell_count(); ++i) {
-    grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare&) {
-      for (std::uint32_t k = 0; k < cell.count; ++k) listed[grid.list(cell)[k].facet] = 1;
-    });
-  }
+  const std::vector<std::uint8_t> listed = grid.listed(facets.size());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     if (listed[i]) facets[kept++] = facets[i];
