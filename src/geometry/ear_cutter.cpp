@@ -22,12 +22,16 @@ namespace {
 
 using Index = std::uint32_t;
 using Triple = std::array<Index, 3>;
+constexpr Index kNoCorner = 0xffffffffu;
 
 /// A corner of a ring: a cyclic list with the inside on its left.
 struct CornerNode {
   Index position = 0;
   Index prev = 0, next = 0;
   bool cut = false;
+  bool reflex = false;  ///< in the list of those that can block
+  /// A node that was found inside the triangle at this corner, and the triangle's other corners then.
+  Index blocker = kNoCorner, blocked_prev = kNoCorner, blocked_next = kNoCorner;
 };
 
 class EarCutter {
@@ -62,7 +66,7 @@ class EarCutter {
   Index add_ring(const std::vector<Index>& loop) {
     const auto first = static_cast<Index>(nodes_.size());
     const auto n = static_cast<Index>(loop.size());
-    for (Index i = 0; i < n; ++i) nodes_.push_back({loop[i], first + (i + n - 1) % n, first + (i + 1) % n, false});
+    for (Index i = 0; i < n; ++i) nodes_.push_back({loop[i], first + (i + n - 1) % n, first + (i + 1) % n});
     return first;
   }
 
@@ -125,8 +129,8 @@ class EarCutter {
     const Index w = nodes_[v].next, last = nodes_[m].prev;
     const auto m2 = static_cast<Index>(nodes_.size());
     const Index v2 = m2 + 1;
-    nodes_.push_back({nodes_[m].position, last, v2, false});
-    nodes_.push_back({nodes_[v].position, m2, w, false});
+    nodes_.push_back({nodes_[m].position, last, v2});
+    nodes_.push_back({nodes_[v].position, m2, w});
     nodes_[v].next = m;
     nodes_[m].prev = v;
     nodes_[last].next = m2;
@@ -168,6 +172,7 @@ class EarCutter {
     if (sign < 0) return false;
     if (sign == 0) return rule != Rule::strict || t[0] == t[1] || t[1] == t[2];
     if (rule == Rule::any) return true;
+    if (still_blocked(b)) return false;
     const auto [y_min, y_max] = std::minmax({t[0].y, t[1].y, t[2].y});
     // A triangle's points have numbers between those of its corners.
     const auto [low, high] = std::minmax({nodes_[a].position, nodes_[b].position, nodes_[c].position});
@@ -178,9 +183,27 @@ class EarCutter {
       const Point2 q = at(n);
       if (q.y < y_min || q.y > y_max) continue;
       if (n == a || n == b || n == c || nodes_[n].cut) continue;
-      if (blocks(n, t, rule)) return false;
+      if (!blocks(n, t, rule)) continue;
+      if (inside(t, at(n))) {
+        nodes_[b].blocker = n;
+        nodes_[b].blocked_prev = a;
+        nodes_[b].blocked_next = c;
+      }
+      return false;
     }
     return true;
+  }
+
+  static bool inside(const Point2 (&t)[3], Point2 q) {
+    return orientation_sign(t[0], t[1], q) > 0 && orientation_sign(t[1], t[2], q) > 0 && orientation_sign(t[2], t[0], q) > 0;
+  }
+
+  /// Whether the node that was found inside the triangle at b is there still. Contours that cross leave most corners blocked
+  /// for good, and they are asked about again and again.
+  bool still_blocked(Index b) const {
+    const CornerNode& node = nodes_[b];
+    return node.blocker != kNoCorner && node.prev == node.blocked_prev && node.next == node.blocked_next &&
+           !nodes_[node.blocker].cut && nodes_[node.blocker].reflex;
   }
 
   void cut_corner(Index b) {
@@ -193,14 +216,19 @@ class EarCutter {
 
   /// Keeps in reflex_ what can still block: corners that are not strictly convex.
   void refresh_reflex() {
-    std::erase_if(reflex_, [&](Index n) { return nodes_[n].cut || turn(n) > 0; });
+    std::erase_if(reflex_, [&](Index n) {
+      const bool harmless = nodes_[n].cut || turn(n) > 0;
+      if (harmless) nodes_[n].reflex = false;
+      return harmless;
+    });
   }
 
   void cut_ring(Index start) {
     reflex_.clear();
     std::size_t left = 0;
     for (Index n = start; left == 0 || n != start; n = nodes_[n].next, ++left) {
-      if (turn(n) <= 0) reflex_.push_back(n);
+      nodes_[n].reflex = turn(n) <= 0;
+      if (nodes_[n].reflex) reflex_.push_back(n);
     }
     std::stable_sort(reflex_.begin(), reflex_.end(),
                      [&](Index m, Index n) { return nodes_[m].position < nodes_[n].position; });
