@@ -1,11 +1,13 @@
 #include "drawing/stroke_partners.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
-#include "drawing/key_table.hpp"
+#include "drawing/end_grid.hpp"
 #include "drawing/stroke_index.hpp"
 #include "drawing/stroke_overlap.hpp"
 #include "geometry/parallel.hpp"
@@ -20,38 +22,44 @@ constexpr std::size_t kGrain = 4096;
 class MarkedSquares {
  public:
   MarkedSquares(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double margin)
-      : marks_(kSide * kSide, 0), margin_(margin) {
+      : marks_(kSide * kSide, 0), margin_(margin + 1) {
     for (const std::uint32_t i : of) {
-      const bool too_large = for_each_square(strokes[i], [&](std::size_t k) {
+      for_each_square(strokes[i], [&](std::size_t k) {
         marks_[k] = 1;
         return false;
       });
-      everywhere_ = everywhere_ || too_large;
     }
   }
-  /// May the stroke lie on one of those marked? True where that would take long to decide.
+  /// May the stroke lie on one of those marked?
   bool near(const Stroke& s) const {
-    return everywhere_ || for_each_square(s, [&](std::size_t k) { return marks_[k] != 0; });
+    return for_each_square(s, [&](std::size_t k) { return marks_[k] != 0; });
   }
 
  private:
   static constexpr std::size_t kSide = 2048;
-  static constexpr std::size_t kLargest = 256;  ///< bounding boxes of more squares are not looked at
+  static constexpr double kSquare = (2.0 * kLatticeLimit + 1) / kSide;  ///< steps
 
-  std::size_t square(double v) const {
-    return static_cast<std::size_t>((v + kLatticeLimit) * (double(kSide) / (2.0 * kLatticeLimit + 1)));
+  static std::size_t square(double v) {
+    constexpr double limit = kLatticeLimit;
+    return static_cast<std::size_t>((std::clamp(v, -limit, limit) + limit) / kSquare);
   }
-  /// Squares of the stroke's bounding box, until visit returns true; true too when there are too many.
+  /// The squares within the margin of the stroke, column by column, until visit returns true; and some beside them.
   template <class Visit>
   bool for_each_square(const Stroke& s, const Visit& visit) const {
-    const double limit = kLatticeLimit;
-    const std::size_t left = square(std::max(std::min(s.from.x, s.to.x) - margin_, -limit));
-    const std::size_t right = square(std::min(std::max(s.from.x, s.to.x) + margin_, limit));
-    const std::size_t top = square(std::max(std::min(s.from.y, s.to.y) - margin_, -limit));
-    const std::size_t bottom = square(std::min(std::max(s.from.y, s.to.y) + margin_, limit));
-    if ((bottom - top + 1) * (right - left + 1) > kLargest) return true;
-    for (std::size_t y = top; y <= bottom; ++y) {
-      for (std::size_t x = left; x <= right; ++x) {
+    const LatticePoint from = s.from.x <= s.to.x ? s.from : s.to, to = s.from.x <= s.to.x ? s.to : s.from;
+    const double low = std::min(from.y, to.y), high = std::max(from.y, to.y);
+    const std::size_t left = square(from.x - margin_), right = square(to.x + margin_);
+    const double slope = from.x == to.x ? 0 : (double(to.y) - from.y) / (double(to.x) - from.x);
+    for (std::size_t x = left; x <= right; ++x) {
+      double y_from = low, y_to = high;
+      if (left != right && from.x != to.x) {
+        const double x0 = static_cast<double>(x) * kSquare - kLatticeLimit;
+        const double a = from.y + (x0 - margin_ - from.x) * slope, b = from.y + (x0 + kSquare + margin_ - from.x) * slope;
+        y_from = std::clamp(std::min(a, b), low, high);
+        y_to = std::clamp(std::max(a, b), low, high);
+      }
+      const std::size_t bottom = square(y_to + margin_);
+      for (std::size_t y = square(y_from - margin_); y <= bottom; ++y) {
         if (visit(y * kSide + x)) return true;
       }
     }
@@ -60,140 +68,7 @@ class MarkedSquares {
 
   std::vector<std::uint8_t> marks_;
   double margin_;
-  bool everywhere_ = false;
 };
-
-/// The ends of strokes by cells of the page: an end of a common interval is an end of one of the two strokes and lies on the
-/// other, so partners are found by walking along each stroke and looking at the ends in its way.
-class EndGrid {
- public:
-  struct End {
-    LatticePoint p;
-    std::uint32_t stroke;
-  };
-
-  /// `cell`: side of the cells, at least; `least_cell`: that of cells where there is a crowd.
-  EndGrid(const std::vector<End>& ends, double cell, double least_cell) : cell_(cell) {
-    LatticePoint low{kLatticeLimit, kLatticeLimit}, high{-kLatticeLimit, -kLatticeLimit};
-    for (const End& e : ends) {
-      low = {std::min(low.x, e.p.x), std::min(low.y, e.p.y)};
-      high = {std::max(high.x, e.p.x), std::max(high.y, e.p.y)};
-    }
-    const double columns = std::min(kMostColumns, std::ceil(2 * std::sqrt(0.5 * static_cast<double>(ends.size()))));
-    cell_ = std::max(cell_, std::ceil(std::max(double(high.x) - low.x, double(high.y) - low.y) / columns));
-    range_ = {index(low.x), index(low.y), index(high.x), index(high.y)};
-    columns_ = range_.column1 - range_.column0 + 1;
-    first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(range_.row1 - range_.row0 + 1) + 1, 0);
-    for (const End& e : ends) ++first_[cell_of(e.p) + 1];
-    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-    ends_.resize(first_.back());
-    open_.resize(first_.size() - 1);
-    for (std::size_t c = 0; c < open_.size(); ++c) open_[c] = first_[c + 1] - first_[c];
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (const End& e : ends) ends_[next[cell_of(e.p)]++] = e;
-    // Equal points stand together, so that a point where thousands of strokes meet is passed by at once.
-    parallel_blocks(first_.size() - 1, kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c) {
-        std::sort(ends_.begin() + first_[c], ends_.begin() + first_[c + 1], [](const End& a, const End& b) {
-          return std::tie(a.p.x, a.p.y, a.stroke) < std::tie(b.p.x, b.p.y, b.stroke);
-        });
-      }
-    });
-    for (std::size_t c = 0; c + 1 < first_.size(); ++c) refine_if_crowded(c, least_cell);
-  }
-
-  /// The stroke is known to have a partner: its ends need not be looked at by others that have one.
-  void settle(const Stroke& s) {
-    settle_end(s.from);
-    settle_end(s.to);
-  }
-
-  /// Calls visit(stroke) for the ends within the tolerance of the line of `s`, but for those at its own two ends. While
-  /// settled() is true, cells are passed over in which all ends are of settled strokes: thousands of strokes on one line
-  /// look at each other once.
-  template <class Settled, class Visit>
-  void for_each_along(const Stroke& s, double tolerance, const Settled& settled, const Visit& visit) {
-    const SegmentGrid grid(cell_, tolerance);
-    const double stroke_length = length(s.from, s.to);
-    grid.walk_cells(s.from, s.to, range_, [&](std::int32_t column, std::int32_t row) {
-      const std::size_t c = number_of(column, row);
-      if (settled() && std::atomic_ref(open_[c]).load(std::memory_order_relaxed) == 0) return false;
-      if (EndGrid* const finer = finer_in(c)) {
-        finer->for_each_along(s, tolerance, settled, visit);
-        return false;
-      }
-      for (std::uint32_t e = first_[c]; e < first_[c + 1];) {
-        const LatticePoint p = ends_[e].p;
-        const bool along = p != s.from && p != s.to && grid.near(p, s.from, s.to, stroke_length);
-        const std::uint32_t next = next_point(e, first_[c + 1]);
-        for (; along && e < next; ++e) visit(ends_[e].stroke);
-        e = next;
-      }
-      return false;
-    });
-  }
-
- private:
-  static constexpr double kMostColumns = 2048;
-  static constexpr std::uint32_t kCrowd = 256;  ///< adjustable: points in one cell
-
-  /// The first end behind number e, and before `last`, that is elsewhere: by doubling steps, since thousands may be alike.
-  std::uint32_t next_point(std::uint32_t e, std::uint32_t last) const {
-    const LatticePoint p = ends_[e].p;
-    std::uint32_t step = 1;
-    while (e + step < last && ends_[e + step].p == p) step *= 2;
-    const auto from = ends_.begin() + e + step / 2, to = ends_.begin() + std::min(last, e + step);
-    return static_cast<std::uint32_t>(std::partition_point(from, to, [&](const End& end) { return end.p == p; }) -
-                                      ends_.begin());
-  }
-
-  /// A cell with many points gets a grid of its own, where that has much smaller cells.
-  void refine_if_crowded(std::size_t c, double least_cell) {
-    if (first_[c + 1] - first_[c] <= kCrowd || cell_ < 2 * least_cell) return;
-    std::uint32_t points = 0;
-    for (std::uint32_t e = first_[c]; e < first_[c + 1]; e = next_point(e, first_[c + 1])) ++points;
-    if (points <= kCrowd) return;
-    finer_number_[c] = static_cast<std::uint32_t>(finer_.size());
-    finer_.emplace_back(std::vector<End>(ends_.begin() + first_[c], ends_.begin() + first_[c + 1]), least_cell, least_cell);
-  }
-  EndGrid* finer_in(std::size_t c) {
-    if (first_[c + 1] - first_[c] <= kCrowd) return nullptr;
-    const std::uint32_t number = finer_number_.find(c);
-    return number == KeyTable::kNone ? nullptr : &finer_[number];
-  }
-
-  void settle_end(LatticePoint p) {
-    const std::size_t c = cell_of(p);
-    std::atomic_ref(open_[c]).fetch_sub(1, std::memory_order_relaxed);
-    if (EndGrid* const finer = finer_in(c)) finer->settle_end(p);
-  }
-
-  std::int32_t index(double v) const { return static_cast<std::int32_t>(std::floor(v / cell_)); }
-  std::size_t number_of(std::int32_t column, std::int32_t row) const {
-    return static_cast<std::size_t>(row - range_.row0) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(column - range_.column0);
-  }
-  std::size_t cell_of(LatticePoint p) const { return number_of(index(p.x), index(p.y)); }
-
-  double cell_;
-  CellRange range_;
-  std::int32_t columns_ = 0;
-  std::vector<std::uint32_t> first_;
-  std::vector<std::uint32_t> open_;  ///< per cell, ends of strokes that are not settled
-  std::vector<End> ends_;
-  KeyTable finer_number_;  ///< by cell
-  std::vector<EndGrid> finer_;
-};
-
-/// Both ends of the strokes numbered in `of`.
-std::vector<EndGrid::End> ends_of(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of) {
-  std::vector<EndGrid::End> ends;
-  ends.reserve(2 * of.size());
-  for (const std::uint32_t i : of) {
-    for (const LatticePoint p : {strokes[i].from, strokes[i].to}) ends.push_back({p, i});
-  }
-  return ends;
-}
 
 /// Marks the strokes that share both ends with another one.
 template <class Mark>
@@ -249,6 +124,151 @@ std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, d
   return result;
 }
 
+/// Two strokes of any length coincide
+/// - where one of them is short: an end of a short one lies on the other;
+/// - where both are long and what they have in common is, too: they have about one direction, and an end of one lies on the
+///   other;
+/// - where both are long and what they have in common is short: it lies between an end of one and an end of the other;
+/// - or else they have both ends in common.
+/// So all strokes go along the ends of the short ones, and the long ones along those of long ones of about their direction,
+/// and from each of its ends a long one looks for ends of others a little way along itself.
+class PartnerSearch {
+ public:
+  PartnerSearch(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& candidates, double tolerance,
+                std::vector<Partners>& result)
+      : strokes_(strokes), tolerance_(tolerance), result_(result) {
+    file(candidates);
+  }
+
+  void run() {
+    search_along();
+    search_near_ends();
+  }
+
+  void mark(std::uint32_t i) { std::atomic_ref(result_[i]).store(Partners::some, std::memory_order_relaxed); }
+
+ private:
+  using End = EndGrid::End;
+  static constexpr std::size_t kShort = stroke_directions::kRanges;  ///< the group of short strokes, behind the ranges
+
+  bool is_long(LatticePoint from, LatticePoint to) const { return length(from, to) > stroke_directions::kLong * tolerance_; }
+  std::size_t group_of(LatticePoint from, LatticePoint to) const {
+    if (!is_long(from, to)) return kShort;
+    return static_cast<std::size_t>(stroke_directions::range_of(stroke_directions::direction(from, to)));
+  }
+  bool has_partner(std::uint32_t i) const {
+    return std::atomic_ref(result_[i]).load(std::memory_order_relaxed) == Partners::some;
+  }
+  void file(const std::vector<std::uint32_t>& candidates);
+  void search_along();
+  void search_near_ends();
+  LatticePoint stub_of(const End& end) const;
+  void search(const End& end, std::size_t group);
+  void compare(const End& end, const End& other);
+  void settle(const End& end);
+
+  const std::vector<Stroke>& strokes_;
+  double tolerance_;
+  std::vector<Partners>& result_;
+  std::array<std::vector<End>, kShort + 1> ends_;  ///< by group
+  std::array<EndGrid, kShort + 1> grids_;
+};
+
+void PartnerSearch::file(const std::vector<std::uint32_t>& candidates) {
+  std::vector<std::uint8_t> group(candidates.size());
+  parallel_blocks(candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Stroke& s = strokes_[candidates[k]];
+      group[k] = static_cast<std::uint8_t>(group_of(s.from, s.to));
+    }
+  });
+  std::array<std::size_t, kShort + 1> count{};
+  for (const std::uint8_t g : group) ++count[g];
+  for (std::size_t g = 0; g <= kShort; ++g) ends_[g].reserve(2 * count[g]);
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const Stroke& s = strokes_[candidates[k]];
+    ends_[group[k]].push_back({s.from, s.to, candidates[k]});
+    ends_[group[k]].push_back({s.to, s.from, candidates[k]});
+  }
+}
+
+void PartnerSearch::settle(const End& end) {
+  if (std::atomic_ref(result_[end.stroke]).exchange(Partners::some, std::memory_order_relaxed) == Partners::some) return;
+  EndGrid& grid = grids_[group_of(end.p, end.far)];
+  grid.settle_end(end.p);
+  grid.settle_end(end.far);
+}
+
+void PartnerSearch::compare(const End& end, const End& other) {
+  if (other.stroke == end.stroke || (has_partner(end.stroke) && has_partner(other.stroke))) return;
+  if (!overlap(end.p, end.far, other.p, other.far, tolerance_)) return;
+  if (!strokes_[end.stroke].may_coincide && !strokes_[other.stroke].may_coincide) return;
+  settle(end);
+  settle(other);
+}
+
+/// The stroke of an end in this group.
+void PartnerSearch::search(const End& end, std::size_t group) {
+  const auto settled = [&] { return has_partner(end.stroke); };
+  const auto visit = [&](const End& other) { compare(end, other); };
+  grids_[kShort].for_each_along(end.p, end.far, tolerance_, settled, visit);
+  if (group == kShort) return;
+  stroke_directions::for_each_range_near(stroke_directions::direction(end.p, end.far), [&](int range) {
+    grids_[static_cast<std::size_t>(range)].for_each_along(end.p, end.far, tolerance_, settled, visit);
+  });
+}
+
+void PartnerSearch::search_along() {
+  constexpr double kLongest = 16;  // adjustable: how many times as long as wide the cells of one range are
+  const double least = kLeastCellInTolerances * tolerance_;
+  parallel_tasks(kShort + 1, [&](std::size_t g) {
+    const bool is_range = g < kShort;
+    const DirectionFrame frame = is_range ? stroke_directions::frame_of(static_cast<int>(g)) : DirectionFrame{};
+    grids_[g] = EndGrid(std::move(ends_[g]), {frame, least, is_range ? kLongest : 1, true});
+  });
+  for (std::size_t g = 0; g <= kShort; ++g) {
+    const std::vector<End>& ends = grids_[g].ends();
+    parallel_blocks(ends.size(), kGrain, [&](std::size_t begin, std::size_t last) {
+      for (std::size_t e = begin; e < last; ++e) {
+        if (ends[e].p < ends[e].far) search(ends[e], g);
+      }
+    });
+  }
+}
+
+/// So far along the stroke of an end as the end of another may be with which it has a short interval in common.
+LatticePoint PartnerSearch::stub_of(const End& end) const {
+  const double dx = double(end.far.x) - end.p.x, dy = double(end.far.y) - end.p.y;
+  const double part = std::min(1.0, stroke_directions::kLong * tolerance_ / length(end.p, end.far));
+  return {end.p.x + static_cast<std::int32_t>(std::lround(part * dx)),
+          end.p.y + static_cast<std::int32_t>(std::lround(part * dy))};
+}
+
+/// Looks for short common intervals of long strokes: between an end of one and an end of the other, each on both.
+void PartnerSearch::search_near_ends() {
+  std::vector<End> long_ends;
+  std::size_t count = 0;
+  for (std::size_t g = 0; g < kShort; ++g) count += grids_[g].ends().size();
+  long_ends.reserve(count);
+  for (EndGrid& grid : grids_) {
+    if (&grid != &grids_[kShort]) long_ends.insert(long_ends.end(), grid.ends().begin(), grid.ends().end());
+    grid = {};
+  }
+  const double close = EndGrid::reach_of(tolerance_);
+  EndGrid grid(std::move(long_ends), {{}, kLeastCellInTolerances * tolerance_, 1, false});
+  const std::vector<End>& ends = grid.ends();
+  parallel_blocks(ends.size(), kGrain, [&](std::size_t begin, std::size_t last) {
+    for (std::size_t e = begin; e < last; ++e) {
+      const End& end = ends[e];
+      grid.for_each_along(
+          end.p, stub_of(end), tolerance_, [] { return false; },
+          [&](const End& other) {
+            if (other.stroke > end.stroke && EndGrid::is_near(end.p, other.p, other.far, close)) compare(end, other);
+          });
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double tolerance_steps) {
@@ -258,30 +278,9 @@ std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double t
   for (const std::uint32_t i : candidates) {
     if (strokes[i].may_coincide) result[i] = Partners::none;
   }
-  EndGrid ends(ends_of(strokes, candidates), index_cell(strokes, candidates, tolerance_steps),
-               kLeastCellInTolerances * tolerance_steps);
-  const auto has_partner = [&](std::uint32_t i) {
-    return std::atomic_ref(result[i]).load(std::memory_order_relaxed) == Partners::some;
-  };
-  const auto mark = [&](std::uint32_t i) {
-    const Partners before = std::atomic_ref(result[i]).exchange(Partners::some, std::memory_order_relaxed);
-    if (before != Partners::some) ends.settle(strokes[i]);
-  };
-  parallel_blocks(candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t i = candidates[k];
-      const Stroke& s = strokes[i];
-      const auto settled = [&] { return has_partner(i); };
-      ends.for_each_along(s, tolerance_steps, settled, [&](std::uint32_t other) {
-        const Stroke& o = strokes[other];
-        if (other == i || !(s.may_coincide || o.may_coincide) || (settled() && has_partner(other))) return;
-        if (!overlap(s.from, s.to, o.from, o.to, tolerance_steps)) return;
-        mark(i);
-        mark(other);
-      });
-    }
-  });
-  mark_same_ends(strokes, candidates, mark);
+  PartnerSearch search(strokes, candidates, tolerance_steps, result);
+  search.run();
+  mark_same_ends(strokes, candidates, [&](std::uint32_t i) { search.mark(i); });
   return result;
 }
 

@@ -1,0 +1,104 @@
+/// The search for partners against all pairs.
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "drawing/stroke_overlap.hpp"
+#include "drawing/stroke_partners.hpp"
+#include "stroke_builder.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kTolerance = 3;
+
+std::vector<Partners> by_all_pairs(const std::vector<Stroke>& strokes) {
+  std::vector<bool> some(strokes.size());
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    for (std::size_t k = i + 1; k < strokes.size(); ++k) {
+      const Stroke &a = strokes[i], &b = strokes[k];
+      if (!a.may_coincide && !b.may_coincide) continue;
+      if (overlap(a.from, a.to, b.from, b.to, kTolerance)) some[i] = some[k] = true;
+    }
+  }
+  std::vector<Partners> result;
+  for (const bool s : some) result.push_back(s ? Partners::some : Partners::none);
+  return result;
+}
+
+/// Those that can have none count as those that have none.
+void expect_found(const std::vector<Stroke>& strokes, std::uint32_t seed) {
+  const std::vector<Partners> expected = by_all_pairs(strokes), found = find_partners(strokes, kTolerance);
+  ASSERT_EQ(found.size(), expected.size());
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) wrong += (found[i] == Partners::some) != (expected[i] == Partners::some);
+  EXPECT_EQ(wrong, 0u) << "seed " << seed;
+}
+
+class Dice {
+ public:
+  explicit Dice(std::uint32_t seed) : random_(seed) {}
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+  int within(int n) { return below(2 * n + 1) - n; }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// Strokes of about `length`, most of which begin on a line of another, near it, or near an end of it, at angles down to
+/// none.
+std::vector<Stroke> clustered(std::uint32_t seed, int count, int page, int shortest, int longest) {
+  Dice dice(seed);
+  std::vector<Stroke> strokes;
+  for (int i = 0; i < count; ++i) {
+    LatticePoint from{dice.within(page), dice.within(page)};
+    double angle = dice.below(6283) / 1000.0;
+    const double ratio = dice.below(1001) / 1000.0;
+    const double l = shortest * std::pow(double(longest) / shortest, ratio);
+    if (i > 0 && dice.below(4) > 0) {
+      const Stroke& other = strokes[static_cast<std::size_t>(dice.below(i))];
+      const double dx = double(other.to.x) - other.from.x, dy = double(other.to.y) - other.from.y;
+      const double at = dice.below(3) == 0 ? dice.below(2) : dice.below(1001) / 1000.0;
+      const int off = dice.below(2) == 0 ? 0 : dice.below(2) == 0 ? 4 : 300;
+      from = {other.from.x + static_cast<int>(std::lround(at * dx)) + dice.within(off),
+              other.from.y + static_cast<int>(std::lround(at * dy)) + dice.within(off)};
+      angle =
+          std::atan2(dy, dx) + 3.14159265358979 * dice.below(2) + dice.within(100) / 100.0 * 5 / l * (1 << dice.below(8));
+    }
+    const LatticePoint to{from.x + static_cast<int>(std::lround(l * std::cos(angle))),
+                          from.y + static_cast<int>(std::lround(l * std::sin(angle)))};
+    Stroke s = stroke(from, to, LineClass::mesh, std::uint32_t(i));
+    s.may_coincide = dice.below(3) > 0;
+    strokes.push_back(s);
+  }
+  return strokes;
+}
+
+TEST(StrokePartners, OfAllLengths) {
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) expect_found(clustered(seed, 700, 100'000, 2, 60'000), seed);
+}
+
+TEST(StrokePartners, OfLongStrokes) {
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) expect_found(clustered(seed, 700, 1'000'000, 180, 1'000'000), seed);
+}
+
+TEST(StrokePartners, OfStrokesAboutAsLongAsTheShortOnes) {
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) expect_found(clustered(seed, 700, 20'000, 150, 250), seed);
+}
+
+TEST(StrokePartners, InACrowd) {
+  for (std::uint32_t seed = 1; seed <= 2; ++seed) expect_found(clustered(seed, 3000, 300, 20, 2000), seed);
+}
+
+TEST(StrokePartners, AmongFarStrokesOfWhichFewMayCoincide) {
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    std::vector<Stroke> strokes = clustered(seed, 700, 20'000'000, 1000, 10'000'000);
+    for (std::size_t i = 0; i < strokes.size(); ++i) strokes[i].may_coincide = i % 50 == 0;
+    expect_found(strokes, seed);
+  }
+}
+
+}  // namespace
+}  // namespace ligne
