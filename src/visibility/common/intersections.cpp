@@ -9,10 +9,12 @@
 
 #include "geometry/parallel.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/common/crossing_facets.hpp"
 #include "visibility/common/crowd_hiders.hpp"
 #include "visibility/common/facet_functions.hpp"
 
-// Per leaf all pairs of facets that may meet in depth and on the page are tested.
+// Per leaf all pairs of facets that may meet in depth and on the page are tested; where hidden segments are wanted too, all
+// pairs of the scene.
 
 namespace ligne {
 namespace {
@@ -158,7 +160,7 @@ class LeafSearch {
   }
 
   bool wanted(const PageSegment& s, const Leaf& leaf) const {
-    return grid_.complete() || seen_in(s, leaf.square, margin_, leaf.cell.occluder_depth);
+    return seen_in(s, leaf.square, margin_, leaf.cell.occluder_depth);
   }
 
   void search_pairs(const Leaf& leaf) {
@@ -218,7 +220,6 @@ class LeafSearch {
     if (!many && !PenetrationSearch::overlap(a.place, b.place)) return true;
     if (own.fruitless.holds(a.place.id, b.place.id)) return true;
     const auto pair_wanted = [&](const PageSegment& s) {
-      if (grid_.complete()) return true;
       if (!wanted(s, leaf)) return false;
       const PageLine line(rounded(s.from), rounded(s.to), a.place.face, b.place.face);
       return !own.hiders.hide(line, leaf.list, leaf.cell.count);
@@ -299,6 +300,7 @@ class LeafSearch {
 
 std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                              const CellGrid& grid, double margin_steps) {
+  if (grid.complete()) return find_crossing_facets(scene, facets).finish(least_steps(scene));
   constexpr std::size_t kCellsPerTask = 256;
   const std::size_t n = grid.top_cell_count(), tasks = (n + kCellsPerTask - 1) / kCellsPerTask;
   std::vector<PenetrationSearch> found(tasks, PenetrationSearch(facets, scene.vertices));

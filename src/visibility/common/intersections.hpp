@@ -8,8 +8,8 @@
 
 namespace ligne {
 
-/// All segments of penetrating facets that are not wholly behind the covers of the cells they run through; see
-/// PenetrationSearch::finish.
+/// All segments of penetrating facets that are not wholly behind the covers of the cells they run through, or all of them
+/// where the grid is complete; see PenetrationSearch::finish.
 std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                              const CellGrid& grid, double margin_steps);
 

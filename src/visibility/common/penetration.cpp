@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -116,13 +119,22 @@ void drop_specks(std::vector<Intersection>& segments, double least) {
     return std::hypot(double(s.to.p.x) - s.from.p.x, double(s.to.p.y) - s.from.p.y) <= least;
   };
   if (std::none_of(segments.begin(), segments.end(), is_short)) return;
-  const auto less = [](const LatticePoint& a, const LatticePoint& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); };
-  std::vector<LatticePoint> ends;
+  // Where short ones end, and whether a longer one ends there too.
+  std::vector<std::pair<LatticePoint, bool>> asked;
   for (const Intersection& s : segments) {
-    if (!is_short(s)) ends.insert(ends.end(), {s.from.p, s.to.p});
+    if (is_short(s)) asked.insert(asked.end(), {{s.from.p, false}, {s.to.p, false}});
   }
-  std::sort(ends.begin(), ends.end(), less);
-  const auto continues = [&](const LatticePoint& p) { return std::binary_search(ends.begin(), ends.end(), p, less); };
+  std::sort(asked.begin(), asked.end());
+  const auto at = [&](const LatticePoint& p) {
+    return std::ranges::lower_bound(asked, p, {}, &std::pair<LatticePoint, bool>::first);
+  };
+  for (const Intersection& s : segments) {
+    if (is_short(s)) continue;
+    for (const LatticePoint& p : {s.from.p, s.to.p}) {
+      for (auto place = at(p); place != asked.end() && place->first == p && !place->second; ++place) place->second = true;
+    }
+  }
+  const auto continues = [&](const LatticePoint& p) { return at(p)->second; };
   std::erase_if(segments, [&](const Intersection& s) { return is_short(s) && !(continues(s.from.p) && continues(s.to.p)); });
 }
 
@@ -267,19 +279,20 @@ void PenetrationSearch::add(PenetrationSearch&& other) {
 std::vector<Intersection> PenetrationSearch::finish(double least_steps) {
   match_sides();
   match_sides_on_sides();
-  std::sort(pairs_.begin(), pairs_.end());
+  parallel_sort(pairs_.begin(), pairs_.end());
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-  std::vector<Intersection> result;
-  result.reserve(pairs_.size());
-  for (const Pair& pair : pairs_) {
-    const Facet &fa = (*facets_)[pair.a], &fb = (*facets_)[pair.b];
-    const FacetCorners a = facet_corners(fa, *vertices_), b = facet_corners(fb, *vertices_);
-    const auto segment = common_segment(a, b, Heights::over(a, fa.depth_tolerance, b).h);
-    if (!segment) continue;
-    const Intersection i{rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face),
-                         std::max(fa.face, fb.face)};
-    if (!(i.from.p == i.to.p)) result.push_back(i);
-  }
+  std::vector<Intersection> result(pairs_.size());
+  parallel_blocks(pairs_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Facet &fa = (*facets_)[pairs_[i].a], &fb = (*facets_)[pairs_[i].b];
+      const FacetCorners a = facet_corners(fa, *vertices_), b = facet_corners(fb, *vertices_);
+      const auto segment = common_segment(a, b, Heights::over(a, fa.depth_tolerance, b).h);
+      if (!segment) continue;
+      result[i] = {rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face), std::max(fa.face, fb.face)};
+    }
+  });
+  // Without a segment, or with one that is seen end on.
+  std::erase_if(result, [](const Intersection& i) { return i.from.p == i.to.p; });
   drop_specks(result, least_steps);
   return result;
 }

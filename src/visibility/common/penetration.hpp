@@ -62,6 +62,9 @@ class PenetrationSearch {
   PenetrationSearch(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices)
       : facets_(&facets), vertices_(&vertices) {}
 
+  /// A search of the same facets that has found nothing yet.
+  PenetrationSearch empty_copy() const { return {*facets_, *vertices_}; }
+
   PlacedFacet place(std::uint32_t facet) const;
 
   /// Tests two facets of different faces. A pair whose common segment `wanted(segment)` says is not wanted is left out; a
