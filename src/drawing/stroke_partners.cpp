@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -37,29 +38,37 @@ class MarkedSquares {
 
  private:
   static constexpr std::size_t kSide = 2048;
-  static constexpr double kSquare = (2.0 * kLatticeLimit + 1) / kSide;  ///< steps
+  static constexpr double kPerStep = double(kSide) / (2.0 * kLatticeLimit + 1);
 
   static std::size_t square(double v) {
     constexpr double limit = kLatticeLimit;
-    return static_cast<std::size_t>((std::clamp(v, -limit, limit) + limit) / kSquare);
+    return static_cast<std::size_t>((std::clamp(v, -limit, limit) + limit) * kPerStep);
   }
   /// The squares within the margin of the stroke, column by column, until visit returns true; and some beside them.
   template <class Visit>
   bool for_each_square(const Stroke& s, const Visit& visit) const {
-    const LatticePoint from = s.from.x <= s.to.x ? s.from : s.to, to = s.from.x <= s.to.x ? s.to : s.from;
-    const double low = std::min(from.y, to.y), high = std::max(from.y, to.y);
-    const std::size_t left = square(from.x - margin_), right = square(to.x + margin_);
-    const double slope = from.x == to.x ? 0 : (double(to.y) - from.y) / (double(to.x) - from.x);
-    for (std::size_t x = left; x <= right; ++x) {
-      double y_from = low, y_to = high;
-      if (left != right && from.x != to.x) {
-        const double x0 = static_cast<double>(x) * kSquare - kLatticeLimit;
-        const double a = from.y + (x0 - margin_ - from.x) * slope, b = from.y + (x0 + kSquare + margin_ - from.x) * slope;
-        y_from = std::clamp(std::min(a, b), low, high);
-        y_to = std::clamp(std::max(a, b), low, high);
+    const double low = std::min(s.from.y, s.to.y), high = std::max(s.from.y, s.to.y);
+    const std::size_t left = square(std::min(s.from.x, s.to.x) - margin_), top = square(low - margin_);
+    const std::size_t right = square(std::max(s.from.x, s.to.x) + margin_), bottom = square(high + margin_);
+    if (s.from.x != s.to.x && right - left > 1 && bottom - top > 1) return for_each_crossed(s, left, right, visit);
+    for (std::size_t y = top; y <= bottom; ++y) {
+      for (std::size_t x = left; x <= right; ++x) {
+        if (visit(y * kSide + x)) return true;
       }
-      const std::size_t bottom = square(y_to + margin_);
-      for (std::size_t y = square(y_from - margin_); y <= bottom; ++y) {
+    }
+    return false;
+  }
+  /// The same for a stroke that is not upright and crosses several columns and rows.
+  template <class Visit>
+  bool for_each_crossed(const Stroke& s, std::size_t left, std::size_t right, const Visit& visit) const {
+    const double low = std::min(s.from.y, s.to.y), high = std::max(s.from.y, s.to.y);
+    const double slope = (double(s.to.y) - s.from.y) / (double(s.to.x) - s.from.x);
+    const auto y_at = [&](double x) { return std::clamp(s.from.y + (x - s.from.x) * slope, low, high); };
+    for (std::size_t x = left; x <= right; ++x) {
+      const double x0 = static_cast<double>(x) / kPerStep - kLatticeLimit;
+      const double a = y_at(x0 - margin_), b = y_at(x0 + 1 / kPerStep + margin_);
+      const std::size_t last = square(std::max(a, b) + margin_);
+      for (std::size_t y = square(std::min(a, b) - margin_); y <= last; ++y) {
         if (visit(y * kSide + x)) return true;
       }
     }
@@ -114,7 +123,7 @@ std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, d
   parallel_blocks(strokes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Stroke& s = strokes[i];
-      near[i] = length(s.from, s.to) > tolerance_steps && (s.may_coincide || squares.near(s));
+      near[i] = (s.may_coincide || squares.near(s)) && length(s.from, s.to) > tolerance_steps;
     }
   });
   std::vector<std::uint32_t> result;
@@ -130,13 +139,14 @@ std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, d
 ///   other;
 /// - where both are long and what they have in common is short: it lies between an end of one and an end of the other;
 /// - or else they have both ends in common.
-/// So all strokes go along the ends of the short ones, and the long ones along those of long ones of about their direction,
-/// and from each of its ends a long one looks for ends of others a little way along itself.
+/// So where strokes cross many others all of them go along the ends of the short ones, and the long ones along those of long
+/// ones of about their direction, and from each of its ends a long one looks for ends of others a little way along itself.
 class PartnerSearch {
  public:
   PartnerSearch(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& candidates, double tolerance,
                 std::vector<Partners>& result)
       : strokes_(strokes), tolerance_(tolerance), result_(result) {
+    if (are_crossing(candidates)) long_ = stroke_directions::kLong * tolerance;
     file(candidates);
   }
 
@@ -159,6 +169,7 @@ class PartnerSearch {
   bool has_partner(std::uint32_t i) const {
     return std::atomic_ref(result_[i]).load(std::memory_order_relaxed) == Partners::some;
   }
+  bool are_crossing(const std::vector<std::uint32_t>& candidates) const;
   void file(const std::vector<std::uint32_t>& candidates);
   void search_along();
   void search_near_ends();
@@ -169,10 +180,27 @@ class PartnerSearch {
 
   const std::vector<Stroke>& strokes_;
   double tolerance_;
+  double long_ = std::numeric_limits<double>::infinity();  ///< longer strokes are filed by direction
   std::vector<Partners>& result_;
   std::array<std::vector<End>, kShort + 1> ends_;  ///< by group
   std::array<EndGrid, kShort + 1> grids_;
 };
+
+/// Whether the common stroke has many ends of others in its way. The edges of a mesh have not.
+bool PartnerSearch::are_crossing(const std::vector<std::uint32_t>& candidates) const {
+  constexpr double kEndsApart = 4;  // adjustable: so many mean distances of ends is a stroke long
+  LatticePoint low{kLatticeLimit, kLatticeLimit}, high{-kLatticeLimit, -kLatticeLimit};
+  double sum = 0;
+  for (const std::uint32_t i : candidates) {
+    const Stroke& s = strokes_[i];
+    sum += length(s.from, s.to);
+    low = {std::min({low.x, s.from.x, s.to.x}), std::min({low.y, s.from.y, s.to.y})};
+    high = {std::max({high.x, s.from.x, s.to.x}), std::max({high.y, s.from.y, s.to.y})};
+  }
+  const double n = static_cast<double>(candidates.size());
+  const double area = (double(high.x) - low.x + 1) * (double(high.y) - low.y + 1);
+  return sum / n > kEndsApart * std::sqrt(area / (2 * n));
+}
 
 void PartnerSearch::file(const std::vector<std::uint32_t>& candidates) {
   std::vector<std::uint8_t> group(candidates.size());
@@ -226,13 +254,16 @@ void PartnerSearch::search_along() {
     const DirectionFrame frame = is_range ? stroke_directions::frame_of(static_cast<int>(g)) : DirectionFrame{};
     grids_[g] = EndGrid(std::move(ends_[g]), {frame, least, is_range ? kLongest : 1, true});
   });
-  for (std::size_t g = 0; g <= kShort; ++g) {
-    const std::vector<End>& ends = grids_[g].ends();
-    parallel_blocks(ends.size(), kGrain, [&](std::size_t begin, std::size_t last) {
-      for (std::size_t e = begin; e < last; ++e) {
-        if (ends[e].p < ends[e].far) search(ends[e], g);
-      }
-    });
+  // Few from everywhere come first: of thousands on one line they settle nearly all.
+  for (const std::size_t step : {std::size_t{4096}, std::size_t{64}, std::size_t{1}}) {
+    for (std::size_t g = 0; g <= kShort; ++g) {
+      const std::vector<End>& ends = grids_[g].ends();
+      parallel_blocks(block_count(ends.size(), step), kGrain, [&](std::size_t begin, std::size_t last) {
+        for (std::size_t e = begin; e < last; ++e) {
+          if (const End& end = ends[e * step]; end.p < end.far || step > 1) search(end, g);
+        }
+      });
+    }
   }
 }
 
@@ -260,10 +291,12 @@ void PartnerSearch::search_near_ends() {
   parallel_blocks(ends.size(), kGrain, [&](std::size_t begin, std::size_t last) {
     for (std::size_t e = begin; e < last; ++e) {
       const End& end = ends[e];
+      if (has_partner(end.stroke)) continue;
+      const LatticePoint stub = stub_of(end);
       grid.for_each_along(
-          end.p, stub_of(end), tolerance_, [] { return false; },
+          end.p, stub, tolerance_, [] { return false; },
           [&](const End& other) {
-            if (other.stroke > end.stroke && EndGrid::is_near(end.p, other.p, other.far, close)) compare(end, other);
+            if (EndGrid::is_near(end.p, other.p, other.far, close)) compare(end, other);
           });
     }
   });

@@ -77,15 +77,16 @@ std::vector<Stroke> clustered(std::uint32_t seed, int count, int page, int short
 }
 
 TEST(StrokePartners, OfAllLengths) {
-  for (std::uint32_t seed = 1; seed <= 10; ++seed) expect_found(clustered(seed, 700, 100'000, 2, 60'000), seed);
+  for (std::uint32_t seed = 1; seed <= 10; ++seed)
+    expect_found(clustered(seed, seed % 2 == 0 ? 700 : 3000, 5'000, 50, 60'000), seed);
 }
 
 TEST(StrokePartners, OfLongStrokes) {
-  for (std::uint32_t seed = 1; seed <= 10; ++seed) expect_found(clustered(seed, 700, 1'000'000, 180, 1'000'000), seed);
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) expect_found(clustered(seed, 2000, 1'000'000, 20'000, 1'000'000), seed);
 }
 
 TEST(StrokePartners, OfStrokesAboutAsLongAsTheShortOnes) {
-  for (std::uint32_t seed = 1; seed <= 10; ++seed) expect_found(clustered(seed, 700, 20'000, 150, 250), seed);
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) expect_found(clustered(seed, 2000, 1000, 150, 250), seed);
 }
 
 TEST(StrokePartners, InACrowd) {
