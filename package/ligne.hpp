@@ -23,6 +23,7 @@
 #include "picture/scene_study.hpp"
 #include "picture/surface_picture.hpp"
 #include "picture/write_picture.hpp"
+#include "picture/zbuffer_picture.hpp"
 #include "plotting/output_file.hpp"
 #include "scene/readers/reader.hpp"
 #include "visibility/registry.hpp"

@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kPointsPerInch = 72;
 
-/// The longest side of a page: the numbers of a larger one would no longer be right to a micrometre in the output formats.
-
 constexpr std::pair<std::string_view, double> kUnits[] = {
     {"mm", 1}, {"cm", 10}, {"in", kMmPerInch}, {"pt", kMmPerInch / kPointsPerInch}};
 

@@ -14,8 +14,8 @@
 namespace ligne {
 
 inline constexpr double kMmPerInch = 25.4;
-/// Wider or higher pages are refused: 100 m.
-inline constexpr double kLargestPageMm = 100000;
+/// The longest side of a page: the numbers of a larger one would no longer be right to a micrometre in the output formats.
+inline constexpr double kLargestPageMm = 100'000;
 
 struct Page {
   double width_mm = 210;

@@ -12,7 +12,7 @@ status=0
 
 cmake --preset fuzz
 cmake --build --preset fuzz
-for fuzzer in geometry gltf glb obj stl ply asc scene svg drawing; do
+for fuzzer in geometry gltf glb obj stl ply asc scene tree zbuf svg drawing; do
   [[ -x build/fuzz/tests/fuzz/fuzz_$fuzzer ]] || continue  # the geometry fuzzer needs CGAL
   case $fuzzer in
     geometry) limits=(-max_len=160 -timeout=60) ;;

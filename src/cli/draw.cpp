@@ -12,10 +12,14 @@
 #include "picture/clear_creases.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/draw_scene.hpp"
+#include "picture/errors.hpp"
 #include "picture/frame_names.hpp"
 #include "picture/frames.hpp"
 #include "picture/parse.hpp"
 #include "picture/parse_options.hpp"
+#include "picture/parts.hpp"
+#include "picture/zbuffer_picture.hpp"
+#include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
@@ -52,6 +56,25 @@ void add_frame_options(CLI::App& app, DrawOptions& options) {
       .needs(frames);
 }
 
+void add_zbuffer_options(CLI::App& app, DrawOptions& options) {
+  OptionGroup group(app, "Methods");
+  group.add("--zbuffer-add", "FILE", options.zbuffer_add, parse_file_name,
+            "zbuffer: add the models to what --zbuffer-save has kept: nothing of that is painted again");
+  group.add("--zbuffer-save", "FILE", options.zbuffer_save, parse_file_name,
+            "zbuffer: keep buffer, models, view and page, so that models can be added");
+}
+
+/// Depth buffers are of one method, and of one view.
+void check_zbuffer(const DrawOptions& options, PictureRequest& request) {
+  const char* const field = !options.zbuffer_add.empty() ? "zbuffer-add" : "zbuffer-save";
+  if (options.zbuffer_add.empty() && options.zbuffer_save.empty()) return;
+  const Method* const zbuffer = find_method("zbuffer");
+  if (!request.lines.method) request.lines.method = zbuffer;
+  if (request.lines.method != zbuffer) throw RequestError(field, "is of --method zbuffer");
+  if (options.frames.count > 1) throw RequestError(field, "is of one view");
+  if (height_count(options.surfaces) > 0) throw RequestError(field, "is of models, not of surfaces");
+}
+
 /// The request that the options come to. A wrong one is refused before anything is read.
 PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory) {
   PictureRequest request = options.picture;
@@ -60,6 +83,7 @@ PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory)
   if (const std::string* file = compiled_file(options.model); file && !request.lines.method) {
     request.lines.method = method_of_compiled(*file);
   }
+  check_zbuffer(options, request);
   if (!options.method.edges_given && !request.fill.lights.empty()) request.lines.classes.add(LineClass::shadow);
   if (request.lines.profiles() != ProfileKind::off) request.lines.classes.add(LineClass::profile);
   check(request);
@@ -69,7 +93,20 @@ PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory)
   }
   check_mixed_scene(options.surfaces);
   request.lines.settings = settings_of(options.method, method_of(request));
+  if (!options.zbuffer_add.empty()) require_no_place(request, printable(options.zbuffer_add, kLongestPath));
   return request;
+}
+
+ZBuffer read_zbuffer(const std::string& file, InputFiles& opened) {
+  return ZBuffer::read(read_input(file, file, opened), file);
+}
+
+/// The models stand behind those of the buffer.
+void put_behind(const ZBuffer& buffer, LoadedModels& models) {
+  const std::vector<std::string> names = object_names(buffer.scene());
+  models.object_names.insert(models.object_names.begin(), names.begin(), names.end());
+  models.scene = buffer.joined(std::move(models.scene));
+  models.topology.reset();
 }
 
 void draw(const DrawOptions& options, PictureRequest request) {
@@ -78,6 +115,7 @@ void draw(const DrawOptions& options, PictureRequest request) {
   RunFiles files;
   for (const std::string& name : outputs) files.will_write("--output", name);
   files.will_write("--preview", options.plotter.preview);
+  files.will_write("--zbuffer-save", options.zbuffer_save);
   files.will_write("--stats-json", options.run.stats_json);
   RunReport run;
   request.plotter = plotter_request(options.plotter.choice, request.output.format, run.files);
@@ -92,6 +130,12 @@ void draw(const DrawOptions& options, PictureRequest request) {
       timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
   add_surfaces(options.surfaces, models, request, run);
   files.were_read(run.files);
+  ZBuffer buffer;
+  if (!options.zbuffer_add.empty()) {
+    buffer = timed(run.stages, "read buffer", [&] { return read_zbuffer(options.zbuffer_add, run.files); });
+    files.were_read(run.files);
+    put_behind(buffer, models);
+  }
   require_parts(models, request);
   request.plotter.fit_drawing = !request.page.scale;
   report_healing(models, model, run);
@@ -103,7 +147,10 @@ void draw(const DrawOptions& options, PictureRequest request) {
   request.progress = bar.callback();
   const std::string& place = options.model.files.front();
   if (options.frames.count == 1) {
-    Picture picture = draw_scene(models.scene, request, run, {}, std::move(models.topology));
+    const bool with_buffer = !options.zbuffer_add.empty() || !options.zbuffer_save.empty();
+    Picture picture = with_buffer ? buffer.draw(std::move(models.scene), request, run)
+                                  : draw_scene(models.scene, request, run, {}, std::move(models.topology));
+    if (!options.zbuffer_save.empty()) files.write(options.zbuffer_save, buffer.write());
     deliver(std::move(picture), outputs.front(), options.plotter.preview, place, options.run, run, files);
     return;
   }
@@ -125,6 +172,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_view_options(draw, picture.view);
   add_frame_options(draw, options);
   add_line_options(draw, picture.lines, options.method);
+  add_zbuffer_options(draw, options);
   add_fill_options(draw, picture.fill);
   add_mixed_scene_options(draw, options.surfaces);
   add_page_options(draw, picture.page);

@@ -21,6 +21,7 @@ struct DrawOptions {
   PictureRequest picture;
   MethodChoice method;
   FrameRequest frames;
+  std::string zbuffer_add, zbuffer_save;  ///< files of depth buffers; empty: none
   OutputOptions output;
   PlotterOptions plotter;
   RunOptions run;

@@ -1,34 +1,17 @@
 #include "picture/compiled_model.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
-#include <string_view>
 
-#include "files/bytes.hpp"
+#include "files/signed_bytes.hpp"
 #include "scene/readers/scene_bytes.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
 
-constexpr std::string_view kMark = "ligne-tree\r\n";  ///< the line end is lost where a file is copied as text
-constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kHeadSize = kMark.size() + sizeof(kVersion) + sizeof(std::uint64_t);
-
-/// Of what follows it in the file: tells a file that was damaged, not one that was forged.
-std::uint64_t checksum(std::span<const std::byte> bytes) {
-  std::uint64_t sum = bytes.size();
-  for (std::size_t i = 0; i < bytes.size(); i += sizeof sum) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + i, std::min(sizeof word, bytes.size() - i));
-    sum = (sum ^ word) * 0x9e3779b97f4a7c15u;
-    sum ^= sum >> 32;
-  }
-  return sum;
-}
+constexpr SignedKind kKind{"ligne-tree\r\n", 1, "a compiled model", "compile the model again"};
 
 }  // namespace
 
@@ -50,53 +33,34 @@ CompiledModel compile_model(Scene scene, const Method& method, const MethodSetti
 
 std::string write_compiled_model(const CompiledModel& model) {
   ByteWriter writer;
-  writer.number(kVersion);
-  writer.number(std::uint64_t{0});  // the checksum comes when all is there
   writer.text(model.method->traits().name);
   write_scene(writer, model.scene);
   model.compiled->write(writer);
-  std::string bytes = std::string(kMark) + writer.take();
-  sign_compiled_model(bytes);
-  return bytes;
+  return signed_bytes(kKind, writer.bytes());
 }
 
-void sign_compiled_model(std::string& bytes) {
-  if (bytes.size() < kHeadSize) return;
-  const std::uint64_t sum = checksum(std::as_bytes(std::span(bytes)).subspan(kHeadSize));
-  std::memcpy(bytes.data() + kHeadSize - sizeof sum, &sum, sizeof sum);
-}
+void sign_compiled_model(std::string& bytes) { sign(kKind, bytes); }
 
-bool is_compiled_model(std::span<const std::byte> bytes) { return as_characters(bytes).starts_with(kMark); }
+bool is_compiled_model(std::span<const std::byte> bytes) { return has_mark(kKind, bytes); }
 
 const Method* method_of_compiled(const std::filesystem::path& file) {
   constexpr std::size_t kLongestName = 64;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return nullptr;
-  std::array<char, kHeadSize + sizeof(std::uint64_t) + kLongestName> begin{};
+  std::array<char, head_size(kKind) + sizeof(std::uint64_t) + kLongestName> begin{};
   std::ifstream in(file, std::ios::binary);
   in.read(begin.data(), begin.size());
   const auto bytes = std::as_bytes(std::span(begin)).first(static_cast<std::size_t>(in.gcount()));
-  if (!is_compiled_model(bytes)) return nullptr;
+  if (!is_compiled_model(bytes) || bytes.size() < head_size(kKind)) return nullptr;
   try {
-    ByteReader reader(bytes.subspan(kMark.size()), file.string());
-    reader.number<std::uint32_t>();
-    reader.number<std::uint64_t>();
-    return find_method(reader.text());
+    return find_method(ByteReader(bytes.subspan(head_size(kKind)), file.string()).text());
   } catch (const InputError&) {
     return nullptr;  // what is wrong with the file is told when it is read
   }
 }
 
 CompiledModel read_compiled_model(std::span<const std::byte> bytes, const std::string& name) {
-  if (!is_compiled_model(bytes)) throw InputError(name, "not a compiled model");
-  ByteReader reader(bytes.subspan(kMark.size()), name);
-  const auto version = reader.number<std::uint32_t>();
-  if (version != kVersion) {
-    throw InputError(name, "a compiled model of version " + std::to_string(version) + "; this program reads version " +
-                               std::to_string(kVersion) + ": compile the model again");
-  }
-  const auto sum = reader.number<std::uint64_t>();
-  reader.need(sum == checksum(reader.rest()), "the file was changed or cut off since it was written");
+  ByteReader reader = open_signed(kKind, bytes, name);
   CompiledModel model;
   const std::string method = reader.text();
   model.method = find_method(method);

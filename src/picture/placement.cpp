@@ -76,6 +76,7 @@ void check(const PageRequest& request) {
 }
 
 Camera camera_of(const ViewRequest& request, const Scene& scene) {
+  if (request.made) return *request.made;
   CameraRequest camera;
   if (request.named_view) camera.named_view = *request.named_view;
   camera.direction = request.direction;

@@ -21,6 +21,8 @@
 #include "plotting/stroke_text.hpp"
 #include "scene/model/scene.hpp"
 #include "view/axes_layout.hpp"
+#include "view/view.hpp"
+#include "visibility/kept_study.hpp"
 #include "visibility/method_parameters.hpp"
 
 namespace ligne {
@@ -42,6 +44,7 @@ struct ViewRequest {
   std::optional<Axis> up_axis;            ///< default: the scene's
   /// The model is turned so far about its vertical axis, counter-clockwise as seen from above, before it is looked at.
   double turn_degrees = 0;
+  std::optional<Camera> made{};  ///< that of an earlier picture, in place of all others
 };
 
 /// A page as written on the command line.
@@ -227,6 +230,8 @@ struct PictureRequest {
   ContourLabels contour_labels = ContourLabels::none;
   bool label_decades = false;                       ///< heights of contours are decimal logarithms
   std::shared_ptr<const CompiledScene> compiled{};  ///< of the scene, by the method; nullptr: it is made when it is needed
+  Keep keep = Keep::nothing;                        ///< what the study leaves is wanted for that
+  std::shared_ptr<const KeptStudy> earlier{};       ///< what an earlier one has left, by the method; nullptr: nothing
   MemoryLimit memory{};
   std::function<void(double)> progress{};  ///< called with the fraction of the study done, from one thread at a time
 };

@@ -186,6 +186,8 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
     options.wanted = wanted_products(request, prepared.method);
     options.progress = request.progress;
     options.compiled = request.compiled.get();
+    options.keep = request.keep;
+    options.earlier = request.earlier.get();
     if (request.lines.method) return prepared.method.study(projected, options);
     ChosenStudy choice = study_by_choice(request, projected, options);
     found.method = choice.method;

@@ -14,6 +14,7 @@
 #include "drawing/statistics.hpp"
 #include "drawing/stroke.hpp"
 #include "view/projected_scene.hpp"
+#include "visibility/kept_study.hpp"
 #include "visibility/method_parameters.hpp"
 
 namespace ligne {
@@ -59,6 +60,8 @@ struct StudyOptions {
   MethodSettings settings{};                ///< values of the method's own parameters, each within its range
   std::uint8_t wanted = 0xff;               ///< products; a method may leave others out
   const CompiledScene* compiled = nullptr;  ///< by this method's compile(), of the model that is projected; or nullptr
+  Keep keep = Keep::nothing;                ///< what VisibilityResult::kept is wanted for
+  const KeptStudy* earlier = nullptr;       ///< kept by an earlier study; or nullptr
 };
 
 /// What was found. Models that a method does not produce stay empty.
@@ -73,6 +76,7 @@ struct VisibilityResult {
   Statistics statistics;
   /// Why this scene is not one that the method can do: what is drawn may be wrong. Empty when it can; see only_for.
   std::string beyond;
+  std::shared_ptr<const KeptStudy> kept;  ///< nullptr where nothing is wanted, or the method has nothing to keep
   std::string left_out;  ///< what of the scene the method does not take part in its study, in words; empty: nothing
 };
 

@@ -10,12 +10,14 @@
 
 #include "picture/compiled_model.hpp"
 #include "picture/draw_scene.hpp"
+#include "picture/zbuffer_picture.hpp"
 #include "plotting/drawing_reader.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "scene/creases/find_creases.hpp"
 #include "scene/heal/heal.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/surfaces/grid_formats.hpp"
+#include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
@@ -136,6 +138,28 @@ void read_tree_as_fuzzer(std::span<const std::byte> bytes) {
   }
 }
 
+/// Depth buffers are read as if their checksum were right, and a triangle is added.
+void read_zbuffer_as_fuzzer(std::span<const std::byte> bytes) {
+  std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  sign_zbuffer(text);
+  try {
+    ZBuffer buffer = ZBuffer::read(std::as_bytes(std::span(text)), "fuzz");
+    check_scene(buffer.scene());
+    constexpr std::size_t kFaces = 500;
+    if (buffer.scene().faces.size() > kFaces) return;
+    Scene added;
+    added.vertices = {{0, 0, 0}, {2, 0, 1}, {0, 3, 1}};
+    added.faces.add_face(std::vector<std::uint32_t>{0, 1, 2});
+    added.objects.push_back({"added", 0, 3, 0, 1});
+    PictureRequest request;
+    request.lines.method = find_method("zbuffer");
+    RunReport run;
+    buffer.add(std::move(added), request, run);
+  } catch (const InputError& error) {
+    need_one_line(error);
+  }
+}
+
 /// Drawings are read, "svg" or "drawing", and their first strokes made ready for a pen.
 void read_drawing_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -164,6 +188,7 @@ void read_drawing_as_fuzzer(std::string_view kind, std::span<const std::byte> by
 void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   if (kind == "svg" || kind == "drawing") return read_drawing_as_fuzzer(kind, bytes);
   if (kind == "tree") return read_tree_as_fuzzer(bytes);
+  if (kind == "zbuf") return read_zbuffer_as_fuzzer(bytes);
   if (kind == "grid") return read_grid_as_fuzzer(bytes);
   if (kind == "hgt" || kind == "tiff") return read_terrain_as_fuzzer(kind, bytes);
   if (kind == "formula") return read_formula_as_fuzzer(bytes);

@@ -58,7 +58,7 @@ struct PixelPlane {
 namespace {
 
 /// The triangles with those of each face behind each other.
-std::vector<Triangle> by_face(const std::vector<Triangle>& triangles) {
+std::vector<Triangle> by_face(std::vector<Triangle> triangles) {
   std::uint32_t faces = 0;
   for (const Triangle& t : triangles) faces = std::max(faces, t.face + 1);
   std::vector<std::uint32_t> next(std::size_t{faces} + 1, 0);
@@ -292,9 +292,21 @@ DepthBuffer::DepthBuffer(const PixelGrid& grid, const DepthScale& scale)
       face_(depth_.size(), kNothing) {}
 
 PaintCounts DepthBuffer::add(const ProjectedScene& scene, Filling filling, std::uint32_t first_face) {
+  return paint(scene, by_face(scene.triangles), filling, first_face);
+}
+
+PaintCounts DepthBuffer::add_from(std::uint32_t begin, const ProjectedScene& scene, Filling filling) {
+  std::vector<Triangle> added;
+  std::copy_if(scene.triangles.begin(), scene.triangles.end(), std::back_inserter(added),
+               [&](const Triangle& t) { return t.face >= begin; });
+  return paint(scene, by_face(std::move(added)), filling, 0);
+}
+
+/// `triangles` of the scene, those of each face behind each other.
+PaintCounts DepthBuffer::paint(const ProjectedScene& scene, const std::vector<Triangle>& triangles, Filling filling,
+                               std::uint32_t first_face) {
   // 1. Faces. A block begins where a face does.
   constexpr std::size_t kBlock = 16'384;
-  const std::vector<Triangle> triangles = by_face(scene.triangles);
   const std::size_t n = triangles.size(), blocks = block_count(n, kBlock);
   const auto face_begin = [&](std::size_t i) {
     while (i > 0 && i < n && triangles[i].face == triangles[i - 1].face) ++i;

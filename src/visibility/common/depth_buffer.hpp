@@ -18,6 +18,11 @@
 #include "view/projected_scene.hpp"
 #include "visibility/common/pixel_grid.hpp"
 
+namespace ligne {
+class ByteReader;
+class ByteWriter;
+}  // namespace ligne
+
 namespace ligne::zbuffer {
 
 /// How depths are stored: as they are, to the precision of a float; or as whole steps behind the nearest one.
@@ -52,6 +57,12 @@ class DepthBuffer {
 
   /// Adds the opaque faces of a scene that is seen by the same camera on the same page; its face 0 counts as `first_face`.
   PaintCounts add(const ProjectedScene& scene, Filling filling, std::uint32_t first_face = 0);
+  /// Adds those of its faces whose numbers are not below `begin`, under their numbers: the others were added before.
+  PaintCounts add_from(std::uint32_t begin, const ProjectedScene& scene, Filling filling);
+
+  void write(ByteWriter& bytes) const;
+  /// A buffer over that window that shows faces below `faces`. Throws InputError.
+  static DepthBuffer read(ByteReader& bytes, const Rect& window, std::uint32_t faces);
 
   const PixelGrid& grid() const { return grid_; }
   const DepthScale& scale() const { return scale_; }
@@ -69,6 +80,8 @@ class DepthBuffer {
   class Preparation;
   class BandPainter;
 
+  PaintCounts paint(const ProjectedScene& scene, const std::vector<Triangle>& triangles, Filling filling,
+                    std::uint32_t first_face);
   std::size_t place(std::uint32_t column, std::uint32_t row) const { return std::size_t{row} * grid_.width + column; }
 
   PixelGrid grid_;

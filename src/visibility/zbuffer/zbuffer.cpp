@@ -11,6 +11,7 @@
 #include "visibility/common/intersections.hpp"
 #include "visibility/common/line_strokes.hpp"
 #include "visibility/zbuffer/edge_sampling.hpp"
+#include "visibility/zbuffer/kept_buffer.hpp"
 
 // Phases: (1) the buffer: faces filled row by row, (2) lines of intersection, where they are wanted, (3) lines sampled
 // against the buffer. See docs/methods/zbuffer.md.
@@ -49,6 +50,11 @@ DepthScale scale_of(const ProjectedScene& scene, const StudyOptions& options) {
     nearest = view.scale * view.camera.target_distance * (1 - view.camera.target_distance / view.near_distance);
   }
   return {nearest, (farthest - nearest) / (std::exp2(*bits) - 1)};
+}
+
+DepthBuffer empty_buffer(const ProjectedScene& scene, const StudyOptions& options) {
+  return {PixelGrid::of(scene.view.window, options.span_lines, options.settings.find("lines"), kRows),
+          scale_of(scene, options)};
 }
 
 /// The facets that are not wholly behind what the buffer shows; of large ones, all.
@@ -117,9 +123,12 @@ VisibilityResult ZBufferMethod::study(const ProjectedScene& scene, const StudyOp
   Clock clock;
 
   // 1. The buffer.
-  DepthBuffer buffer(PixelGrid::of(scene.view.window, options.span_lines, options.settings.find("lines"), kRows),
-                     scale_of(scene, options));
-  const PaintCounts counts = buffer.add(scene, options.settings.choice("filling", Filling::table));
+  const auto faces = static_cast<std::uint32_t>(scene.model->faces.size());
+  const auto* earlier = dynamic_cast<const KeptBuffer*>(options.earlier);
+  if (earlier && !earlier->fits(scene.view, faces)) earlier = nullptr;
+  DepthBuffer buffer = earlier ? earlier->buffer() : empty_buffer(scene, options);
+  const std::uint32_t painted_before = earlier ? earlier->faces() : 0;
+  const PaintCounts counts = buffer.add_from(painted_before, scene, options.settings.choice("filling", Filling::table));
   statistics.time("buffer", clock.lap());
 
   // 2. Intersections.
@@ -141,6 +150,7 @@ VisibilityResult ZBufferMethod::study(const ProjectedScene& scene, const StudyOp
   strokes.add_intersections(intersections, sample);
   result.strokes = strokes.take();
   statistics.time("lines", clock.lap());
+  if (options.keep == Keep::for_more_objects) result.kept = std::make_shared<KeptBuffer>(buffer, scene.view, faces);
   if (options.wanted & kPixels) {
     result.pixels = buffer.take_pixels();
     statistics.time("pixels", clock.lap());
@@ -148,6 +158,7 @@ VisibilityResult ZBufferMethod::study(const ProjectedScene& scene, const StudyOp
 
   statistics.count("columns", buffer.grid().width);
   statistics.count("rows", buffer.grid().height);
+  if (earlier) statistics.count("faces of the scene that were in the buffer", painted_before);
   statistics.count("faces painted", counts.faces);
   statistics.count("triangles in them", counts.triangles);
   statistics.count("faces that hold no centre of a pixel", counts.small);

@@ -1,0 +1,164 @@
+/// ligne draw --zbuffer-save and --zbuffer-add.
+
+#include "draw_program.hpp"
+#include "picture/zbuffer_picture.hpp"
+
+namespace ligne::test {
+namespace {
+
+/// A plate with two posts, so that what is put on the plate changes neither the middle of the scene nor its size on the
+/// page.
+constexpr const char* kPlate = R"(v 0 0 0
+v 0 0 10
+v 10 0 10
+v 10 0 0
+v 9 0 9
+v 9 8 9
+v 10 8 10
+v 1 0 1
+v 1 8 1
+v 0 8 0
+f 1 2 3 4
+f 3 5 6 7
+f 1 8 9 10
+)";
+/// A tetrahedron, and a plate that cuts it.
+constexpr const char* kStone = R"(v 2 0 2
+v 5 0 3
+v 3 0 6
+v 3 4 4
+f 1 2 3
+f 1 2 4
+f 2 3 4
+f 3 1 4
+)";
+constexpr const char* kBoard = R"(v 1 1 3
+v 7 2 3
+v 7 2 5
+v 1 1 5
+f 1 2 3 4
+)";
+
+class ZBufferFileTest : public DrawTest {
+ protected:
+  void SetUp() override {
+    DrawTest::SetUp();
+    write("plate.obj", kPlate);
+    write("stone.obj", kStone);
+    write("board.obj", kBoard);
+  }
+  std::string bytes_of(std::vector<std::string> arguments, const std::string& output) const {
+    arguments.insert(arguments.begin(), {"draw", "-q"});
+    arguments.insert(arguments.end(), {"-o", output});
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return contents(file(output));
+  }
+  std::string refusal(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "draw");
+    const Outcome outcome = run(arguments);
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
+    return outcome.err;
+  }
+};
+
+TEST_F(ZBufferFileTest, AddedObjectsGiveThePictureOfAll) {
+  for (const std::vector<std::string>& view : {std::vector<std::string>{"--view", "iso"},
+                                               {"--eye", "20,14,25", "--target", "5,3,5", "--fov", "30"},
+                                               {"--view", "top", "--filling", "fixed", "--edges", "all"}}) {
+    for (const std::string output : {"a.svg", "a.json", "a.pdf"}) {
+      std::vector<std::string> first = view, all = view;
+      first.insert(first.end(), {"plate.obj", "--lines", "300", "--zbuffer-save", "plate.zbuf"});
+      all.insert(all.end(), {"plate.obj", "stone.obj", "board.obj", "--lines", "300", "--method", "zbuffer"});
+      bytes_of(first, output);
+      std::vector<std::string> more(view.begin() + (view[0] == "--eye" ? 6 : 2), view.end());
+      std::vector<std::string> stone = more, board = more, both = more;
+      stone.insert(stone.end(), {"stone.obj", "--zbuffer-add", "plate.zbuf", "--zbuffer-save", "stone.zbuf"});
+      board.insert(board.end(), {"board.obj", "--zbuffer-add", "stone.zbuf"});
+      both.insert(both.end(), {"stone.obj", "board.obj", "--zbuffer-add", "plate.zbuf"});
+      bytes_of(stone, output);
+      const std::string one_by_one = bytes_of(board, output), in_two = bytes_of(both, output);
+      // The statistics of a JSON drawing tell how much was painted.
+      const auto drawn = [&](const std::string& bytes) {
+        if (output != "a.json") return bytes;
+        json drawing = json::parse(bytes);
+        drawing.erase("stats");
+        return drawing.dump();
+      };
+      const std::string at_once = drawn(bytes_of(all, output));
+      EXPECT_EQ(drawn(one_by_one), at_once) << view[1] << " " << output;
+      EXPECT_EQ(drawn(in_two), at_once) << view[1] << " " << output;
+    }
+  }
+}
+
+TEST_F(ZBufferFileTest, GrayFacesOfAll) {
+  bytes_of({"plate.obj", "--zbuffer-save", "plate.zbuf", "--shade", "--dpi", "50"}, "a.png");
+  const std::string added = bytes_of({"stone.obj", "--zbuffer-add", "plate.zbuf", "--shade", "--dpi", "50"}, "a.png");
+  EXPECT_TRUE(added == bytes_of({"plate.obj", "stone.obj", "--method", "zbuffer", "--shade", "--dpi", "50"}, "a.png"));
+}
+
+TEST_F(ZBufferFileTest, OnlyWhatIsNewIsPainted) {
+  bytes_of({"plate.obj", "--zbuffer-save", "plate.zbuf"}, "a.svg");
+  const Outcome outcome = run({"draw", "stone.obj", "--zbuffer-add", "plate.zbuf", "--stats", "-o", "a.svg"});
+  EXPECT_NE(outcome.err.find("that were in the buffer  3\n"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("faces painted                               4\n"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ZBufferFileTest, WhatItWasDrawnWithStays) {
+  bytes_of({"plate.obj", "--zbuffer-save", "plate.zbuf", "--lines", "50"}, "a.svg");
+  const auto added = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"stone.obj", "--zbuffer-add", "plate.zbuf", "-o", "b.svg"});
+    return refusal(options);
+  };
+  const std::string stays = ": stays as it was when plate.zbuf was drawn\n";
+  EXPECT_EQ(added({"--view", "top"}), "ligne: --view" + stays);
+  EXPECT_EQ(added({"--eye", "9,9,9"}), "ligne: --eye" + stays);
+  EXPECT_EQ(added({"--page", "A3"}), "ligne: --page" + stays);
+  EXPECT_EQ(added({"--scale", "1:2"}), "ligne: --scale" + stays);
+  EXPECT_EQ(added({"--lines", "60"}), "ligne: --lines" + stays);
+  EXPECT_EQ(added({"--frames", "3"}), "ligne: --zbuffer-add: is of one view\n");
+  EXPECT_EQ(added({"--method", "appel"}), "ligne: --zbuffer-add: is of --method zbuffer\n");
+  EXPECT_NE(added({"--zbuffer-save", "plate.zbuf"}).find("plate.zbuf is an input too"), std::string::npos);
+  EXPECT_EQ(refusal({"stone.obj", "--zbuffer-add", "plate.obj", "-o", "b.svg"}), "ligne: plate.obj: not a depth buffer\n");
+  EXPECT_FALSE(exists("b.svg"));
+}
+
+TEST_F(ZBufferFileTest, DamagedAndForgedFilesAreReadOrRefused) {
+  bytes_of({"plate.obj", "--zbuffer-save", "plate.zbuf", "--lines", "5"}, "a.svg");
+  const std::string bytes = contents(file("plate.zbuf"));
+  const auto error_of = [&](const std::string& changed) {
+    write("changed.zbuf", changed);
+    return refusal({"stone.obj", "--zbuffer-add", "changed.zbuf", "-o", "b.svg"});
+  };
+  const std::string damaged = "ligne: changed.zbuf: byte 12: the file was changed or cut off since it was written\n";
+  EXPECT_EQ(error_of(bytes.substr(0, bytes.size() / 2)), damaged);
+  EXPECT_EQ(error_of(bytes + "x"), damaged);
+  std::string other = bytes;
+  other[12] = 7;
+  EXPECT_NE(error_of(other).find("a depth buffer of version 7; this program reads version 1"), std::string::npos);
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (const unsigned char flip : {0x01, 0x80, 0xff}) {
+      std::string changed = bytes;
+      changed[i] = static_cast<char>(static_cast<unsigned char>(changed[i]) ^ flip);
+      sign_zbuffer(changed);
+      try {
+        ZBuffer::read(std::as_bytes(std::span(changed)), "forged");
+      } catch (const InputError& error) {
+        ++refused;
+        EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos);
+      }
+    }
+  }
+  EXPECT_GT(refused, bytes.size()) << "a third of the changes at the least";
+  for (std::size_t size = 0; size < bytes.size(); size += 7) {
+    std::string cut = bytes.substr(0, size);
+    sign_zbuffer(cut);
+    EXPECT_THROW(ZBuffer::read(std::as_bytes(std::span(cut)), "cut"), InputError);
+  }
+}
+
+}  // namespace
+}  // namespace ligne::test
