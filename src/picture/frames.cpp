@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "picture/drawn_scene.hpp"
+
 namespace ligne {
 namespace {
 
@@ -65,12 +67,15 @@ void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest&
   }
   std::optional<PdfDocument> document;
   if (as_pages) document.emplace();
+  request.keep = Keep::for_next_view;
   const std::function<void(double)> progress = request.progress;
   for (unsigned i = 0; i < frames.count; ++i) {
     request.view.turn_degrees = frames.turn_degrees * i / frames.count;
     if (progress) request.progress = [&, i](double done) { progress((i + done) / frames.count); };
     RunReport frame;
-    Picture picture = draw_scene(scene, request, frame, {}, topology, document ? &*document : nullptr);
+    const DrawnScene drawn(scene, request, frame, {}, topology);
+    request.earlier = drawn.study().result.kept;
+    Picture picture = drawn.write(frame, document ? &*document : nullptr);
     add(run, frame);
     if (!document) take(std::move(picture));
   }

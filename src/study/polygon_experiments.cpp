@@ -70,12 +70,13 @@ Wrong wrong_pairs(Scene scene) {
     for (const std::uint32_t v : scene.faces.contour(elements[i].face, 0)) depths.push_back(scene.vertices[v].y);
     for (std::size_t k = 0; k < std::size(kKeys); ++k) keys[i][k] = kKeys[k].of(depths);
   }
+  newell::CommonPart work;
   Wrong found;
   for (std::uint32_t a = 0; a < elements.size(); ++a) {
     for (std::uint32_t b = a + 1; b < elements.size(); ++b) {
       const newell::Extents &ea = elements[a].extents, &eb = elements[b].extents;
       if (!ea.overlap(eb, 0) || !ea.overlap(eb, 1) || elements.disjoint(a, b)) continue;
-      const newell::Hiding hiding = elements.hiding(a, b);
+      const newell::Hiding hiding = elements.hiding(a, b, work);
       if (hiding.first == hiding.second) continue;
       ++found.pairs;
       for (std::size_t k = 0; k < std::size(kKeys); ++k)

@@ -76,8 +76,9 @@ class ModelPieces {
   const Point3& point(std::uint32_t corner) const { return points_[corner]; }
   double tolerance() const { return tolerance_; }
   /// The plane of the triangle of which it is a piece.
-  ModelPlane plane_of(std::uint32_t piece) const {
-    const std::uint32_t triangle = pieces_[piece].triangle;
+  ModelPlane plane_of(std::uint32_t piece) const { return plane_of_triangle(pieces_[piece].triangle); }
+  /// Without a normal where the triangle has no area.
+  ModelPlane plane_of_triangle(std::uint32_t triangle) const {
     return {normals_[triangle], points_[triangles_[triangle].v[0]]};
   }
 

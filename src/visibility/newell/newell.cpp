@@ -1,6 +1,10 @@
 #include "visibility/newell/newell.hpp"
 
+#include <cmath>
 #include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "visibility/common/clock.hpp"
 #include "visibility/common/order_numbers.hpp"
@@ -34,10 +38,39 @@ void show_sets(const std::vector<PriorityList::FoundSet>& sets, bool numbers, Vi
   }
 }
 
+/// The list of a view, for one that is similar.
+class KeptList final : public KeptStudy {
+ public:
+  /// `before`: the one that was taken over, or nullptr.
+  KeptList(const PaintElements& elements, const std::vector<std::uint32_t>& farthest_first, const Camera& camera,
+           const KeptList* before)
+      : elements_{{}, elements.pieces()},
+        forward_(camera.forward),
+        first_size_(before ? before->first_size_ : farthest_first.size()) {
+    for (const std::uint32_t e : farthest_first) elements_.list.push_back({elements[e].face, elements[e].parts});
+  }
+
+  /// Adjustable: a list is taken over where the model was turned by no more, and where cuts of many views have not made it
+  /// longer by more than a third than the first was.
+  static constexpr double kMostDegrees = 10, kMostElements = 4.0 / 3;
+  bool serves(const Camera& camera) const {
+    return glm::dot(forward_, camera.forward) >= std::cos(glm::radians(kMostDegrees)) &&
+           static_cast<double>(elements_.list.size()) <= kMostElements * static_cast<double>(first_size_);
+  }
+  const EarlierElements& elements() const { return elements_; }
+
+ private:
+  EarlierElements elements_;
+  Point3 forward_;
+  std::size_t first_size_;  ///< of the list that was not taken over, from which it comes
+};
+
 void report(const ListCounts& counts, Statistics& statistics) {
   statistics.count("zones", counts.zones);
   statistics.count("slabs", counts.slabs);
   statistics.count("lists sorted", counts.lists);
+  statistics.count("compared ahead", counts.ahead);
+  statistics.count("pairs of a convex body, not compared", counts.one_body);
   statistics.count("pairs compared", counts.compared);
   statistics.count("apart in x", counts.apart_in_x);
   statistics.count("apart in y", counts.apart_in_y);
@@ -69,7 +102,9 @@ const MethodTraits& NewellMethod::traits() const {
 
 VisibilityResult NewellMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
   Clock clock;
-  PaintElements elements(scene);
+  const auto* kept = dynamic_cast<const KeptList*>(options.earlier);
+  const bool takes_over = kept && kept->serves(scene.view.camera);
+  PaintElements elements(scene, takes_over ? &kept->elements() : nullptr);
   const double seconds_of_elements = clock.lap();
   const std::size_t faces = elements.size();
   const bool shows = options.settings.find("show").has_value();
@@ -98,9 +133,15 @@ VisibilityResult NewellMethod::study(const ProjectedScene& scene, const StudyOpt
   if (shows && show == Show::zones) show_sets(list.zones(), false, result);
   if (shows && show == Show::slabs) show_sets(list.slabs(), true, result);
   if (options.wanted & kOrder) result.order = std::move(order);
+  if (options.keep == Keep::for_next_view) {
+    result.kept = std::make_shared<KeptList>(elements, farthest_first, scene.view.camera, takes_over ? kept : nullptr);
+  }
   Statistics& statistics = result.statistics;
   statistics.seconds.insert(statistics.seconds.begin(), {{"elements", seconds_of_elements}, {"list", seconds_of_list}});
+  statistics.count("elements of the view before", elements.in_order());
   statistics.count("faces in the list", faces);
+  statistics.count("convex bodies", elements.bodies().count());
+  statistics.count("faces of convex bodies", elements.bodies().faces());
   statistics.count("elements in the end", farthest_first.size());
   report(list.counts(), statistics);
   return result;

@@ -30,6 +30,17 @@ struct Box {
 };
 
 class PageLevels {
+  struct Entry {
+    Box box;
+    std::uint32_t element;
+  };
+
+  /// The first of a cell that reaches farther than z.
+  template <class Cell>
+  static auto first_reached(Cell& cell, float z) {
+    return std::upper_bound(cell.begin(), cell.end(), z, [](float v, const Entry& entry) { return v < entry.box.z1; });
+  }
+
  public:
   /// `page` holds all elements that will be added; about `count` of them. It may be empty (high < low).
   PageLevels(const Extents& page, std::size_t count) : x_(page.low[0]), y_(page.low[1]) {
@@ -62,19 +73,36 @@ class PageLevels {
     const Box box(e);
     for (Level& level : levels_) {
       visit_cells(level, e, [&](std::vector<Entry>& cell) {
-        const auto reaches = [](float z, const Entry& entry) { return z < entry.box.z1; };
-        const auto first = std::upper_bound(cell.begin(), cell.end(), box.z0, reaches);
         const auto forget = [&](const Entry& entry) { return box.meets(entry.box) && !visit(entry.element); };
-        cell.erase(std::remove_if(first, cell.end(), forget), cell.end());
+        cell.erase(std::remove_if(first_reached(cell, box.z0), cell.end(), forget), cell.end());
       });
     }
   }
 
+  /// The same, but nothing is forgotten: several threads may ask at once.
+  template <class Visit>
+  void look(const Extents& e, Visit visit) const {
+    const Box box(e);
+    for (const Level& level : levels_) {
+      visit_cells(level, e, [&](const std::vector<Entry>& cell) {
+        for (auto entry = first_reached(cell, box.z0); entry != cell.end(); ++entry) {
+          if (box.meets(entry->box)) visit(entry->element);
+        }
+      });
+    }
+  }
+
+  /// Forgets the elements for which gone(element) holds.
+  template <class Gone>
+  void forget(Gone gone) {
+    for (Level& level : levels_) {
+      for (std::vector<Entry>& cell : level.cells) {
+        std::erase_if(cell, [&](const Entry& entry) { return gone(entry.element); });
+      }
+    }
+  }
+
  private:
-  struct Entry {
-    Box box;
-    std::uint32_t element;
-  };
   struct Level {
     double size;
     int columns, rows;
@@ -83,8 +111,8 @@ class PageLevels {
 
   static bool reaches_less_far(const Entry& a, const Entry& b) { return a.box.z1 < b.box.z1; }
 
-  template <class Visit>
-  void visit_cells(Level& level, const Extents& e, Visit visit) {
+  template <class AnyLevel, class Visit>
+  void visit_cells(AnyLevel& level, const Extents& e, Visit visit) const {
     const auto place = [&](double v, double origin, int n) {
       return std::clamp(static_cast<int>((v - origin) / level.size), 0, n - 1);
     };

@@ -34,29 +34,66 @@ void Extents::extend(const Extents& o) {
   }
 }
 
-PaintElements::PaintElements(const ProjectedScene& scene)
+void CommonPart::clip_by_side(Point2 from, Point2 to) {
+  spare.clear();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point2 a = corners[i], b = corners[i + 1 == corners.size() ? 0 : i + 1];
+    const double inside_a = cross(to - from, a - from), inside_b = cross(to - from, b - from);
+    if (inside_a >= 0) spare.push_back(a);
+    if ((inside_a >= 0) != (inside_b >= 0)) spare.push_back(a + (b - a) * (inside_a / (inside_a - inside_b)));
+  }
+  corners.swap(spare);
+}
+
+PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements* earlier)
     : view_(scene.view),
       scene_(scene),
-      pieces_(*scene.model),
+      pieces_(earlier ? earlier->pieces : ModelPieces(*scene.model)),
+      bodies_(*scene.model, pieces_, viewpoint_of(scene.view.camera)),
       volume_(face_volume(scene.view, scene.lattice)),
-      margin_mm_(scene.lattice.step_mm) {
-  const Viewpoint viewpoint = viewpoint_of(scene.view.camera);
-  const std::vector<std::uint8_t> shown = shown_faces(scene);
-  const PagePlanes page_planes(scene.view);
-  std::uint32_t last_face = kNone;
-  for (std::uint32_t piece = 0; piece < pieces_.pieces().size(); ++piece) {
-    const std::uint32_t face = pieces_.face(piece);
-    const Extents extents = project(piece);
-    if (!shown[face] || extents.low[0] > extents.high[0]) continue;
-    if (face != last_face) {
-      ModelPlane plane = pieces_.plane_of(piece);
-      if (!viewpoint.in_front_of(plane)) plane.normal = -plane.normal;
-      elements_.push_back({face, {}, {}, plane, page_planes(plane)});
-      last_face = face;
+      margin_mm_(scene.lattice.step_mm),
+      viewpoint_(viewpoint_of(scene.view.camera)),
+      page_planes_(scene.view),
+      shown_(shown_faces(scene)) {
+  const auto count = static_cast<std::uint32_t>(pieces_.pieces().size());
+  std::vector<std::uint8_t> added(count, 0);
+  if (earlier) {
+    for (const EarlierElements::Part& part : earlier->list) {
+      add(part.face, part.pieces);
+      for (const std::uint32_t piece : part.pieces) added[piece] = 1;
     }
-    elements_.back().parts.push_back(piece);
-    elements_.back().extents.extend(extents);
+    in_order_ = elements_.size();
   }
+  // Those of a face that was cut need not lie together.
+  std::vector<std::uint32_t> others, parts;
+  for (std::uint32_t piece = 0; piece < count; ++piece) {
+    if (!added[piece]) others.push_back(piece);
+  }
+  std::stable_sort(others.begin(), others.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return pieces_.face(a) < pieces_.face(b); });
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    parts.push_back(others[i]);
+    if (i + 1 < others.size() && pieces_.face(others[i + 1]) == pieces_.face(others[i])) continue;
+    add(pieces_.face(others[i]), parts);
+    parts.clear();
+  }
+}
+
+/// An element of these pieces of a face, so far as they are in view.
+void PaintElements::add(std::uint32_t face, std::span<const std::uint32_t> parts) {
+  if (!shown_[face]) return;
+  Element element{face, {}, {}, pieces_.plane_of(parts[0]), {}};
+  for (const std::uint32_t piece : parts) {
+    const Extents extents = project(piece);
+    if (extents.low[0] > extents.high[0]) continue;
+    if (element.parts.empty()) element.plane = pieces_.plane_of(piece);
+    element.parts.push_back(piece);
+    element.extents.extend(extents);
+  }
+  if (element.parts.empty()) return;
+  if (!viewpoint_.in_front_of(element.plane)) element.plane.normal = -element.plane.normal;
+  element.page_plane = page_planes_(element.plane);
+  elements_.push_back(std::move(element));
 }
 
 /// Puts what is seen of the piece into its contour.
@@ -111,7 +148,7 @@ bool PaintElements::disjoint(std::uint32_t a, std::uint32_t b) const {
   return true;
 }
 
-Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b) const {
+Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b, CommonPart& work) const {
   const std::array<double, 3>&p = elements_[a].page_plane, &q = elements_[b].page_plane;
   const std::array<double, 3> d{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
   const double slope = std::min(std::abs(p[0]) + std::abs(p[1]), std::abs(q[0]) + std::abs(q[1]));
@@ -120,10 +157,10 @@ Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b) const {
     for (const std::uint32_t k : elements_[b].parts) {
       const Extents &e = piece_extents_[i], &f = piece_extents_[k];
       if (!e.overlap(f, 0) || !e.overlap(f, 1) || disjoint_pieces(contour(i), contour(k))) continue;
-      common_.assign(contour(i).begin(), contour(i).end());
+      work.corners.assign(contour(i).begin(), contour(i).end());
       const auto clip = contour(k);
-      for (std::size_t s = 0; s < clip.size(); ++s) clip_by_side(clip[s], clip[s + 1 == clip.size() ? 0 : s + 1]);
-      for (const Point2 c : common_) {
+      for (std::size_t s = 0; s < clip.size(); ++s) work.clip_by_side(clip[s], clip[s + 1 == clip.size() ? 0 : s + 1]);
+      for (const Point2 c : work.corners) {
         const double difference = d[0] * c.x + d[1] * c.y + d[2];
         const double sizes = std::abs(p[0] * c.x) + std::abs(p[1] * c.y) + std::abs(p[2]) + std::abs(q[0] * c.x) +
                              std::abs(q[1] * c.y) + std::abs(q[2]);
@@ -136,18 +173,6 @@ Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b) const {
     }
   }
   return result;
-}
-
-/// Leaves of common_ what is inside the side of a positively turned contour.
-void PaintElements::clip_by_side(Point2 from, Point2 to) const {
-  spare_.clear();
-  for (std::size_t i = 0; i < common_.size(); ++i) {
-    const Point2 a = common_[i], b = common_[i + 1 == common_.size() ? 0 : i + 1];
-    const double inside_a = cross(to - from, a - from), inside_b = cross(to - from, b - from);
-    if (inside_a >= 0) spare_.push_back(a);
-    if ((inside_a >= 0) != (inside_b >= 0)) spare_.push_back(a + (b - a) * (inside_a / (inside_a - inside_b)));
-  }
-  common_.swap(spare_);
 }
 
 /// Sets of parts that hang together by sides.

@@ -10,6 +10,8 @@
 #include "view/clip.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/common/model_pieces.hpp"
+#include "visibility/common/paint_pieces.hpp"
+#include "visibility/newell/convex_bodies.hpp"
 
 namespace ligne::newell {
 
@@ -37,15 +39,43 @@ struct Hiding {
   bool first = false, second = false;  ///< somewhere it is in front of the other
 };
 
+/// Elements for another view: faces and their pieces, the farthest first, and all pieces of the scene.
+struct EarlierElements {
+  struct Part {
+    std::uint32_t face = 0;
+    std::vector<std::uint32_t> pieces;
+  };
+  std::vector<Part> list;
+  ModelPieces pieces;
+};
+
+/// Working memory of a comparison: the common part of two projections.
+struct CommonPart {
+  std::vector<Point2> corners, spare;
+
+  /// Leaves what is inside the side of a positively turned contour.
+  void clip_by_side(Point2 from, Point2 to);
+};
+
 /// All elements that there ever were, by number: one that is cut keeps its number and is no longer used.
 class PaintElements {
  public:
-  /// The faces that the projected scene shows.
-  explicit PaintElements(const ProjectedScene& scene);
+  /// The faces that the projected scene shows. With those of an earlier view they begin with the pieces of its list, in its
+  /// order; what that did not show comes behind.
+  explicit PaintElements(const ProjectedScene& scene, const EarlierElements* earlier = nullptr);
+  std::size_t in_order() const { return in_order_; }  ///< so many come from the earlier list
 
   std::size_t size() const { return elements_.size(); }
   const Element& operator[](std::uint32_t i) const { return elements_[i]; }
   const ModelPieces& pieces() const { return pieces_; }
+
+  const ConvexBodies& bodies() const { return bodies_; }
+  /// That the first does not hide the second is known without a comparison: they are of one face, whose pieces lie in one
+  /// plane, or of one convex body.
+  bool never_hides(std::uint32_t a, std::uint32_t b) const {
+    const std::uint32_t f = elements_[a].face, g = elements_[b].face;
+    return f == g || bodies_.never_hides(f, g);
+  }
 
   /// On which side of the plane of `of` the element lies: front is the viewer's.
   PlaneSide side(std::uint32_t element, std::uint32_t of) const;
@@ -57,7 +87,7 @@ class PaintElements {
   /// Which of two elements that are not disjoint is in front, over all that their projections have in common. What differs
   /// less in depth than the error of the input explains touches. That is less than the depth tolerance within which a facet
   /// hides no line, which has room for the lattice too: so the order never leaves out what hides.
-  Hiding hiding(std::uint32_t a, std::uint32_t b) const;
+  Hiding hiding(std::uint32_t a, std::uint32_t b, CommonPart& work) const;
 
   /// Cuts the element by a plane into connected elements, whose numbers are returned: none when nothing was cut. An element
   /// of c corners falls into c / 2 + 1 at the most, into two when it is convex.
@@ -67,24 +97,28 @@ class PaintElements {
   ModelPlane halving_plane(std::uint32_t element) const;
 
  private:
+  void add(std::uint32_t face, std::span<const std::uint32_t> parts);
   Extents project(std::uint32_t piece);
   std::vector<std::vector<std::uint32_t>> connected(const std::vector<std::uint32_t>& parts) const;
   std::span<const Point2> contour(std::uint32_t piece) const {
     return std::span(points_).subspan(contours_[piece][0], contours_[piece][1] - contours_[piece][0]);
   }
-  void clip_by_side(Point2 from, Point2 to) const;
   bool disjoint_pieces(std::span<const Point2> a, std::span<const Point2> b) const;
 
   const View& view_;
   const ProjectedScene& scene_;
   ModelPieces pieces_;
+  ConvexBodies bodies_;
   ClipVolume volume_;
   double margin_mm_;
+  Viewpoint viewpoint_;
+  PagePlanes page_planes_;
+  std::vector<std::uint8_t> shown_;
   std::vector<Element> elements_;
+  std::size_t in_order_ = 0;
   std::vector<Extents> piece_extents_;
   std::vector<std::array<std::size_t, 2>> contours_;  ///< per piece: of points_
   std::vector<Point2> points_;                        ///< page mm, positively turned
-  mutable std::vector<Point2> common_, spare_;        ///< while depths are compared
   std::vector<HomogeneousPoint> corners_;             ///< while a piece is projected
 };
 

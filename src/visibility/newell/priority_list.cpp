@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/parallel.hpp"
 #include "geometry/stop.hpp"
 
 // [Boulle1980] 2.5.2.4. P, the head of the list, is compared with those that reach farther than it begins. If it may hide
 // none of them it is done: it is painted. If it may hide Q, Q is marked and becomes the head. Where Q was marked before
 // there is no order, or may be none; and where either may hide the other there is none: one of the two is cut.
+//
+// What is found of a pair does not depend on the list. So the elements that will be the head soon are compared with their
+// sets ahead, by all threads, up to the first that each may hide; what the list has lost meanwhile was compared for nothing.
 //
 // It ends. Marks stay, so between two cuts an element is moved once at the most. A cut by the plane of a face leaves pieces
 // that the same plane does not cut again, so each face is cut by the plane of each other one into finitely many pieces; and
@@ -25,14 +29,46 @@ Extents extents_of_all(const PaintElements& elements) {
 
 }  // namespace
 
+void ListCounts::add(const ListCounts& o) {
+  one_body += o.one_body;
+  compared += o.compared;
+  apart_in_x += o.apart_in_x;
+  apart_in_y += o.apart_in_y;
+  behind_plane += o.behind_plane;
+  before_plane += o.before_plane;
+  projections += o.projections;
+  disjoint += o.disjoint;
+  depths += o.depths;
+  farther += o.farther;
+}
+
 PriorityList::PriorityList(PaintElements& elements, bool keep_sets)
     : elements_(elements), levels_(extents_of_all(elements), elements.size()), keep_sets_(keep_sets) {
-  for (std::uint32_t i = 0; i < elements.size(); ++i) farthest_.push_back(elements[i].extents.high[2]);
+  for (std::uint32_t i = 0; i < elements.size(); ++i) note(i);
   Set by_depth(elements.size());
   std::iota(by_depth.begin(), by_depth.end(), 0u);
   std::stable_sort(by_depth.begin(), by_depth.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return farthest(a) < farthest(b); });
   for (const std::uint32_t i : by_depth) levels_.add(i, elements[i].extents);
+  rank_elements();
+}
+
+void PriorityList::rank_elements() {
+  const auto n = static_cast<std::uint32_t>(elements_.size()), in_order = static_cast<std::uint32_t>(elements_.in_order());
+  const auto reaches_farther = [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(-farthest(a), a) < std::pair(-farthest(b), b);
+  };
+  Set others(n - in_order);
+  std::iota(others.begin(), others.end(), in_order);
+  std::sort(others.begin(), others.end(), reaches_farther);
+  rank_.resize(n);
+  std::uint32_t rank = 0;
+  auto other = others.begin();
+  for (std::uint32_t i = 0; i < in_order; ++i) {
+    for (; other != others.end() && reaches_farther(*other, i); ++other) rank_[*other] = rank++;
+    rank_[i] = rank++;
+  }
+  for (; other != others.end(); ++other) rank_[*other] = rank++;
 }
 
 std::vector<std::uint32_t> PriorityList::sort() {
@@ -91,11 +127,11 @@ void PriorityList::keep(const std::vector<Set>& parts, bool slabs) {
 void PriorityList::sort_list(const Set& set) {
   ++counts_.lists;
   sorted_ = set;
-  std::sort(sorted_.begin(), sorted_.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return std::pair(-farthest(a), a) < std::pair(-farthest(b), b); });
-  first_ = 0;
+  std::sort(sorted_.begin(), sorted_.end(), [&](std::uint32_t a, std::uint32_t b) { return rank_[a] < rank_[b]; });
+  first_ = ahead_end_ = 0;
   for (std::uint32_t p = head(); p != kNone; p = head()) {
     check_stop();
+    if (moved_.empty() && first_ >= ahead_end_ && first_ < sorted_.size()) look_ahead();
     if (!settle(p)) continue;
     remove(p);
     output(p);
@@ -125,7 +161,7 @@ void PriorityList::remove(std::uint32_t element) {
 
 void PriorityList::insert(std::uint32_t element) {
   state_.resize(elements_.size(), State::waiting);
-  for (std::size_t i = farthest_.size(); i < elements_.size(); ++i) farthest_.push_back(elements_[i].extents.high[2]);
+  for (auto i = static_cast<std::uint32_t>(farthest_.size()); i < elements_.size(); ++i) note(i);
   inserted_.emplace(-farthest(element), element);
   levels_.add(element, elements_[element].extents);
 }
@@ -137,29 +173,63 @@ PriorityList::Comparison& PriorityList::comparison_of(std::uint32_t p) {
   if (!is_new) return result;
   result.known = static_cast<std::uint32_t>(elements_.size());
   seen_.resize(elements_.size(), 0);
-  found_.clear();
   levels_.visit(elements_[p].extents, [&](std::uint32_t q) {
     if (state_[q] == State::gone) return false;
-    if (seen_[q] != p + 1 && q != p) found_.emplace_back(-farthest(q), q);
+    if (seen_[q] != p + 1 && q != p) result.others.push_back(q);
     seen_[q] = p + 1;
     return true;
   });
-  std::sort(found_.begin(), found_.end());
-  result.others.reserve(found_.size());
-  for (const auto& [depth, q] : found_) result.others.push_back(q);
+  return result;
+}
+
+/// Compares the next elements of the list with their sets.
+void PriorityList::look_ahead() {
+  constexpr std::size_t kAhead = 16'384, kTask = 64;  // adjustable
+  levels_.forget([&](std::uint32_t e) { return state_[e] == State::gone; });
+  Set next;
+  for (ahead_end_ = first_; ahead_end_ < sorted_.size() && next.size() < kAhead; ++ahead_end_) {
+    const std::uint32_t e = sorted_[ahead_end_];
+    if (state_[e] == State::waiting && !comparisons_.contains(e)) next.push_back(e);
+  }
+  std::vector<Comparison> compared(next.size());
+  std::vector<AheadWork> works(thread_count());
+  parallel_tasks(block_count(next.size(), kTask), [&](std::size_t task) {
+    AheadWork& work = works[thread_index()];
+    work.seen.resize(elements_.size(), 0);
+    for (std::size_t i = task * kTask; i < std::min(next.size(), (task + 1) * kTask); ++i) {
+      compared[i] = compared_ahead(next[i], work);
+    }
+  });
+  for (const AheadWork& work : works) counts_.add(work.counts);  // sums of whole numbers, whichever thread counted
+  counts_.ahead += next.size();
+  for (std::size_t i = 0; i < next.size(); ++i) comparisons_.emplace(next[i], std::move(compared[i]));
+}
+
+/// The comparison of an element with what stands behind it in the list, up to the first that it may hide.
+PriorityList::Comparison PriorityList::compared_ahead(std::uint32_t p, AheadWork& work) const {
+  Comparison result;
+  result.known = static_cast<std::uint32_t>(elements_.size());
+  levels_.look(elements_[p].extents, [&](std::uint32_t q) {
+    if (work.seen[q] == p + 1 || q == p || state_[q] == State::gone) return;
+    work.seen[q] = p + 1;
+    (q < rank_.size() && rank_[q] < rank_[p] ? result.before : result.others).push_back(q);
+  });
+  while (!result.others.empty() && !may_hide(p, result.others.back(), work.counts, work.common)) result.others.pop_back();
   return result;
 }
 
 /// Compares the head of the list with its set Q_p. False when the list has changed.
 bool PriorityList::settle(std::uint32_t p) {
   Comparison& comparison = comparison_of(p);
-  for (; comparison.next < comparison.others.size(); ++comparison.next) {
-    const std::uint32_t q = comparison.others[comparison.next];
-    if (state_[q] != State::gone && !resolve(p, q)) return false;
+  for (Set* const set : {&comparison.others, &comparison.before}) {
+    for (; !set->empty(); set->pop_back()) {
+      const std::uint32_t q = set->back();
+      if (state_[q] != State::gone && !resolve(p, q)) return false;
+    }
   }
   for (; comparison.known < elements_.size(); ++comparison.known) {
     const std::uint32_t q = comparison.known;
-    const bool in_set = q != p && state_[q] != State::gone && Box(elements_[p].extents).meets(elements_[q].extents);
+    const bool in_set = q != p && state_[q] != State::gone && boxes_[p].meets(boxes_[q]);
     if (in_set && !resolve(p, q)) return false;
   }
   return true;
@@ -167,8 +237,7 @@ bool PriorityList::settle(std::uint32_t p) {
 
 /// True when P does not hide Q. Otherwise the list is changed so that this pair does not come again.
 bool PriorityList::resolve(std::uint32_t p, std::uint32_t q) {
-  // Pieces of one face lie in one plane.
-  if (elements_[p].face == elements_[q].face || !may_hide(p, q)) return true;
+  if (!may_hide(p, q)) return true;
   if (state_[q] != State::marked) {
     if (may_hide(q, p)) return !replace(p, elements_[q].plane, counts_.plane_cuts);
     inserted_.erase({-farthest(q), q});
@@ -196,26 +265,30 @@ bool PriorityList::replace(std::uint32_t element, const ModelPlane& plane, std::
 }
 
 /// Tests of rising cost, each of which may show that P does not hide Q.
-bool PriorityList::may_hide(std::uint32_t p, std::uint32_t q) {
-  ++counts_.compared;
+bool PriorityList::may_hide(std::uint32_t p, std::uint32_t q, ListCounts& counts, CommonPart& work) const {
+  if (elements_.never_hides(p, q)) {
+    if (elements_[p].face != elements_[q].face) ++counts.one_body;
+    return false;
+  }
+  ++counts.compared;
   const Extents &e = elements_[p].extents, &f = elements_[q].extents;
   if (!e.overlap(f, 0)) {
-    ++counts_.apart_in_x;
+    ++counts.apart_in_x;
   } else if (!e.overlap(f, 1)) {
-    ++counts_.apart_in_y;
+    ++counts.apart_in_y;
   } else if (const PlaneSide s = elements_.side(p, q); s == PlaneSide::back || s == PlaneSide::on) {
-    ++counts_.behind_plane;
+    ++counts.behind_plane;
   } else if (const PlaneSide t = elements_.side(q, p); t == PlaneSide::front || t == PlaneSide::on) {
-    ++counts_.before_plane;
+    ++counts.before_plane;
   } else {
-    ++counts_.projections;
+    ++counts.projections;
     if (elements_.disjoint(p, q)) {
-      ++counts_.disjoint;
+      ++counts.disjoint;
       return false;
     }
-    ++counts_.depths;
-    if (elements_.hiding(p, q).first) return true;
-    ++counts_.farther;
+    ++counts.depths;
+    if (elements_.hiding(p, q, work).first) return true;
+    ++counts.farther;
   }
   return false;
 }

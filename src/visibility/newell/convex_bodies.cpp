@@ -1,0 +1,79 @@
+#include "visibility/newell/convex_bodies.hpp"
+
+#include <algorithm>
+
+#include "geometry/disjoint_sets.hpp"
+
+namespace ligne::newell {
+namespace {
+
+/// Adjustable: of larger sets it is not asked whether they are convex, since that takes the square of their size.
+constexpr std::size_t kMostHeights = std::size_t{1} << 22;
+
+}  // namespace
+
+ConvexBodies::ConvexBodies(const Scene& scene, const ModelPieces& pieces, const Viewpoint& viewpoint)
+    : body_(scene.faces.size(), kNone), is_front_(scene.faces.size(), 0) {
+  DisjointSets sets(scene.vertices.size());
+  for (const Triangle& t : pieces.triangles()) {
+    sets.join(t.v[0], t.v[1]);
+    sets.join(t.v[0], t.v[2]);
+  }
+  // Triangles by their sets; in a set as they come.
+  const std::vector<Triangle>& triangles = pieces.triangles();
+  const auto root = [&](std::uint32_t t) { return sets.find(triangles[t].v[0]); };
+  std::vector<std::uint32_t> next(scene.vertices.size() + 1, 0);
+  const auto n = static_cast<std::uint32_t>(triangles.size());
+  for (std::uint32_t t = 0; t < n; ++t) ++next[root(t) + 1];
+  for (std::size_t v = 1; v < next.size(); ++v) next[v] += next[v - 1];
+  std::vector<std::uint32_t> sorted(n);
+  for (std::uint32_t t = 0; t < n; ++t) sorted[next[root(t)]++] = t;
+  std::vector<std::uint32_t> shell;
+  for (std::uint32_t begin = 0; begin < n;) {
+    std::uint32_t end = begin + 1;
+    while (end < n && root(sorted[end]) == root(sorted[begin])) ++end;
+    shell.assign(sorted.begin() + begin, sorted.begin() + end);
+    begin = end;
+    const bool one_face = std::all_of(shell.begin(), shell.end(),
+                                      [&](std::uint32_t t) { return triangles[t].face == triangles[shell[0]].face; });
+    if (one_face || !lies_on_one_side(shell, pieces, viewpoint)) continue;
+    for (const std::uint32_t t : shell) {
+      if (body_[triangles[t].face] == kNone) ++faces_;
+      body_[triangles[t].face] = count_;
+    }
+    ++count_;
+  }
+}
+
+/// Whether all of the set lies on one side of each of its planes; sets is_front_. A face that is not planar may have
+/// triangles of which the viewer sees different sides: then nothing is known of the set.
+bool ConvexBodies::lies_on_one_side(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces,
+                                    const Viewpoint& viewpoint) {
+  vertices_.clear();
+  for (const std::uint32_t t : shell) {
+    for (const std::uint32_t v : pieces.triangles()[t].v) vertices_.push_back(v);
+  }
+  std::sort(vertices_.begin(), vertices_.end());
+  vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  if (vertices_.size() * shell.size() > kMostHeights) return false;
+  std::uint32_t last = kNone;
+  for (const std::uint32_t t : shell) {
+    const ModelPlane plane = pieces.plane_of_triangle(t);
+    if (plane.normal == Point3(0)) continue;
+    bool before = false, behind = false;
+    for (const std::uint32_t v : vertices_) {
+      const double height = plane.height(pieces.point(v));
+      before |= height > pieces.tolerance();
+      behind |= height < -pieces.tolerance();
+      if (before && behind) return false;
+    }
+    const bool is_front = viewpoint.in_front_of(plane) != before;
+    const std::uint32_t face = pieces.triangles()[t].face;
+    if (face == last && is_front_[face] != is_front) return false;
+    is_front_[face] = is_front;
+    last = face;
+  }
+  return true;
+}
+
+}  // namespace ligne::newell
