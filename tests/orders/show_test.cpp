@@ -71,6 +71,18 @@ TEST(Show, PlanesOfATreeAreClosedLines) {
   const VisibilityResult result = shown(studies::ring(5), "bsp", "tree");
   EXPECT_GE(result.debug.size(), 5u);
   for (const auto& line : result.debug) EXPECT_EQ(line.front(), line.back());
+  ASSERT_EQ(result.debug_numbers.size(), result.debug.size());
+  EXPECT_EQ(result.debug_numbers[0].number, 1u) << "the root";
+  for (std::size_t i = 0; i < result.debug.size(); ++i) {
+    if (i > 0) {
+      EXPECT_LT(result.debug_numbers[i - 1].number, result.debug_numbers[i].number);
+    }
+    Rect extent;
+    for (const Point2 p : result.debug[i]) extent.extend(p);
+    const Point2 middle = result.debug_numbers[i].middle;
+    EXPECT_TRUE(extent.min.x <= middle.x && middle.x <= extent.max.x && extent.min.y <= middle.y &&
+                middle.y <= extent.max.y);
+  }
   Scene cube;
   add_box(cube, {0, 0, 0}, {2, 2, 2});
   EXPECT_TRUE(shown(cube, "convex-tree", "tree").debug.empty()) << "a convex body needs no plane";

@@ -56,13 +56,15 @@ Polygon section(const ModelPlane& plane, const Box& box) {
 
 }  // namespace
 
-std::vector<std::vector<Point2>> partition_lines(const ProjectedScene& scene, std::span<const PartitionNode> nodes) {
-  std::vector<std::vector<Point2>> lines;
+PartitionLines partition_lines(const ProjectedScene& scene, std::span<const PartitionNode> nodes) {
+  PartitionLines lines;
+  std::uint32_t number = 0;
   if (scene.model->vertices.empty()) return lines;
   const Box box = box_of(*scene.model);
   const ClipVolume volume = face_volume(scene.view, scene.lattice);
   for (const PartitionNode& node : nodes) {
     if (!node.divides) continue;
+    ++number;
     Polygon polygon = section(node.plane, box);
     const PartitionNode* below = &node;
     while (below->parent != kNone && polygon.size() >= 3) {
@@ -74,8 +76,10 @@ std::vector<std::vector<Point2>> partition_lines(const ProjectedScene& scene, st
     for (const Point3& p : polygon) corners.push_back(to_homogeneous(scene.view, p));
     clip_contour(corners, volume);
     if (corners.size() < 3) continue;
-    std::vector<Point2>& line = lines.emplace_back();
-    for (const HomogeneousPoint& p : corners) line.emplace_back(p.x / p.w, p.y / p.w);
+    std::vector<Point2>& line = lines.outlines.emplace_back();
+    Point2 sum{0, 0};
+    for (const HomogeneousPoint& p : corners) sum += line.emplace_back(p.x / p.w, p.y / p.w);
+    lines.numbers.push_back({sum / static_cast<double>(line.size()), number});
     line.push_back(line.front());
   }
   return lines;

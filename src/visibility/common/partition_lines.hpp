@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "drawing/result_models.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/common/model_pieces.hpp"
 
@@ -18,8 +19,14 @@ struct PartitionNode {
   bool in_front = false;  ///< in front of its parent's plane
 };
 
+/// Planes of a tree on the page.
+struct PartitionLines {
+  std::vector<std::vector<Point2>> outlines;  ///< closed, page mm; those seen edge on are lines there and back
+  std::vector<PageNumber> numbers;            ///< in the middle of each outline: of its node among those that divide, from 1
+};
+
 /// Per dividing node the part of its plane that divides: inside the box round the scene, and on its own side of the planes
-/// of the nodes above it. Closed outlines in page mm; those seen edge on are lines there and back.
-std::vector<std::vector<Point2>> partition_lines(const ProjectedScene& scene, std::span<const PartitionNode> nodes);
+/// of the nodes above it. Parents have lower numbers.
+PartitionLines partition_lines(const ProjectedScene& scene, std::span<const PartitionNode> nodes);
 
 }  // namespace ligne

@@ -74,13 +74,18 @@ VisibilityResult study_tree(const Tree& tree, const ProjectedScene& scene, const
   for (auto piece = front_to_back.rbegin(); piece != front_to_back.rend(); ++piece) pieces.add(*piece, order);
   std::vector<std::vector<Point2>> shown;
   if (shows && show == TreeShow::splits) shown = pieces.outlines_of_cut();
-  if (shows && show == TreeShow::tree) shown = partition_lines(scene, tree.partition());
+  PartitionLines planes;
+  if (shows && show == TreeShow::tree) planes = partition_lines(scene, tree.partition());
   const double seconds = clock.lap();
 
   VisibilityResult result = study_edges(scene, options, &ranks);
   if (shows && show == TreeShow::order) result.debug_numbers = order_numbers(order);
   if (options.wanted & kOrder) result.order = std::move(order);
   result.debug = std::move(shown);
+  if (shows && show == TreeShow::tree) {
+    result.debug = std::move(planes.outlines);
+    result.debug_numbers = std::move(planes.numbers);
+  }
   auto& times = result.statistics.seconds;
   times.insert(times.begin(), {"order", seconds});
   return result;
