@@ -100,21 +100,50 @@ TEST(Newell, Figure281d) {
   EXPECT_EQ(s.faces.front(), s.faces.back());
 }
 
-// Figure 2.81 e, and larger rings: bar i begins before the end of bar i - 1 and ends behind the begin of bar i + 1. No bar
-// is penetrated. Somewhere one has to be cut; where the plane of one passes through another one, that is cut along it,
-// though it does not always break the ring. A convex face of c = 4 corners falls into no more than c / 2 + 1 pieces.
+/// The ring, turned on the page: no two bars are equally wide and high.
+Scene turned_ring(int n) {
+  Scene scene = ring(n);
+  const double c = std::cos(0.1), s = std::sin(0.1);
+  for (Point3& p : scene.vertices) p = {c * p.x + s * p.z, p.y, c * p.z - s * p.x};
+  return scene;
+}
+
+// Figure 2.81 e, and larger rings. All bars are from depth 0 to 4, so the list begins with bar 0; the begin of bar i is
+// before the end of bar i - 1, and no bar is penetrated.
+//
+// By hand: the head, 0, hides n - 1, which is moved to the head; this hides n - 2, and so on, until 1 hides 0, which is
+// moved too. After these n moves 0 hides n - 1, which is marked, and one is cut.
+// 3: the plane of 0 passes through 2, which is cut. Its end, behind 0, is moved to the head.
+// 4: bars at right angles. The plane of a bar passes through the one before it where that lies before the next one, and
+//    both halves hide that. So 3, 2, 1 and 0 are halved, one after the other; the farther half of each is moved to the head,
+//    and that of 0 still hides that of 3. It is cut by its plane, and its end is moved. What is left are the nearer halves,
+//    none of which hides another: they reach equally far, and their order is by chance.
+// 5, 6: the planes pass between the neighbours. The larger of 0 and n - 1, 0, is halved, and its end is moved to the head.
 TEST(Newell, Figure281eRings) {
-  for (int n = 3; n <= 6; ++n) {
-    SCOPED_TRACE(n);
-    const Sorted s = sorted(ring(n));
-    const std::uint64_t cuts = s.counts.plane_cuts + s.counts.page_cuts;
-    EXPECT_GE(cuts, 1u);
-    EXPECT_EQ(s.faces.size(), static_cast<std::size_t>(n) + cuts);
-    for (std::uint32_t f = 0; f < static_cast<std::uint32_t>(n); ++f) {
-      EXPECT_LE(std::count(s.faces.begin(), s.faces.end(), f), 3) << "bar " << f;
-    }
-    // 2.5.2.7: n studies of n - 1 comparisons find the ring. Pairs that do not overlap on the page are not compared here.
-    EXPECT_LE(s.counts.compared, (cuts + 1) * static_cast<std::uint64_t>(2 * n * (n - 1)));
+  struct Expected {
+    std::uint32_t n;
+    Order in_order, in_any_order;
+    std::uint64_t plane_cuts, page_cuts, moved, compared;
+  };
+  // 2.5.2.7 finds a ring by n studies of n - 1 comparisons, and n(n - 1) is enough for all of a ring that one cut breaks
+  // apart on the page. It leaves out that each move asks whether Q hides P too, and the studies after a cut: so more are
+  // needed for the others, no more than are given here, which are counts and not worked out.
+  // Of its c / 2 + 1 pieces of a face with c corners it says that they are of one cut, and two where the face is convex:
+  // each cut adds one element. Bar 0 of four is the only one cut twice.
+  for (const Expected& e :
+       {Expected{3, {2, 0, 1, 2}, {}, 1, 0, 4, 14}, Expected{4, {0, 1, 2, 3, 0}, {0, 1, 2, 3}, 5, 0, 9, 45},
+        Expected{5, {0, 1, 2, 3, 4, 0}, {}, 0, 1, 6, 5 * 4}, Expected{6, {0, 1, 2, 3, 4, 5, 0}, {}, 0, 1, 7, 6 * 5}}) {
+    SCOPED_TRACE(e.n);
+    const Sorted s = sorted(turned_ring(static_cast<int>(e.n)));
+    ASSERT_EQ(s.faces.size(), e.in_order.size() + e.in_any_order.size());
+    const auto end = s.faces.begin() + static_cast<std::ptrdiff_t>(e.in_order.size());
+    EXPECT_EQ(Order(s.faces.begin(), end), e.in_order);
+    EXPECT_TRUE(std::is_permutation(end, s.faces.end(), e.in_any_order.begin(), e.in_any_order.end()));
+    EXPECT_EQ(s.faces.size(), e.n + e.plane_cuts + e.page_cuts) << "of a convex face a cut makes two";
+    EXPECT_EQ(s.counts.plane_cuts, e.plane_cuts);
+    EXPECT_EQ(s.counts.page_cuts, e.page_cuts);
+    EXPECT_EQ(s.counts.moved, e.moved);
+    EXPECT_LE(s.counts.compared, e.compared);
   }
 }
 
@@ -128,22 +157,84 @@ TEST(Newell, Figure283NothingIsCompared) {
   EXPECT_EQ(s.faces, farthest_first);
 }
 
-// Figure 2.85: a face of r corners that a straight cut divides into the most pieces: r / 2 + 1 at most. A comb of t teeth
-// has 4 t corners; a cut through the teeth leaves its back and t points: t + 1 <= r / 2 + 1.
+/// A face of r corners which lie above and below z = 0 by turns, from x0 on, in the plane through y = 5 at z = 0 that leans
+/// by `lean`: a straight line passes through all its sides.
+void add_zigzag(Scene& scene, int r, double x0, double lean) {
+  std::vector<Point3> corners;
+  const auto add = [&](int i, double raise) {
+    const double z = (i % 2 == 0 ? 3 : -3) + raise;
+    corners.push_back({x0 + i, 5 + lean * z, z});
+  };
+  for (int i = 0; i < r / 2; ++i) add(i, 0);
+  for (int i = r / 2; i >= 1; --i) add(i, 0.5);
+  add_face(scene, {corners});
+}
+
+// Figure 2.85: a straight cut divides a face of r corners into r / 2 + 1 pieces at most: where it passes through all of its
+// sides. A comb of t teeth has 4 t corners; a cut through the teeth leaves its back and t points.
 TEST(Newell, Figure285PiecesOfACut) {
+  const auto pieces = [](const Scene& scene, const ModelPlane& plane) {
+    const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
+    PaintElements elements(picture.projected);
+    return elements.cut(0, plane).size();
+  };
+  for (int r = 4; r <= 16; r += 2) {
+    SCOPED_TRACE(r);
+    Scene scene;
+    add_zigzag(scene, r, 0, 1);
+    EXPECT_EQ(pieces(scene, {{0, 0, 1}, {0, 5, 0}}), static_cast<std::size_t>(r) / 2 + 1);
+  }
   for (int teeth = 1; teeth <= 6; ++teeth) {
     SCOPED_TRACE(teeth);
     Scene scene;
     add_comb(scene, teeth, 5);
-    const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
-    PaintElements elements(picture.projected);
-    EXPECT_EQ(elements.cut(0, {{1, 0, 0}, {6, 0, 0}}).size(), static_cast<std::size_t>(teeth) + 1);
+    EXPECT_EQ(pieces(scene, {{1, 0, 0}, {6, 0, 0}}), static_cast<std::size_t>(teeth) + 1);
   }
 }
 
-// Figure 2.84: every face is in mutual overlap with P, and the sort begins with the wrong one of each pair. P is a plate
-// that leans; the combs stand in it with their teeth: each pair needs one cut, and no more than one.
+// Figure 2.84: every face is in mutual overlap with P, and either order of each pair is wrong. P leans from depth 7 to 3 and
+// has a slot along z = 0; n faces of r corners, which reach from behind P to before it, pass through the slot and touch
+// nothing. They reach farther, so each is the head before P; each may hide P and P may hide it, so it is cut by P, into
+// r / 2 + 1 pieces. Those behind P reach as far as the faces did, and those before it no farther than its slot: no element
+// is moved, and the order is by depth.
 TEST(Newell, Figure284EachFaceIsCutOnceByP) {
+  for (const std::uint32_t n : {1u, 2u, 3u, 5u}) {
+    for (const std::uint32_t r : {4u, 6u, 8u, 10u}) {
+      SCOPED_TRACE(n);
+      SCOPED_TRACE(r);
+      Scene scene;
+      const double width = r / 2 + 1.0, right = n * width;
+      const auto at = [](double x, double z) { return Point3{x, 5 + 0.5 * z, z}; };
+      add_face(scene, {{at(-2, -4), at(right + 1, -4), at(right + 1, 4), at(-2, 4)},
+                       {at(-1, -0.5), at(-1, 0.5), at(right, 0.5), at(right, -0.5)}});
+      for (std::uint32_t i = 0; i < n; ++i) add_zigzag(scene, static_cast<int>(r), i * width, 1 + 0.01 * i);
+      const Sorted s = sorted(scene);
+      const std::uint64_t pieces = r / 2 + 1, before = pieces / 2, behind = pieces - before;
+      EXPECT_EQ(s.counts.plane_cuts, n);
+      EXPECT_EQ(s.counts.page_cuts, 0u);
+      EXPECT_EQ(s.counts.moved, 0u);
+      // Face n leans the most, and reaches the farthest behind P. The first piece of each lacks the side that is raised.
+      Order order;
+      for (std::uint32_t f = n; f >= 1; --f) order.insert(order.end(), behind - 1, f);
+      for (std::uint32_t f = n; f >= 1; --f) order.push_back(f);
+      order.push_back(0);
+      ASSERT_EQ(s.faces.size(), 1 + n * pieces);
+      const auto end = s.faces.begin() + static_cast<std::ptrdiff_t>(order.size());
+      EXPECT_EQ(Order(s.faces.begin(), end), order);
+      for (std::uint32_t f = 1; f <= n; ++f) EXPECT_EQ(std::uint64_t(std::count(end, s.faces.end(), f)), before);
+      // 2.5.2.7: the square of all pieces. Here each face is compared with P three times, ahead, as the head, and the other
+      // way round; then each of its pieces is, once; and no piece with those of other faces, which lie beside it.
+      EXPECT_EQ(s.counts.compared, n * (3 + pieces));
+      EXPECT_EQ(s.counts.depths, n * 3);
+      EXPECT_EQ(s.counts.behind_plane, n * behind);
+      EXPECT_EQ(s.counts.before_plane, n * before);
+    }
+  }
+}
+
+// The same where P reaches farther and is the head: P is cut. The faces stand in P and lie in one plane, so that one cut of
+// P serves for all: the half behind them, the faces, the half before them.
+TEST(Newell, Figure284PIsCutOnceForFacesOfOnePlane) {
   Scene scene;
   add_plate(scene, -1, 11, -1, 40, 0, 12);
   for (int i = 0; i < 3; ++i) {
@@ -151,9 +242,10 @@ TEST(Newell, Figure284EachFaceIsCutOnceByP) {
     add_face(scene, {{{0, 9, z}, {10, 1, z}, {10, 1, z + 2}, {2, 7.4, z + 2}, {2, 7.4, z + 4}, {0, 9, z + 4}}});
   }
   const Sorted s = sorted(scene);
-  EXPECT_LE(s.counts.plane_cuts, 3u);
-  EXPECT_GE(s.counts.plane_cuts, 1u);
-  EXPECT_LE(s.faces.size(), 1u + 3u * 4u);
+  EXPECT_EQ(s.faces, (Order{0, 1, 2, 3, 0}));
+  EXPECT_EQ(s.counts.plane_cuts, 1u);
+  EXPECT_EQ(s.counts.page_cuts, 0u);
+  EXPECT_EQ(s.counts.moved, 0u);
 }
 
 // Figures 2.86 to 2.88: a scene that falls into zones, these into slabs, and these into zones again: each slab holds one
