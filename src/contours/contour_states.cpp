@@ -77,13 +77,13 @@ void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, d
   for (const double share : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) merge_short(runs, curve, share * shortest_mm);
 }
 
-void end_runs_at_cusps(std::vector<ContourRun>& runs, const ContourCurve& curve, const std::vector<std::uint32_t>& cusps,
-                       double reach_mm) {
+void end_runs_at_cusps(std::vector<ContourRun>& runs, const std::vector<ContourRun>& found, const ContourCurve& curve,
+                       const std::vector<std::uint32_t>& cusps, double reach_mm) {
   std::vector<double> lengths;
   lengths.reserve(cusps.size());
   for (const std::uint32_t node : cusps) lengths.push_back(curve.point_at(node).length);
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-    if ((runs[i].state >= 0) == (runs[i + 1].state >= 0)) continue;
+    if ((runs[i].state >= 0) == (runs[i + 1].state >= 0) || runs[i].to != found[i].to) continue;
     const double from = curve.point_at(runs[i].from).length, at = curve.point_at(runs[i].to).length,
                  to = curve.point_at(runs[i + 1].to).length;
     double best = reach_mm;

@@ -26,9 +26,9 @@ std::vector<ContourRun> runs_of(const std::vector<Stroke>& strokes, std::uint32_
 /// Takes out runs that are shorter than `shortest_mm` on the page: they get the state of what is beside them.
 void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm);
 
-/// Moves the ends of visible runs that lie within `reach_mm` of a cusp there: up to it the contour is seen, and behind it
-/// the surface hides it. `cusps`: nodes of the chain, ascending.
-void end_runs_at_cusps(std::vector<ContourRun>& runs, const ContourCurve& curve, const std::vector<std::uint32_t>& cusps,
-                       double reach_mm);
+/// Moves the ends of visible runs that are still where they were `found` and lie within `reach_mm` of a cusp there: up to it
+/// the contour is seen, and behind it the surface hides it. `cusps`: nodes of the chain, ascending.
+void end_runs_at_cusps(std::vector<ContourRun>& runs, const std::vector<ContourRun>& found, const ContourCurve& curve,
+                       const std::vector<std::uint32_t>& cusps, double reach_mm);
 
 }  // namespace ligne

@@ -36,10 +36,15 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
       seen[c].runs = runs_of(strokes, contours.first_source[c], contours.chains[c].size(), hidden_too);
       seen[c].sides = contours.sides[c];
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
-      end_runs_at_cusps(seen[c].runs, seen[c].curve, cusps_of(contours.chains[c]), reach_mm);
     }
   });
+  // What a line in front hides ends at it, also where a cusp is near.
+  std::vector<std::vector<ContourRun>> found(n);
+  for (std::size_t c = 0; c < n; ++c) found[c] = seen[c].runs;
   move_ends_of_contours(seen, model, reach_mm);
+  for (std::size_t c = 0; c < n; ++c) {
+    end_runs_at_cusps(seen[c].runs, found[c], seen[c].curve, cusps_of(contours.chains[c]), reach_mm);
+  }
   for (SeenContour& contour : seen) drop_short_runs(contour.runs, contour.curve, options.pen_width_mm);
   add_missing_outlines(model, view, contours, probes, seen, options.pen_width_mm, reach_mm);
   move_ends_of_strokes(model, seen, reach_mm);
