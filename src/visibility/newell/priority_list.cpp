@@ -1,6 +1,8 @@
 #include "visibility/newell/priority_list.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <numeric>
 
 #include "geometry/parallel.hpp"
@@ -25,6 +27,24 @@ Extents extents_of_all(const PaintElements& elements) {
   Extents all;
   for (std::uint32_t i = 0; i < elements.size(); ++i) all.extend(elements[i].extents);
   return all;
+}
+
+/// Sorts whole numbers below `limit`: large sets by their digits, from the last to the first.
+void sort_descending(std::vector<std::uint32_t>& set, std::uint32_t limit) {
+  constexpr std::size_t kFewest = 64, kDigits = 512, kBits = 9;  // adjustable
+  if (set.size() < kFewest) {
+    std::sort(set.begin(), set.end(), std::greater<>());
+    return;
+  }
+  std::vector<std::uint32_t> sorted(set.size());
+  for (std::uint32_t shift = 0; shift < 32 && (limit >> shift) > 0; shift += kBits) {
+    const auto digit = [&](std::uint32_t e) { return kDigits - 1 - ((e >> shift) & (kDigits - 1)); };
+    std::array<std::uint32_t, kDigits + 1> begin{};
+    for (const std::uint32_t e : set) ++begin[digit(e) + 1];
+    for (std::size_t d = 0; d < kDigits; ++d) begin[d + 1] += begin[d];
+    for (const std::uint32_t e : set) sorted[begin[digit(e)]++] = e;
+    set.swap(sorted);
+  }
 }
 
 }  // namespace
@@ -69,6 +89,8 @@ void PriorityList::rank_elements() {
     rank_[i] = rank++;
   }
   for (; other != others.end(); ++other) rank_[*other] = rank++;
+  by_rank_.resize(n);
+  for (std::uint32_t i = 0; i < n; ++i) by_rank_[rank_[i]] = i;
 }
 
 std::vector<std::uint32_t> PriorityList::sort() {
@@ -179,7 +201,22 @@ PriorityList::Comparison& PriorityList::comparison_of(std::uint32_t p) {
     seen_[q] = p + 1;
     return true;
   });
+  farthest_last(result.others);
   return result;
+}
+
+/// Sets are compared from behind: the farthest first, of equals the first of the scene.
+void PriorityList::farthest_last(Set& set) const {
+  const bool all_ranked =
+      elements_.in_order() == 0 && std::all_of(set.begin(), set.end(), [&](std::uint32_t e) { return e < rank_.size(); });
+  if (all_ranked) {
+    for (std::uint32_t& e : set) e = rank_[e];
+    sort_descending(set, static_cast<std::uint32_t>(rank_.size()));
+    for (std::uint32_t& e : set) e = by_rank_[e];
+    return;
+  }
+  std::sort(set.begin(), set.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::pair(-farthest(a), a) > std::pair(-farthest(b), b); });
 }
 
 /// Compares the next elements of the list with their sets.
@@ -214,6 +251,8 @@ PriorityList::Comparison PriorityList::compared_ahead(std::uint32_t p, AheadWork
     work.seen[q] = p + 1;
     (q < rank_.size() && rank_[q] < rank_[p] ? result.before : result.others).push_back(q);
   });
+  farthest_last(result.others);
+  farthest_last(result.before);
   while (!result.others.empty() && !may_hide(p, result.others.back(), work.counts, work.common)) result.others.pop_back();
   return result;
 }

@@ -61,6 +61,7 @@ class PriorityList {
   using Set = std::vector<std::uint32_t>;
 
   void rank_elements();
+  void farthest_last(Set& set) const;
   bool decompose(const Set& set, std::vector<Set>& waiting);
   void keep(const std::vector<Set>& parts, bool slabs);
   void sort_list(const Set& set);
@@ -102,7 +103,8 @@ class PriorityList {
   std::vector<Box> boxes_;        ///< of every element
   ListCounts counts_;
   CommonPart common_;
-  std::vector<std::uint32_t> rank_;  ///< of the elements that were there at the beginning: their place in the first list
+  std::vector<std::uint32_t> rank_;     ///< of the elements that were there at the beginning: their place in the first list
+  std::vector<std::uint32_t> by_rank_;  ///< the inverse of rank_
   bool keep_sets_;
   std::vector<FoundSet> zones_, slabs_;
   std::vector<std::uint32_t> order_;
