@@ -5,6 +5,7 @@
 #include "files/signed_bytes.hpp"
 #include "picture/placement.hpp"
 #include "picture/zbuffer_picture.hpp"
+#include "scene/readers/reader.hpp"
 #include "scene/readers/scene_bytes.hpp"
 #include "visibility/zbuffer/kept_buffer.hpp"
 
@@ -20,6 +21,7 @@ void write_point(ByteWriter& bytes, const Point3& p) {
 double read_number(ByteReader& bytes) {
   const auto value = bytes.number<double>();
   bytes.need(std::isfinite(value), "a number is not finite");
+  bytes.need(std::abs(value) <= kLargestCoordinate, "a number is too large to compute with");
   return value;
 }
 

@@ -48,7 +48,9 @@ struct Cubes {
     std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) { return a.order() < b.order(); });
     for (std::size_t i = 0; i < members.size();) {
       const std::size_t first = i;
-      while (i < members.size() && members[i].cube == members[first].cube) ++i;
+      // A cube that is not a number, of a place beyond all, equals nothing.
+      do ++i;
+      while (i < members.size() && members[i].cube == members[first].cube);
       groups.push_back({first, i});
     }
     taken.assign(groups.size(), 0);
@@ -78,7 +80,8 @@ struct Cubes {
   void take_around(std::size_t group, Visit visit) {
     const Cube centre = members[groups[group].begin].cube;
     for (int k = 0; k < 27; ++k) {
-      const std::size_t g = find({centre[0] + k % 3 - 1, centre[1] + k / 3 % 3 - 1, centre[2] + k / 9 - 1});
+      const int columns = k % 3 - 1, rows = k / 3 % 3 - 1, layers = k / 9 - 1;
+      const std::size_t g = find({centre[0] + columns, centre[1] + rows, centre[2] + layers});
       if (g == groups.size() || std::exchange(taken[g], std::uint8_t{1})) continue;
       for (std::size_t i = groups[g].begin; i < groups[g].end; ++i) visit(members[i].vertex);
     }
