@@ -27,6 +27,8 @@ REASONS = {
     "help": "help(ligne.draw)",
     "output": "the argument `file` of save(), plot(), compile() and draw_frames(), or to_bytes(); a dictionary of others",
     "quiet": "nothing is written to a terminal: Drawing.warnings, Scene.warnings, Plotted.warnings",
+    "zbuffer-save": "files between runs of the command, for which the library has `ZBuffer` (C++)",
+    "zbuffer-add": "files between runs of the command, for which the library has `ZBuffer` (C++)",
     "stats": "Drawing.statistics, Plotted.statistics; compare() and study() give their times",
     "stats-json": "Drawing.statistics, Plotted.statistics; compare() and study() give their times",
     ("progress", "plot", "info", "compile"): "short work; the others call back",
