@@ -90,8 +90,8 @@ std::optional<double> resolution_of(const ComparedMethod& compared, const View& 
     return rows && *rows > 0 ? zbuffer_tolerance_mm(height, static_cast<unsigned>(*rows)) : traits.tolerance_mm;
   }
   for (const MethodParameter& p : traits.parameters) {
-    const auto value = compared.settings.find(p.name);
-    if (!value || *value == 0 || *value > p.high) continue;  // a word in a number's place stands for no limit
+    const auto value = compared.settings.count(p.name);
+    if (!value) continue;  // a word in a count's place stands for no limit
     if (p.name == "resolution") return warnock_tolerance_mm(view.window, *value);
     if (p.name == "lines") return height / *value;
   }

@@ -171,11 +171,11 @@ const Method* parse_method(const std::string& text) {
   throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(names));
 }
 
-unsigned parse_parameter(const std::string& text, const MethodParameter& parameter) {
+ParameterValue parse_parameter(const std::string& text, const MethodParameter& parameter) {
   if (parameter.words.empty()) return parse_count(text, parameter.low, parameter.high);
   const bool number = parameter.high > 0 && !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   if (number) return parse_count(text, parameter.low, parameter.high);
-  return static_cast<unsigned>(parse_choice(text, parameter.words)) + (parameter.high > 0 ? parameter.high + 1 : 0);
+  return ParameterWord{parse_choice(text, parameter.words)};
 }
 
 CurveRange parse_range(const std::string& text) {

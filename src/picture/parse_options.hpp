@@ -52,7 +52,7 @@ MemoryLimit parse_memory(const std::string& text);
 /// Names as of find_method(); nullptr for "auto".
 const Method* parse_method(const std::string& text);
 /// A value of a method's own parameter.
-unsigned parse_parameter(const std::string& text, const MethodParameter& parameter);
+ParameterValue parse_parameter(const std::string& text, const MethodParameter& parameter);
 /// The same put into the settings of the method. Throws RequestError for one that it does not have, or not with this value.
 void set_parameter(MethodSettings& settings, const Method& method, const std::string& name, const std::string& text);
 

@@ -85,7 +85,7 @@ void require_no_place(const PictureRequest& request, const std::string& what) {
   refuse(page.margin_mm != standard.margin_mm, "margin");
   refuse(page.scale.has_value(), "scale");
   refuse(page.unit_mm.has_value(), "unit");
-  for (const char* name : {"lines", "depth-bits"}) refuse(request.lines.settings.find(name).has_value(), name);
+  for (const char* name : {"lines", "depth-bits"}) refuse(request.lines.settings.has(name), name);
 }
 
 }  // namespace ligne

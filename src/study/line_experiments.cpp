@@ -129,7 +129,7 @@ Result study_line_resolution(const StudyRequest& request) {
     double wrong[2], seconds[2];
     std::uint64_t studied[2] = {0, 0};
     for (int k = 0; k < 2; ++k) {
-      options.settings.set("lines", k == 0 ? 512 : 1024);
+      options.settings.set("lines", k == 0 ? 512u : 1024u);
       seconds[k] = least_seconds(request.pick(1, 3), [&] {
         const VisibilityResult found = method.study(scene, options);
         wrong[k] = wrong_mm(scene, exact, visible_parts(found));

@@ -63,7 +63,7 @@ std::uint64_t areas_to_fill(std::size_t method, const ProjectedScene& scene) {
   if (method == 1) {
     StudyOptions options;
     options.wanted = kSpans;
-    options.settings.set("lines", 512);
+    options.settings.set("lines", 512u);
     return find_method(kMethods[1])->study(scene, options).spans->spans.size();
   }
   const VisibilityResult result = run(method, scene, method == 3 ? kOrder : kRegions);

@@ -170,7 +170,7 @@ Result study_whole_numbers(const StudyRequest& request) {
     MethodSettings limited, lines;
     limited.set("resolution", kLines);
     lines.set("lines", kLines);
-    lines.set("span-method", static_cast<unsigned>(SpanMethodKind::box));
+    lines.set("span-method", ParameterWord{static_cast<std::size_t>(SpanMethodKind::box)});
     std::uint64_t windows = 0;
     const double of_warnock = seconds(scene, "warnock", limited, &windows),
                  of_box = seconds(scene, "watkins", lines, nullptr);

@@ -2,19 +2,20 @@
 /// Options that a method has of its own, `--resolution N` for example: described by the method's traits, checked by whoever
 /// reads them, handed to the study as values.
 
-#include <cstdint>
+#include <cassert>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ligne {
 
-/// A value is a whole number: one from `low` to `high`, or the index of one of the `words` when there are any; where there
-/// are words and `high` is above 0, either will do, and the words stand for high + 1, high + 2 and so on. Methods may have
-/// parameters of the same name; they are one option of the command line, and mean the same.
+/// A value is a count from `low` to `high`, or one of the `words`; where there are words and `high` is above 0, either will
+/// do. Methods may have parameters of the same name; they are one option of the command line, and mean the same.
 struct MethodParameter {
   std::string_view name;      ///< "resolution" is the option --resolution
   std::string_view kind;      ///< what stands for the value in a help text, "N"
@@ -25,10 +26,16 @@ struct MethodParameter {
   bool of_compile = false;  ///< a parameter of Method::compile()
 };
 
+/// One of the words of a parameter, by its place among them.
+struct ParameterWord {
+  std::size_t index = 0;
+};
+using ParameterValue = std::variant<unsigned, ParameterWord>;
+
 /// The values given. A parameter that is not here has the method's own default.
 class MethodSettings {
  public:
-  void set(std::string_view name, unsigned value) {
+  void set(std::string_view name, ParameterValue value) {
     for (auto& [known, v] : values_) {
       if (known == name) {
         v = value;
@@ -38,22 +45,33 @@ class MethodSettings {
     values_.emplace_back(name, value);
   }
 
-  std::optional<unsigned> find(std::string_view name) const {
-    for (const auto& [known, value] : values_) {
-      if (known == name) return value;
-    }
-    return std::nullopt;
+  bool has(std::string_view name) const { return find(name) != nullptr; }
+
+  /// The count given; none where there is no value, or a word.
+  std::optional<unsigned> count(std::string_view name) const {
+    const ParameterValue* value = find(name);
+    const unsigned* number = value ? std::get_if<unsigned>(value) : nullptr;
+    return number ? std::optional(*number) : std::nullopt;
   }
 
-  /// The value as an enumeration whose members stand in the order of the words.
+  /// The word given, as an enumeration whose members stand in the order of the words.
   template <class Enum>
   Enum choice(std::string_view name, Enum standard) const {
-    const auto value = find(name);
-    return value ? static_cast<Enum>(*value) : standard;
+    const ParameterValue* value = find(name);
+    const ParameterWord* word = value ? std::get_if<ParameterWord>(value) : nullptr;
+    assert(word || !value);  // whoever set it has read the description
+    return word ? static_cast<Enum>(word->index) : standard;
   }
 
  private:
-  std::vector<std::pair<std::string, unsigned>> values_;
+  const ParameterValue* find(std::string_view name) const {
+    for (const auto& [known, value] : values_) {
+      if (known == name) return &value;
+    }
+    return nullptr;
+  }
+
+  std::vector<std::pair<std::string, ParameterValue>> values_;
 };
 
 }  // namespace ligne

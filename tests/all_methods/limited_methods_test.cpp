@@ -72,7 +72,7 @@ TEST_P(LimitedMethods, AgreeWithTheOracleWithinTheirLines) {
           for (unsigned word = 0; p.high == 0 && word < p.words.size(); ++word) {
             if (p.words[word] == p.standard) continue;
             MethodSettings other = settings;
-            other.set(p.name, word);
+            other.set(p.name, ParameterWord{word});
             const Verdict verdict = judged.judge(ByLines(*method), "all", other);
             EXPECT_TRUE(verdict.passes()) << "--lines " << lines << " --" << p.name << ' ' << p.words[word] << '\n'
                                           << verdict.faults;

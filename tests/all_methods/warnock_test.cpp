@@ -38,7 +38,7 @@ class WarnockWith final : public Method {
   MethodTraits traits_;
 };
 
-MethodSettings with(std::string_view name, unsigned value) {
+MethodSettings with(std::string_view name, ParameterValue value) {
   MethodSettings s;
   s.set(name, value);
   return s;
@@ -84,7 +84,7 @@ void expect_as_many_strokes(const Scene& scene, bool with_hidden) {
         const auto expected = stroke_counts(projected, *find_method("auto"), hidden);
         for (const std::string_view name : {"warnock-window", "warnock-split"}) {
           for (unsigned choice = 0; choice < (name == "warnock-window" ? 3u : 2u); ++choice) {
-            const WarnockWith method(with(name, choice), 0.001);
+            const WarnockWith method(with(name, ParameterWord{choice}), 0.001);
             EXPECT_EQ(stroke_counts(projected, method, hidden), expected)
                 << standard.name << " " << standard.options << " " << edges << (hidden ? " hidden " : " ") << name << " "
                 << choice;

@@ -27,7 +27,7 @@ VisibilityResult study(const Scene& scene, const char* from, unsigned how) {
   request.named_view = from;
   const View view = make_view(scene, make_camera(request, scene), {{{0, 0}, {200, 200}}}, {{0, 0}, {200, 200}});
   StudyOptions options;
-  options.settings.set("study", how);
+  options.settings.set("study", ParameterWord{how});
   return AthertonWeilerMethod().study(project(scene, build_topology(scene), view, {}), options);
 }
 

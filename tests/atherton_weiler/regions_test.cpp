@@ -185,7 +185,7 @@ TEST_P(Regions, AreTheSameByTheClassicalStudy) {
     for (const unsigned study : {1u, 2u}) {
       SCOPED_TRACE(standard.name + (study == 1 ? " polygons" : " silhouettes"));
       StudyOptions options;
-      options.settings.set("study", study);
+      options.settings.set("study", ParameterWord{study});
       std::map<std::uint32_t, double> areas = areas_of(*AthertonWeilerMethod().study(projected, options).regions);
       double sum = 0;
       for (const auto& [face, area] : areas) sum += area;

@@ -120,7 +120,7 @@ TEST(TransparentLines, AreThoseWithoutTheGlassAndThoseInFrontOfIt) {
       for (const unsigned study : {0u, 1u, 2u}) {
         SCOPED_TRACE(study);
         StudyOptions options;
-        options.settings.set("study", study);
+        options.settings.set("study", ParameterWord{study});
         const StrokeModel found = *AthertonWeilerMethod().study(with_glass, options).strokes;
         expect_equal(lengths(found, 0, 255), lengths(all, 0, 255));
         expect_equal(lengths(found, 0, 0), lengths(in_front, 0, 0));

@@ -21,7 +21,7 @@ VisibilityResult shown(const Scene& scene, const char* method, std::string_view 
   const auto parameters = find_method(method)->traits().parameters;
   const auto show = std::ranges::find(parameters, "show", &MethodParameter::name);
   const auto word = std::ranges::find(show->words, what);
-  options.settings.set("show", static_cast<unsigned>(word - show->words.begin()));
+  options.settings.set("show", ParameterWord{static_cast<std::size_t>(word - show->words.begin())});
   return find_method(method)->study(picture.projected, options);
 }
 

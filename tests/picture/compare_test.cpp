@@ -88,7 +88,7 @@ TEST(Compare, OneThatTakesTooLongIsARow) {
 TEST(Compare, OneThatFailsIsARow) {
   CompareRequest request;
   request.methods = {{find_method("appel")}, {find_method("zbuffer")}};
-  request.methods[1].settings.set("lines", 512);
+  request.methods[1].settings.set("lines", 512u);
   request.picture.regions = true;  // which the depth buffer does not have, nor does appel
   const MethodComparison c = compared(corpus_scene("cube"), request);
   ASSERT_EQ(c.methods.size(), 2u);

@@ -28,7 +28,7 @@ inline std::vector<Variant> variants() {
       for (unsigned i = 0; i < p.words.size(); ++i) {
         if (p.words[i] == p.standard) continue;
         Variant v{method, {}, false, name + " --" + std::string(p.name) + " " + std::string(p.words[i])};
-        v.settings.set(p.name, i);
+        v.settings.set(p.name, ParameterWord{i});
         list.push_back(std::move(v));
       }
     }

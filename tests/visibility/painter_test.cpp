@@ -134,7 +134,7 @@ TEST(Painter, PaintsWhatIsSeenUnlessItSaysOtherwise) {
       for (unsigned sort = 0; sort < 3; ++sort) {
         StudyOptions options;
         options.span_lines = SpanLines{1, 2, 105};
-        options.settings.set("depth-sort", sort);
+        options.settings.set("depth-sort", ParameterWord{sort});
         const VisibilityResult painted = find_method("painter")->study(page, options);
         if (!painted.beyond.empty()) {
           ++beyond;
@@ -143,7 +143,7 @@ TEST(Painter, PaintsWhatIsSeenUnlessItSaysOtherwise) {
         ++right;
         StudyOptions of_buffer;
         of_buffer.span_lines = options.span_lines;
-        of_buffer.settings.set("filling", 1);
+        of_buffer.settings.set("filling", ParameterWord{1});
         const VisibilityResult seen = find_method("zbuffer")->study(page, of_buffer);
         // Of faces that touch either may be seen.
         constexpr double kTouchMm = 0.01;

@@ -113,8 +113,8 @@ TEST(WarnockControl, SceneWithoutAnything) {
   scene.lattice.step_mm = 0x1p-17;
   for (const unsigned window : {0u, 1u, 2u}) {
     StudyOptions options;
-    options.settings.set("warnock-window", window);
-    options.settings.set("show", 0);
+    options.settings.set("warnock-window", ParameterWord{window});
+    options.settings.set("show", ParameterWord{0});
     const VisibilityResult result = find_method("warnock")->study(scene, options);
     EXPECT_TRUE(result.strokes->strokes.empty());
     EXPECT_TRUE(result.regions->empty());
@@ -127,8 +127,8 @@ std::uint64_t windows_of_square(double shift_x, double shift_z, unsigned window,
   const ProjectedScene projected = studies::on_square_sheet(studies::square_before_triangle(shift_x, shift_z));
   StudyOptions options;
   options.wanted = kStrokes;
-  options.settings.set("warnock-window", window);
-  options.settings.set("warnock-split", split);
+  options.settings.set("warnock-window", ParameterWord{window});
+  options.settings.set("warnock-split", ParameterWord{split});
   if (resolution > 0) options.settings.set("resolution", resolution);
   const VisibilityResult result = find_method("warnock")->study(projected, options);
   EXPECT_EQ(result.strokes->strokes.size(), 4u) << "the sides of the square, in one piece each";
@@ -159,19 +159,20 @@ TEST(WarnockFindings, VerticesMaySaveWindowsOfTheBoundingSquare) {
 
 TEST(WarnockFindings, KnowledgeAndRoughTestsSaveWindows) {
   const ProjectedScene projected = studies::on_square_sheet(studies::square_before_triangle(4, 2));
-  const auto windows = [&](const char* option, unsigned value) {
+  const auto windows = [&](const char* option = nullptr, ParameterValue value = {}) {
     StudyOptions options;
     options.wanted = kStrokes;
-    options.settings.set("resolution", 1024);
-    if (value > 0) options.settings.set(option, option == std::string_view("understanding") ? value - 1 : value);
+    options.settings.set("resolution", 1024u);
+    if (option) options.settings.set(option, value);
     const VisibilityResult result = find_method("warnock")->study(projected, options);
     EXPECT_EQ(result.strokes->strokes.size(), 4u);
     return std::ranges::find(result.statistics.counts, "windows studied", [](const auto& c) { return c.first; })->second;
   };
-  EXPECT_GT(windows("understanding", 1), windows("understanding", 2));
-  EXPECT_GE(windows("understanding", 2), windows("understanding", 3));
-  EXPECT_EQ(windows("understanding", 4), windows("understanding", 0)) << "all, which is the default";
-  EXPECT_LE(windows("warnock-precision", 100), windows("warnock-precision", 1));
+  constexpr ParameterWord kNothing{0}, kTwo{1}, kFour{2}, kAll{3};
+  EXPECT_GT(windows("understanding", kNothing), windows("understanding", kTwo));
+  EXPECT_GE(windows("understanding", kTwo), windows("understanding", kFour));
+  EXPECT_EQ(windows("understanding", kAll), windows()) << "all, which is the default";
+  EXPECT_LE(windows("warnock-precision", 100u), windows("warnock-precision", 1u));
 }
 
 TEST(WarnockFindings, FewEdgesAreSolvedInOneWindow) {
@@ -193,7 +194,7 @@ TEST(WarnockControl, OneThreadAndManyFindTheSame) {
     VisibilityResult result;
     run_with_threads(n, [&] {
       StudyOptions options;
-      options.settings.set("show", 0);
+      options.settings.set("show", ParameterWord{0});
       result = find_method("warnock")->study(projected, options);
     });
     return result;

@@ -158,8 +158,8 @@ TEST(WarnockAreas, AddUpToThePlateBehind) {
       MethodSettings settings;
       const std::string_view names[] = {"screen", "bounding", "principal"};
       settings.set("warnock-window",
-                   static_cast<unsigned>(std::find(std::begin(names), std::end(names), window) - std::begin(names)));
-      settings.set("warnock-split", split);
+                   ParameterWord{static_cast<std::size_t>(std::ranges::find(names, window) - std::begin(names))});
+      settings.set("warnock-split", ParameterWord{split});
       const Areas areas = areas_of(scene, along({0, 0, -1}), settings);
       double total = 0;
       for (const Region& r : areas.regions) total += area_of(r);

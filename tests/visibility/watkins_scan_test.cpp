@@ -151,7 +151,7 @@ TEST(WatkinsScan, IntersectionsAreKnownAlsoWhenNobodyDrawsThem) {
     for (const bool by_lines : {true, false}) {
       StudyOptions options;
       if (by_lines) {
-        options.settings.set("lines", 700);
+        options.settings.set("lines", 700u);
       } else {
         options.span_lines = SpanLines{0.15, 0.3, 700};
       }

@@ -159,7 +159,7 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
   statistics.count("regions", visible.regions.size());
   statistics.count("lines beside borders", studied);
   statistics.count("strokes", result.strokes->strokes.size());
-  if (options.settings.find("show")) result.debug = contours_of(visible.regions);
+  if (options.settings.has("show")) result.debug = contours_of(visible.regions);
   if (options.wanted & kRegions) result.regions = std::move(visible.regions);
   return result;
 }

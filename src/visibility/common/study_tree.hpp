@@ -16,6 +16,7 @@ namespace ligne {
 
 /// The parameters of methods that compile a tree.
 inline constexpr unsigned kMostCandidates = 64;
+enum class PartitionPlanes : std::uint8_t { mixed, faces };
 inline constexpr std::string_view kPartitionNames[] = {"mixed", "faces"};
 enum class TreeShow : std::uint8_t { splits, order, tree };
 inline constexpr std::string_view kTreeShowNames[] = {"splits", "order", "tree"};
@@ -37,8 +38,8 @@ inline constexpr MethodParameter kTreeParameters[] = {
 
 inline PlaneChoice plane_choice(const MethodSettings& settings) {
   PlaneChoice choice;
-  choice.candidates = settings.find("candidates").value_or(choice.candidates);
-  choice.free_planes = settings.find("partition").value_or(0) == 0;
+  choice.candidates = settings.count("candidates").value_or(choice.candidates);
+  choice.free_planes = settings.choice("partition", PartitionPlanes::mixed) == PartitionPlanes::mixed;
   return choice;
 }
 
@@ -62,7 +63,7 @@ VisibilityResult study_tree(const Tree& tree, const ProjectedScene& scene, const
   Clock clock;
   FaceRanks ranks(scene.model->faces.size());
   std::vector<std::uint32_t> front_to_back;
-  const bool shows = options.settings.find("show").has_value();
+  const bool shows = options.settings.has("show");
   const TreeShow show = options.settings.choice("show", TreeShow::splits);
   const bool paint = (options.wanted & kOrder) || (shows && show == TreeShow::order);
   tree.front_to_back(viewpoint_of(scene.view.camera), [&](std::uint32_t piece, std::uint32_t rank) {

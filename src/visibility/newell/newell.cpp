@@ -107,7 +107,7 @@ VisibilityResult NewellMethod::study(const ProjectedScene& scene, const StudyOpt
   PaintElements elements(scene, takes_over ? &kept->elements() : nullptr);
   const double seconds_of_elements = clock.lap();
   const std::size_t faces = elements.size();
-  const bool shows = options.settings.find("show").has_value();
+  const bool shows = options.settings.has("show");
   const Show show = options.settings.choice("show", Show::splits);
   PriorityList list(elements, shows && show >= Show::zones);
   const std::vector<std::uint32_t> farthest_first = list.sort();

@@ -208,7 +208,7 @@ VisibilityResult PainterMethod::study(const ProjectedScene& scene, const StudyOp
   result.strokes = strokes.take();
   statistics.time("lines", clock.lap());
 
-  const bool shows = options.settings.find("show").has_value();
+  const bool shows = options.settings.has("show");
   if ((options.wanted & kOrder) || shows) {
     result.order = paint_order(scene, sequence);
     if (shows) result.debug_numbers = order_numbers(*result.order);

@@ -144,18 +144,18 @@ void report_times(const Counts& c, Statistics& s) {
 /// How windows are studied.
 Rules rules_of(const ProjectedScene& scene, const StudyOptions& options, const InitialWindow& first) {
   const double step = scene.lattice.step_mm;
-  const auto resolution = options.settings.find("resolution");
+  const auto resolution = options.settings.count("resolution");
   Rules rules;
   rules.coincidence_steps = coincidence_mm(scene) / step;
   rules.margin_steps = rules.coincidence_steps + 1;
   rules.split = options.settings.choice("warnock-split", SplitChoice::centre);
   if (resolution) rules.limit = std::max(1.0, std::ceil(longer_side_mm(scene) / *resolution / step * first.frame.unit()));
-  const auto precision = options.settings.find("warnock-precision");
+  const auto precision = options.settings.count("warnock-precision");
   if (resolution && precision) rules.precision = std::floor(rules.limit * *precision * kPrecisionUnit);
   rules.knowledge = options.settings.choice("understanding", Knowledge::all);
   rules.find_pairs = scene.with_intersections || (options.wanted & kRegions);
   rules.drop_hidden = !(options.hidden_strokes && scene.with_intersections);
-  rules.show_windows = options.settings.find("show").has_value();
+  rules.show_windows = options.settings.has("show");
   return rules;
 }
 

@@ -129,7 +129,7 @@ class WatkinsStudy {
       : scene_(scene),
         options_(options),
         step_(scene.lattice.step_mm),
-        line_count_(options.settings.find("lines").value_or(kMostLines + 1)),
+        line_count_(options.settings.count("lines").value_or(kMostLines + 1)),
         exact_(line_count_ > kMostLines) {
     exact_options_.kind = options.settings.choice("span-method", SpanMethodKind::stack);
     exact_options_.coincidence_steps = coincidence_mm(scene) / step_;
@@ -285,7 +285,7 @@ void WatkinsStudy::make_strokes() {
 
 /// Spans as lines on the page with a tick at either end, where they are seen apart.
 void WatkinsStudy::show_spans() {
-  if (!options_.settings.find("show")) return;
+  if (!options_.settings.has("show")) return;
   LineStudyOptions options = by_lines_;
   options.track = false;
   options.collect_spans = true;

@@ -36,7 +36,7 @@ constexpr double kShortestPixels = 2;
 
 /// From the near plane (in parallel projection: from the nearest point) to the farthest point of the scene.
 DepthScale scale_of(const ProjectedScene& scene, const StudyOptions& options) {
-  const auto bits = options.settings.find("depth-bits");
+  const auto bits = options.settings.count("depth-bits");
   if (!bits || scene.triangles.empty()) return {};
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
   for (const Triangle& t : scene.triangles) {
@@ -53,7 +53,7 @@ DepthScale scale_of(const ProjectedScene& scene, const StudyOptions& options) {
 }
 
 DepthBuffer empty_buffer(const ProjectedScene& scene, const StudyOptions& options) {
-  return {PixelGrid::of(scene.view.window, options.span_lines, options.settings.find("lines"), kRows),
+  return {PixelGrid::of(scene.view.window, options.span_lines, options.settings.count("lines"), kRows),
           scale_of(scene, options)};
 }
 
