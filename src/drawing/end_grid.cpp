@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;
 // Adjustable.
-constexpr double kCellsPerStroke = 64;  ///< that a stroke crosses on the average, at most
+constexpr double kMostCellsPerStroke = 64;  ///< that a stroke crosses on the average, at most
 constexpr std::size_t kLeastCells = 4;  ///< of the grid of a crowded cell
 
 }  // namespace
@@ -39,7 +39,7 @@ bool EndGrid::choose_cells(const std::vector<End>& ends, const Cells& cells) {
   if (cells.as_strokes) {
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
-    stroke = std::max<double>(*middle, sum / n / kCellsPerStroke);
+    stroke = std::max<double>(*middle, sum / n / kMostCellsPerStroke);
   }
   side_u_ = std::max({std::min(std::max(stroke, std::sqrt(width * height / n)), width), width / n, cells.least});
   side_v_ = std::max({width * height / (n * side_u_), side_u_ / cells.longest, height / n, cells.least});

@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-constexpr SignedKind kKind{"ligne-zbuf\r\n", 1, "a depth buffer", "draw it again"};
+constexpr SignedKind kZBufferFile{"ligne-zbuf\r\n", 1, "a depth buffer", "draw it again"};
 
 void write_point(ByteWriter& bytes, const Point3& p) {
   for (int k = 0; k < 3; ++k) bytes.number(p[k]);
@@ -112,13 +112,13 @@ std::string ZBuffer::write() const {
   write_scene(writer, scene_);
   write_place(writer, *place_);
   buffer_->write(writer);
-  return signed_bytes(kKind, writer.bytes());
+  return signed_bytes(kZBufferFile, writer.bytes());
 }
 
-void sign_zbuffer(std::string& bytes) { sign(kKind, bytes); }
+void sign_zbuffer(std::string& bytes) { sign(kZBufferFile, bytes); }
 
 ZBuffer ZBuffer::read(std::span<const std::byte> bytes, const std::string& name) {
-  ByteReader reader = open_signed(kKind, bytes, name);
+  ByteReader reader = open_signed(kZBufferFile, bytes, name);
   ZBuffer result;
   result.scene_ = read_scene(reader);
   reader.need(!result.scene_.objects.empty(), "there is no object");

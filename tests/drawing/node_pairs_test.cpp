@@ -17,23 +17,23 @@ std::vector<std::uint32_t> paired(const std::vector<LatticePoint>& directions,
   return partner;
 }
 
-using Partners = std::vector<std::uint32_t>;
+using ArmPartners = std::vector<std::uint32_t>;
 constexpr std::uint32_t none = kNoPartner;
 
 TEST(NodePairs, KnownAnswers) {
-  EXPECT_EQ(paired({{1, 0}}), (Partners{none}));
-  EXPECT_EQ(paired({{1, 0}, {1, 1}}), (Partners{1, 0})) << "two arms are paired at any angle";
-  EXPECT_EQ(paired({{1, 0}, {0, 1}, {-1, 0}, {0, -1}}), (Partners{2, 3, 0, 1}));
-  EXPECT_EQ(paired({{1, 0}, {1, 1}, {1, -1}}), (Partners{none, 2, 1})) << "a turn of exactly 90 degrees is allowed";
-  EXPECT_EQ(paired({{2, 0}, {2, 1}, {2, -1}}), (Partners{none, none, none})) << "all turns are sharper than 90 degrees";
-  EXPECT_EQ(paired({{9, 0}, {-9, 1}, {-9, 0}}), (Partners{2, none, 0})) << "the straighter of two";
-  EXPECT_EQ(paired({{1, 0}, {-1, 0}, {1, 0}, {-1, 0}}), (Partners{1, 0, 3, 2})) << "equal turns go by number";
+  EXPECT_EQ(paired({{1, 0}}), (ArmPartners{none}));
+  EXPECT_EQ(paired({{1, 0}, {1, 1}}), (ArmPartners{1, 0})) << "two arms are paired at any angle";
+  EXPECT_EQ(paired({{1, 0}, {0, 1}, {-1, 0}, {0, -1}}), (ArmPartners{2, 3, 0, 1}));
+  EXPECT_EQ(paired({{1, 0}, {1, 1}, {1, -1}}), (ArmPartners{none, 2, 1})) << "a turn of exactly 90 degrees is allowed";
+  EXPECT_EQ(paired({{2, 0}, {2, 1}, {2, -1}}), (ArmPartners{none, none, none})) << "all turns are sharper than 90 degrees";
+  EXPECT_EQ(paired({{9, 0}, {-9, 1}, {-9, 0}}), (ArmPartners{2, none, 0})) << "the straighter of two";
+  EXPECT_EQ(paired({{1, 0}, {-1, 0}, {1, 0}, {-1, 0}}), (ArmPartners{1, 0, 3, 2})) << "equal turns go by number";
 }
 
 TEST(NodePairs, TurnsAreToldApartToTheLastStep) {
   constexpr std::int32_t far = 1 << 26;
-  EXPECT_EQ(paired({{far, 0}, {-far, 1}, {-far + 1, 1}}), (Partners{1, 0, none}));
-  EXPECT_EQ(paired({{far, 0}, {-far + 1, 1}, {-far, 1}}), (Partners{2, none, 0}));
+  EXPECT_EQ(paired({{far, 0}, {-far, 1}, {-far + 1, 1}}), (ArmPartners{1, 0, none}));
+  EXPECT_EQ(paired({{far, 0}, {-far + 1, 1}, {-far, 1}}), (ArmPartners{2, none, 0}));
 }
 
 TEST(NodePairs, FewAndManyArmsAgree) {
@@ -58,7 +58,7 @@ TEST(NodePairs, ManyArmsGoStraightAcross) {
     directions[i] = d;
     directions[half + i] = {-d.x, -d.y};
   }
-  const Partners partner = paired(directions);
+  const ArmPartners partner = paired(directions);
   for (std::uint32_t i = 0; i < half; ++i) ASSERT_EQ(partner[i], half + i);
 }
 
@@ -69,7 +69,7 @@ TEST(NodePairs, ManyArmsOnTwoFansStayFast) {
     directions.push_back({-(1 << 25), i * 100});
     directions.push_back({1 << 25, i * 100 + 7});
   }
-  const Partners partner = paired(directions);
+  const ArmPartners partner = paired(directions);
   for (std::uint32_t i = 0; i < partner.size(); ++i) ASSERT_EQ(partner[partner[i]], i);
 }
 

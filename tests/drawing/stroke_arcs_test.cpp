@@ -9,12 +9,12 @@
 namespace ligne {
 namespace {
 
-constexpr double kTolerance = 2;
+constexpr double kArcTolerance = 2;
 
 std::vector<StrokeArc> arcs(const std::vector<Stroke>& strokes) {
   std::vector<std::uint32_t> all(strokes.size());
   std::iota(all.begin(), all.end(), 0u);
-  return stroke_arcs(strokes, all, kTolerance);
+  return stroke_arcs(strokes, all, kArcTolerance);
 }
 
 /// Every part begins where the one before ends.

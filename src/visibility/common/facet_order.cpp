@@ -34,9 +34,9 @@ struct Place {
 };
 
 /// Depth over a facet, from weights that are determinants: as good for slivers as for others.
-class Plane {
+class FacetPlane {
  public:
-  explicit Plane(const Corners& c) : c_(c), area_(orientation(c[0].p, c[1].p, c[2].p)) {}
+  explicit FacetPlane(const Corners& c) : c_(c), area_(orientation(c[0].p, c[1].p, c[2].p)) {}
 
   double weight(std::size_t side, double x, double y) const {
     const LatticePoint a = c_[side].p, b = c_[(side + 1) % 3].p;
@@ -56,7 +56,7 @@ struct Overlap {
   std::array<Place, 9> p;
   std::size_t n = 0;
 
-  void clip(const Plane& plane, std::size_t side) {
+  void clip(const FacetPlane& plane, std::size_t side) {
     std::array<Place, 9> out;
     std::size_t m = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -110,7 +110,7 @@ FacetOrder ordered(const Facet& fa, const Facet& fb, const Corners& a, const Cor
     result.order = DepthOrder::second;
     return result;
   }
-  const Plane plane_a(a), plane_b(b);
+  const FacetPlane plane_a(a), plane_b(b);
   Overlap overlap;
   for (const Corner& c : a) overlap.p[overlap.n++] = {double(c.p.x), double(c.p.y), 0};
   for (std::size_t side = 0; side < 3; ++side) overlap.clip(plane_b, side);
