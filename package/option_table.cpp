@@ -10,7 +10,7 @@
 #include "cli/commands.hpp"
 #include "drawing/stroke.hpp"
 #include "picture/requests.hpp"
-#include "picture/surface_request.hpp"
+#include "picture/surface/surface_request.hpp"
 #include "plotting/device.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "view/view.hpp"

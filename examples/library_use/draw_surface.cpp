@@ -3,7 +3,7 @@
 #include <exception>
 #include <iostream>
 
-#include "picture/surface_picture.hpp"
+#include "picture/surface/surface_picture.hpp"
 #include "plotting/output_file.hpp"
 
 int main(int argc, char** argv) {

@@ -9,8 +9,8 @@
 #include "bindings/arrays.hpp"
 #include "bindings/work.hpp"
 #include "picture/errors.hpp"
-#include "picture/mixed_scene.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/parse/parse_options.hpp"
+#include "picture/surface/mixed_scene.hpp"
 #include "plotting/output_file.hpp"
 
 namespace py = pybind11;

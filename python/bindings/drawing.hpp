@@ -13,8 +13,8 @@
 #include "bindings/scene.hpp"
 #include "bindings/work.hpp"
 #include "picture/drawn_scene.hpp"
-#include "picture/surface_mesh_picture.hpp"
-#include "picture/surface_picture.hpp"
+#include "picture/surface/surface_mesh_picture.hpp"
+#include "picture/surface/surface_picture.hpp"
 
 namespace ligne::python {
 

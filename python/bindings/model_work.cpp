@@ -4,17 +4,17 @@
 
 #include "bindings/drawing.hpp"
 #include "bindings/values.hpp"
-#include "picture/compare.hpp"
-#include "picture/compare_output.hpp"
-#include "picture/compare_page.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/errors.hpp"
 #include "picture/frame_names.hpp"
 #include "picture/frames.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
-#include "picture/scene_info.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
 #include "plotting/output_file.hpp"
+#include "report/compare.hpp"
+#include "report/compare_output.hpp"
+#include "report/compare_page.hpp"
+#include "report/scene_info.hpp"
 #include "visibility/registry.hpp"
 
 #include <pybind11/stl.h>

@@ -6,7 +6,7 @@
 #include "bindings/drawing.hpp"
 #include "bindings/errors.hpp"
 #include "bindings/scene.hpp"
-#include "picture/listing.hpp"
+#include "report/listing.hpp"
 #include "view/view.hpp"
 
 namespace py = pybind11;

@@ -10,8 +10,8 @@
 #include "files/message_text.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
 #include "picture/scene_study.hpp"
 #include "visibility/registry.hpp"
 

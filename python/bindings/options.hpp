@@ -12,7 +12,7 @@
 #include "picture/models.hpp"
 #include "picture/plotter.hpp"
 #include "picture/requests.hpp"
-#include "picture/surface_request.hpp"
+#include "picture/surface/surface_request.hpp"
 
 namespace ligne::python {
 

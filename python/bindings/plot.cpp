@@ -10,9 +10,9 @@
 #include "bindings/values.hpp"
 #include "picture/errors.hpp"
 #include "picture/frame_names.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
-#include "picture/parse_plot.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
+#include "picture/parse/parse_plot.hpp"
 #include "plotting/output_file.hpp"
 
 #include <pybind11/stl.h>

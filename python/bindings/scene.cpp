@@ -16,7 +16,7 @@
 #include "bindings/work.hpp"
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
-#include "picture/parse.hpp"
+#include "picture/parse/parse.hpp"
 #include "scene/clean/named_objects.hpp"
 #include "scene/model/precision.hpp"
 

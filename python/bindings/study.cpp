@@ -4,7 +4,7 @@
 #include "bindings/drawing.hpp"
 #include "bindings/values.hpp"
 #include "picture/errors.hpp"
-#include "picture/parse.hpp"
+#include "picture/parse/parse.hpp"
 #include "plotting/output_file.hpp"
 #include "study/run_experiments.hpp"
 

@@ -10,9 +10,9 @@
 #include "bindings/drawing.hpp"
 #include "bindings/values.hpp"
 #include "picture/errors.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
-#include "picture/parse_terrain.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
+#include "picture/parse/parse_terrain.hpp"
 
 namespace py = pybind11;
 

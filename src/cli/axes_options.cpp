@@ -2,7 +2,7 @@
 
 #include "cli/options.hpp"
 #include "files/message_text.hpp"
-#include "picture/parse.hpp"
+#include "picture/parse/parse.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {

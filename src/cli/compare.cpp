@@ -5,11 +5,11 @@
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
 #include "geometry/parallel.hpp"
-#include "picture/compare.hpp"
-#include "picture/compare_output.hpp"
-#include "picture/compare_page.hpp"
 #include "picture/draw_scene.hpp"
-#include "picture/parse.hpp"
+#include "picture/parse/parse.hpp"
+#include "report/compare.hpp"
+#include "report/compare_output.hpp"
+#include "report/compare_page.hpp"
 
 namespace ligne {
 namespace {

@@ -5,7 +5,7 @@
 #include "cli/options.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/errors.hpp"
-#include "picture/parse.hpp"
+#include "picture/parse/parse.hpp"
 
 namespace ligne {
 namespace {

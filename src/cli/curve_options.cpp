@@ -1,7 +1,7 @@
 #include "cli/curve_options.hpp"
 
 #include "cli/options.hpp"
-#include "picture/parse.hpp"
+#include "picture/parse/parse.hpp"
 
 namespace ligne {
 namespace {

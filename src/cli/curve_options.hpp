@@ -1,7 +1,7 @@
 #pragma once
 /// Options of ligne surface that say which lines are drawn beside plain curves, and what hides.
 
-#include "picture/surface_request.hpp"
+#include "picture/surface/surface_request.hpp"
 
 namespace CLI {
 class App;

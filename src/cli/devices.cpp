@@ -1,8 +1,8 @@
 #include "cli/devices.hpp"
 
 #include "cli/options.hpp"
-#include "picture/listing.hpp"
 #include "plotting/output_file.hpp"
+#include "report/listing.hpp"
 
 namespace ligne {
 

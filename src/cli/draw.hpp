@@ -7,7 +7,7 @@
 #include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
 #include "picture/frames.hpp"
-#include "picture/surface_request.hpp"
+#include "picture/surface/surface_request.hpp"
 
 namespace CLI {
 class App;

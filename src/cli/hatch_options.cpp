@@ -1,7 +1,7 @@
 #include "cli/hatch_options.hpp"
 
 #include "cli/options.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/parse/parse_options.hpp"
 
 namespace ligne {
 

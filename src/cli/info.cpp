@@ -4,8 +4,8 @@
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/view_options.hpp"
-#include "picture/scene_info.hpp"
 #include "picture/scene_study.hpp"
+#include "report/scene_info.hpp"
 
 namespace ligne {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "cli/options.hpp"
 #include "picture/compiled_model.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {

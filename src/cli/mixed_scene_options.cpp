@@ -3,8 +3,8 @@
 #include <string>
 
 #include "cli/options.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
 
 namespace ligne {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 /// Surfaces z = f(x, y) among the models of ligne draw.
 
-#include "picture/mixed_scene.hpp"
+#include "picture/surface/mixed_scene.hpp"
 
 namespace CLI {
 class App;

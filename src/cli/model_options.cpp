@@ -3,8 +3,8 @@
 #include "cli/messages.hpp"
 #include "cli/options.hpp"
 #include "files/message_text.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
 
 namespace ligne {
 

@@ -1,8 +1,8 @@
 #include "cli/page_options.hpp"
 
 #include "cli/options.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
 
 namespace ligne {
 

@@ -6,9 +6,9 @@
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
 #include "picture/frame_names.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
-#include "picture/parse_plot.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
+#include "picture/parse/parse_plot.hpp"
 
 namespace ligne {
 namespace {

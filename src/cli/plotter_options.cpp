@@ -1,7 +1,7 @@
 #include "cli/plotter_options.hpp"
 
 #include "cli/options.hpp"
-#include "picture/parse.hpp"
+#include "picture/parse/parse.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {

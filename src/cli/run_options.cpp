@@ -6,8 +6,8 @@
 #include "cli/messages.hpp"
 #include "cli/options.hpp"
 #include "picture/frame_names.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
 
 namespace ligne {
 namespace {

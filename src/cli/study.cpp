@@ -5,7 +5,7 @@
 
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
-#include "picture/parse.hpp"
+#include "picture/parse/parse.hpp"
 #include "study/run_experiments.hpp"
 
 namespace ligne {

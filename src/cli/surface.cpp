@@ -6,7 +6,7 @@
 
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
-#include "picture/surface_picture.hpp"
+#include "picture/surface/surface_picture.hpp"
 #include "scene/surfaces/formula_evaluator.hpp"
 
 namespace ligne {

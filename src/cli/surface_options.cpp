@@ -14,9 +14,9 @@
 #include "cli/view_options.hpp"
 #include "files/message_text.hpp"
 #include "picture/draw_scene.hpp"
-#include "picture/hatching.hpp"
-#include "picture/parse.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/hatching/hatching.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {

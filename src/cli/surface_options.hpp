@@ -7,8 +7,8 @@
 #include "cli/output_options.hpp"
 #include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
-#include "picture/surface_mesh_picture.hpp"
-#include "picture/surface_request.hpp"
+#include "picture/surface/surface_mesh_picture.hpp"
+#include "picture/surface/surface_request.hpp"
 
 namespace CLI {
 class App;

@@ -1,7 +1,7 @@
 #pragma once
 /// The options of ligne surface that say how long its axes are.
 
-#include "picture/surface_request.hpp"
+#include "picture/surface/surface_request.hpp"
 
 namespace CLI {
 class App;

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "picture/parse_options.hpp"
-#include "picture/parse_terrain.hpp"
+#include "picture/parse/parse_options.hpp"
+#include "picture/parse/parse_terrain.hpp"
 
 namespace ligne {
 

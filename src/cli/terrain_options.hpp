@@ -1,7 +1,7 @@
 #pragma once
 /// Options of maps: labels of contours, water, hachures, scale bar, arrow to the north; curves, points, colours and names.
 
-#include "picture/surface_request.hpp"
+#include "picture/surface/surface_request.hpp"
 
 namespace CLI {
 class App;

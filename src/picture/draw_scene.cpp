@@ -4,8 +4,8 @@
 
 #include "picture/drawn_scene.hpp"
 #include "picture/errors.hpp"
-#include "picture/form_hatching.hpp"
-#include "picture/hatching.hpp"
+#include "picture/hatching/form_hatching.hpp"
+#include "picture/hatching/hatching.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "picture/axes.hpp"
+#include "picture/marks/axes.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "picture/scene_study.hpp"

@@ -5,16 +5,16 @@
 #include <string>
 #include <utility>
 
-#include "picture/contour_labels.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/fills.hpp"
-#include "picture/gray_faces.hpp"
-#include "picture/hatching.hpp"
+#include "picture/hatching/gray_faces.hpp"
+#include "picture/hatching/hatching.hpp"
 #include "picture/hidden_pieces.hpp"
+#include "picture/light/seen_through.hpp"
 #include "picture/line_groups.hpp"
+#include "picture/marks/contour_labels.hpp"
+#include "picture/marks/point_marks.hpp"
 #include "picture/parts.hpp"
-#include "picture/point_marks.hpp"
-#include "picture/seen_through.hpp"
 #include "plotting/stroke_text.hpp"
 #include "plotting/writers.hpp"
 #include "scene/clean/named_objects.hpp"

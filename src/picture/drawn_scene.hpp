@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
-#include "picture/axes.hpp"
-#include "picture/hatch_patches.hpp"
+#include "picture/hatching/hatch_patches.hpp"
+#include "picture/marks/axes.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "picture/scene_study.hpp"

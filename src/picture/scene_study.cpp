@@ -4,17 +4,17 @@
 #include <utility>
 
 #include "contours/contour_strokes.hpp"
-#include "picture/clear_creases.hpp"
-#include "picture/clear_intersections.hpp"
+#include "picture/choice/method_choice.hpp"
+#include "picture/clear/clear_creases.hpp"
+#include "picture/clear/clear_intersections.hpp"
+#include "picture/clear/profile.hpp"
+#include "picture/clear/tidy_strokes.hpp"
 #include "picture/culling.hpp"
 #include "picture/errors.hpp"
-#include "picture/hatching.hpp"
-#include "picture/lighting.hpp"
+#include "picture/hatching/hatching.hpp"
+#include "picture/light/lighting.hpp"
 #include "picture/line_groups.hpp"
-#include "picture/method_choice.hpp"
-#include "picture/point_marks.hpp"
-#include "picture/profile.hpp"
-#include "picture/tidy_strokes.hpp"
+#include "picture/marks/point_marks.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {

@@ -8,8 +8,8 @@
 
 #include "contours/contour_lines.hpp"
 #include "contours/shape_lines.hpp"
-#include "picture/axes.hpp"
-#include "picture/detail_lines.hpp"
+#include "picture/light/detail_lines.hpp"
+#include "picture/marks/axes.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "scene/creases/find_creases.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "picture/shadows.hpp"
+#include "picture/light/shadows.hpp"
 #include "study/experiments.hpp"
 #include "study/generators.hpp"
 #include "study/measure.hpp"

@@ -9,11 +9,11 @@
 #include <set>
 
 #include "drawing/drawing.hpp"
-#include "picture/detail_lines.hpp"
-#include "picture/details.hpp"
 #include "picture/drawn_scene.hpp"
-#include "picture/seen_through.hpp"
-#include "picture/shadows.hpp"
+#include "picture/light/detail_lines.hpp"
+#include "picture/light/details.hpp"
+#include "picture/light/seen_through.hpp"
+#include "picture/light/shadows.hpp"
 #include "scene/readers/reader.hpp"
 #include "view/projected_scene.hpp"
 #include "view/tolerances.hpp"

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "picture/parse_options.hpp"
+#include "picture/parse/parse_options.hpp"
 
 namespace ligne {
 namespace {

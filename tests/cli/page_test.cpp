@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "picture/errors.hpp"
-#include "picture/parse_options.hpp"
+#include "picture/parse/parse_options.hpp"
 #include "picture/placement.hpp"
 
 namespace ligne {

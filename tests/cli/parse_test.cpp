@@ -1,4 +1,4 @@
-#include "picture/parse.hpp"
+#include "picture/parse/parse.hpp"
 
 #include <gtest/gtest.h>
 

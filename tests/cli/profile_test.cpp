@@ -141,7 +141,7 @@ double distance(const std::array<double, 2>& p, const PagePiece& piece) {
 }
 
 /// Whether a line passes beside the place, in the ink of another one, at less than eight degrees: there a change is off by
-/// what is looked at beside the line (picture/profile.cpp).
+/// what is looked at beside the line (picture/clear/profile.cpp).
 bool passes_beside(const std::array<double, 2>& p, const PagePiece& own, const PagePiece& other) {
   const double ax = own.to[0] - own.from[0], ay = own.to[1] - own.from[1];
   const double bx = other.to[0] - other.from[0], by = other.to[1] - other.from[1];

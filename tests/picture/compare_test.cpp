@@ -1,6 +1,6 @@
 // Methods side by side: exact ones agree, what goes wrong with one is a row.
 
-#include "picture/compare.hpp"
+#include "report/compare.hpp"
 
 #include <gtest/gtest.h>
 

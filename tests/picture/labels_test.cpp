@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "picture/contour_labels.hpp"
-#include "picture/surface_picture.hpp"
+#include "picture/marks/contour_labels.hpp"
+#include "picture/surface/surface_picture.hpp"
 
 namespace ligne {
 namespace {

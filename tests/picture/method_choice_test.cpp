@@ -1,6 +1,6 @@
 // What auto takes: always something, never a method for which the scene is not made, and the same lines.
 
-#include "picture/method_choice.hpp"
+#include "picture/choice/method_choice.hpp"
 
 #include <gtest/gtest.h>
 

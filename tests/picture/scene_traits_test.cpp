@@ -1,6 +1,6 @@
 // Traits of scenes whose figures are counted by hand, and bounds of the counts.
 
-#include "picture/scene_traits.hpp"
+#include "picture/choice/scene_traits.hpp"
 
 #include <gtest/gtest.h>
 

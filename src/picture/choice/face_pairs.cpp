@@ -1,0 +1,93 @@
+#include "picture/choice/face_pairs.hpp"
+
+#include <algorithm>
+
+#include "view/tolerances.hpp"
+#include "visibility/common/cell_grid.hpp"
+#include "visibility/common/penetration.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: pairs of facets that are looked at; some 0.1 microseconds each.
+constexpr std::uint64_t kMostLooks = 4'000'000;
+
+std::uint64_t pair_of(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
+
+void keep_each_once(std::vector<std::uint64_t>& pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+/// Two positively turned triangles have inner points in common unless a side of one has all of the other on its outside.
+bool overlap(const PlacedFacet& a, const PlacedFacet& b) {
+  const auto divided_by_side_of = [](const PlacedFacet& of, const PlacedFacet& other) {
+    for (int k = 0; k < 3; ++k) {
+      const LatticePoint from = of.p[k], to = of.p[(k + 1) % 3];
+      const auto outside = [&](LatticePoint q) { return orientation(from, to, q) <= 0; };
+      if (std::all_of(other.p.begin(), other.p.end(), outside)) return true;
+    }
+    return false;
+  };
+  return !divided_by_side_of(a, b) && !divided_by_side_of(b, a);
+}
+
+/// Looks at the pairs of one leaf after the other, as long as there are looks left.
+class PairSearch {
+ public:
+  PairSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid)
+      : facets_(facets), grid_(grid), penetrations_(facets, scene.vertices) {}
+
+  void look(const Cell& cell) {
+    if (cell.count < 2 || cell.one_face) return;
+    const CellFacet* list = grid_.list(cell);
+    placed_.clear();
+    for (std::uint32_t i = 0; i < cell.count; ++i) placed_.push_back(penetrations_.place(list[i].facet));
+    for (std::uint32_t i = 0; i < cell.count; ++i) {
+      for (std::uint32_t k = i + 1; k < cell.count; ++k) {
+        if (looks_ == kMostLooks) return;
+        ++looks_;
+        if (placed_[i].face == placed_[k].face || !list[i].box.meets(list[k].box)) continue;
+        // The list is ordered by the nearest depth: of what lies wholly behind only the overlap is of interest.
+        const bool may_penetrate = list[k].z_near <= facets_[list[i].facet].z_far;
+        if (may_penetrate) penetrations_.test(placed_[i], placed_[k], [](const PageSegment&) { return true; });
+        if (overlap(placed_[i], placed_[k])) found_.overlapping.push_back(pair_of(placed_[i].face, placed_[k].face));
+      }
+    }
+    penetrations_.forget_repeated();
+  }
+
+  FacePairs finish(double least_steps) {
+    keep_each_once(found_.overlapping);
+    for (const Intersection& x : penetrations_.finish(least_steps)) {
+      if (x.face0 != x.face1) found_.penetrating.push_back(pair_of(x.face0, x.face1));
+    }
+    keep_each_once(found_.penetrating);
+    found_.complete = looks_ < kMostLooks;
+    return std::move(found_);
+  }
+
+ private:
+  const std::vector<Facet>& facets_;
+  const CellGrid& grid_;
+  PenetrationSearch penetrations_;
+  std::vector<PlacedFacet> placed_;
+  std::uint64_t looks_ = 0;
+  FacePairs found_;
+};
+
+}  // namespace
+
+FacePairs find_face_pairs(const ProjectedScene& scene, const std::vector<Facet>& facets, double coincidence_steps) {
+  CellGrid::Options options;
+  options.margin_steps = coincidence_steps + 1;
+  options.drop_hidden = false;
+  const CellGrid grid(scene, facets, options);
+  PairSearch search(scene, facets, grid);
+  for (std::size_t i = 0; i < grid.top_cell_count(); ++i) {
+    grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare&) { search.look(cell); });
+  }
+  return search.finish(kLeastPartMm / scene.lattice.step_mm);
+}
+
+}  // namespace ligne

@@ -1,0 +1,58 @@
+#include "picture/choice/method_choice.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "visibility/culling/convex_body.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: fewer are studied in some milliseconds by either method.
+constexpr std::size_t kManyTriangles = 512;
+
+constexpr ChoiceRule kRules[] = {
+    {"areas of faces are asked for", "atherton-weiler", [](const ChoiceFacts& f) { return f.regions; }},
+    {"one opaque convex body of many faces", "culling",
+     [](const ChoiceFacts& f) { return f.many_triangles && f.may_be_one_body; }},
+    {"any other scene", "appel", [](const ChoiceFacts&) { return true; }},
+};
+
+}  // namespace
+
+std::span<const ChoiceRule> choice_rules() { return kRules; }
+
+std::size_t choose_rule(const ChoiceFacts& facts) {
+  const auto rule = std::find_if(std::begin(kRules), std::end(kRules), [&](const ChoiceRule& r) { return r.holds(facts); });
+  return static_cast<std::size_t>(rule - std::begin(kRules));
+}
+
+bool asks_for_regions(const PictureRequest& request) {
+  return request.regions || request.fill.asked() || request.hatch.asked() || request.lines.classes.has(LineClass::shadow);
+}
+
+ChoiceFacts facts_of(const PictureRequest& request, const ProjectedScene& projected) {
+  ChoiceFacts facts;
+  facts.regions = asks_for_regions(request);
+  facts.many_triangles = projected.triangles.size() >= kManyTriangles;
+  facts.may_be_one_body = !facts.regions && facts.many_triangles && culling::looks_like_one_convex_body(projected);
+  return facts;
+}
+
+ChosenStudy study_by_choice(const PictureRequest& request, const ProjectedScene& projected, const StudyOptions& options) {
+  const std::size_t number = choose_rule(facts_of(request, projected));
+  const auto words = [](std::size_t rule) {
+    return "rule " + std::to_string(rule + 1) + ": " + std::string(kRules[rule].when);
+  };
+  ChosenStudy choice{find_method(kRules[number].method), words(number), {}};
+  choice.result = choice.method->study(projected, options);
+  if (choice.result.beyond.empty()) return choice;
+  constexpr std::size_t kLast = std::size(kRules) - 1;
+  choice.why = words(kLast) + " (" + std::string(choice.method->traits().name) + " found that " + choice.result.beyond + ")";
+  choice.method = find_method(kRules[kLast].method);
+  choice.result = choice.method->study(projected, options);
+  return choice;
+}
+
+}  // namespace ligne

@@ -1,0 +1,135 @@
+#include "picture/clear/clear_intersections.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
+
+#include "geometry/disjoint_sets.hpp"
+#include "picture/clear/rim_lines.hpp"
+#include "scene/clean/near_cells.hpp"
+#include "scene/contacts/chord_errors.hpp"
+#include "scene/contacts/face_contact.hpp"
+
+namespace ligne {
+namespace {
+
+/// Ends of segments that continue each other are rounded to the lattice one by one: so many steps apart at the most.
+constexpr double kSameEndSteps = 4;
+/// Adjustable: connected intersections of whose length less than this part lies in contacts stay whole.
+constexpr double kTangentPart = 0.25;
+
+/// Segments that hang together by their ends.
+DisjointSets connect(const std::vector<SourceEdge>& segments, double distance) {
+  DisjointSets sets(segments.size());
+  std::size_t slots = 1;
+  while (slots < 4 * segments.size()) slots *= 2;
+  std::vector<std::vector<std::uint32_t>> ends(slots);  // by the cell of the end: twice the segment, plus which end
+  const auto place = [&](std::uint32_t end) { return segments[end / 2].ends[end % 2]; };
+  for (std::uint32_t end = 0; end < 2 * segments.size(); ++end) {
+    const NearCells cells(place(end), distance);
+    if (!cells.finite()) continue;
+    std::array<std::size_t, 8> looked_at{};
+    for (unsigned k = 0; k < 8; ++k) {
+      looked_at[k] = cells.slot(k, slots);
+      if (std::find(looked_at.begin(), looked_at.begin() + k, looked_at[k]) != looked_at.begin() + k) continue;
+      for (const std::uint32_t other : ends[looked_at[k]]) {
+        if (glm::distance(place(end), place(other)) <= distance) sets.join(end / 2, other / 2);
+      }
+    }
+    // One end stands for all that coincide with it.
+    auto& own = ends[looked_at[0]];
+    const bool stands = std::any_of(own.begin(), own.end(), [&](std::uint32_t other) { return place(other) == place(end); });
+    if (!stands) own.push_back(end);
+  }
+  return sets;
+}
+
+/// The faces of intersections, ascending.
+std::vector<std::uint32_t> faces_of(const std::vector<SourceEdge>& segments) {
+  std::vector<std::uint32_t> faces;
+  for (const SourceEdge& s : segments) {
+    if (s.intersection) faces.insert(faces.end(), s.faces.begin(), s.faces.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+/// The faces, and those beside them.
+std::vector<std::uint32_t> with_neighbours(const Scene& scene, std::vector<std::uint32_t> faces) {
+  const FaceNeighbours neighbours(scene, faces);
+  neighbours.for_each_pair([&](std::uint32_t a, std::uint32_t b, std::uint32_t, std::uint32_t) {
+    faces.insert(faces.end(), {a, b});
+  });
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+/// Per segment whether its faces touch, but for those of intersections that are tangent only at places.
+std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge>& segments, const ChordErrors& errors,
+                                double same_end) {
+  std::vector<bool> contact(segments.size(), false);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const SourceEdge& s = segments[i];
+    if (!s.intersection) continue;
+    const double error = errors.of(s.faces[0]) + errors.of(s.faces[1]);
+    if (error == 0) continue;
+    const double precision = object_precision(scene, s.faces[0]) + object_precision(scene, s.faces[1]);
+    contact[i] = within_distance(scene, s.faces, s.ends, error + precision);
+  }
+  if (std::find(contact.begin(), contact.end(), true) == contact.end()) return contact;
+  DisjointSets chains = connect(segments, same_end);
+  std::vector<std::array<double, 2>> lengths(segments.size(), {0, 0});  // by chain: all, and in contacts
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    const double length = glm::distance(segments[i].ends[0], segments[i].ends[1]);
+    auto& [all, in_contact] = lengths[chains.find(i)];
+    all += length;
+    if (contact[i]) in_contact += length;
+  }
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    const auto [all, in_contact] = lengths[chains.find(i)];
+    if (in_contact < kTangentPart * all) contact[i] = false;
+  }
+  return contact;
+}
+
+}  // namespace
+
+void clear_intersections(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
+                         RunReport& run) {
+  if (request.quality == Quality::exact || model.intersections.empty()) return;
+  std::vector<std::uint32_t> faces = with_neighbours(scene, faces_of(model.intersections));
+  const FaceNeighbours neighbours(scene, faces);
+  const ChordErrors errors(scene, neighbours, std::move(faces), request.crease_degrees);
+  const std::vector<bool> contact =
+      find_contacts(scene, model.intersections, errors, kSameEndSteps * projected.lattice.step_mm / projected.view.scale);
+  const RimLines rims(scene, neighbours, errors, model.intersections, request.crease_degrees);
+
+  const std::size_t segments = model.intersections.size();
+  std::vector<bool> on_rim(segments, false);
+  std::vector<Stroke> strokes, pieces;
+  std::swap(strokes, model.strokes);
+  for (const Stroke& s : strokes) {
+    const std::size_t i = s.source - std::size_t{model.edge_count};
+    if (s.source < model.edge_count || !model.intersections[i].intersection) {
+      model.strokes.push_back(s);
+    } else if (!contact[i]) {
+      pieces = rims.pieces(model, s, projected.view, request.studied());
+      on_rim[i] = on_rim[i] || !pieces.empty();
+      if (pieces.empty()) pieces = {s};
+      model.strokes.insert(model.strokes.end(), pieces.begin(), pieces.end());
+    }
+  }
+  const auto count = [&](const char* name, const std::vector<bool>& which) {
+    const auto n = std::count(which.begin(), which.end(), true);
+    if (n > 0) run.clear.count(name, static_cast<std::uint64_t>(n));
+  };
+  count("intersections of surfaces that touch", contact);
+  count("intersections along rims", on_rim);
+}
+
+}  // namespace ligne

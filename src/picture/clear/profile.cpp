@@ -1,0 +1,173 @@
+/// Profiles.
+///
+/// 1. Beside every visible stroke it is looked what would be seen there without lines (profile_sides.hpp).
+/// 2. On a line that runs from one junction with other lines to the next one, the answer can not change: where what is seen
+///    beside it ends, that end is a line too, and meets it. So on each such arc what is shorter than two widths of the pen
+///    is noise, from concave corners and from looking a little beside, and gives way. What is left changes at junctions;
+///    inside an arc only where another line is not drawn.
+/// 3. Strokes are cut where it changes.
+
+#include "picture/clear/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "drawing/stroke_arcs.hpp"
+#include "drawing/stroke_overlap.hpp"
+#include "drawing/stroke_piece.hpp"
+#include "picture/clear/profile_sides.hpp"
+
+namespace ligne {
+namespace {
+
+/// What is shorter, in widths of the pen, is no change of the line.
+constexpr double kShortestInPens = 2;
+/// Nor is what is shorter than so many times the distance at which it was looked beside the line: by so much a change is off
+/// where the other line crosses at eight degrees.
+constexpr double kShortestOff = 7;
+/// A line ends at another one when it ends so near to it: twice what curves may leave their points by.
+constexpr double kJunctionMm = 0.004;
+
+/// A part of an arc that is free or not.
+struct Bit {
+  std::uint32_t stroke;
+  StrokeCut from, to;  ///< on the stroke
+  double length;       ///< steps
+  bool free;
+};
+
+/// The parts of an arc as bits, in the order of the arc.
+std::vector<Bit> bits_of(const StrokeArc& arc, const std::vector<Stroke>& strokes, const std::vector<FreeParts>& free,
+                         const std::vector<std::uint32_t>& member_of) {
+  std::vector<Bit> bits, of_part;
+  for (const ArcPart& part : arc.parts) {
+    const Stroke& s = strokes[part.stroke];
+    const double size = length(s.from, s.to);
+    of_part.clear();
+    double last = part.from;
+    const auto cut_at = [&](double fraction) -> StrokeCut {
+      if (fraction == part.from) return {fraction, part.p_from};
+      if (fraction == part.to) return {fraction, part.p_to};
+      return {fraction,
+              {static_cast<std::int32_t>(std::lround(s.from.x + fraction * (double(s.to.x) - s.from.x))),
+               static_cast<std::int32_t>(std::lround(s.from.y + fraction * (double(s.to.y) - s.from.y)))}};
+    };
+    const auto add = [&](double to, bool is_free) {
+      if (!(last < to)) return;
+      of_part.push_back({part.stroke, cut_at(last), cut_at(to), (to - last) * size, is_free});
+      last = to;
+    };
+    for (const StrokePart& open : free[member_of[part.stroke]].parts) {
+      add(std::clamp(open.from, part.from, part.to), false);
+      add(std::clamp(open.to, part.from, part.to), true);
+    }
+    add(part.to, false);
+    if (part.reversed) std::reverse(of_part.begin(), of_part.end());
+    bits.insert(bits.end(), of_part.begin(), of_part.end());
+  }
+  return bits;
+}
+
+/// Bits that follow each other and are alike.
+struct Run {
+  double length;
+  bool free;
+  std::size_t end;  ///< behind its last bit
+};
+
+/// Takes out runs that are shorter than `shortest`: the shortest gives way first.
+void drop_short_runs(std::vector<Bit>& bits, double shortest) {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    if (runs.empty() || runs.back().free != bits[i].free) runs.push_back({0, bits[i].free, 0});
+    runs.back().length += bits[i].length;
+    runs.back().end = i + 1;
+  }
+  while (runs.size() > 1) {
+    const auto least =
+        std::min_element(runs.begin(), runs.end(), [](const Run& l, const Run& r) { return l.length < r.length; });
+    if (!(least->length < shortest)) break;
+    auto first = least == runs.begin() ? least : least - 1;
+    const auto last = least + 1 == runs.end() ? least : least + 1;
+    Run joined{0, !least->free, last->end};
+    for (auto run = first; run <= last; ++run) joined.length += run->length;
+    *first = joined;
+    runs.erase(first + 1, last + 1);
+  }
+  std::size_t i = 0;
+  for (const Run& run : runs) {
+    for (; i < run.end; ++i) bits[i].free = run.free;
+  }
+}
+
+/// A ring begins where it changes, so that no run is cut in two.
+void begin_at_change(std::vector<Bit>& bits) {
+  for (std::size_t i = 1; i < bits.size(); ++i) {
+    if (bits[i].free == bits[i - 1].free) continue;
+    std::rotate(bits.begin(), bits.begin() + static_cast<std::ptrdiff_t>(i), bits.end());
+    return;
+  }
+}
+
+/// The strokes cut where bits that are free begin and end.
+std::vector<Stroke> cut_strokes(const std::vector<Stroke>& strokes, std::vector<Bit>& free_bits) {
+  std::sort(free_bits.begin(), free_bits.end(), [](const Bit& l, const Bit& r) {
+    return std::tie(l.stroke, l.from.fraction) < std::tie(r.stroke, r.from.fraction);
+  });
+  std::vector<Stroke> cut;
+  cut.reserve(strokes.size() + free_bits.size());
+  auto bit = free_bits.begin();
+  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
+    const Stroke& s = strokes[i];
+    StrokeCut last{0, s.from};
+    const auto add = [&](const StrokeCut& to, bool is_profile) {
+      if (!(last.fraction < to.fraction)) return;
+      const Stroke piece = stroke_piece(s, last, to);
+      last = to;
+      if (piece.from == piece.to || !(piece.t_from < piece.t_to)) return;
+      cut.push_back(piece);
+      if (is_profile) cut.back().line_class = LineClass::profile;
+    };
+    if (bit == free_bits.end() || bit->stroke != i) {
+      cut.push_back(s);
+      continue;
+    }
+    while (bit != free_bits.end() && bit->stroke == i) {
+      add(bit->from, false);
+      StrokeCut to = bit->to;
+      for (++bit; bit != free_bits.end() && bit->stroke == i && bit->from.fraction == to.fraction; ++bit) to = bit->to;
+      add(to, true);
+    }
+    add({1, s.to}, false);
+  }
+  return cut;
+}
+
+}  // namespace
+
+void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
+                   ProfileKind kind, double pen_width_mm) {
+  std::vector<std::uint32_t> members, member_of(model.strokes.size(), kNone);
+  for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
+    const Stroke& s = model.strokes[i];
+    if (!s.visible || s.level > 0 || s.from == s.to || static_cast<std::size_t>(s.line_class) >= kEdgeClassCount) continue;
+    member_of[i] = static_cast<std::uint32_t>(members.size());
+    members.push_back(i);
+  }
+  if (members.empty()) return;
+  const auto free = free_parts(model, members, projected, scene, contours, kind, pen_width_mm);
+  const double step = model.lattice.step_mm;
+  std::vector<Bit> profiles;
+  for (const StrokeArc& arc : stroke_arcs(model.strokes, members, kJunctionMm / step)) {
+    std::vector<Bit> bits = bits_of(arc, model.strokes, free, member_of);
+    if (arc.closed) begin_at_change(bits);
+    double off_mm = 0;
+    for (const ArcPart& part : arc.parts) off_mm = std::max(off_mm, free[member_of[part.stroke]].off_mm);
+    drop_short_runs(bits, std::max(kShortestInPens * pen_width_mm, kShortestOff * off_mm) / step);
+    std::copy_if(bits.begin(), bits.end(), std::back_inserter(profiles), [](const Bit& bit) { return bit.free; });
+  }
+  model.strokes = cut_strokes(model.strokes, profiles);
+}
+
+}  // namespace ligne

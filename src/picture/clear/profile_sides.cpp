@@ -1,0 +1,275 @@
+#include "picture/clear/profile_sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "contours/contour_choice.hpp"
+#include "geometry/parallel.hpp"
+#include "scene/clean/named_objects.hpp"
+#include "view/tolerances.hpp"
+#include "visibility/common/nearest_along.hpp"
+
+namespace ligne {
+namespace {
+
+/// How far beside a stroke is beside it: so many times the distance within which lines are one.
+constexpr double kBesideCoincidences = 4;
+/// A gap through which something is seen is so wide, in widths of the pen: what is narrower is full of ink.
+constexpr double kLeastGapInPens = 0.25;
+/// Another object is farther back when it is so many widths of the pen behind: what is nearer touches.
+constexpr double kLeastDepthInPens = 1;
+constexpr std::size_t kBlock = 256;
+
+/// The lines on one side of a stroke at which is looked.
+struct Side {
+  LineOnPage close, off;
+  std::vector<StrokePart> free{{0, 1}};
+};
+
+LatticePoint moved(LatticePoint p, Point2 by) {
+  return {static_cast<std::int32_t>(std::lround(p.x + by.x)), static_cast<std::int32_t>(std::lround(p.y + by.y))};
+}
+
+/// Across from-to, of unit length; zero for a point.
+Point2 across(LatticePoint from, LatticePoint to) {
+  const Point2 d{double(to.x) - from.x, double(to.y) - from.y};
+  const double size = std::hypot(d.x, d.y);
+  return size > 0 ? Point2{-d.y / size, d.x / size} : Point2{0, 0};
+}
+
+std::vector<StrokePart> common_parts(const std::vector<StrokePart>& a, const std::vector<StrokePart>& b) {
+  std::vector<StrokePart> common;
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    const StrokePart part{std::max(a[i].from, b[j].from), std::min(a[i].to, b[j].to)};
+    if (part.from < part.to) common.push_back(part);
+    a[i].to < b[j].to ? ++i : ++j;
+  }
+  return common;
+}
+
+void add_part(std::vector<StrokePart>& parts, double from, double to) {
+  if (!parts.empty() && parts.back().to == from) {
+    parts.back().to = to;
+  } else if (from < to) {
+    parts.push_back({from, to});
+  }
+}
+
+std::vector<StrokePart> all_parts(std::vector<StrokePart> parts, const std::vector<StrokePart>& more) {
+  parts.insert(parts.end(), more.begin(), more.end());
+  std::sort(parts.begin(), parts.end(), [](const StrokePart& l, const StrokePart& r) { return l.from < r.from; });
+  std::vector<StrokePart> joined;
+  for (const StrokePart& part : parts) {
+    if (!joined.empty() && part.from <= joined.back().to) {
+      joined.back().to = std::max(joined.back().to, part.to);
+    } else {
+      joined.push_back(part);
+    }
+  }
+  return joined;
+}
+
+/// The first two faces of the sources of strokes.
+class SourceFaces {
+ public:
+  SourceFaces(const StrokeModel& model, const ProjectedScene& projected)
+      : model_(model), of_edge_(model.edge_count, {kNone, kNone}) {
+    for (const ProjectedEdge& edge : projected.edges) {
+      if (edge.source < of_edge_.size()) of_edge_[edge.source] = {edge.face0, edge.face1};
+    }
+  }
+  const std::array<std::uint32_t, 2>& operator()(const Stroke& stroke) const {
+    if (stroke.source < of_edge_.size()) return of_edge_[stroke.source];
+    return model_.intersections[stroke.source - model_.edge_count].faces;
+  }
+
+ private:
+  const StrokeModel& model_;
+  std::vector<std::array<std::uint32_t, 2>> of_edge_;
+};
+
+/// The lines beside strokes.
+class Sides {
+ public:
+  Sides(const StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const SourceFaces& faces,
+        const ContourSources& contours, double pen_width_mm)
+      : model_(model),
+        scene_(scene),
+        projected_(projected),
+        faces_(faces),
+        contours_(contours),
+        beside_(std::max(kBesideCoincidences * coincidence_mm(projected) / projected.lattice.step_mm, kLeastSteps)),
+        gap_(std::max(kLeastGapInPens * pen_width_mm / projected.lattice.step_mm, beside_)) {
+    if (contours.lines.empty()) return;
+    const auto [low, high] = std::minmax_element(contours.lines.begin(), contours.lines.end());
+    first_line_ = *low;
+    edge_of_line_.assign(*high - *low + 1, kNone);
+    for (std::uint32_t i = 0; i < projected.edges.size(); ++i) {
+      const std::uint32_t source = projected.edges[i].source;
+      if (source >= first_line_ && source - first_line_ < edge_of_line_.size()) edge_of_line_[source - first_line_] = i;
+    }
+  }
+
+  /// The sides of a stroke on the mesh on which none of its faces lies, the free one of a contour.
+  void add(const Stroke& stroke, std::vector<Side>& sides) const {
+    if (stroke.source >= contours_.first && stroke.source - contours_.first < contours_.lines.size()) {
+      if (const auto side = free_side(stroke)) sides.push_back(*side);
+      return;
+    }
+    if (stroke.line_class == LineClass::intersection) return;  // faces go on to all sides of it
+    const Point2 out = across(stroke.from, stroke.to);
+    const auto& faces = faces_(stroke);
+    const std::array covered{side_of(faces[0], stroke), side_of(faces[1], stroke)};
+    for (const double sign : {1.0, -1.0}) {
+      if (covered[0] == sign || covered[1] == sign) continue;
+      sides.push_back({{moved(stroke.from, sign * beside_ * out), moved(stroke.to, sign * beside_ * out)},
+                       {moved(stroke.from, sign * gap_ * out), moved(stroke.to, sign * gap_ * out)}});
+    }
+  }
+
+ private:
+  static constexpr double kLeastSteps = 4;  ///< beyond the roundings of both ends of two lines
+
+  /// A contour was studied at a line beyond the outline of its mesh: it is looked there.
+  std::optional<Side> free_side(const Stroke& stroke) const {
+    const std::uint32_t line = contours_.lines[stroke.source - contours_.first] - first_line_;
+    if (edge_of_line_[line] == kNone) return {};
+    const std::uint32_t e = edge_of_line_[line];
+    const ProjectedEdge& edge = projected_.edges[e];
+    const std::array<double, 2> part = projected_.edge_parts.empty() ? std::array{0.0, 1.0} : projected_.edge_parts[e];
+    const LatticePoint p0 = projected_.vertices[edge.v0].p, p1 = projected_.vertices[edge.v1].p;
+    const auto at = [&](double t) {
+      const double u = std::clamp((t - part[0]) / (part[1] - part[0]), 0.0, 1.0);
+      return moved(p0, {u * (double(p1.x) - p0.x), u * (double(p1.y) - p0.y)});
+    };
+    const std::array close{at(stroke.t_from), at(stroke.t_to)};
+    // The line lies beside the segment on the mesh; the curve that is drawn may lie beyond both.
+    const std::array<Point3, 2>& ends = model_.intersections[stroke.source - model_.edge_count].ends;
+    const LatticePoint m0 = on_page(ends[0]), m1 = on_page(ends[1]);
+    Point2 out = across(m0, m1);
+    const Point2 towards{(double(p0.x) + p1.x) - (double(m0.x) + m1.x), (double(p0.y) + p1.y) - (double(m0.y) + m1.y)};
+    if (out.x * towards.x + out.y * towards.y < 0) out = -1.0 * out;
+    return Side{close, {moved(close[0], gap_ * out), moved(close[1], gap_ * out)}};
+  }
+
+  /// On which side of an edge of it the face lies, 1: that of across(), -1: the other one; 0: not all of it on one, or so
+  /// narrow that what is looked at lies beyond it.
+  double side_of(std::uint32_t face, const Stroke& stroke) const {
+    if (face == kNone) return 0;
+    const View& view = projected_.view;
+    const Point2 from = projected_.lattice.to_mm(stroke.from), along = projected_.lattice.to_mm(stroke.to) - from;
+    double lowest = 0, highest = 0;
+    for (const std::uint32_t v : scene_.faces.contour(face, 0)) {
+      const HomogeneousPoint p = to_homogeneous(view, scene_.vertices[v]);
+      if (view.camera.perspective && !(p.w > view.near_distance)) return 0;  // it has no place on the page
+      const double height = along.x * (p.y / p.w - from.y) - along.y * (p.x / p.w - from.x);
+      lowest = std::min(lowest, height);
+      highest = std::max(highest, height);
+    }
+    const double beside_mm = beside_ * projected_.lattice.step_mm, size = std::hypot(along.x, along.y);
+    if (highest > beside_mm * size && lowest > -beside_mm * size) return 1;
+    return lowest < -beside_mm * size && highest < beside_mm * size ? -1 : 0;
+  }
+
+  LatticePoint on_page(const Point3& p) const { return projected_.lattice.snap(page_point(projected_.view, p)); }
+
+  const StrokeModel& model_;
+  const Scene& scene_;
+  const ProjectedScene& projected_;
+  const SourceFaces& faces_;
+  const ContourSources& contours_;
+  double beside_, gap_;  ///< steps
+  std::uint32_t first_line_ = 0;
+  std::vector<std::uint32_t> edge_of_line_;
+};
+
+/// Between the middles of a stroke and of the line close beside it.
+double distance_mm(const StrokeModel& model, const Stroke& stroke, const Side& side) {
+  const double x = (double(side.close[0].x) + side.close[1].x - stroke.from.x - stroke.to.x) / 2;
+  const double y = (double(side.close[0].y) + side.close[1].y - stroke.from.y - stroke.to.y) / 2;
+  return std::hypot(x, y) * model.lattice.step_mm;
+}
+
+/// Adds the part of a stretch on which the facet that is seen lies farther behind the stroke than `least_mm`.
+void add_behind(std::vector<StrokePart>& parts, const Stroke& stroke, const SeenStretch& stretch, const Facet& facet,
+                const ProjectedScene& projected, double least_mm) {
+  // How far the plane of the facet is behind the stroke itself is linear along it.
+  const auto behind = [&](double t) {
+    const double x = stroke.from.x + t * (double(stroke.to.x) - stroke.from.x);
+    const double y = stroke.from.y + t * (double(stroke.to.y) - stroke.from.y);
+    const double z = stroke.z_from + t * (double(stroke.z_to) - stroke.z_from);
+    return plane_depth(facet, projected.vertices, x, y) - z - least_mm;
+  };
+  const double from = behind(stretch.from), to = behind(stretch.to);
+  if (from <= 0 && to <= 0) return;
+  const double change = from > 0 && to > 0 ? 0 : stretch.from + from / (from - to) * (stretch.to - stretch.from);
+  add_part(parts, from > 0 ? stretch.from : change, to > 0 ? stretch.to : change);
+}
+
+/// What is in the way of a look at the sheet: all facets but those that are not even in the way of a line.
+std::vector<Facet> facets_in_the_way(const ProjectedScene& projected) {
+  std::vector<Facet> facets = make_facets(projected, 0).facets;
+  if (!projected.face_is_transparent.empty()) {
+    std::erase_if(facets, [&](const Facet& f) { return projected.face_is_transparent[f.face] == kClearFace; });
+  }
+  return facets;
+}
+
+}  // namespace
+
+std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
+                                  const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
+                                  ProfileKind kind, double pen_width_mm) {
+  const SourceFaces faces(model, projected);
+  const Sides sides_of(model, scene, projected, faces, contours, pen_width_mm);
+  std::vector<std::vector<Side>> sides(members.size());
+  parallel_blocks(members.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end; ++m) sides_of.add(model.strokes[members[m]], sides[m]);
+  });
+  const std::vector<Facet> facets = facets_in_the_way(projected);
+  const ObjectOfFace object_of(scene);
+  const auto owns = [&](const Stroke& stroke, std::uint32_t face) {
+    const std::uint32_t object = object_of(face);
+    return object == object_of(faces(stroke)[0]) || object == object_of(faces(stroke)[1]);
+  };
+  // Only beside what is free close by is it looked farther off.
+  const auto look = [&](auto line_of) {
+    std::vector<LineOnPage> lines;
+    for (const auto& of_stroke : sides) {
+      for (const Side& side : of_stroke) {
+        if (!side.free.empty()) lines.push_back(line_of(side));
+      }
+    }
+    const auto seen = nearest_along(projected.vertices, facets, lines, kind == ProfileKind::sheet);
+    std::size_t line = 0;
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      const Stroke& stroke = model.strokes[members[m]];
+      for (Side& side : sides[m]) {
+        if (side.free.empty()) continue;
+        std::vector<StrokePart> free;
+        for (const SeenStretch& stretch : seen[line]) {
+          if (stretch.facet == kNone) {
+            add_part(free, stretch.from, stretch.to);
+          } else if (kind == ProfileKind::parts && !owns(stroke, facets[stretch.facet].face)) {
+            add_behind(free, stroke, stretch, facets[stretch.facet], projected, kLeastDepthInPens * pen_width_mm);
+          }
+        }
+        side.free = common_parts(side.free, free);
+        ++line;
+      }
+    }
+  };
+  look([](const Side& side) { return side.close; });
+  look([](const Side& side) { return side.off; });
+  std::vector<FreeParts> free(members.size());
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    for (const Side& side : sides[m]) {
+      free[m].parts = all_parts(std::move(free[m].parts), side.free);
+      free[m].off_mm = std::max(free[m].off_mm, distance_mm(model, model.strokes[members[m]], side));
+    }
+  }
+  return free;
+}
+
+}  // namespace ligne

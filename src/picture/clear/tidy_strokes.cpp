@@ -1,0 +1,96 @@
+#include "picture/clear/tidy_strokes.hpp"
+
+#include <algorithm>
+
+#include "drawing/drawing.hpp"
+#include "drawing/flecks.hpp"
+#include "drawing/inked_bits.hpp"
+#include "drawing/key_table.hpp"
+#include "drawing/loose_ends.hpp"
+#include "drawing/short_bits.hpp"
+#include "view/tolerances.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable, in widths of the pen.
+constexpr double kLeastInPens = 1.5;
+constexpr double kGapInPens = 1;      ///< a wider gap shows between the round ends of two strokes
+constexpr double kWideInGaps = 3;     ///< a gap that shows, in a line that goes straight on
+constexpr double kInkInPens = 0.5;    ///< to either side of a line
+constexpr double kShownInPens = 0.5;  ///< of a bit beside the ink of other lines
+constexpr double kFleckInPens = 8;
+constexpr double kFleckPart = 1.0 / 48;  ///< of the extent of its body
+
+/// The number of the scan that a stroke belongs to, kNoBody for other objects.
+std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& strokes, const Stroke& s) {
+  const bool is_edge = s.source < strokes.edge_count;
+  const std::uint32_t number = is_edge ? s.source : strokes.intersections[s.source - strokes.edge_count].faces[0];
+  const auto end_of = [&](const ScanObject& scan) { return is_edge ? scan.edge_end : scan.face_end; };
+  const auto scan = std::ranges::upper_bound(scans, number, {}, end_of);
+  if (scan == scans.end() || number < (is_edge ? scan->edge_begin : scan->face_begin)) return kNoBody;
+  return static_cast<std::uint32_t>(scan - scans.begin());
+}
+
+/// Makes sources of strokes that join lines, on the faces of the line.
+class JointSources {
+ public:
+  JointSources(const StrokeModel& strokes, const ProjectedScene& scene) : strokes_(strokes), scene_(scene) {}
+
+  SourceEdge operator()(const Stroke& joint) {
+    SourceEdge source;
+    source.ends = {to_model_point(scene_.view, strokes_.lattice.to_mm(joint.from), joint.z_from),
+                   to_model_point(scene_.view, strokes_.lattice.to_mm(joint.to), joint.z_to)};
+    if (joint.source >= strokes_.edge_count) {
+      source.faces = strokes_.intersections[joint.source - strokes_.edge_count].faces;
+      return source;
+    }
+    if (!filed_) {
+      for (std::uint32_t e = 0; e < scene_.edges.size(); ++e) edge_of_[scene_.edges[e].source] = e;
+      filed_ = true;
+    }
+    const std::uint32_t edge = edge_of_.find(joint.source);
+    if (edge != KeyTable::kNone) source.faces = {scene_.edges[edge].face0, scene_.edges[edge].face1};
+    return source;
+  }
+
+ private:
+  const StrokeModel& strokes_;
+  const ProjectedScene& scene_;
+  KeyTable edge_of_;  ///< by source
+  bool filed_ = false;
+};
+
+}  // namespace
+
+void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport& run) {
+  const PictureRequest& request = prepared.request;
+  const double pen_mm = request.page.pen_width_mm, coincidence = coincidence_mm(prepared.projected);
+  const bool clear = request.lines.quality == Quality::clear;
+  const double least_mm = request.lines.least_mm.value_or(clear ? kLeastInPens * pen_mm : 0);
+  if (least_mm == 0) {
+    remove_coincident_strokes(strokes, coincidence);
+    return;
+  }
+  const auto count = [&](const char* name, std::size_t n) {
+    if (n > 0) run.clear.count(name, n);
+  };
+  const double gap_mm = std::min(least_mm, kGapInPens * pen_mm);
+  count("short gaps closed", close_short_gaps(strokes, gap_mm));
+  remove_coincident_strokes(strokes, coincidence);
+  if (clear) {
+    const JointLimits limits{gap_mm, kWideInGaps * gap_mm, kInkInPens * pen_mm};
+    count("loose ends joined", join_loose_ends(strokes, limits, JointSources(strokes, prepared.projected)));
+    count("short bits of another class than their line", join_short_classes(strokes, least_mm));
+  }
+  count("short bits of lines left out", drop_short_bits(strokes, least_mm));
+  if (!clear) return;
+  count("short bits in the ink of other lines",
+        drop_inked_bits(strokes, {least_mm, kInkInPens * pen_mm, kShownInPens * pen_mm}));
+  if (prepared.scans.empty()) return;
+  count("flecks of scans left out",
+        drop_flecks(strokes, [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); },
+                    {kFleckInPens * pen_mm, kFleckPart, pen_mm / 2}));
+}
+
+}  // namespace ligne

@@ -1,0 +1,335 @@
+// Lines are taken from the longest to the shortest. Each is divided into stretches of equal length, and each stretch gets
+// the best place that is left: places are tried half a capital apart. A place costs what the line bends there, how far the
+// text is from level, and the thinner lines that would have to give way.
+
+#include "picture/marks/contour_labels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "drawing/ticks.hpp"
+#include "picture/marks/box_grid.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable, in heights of capitals.
+constexpr double kGapBeside = 0.5, kGapAbove = 0.3;  ///< white round a label
+constexpr double kMostBend = 0.3;                    ///< how far the line leaves the middle of its label
+constexpr double kTrials = 0.5;                      ///< distance of the places that are tried
+constexpr double kLeastLine = 3;                     ///< in lengths of the label: shorter lines have none
+// Costs, in bends.
+constexpr double kSteepCost = 0.15, kOffMiddleCost = 0.1, kCrossedCost = 1;
+
+Rect bounds(const TextBox& box) {
+  Rect rect;
+  for (const Point2 p : box.corners()) rect.extend(p);
+  return rect;
+}
+
+/// The part of the segment that is inside the box, as fractions.
+std::optional<std::array<double, 2>> inside(const TextBox& box, Point2 a, Point2 b) {
+  double from = 0, to = 1;
+  const auto axes = box.axes();
+  for (int k = 0; k < 2; ++k) {
+    const double half = k == 0 ? box.half.x : box.half.y;
+    const double pa = glm::dot(a - box.center, axes[k]), pb = glm::dot(b - box.center, axes[k]);
+    if (std::max(pa, pb) <= -half || std::min(pa, pb) >= half) return std::nullopt;
+    if (pa == pb) continue;
+    const double s = (-half - pa) / (pb - pa), t = (half - pa) / (pb - pa);
+    from = std::max(from, std::min(s, t));
+    to = std::min(to, std::max(s, t));
+  }
+  if (!(from < to)) return std::nullopt;
+  return std::array<double, 2>{from, to};
+}
+
+/// A contour line with its length up to each point.
+struct Line {
+  std::span<const Point2> points;
+  std::vector<double> at;
+  double height = 0;
+  bool labelled = false;
+
+  double length() const { return at.back(); }
+  Point2 point(double s) const {
+    const auto next = std::upper_bound(at.begin() + 1, at.end() - 1, s);
+    const auto i = static_cast<std::size_t>(next - at.begin());
+    const double extent = at[i] - at[i - 1];
+    return extent > 0 ? points[i - 1] + (points[i] - points[i - 1]) * ((s - at[i - 1]) / extent) : points[i];
+  }
+};
+
+struct Place {
+  TextItem label;
+  TextBox box;
+  double cost = 0;
+};
+
+class Labelling {
+ public:
+  Labelling(const Drawing& drawing, const ContourLabelOptions& options, std::span<const TextItem> others)
+      : options_(options), segments_(kCellHeights * options.height_mm), label_grid_(kCellHeights * options.height_mm) {
+    collect(drawing);
+    for (const TextItem& item : others) {
+      add_box(text_box(item, text_extent(item.text, item.height_mm, options.style)));
+    }
+  }
+
+  std::vector<TextItem> run() {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+      if (lines_[i].labelled) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return lines_[a].length() > lines_[b].length(); });
+    for (const std::uint32_t i : order) label(i);
+    return std::move(labels_);
+  }
+
+ private:
+  static constexpr double kCellHeights = 4;
+
+  void collect(const Drawing& drawing);
+  void label(std::uint32_t number);
+  std::optional<Place> place(std::uint32_t number, double s, const std::string& text, double width) const;
+  std::optional<double> cost_of_crossing(std::uint32_t number, double s, const Place& place) const;
+  void add_box(const TextBox& box) {
+    label_grid_.add(bounds(box), static_cast<std::uint32_t>(boxes_.size()));
+    boxes_.push_back(box);
+  }
+
+  const ContourLabelOptions& options_;
+  std::vector<Line> lines_;
+  double step_ = 0;  ///< between neighbouring heights
+  struct Segment {
+    std::uint32_t line, index;
+  };
+  std::vector<Segment> all_segments_;
+  BoxGrid segments_, label_grid_;
+  std::vector<TextBox> boxes_;
+  std::vector<TextItem> labels_;
+};
+
+void Labelling::collect(const Drawing& drawing) {
+  const auto has = [&](std::string_view name) {
+    return std::any_of(drawing.layers.begin(), drawing.layers.end(),
+                       [&](const Layer& layer) { return layer.height && layer.name == name; });
+  };
+  const bool index_only = options_.index_only && has("contour-index"), on_surface = has("contour") || has("contour-index");
+  std::vector<double> heights;
+  for (const Layer& layer : drawing.layers) {
+    if (!layer.height || on_surface == (layer.name == "contour-base")) continue;
+    heights.push_back(*layer.height);
+    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
+      Line line{layer.lines[i], {0}, *layer.height, !index_only || layer.name == "contour-index"};
+      if (line.points.size() < 2) continue;
+      for (std::size_t k = 1; k < line.points.size(); ++k) {
+        line.at.push_back(line.at.back() + glm::distance(line.points[k - 1], line.points[k]));
+        Rect box;
+        box.extend(line.points[k - 1]);
+        box.extend(line.points[k]);
+        segments_.add(box, static_cast<std::uint32_t>(all_segments_.size()));
+        all_segments_.push_back({static_cast<std::uint32_t>(lines_.size()), static_cast<std::uint32_t>(k - 1)});
+      }
+      lines_.push_back(std::move(line));
+    }
+  }
+  std::sort(heights.begin(), heights.end());
+  for (std::size_t i = 1; i < heights.size(); ++i) {
+    const double step = heights[i] - heights[i - 1];
+    if (step > 0 && (step_ == 0 || step < step_)) step_ = step;
+  }
+}
+
+void Labelling::label(std::uint32_t number) {
+  const Line& line = lines_[number];
+  const std::string text = height_text(line.height, step_, options_.decades);
+  const double width = text_extent(text, options_.height_mm, options_.style).width + 2 * kGapBeside * options_.height_mm;
+  if (line.length() < kLeastLine * width) return;
+  const double stretches = std::max(1.0, std::floor(line.length() / options_.distance_mm));
+  const double stretch = line.length() / stretches;
+  for (double k = 0; k < stretches; ++k) {
+    std::optional<Place> best;
+    const double middle = (k + 0.5) * stretch;
+    const double from = std::max(k * stretch, width / 2), to = std::min((k + 1) * stretch, line.length() - width / 2);
+    for (double s = from; s <= to; s += kTrials * options_.height_mm) {
+      std::optional<Place> found = place(number, s, text, width);
+      if (!found) continue;
+      found->cost += kOffMiddleCost * std::abs(s - middle) / stretch;
+      if (!best || found->cost < best->cost) best = std::move(found);
+    }
+    if (!best) continue;
+    labels_.push_back(best->label);
+    add_box(best->box);
+  }
+}
+
+/// A label in the middle of the place `s` of the line; nothing where it may not stand.
+std::optional<Place> Labelling::place(std::uint32_t number, double s, const std::string& text, double width) const {
+  const Line& line = lines_[number];
+  const Point2 a = line.point(s - width / 2), b = line.point(s + width / 2), middle = line.point(s);
+  const double chord = glm::distance(a, b), height = options_.height_mm;
+  if (!(chord > 0)) return std::nullopt;
+  const Point2 along = (b - a) / chord, across{-along.y, along.x};
+  double bend = std::max(std::abs(glm::dot(a - middle, across)), std::abs(glm::dot(b - middle, across)));
+  const auto first = std::upper_bound(line.at.begin(), line.at.end(), s - width / 2),
+             last = std::lower_bound(line.at.begin(), line.at.end(), s + width / 2);
+  for (auto p = first; p < last; ++p) {
+    bend = std::max(bend, std::abs(glm::dot(line.points[static_cast<std::size_t>(p - line.at.begin())] - middle, across)));
+  }
+  if (bend > kMostBend * height) return std::nullopt;
+  double degrees = std::atan2(-along.y, along.x) * 180 / std::numbers::pi;
+  if (degrees > 90) degrees -= 180;
+  if (degrees <= -90) degrees += 180;
+  Place place{{text, middle, height, TextAcross::center, TextUp::middle, degrees}, {}, bend / (kMostBend * height)};
+  place.box = label_box(place.label, options_.style);
+  for (const Point2 p : place.box.corners()) {
+    if (p.x < options_.page.min.x || p.x > options_.page.max.x || p.y < options_.page.min.y || p.y > options_.page.max.y)
+      return std::nullopt;
+  }
+  if (label_grid_.any_near(bounds(place.box), [&](std::uint32_t i) { return overlap(boxes_[i], place.box); }))
+    return std::nullopt;
+  const std::optional<double> crossed = cost_of_crossing(number, s, place);
+  if (!crossed) return std::nullopt;
+  place.cost += *crossed + kSteepCost * std::abs(std::sin(degrees * std::numbers::pi / 180));
+  return place;
+}
+
+/// What the lines cost that run through the box; nothing where one of them has labels too, or is this one on its way back.
+std::optional<double> Labelling::cost_of_crossing(std::uint32_t number, double s, const Place& place) const {
+  const double reach = place.box.half.x * 1.5;
+  double crossed = 0;
+  const bool refused = segments_.any_near(bounds(place.box), [&](std::uint32_t i) {
+    const auto [other, index] = all_segments_[i];
+    const Line& o = lines_[other];
+    if (other == number && o.at[index] < s + reach && o.at[index + 1] > s - reach) return false;
+    const auto part = inside(place.box, o.points[index], o.points[index + 1]);
+    if (!part) return false;
+    crossed += ((*part)[1] - (*part)[0]) * (o.at[index + 1] - o.at[index]);
+    return o.labelled || other == number;
+  });
+  if (refused) return std::nullopt;
+  return kCrossedCost * crossed / options_.height_mm;
+}
+
+/// Layers through which labels make no gap: the shape itself, and what stands round the picture.
+bool gives_way(const Layer& layer) {
+  constexpr std::string_view kStay[] = {"outline", "border", "intersection", "axes", "text"};
+  return std::find(std::begin(kStay), std::end(kStay), layer.name) == std::end(kStay);
+}
+
+}  // namespace
+
+std::string height_text(double height, double step, bool decades) {
+  if (decades) {
+    const std::vector<Tick> ticks = round_ticks(TickScale::decades, height, height, 1);
+    if (!ticks.empty() && std::abs(height - std::round(height)) < 0x1p-40) return ticks.front().label;
+    height = std::pow(10.0, height);
+    step = 0;
+  }
+  char text[64];
+  std::snprintf(text, sizeof text, "%.10g", height == 0 ? 0 : height);  // without the sign of a zero
+  constexpr std::size_t kShort = 6;
+  if (std::string_view(text).size() > kShort) {
+    constexpr double kMostDigits = 12;
+    const double digits = step > 0 ? std::max(0.0, 1 - std::floor(std::log10(step))) : kMostDigits;
+    if (digits < kMostDigits) {
+      std::snprintf(text, sizeof text, "%.*f", static_cast<int>(digits), height);
+    } else {
+      std::snprintf(text, sizeof text, "%.5g", height);
+    }
+  }
+  std::string result(text);
+  if (result.front() == '-') result.replace(0, 1, "\u2212");
+  return result;
+}
+
+TextBox label_box(const TextItem& label, TextStyle style) {
+  TextBox box = text_box(label, text_extent(label.text, label.height_mm, style));
+  // Round the point that the line runs through, so that it leaves by the short sides.
+  box.half.x += kGapBeside * label.height_mm;
+  box.half.y = std::max(box.half.y, label.height_mm / 2) + kGapAbove * label.height_mm;
+  return box;
+}
+
+Polylines without_boxes(const Polylines& lines, std::span<const TextBox> boxes) {
+  if (boxes.empty()) return lines;
+  double size = 0;
+  for (const TextBox& box : boxes) size = std::max({size, bounds(box).width(), bounds(box).height()});
+  BoxGrid grid(size);
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) grid.add(bounds(boxes[i]), i);
+  Polylines kept;
+  std::vector<Point2> piece;
+  std::vector<std::array<double, 2>> cuts;
+  const auto flush = [&] {
+    if (piece.size() > 1) kept.add(piece);
+    piece.clear();
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::span<const Point2> line = lines[i];
+    const bool closed = line.size() > 2 && line.front() == line.back();
+    const std::size_t first_kept = kept.size();
+    bool cut = false;
+    if (!line.empty()) piece.push_back(line.front());
+    bool whole_start = true;
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      const Point2 a = line[k - 1], b = line[k];
+      Rect box;
+      box.extend(a);
+      box.extend(b);
+      cuts.clear();
+      grid.any_near(box, [&](std::uint32_t n) {
+        const auto part = inside(boxes[n], a, b);
+        if (part && std::find(cuts.begin(), cuts.end(), *part) == cuts.end()) cuts.push_back(*part);
+        return false;
+      });
+      std::sort(cuts.begin(), cuts.end());
+      for (const auto& [from, to] : cuts) {
+        cut = true;
+        if (k == 1 && from <= 0) whole_start = false;
+        if (from > 0 && !piece.empty()) piece.push_back(a + (b - a) * from);
+        flush();
+        if (to < 1) piece.push_back(a + (b - a) * to);
+      }
+      if (cuts.empty() || cuts.back()[1] < 1) piece.push_back(b);
+    }
+    // The two ends of a ring that was cut elsewhere are one piece.
+    if (closed && cut && whole_start && piece.size() > 1 && kept.size() > first_kept) {
+      Polylines joined;
+      const std::span<const Point2> start = kept[first_kept];
+      piece.insert(piece.end(), start.begin() + 1, start.end());
+      for (std::size_t k = 0; k < kept.size(); ++k) {
+        if (k != first_kept) joined.add(kept[k]);
+      }
+      kept = std::move(joined);
+    }
+    flush();
+  }
+  return kept;
+}
+
+void make_gaps(Drawing& drawing, std::span<const TextBox> boxes) {
+  for (Layer& layer : drawing.layers) {
+    if (gives_way(layer)) layer.lines = without_boxes(layer.lines, boxes);
+  }
+  std::erase_if(drawing.layers, [](const Layer& layer) { return layer.lines.size() == 0; });
+}
+
+std::vector<TextItem> label_contours(Drawing& drawing, const ContourLabelOptions& options,
+                                     std::span<const TextItem> others) {
+  std::vector<TextItem> labels = Labelling(drawing, options, others).run();
+  std::vector<TextBox> boxes;
+  for (const TextItem& label : labels) boxes.push_back(label_box(label, options.style));
+  make_gaps(drawing, boxes);
+  return labels;
+}
+
+}  // namespace ligne

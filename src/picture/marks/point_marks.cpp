@@ -1,0 +1,86 @@
+#include "picture/marks/point_marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "picture/marks/contour_labels.hpp"
+#include "plotting/stroke_text.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kBeforeMm = 0.2, kProbeMm = 0.02;  ///< a point that much behind the surface is on it, to the eye
+// In heights of capitals.
+constexpr double kMarkPart = 0.45, kBesidePart = 0.4;
+
+/// Where a label may stand: to the right, to the left, above, below, and between these.
+struct LabelPlace {
+  double x, y;
+  TextAcross across;
+  TextUp up;
+};
+constexpr LabelPlace kLabelPlaces[] = {{1, -1, TextAcross::left, TextUp::base},   {-1, -1, TextAcross::right, TextUp::base},
+                                       {1, 0, TextAcross::left, TextUp::middle},  {-1, 0, TextAcross::right, TextUp::middle},
+                                       {1, 1, TextAcross::left, TextUp::top},     {-1, 1, TextAcross::right, TextUp::top},
+                                       {0, -1, TextAcross::center, TextUp::base}, {0, 1, TextAcross::center, TextUp::top}};
+
+}  // namespace
+
+std::vector<std::array<Point3, 2>> probes_of(const std::vector<MarkedPoint>& points, const View& view) {
+  std::vector<std::array<Point3, 2>> probes;
+  for (const MarkedPoint& point : points) {
+    const Camera& camera = view.camera;
+    const Point3 sight = camera.perspective ? (point.at - camera.eye) / camera.target_distance : camera.forward;
+    const Point3 p = point.at - sight * (kBeforeMm / view.scale);
+    probes.push_back({p, p + camera.right * (kProbeMm / view.scale)});
+  }
+  return probes;
+}
+
+std::vector<std::uint8_t> take_probes(StrokeModel& model, std::uint32_t first, std::size_t count) {
+  std::vector<std::uint8_t> seen(count);
+  std::erase_if(model.strokes, [&](const Stroke& stroke) {
+    if (stroke.source < first || stroke.source - first >= count) return false;
+    if (stroke.visible) seen[stroke.source - first] = 1;
+    return true;
+  });
+  return seen;
+}
+
+std::vector<TextItem> mark_points(Drawing& drawing, const std::vector<MarkedPoint>& points,
+                                  const std::vector<std::uint8_t>& seen, const View& view, double h, TextStyle style,
+                                  std::span<const TextItem> taken) {
+  Layer layer{"points", {}};
+  std::vector<TextItem> labels;
+  std::vector<TextBox> boxes, gaps;
+  for (const TextItem& item : taken) boxes.push_back(text_box(item, text_extent(item.text, item.height_mm, style)));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!seen[i]) continue;
+    const Point2 p = page_point(view, points[i].at);
+    const double r = kMarkPart * h;
+    for (const Point2 d : {Point2{r, r}, Point2{r, -r}}) layer.lines.add(std::array{p - d, p + d});
+    boxes.push_back({p, {r, r}, 0});
+    gaps.push_back(boxes.back());
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!seen[i] || points[i].label.empty()) continue;
+    const Point2 p = page_point(view, points[i].at);
+    for (const LabelPlace& side : kLabelPlaces) {
+      const double away = (kMarkPart + kBesidePart) * h;
+      const TextItem item{points[i].label, p + Point2{side.x * away, side.y * away}, h, side.across, side.up, 0};
+      TextBox box = text_box(item, text_extent(item.text, h, style));
+      if (std::any_of(boxes.begin(), boxes.end(), [&](const TextBox& other) { return overlap(other, box); })) continue;
+      boxes.push_back(box);
+      box.half += Point2{kBesidePart * h / 2, kBesidePart * h / 2};
+      gaps.push_back(box);
+      labels.push_back(item);
+      break;
+    }
+  }
+  make_gaps(drawing, gaps);
+  if (layer.lines.size() > 0) drawing.layers.push_back(std::move(layer));
+  return labels;
+}
+
+}  // namespace ligne

@@ -1,0 +1,353 @@
+#include "picture/surface/surface_mesh_picture.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
+
+#include "files/message_text.hpp"
+#include "picture/draw_scene.hpp"
+#include "picture/errors.hpp"
+#include "picture/hatching/form_field.hpp"
+#include "picture/marks/axes.hpp"
+#include "picture/surface/curve_distance.hpp"
+#include "picture/surface/surface_curves.hpp"
+#include "picture/surface/surface_samples.hpp"
+#include "picture/surface/surface_scale.hpp"
+#include "picture/surface/surface_terrain.hpp"
+#include "scene/clean/crossing_edges.hpp"
+#include "scene/surfaces/cut_cells.hpp"
+#include "scene/surfaces/mesh_writer.hpp"
+#include "scene/surfaces/surface_mesh.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+/// How far below the lowest height the base lies when nothing is said, as a part of the range of heights.
+constexpr double kSkirtDepth = 0.05;
+
+/// Curves of a grid in a picture with models, each way, when nothing is said.
+constexpr std::size_t kCurvesAmongModels = 60;
+
+/// Degrees: surfaces turn over their cells by less, and by more into their skirts. Creases are not drawn; hatching ends
+/// there.
+constexpr double kCrease = 75;
+
+std::optional<double> base_of(const SurfaceRequest& request, const std::optional<std::array<double, 2>>& range) {
+  if (!request.skirt || !range) return std::nullopt;
+  const double lowest = (*range)[0], height = (*range)[1] - lowest;
+  if (!request.skirt_base) return lowest - kSkirtDepth * height;
+  if (*request.skirt_base > lowest) {
+    throw RequestError("skirt", shortest(*request.skirt_base) + " is above the lowest height, " + shortest(lowest));
+  }
+  return request.skirt_base;
+}
+
+/// One surface z = f(x, y) can not penetrate itself.
+bool may_cross(const SurfaceRequest& request) { return height_count(request) > 1 || !request.parametric.empty(); }
+
+/// The ground of all surfaces is that of the first one that is known.
+GroundUnit unit_of(const std::vector<SurfacePoints>& surfaces) {
+  for (const SurfacePoints& surface : surfaces) {
+    if (surface.unit != GroundUnit::unknown) return surface.unit;
+  }
+  return GroundUnit::unknown;
+}
+
+/// What all surfaces take together; nothing where there are none. Of z = f(x, y) it is the ground of all
+/// samples, whether there is a height or not.
+std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes) {
+  const auto range = height_range(meshes);
+  if (!range) return std::nullopt;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  AxesBox box{{kInfinity, kInfinity, (*range)[0]}, {-kInfinity, -kInfinity, (*range)[1]}};
+  const auto extend = [&](const Point3& p) {
+    for (int k = 0; k < 2; ++k) {
+      box.low[k] = std::min(box.low[k], p[k]);
+      box.high[k] = std::max(box.high[k], p[k]);
+    }
+  };
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!surfaces[i].parametric) {
+      extend(surfaces[i].points.front());
+      extend(surfaces[i].points.back());
+      continue;
+    }
+    for (const auto& triangle : meshes[i].triangles) {
+      for (const std::uint32_t v : triangle) extend(meshes[i].vertices[v]);
+    }
+  }
+  return box;
+}
+
+/// A formula's surface ends where the formula does, not at the last sample.
+SurfaceMesh mesh_of_formula(const SurfaceRequest& request, const SurfacePoints& surface, RunReport& run) {
+  HeightWindow window;
+  if (request.z_range) window = {(*request.z_range)[0], (*request.z_range)[1]};
+  const std::unique_ptr<HeightSource> heights = heights_of(surface);
+  const Irregularity found = find_irregularity(*heights, *surface.function, window);
+  if (found.empty) refuse_empty(request, surface.name, run);
+  if (!found.breaks) return make_surface_mesh(surface);
+  if (found.poles && !request.z_range && request.log_axes[2]) {
+    window = window_of_samples(*heights);  // decades go down without end where heights come near to zero
+  } else if (found.poles && !request.z_range) {
+    window = window_without_poles(*heights);
+    run.warn(printable(surface.name) + " has poles: cut to " + short_number(window.low) + ":" + short_number(window.high) +
+             "; --z-range A:B cuts elsewhere");
+  }
+  return make_cut_mesh(surface, *heights, window);
+}
+
+struct MeshPlot {
+  Scene scene;
+  std::optional<PlotBox> box;
+  std::shared_ptr<LineGroups> groups;
+  std::vector<LegendEntry> legend;
+  std::shared_ptr<const SurfaceCurves> iso;  ///< where hatching follows it
+};
+
+std::vector<SurfaceMesh> meshes_of(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
+                                   RunReport& run) {
+  std::vector<SurfaceMesh> meshes;
+  for (const SurfacePoints& surface : surfaces) {
+    if (surface.function) {
+      meshes.push_back(mesh_of_formula(request, surface, run));
+      continue;
+    }
+    meshes.push_back(make_surface_mesh(surface));
+    if (request.z_range) clip_heights(meshes.back(), (*request.z_range)[0], (*request.z_range)[1]);
+  }
+  return meshes;
+}
+
+/// The picture's place on the page before there is a scene.
+Surroundings place_box(const SurfaceRequest& request, const PlotBox& box) {
+  const PictureRequest& picture = request.picture;
+  const Scene extent = box_scene({box.box.low * box.factor, box.box.high * box.factor});
+  return place_with_axes(box, extent, camera_of(view_of(request), extent), picture.page, picture.axes, picture.output.title);
+}
+
+/// What the samples span that are to be drawn, as the axes count: but for what borders between samples add, it is what the
+/// meshes will span.
+std::optional<AxesBox> box_of_samples(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
+                                      const std::vector<std::optional<double>>& water) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::array<double, 2> window = request.z_range.value_or(std::array{-kInfinity, kInfinity});
+  AxesBox box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    for (const Point3& p : surfaces[k].points) {
+      if (!std::isfinite(p.x + p.y + p.z)) continue;
+      const Point3 cut{p.x, p.y, std::clamp(std::max(p.z, water[k].value_or(p.z)), window[0], window[1])};
+      box.low = glm::min(box.low, cut);
+      box.high = glm::max(box.high, cut);
+    }
+  }
+  if (!(box.low.z <= box.high.z)) return std::nullopt;
+  if (const auto base = base_of(request, std::array{box.low.z, box.high.z})) box.low.z = std::min(box.low.z, *base);
+  return box;
+}
+
+/// Leaves out curves of fine grids. It is done before there are meshes, whose edges know which of them are curves.
+void thin_curves(const SurfaceRequest& request, const std::vector<Surface>& given,
+                 const std::vector<std::optional<double>>& water, std::vector<SurfacePoints>& surfaces, RunReport& run) {
+  if (std::none_of(given.begin(), given.end(), [](const Surface& s) { return s.thinned; })) return;
+  const std::optional<AxesBox> samples = box_of_samples(request, surfaces, water);
+  if (!samples) return;
+  RunReport choices;  // are told when the meshes are known
+  const GroundUnit unit = unit_of(surfaces);
+  const PlotBox box{*samples, plot_factor(request, *samples, unit, choices), tick_scales(request), unit};
+  const AxesBox drawn{box.box.low * box.factor, box.box.high * box.factor};
+  const Surroundings around = place_box(request, box);
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    SurfacePoints& points = surfaces[k];
+    if (!given[k].thinned || points.columns < 2 || points.rows < 2) continue;
+    AxesBox ground = drawn;
+    for (int axis = 0; axis < 2; ++axis) {
+      ground.low[axis] = points.points.front()[axis] * box.factor[axis];
+      ground.high[axis] = points.points.back()[axis] * box.factor[axis];
+    }
+    const std::size_t stride = stride_apart({ground, points.columns, points.rows, points.x_stride > 0, points.y_stride > 0},
+                                            around.placement.view, request.picture.page.pen_width_mm);
+    if (stride == 1) continue;
+    run.choices.emplace_back("every", std::to_string(stride) + ": curves keep apart");
+    if (points.x_stride > 0) points.x_stride = stride;
+    if (points.y_stride > 0) points.y_stride = stride;
+  }
+}
+
+/// Lines that are drawn apart; nothing where there are none.
+std::shared_ptr<LineGroups> groups_of(const SurfaceRequest& request, const std::vector<SurfaceMesh>& meshes,
+                                      const std::vector<WaterTriangles>& water,
+                                      const std::vector<std::optional<double>>& water_levels,
+                                      const std::vector<double>& contours, const DrawnCurves& curves, const PlotBox& box) {
+  const TerrainRequest& terrain = request.terrain;
+  const bool any_curves = !curves.curves.empty() || !curves.points.empty();
+  if (!terrain.has_water() && terrain.hachures == HachureKind::none && !tells_heights(request.curves) && !any_curves &&
+      !request.bands && request.colors.empty()) {
+    return nullptr;
+  }
+  auto groups = std::make_shared<LineGroups>();
+  if (terrain.hachures != HachureKind::none || terrain.water_fill == WaterFill::hatch) {
+    add_terrain_lines(request, meshes, water, box.factor, place_box(request, box).placement.view, *groups);
+  }
+  add_curves(curves, box.factor, *groups);
+  add_contour_groups(request, contours, water_levels, box.factor.z, *groups);
+  return groups;
+}
+
+/// Cuts the meshes along the limits of bands, which are returned; the cuts are no lines. Where all surfaces stand in water
+/// bands begin there.
+std::vector<double> cut_bands(const SurfaceRequest& request, const std::vector<std::optional<double>>& water,
+                              std::vector<SurfaceMesh>& meshes) {
+  auto range = height_range(meshes);
+  if (!range || !request.bands) return {};
+  const bool all_in_water = std::all_of(water.begin(), water.end(), [](const auto& level) { return level.has_value(); });
+  if (all_in_water) (*range)[0] = std::max((*range)[0], **std::min_element(water.begin(), water.end()));
+  std::vector<double> limits = band_limits(request, (*range)[0], (*range)[1]);
+  for (SurfaceMesh& mesh : meshes) {
+    cut_contours(mesh, limits);
+    for (auto& flags : mesh.flags) {
+      for (std::uint8_t& flag : flags) flag = static_cast<std::uint8_t>(flag & ~kCornerContour);
+    }
+  }
+  return limits;
+}
+
+/// Where the faces of each surface, its walls with them, end in the scene.
+std::vector<std::uint32_t> face_ends(const std::vector<SurfaceMesh>& meshes, bool walls, const Scene& scene) {
+  std::vector<std::uint32_t> ends;
+  std::size_t object = 0;
+  std::uint32_t end = 0;
+  for (const SurfaceMesh& mesh : meshes) {
+    // Objects without faces are left out of a scene.
+    const auto is_of = [&](const Object& o) {
+      return o.name == mesh.name || (walls && o.name.starts_with(mesh.name + ", "));
+    };
+    while (object < scene.objects.size() && is_of(scene.objects[object])) end = scene.objects[object++].face_end;
+    ends.push_back(end);
+  }
+  return ends;
+}
+
+/// `with_lines`: cut along the contour lines, and with its crossings marked.
+MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& given, bool with_lines, RunReport& run) {
+  std::vector<SurfacePoints> surfaces = points_of(request, given);
+  const std::vector<std::optional<double>> levels_of_water = water_levels(request, surfaces);
+  if (with_lines) thin_curves(request, given, levels_of_water, surfaces, run);
+  std::vector<SurfaceMesh> meshes = meshes_of(request, surfaces, run);
+  const DrawnCurves curves = with_lines ? curves_of(request, surfaces, run) : DrawnCurves{};
+  const std::vector<double> limits = with_lines ? cut_bands(request, levels_of_water, meshes) : std::vector<double>{};
+  const std::vector<WaterTriangles> water = flood_all(meshes, levels_of_water);
+  MeshPlot plot;
+  Point3 factor{1, 1, 1};
+  const std::optional<double> base = base_of(request, height_range(meshes));
+  if (auto box = box_of(surfaces, meshes)) {
+    const GroundUnit unit = unit_of(surfaces);
+    factor = plot_factor(request, *box, unit, run);
+    if (base) box->low.z = std::min(box->low.z, *base);
+    plot.box = PlotBox{*box, factor, tick_scales(request), unit};
+  }
+  if (const auto range = height_range(meshes); range && with_lines) {
+    const std::vector<double> levels = contour_levels(request.curves, (*range)[0], (*range)[1]);
+    if (plot.box) plot.groups = groups_of(request, meshes, water, levels_of_water, levels, curves, *plot.box);
+    for (SurfaceMesh& mesh : meshes) cut_contours(mesh, levels);
+  }
+  if (request.picture.hatch.direction.form == FormLines::iso)
+    plot.iso = std::make_shared<SurfaceCurves>(surface_curves(surfaces, factor));
+  plot.scene = surface_scene(meshes, factor, base);
+  std::vector<std::string> names;
+  names.reserve(surfaces.size());
+  for (const SurfacePoints& surface : surfaces) names.push_back(surface.name);
+  const std::vector<std::uint32_t> ends = face_ends(meshes, base.has_value(), plot.scene);
+  std::vector<ColoredSurface> colored;
+  colored.reserve(names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) colored.push_back({names[k], ends[k], levels_of_water[k]});
+  color_faces(request, limits, factor.z, colored, plot.scene);
+  if (plot.groups) add_surface_groups(request, limits, factor.z, ends, *plot.groups);
+  plot.legend = legend_of(request, names, limits);
+  Scene& scene = plot.scene;
+  if (may_cross(request) && with_lines) {
+    double precision = 0;
+    for (const Object& object : scene.objects) precision = std::max(precision, object.precision);
+    mark_crossing_edges(scene, precision);
+  }
+  return plot;
+}
+
+LineClasses classes_of(const SurfaceRequest& request) {
+  LineClasses classes;
+  for (const LineClass c : {LineClass::horizon, LineClass::contour}) classes.add(c);
+  if (request.curves.outline.value_or(true)) {
+    for (const LineClass c : {LineClass::outline, LineClass::border}) classes.add(c);
+  }
+  if (may_cross(request)) classes.add(LineClass::intersection);
+  return classes;
+}
+
+}  // namespace
+
+SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector<Surface>& surfaces, RunReport& run) {
+  MeshPlot plot = timed(run.stages, "mesh", [&] { return make_meshes(request, surfaces, true, run); });
+  PictureRequest picture = request.picture;
+  picture.view = view_of(request);
+  picture.lines.classes = classes_of(request);
+  picture.lines.crease_degrees = kCrease;
+  picture.lines.quality = Quality::exact;  // samples of ours: there is nothing to heal
+  if (picture.output.format != OutputFormat::json) picture.heading = picture.output.title;
+  picture.groups = plot.groups;
+  picture.iso = plot.iso;
+  picture.axes.legend = plot.legend;
+  picture.contour_labels = request.curves.labels;
+  picture.label_decades = request.log_axes[2];
+  return {std::move(plot.scene), plot.box, std::move(picture)};
+}
+
+Picture draw_surface_mesh(const SurfaceRequest& request, const std::vector<Surface>& surfaces, RunReport& run) {
+  const SurfaceScene surface = make_surface_scene(request, surfaces, run);
+  return draw_scene(surface.scene, surface.picture, run, surface.box);
+}
+
+Scene surface_objects(SurfaceRequest request, const std::array<Point3, 2>& ground, RunReport& run) {
+  if (request.grids.empty()) {
+    if (!request.x) request.x = CurveRange{ground[0].x, ground[1].x, {}};
+    if (!request.y) request.y = CurveRange{ground[0].y, ground[1].y, {}};
+  }
+  std::vector<Surface> surfaces = surfaces_of(request, run);
+  for (Surface& surface : surfaces) {
+    if (!surface.thinned) continue;
+    const std::size_t samples = std::max(surface.heights->x().size(), surface.heights->y().size());
+    if (surface.x_stride > 0) surface.x_stride = samples / kCurvesAmongModels + 1;
+    if (surface.y_stride > 0) surface.y_stride = samples / kCurvesAmongModels + 1;
+  }
+  const std::vector<SurfacePoints> points = points_of(request, surfaces);
+  const std::vector<SurfaceMesh> meshes = meshes_of(request, points, run);
+  return surface_scene(meshes, {1, 1, request.z_scale.value_or(1)}, base_of(request, height_range(meshes)));
+}
+
+MeshFormat mesh_format_of_suffix(const std::string& file) {
+  std::string suffix = std::filesystem::path(file).extension().string();
+  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (suffix == ".json") return MeshFormat::ligne_scene;
+  if (suffix == ".obj") return MeshFormat::obj;
+  throw std::invalid_argument(printable(file, kLongestPath) + " does not end in .json or .obj, which --as-mesh writes");
+}
+
+std::string write_surface_mesh(const SurfaceRequest& request, MeshFormat format, RunReport& run) {
+  const MeshPlot plot =
+      timed(run.stages, "read", [&] { return make_meshes(request, surfaces_of(request, run), false, run); });
+  if (plot.scene.faces.empty()) {
+    throw InputError(place_of_warnings(request), "has no cell without a hole: there is no mesh to write");
+  }
+  return timed(run.stages, "write",
+               [&] { return format == MeshFormat::obj ? write_obj(plot.scene) : write_ligne_scene(plot.scene); });
+}
+
+}  // namespace ligne

@@ -1,0 +1,218 @@
+#include "picture/surface/surface_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "files/message_text.hpp"
+#include "picture/errors.hpp"
+#include "picture/surface/surface_scale.hpp"
+#include "scene/surfaces/height_filters.hpp"
+#include "scene/surfaces/held_heights.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr unsigned kCurves = 40;
+/// Samples between two neighbouring curves when nothing is said: smooth, but no more than a thousand along a curve for its
+/// own sake.
+constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000;
+
+/// Up to so many samples of a formula are held (32 MB), since a picture asks for each several times; more are computed anew.
+constexpr std::size_t kHeldSamples = std::size_t{1} << 22;
+
+/// More samples of a formula are refused: to compute them takes minutes.
+constexpr std::size_t kMostSamplesOfFormula = 1'000'000'000;
+
+/// Positions of the samples, and every how many there is a curve.
+struct Positions {
+  std::vector<double> at;
+  std::size_t stride = 1;
+};
+
+/// `crossed`: whether curves run along this axis and need samples between those of the other family.
+Positions positions(CurveRange range, bool crossed, const std::optional<unsigned>& samples, bool log = false) {
+  if (log) range = {std::log10(range.from), std::log10(range.to), range.curves};
+  const unsigned intervals = range.curves.value_or(kCurves) - 1;
+  Positions result;
+  if (crossed && samples) {
+    result.stride = std::max(1u, (*samples - 1 + intervals - 1) / intervals);
+  } else if (crossed) {
+    result.stride = std::clamp(kSamplesAlong / intervals, 1u, kSamplesBetween);
+  }
+  const std::size_t n = result.stride * intervals;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(n);
+    result.at.push_back(i == n ? range.to : range.from + t * (range.to - range.from));
+  }
+  return result;
+}
+
+std::string samples_text(std::size_t columns, std::size_t rows) {
+  return std::to_string(columns) + " x " + std::to_string(rows) + " samples";
+}
+
+/// Refuses more samples of formulas than can be computed; `ranges` names the options that give the numbers of curves.
+void check_samples(const SurfaceRequest& request, const Positions& columns, const Positions& rows, const char* ranges) {
+  if (columns.at.size() <= kMostSamplesOfFormula / rows.at.size()) return;
+  const std::string cause =
+      "gives " + samples_text(columns.at.size(), rows.at.size()) + ", more than " + std::to_string(kMostSamplesOfFormula);
+  if (request.samples) throw RequestError("samples", cause);
+  throw RequestError("", std::string(ranges) + ": " + cause);
+}
+
+/// A mesh holds the points of its samples.
+void check_mesh_memory(const SurfaceRequest& request, std::size_t columns, std::size_t rows, std::size_t all) {
+  request.picture.memory.require(static_cast<double>(all) * sizeof(Point3), {"read", samples_text(columns, rows)});
+}
+
+bool x_curves(const SurfaceRequest& request) {
+  return (request.lines == CurveFamilies::x || request.lines == CurveFamilies::xy) && !request.curves.ridgeline;
+}
+bool y_curves(const SurfaceRequest& request) {
+  return request.lines == CurveFamilies::y || request.lines == CurveFamilies::xy || request.curves.ridgeline;
+}
+
+AxisWindow window_of(const std::optional<CurveRange>& range) {
+  return range ? AxisWindow{range->from, range->to} : AxisWindow{};
+}
+
+Surface grid_surface(const SurfaceRequest& request, const std::string& file, RunReport& run) {
+  Warnings warnings;
+  Surface surface;
+  surface.name = file;
+  surface.heights = read_grid(file, warnings, &run.files, {request.gridded});
+  if (!request.log_axes[0] && !request.log_axes[1] && !request.log_axes[2]) surface.function = surface.heights->function();
+  for (const auto& [kind, count] : warnings.counts()) {
+    run.warnings.push_back({file, std::to_string(count) + " " + kind});
+  }
+  const GroundUnit unit = request.ground == GroundChoice::as_read  ? surface.heights->unit()
+                          : request.ground == GroundChoice::metres ? GroundUnit::same
+                                                                   : GroundUnit::degrees;
+  if (request.x || request.y) {
+    surface.heights = window_heights(std::move(surface.heights), window_of(request.x), window_of(request.y), file);
+  }
+  if (request.max_slope) {
+    surface.left_out = steep_cells(*surface.heights, *request.max_slope, unit == GroundUnit::degrees ? kMetresOfDegree : 1);
+  }
+  surface.x_stride = surface.y_stride = request.every.value_or(1);
+  surface.thinned = !request.every && !request.curves.ridgeline;
+  surface.unit = unit;
+  return surface;
+}
+
+Surface given_surface(const SurfaceRequest& request, const GivenHeights& given) {
+  Surface surface;
+  surface.name = given.name;
+  surface.heights = held_heights(given.x, given.y, given.z, SampleOrder::first_row_lowest(given.x.size()), given.name);
+  if (request.x || request.y) {
+    surface.heights = window_heights(std::move(surface.heights), window_of(request.x), window_of(request.y), given.name);
+  }
+  if (request.max_slope) surface.left_out = steep_cells(*surface.heights, *request.max_slope, 1);
+  surface.x_stride = surface.y_stride = request.every.value_or(1);
+  surface.thinned = !request.every && !request.curves.ridgeline;
+  return surface;
+}
+
+/// The range of a formula's variable: as given, else that of the grids, else the default.
+CurveRange range_of(const std::optional<CurveRange>& given, const std::vector<Surface>& grids,
+                    const std::vector<double>& (HeightSource::*axis)() const) {
+  CurveRange range = given.value_or(CurveRange{});
+  if (given || grids.empty()) return range;
+  range.from = ((*grids.front().heights).*axis)().front();
+  range.to = ((*grids.front().heights).*axis)().back();
+  for (const Surface& grid : grids) {
+    range.from = std::min(range.from, ((*grid.heights).*axis)().front());
+    range.to = std::max(range.to, ((*grid.heights).*axis)().back());
+  }
+  return range;
+}
+
+/// The range of a parameter of the k-th parametric surface.
+CurveRange parameter_range(const std::vector<CurveRange>& given, std::size_t k) {
+  if (given.empty()) return {0, 2 * std::numbers::pi, {}};
+  return given[std::min(k, given.size() - 1)];
+}
+
+/// Leaves out the families of curves that are not wanted.
+template <class AnySurface>
+void choose_curves(AnySurface& surface, const SurfaceRequest& request) {
+  if (!x_curves(request)) surface.x_stride = 0;
+  if (!y_curves(request)) surface.y_stride = 0;
+}
+
+}  // namespace
+
+std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) {
+  std::vector<Surface> grids;
+  for (const std::string& file : request.grids) grids.push_back(grid_surface(request, file, run));
+  for (const GivenHeights& given : request.heights) grids.push_back(given_surface(request, given));
+  // What hides is fine in both directions, unless it is the curves alone.
+  const bool by_curves = request.curves.hidden_by == HiddenBy::curves || request.curves.ridgeline;
+  const CurveRange x_range = range_of(request.x, grids, &HeightSource::x),
+                   y_range = range_of(request.y, grids, &HeightSource::y);
+  std::vector<Surface> surfaces;
+  for (const std::string& formula : request.formulas) {
+    Positions x = positions(x_range, !by_curves || y_curves(request), request.samples, request.log_axes[0]);
+    Positions y = positions(y_range, !by_curves || x_curves(request), request.samples, request.log_axes[1]);
+    check_samples(request, x, y, "-x, -y");
+    Surface& surface = surfaces.emplace_back();
+    surface.name = formula;
+    surface.x_stride = x.stride;
+    surface.y_stride = y.stride;
+    surface.from_formula = true;
+    surface.function = formula_function(formula, request.log_axes);
+    surface.heights = heights_of(surface.function, std::move(x.at), std::move(y.at));
+    if (surface.heights->x().size() * surface.heights->y().size() <= kHeldSamples) surface.heights = held(*surface.heights);
+  }
+  for (Surface& grid : grids) {
+    grid.heights = log_ground(std::move(grid.heights), request.log_axes[0], request.log_axes[1], grid.name);
+    if (request.log_axes[2]) grid.heights = log_heights(std::move(grid.heights));
+    surfaces.push_back(std::move(grid));
+  }
+  for (Surface& surface : surfaces) choose_curves(surface, request);
+  return surfaces;
+}
+
+void refuse_empty(const SurfaceRequest& request, const std::string& formula, RunReport& run) {
+  const std::string cause = printable(formula) +
+                            (request.z_range ? " has no height within --z-range" : " is nowhere a number") +
+                            " over the ground that is drawn: -x, -y";
+  if (request.formulas.size() + request.grids.size() + request.parametric.size() == 1) throw InputError("surface", cause);
+  run.warn(cause);
+}
+
+std::vector<SurfacePoints> points_of(const SurfaceRequest& request, const std::vector<Surface>& surfaces) {
+  std::vector<SurfacePoints> all;
+  std::size_t samples = 0;
+  for (const Surface& surface : surfaces) {
+    take_samples(samples, surface.heights->x().size(), surface.heights->y().size(), surface.name);
+    check_mesh_memory(request, surface.heights->x().size(), surface.heights->y().size(), samples);
+    SurfacePoints& points = all.emplace_back(points_of(*surface.heights));
+    points.name = surface.name;
+    points.x_stride = surface.x_stride;
+    points.y_stride = surface.y_stride;
+    points.from_formula = surface.from_formula;
+    points.function = surface.function;
+    points.unit = surface.unit;
+    points.left_out = surface.left_out;
+  }
+  for (std::size_t k = 0; k < request.parametric.size(); ++k) {
+    const std::array<std::string, 3>& formulas = request.parametric[k];
+    const Positions u = positions(parameter_range(request.u, k), true, request.samples);
+    const Positions v = positions(parameter_range(request.v, k), true, request.samples);
+    const std::string name = formulas[0] + "; " + formulas[1] + "; " + formulas[2];
+    check_samples(request, u, v, "-u, -v");
+    take_samples(samples, u.at.size(), v.at.size(), name);
+    check_mesh_memory(request, u.at.size(), v.at.size(), samples);
+    SurfacePoints& points = all.emplace_back(parametric_points(formulas, u.at, v.at));
+    points.name = name;
+    points.x_stride = u.stride;
+    points.y_stride = v.stride;
+    choose_curves(points, request);
+  }
+  return all;
+}
+
+}  // namespace ligne

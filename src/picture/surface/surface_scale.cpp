@@ -1,0 +1,79 @@
+#include "picture/surface/surface_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "geometry/degrees.hpp"
+
+namespace ligne {
+namespace {
+
+/// Latitudes nearer to a pole than this leave nothing of a degree of longitude to draw.
+constexpr double kHighestLatitude = 89;
+
+double or_one(double factor) { return std::isfinite(factor) && factor > 0 ? factor : 1; }
+
+/// What the request leaves open of x and y is decided by how alike their ranges are.
+AspectRequest aspect_of(const SurfaceRequest& request, const Point3& range, GroundUnit unit, RunReport& run) {
+  const auto choose = [&](AspectRequest::Kind kind, const std::string& why) {
+    run.choices.emplace_back("aspect", std::string(kind == AspectRequest::box ? "box" : "equal") + ": " + why);
+    return AspectRequest{kind};
+  };
+  if (request.aspect) return *request.aspect;
+  if (!request.parametric.empty()) return choose(AspectRequest::equal, "the surface is parametric");
+  if (request.exaggeration) return choose(AspectRequest::equal, "--exaggeration is true to scale");
+  if (unit == GroundUnit::degrees) return choose(AspectRequest::equal, "degrees by the cosine of the latitude");
+  if (unit == GroundUnit::same) return choose(AspectRequest::equal, "the ground has one unit");
+  const double unlike = std::max(range.x, range.y) / std::min(range.x, range.y);
+  const std::string by = "the ranges of x and y differ by a factor of " + short_number(unlike);
+  return choose(unlike > kMostUnlike ? AspectRequest::box : AspectRequest::equal, by);
+}
+
+}  // namespace
+
+Point3 plot_factor(const SurfaceRequest& request, const AxesBox& box, GroundUnit unit, RunReport& run) {
+  const Point3 range = box.high - box.low;
+  const AspectRequest aspect = aspect_of(request, range, unit, run);
+  Point3 factor{1, 1, 1};
+  if (aspect.kind == AspectRequest::ratio) {
+    factor.y = or_one(aspect.sides.y / aspect.sides.x * (range.x / range.y));
+    factor.z = or_one(aspect.sides.z / aspect.sides.x * (range.x / range.z));
+    return factor;
+  }
+  if (aspect.kind == AspectRequest::box) {
+    const int shorter = range.x < range.y ? 0 : 1;
+    factor[shorter] = or_one(range[1 - shorter] / range[shorter]);
+  } else if (unit == GroundUnit::degrees) {
+    const double latitude = std::clamp((box.low.y + box.high.y) / 2, -kHighestLatitude, kHighestLatitude);
+    factor.x = sine_cosine_degrees(latitude).cosine;
+  }
+  const double side = std::max(range.x * factor.x, range.y * factor.y);
+  if (request.z_scale) {
+    factor.z = *request.z_scale;
+  } else if (request.exaggeration) {
+    factor.z = *request.exaggeration / (unit == GroundUnit::degrees ? kMetresOfDegree : 1);
+  } else if (request.parametric.empty()) {
+    factor.z = range.z > 0 ? or_one(side / (2 * range.z)) : 1;
+  } else if (aspect.kind == AspectRequest::box) {
+    factor.z = range.z > 0 ? or_one(side / range.z) : 1;
+  }
+  return factor;
+}
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::array<TickScale, 3> tick_scales(const SurfaceRequest& request) {
+  std::array<TickScale, 3> scales{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (request.log_axes[k]) scales[k] = TickScale::decades;
+  }
+  return scales;
+}
+
+}  // namespace ligne

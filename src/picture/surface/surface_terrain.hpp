@@ -1,0 +1,35 @@
+#pragma once
+/// What maps of terrain have beside curves: water, hachures, contour lines told apart by their heights.
+
+#include <memory>
+#include <vector>
+
+#include "picture/line_groups.hpp"
+#include "picture/surface/surface_request.hpp"
+#include "scene/surfaces/surface_mesh.hpp"
+#include "scene/surfaces/surface_points.hpp"
+#include "scene/surfaces/water.hpp"
+#include "view/view.hpp"
+
+namespace ligne {
+
+/// The heights of the water of each surface, or nothing; where holes are water, their samples get heights. Throws
+/// RequestError.
+std::vector<std::optional<double>> water_levels(const SurfaceRequest& request, std::vector<SurfacePoints>& surfaces);
+
+/// What of each mesh is water.
+std::vector<WaterTriangles> flood_all(std::vector<SurfaceMesh>& meshes, const std::vector<std::optional<double>>& levels);
+
+/// Adds strokes that lie on the meshes: hachures, and those of water. To be called before the meshes are cut along contour
+/// lines.
+void add_terrain_lines(const SurfaceRequest& request, const std::vector<SurfaceMesh>& meshes,
+                       const std::vector<WaterTriangles>& water, const Point3& factor, const View& view, LineGroups& groups);
+
+/// Contour lines and shores become groups. `contours` ascend.
+void add_contour_groups(const SurfaceRequest& request, const std::vector<double>& contours,
+                        const std::vector<std::optional<double>>& water, double z_factor, LineGroups& groups);
+
+/// The look of a contour line.
+LineGroup contour_group(const CurveRequest& request, double level, std::size_t number);
+
+}  // namespace ligne

@@ -1,0 +1,296 @@
+#include "report/compare.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <glm/geometric.hpp>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "files/message_text.hpp"
+#include "geometry/stop.hpp"
+#include "picture/choice/method_choice.hpp"
+#include "picture/draw_scene.hpp"
+#include "picture/drawn_scene.hpp"
+#include "picture/errors.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
+#include "picture/peak_memory.hpp"
+#include "visibility/registry.hpp"
+#include "visibility/warnock/warnock.hpp"
+#include "visibility/zbuffer/zbuffer.hpp"
+
+namespace ligne {
+namespace {
+
+/// Counts of methods, by the kind of operation that they count. What contains another count is not here.
+struct KindOfCount {
+  std::string_view count;
+  OperationKind kind;
+};
+constexpr KindOfCount kKindsOfCounts[] = {
+    {"line-facet tests", OperationKind::line_tests},
+    {"drawing: line-facet tests", OperationKind::line_tests},
+    {"pairs compared", OperationKind::face_tests},
+    {"pairs that overlap on the page", OperationKind::face_tests},
+    {"clips", OperationKind::face_tests},
+    {"drawing: facet-facet tests", OperationKind::face_tests},
+    {"understanding: pairs of faces compared", OperationKind::face_tests},
+    {"depths compared", OperationKind::depths},
+    {"resolved by their depths", OperationKind::depths},
+    {"understanding: depths computed", OperationKind::depths},
+    {"span method: depth tests", OperationKind::depths},
+    {"span method: comparisons", OperationKind::abscissas},
+    {"grid leaves", OperationKind::parts},
+    {"windows studied", OperationKind::parts},
+    {"bands", OperationKind::parts},
+    {"elements in the end", OperationKind::parts},
+    {"pieces", OperationKind::parts},
+    {"regions", OperationKind::parts},
+    {"faces painted", OperationKind::parts},
+    {"leaves visited", OperationKind::accesses},
+    {"edges looked at", OperationKind::accesses},
+    {"analysis: faces looked at", OperationKind::accesses},
+};
+
+/// Words of memory by vertices and faces, [Boulle1980] 2.6, figure 2.88.
+struct WordsOfMemory {
+  std::string_view method;
+  std::uint64_t by_vertex, by_face;
+};
+constexpr WordsOfMemory kThesisWords[] = {
+    {"warnock", 3, 37}, {"watkins", 3, 33}, {"atherton-weiler", 5, 40}, {"newell", 3, 40}};
+
+std::optional<std::uint64_t> thesis_words(const Method& method, const Scene& scene) {
+  for (const WordsOfMemory& words : kThesisWords) {
+    if (words.method == method.traits().name) {
+      return words.by_vertex * scene.vertices.size() + words.by_face * scene.faces.size();
+    }
+  }
+  return {};
+}
+
+std::optional<std::uint64_t> count_of(const Statistics& statistics, std::string_view name) {
+  for (const auto& [known, n] : statistics.counts) {
+    if (known == name) return n;
+  }
+  return {};
+}
+
+/// The limits that a method's drawing has by itself, or by an option of a number of lines or windows.
+std::optional<double> resolution_of(const ComparedMethod& compared, const View& view, const Statistics& statistics) {
+  const MethodTraits& traits = compared.method->traits();
+  const double height = view.window.height();
+  if (!traits.exact) {
+    const auto rows = count_of(statistics, "rows");
+    return rows && *rows > 0 ? zbuffer_tolerance_mm(height, static_cast<unsigned>(*rows)) : traits.tolerance_mm;
+  }
+  for (const MethodParameter& p : traits.parameters) {
+    const auto value = compared.settings.count(p.name);
+    if (!value) continue;  // a word in a count's place stands for no limit
+    if (p.name == "resolution") return warnock_tolerance_mm(view.window, *value);
+    if (p.name == "lines") return height / *value;
+  }
+  return {};
+}
+
+/// Ends work that takes too long, or is to end together with what it is a part of.
+class TimeLimit {
+ public:
+  explicit TimeLimit(double seconds) : whole_(StopScope::current()), watch_([this, seconds] { watch(seconds); }) {}
+  ~TimeLimit() {
+    {
+      const std::lock_guard lock(mutex_);
+      done_ = true;
+    }
+    over_.notify_all();
+    watch_.join();
+  }
+  TimeLimit(const TimeLimit&) = delete;
+  TimeLimit& operator=(const TimeLimit&) = delete;
+
+  const std::atomic<bool>& stop() const { return stop_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  /// Adjustable: short for somebody who waits for the end, long beside what a look costs.
+  static constexpr std::chrono::milliseconds kLook{50};
+
+  void watch(double seconds) {
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    std::unique_lock lock(mutex_);
+    while (!stop_) {
+      if (over_.wait_until(lock, std::min(end, Clock::now() + kLook), [this] { return done_; })) return;
+      stop_ = Clock::now() >= end || (whole_ && *whole_);
+    }
+  }
+
+  const std::atomic<bool>* whole_;  ///< what the caller works for
+  std::atomic<bool> stop_{false};
+  std::mutex mutex_;
+  std::condition_variable over_;
+  bool done_ = false;
+  std::thread watch_;  // the last: it looks at the others
+};
+
+bool has_parameter(const Method& method, std::string_view name) {
+  const auto own = method.traits().parameters;
+  return std::any_of(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == name; });
+}
+
+void measure(const StrokeModel& model, MethodOutcome& outcome) {
+  for (const Stroke& s : model.strokes) {
+    const double mm = glm::length(model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from));
+    (s.visible ? outcome.visible_mm : outcome.hidden_mm) += mm;
+    outcome.strokes += s.visible;
+  }
+}
+
+/// One method's drawing, and the page that it is on.
+void draw_by(const ComparedMethod& compared, const Scene& scene, const Topology& topology, PictureRequest picture,
+             MethodOutcome& outcome, Page& page) {
+  picture.lines.method = compared.method;
+  picture.lines.settings = compared.settings;
+  RunReport run;
+  const DrawnScene drawn(scene, std::move(picture), run, {}, topology);
+  const VisibilityResult& result = drawn.study().result;
+  outcome.drawing = timed(run.stages, "join", [&] { return drawn.drawing(run); });
+  outcome.model = *result.strokes;
+  outcome.beyond = result.beyond;
+  outcome.study = run.study;
+  outcome.stages = run.stages;
+  outcome.operations = operations_of(run.study);
+  outcome.resolution_mm = resolution_of(compared, drawn.prepared().view(), run.study);
+  measure(outcome.model, outcome);
+  page = drawn.prepared().around.placement.page;
+}
+
+MethodOutcome outcome_of(const ComparedMethod& compared, const Scene& scene, const Topology& topology,
+                         const PictureRequest& picture, double limit_seconds, Page& page) {
+  MethodOutcome outcome;
+  outcome.method = compared.method;
+  outcome.thesis_words = thesis_words(*compared.method, scene);
+  const PeakMemory memory;
+  try {
+    const TimeLimit limit(limit_seconds);
+    run_until(limit.stop(), [&] { draw_by(compared, scene, topology, picture, outcome, page); });
+  } catch (const Stopped&) {
+    check_stop();  // not by the limit, but from outside
+    outcome.failure = "ended after " + shortest(limit_seconds) + " s";
+  } catch (const std::exception& e) {
+    outcome.failure = e.what();
+  }
+  outcome.peak_bytes = memory.bytes();
+  return outcome;
+}
+
+void compare_drawings(MethodComparison& comparison) {
+  std::vector<MethodOutcome>& methods = comparison.methods;
+  for (std::size_t i = 0; i < methods.size() && !comparison.reference; ++i) {
+    if (methods[i].drawn() && methods[i].exact() && methods[i].beyond.empty()) comparison.reference = i;
+  }
+  comparison.differences_mm.assign(methods.size(), std::vector<std::optional<double>>(methods.size()));
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    for (std::size_t k = i; k < methods.size(); ++k) {
+      if (!methods[i].drawn() || !methods[k].drawn()) continue;
+      StrokeDifference difference;
+      if (i != k) difference = difference_of(methods[i].model, methods[k].model);
+      comparison.differences_mm[i][k] = comparison.differences_mm[k][i] = difference.length_mm;
+      if (comparison.reference == i)
+        methods[k].from_reference = std::move(difference);
+      else if (comparison.reference == k) {
+        std::swap(difference.only_first, difference.only_second);
+        methods[i].from_reference = std::move(difference);
+      }
+    }
+  }
+}
+
+/// Traits, and what auto would do, of the scene as it is prepared for every method.
+void look_at_scene(const Scene& scene, const Topology& topology, PictureRequest picture, MethodComparison& comparison) {
+  picture.lines.method = nullptr;
+  RunReport run;
+  const PreparedScene prepared = prepare(scene, picture, {}, run, topology);
+  comparison.page = prepared.around.placement.page;
+  comparison.traits = scene_traits(scene, topology, prepared.projected);
+  const ChoiceRule& rule = choice_rules()[choose_rule(facts_of(picture, prepared.projected))];
+  comparison.chosen = rule.method;
+  comparison.why_chosen = rule.when;
+}
+
+}  // namespace
+
+std::vector<const Method*> parse_methods(const std::string& text) {
+  std::vector<const Method*> methods;
+  for (const std::string& name : parse_names(text)) {
+    const Method* method = parse_method(name);
+    if (!method) throw std::invalid_argument("auto is one of the others: name it");
+    if (std::find(methods.begin(), methods.end(), method) != methods.end()) {
+      throw std::invalid_argument(shown(name, '"') + " is there twice");
+    }
+    methods.push_back(method);
+  }
+  return methods;
+}
+
+std::vector<ComparedMethod> compared_methods(std::span<const Method* const> methods,
+                                             std::span<const std::pair<std::string, std::string>> parameters) {
+  std::vector<ComparedMethod> compared;
+  for (const Method* method : all_methods()) {
+    const bool wanted = methods.empty() ? (method->traits().products & kStrokes) != 0
+                                        : std::find(methods.begin(), methods.end(), method) != methods.end();
+    if (wanted) compared.push_back({method});
+  }
+  for (const auto& [name, text] : parameters) {
+    bool known = false;
+    for (ComparedMethod& c : compared) {
+      if (!has_parameter(*c.method, name)) continue;
+      set_parameter(c.settings, *c.method, name, text);
+      known = true;
+    }
+    if (!known) throw RequestError(name, "none of the methods has such an option");
+  }
+  return compared;
+}
+
+OperationCounts operations_of(const Statistics& statistics) {
+  OperationCounts operations;
+  for (const auto& [name, n] : statistics.counts) {
+    for (const KindOfCount& known : kKindsOfCounts) {
+      if (known.count != name) continue;
+      auto& sum = operations[static_cast<std::size_t>(known.kind)];
+      sum = sum.value_or(0) + n;
+    }
+  }
+  return operations;
+}
+
+double MethodOutcome::seconds() const {
+  double sum = 0;
+  for (const auto& [name, value] : stages.seconds) sum += value;
+  return sum;
+}
+
+MethodComparison compare_methods(const Scene& scene, const Topology& topology, const CompareRequest& request) {
+  check(request.picture);
+  MethodComparison comparison;
+  look_at_scene(scene, topology, request.picture, comparison);
+  const double parts = static_cast<double>(request.methods.size()) + 1;  // the last: they are compared
+  for (std::size_t i = 0; i < request.methods.size(); ++i) {
+    PictureRequest picture = request.picture;
+    const auto at = [&request, parts, i](double fraction) { request.progress((static_cast<double>(i) + fraction) / parts); };
+    if (request.progress) picture.progress = at;
+    comparison.methods.push_back(
+        outcome_of(request.methods[i], scene, topology, picture, request.limit_seconds, comparison.page));
+    if (request.progress) at(1);
+  }
+  compare_drawings(comparison);
+  if (request.progress) request.progress(1);
+  return comparison;
+}
+
+}  // namespace ligne

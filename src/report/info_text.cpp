@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <string>
+
+#include "files/message_text.hpp"
+#include "report/scene_info.hpp"
+#include "report/traits_text.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+/// Objects named one by one in the text; the JSON names them all.
+constexpr std::size_t kMostObjectLines = 20;
+/// Bytes of a name in the text; the JSON has all of it.
+constexpr std::size_t kLongestName = 120;
+
+std::string point_text(const Point3& p) { return rounded(p.x) + ", " + rounded(p.y) + ", " + rounded(p.z); }
+
+/// A label in a column of its own.
+std::string line(const std::string& label, const std::string& value) {
+  constexpr std::size_t width = 15;
+  return "  " + label + std::string(label.size() < width ? width - label.size() : 1, ' ') + value + "\n";
+}
+
+std::string closedness(const ObjectFacts& object) {
+  if (object.solid()) return "closed, windings agree";
+  if (object.closed()) return "closed, windings disagree at " + std::to_string(object.unlike_wound_edges) + " edges";
+  if (object.faces == 0) return "no faces";
+  return "open: " + std::to_string(object.border_edges) + " border edges, " + std::to_string(object.many_face_edges) +
+         " edges of more than two faces";
+}
+
+/// Objects whose borders were sewn are named one by one up to this number.
+constexpr std::size_t kMostSewnLines = 5;
+
+/// What was healed, and why.
+std::string healed_text(const ModelFile& file) {
+  const HealReport& healed = file.healed;
+  std::string text;
+  const auto add = [&](const std::string& what) { text += line("healed", what); };
+  if (healed.objects_twice > 0) add(std::to_string(healed.objects_twice) + " objects lie exactly on another one: left out");
+  if (healed.faces_twice > 0)
+    add(std::to_string(healed.faces_twice) + " faces have the same vertices as another one: drawn once, from both sides");
+  if (healed.faces_turned > 0)
+    add(std::to_string(healed.faces_turned) + " faces turned round to agree with their neighbours");
+  if (healed.sewn.empty()) return text;
+  add(std::to_string(healed.edges_sewn()) + " of " + std::to_string(healed.border_edges) +
+      " border edges sewn: " + std::to_string(healed.vertices_moved) + " vertices moved onto another, edges split at " +
+      std::to_string(healed.edges_split));
+  for (std::size_t i = 0; i < std::min(healed.sewn.size(), kMostSewnLines); ++i) {
+    const SewnBorders& sewn = healed.sewn[i];
+    text += line("", "object " + std::to_string(sewn.object) + ": " + std::to_string(sewn.vertices_near) +
+                         " vertices lie within " + rounded(sewn.distance, 3) + " of another border, the others " +
+                         (sewn.next_gap > 0 ? "from " + rounded(sewn.next_gap, 3) + " on" : "much farther"));
+  }
+  if (healed.sewn.size() > kMostSewnLines) {
+    text += line("", "and " + std::to_string(healed.sewn.size() - kMostSewnLines) + " objects more");
+  }
+  return text;
+}
+
+/// Groups of an OBJ are parts where parts are told apart.
+std::string groups_text(const std::vector<std::string>& groups) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(groups.size(), kMostObjectLines); ++i) {
+    text += (i > 0 ? ", " : "") + printable(groups[i], kLongestName);
+  }
+  if (groups.size() > kMostObjectLines) text += " and " + std::to_string(groups.size() - kMostObjectLines) + " more";
+  return text + " (objects for --only, --hide, --move, --group, --color)";
+}
+
+std::string file_text(const ModelFile& file) {
+  std::string text = file.name + "\n";
+  text += line("format", std::string(to_string(file.report.format)));
+  text += line("as stored", std::to_string(file.report.faces) + " faces, " + std::to_string(file.report.triangles) +
+                                " triangles, " + std::to_string(file.report.vertices) + " vertices");
+  if (!file.report.groups.empty()) text += line("groups", groups_text(file.report.groups));
+  for (const auto& [kind, count] : file.warnings.counts()) text += line("mended", std::to_string(count) + " " + kind);
+  text += healed_text(file);
+  return text;
+}
+
+std::string material_text(const MaterialFacts& material, std::size_t number) {
+  return (material.name.empty() ? "material " + std::to_string(number) : printable(material.name, kLongestName)) + " " +
+         color_code_of(material.color);
+}
+
+/// The colours of an object, by its materials.
+std::string colors_of(const SceneFacts& scene, const ObjectFacts& object) {
+  constexpr std::size_t kMostNamed = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(object.materials.size(), kMostNamed); ++i)
+    text += ", " + material_text(scene.materials[object.materials[i]], object.materials[i]);
+  if (object.materials.size() > kMostNamed)
+    text += " and " + std::to_string(object.materials.size() - kMostNamed) + " materials more";
+  return text;
+}
+
+/// Their names are those for --pen material:NAME.
+std::string materials_text(const SceneFacts& scene) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(scene.materials.size(), kMostObjectLines); ++i) {
+    const MaterialFacts& material = scene.materials[i];
+    std::string value = material_text(material, i) + ": " + std::to_string(material.faces) + " faces";
+    if (material.opacity < 1) value += ", opacity " + rounded(material.opacity, 3);
+    text += line(i == 0 ? "materials" : "", value);
+  }
+  if (scene.materials.size() > kMostObjectLines)
+    text += line("", "and " + std::to_string(scene.materials.size() - kMostObjectLines) + " more");
+  return text;
+}
+
+std::string objects_text(const SceneFacts& scene) {
+  std::size_t closed = 0, solid = 0;
+  for (const ObjectFacts& object : scene.objects) {
+    closed += object.closed();
+    solid += object.solid();
+  }
+  std::string text = line("objects", std::to_string(scene.objects.size()) + ", " + std::to_string(closed) + " closed, " +
+                                         std::to_string(solid) + " of them with windings that agree");
+  for (std::size_t i = 0; i < std::min(scene.objects.size(), kMostObjectLines); ++i) {
+    const ObjectFacts& object = scene.objects[i];
+    text += line("", (object.name.empty() ? "object " + std::to_string(i) : printable(object.name, kLongestName)) + ": " +
+                         std::to_string(object.faces) + " faces, " + closedness(object) + colors_of(scene, object));
+  }
+  if (scene.objects.size() > kMostObjectLines) {
+    text += line("", "and " + std::to_string(scene.objects.size() - kMostObjectLines) + " more");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string info_text(const LoadedModels& models, const SceneInfo& info) {
+  std::string text;
+  for (const ModelFile& file : models.files) text += file_text(file);
+  const SceneFacts& scene = info.scene;
+  text += "scene\n" + objects_text(scene);
+  text += materials_text(scene);
+  text += line("vertices", std::to_string(scene.vertices));
+  text += line("faces", std::to_string(scene.faces) + ", " + std::to_string(scene.faces_with_holes) + " with holes");
+  text += line("triangles", std::to_string(scene.triangles));
+  text +=
+      line("edges", std::to_string(scene.edges) + ", " + std::to_string(scene.sum(&ObjectFacts::border_edges)) +
+                        " border, " + std::to_string(scene.sum(&ObjectFacts::many_face_edges)) + " of more than two faces");
+  text += line("bounding box", point_text(scene.bounds[0]) + " to " + point_text(scene.bounds[1]));
+  text += line("up axis", std::string(1, "xyz"[static_cast<unsigned>(info.up_axis)]));
+  std::string cameras;
+  for (const SceneCamera& c : models.scene.cameras) cameras += (cameras.empty() ? "" : ", ") + printable(c.name);
+  if (!cameras.empty()) text += line("cameras", cameras);
+  text += line("unit", shortest(models.scene.unit_mm) + " mm");
+  text += line("precision", rounded(scene.precision, 3) + " model units");
+
+  text += "view\n";
+  for (std::size_t c = 0; c < kEdgeClassCount; ++c) {
+    // The lines where faces penetrate each other are not edges of the scene: a method finds them.
+    if (static_cast<LineClass>(c) == LineClass::intersection) continue;
+    text += line(std::string(kLineClassNames[c]), std::to_string(info.view.edges[c]) + " edges");
+  }
+  if (info.culled) {
+    text += line("back faces", std::to_string(info.culled->faces) + " left out, of " +
+                                   std::to_string(info.culled->objects - info.culled->kept_objects) + " of " +
+                                   std::to_string(info.culled->objects) + " objects");
+  }
+  text += line("depth", rounded(info.view.nearest) + " to " + rounded(info.view.farthest) + " along the line of sight");
+  const Page& page = info.placement.page;
+  text += line("page", rounded(page.width_mm) + " x " + rounded(page.height_mm) + " mm");
+  text += line("picture", info.placement.picture.empty()
+                              ? "nothing is in view"
+                              : rounded(info.placement.picture.width(), 4) + " x " +
+                                    rounded(info.placement.picture.height(), 4) + " mm, " +
+                                    rounded(info.placement.view.scale, 4) + " mm per model unit" +
+                                    (info.placement.larger_than_page() ? ", larger than the page" : ""));
+  text += "what it asks of a method\n";
+  for (const auto& [name, value] : lines_of(info.traits)) text += line(name, value);
+  text += "methods\n";
+  for (const Method* method : all_methods()) {
+    const MethodTraits& traits = method->traits();
+    text += line(std::string(traits.name), meaning_for(traits) + (method == info.method ? " (chosen)" : ""));
+  }
+  return text;
+}
+
+}  // namespace ligne

@@ -1,0 +1,77 @@
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "report/listing.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> product_names(std::uint8_t products) {
+  constexpr std::pair<Product, const char*> names[] = {
+      {kStrokes, "strokes"}, {kRegions, "regions"}, {kOrder, "order"}, {kSpans, "spans"}, {kPixels, "pixels"}};
+  std::vector<std::string> list;
+  for (const auto& [product, name] : names) {
+    if (products & product) list.emplace_back(name);
+  }
+  return list;
+}
+
+std::string precision_name(const MethodTraits& traits) { return traits.exact ? "exact" : "resolution-limited"; }
+
+std::string methods_text() {
+  const Method* default_method = find_method("auto");
+  std::string text;
+  for (const Method* method : all_methods()) {
+    const MethodTraits& traits = method->traits();
+    text +=
+        std::string(traits.name) + (method == default_method ? " (auto)" : "") + ": " + std::string(traits.summary) + "\n";
+    text += "  produces     " + joined(product_names(traits.products)) + "\n";
+    text += "  numbers      " + precision_name(traits) + "\n";
+    text += std::string("  penetration  ") + (traits.penetration ? "drawn" : "not drawn") + "\n";
+    if (!traits.only_for.empty()) text += "  only for     " + std::string(traits.only_for) + "\n";
+    text += "  paper        " + std::string(traits.paper) + "\n";
+    const char* head = "  options      ";
+    for (const MethodParameter& p : traits.parameters) {
+      text += head + ("--" + std::string(p.name) + " " + std::string(p.kind));
+      if (!p.standard.empty()) text += " [" + std::string(p.standard) + "]";
+      text += ": " + std::string(p.meaning) + "\n";
+      head = "               ";
+    }
+  }
+  return text;
+}
+
+std::string methods_json() {
+  const Method* default_method = find_method("auto");
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Method* method : all_methods()) {
+    const MethodTraits& traits = method->traits();
+    nlohmann::ordered_json entry;
+    entry["name"] = traits.name;
+    entry["summary"] = traits.summary;
+    entry["produces"] = product_names(traits.products);
+    entry["exact"] = traits.exact;
+    entry["penetration"] = traits.penetration;
+    if (!traits.only_for.empty()) entry["only_for"] = traits.only_for;
+    entry["paper"] = traits.paper;
+    entry["default"] = method == default_method;
+    entry["options"] = nlohmann::ordered_json::array();
+    for (const MethodParameter& p : traits.parameters) {
+      entry["options"].push_back(
+          {{"name", "--" + std::string(p.name)}, {"value", p.kind}, {"default", p.standard}, {"meaning", p.meaning}});
+    }
+    list.push_back(std::move(entry));
+  }
+  return nlohmann::ordered_json{{"format", "ligne-methods"}, {"version", 1}, {"methods", std::move(list)}}.dump(2) + "\n";
+}
+
+}  // namespace ligne
