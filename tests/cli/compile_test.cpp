@@ -1,6 +1,7 @@
 /// ligne compile, and ligne draw of what it writes.
 
 #include "draw_program.hpp"
+#include "forged_files.hpp"
 #include "picture/compiled_model.hpp"
 
 namespace ligne::test {
@@ -99,26 +100,7 @@ TEST_F(CompileTest, DamagedFilesAreRefused) {
 TEST_F(CompileTest, ForgedFilesAreReadOrRefused) {
   for (const char* method : {"bsp", "convex-tree"}) {
     const std::string bytes = compiled((kScenes / "cyclic_4.json").string(), {"--method", method});
-    std::size_t refused = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      for (const unsigned char flip : {0x01, 0x80, 0xff}) {
-        std::string changed = bytes;
-        changed[i] = static_cast<char>(static_cast<unsigned char>(changed[i]) ^ flip);
-        sign_compiled_model(changed);
-        try {
-          read_compiled_model(std::as_bytes(std::span(changed)), "forged");
-        } catch (const InputError& error) {
-          ++refused;
-          EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos);
-        }
-      }
-    }
-    EXPECT_GT(refused, bytes.size()) << "a third of the changes at the least";
-    for (std::size_t size = 0; size < bytes.size(); size += 7) {
-      std::string cut = bytes.substr(0, size);
-      sign_compiled_model(cut);
-      EXPECT_THROW(read_compiled_model(std::as_bytes(std::span(cut)), "cut"), InputError);
-    }
+    expect_forgeries_are_refused(bytes, sign_compiled_model, read_compiled_model);
   }
 }
 

@@ -1,6 +1,7 @@
 /// ligne draw --zbuffer-save and --zbuffer-add.
 
 #include "draw_program.hpp"
+#include "forged_files.hpp"
 #include "picture/zbuffer_picture.hpp"
 
 namespace ligne::test {
@@ -138,26 +139,7 @@ TEST_F(ZBufferFileTest, DamagedAndForgedFilesAreReadOrRefused) {
   std::string other = bytes;
   other[12] = 7;
   EXPECT_NE(error_of(other).find("a depth buffer of version 7; this program reads version 1"), std::string::npos);
-  std::size_t refused = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    for (const unsigned char flip : {0x01, 0x80, 0xff}) {
-      std::string changed = bytes;
-      changed[i] = static_cast<char>(static_cast<unsigned char>(changed[i]) ^ flip);
-      sign_zbuffer(changed);
-      try {
-        ZBuffer::read(std::as_bytes(std::span(changed)), "forged");
-      } catch (const InputError& error) {
-        ++refused;
-        EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos);
-      }
-    }
-  }
-  EXPECT_GT(refused, bytes.size()) << "a third of the changes at the least";
-  for (std::size_t size = 0; size < bytes.size(); size += 7) {
-    std::string cut = bytes.substr(0, size);
-    sign_zbuffer(cut);
-    EXPECT_THROW(ZBuffer::read(std::as_bytes(std::span(cut)), "cut"), InputError);
-  }
+  expect_forgeries_are_refused(bytes, sign_zbuffer, ZBuffer::read);
 }
 
 }  // namespace
