@@ -3,7 +3,7 @@
 # pictures, on every scene of the corpus and every model by every method, and on surfaces and plots, and compares files,
 # messages and exit statuses byte by byte. For changes that are to leave every drawing as it is; not a part of ctest,
 # since it needs the program of before. Programs that know --quality draw with --quality exact, so that one from before
-# clear lines can be compared with one of today.
+# clear lines can be compared with one of today; LIGNE_QUALITY=clear leaves them as they are.
 #
 #   LIGNE_MODELS_DIR   folder of models (default: ../shared/models beside the tree, where it is there)
 #   LIGNE_SECONDS      most seconds for one command, 60; one that needs more is reported and left out
@@ -15,23 +15,27 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/old" "$work/new"
 
-# exact_program PROGRAM WRAPPER: a program that draws exact lines, whether PROGRAM knows of others or not.
+# exact_program PROGRAM WRAPPER: a program that draws exact lines unless others are asked for, whether PROGRAM knows of
+# others or not.
 exact_program() {
-  local program option=()
-  program=$(realpath "$1")
-  if grep -q -- '--quality' <<<"$("$program" draw --help)"; then option=(--quality exact); fi
+  local program=$1 option=
+  if grep -q -- '--quality' <<<"$("$program" draw --help)"; then option='--quality exact'; fi
   cat >"$2" <<END
 #!/bin/sh
-case "\$1" in
-  draw | info) exec "$program" "\$@" ${option[*]} ;;
-  *) exec "$program" "\$@" ;;
+case " \$* " in
+  *" --quality"*) ;;
+  " draw "* | " info "*) exec "$program" "\$@" $option ;;
 esac
+exec "$program" "\$@"
 END
   chmod +x "$2"
 }
-exact_program "$1" "$work/ligne-old"
-exact_program "$2" "$work/ligne-new"
-old=$work/ligne-old new=$work/ligne-new
+old=$(realpath "$1") new=$(realpath "$2")
+if [[ ${LIGNE_QUALITY:-exact} == exact ]]; then
+  exact_program "$old" "$work/ligne-old"
+  exact_program "$new" "$work/ligne-new"
+  old=$work/ligne-old new=$work/ligne-new
+fi
 compared=0 different=0 slow=0
 
 # same NAME ARGUMENT...: runs both programs, each in a folder of its own, and compares what they leave behind.
