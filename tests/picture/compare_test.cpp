@@ -7,17 +7,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "scene/readers/reader.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {
-
-Scene corpus_scene(const std::string& name) {
-  Warnings warnings;
-  return read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (name + ".json"), {}, warnings);
-}
 
 CompareRequest all() {
   CompareRequest request;

@@ -9,7 +9,7 @@
 #include "geometry/parallel.hpp"
 #include "relations/line_drawing.hpp"
 #include "relations/relations.hpp"
-#include "scene/readers/reader.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 
@@ -61,11 +61,6 @@ Sight sight_of(const Scene& scene, const std::string& view_name) {
     if (view.name == view_name) return {plain(scene), view.camera};
   }
   throw std::invalid_argument("there is no standard view " + view_name);
-}
-
-Scene corpus_scene(const std::string& name) {
-  Warnings warnings;
-  return read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (name + ".json"), {}, warnings);
 }
 
 class Relations : public testing::TestWithParam<std::tuple<Relation, Subject>> {};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/readers/reader.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "visibility/watkins/line_study.hpp"
 
@@ -14,11 +14,6 @@ namespace ligne::test {
 using namespace ligne::watkins;
 
 inline const CameraRequest kOdd = along({-0.31, 0.87, -0.39});
-
-inline Scene corpus_scene(const std::string& name) {
-  Warnings warnings;
-  return read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (name + ".json"), {}, warnings);
-}
 
 /// Everything that a study by lines needs; intersections as the method finds them.
 struct PreparedScan {

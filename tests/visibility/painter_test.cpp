@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "scene/readers/reader.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 #include "view/tolerances.hpp"
@@ -73,11 +73,6 @@ TEST(Painter, FacesOfOneDepthEach) {
   for (std::size_t i = 1; i < 20; ++i) {
     EXPECT_GE((11 * sequence.faces[i - 1]) % 20, (11 * sequence.faces[i]) % 20);
   }
-}
-
-Scene corpus_scene(const std::string& name) {
-  Warnings warnings;
-  return read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (name + ".json"), {}, warnings);
 }
 
 /// Figure 2.81 of the thesis: a, b are resolved, c penetrates, d overlaps mutually, e in a ring.

@@ -61,7 +61,7 @@ bool holds(const Region& r, Point2 p, double distance, bool& near) {
 }
 
 /// Depths of all faces at a page point, by their triangles.
-std::map<std::uint32_t, double> depths_at(const ProjectedScene& scene, Point2 mm) {
+std::map<std::uint32_t, double> depths_of_faces_at(const ProjectedScene& scene, Point2 mm) {
   std::map<std::uint32_t, double> depths;
   const Point2 p = (mm - scene.lattice.origin_mm) / scene.lattice.step_mm;
   for (const Triangle& t : scene.triangles) {
@@ -122,7 +122,7 @@ TEST_P(WarnockRegions, ShowTheFaceInFrontEverywhereOnce) {
         }
         if (near) continue;
         ++asked;
-        const auto depths = depths_at(areas.projected, p);
+        const auto depths = depths_of_faces_at(areas.projected, p);
         bool right = shown.size() == (depths.empty() ? 0u : 1u);
         if (right && !shown.empty()) {
           const auto own = depths.find(shown[0]);
