@@ -76,12 +76,11 @@ EndGrid::EndGrid(std::vector<End> ends, const Cells& cells) {
   for (std::size_t c = 0; c < cell_count; ++c) refine_if_crowded(c, cells);
 }
 
-/// The first end behind number e, and before `last`, that is elsewhere: by doubling steps, since thousands may be alike.
-std::uint32_t EndGrid::next_point(std::uint32_t e, std::uint32_t last) const {
+/// By doubling steps, since thousands may be alike.
+std::uint32_t EndGrid::next_of_many(std::uint32_t e, std::uint32_t last) const {
   const LatticePoint p = ends_[e].p;
-  std::uint32_t step = 1;
+  std::uint32_t step = 2;
   while (e + step < last && ends_[e + step].p == p) step *= 2;
-  if (step == 1) return e + 1;
   const auto from = ends_.begin() + e + step / 2, to = ends_.begin() + std::min(last, e + step);
   return static_cast<std::uint32_t>(std::partition_point(from, to, [&](const End& end) { return end.p == p; }) -
                                     ends_.begin());

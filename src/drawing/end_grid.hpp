@@ -61,7 +61,14 @@ class EndGrid {
   static constexpr std::uint32_t kCrowd = 256;  ///< adjustable: points in one cell
 
   bool choose_cells(const std::vector<End>& ends, const Cells& cells);
-  std::uint32_t next_point(std::uint32_t e, std::uint32_t last) const;
+  /// The first end behind number e, and before `last`, that is elsewhere.
+  std::uint32_t next_point(std::uint32_t e, std::uint32_t last) const {
+    const LatticePoint p = ends_[e].p;
+    if (++e == last || ends_[e].p != p) return e;
+    if (++e == last || ends_[e].p != p) return e;  // two ends are what most points have
+    return next_of_many(e, last);
+  }
+  std::uint32_t next_of_many(std::uint32_t e, std::uint32_t last) const;
   void refine_if_crowded(std::size_t c, const Cells& cells);
   EndGrid* finer_in(std::size_t c) {
     if (first_[c + 1] - first_[c] <= kCrowd) return nullptr;

@@ -161,7 +161,7 @@ class PartnerSearch {
   using End = EndGrid::End;
   static constexpr std::size_t kShort = stroke_directions::kRanges;  ///< the group of short strokes, behind the ranges
 
-  bool is_long(LatticePoint from, LatticePoint to) const { return length(from, to) > stroke_directions::kLong * tolerance_; }
+  bool is_long(LatticePoint from, LatticePoint to) const { return length(from, to) > long_; }
   std::size_t group_of(LatticePoint from, LatticePoint to) const {
     if (!is_long(from, to)) return kShort;
     return static_cast<std::size_t>(stroke_directions::range_of(stroke_directions::direction(from, to)));
