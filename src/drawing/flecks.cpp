@@ -72,8 +72,9 @@ class FleckFinder {
       if (!may_be_[chains_.chain_of(i)]) continue;
       const Stroke& s = strokes_[i];
       along(s.from, s.to, [&](std::uint64_t cell) { fleck_strokes_.add(cell, i); });
-      for (const LatticePoint end : {s.from, s.to}) {
-        if (!chains_.is_free(end)) continue;
+      for (const bool at_from : {true, false}) {
+        if (!chains_.is_free(i, at_from)) continue;
+        const LatticePoint end = at_from ? s.from : s.to;
         fleck_ends_.add(grid_.cell_of(end), static_cast<std::uint32_t>(ends_.size()));
         ends_.push_back({end, chains_.chain_of(i)});
       }
@@ -132,8 +133,9 @@ class FleckFinder {
         }
       });
     });
-    for (const LatticePoint end : {s.from, s.to}) {
-      if (may_be_[chain] || !chains_.is_free(end)) continue;
+    for (const bool at_from : {true, false}) {
+      if (may_be_[chain] || !chains_.is_free(i, at_from)) continue;
+      const LatticePoint end = at_from ? s.from : s.to;
       fleck_strokes_.visit(grid_.cell_of(end), [&](std::uint32_t f) {
         if (distance(end, strokes_[f]) <= touching_) held_[chains_.chain_of(f)] = 1;
       });

@@ -44,7 +44,7 @@ class LooseEnds {
       const Stroke& s = strokes[i];
       if (!is_edge(s) || s.line_class == LineClass::mesh || s.from == s.to) continue;
       for (const bool at_from : {true, false}) {
-        if (!chains_.is_free(at_from ? s.from : s.to)) continue;
+        if (!chains_.is_free(i, at_from)) continue;
         std::uint32_t& first = cells_[grid_.cell_of(at_from ? s.from : s.to)];
         ends_.push_back({i, at_from, first});
         LooseEnd& end = ends_.back();

@@ -1,10 +1,8 @@
 /// Strokes joined into polylines, layer by layer.
 ///
 /// 1. Strokes are dealt out to their layers by a counting sort, in their order.
-/// 2. Ends are grouped by lattice point. The ends of a layer are first spread over buckets by a hash of their point, so that
-/// a
-///    bucket fits into the cache; in each bucket a small hash table numbers the nodes, and a counting sort brings the ends
-///    of a node together. All arrays are flat: 36 bytes a stroke beside the drawing itself.
+/// 2. Ends are grouped by lattice point (stroke_nodes.hpp). All arrays are flat: 36 bytes a stroke beside the drawing
+/// itself.
 /// 3. At each node the arms are paired (node_pairs.hpp): `partner` then links the ends of strokes into chains and rings.
 /// 4. The chains are walked from their loose ends, in the order of these, then the rings that are left. Points that lie
 ///    exactly on the segment between their neighbours are dropped on the way.
@@ -14,11 +12,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 
 #include "drawing/drawing.hpp"
 #include "drawing/node_pairs.hpp"
+#include "drawing/stroke_nodes.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -28,24 +26,6 @@ constexpr std::size_t kLayerCount = kStrokeLayerCount;
 constexpr std::size_t kHiddenLayer = 0, kTransparentLayer = 1, kProfileLayer = kStrokeLayerCount - 1;
 
 std::size_t layer_of(const Stroke& stroke) { return stroke_layer(stroke.line_class, stroke.visible, stroke.level); }
-
-// Adjustable parameters: ends in a bucket (12 bytes each, to stay in the first-level cache with their table), and the
-// number of buckets that a scattering pass can write to at once.
-constexpr std::size_t kBucketEnds = 512;
-constexpr unsigned kMostBucketBits = 14;
-constexpr std::size_t kBucketsPerTask = 16;
-
-/// An end of a stroke of the layer: end 2 i is the `from` of the layer's stroke i, end 2 i + 1 its `to`.
-struct End {
-  LatticePoint p;
-  std::uint32_t end;
-};
-
-std::uint64_t hash(LatticePoint p) {
-  std::uint64_t h = (std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y)) * 0x9e3779b97f4a7c15u;
-  h ^= h >> 32;
-  return h * 0xd6e8feb86659fd93u;
-}
 
 /// The strokes of one layer, and what continues what.
 class StrokeGraph {
@@ -63,7 +43,6 @@ class StrokeGraph {
     return end % 2 == 0 ? s.from : s.to;
   }
   void link();
-  void link_bucket(std::span<const End> ends);
 
   const std::vector<Stroke>& strokes_;
   std::span<const std::uint32_t> members_;
@@ -71,58 +50,10 @@ class StrokeGraph {
 };
 
 void StrokeGraph::link() {
-  const std::size_t n = partner_.size();
-  const unsigned bits = std::min<unsigned>(kMostBucketBits, std::bit_width(n / kBucketEnds));
-  const std::size_t buckets = std::size_t{1} << bits;
-  const auto bucket = [bits](LatticePoint p) { return bits == 0 ? 0 : hash(p) >> (64 - bits); };
-
-  std::vector<std::uint32_t> begin(buckets + 1);
-  for (const std::uint32_t m : members_) {
-    ++begin[bucket(strokes_[m].from) + 1];
-    ++begin[bucket(strokes_[m].to) + 1];
-  }
-  for (std::size_t b = 0; b < buckets; ++b) begin[b + 1] += begin[b];
-  std::vector<End> ends(n);
-  std::vector<std::uint32_t> cursor(begin.begin(), begin.end() - 1);
-  for (std::uint32_t i = 0; i < members_.size(); ++i) {
-    const Stroke& s = strokes_[members_[i]];
-    ends[cursor[bucket(s.from)]++] = {s.from, 2 * i};
-    ends[cursor[bucket(s.to)]++] = {s.to, 2 * i + 1};
-  }
-  parallel_blocks(buckets, kBucketsPerTask, [&](std::size_t first, std::size_t last) {
-    for (std::size_t b = first; b < last; ++b) {
-      link_bucket({ends.data() + begin[b], ends.data() + begin[b + 1]});
-    }
+  for_each_node(strokes_, members_, [&](std::span<const StrokeEnd> ends) {
+    if (ends.size() < 2) return;
+    pair_arms(NodeArms(strokes_, members_, ends).all(), partner_);
   });
-}
-
-void StrokeGraph::link_bucket(std::span<const End> ends) {
-  const std::size_t n = ends.size();
-  if (n < 2) return;
-  // Nodes are numbered in the order in which they are met; a table of at least twice as many slots finds them again.
-  const std::size_t mask = std::bit_ceil(2 * n) - 1;
-  std::vector<std::uint32_t> table(mask + 1, kNoPartner), node_of(n), first_end, begin{0};
-  for (std::uint32_t i = 0; i < n; ++i) {
-    std::size_t slot = hash(ends[i].p) & mask;
-    while (table[slot] != kNoPartner && ends[first_end[table[slot]]].p != ends[i].p) slot = (slot + 1) & mask;
-    if (table[slot] == kNoPartner) {
-      table[slot] = static_cast<std::uint32_t>(first_end.size());
-      first_end.push_back(i);
-      begin.push_back(0);
-    }
-    node_of[i] = table[slot];
-    ++begin[node_of[i] + 1];
-  }
-  for (std::size_t node = 0; node + 1 < begin.size(); ++node) begin[node + 1] += begin[node];
-  std::vector<NodeArm> arms(n);
-  std::vector<std::uint32_t> cursor(begin.begin(), begin.end() - 1);
-  for (std::size_t i = 0; i < n; ++i) {
-    const LatticePoint far = point(ends[i].end ^ 1);
-    arms[cursor[node_of[i]]++] = {{far.x - ends[i].p.x, far.y - ends[i].p.y}, ends[i].end};
-  }
-  for (std::size_t node = 0; node + 1 < begin.size(); ++node) {
-    pair_arms({arms.data() + begin[node], arms.data() + begin[node + 1]}, partner_);
-  }
 }
 
 /// b lies on the segment a c, between its ends.

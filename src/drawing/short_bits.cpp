@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "drawing/stroke_chains.hpp"
@@ -32,9 +33,16 @@ std::size_t close_short_gaps(StrokeModel& model, double gap_mm) {
   std::vector<Stroke>& strokes = model.strokes;
   const double longest = gap_mm / model.lattice.step_mm;
   const bool hidden_too = any_hidden(strokes);
+  // A gap lies between strokes of one source, and most sources have one stroke.
+  std::uint32_t sources = 0;
+  for (const Stroke& s : strokes) sources = std::max(sources, s.source + 1);
+  std::vector<std::uint8_t> met(sources, 0), met_again(sources, 0);
+  for (const Stroke& s : strokes) {
+    if (is_edge(s) && std::exchange(met[s.source], std::uint8_t{1})) met_again[s.source] = 1;
+  }
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-    if (is_edge(strokes[i])) order.push_back(i);
+    if (is_edge(strokes[i]) && met_again[strokes[i].source]) order.push_back(i);
   }
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::tie(strokes[a].source, strokes[a].t_from, a) < std::tie(strokes[b].source, strokes[b].t_from, b);

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "drawing/key_table.hpp"
 #include "drawing/stroke.hpp"
 
 namespace ligne {
@@ -41,19 +40,13 @@ class StrokeChains {
   /// The lowest stroke of the chain of a stroke that is seen stands for the chain.
   std::uint32_t chain_of(std::uint32_t stroke) const { return chain_of_[stroke]; }
   const Chain& chain(std::uint32_t lowest) const { return chains_[lowest]; }
-  /// No other stroke that is seen ends where this one does.
-  bool is_free(LatticePoint end) const { return nodes_[table_.find(KeyTable::key(end))].count == 1; }
+  /// No other stroke that is seen ends where this one, that is seen, does with its `from` or `to`.
+  bool is_free(std::uint32_t stroke, bool at_from) const { return (free_[stroke] & (at_from ? 1 : 2)) != 0; }
 
  private:
-  /// A place where strokes end.
-  struct Node {
-    std::uint32_t count = 0, first = 0, second = 0;
-  };
-
   std::vector<std::uint32_t> seen_, chain_of_;
   std::vector<Chain> chains_;
-  KeyTable table_;
-  std::vector<Node> nodes_;
+  std::vector<std::uint8_t> free_;  ///< per stroke
 };
 
 /// Hides the chains (StrokeChains, or the runs of StrokeLines) for which is_left_out(lowest stroke) holds; where no stroke

@@ -1,8 +1,10 @@
 #include "drawing/stroke_lines.hpp"
 
-#include "drawing/key_table.hpp"
-#include "drawing/node_pairs.hpp"
+#include <algorithm>
+#include <span>
+
 #include "drawing/stroke_chains.hpp"
+#include "drawing/stroke_nodes.hpp"
 #include "geometry/disjoint_sets.hpp"
 
 namespace ligne {
@@ -10,44 +12,29 @@ namespace ligne {
 /// Ends are numbered by the strokes that are seen: end 2 i is the `from` of seen_[i], end 2 i + 1 its `to`.
 void StrokeLines::link(const std::vector<Stroke>& strokes, std::vector<std::uint32_t>& same,
                        std::vector<std::uint32_t>& other) const {
-  const std::size_t n = 2 * seen_.size();
-  KeyTable table;
-  std::vector<std::uint32_t> node_of(n), begin{0};
-  for (std::uint32_t end = 0; end < n; ++end) {
-    const Stroke& s = strokes[seen_[end / 2]];
-    std::uint32_t& node = table[KeyTable::key(end % 2 == 0 ? s.from : s.to)];
-    if (node == KeyTable::kNone) {
-      node = static_cast<std::uint32_t>(begin.size() - 1);
-      begin.push_back(0);
-    }
-    node_of[end] = node;
-    ++begin[node + 1];
-  }
-  for (std::size_t node = 0; node + 1 < begin.size(); ++node) begin[node + 1] += begin[node];
-  std::vector<NodeArm> arms(n), group;
-  std::vector<std::uint32_t> cursor(begin.begin(), begin.end() - 1);
-  for (std::uint32_t end = 0; end < n; ++end) {
-    const Stroke& s = strokes[seen_[end / 2]];
-    const LatticePoint at = end % 2 == 0 ? s.from : s.to, far = end % 2 == 0 ? s.to : s.from;
-    arms[cursor[node_of[end]]++] = {{far.x - at.x, far.y - at.y}, end};
-  }
   const auto class_of = [&](const NodeArm& arm) { return strokes[seen_[arm.end / 2]].line_class; };
-  for (std::size_t node = 0; node + 1 < begin.size(); ++node) {
-    const std::span<const NodeArm> here{arms.data() + begin[node], arms.data() + begin[node + 1]};
-    if (here.size() < 2) continue;
+  for_each_node(strokes, seen_, [&](std::span<const StrokeEnd> ends) {
+    if (ends.size() < 2) return;
+    const NodeArms arms(strokes, seen_, ends);
+    const std::span<const NodeArm> here = arms.all();
+    if (std::ranges::all_of(here, [&](const NodeArm& arm) { return class_of(arm) == class_of(here[0]); })) {
+      pair_arms(here, same);
+      return;
+    }
+    NodeArms group;
     for (std::size_t c = 0; c < kEdgeClassCount; ++c) {
       group.clear();
       for (const NodeArm& arm : here) {
-        if (class_of(arm) == static_cast<LineClass>(c)) group.push_back(arm);
+        if (class_of(arm) == static_cast<LineClass>(c)) group.add(arm);
       }
-      pair_arms(group, same);
+      pair_arms(group.all(), same);
     }
     group.clear();
     for (const NodeArm& arm : here) {
-      if (same[arm.end] == kNoPartner) group.push_back(arm);
+      if (same[arm.end] == kNoPartner) group.add(arm);
     }
-    pair_arms(group, other);
-  }
+    pair_arms(group.all(), other);
+  });
 }
 
 StrokeLines::StrokeLines(const std::vector<Stroke>& strokes) : run_of_(strokes.size(), kNone), runs_(strokes.size()) {

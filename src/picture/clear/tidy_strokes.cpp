@@ -1,11 +1,12 @@
 #include "picture/clear/tidy_strokes.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "drawing/drawing.hpp"
 #include "drawing/flecks.hpp"
 #include "drawing/inked_bits.hpp"
-#include "drawing/key_table.hpp"
 #include "drawing/loose_ends.hpp"
 #include "drawing/short_bits.hpp"
 #include "view/tolerances.hpp"
@@ -46,18 +47,19 @@ class JointSources {
       return source;
     }
     if (!filed_) {
+      edge_of_.assign(scene_.source_count, kNone);
       for (std::uint32_t e = 0; e < scene_.edges.size(); ++e) edge_of_[scene_.edges[e].source] = e;
       filed_ = true;
     }
-    const std::uint32_t edge = edge_of_.find(joint.source);
-    if (edge != KeyTable::kNone) source.faces = {scene_.edges[edge].face0, scene_.edges[edge].face1};
+    const std::uint32_t edge = edge_of_[joint.source];
+    if (edge != kNone) source.faces = {scene_.edges[edge].face0, scene_.edges[edge].face1};
     return source;
   }
 
  private:
   const StrokeModel& strokes_;
   const ProjectedScene& scene_;
-  KeyTable edge_of_;  ///< by source
+  std::vector<std::uint32_t> edge_of_;  ///< by source
   bool filed_ = false;
 };
 

@@ -1,0 +1,120 @@
+#include "drawing/stroke_nodes.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+namespace ligne {
+namespace {
+
+// Adjustable parameters: ends in a bucket (12 bytes each, to stay in the first-level cache with their table), the number of
+// buckets that a scattering pass can write to at once, and strokes that one task of it scatters.
+constexpr std::size_t kBucketEnds = 512;
+constexpr unsigned kMostBucketBits = 14;
+constexpr std::size_t kBucketsPerTask = 16;
+constexpr std::size_t kScatteredBlock = 131'072;
+
+std::uint64_t hash_of(LatticePoint p) {
+  std::uint64_t h = (std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y)) * 0x9e3779b97f4a7c15u;
+  h ^= h >> 32;
+  return h * 0xd6e8feb86659fd93u;
+}
+
+/// All ends, by buckets.
+class Buckets {
+ public:
+  Buckets(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members)
+      : bits_(std::min<unsigned>(kMostBucketBits, std::bit_width(2 * members.size() / kBucketEnds))),
+        begin_(count() + 1),
+        ends_(2 * members.size()) {
+    // Each block of strokes has its own place in each bucket, so that a bucket holds its ends in their order.
+    const std::size_t blocks = block_count(members.size(), kScatteredBlock);
+    std::vector<std::uint32_t> next(blocks * count());
+    const auto for_blocks = [&](auto visit) {
+      parallel_blocks(members.size(), kScatteredBlock, [&](std::size_t first, std::size_t last) {
+        std::uint32_t* const own = next.data() + first / kScatteredBlock * count();
+        for (std::size_t i = first; i < last; ++i) {
+          const auto end = static_cast<std::uint32_t>(2 * i);
+          visit(own, strokes[members[i]].from, end);
+          visit(own, strokes[members[i]].to, end + 1);
+        }
+      });
+    };
+    for_blocks([&](std::uint32_t* own, LatticePoint p, std::uint32_t) { ++own[bucket(p)]; });
+    std::uint32_t sum = 0;
+    for (std::size_t b = 0; b < count(); ++b) {
+      begin_[b] = sum;
+      for (std::size_t block = 0; block < blocks; ++block) {
+        const std::uint32_t here = next[block * count() + b];
+        next[block * count() + b] = sum;
+        sum += here;
+      }
+    }
+    begin_.back() = sum;
+    for_blocks([&](std::uint32_t* own, LatticePoint p, std::uint32_t end) { ends_[own[bucket(p)]++] = {p, end}; });
+  }
+
+  std::size_t count() const { return std::size_t{1} << bits_; }
+  std::span<const StrokeEnd> operator[](std::size_t b) const {
+    return {ends_.data() + begin_[b], ends_.data() + begin_[b + 1]};
+  }
+
+ private:
+  std::size_t bucket(LatticePoint p) const { return bits_ == 0 ? 0 : hash_of(p) >> (64 - bits_); }
+
+  unsigned bits_;
+  std::vector<std::uint32_t> begin_;
+  std::vector<StrokeEnd> ends_;
+};
+
+/// Brings together the ends of each place of a bucket. Its memory serves one bucket after the other.
+class NodeSorter {
+ public:
+  void visit_nodes(std::span<const StrokeEnd> ends, FunctionRef<void(std::span<const StrokeEnd>)> visit) {
+    constexpr std::uint32_t kFree = 0xffffffffu;
+    const std::size_t n = ends.size();
+    // Places are numbered in the order in which they are met; a table of at least twice as many slots finds them again.
+    const std::size_t mask = std::bit_ceil(2 * n) - 1;
+    table_.assign(mask + 1, kFree);
+    node_of_.resize(n);
+    first_end_.clear();
+    next_.assign(1, 0);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      std::size_t slot = hash_of(ends[i].p) & mask;
+      while (table_[slot] != kFree && ends[first_end_[table_[slot]]].p != ends[i].p) slot = (slot + 1) & mask;
+      if (table_[slot] == kFree) {
+        table_[slot] = static_cast<std::uint32_t>(first_end_.size());
+        first_end_.push_back(i);
+        next_.push_back(0);
+      }
+      node_of_[i] = table_[slot];
+      ++next_[node_of_[i] + 1];
+    }
+    for (std::size_t node = 0; node + 1 < next_.size(); ++node) next_[node + 1] += next_[node];
+    sorted_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) sorted_[next_[node_of_[i]]++] = ends[i];
+    // Each place now has moved on to where the next one begins.
+    std::uint32_t begin = 0;
+    for (std::size_t node = 0; node + 1 < next_.size(); ++node) {
+      visit({sorted_.data() + begin, sorted_.data() + next_[node]});
+      begin = next_[node];
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> table_, node_of_, first_end_, next_;
+  std::vector<StrokeEnd> sorted_;
+};
+
+}  // namespace
+
+void for_each_node(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members,
+                   FunctionRef<void(std::span<const StrokeEnd>)> visit) {
+  const Buckets buckets(strokes, members);
+  parallel_blocks(buckets.count(), kBucketsPerTask, [&](std::size_t first, std::size_t last) {
+    NodeSorter sorter;
+    for (std::size_t b = first; b < last; ++b) sorter.visit_nodes(buckets[b], visit);
+  });
+}
+
+}  // namespace ligne
