@@ -98,6 +98,15 @@ std::vector<std::uint8_t> suspect_vertices(const Scene& scene, const Topology& t
   return suspect;
 }
 
+/// One face stands for another.
+void stand_in(DuplicateFaces& found, std::size_t faces, std::uint32_t face, std::uint32_t first) {
+  if (found.first.empty()) {
+    found.first.resize(faces);
+    std::iota(found.first.begin(), found.first.end(), 0u);
+  }
+  found.first[face] = first;
+}
+
 void find_within_objects(const Scene& scene, const Topology& topology, DuplicateFaces& found) {
   const std::vector<std::uint8_t> suspect = suspect_vertices(scene, topology);
   if (suspect.empty()) return;
@@ -129,7 +138,7 @@ void find_within_objects(const Scene& scene, const Topology& topology, Duplicate
       if (table[k].hash != h) continue;
       face_key(scene, table[k].face, itself, other);
       if (key != other) continue;
-      found.first[f] = table[k].face;
+      stand_in(found, scene.faces.size(), f, table[k].face);
       break;
     }
   }
@@ -172,10 +181,27 @@ Shape shape_of(const Scene& scene, const Object& object) {
   return shape;
 }
 
+/// The objects that have as many vertices as another one, ascending: only such may coincide.
+std::vector<std::uint32_t> like_large_objects(const Scene& scene) {
+  std::vector<std::uint32_t> order(scene.objects.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto size = [&](std::uint32_t i) { return scene.objects[i].vertex_end - scene.objects[i].vertex_begin; };
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return size(a) < size(b); });
+  std::vector<std::uint32_t> found;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool as_before = k > 0 && size(order[k - 1]) == size(order[k]);
+    const bool as_behind = k + 1 < order.size() && size(order[k + 1]) == size(order[k]);
+    if (as_before || as_behind) found.push_back(order[k]);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 /// The same for objects that coincide.
-std::vector<std::uint64_t> position_sums(const Scene& scene) {
+std::vector<std::uint64_t> position_sums(const Scene& scene, const std::vector<std::uint32_t>& objects) {
   std::vector<std::uint64_t> sums(scene.objects.size());
-  parallel_for(sums.size(), [&](std::size_t i) {
+  parallel_for(objects.size(), [&](std::size_t k) {
+    const std::uint32_t i = objects[k];
     const Object& object = scene.objects[i];
     std::uint64_t sum = object.vertex_end - object.vertex_begin;
     for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
@@ -189,9 +215,8 @@ std::vector<std::uint64_t> position_sums(const Scene& scene) {
 }
 
 void find_equal_objects(const Scene& scene, DuplicateFaces& found) {
-  const std::vector<std::uint64_t> sums = position_sums(scene);
-  std::vector<std::uint32_t> order(sums.size());
-  std::iota(order.begin(), order.end(), 0u);
+  std::vector<std::uint32_t> order = like_large_objects(scene);
+  const std::vector<std::uint64_t> sums = position_sums(scene, order);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return sums[a] < sums[b]; });
   for (std::size_t i = 0; i < order.size();) {
     std::size_t end = i + 1;
@@ -204,7 +229,9 @@ void find_equal_objects(const Scene& scene, DuplicateFaces& found) {
       const Shape shape = shape_of(scene, object);
       if (shape.positions != first->positions || shape.faces != first->faces) continue;
       ++found.objects;
-      for (std::size_t n = 0; n < shape.face.size(); ++n) found.first[shape.face[n]] = first->face[n];
+      for (std::size_t n = 0; n < shape.face.size(); ++n) {
+        stand_in(found, scene.faces.size(), shape.face[n], first->face[n]);
+      }
     }
     i = end;
   }
@@ -240,8 +267,6 @@ void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
 
 DuplicateFaces find_duplicate_faces(const Scene& scene, const Topology& topology) {
   DuplicateFaces found;
-  found.first.resize(scene.faces.size());
-  std::iota(found.first.begin(), found.first.end(), 0u);
   find_within_objects(scene, topology, found);
   if (scene.objects.size() > 1) find_equal_objects(scene, found);
   for (std::uint32_t f = 0; f < found.first.size(); ++f) {

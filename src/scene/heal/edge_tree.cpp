@@ -39,26 +39,30 @@ EdgeTree::EdgeTree(std::vector<Segment> segments) : segments_(std::move(segments
   std::size_t leaves = 1;
   while (leaves * kLeaf < segments_.size()) leaves *= 2;
   boxes_.resize(2 * leaves - 1);
-  build(0, 0, static_cast<std::uint32_t>(segments_.size()));
+  std::vector<Middle> middles(segments_.size());
+  build(0, 0, static_cast<std::uint32_t>(segments_.size()), middles);
 }
 
-EdgeTree::Box EdgeTree::build(std::size_t node, std::uint32_t begin, std::uint32_t end) {
+void EdgeTree::build(std::size_t node, std::uint32_t begin, std::uint32_t end, std::vector<Middle>& middles) {
   Box box{segments_[order_[begin]].a, segments_[order_[begin]].a};
   for (std::uint32_t k = begin; k < end; ++k) {
     const Segment& s = segments_[order_[k]];
     box = {glm::min(box.low, glm::min(s.a, s.b)), glm::max(box.high, glm::max(s.a, s.b))};
   }
   boxes_[node] = box;
-  if (2 * node + 2 >= boxes_.size()) return box;
+  if (2 * node + 2 >= boxes_.size()) return;
   const Point3 size = box.high - box.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const auto middle = [&](std::uint32_t s) { return segments_[s].a[axis] + segments_[s].b[axis]; };
   const std::uint32_t half = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + half, order_.begin() + end,
-                   [&](std::uint32_t a, std::uint32_t b) { return std::pair(middle(a), a) < std::pair(middle(b), b); });
-  build(2 * node + 1, begin, half);
-  build(2 * node + 2, half, end);
-  return box;
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const Segment& s = segments_[order_[k]];
+    middles[k] = {s.a[axis] + s.b[axis], order_[k]};
+  }
+  std::nth_element(middles.begin() + begin, middles.begin() + half, middles.begin() + end,
+                   [](const Middle& a, const Middle& b) { return a.at < b.at || (a.at == b.at && a.segment < b.segment); });
+  for (std::uint32_t k = begin; k < end; ++k) order_[k] = middles[k].segment;
+  build(2 * node + 1, begin, half, middles);
+  build(2 * node + 2, half, end, middles);
 }
 
 NearestPoint EdgeTree::nearest(const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept) const {

@@ -38,7 +38,12 @@ class EdgeTree {
     Point3 low, high;
     double distance(const Point3& p) const;
   };
-  Box build(std::size_t node, std::uint32_t begin, std::uint32_t end);
+  /// Of a segment, along the side that is halved.
+  struct Middle {
+    double at;
+    std::uint32_t segment;
+  };
+  void build(std::size_t node, std::uint32_t begin, std::uint32_t end, std::vector<Middle>& middles);
 
   std::vector<Segment> segments_;
   std::vector<std::uint32_t> order_;  ///< of the segments, so that a node is a range

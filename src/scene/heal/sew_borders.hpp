@@ -1,6 +1,7 @@
 #pragma once
 /// Sewing borders that run along each other.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -13,10 +14,16 @@ namespace ligne {
 
 /// Sewing in progress.
 struct Sewing {
-  std::vector<double> distances;  ///< per object; 0: it is not sewn
+  std::vector<double> distances;  ///< per object; 0: it is not sewn, or no longer
   /// Per vertex: all vertices at borders of the objects that are sewn, and maybe others.
   std::vector<std::uint8_t> may_be_on_border{};
   std::vector<std::uint8_t> settled{};  ///< per vertex: it has moved, or another one has come to it
+
+  /// Nothing is left to be sewn of object i.
+  void leave(std::size_t i, const Object& object) {
+    distances[i] = 0;
+    std::fill(may_be_on_border.begin() + object.vertex_begin, may_be_on_border.begin() + object.vertex_end, std::uint8_t{0});
+  }
 };
 
 /// Puts vertices of the border onto other ones of the border of the same object that are nearer than the object's distance,

@@ -184,6 +184,7 @@ EdgeSplits split_border_edges(Scene& scene, Sewing& sewing) {
     const double inside = straightness_tolerance(scene.objects[i].precision, border.median_length());
     found[i] = splits_of(border, sewing.distances[i], inside);
     std::sort(found[i].begin(), found[i].end());
+    if (found[i].empty()) sewing.leave(i, scene.objects[i]);
   });
   // Objects own ascending ranges of faces: the lists in a row are one sorted list.
   std::vector<Split> splits;
