@@ -88,7 +88,7 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
   ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, view.camera, patch), sides,
                                          kCoarseInPens * options.pen_width_mm);
 
-  const OutlineGraph graph(patch, sides);
+  const OutlineGraph graph(scene, view, patch, sides);
   const double slack_mm = kSlackSteps * projected.lattice.step_mm + 2 * projected.input_error_mm;
   std::vector<std::vector<ContourSight>> sights(choice.chains.size());
   parallel_blocks(sights.size(), kChainsPerTask, [&](std::size_t begin, std::size_t end) {

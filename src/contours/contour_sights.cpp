@@ -133,19 +133,19 @@ class Sights {
       const auto at = [&](double s) { return sq > sp ? hp + (s - sp) / (sq - sp) * (hq - hp) : std::max(hp, hq); };
       highest = std::max({highest, at(from), at(to)});
     };
-    for_outline_near(chain_.triangles[i], [&](std::uint32_t side) {
-      rise(page_point(view_, point(side)), page_point(view_, point(next_corner(side))));
-    });
+    for_outline_near(chain_.triangles[i], [&](const OutlineGraph::End& e) { rise(e.p, e.q); });
     return {highest, across};
   }
 
-  /// Calls visit(side) for the edges of the mesh's outline near a triangle: those at its corners and at the corners of its
-  /// neighbours, and those that continue them.
+  /// Calls visit(end) for the edges of the mesh's outline near a triangle, each once: those at its corners and at the
+  /// corners of its neighbours, and those that continue them.
   template <class Visit>
   void for_outline_near(std::uint32_t t, Visit visit) {
     reached_.clear();
     const auto reach = [&](std::uint32_t sector) {
-      if (std::find(reached_.begin(), reached_.end(), sector) == reached_.end()) reached_.push_back(sector);
+      const auto found = static_cast<std::size_t>(std::find(reached_.begin(), reached_.end(), sector) - reached_.begin());
+      if (found == reached_.size()) reached_.push_back(sector);
+      return found;
     };
     for (std::uint32_t k = 3 * t; k < 3 * t + 3; ++k) {
       reach(patch_.sector[k]);
@@ -156,8 +156,7 @@ class Sights {
       const std::size_t end = reached_.size();
       for (std::size_t i = begin; i < end; ++i) {
         for (const OutlineGraph::End& e : outline_.at(reached_[i])) {
-          visit(e.side);
-          reach(e.other);
+          if (reach(e.other) >= i) visit(e);
         }
       }
       begin = end;
@@ -175,7 +174,8 @@ class Sights {
 
 }  // namespace
 
-OutlineGraph::OutlineGraph(const SmoothPatch& patch, const std::vector<OutlineSide>& sides)
+OutlineGraph::OutlineGraph(const Scene& scene, const View& view, const SmoothPatch& patch,
+                           const std::vector<OutlineSide>& sides)
     : begin_(patch.normals.size() + 1, 0), ends_(2 * sides.size()) {
   const auto ends_of = [&](const OutlineSide& s) {
     return std::array<std::uint32_t, 2>{patch.sector[s.side], patch.sector[next_corner(s.side)]};
@@ -187,8 +187,11 @@ OutlineGraph::OutlineGraph(const SmoothPatch& patch, const std::vector<OutlineSi
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
   for (const OutlineSide& s : sides) {
     const auto [a, b] = ends_of(s);
-    ends_[next[a]++] = {a, b, s.side};
-    ends_[next[b]++] = {b, a, s.side};
+    const auto& v = patch.triangles[s.side / 3].v;
+    const Point2 p = page_point(view, scene.vertices[v[s.side % 3]]);
+    const Point2 q = page_point(view, scene.vertices[v[(s.side + 1) % 3]]);
+    ends_[next[a]++] = {a, b, p, q};
+    ends_[next[b]++] = {b, a, q, p};
   }
 }
 

@@ -20,11 +20,11 @@ namespace ligne {
 /// The edges of the mesh's outline inside regions, by the sectors at their ends.
 class OutlineGraph {
  public:
-  OutlineGraph(const SmoothPatch& patch, const std::vector<OutlineSide>& sides);
+  OutlineGraph(const Scene& scene, const View& view, const SmoothPatch& patch, const std::vector<OutlineSide>& sides);
 
   struct End {
     std::uint32_t sector, other;  ///< sectors at this end of the edge and at the other
-    std::uint32_t side;           ///< of the patch
+    Point2 p, q;                  ///< of these ends, on the page
   };
   std::span<const End> at(std::uint32_t sector) const {
     return {ends_.data() + begin_[sector], ends_.data() + begin_[sector + 1]};

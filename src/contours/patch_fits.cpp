@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kSectorsPerTask = 256;
+constexpr std::size_t kSectorsPerTask = 512;
 constexpr int kRings = 2;
 
 /// The corners of each sector.
@@ -73,12 +73,12 @@ class PatchFits {
 
   void fit(const std::vector<std::uint32_t>& sectors) {
     parallel_blocks(sectors.size(), kSectorsPerTask, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> reached;
+      std::vector<std::uint32_t> reached, reached_from(patch_.normals.size(), kNone);
       std::vector<Point3> points;
       for (std::size_t i = begin; i < end; ++i) {
         const std::uint32_t s = sectors[i];
         if (!patch_.complete[corners_.of(s)[0]] || patch_.normals[s] == Point3(0.0)) continue;
-        reach_rings(s, reached);
+        reach_rings(s, reached, reached_from);
         points.clear();
         for (std::size_t k = 1; k < reached.size(); ++k) points.push_back(place(reached[k]));
         SurfaceFit fit;
@@ -93,15 +93,17 @@ class PatchFits {
     });
   }
 
-  /// The sector, and those within two rings of triangles.
-  void reach_rings(std::uint32_t sector, std::vector<std::uint32_t>& reached) const {
+  /// The sector, and those within two rings of triangles. `reached_from`: per sector, from which one it was reached last.
+  void reach_rings(std::uint32_t sector, std::vector<std::uint32_t>& reached,
+                   std::vector<std::uint32_t>& reached_from) const {
     reached.assign(1, sector);
+    reached_from[sector] = sector;
     std::size_t next = 0;
     for (int ring = 0; ring < kRings; ++ring) {
       for (const std::size_t last = reached.size(); next < last; ++next) {
         for (const std::uint32_t c : corners_.of(reached[next])) {
           for (const std::uint32_t other : {patch_.sector[next_corner(c)], patch_.sector[last_corner(c)]}) {
-            if (std::find(reached.begin(), reached.end(), other) == reached.end()) reached.push_back(other);
+            if (std::exchange(reached_from[other], sector) != sector) reached.push_back(other);
           }
         }
       }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -25,35 +26,67 @@ constexpr double kLeftOver = 0.1;
 /// polynomial of degree three has waves there.
 constexpr double kMostBent = 0.2;
 
-using Terms = std::array<double, kCubic>;
-using Matrix = std::array<Terms, kCubic>;
+/// Products of terms are terms of a higher degree, up to six. Of degree d: x^d, x^(d-1) y, ..., y^d. So the normal equations
+/// are made of 27 sums, and not of 45. One more, so that they go in pairs.
+constexpr std::size_t kMonomials = 28;
+using Monomials = std::array<double, kMonomials>;
 
-Terms terms_of(double x, double y) { return {x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y}; }
+Monomials monomials_of(double x, double y) {
+  const double xx = x * x, xy = x * y, yy = y * y;
+  const double x3 = xx * x, xxy = xx * y, xyy = x * yy, y3 = yy * y;
+  const double x4 = xx * xx, x3y = x3 * y, xxyy = xx * yy, xy3 = x * y3, y4 = yy * yy;
+  const double x5 = x4 * x, x4y = x4 * y, x3yy = x3 * yy, xxy3 = xx * y3, xy4 = x * y4, y5 = y4 * y;
+  return {x,  y,   xx,   xy,   yy,  x3, xxy,    xyy,    y3,      x4,      x3y,     xxyy,   xy3,    y4,
+          x5, x4y, x3yy, xxy3, xy4, y5, x5 * x, x5 * y, x4 * yy, x3 * y3, xx * y4, x * y5, y5 * y, 0};
+}
 
-/// Solves the first n normal equations; false where a term is not known.
-bool solve(Matrix m, Terms right, std::size_t n, Terms& solution) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const double whole = m[i][i];
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = m[i][j];
-      for (std::size_t k = 0; k < j; ++k) sum -= m[i][k] * m[j][k];
-      if (j < i) {
-        m[i][j] = sum / m[j][j];
-      } else {
-        if (!(sum > kIndependent * whole)) return false;
-        m[i][i] = std::sqrt(sum);
-      }
+/// Where those of a degree begin.
+constexpr std::size_t first_of(std::size_t degree) { return degree * (degree + 1) / 2 - 1; }
+
+using Terms = std::array<double, kCubic + 1>;
+
+/// A point as the equations see it: its terms, its height over the tangent plane, and the square of its distance.
+struct Sample {
+  Terms terms;
+  double height, square;
+};
+
+/// Which monomials the products of two terms are.
+constexpr auto kProducts = [] {
+  const auto degree = [](std::size_t k) { return k < first_of(2) ? 1 : k < first_of(3) ? 2 : 3; };
+  std::array<std::array<std::uint8_t, kCubic>, kCubic> which{};
+  for (std::size_t i = 0; i < kCubic; ++i) {
+    for (std::size_t j = 0; j < kCubic; ++j) {
+      const std::size_t a = degree(i), b = degree(j);
+      which[i][j] = static_cast<std::uint8_t>(first_of(a + b) + (i - first_of(a)) + (j - first_of(b)));
     }
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) right[i] -= m[i][k] * right[k];
-    right[i] /= m[i][i];
+  return which;
+}();
+
+/// Solves the first N normal equations by elimination; false where a term is not known.
+template <std::size_t N>
+bool solve(const Monomials& sums, Terms right, Terms& solution) {
+  constexpr std::size_t kRow = (N + 1) / 2 * 2;
+  std::array<std::array<double, kRow>, N> m{};  // the upper half counts
+  for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t j = i; j < N; ++j) m[i][j] = sums[kProducts[i][j]];
+  }
+  std::array<double, N> inverse;
+  for (std::size_t k = 0; k < N; ++k) {
+    if (!(m[k][k] > kIndependent * sums[kProducts[k][k]])) return false;
+    inverse[k] = 1 / m[k][k];
+    for (std::size_t i = k + 1; i < N; ++i) {
+      const double part = m[k][i] * inverse[k];
+      for (std::size_t j = i / 2 * 2; j < kRow; ++j) m[i][j] -= part * m[k][j];
+      right[i] -= part * right[k];
+    }
   }
   solution = {};
-  for (std::size_t i = n; i-- > 0;) {
+  for (std::size_t i = N; i-- > 0;) {
     double sum = right[i];
-    for (std::size_t k = i + 1; k < n; ++k) sum -= m[k][i] * solution[k];
-    solution[i] = sum / m[i][i];
+    for (std::size_t j = i + 1; j < N; ++j) sum -= m[i][j] * solution[j];
+    solution[i] = sum * inverse[i];
   }
   return true;
 }
@@ -75,30 +108,28 @@ bool fit_surface(const Point3& at, const Point3& normal, std::span<const Point3>
   for (const Point3& p : points) mean += glm::distance(p, at);
   mean /= double(points.size());
   if (!(mean > 0)) return false;
-  Matrix m{};
+  Monomials sums{};
   Terms right{};
+  std::vector<Sample> samples;
+  samples.reserve(points.size());
   for (const Point3& p : points) {
     const Point3 d = (p - at) / mean;
     const double square = glm::dot(d, d);
     if (!(square > 0)) continue;
     const double weight = 1 / (square * square * square), height = glm::dot(d, normal);
-    const Terms terms = terms_of(glm::dot(d, x), glm::dot(d, y));
-    for (std::size_t i = 0; i < kCubic; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) m[i][j] += weight * terms[i] * terms[j];
-      right[i] += weight * terms[i] * height;
-    }
+    const Monomials monomials = monomials_of(glm::dot(d, x), glm::dot(d, y));
+    Sample& sample = samples.emplace_back(Sample{{}, height, square});
+    std::copy_n(monomials.begin(), kCubic, sample.terms.begin());
+    for (std::size_t i = 0; i < kMonomials; ++i) sums[i] += weight * monomials[i];
+    for (std::size_t i = 0; i < right.size(); ++i) right[i] += weight * height * sample.terms[i];
   }
   Terms s{};
-  const bool cubic = points.size() >= kCubic + kSpare && solve(m, right, kCubic, s);
-  if (!cubic && !solve(m, right, kQuadratic, s)) return false;
+  const bool cubic = points.size() >= kCubic + kSpare && solve<kCubic>(sums, right, s);
+  if (!cubic && !solve<kQuadratic>(sums, right, s)) return false;
   // As angles, so that points count alike at any distance.
   double left = 0, bent = 0;
-  for (const Point3& p : points) {
-    const Point3 d = (p - at) / mean;
-    const double square = glm::dot(d, d);
-    if (!(square > 0)) continue;
-    const Terms terms = terms_of(glm::dot(d, x), glm::dot(d, y));
-    double rest = glm::dot(d, normal) - s[0] * terms[0] - s[1] * terms[1];
+  for (const auto& [terms, height, square] : samples) {
+    double rest = height - s[0] * terms[0] - s[1] * terms[1];
     bent += rest * rest / square;
     for (std::size_t i = 2; i < kCubic; ++i) rest -= s[i] * terms[i];
     left += rest * rest / square;
