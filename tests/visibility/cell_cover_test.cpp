@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace ligne {
@@ -72,8 +73,17 @@ struct Mesh {
     return z;
   }
 
+  /// As the grid has it.
+  std::vector<CellFacet> by_depth() const {
+    std::vector<CellFacet> sorted = list;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const CellFacet& a, const CellFacet& b) { return a.z_near < b.z_near; });
+    return sorted;
+  }
+
   std::optional<float> cover(const CellSquare& cell) const {
-    return CellCover(scene, facets, kMargin).find(list.data(), list.size(), cell, kAnyFacet);
+    const std::vector<CellFacet> sorted = by_depth();
+    return CellCover(scene, facets, kMargin).find(sorted.data(), sorted.size(), cell, kAnyFacet);
   }
 };
 
@@ -118,6 +128,23 @@ TEST(CellCover, NearerOfTwoSheets) {
   EXPECT_LE(*depth, 11.001);
 }
 
+TEST(CellCover, WhatLiesBehindTheCoverChangesNothing) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    std::mt19937 rng(seed);
+    Mesh mesh;
+    mesh.add_sheet(0, 0, 12, 100, 10, 1, 0, rng);
+    const auto alone = mesh.cover({400, 400, 300});
+    ASSERT_TRUE(alone.has_value());
+    // Some begin before the cover ends, some behind it.
+    mesh.add_sheet(0, 0, 12, 100, 10.5 + seed % 4, 3, 0, rng);
+    mesh.add_sheet(0, 0, 12, 100, 12, 1, 0.2, rng);
+    EXPECT_LE(*mesh.cover({400, 400, 300}), *alone);
+    if (seed % 4 > 0) {
+      EXPECT_EQ(*mesh.cover({400, 400, 300}), *alone);
+    }
+  }
+}
+
 TEST(CellCover, FacetsOfBodiesThatTouch) {
   Mesh mesh;
   const auto a = mesh.add_vertex(0, 0, 1), b = mesh.add_vertex(1000, 0, 1), c = mesh.add_vertex(1000, 1000, 1),
@@ -157,7 +184,8 @@ TEST(CellCover, HoldsAtAllPoints) {
     }
     const CellSquare cell{600 * unit(rng), 600 * unit(rng), 50 + 200 * unit(rng)};
     CellCover cover(mesh.scene, mesh.facets, kMargin);
-    const auto depth = cover.find(mesh.list.data(), mesh.list.size(), cell, kAnyFacet);
+    const std::vector<CellFacet> sorted = mesh.by_depth();
+    const auto depth = cover.find(sorted.data(), sorted.size(), cell, kAnyFacet);
     if (!depth) continue;
     ++covered;
     std::vector<std::uint32_t> behind;

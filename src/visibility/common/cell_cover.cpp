@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
-#include <tuple>
+#include <utility>
 
 namespace ligne {
 namespace {
@@ -61,25 +62,40 @@ void CellCover::add(const Facet& f) {
   if (uses_.size() > before || meeting == Meeting::covers) members_.push_back(member);
 }
 
+std::size_t CellCover::widest_gap(const CellFacet* list, std::size_t n) {
+  std::size_t widest = n / 2;
+  for (std::size_t i = n / 3; i < n - n / 3; ++i) {
+    const auto gap = [&](std::size_t k) { return k == 0 ? 0 : list[k].z_near - list[k - 1].z_near; };
+    if (gap(i) > gap(widest)) widest = i;
+  }
+  return widest;
+}
+
 void CellCover::number_sides() {
-  std::sort(uses_.begin(), uses_.end(), [](const SideUse& a, const SideUse& b) {
-    return std::tie(a.side, a.reversed, a.member) < std::tie(b.side, b.reversed, b.member);
-  });
-  side_begin_.clear();
+  const std::size_t mask = std::bit_ceil(2 * uses_.size() + 1) - 1;
+  if (slots_.size() <= mask) slots_.assign(mask + 1, {}), filled_ = 0;
+  if (++filled_ == 0) slots_.assign(slots_.size(), {}), filled_ = 1;
+  first_use_.clear();
   for (auto& counts : alive_) counts.clear();
   member_sides_.assign(members_.size() * 3, kNone);
   for (std::uint32_t i = 0; i < uses_.size(); ++i) {
-    if (i == 0 || uses_[i].side != uses_[i - 1].side) {
-      side_begin_.push_back(i);
+    SideUse& use = uses_[i];
+    // Finalizer of SplitMix64 (Steele, Lea, Flood 2014), but for its first step.
+    const std::uint64_t h = (use.side ^ use.side >> 27) * 0x94d049bb133111ebu;
+    std::size_t at = (h ^ h >> 31) & mask;
+    while (slots_[at].filled == filled_ && slots_[at].side != use.side) at = (at + 1) & mask;
+    Slot& slot = slots_[at];
+    if (slot.filled != filled_) {
+      slot = {use.side, static_cast<std::uint32_t>(first_use_.size()), filled_};
+      first_use_.push_back(kNone);
       for (auto& counts : alive_) counts.push_back(0);
     }
-    const auto side = static_cast<std::uint32_t>(side_begin_.size() - 1);
-    ++alive_[uses_[i].reversed][side];
-    std::uint32_t* slot = &member_sides_[uses_[i].member * 3];
-    while (*slot != kNone) ++slot;
-    *slot = side << 1 | uses_[i].reversed;
+    use.next = std::exchange(first_use_[slot.number], i);
+    ++alive_[use.reversed][slot.number];
+    std::uint32_t* side = &member_sides_[use.member * 3];
+    while (*side != kNone) ++side;
+    *side = slot.number << 1 | use.reversed;
   }
-  side_begin_.push_back(static_cast<std::uint32_t>(uses_.size()));
 }
 
 void CellCover::remove(std::uint32_t member, std::uint32_t round) {
@@ -95,15 +111,15 @@ void CellCover::remove(std::uint32_t member, std::uint32_t round) {
     for (int k = 0; k < 3 && sides[k] != kNone; ++k) {
       const std::uint32_t side = sides[k] >> 1;
       if (--alive_[sides[k] & 1][side] > 0) continue;
-      for (std::uint32_t i = side_begin_[side]; i < side_begin_[side + 1]; ++i) take(uses_[i].member);
+      for (std::uint32_t i = first_use_[side]; i != kNone; i = uses_[i].next) take(uses_[i].member);
     }
   }
 }
 
 void CellCover::remove_ends() {
-  for (std::uint32_t side = 0; side + 1 < side_begin_.size(); ++side) {
+  for (std::uint32_t side = 0; side < first_use_.size(); ++side) {
     if (alive_[0][side] > 0 && alive_[1][side] > 0) continue;
-    for (std::uint32_t i = side_begin_[side]; i < side_begin_[side + 1]; ++i) remove(uses_[i].member, 0);
+    for (std::uint32_t i = first_use_[side]; i != kNone; i = uses_[i].next) remove(uses_[i].member, 0);
   }
 }
 
@@ -112,6 +128,7 @@ void CellCover::remove_ends() {
 std::optional<float> CellCover::choose_patch() {
   planes_.clear();
   if (members_.empty()) return std::nullopt;
+  for (Member& member : members_) member.round = kStays;
   number_sides();
   remove_ends();
   by_depth_.clear();

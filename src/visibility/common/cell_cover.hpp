@@ -20,16 +20,24 @@ class CellCover {
       : scene_(scene), facets_(facets), margin_(margin) {}
 
   /// The farthest depth over the cell of the patch for which that is the nearest, depth tolerance added, if there is a
-  /// patch. hides(facet): whether it may belong to one.
+  /// patch. hides(facet): whether it may belong to one. The list is in the order of z_near: mostly a surface in front covers
+  /// the cell, and then nothing that begins behind it need be looked at.
   template <class Hides>
   std::optional<float> find(const CellFacet* list, std::size_t n, const CellSquare& square, Hides hides) {
     square_ = square;
     members_.clear();
     uses_.clear();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Facet& f = facets_[list[i].facet];
-      if (hides(f)) add(f);
-    }
+    const auto add_from = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Facet& f = facets_[list[i].facet];
+        if (hides(f)) add(f);
+      }
+    };
+    const std::size_t in_front = widest_gap(list, n);
+    add_from(0, in_front);
+    const std::optional<float> depth = choose_patch();
+    if (depth && *depth < list[in_front].z_near) return depth;
+    add_from(in_front, n);
     return choose_patch();
   }
 
@@ -48,7 +56,16 @@ class CellCover {
     std::uint64_t side;  ///< its places, the lower first
     bool reversed;       ///< the member has it from the higher place to the lower
     std::uint32_t member;
+    std::uint32_t next = kNone;  ///< use of the same side
   };
+  /// Of a hash table of sides; it holds what was put into it in round `filled` of filling it.
+  struct Slot {
+    std::uint64_t side;
+    std::uint32_t number, filled = 0;
+  };
+
+  /// Where in the middle third of the list the depths are farthest apart.
+  static std::size_t widest_gap(const CellFacet* list, std::size_t n);
 
   void add(const Facet& f);
   std::optional<float> choose_patch();
@@ -64,7 +81,9 @@ class CellCover {
   CellSquare square_;
   std::vector<Member> members_;
   std::vector<SideUse> uses_;
-  std::vector<std::uint32_t> side_begin_;    ///< first use of each side, and the end
+  std::vector<Slot> slots_;
+  std::uint32_t filled_ = 0;
+  std::vector<std::uint32_t> first_use_;     ///< of each side
   std::vector<std::uint32_t> alive_[2];      ///< by side: uses of members alive, forward and reversed
   std::vector<std::uint32_t> member_sides_;  ///< by member: up to three times 2 side + reversed, kNone for fewer
   std::vector<std::uint32_t> removed_, by_depth_;

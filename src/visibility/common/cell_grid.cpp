@@ -24,10 +24,12 @@ constexpr double kSmallestCell = 64;     ///< steps; smaller cells are not split
 constexpr double kGain = 0.7;            ///< see progress in split()
 constexpr std::size_t kFacetsPerBlock = 65'536;
 
+/// A list that was in this order may have lost some of its entries since.
 void sort_by_depth(CellFacet* begin, CellFacet* end) {
-  std::sort(begin, end, [](const CellFacet& a, const CellFacet& b) {
+  const auto before = [](const CellFacet& a, const CellFacet& b) {
     return a.z_near != b.z_near ? a.z_near < b.z_near : a.facet < b.facet;
-  });
+  };
+  if (!std::is_sorted(begin, end, before)) std::sort(begin, end, before);
 }
 
 }  // namespace
@@ -262,6 +264,7 @@ bool CellGrid::Build::of_one_face(const CellFacet* list, std::size_t n) const {
 std::size_t CellGrid::Build::drop_covered(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square,
                                           CellCover& cover) const {
   if (n <= kLeafFacets || !options.drop_hidden) return n;
+  sort_by_depth(list, list + n);
   const auto depth = cover.find(list, n, square, [&](const Facet& f) { return hides(f); });
   if (!depth) return n;
   cell.occluder_depth = std::min(cell.occluder_depth, *depth);
