@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <utility>
 
 namespace ligne {
 namespace {
@@ -13,6 +14,8 @@ constexpr std::size_t kBucketEnds = 512;
 constexpr unsigned kMostBucketBits = 14;
 constexpr std::size_t kBucketsPerTask = 16;
 constexpr std::size_t kScatteredBlock = 131'072;
+/// Adjustable: ends crowd where a bucket has more of them.
+constexpr std::uint32_t kCrowdedBucket = 64 * kBucketEnds;
 
 std::uint64_t hash_of(LatticePoint p) {
   std::uint64_t h = (std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y)) * 0x9e3779b97f4a7c15u;
@@ -20,49 +23,110 @@ std::uint64_t hash_of(LatticePoint p) {
   return h * 0xd6e8feb86659fd93u;
 }
 
-/// All ends, by buckets.
+/// All ends, by buckets: squares of the page, since strokes that are near each other there mostly are so in memory. Where
+/// they crowd, buckets are by the hash of the place.
 class Buckets {
  public:
   Buckets(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members)
-      : bits_(std::min<unsigned>(kMostBucketBits, std::bit_width(2 * members.size() / kBucketEnds))),
+      : strokes_(strokes),
+        members_(members),
+        row_bits_(std::min<unsigned>(kMostBucketBits, std::bit_width(2 * members.size() / kBucketEnds)) / 2),
         begin_(count() + 1),
         ends_(2 * members.size()) {
+    find_extent();
+    std::vector<std::uint32_t> next = counts();
+    if (is_crowded(next)) {
+      by_hash_ = true;
+      next = counts();
+    }
     // Each block of strokes has its own place in each bucket, so that a bucket holds its ends in their order.
-    const std::size_t blocks = block_count(members.size(), kScatteredBlock);
-    std::vector<std::uint32_t> next(blocks * count());
-    const auto for_blocks = [&](auto visit) {
-      parallel_blocks(members.size(), kScatteredBlock, [&](std::size_t first, std::size_t last) {
-        std::uint32_t* const own = next.data() + first / kScatteredBlock * count();
-        for (std::size_t i = first; i < last; ++i) {
-          const auto end = static_cast<std::uint32_t>(2 * i);
-          visit(own, strokes[members[i]].from, end);
-          visit(own, strokes[members[i]].to, end + 1);
-        }
-      });
-    };
-    for_blocks([&](std::uint32_t* own, LatticePoint p, std::uint32_t) { ++own[bucket(p)]; });
+    const std::size_t blocks = next.size() / count();
     std::uint32_t sum = 0;
     for (std::size_t b = 0; b < count(); ++b) {
       begin_[b] = sum;
-      for (std::size_t block = 0; block < blocks; ++block) {
-        const std::uint32_t here = next[block * count() + b];
-        next[block * count() + b] = sum;
-        sum += here;
-      }
+      for (std::size_t block = 0; block < blocks; ++block) sum += std::exchange(next[block * count() + b], sum);
     }
     begin_.back() = sum;
-    for_blocks([&](std::uint32_t* own, LatticePoint p, std::uint32_t end) { ends_[own[bucket(p)]++] = {p, end}; });
+    for_blocks(next, [&](std::uint32_t* own, LatticePoint p, std::uint32_t end) { ends_[own[bucket(p)]++] = {p, end}; });
   }
 
-  std::size_t count() const { return std::size_t{1} << bits_; }
+  std::size_t count() const { return std::size_t{1} << (2 * row_bits_); }
   std::span<const StrokeEnd> operator[](std::size_t b) const {
     return {ends_.data() + begin_[b], ends_.data() + begin_[b + 1]};
   }
 
  private:
-  std::size_t bucket(LatticePoint p) const { return bits_ == 0 ? 0 : hash_of(p) >> (64 - bits_); }
+  std::size_t bucket(LatticePoint p) const {
+    if (row_bits_ == 0) return 0;
+    if (by_hash_) return hash_of(p) >> (64 - 2 * row_bits_);
+    const auto x = static_cast<std::size_t>((double(p.x) - low_x_) * per_step_x_);
+    const auto y = static_cast<std::size_t>((double(p.y) - low_y_) * per_step_y_);
+    return y << row_bits_ | x;
+  }
 
-  unsigned bits_;
+  void find_extent() {
+    struct Extent {
+      std::int32_t low_x = kLatticeLimit, low_y = kLatticeLimit, high_x = -kLatticeLimit, high_y = -kLatticeLimit;
+      void add(const Extent& o) {
+        low_x = std::min(low_x, o.low_x), low_y = std::min(low_y, o.low_y);
+        high_x = std::max(high_x, o.high_x), high_y = std::max(high_y, o.high_y);
+      }
+    };
+    const Extent all = parallel_reduce(
+        members_.size(), kScatteredBlock, Extent{},
+        [&](std::size_t first, std::size_t last) {
+          Extent extent;
+          for (std::size_t i = first; i < last; ++i) {
+            const Stroke& s = strokes_[members_[i]];
+            extent.add({s.from.x, s.from.y, s.from.x, s.from.y});
+            extent.add({s.to.x, s.to.y, s.to.x, s.to.y});
+          }
+          return extent;
+        },
+        [](Extent sum, const Extent& part) {
+          sum.add(part);
+          return sum;
+        });
+    // A step more than there is, so that the highest lie in the last square.
+    const double squares = double(std::size_t{1} << row_bits_);
+    low_x_ = all.low_x, low_y_ = all.low_y;
+    per_step_x_ = squares / (double(all.high_x) - low_x_ + 1);
+    per_step_y_ = squares / (double(all.high_y) - low_y_ + 1);
+  }
+
+  template <class Visit>
+  void for_blocks(std::vector<std::uint32_t>& of_blocks, const Visit& visit) const {
+    parallel_blocks(members_.size(), kScatteredBlock, [&](std::size_t first, std::size_t last) {
+      std::uint32_t* const own = of_blocks.data() + first / kScatteredBlock * count();
+      for (std::size_t i = first; i < last; ++i) {
+        const auto end = static_cast<std::uint32_t>(2 * i);
+        visit(own, strokes_[members_[i]].from, end);
+        visit(own, strokes_[members_[i]].to, end + 1);
+      }
+    });
+  }
+
+  /// By block of strokes, and by bucket.
+  std::vector<std::uint32_t> counts() const {
+    std::vector<std::uint32_t> counts(block_count(members_.size(), kScatteredBlock) * count());
+    for_blocks(counts, [&](std::uint32_t* own, LatticePoint p, std::uint32_t) { ++own[bucket(p)]; });
+    return counts;
+  }
+
+  bool is_crowded(const std::vector<std::uint32_t>& counts) const {
+    for (std::size_t b = 0; b < count(); ++b) {
+      std::uint32_t ends = 0;
+      for (std::size_t k = b; k < counts.size(); k += count()) ends += counts[k];
+      if (ends > kCrowdedBucket) return true;
+    }
+    return false;
+  }
+
+  const std::vector<Stroke>& strokes_;
+  std::span<const std::uint32_t> members_;
+  unsigned row_bits_;
+  bool by_hash_ = false;
+  double low_x_ = 0, low_y_ = 0, per_step_x_ = 0, per_step_y_ = 0;
   std::vector<std::uint32_t> begin_;
   std::vector<StrokeEnd> ends_;
 };

@@ -22,8 +22,8 @@ struct StrokeEnd {
 /// Calls visit(ends) for each place where a stroke of `members` ends, with all ends there in ascending order; for several
 /// places at once, in no order. O(n).
 ///
-/// Ends are first spread over buckets by a hash of their place, so that a bucket fits into the cache; in each bucket a small
-/// hash table numbers the places, and a counting sort brings the ends of a place together.
+/// Ends are first spread over buckets by their place, so that a bucket fits into the cache; in each bucket a small hash
+/// table numbers the places, and a counting sort brings the ends of a place together.
 void for_each_node(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members,
                    FunctionRef<void(std::span<const StrokeEnd>)> visit);
 
