@@ -75,8 +75,8 @@ double least_steps(const ProjectedScene& scene) { return kLeastPartMm / scene.la
 
 /// What the comparisons of one task need and find.
 struct Comparisons {
-  Comparisons(const ProjectedScene& scene, const std::vector<Facet>& facets)
-      : found(facets, scene.vertices), hiders(scene, facets, least_steps(scene)) {}
+  Comparisons(const ProjectedScene& scene, const std::vector<Facet>& facets, const PenetrationSearch& all)
+      : found(all.empty_copy()), hiders(scene, facets, least_steps(scene)) {}
   PenetrationSearch found;
   FruitlessPairs fruitless;
   CrowdHiders hiders;
@@ -85,8 +85,9 @@ struct Comparisons {
 /// What one task works with.
 class LeafSearch {
  public:
-  LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double margin)
-      : scene_(scene), facets_(facets), grid_(grid), margin_(margin), own_(scene, facets) {}
+  LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double margin,
+             const PenetrationSearch& all)
+      : scene_(scene), facets_(facets), grid_(grid), margin_(margin), own_(scene, facets, all) {}
 
   void search(const Cell& cell, const CellSquare& square) {
     if (cell.count < 2 || cell.one_face || in_one_plane(grid_.list(cell), cell.count)) return;
@@ -186,7 +187,7 @@ class LeafSearch {
     const std::size_t blocks = block_count(n, kItemsPerTask);
     std::vector<std::optional<Comparisons>> made(blocks);
     parallel_for(blocks, [&](std::size_t block) {
-      Comparisons& own = made[block].emplace(scene_, facets_);
+      Comparisons& own = made[block].emplace(scene_, facets_, own_.found);
       compare(leaf, block * kItemsPerTask, std::min(n, (block + 1) * kItemsPerTask), own);
     });
     for (std::optional<Comparisons>& part : made) own_.found.add(std::move(part->found));
@@ -303,15 +304,15 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
   if (grid.complete()) return find_crossing_facets(scene, facets).finish(least_steps(scene));
   constexpr std::size_t kCellsPerTask = 256;
   const std::size_t n = grid.top_cell_count(), tasks = (n + kCellsPerTask - 1) / kCellsPerTask;
-  std::vector<PenetrationSearch> found(tasks, PenetrationSearch(facets, scene.vertices));
+  PenetrationSearch all(facets, scene.vertices);
+  std::vector<PenetrationSearch> found(tasks, all.empty_copy());
   parallel_for(tasks, [&](std::size_t task) {
-    LeafSearch search(scene, facets, grid, margin_steps);
+    LeafSearch search(scene, facets, grid, margin_steps, all);
     for (std::size_t i = task * kCellsPerTask; i < std::min(n, (task + 1) * kCellsPerTask); ++i) {
       grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare& square) { search.search(cell, square); });
     }
     found[task] = search.take();
   });
-  PenetrationSearch all(facets, scene.vertices);
   for (PenetrationSearch& f : found) all.add(std::move(f));
   return all.finish(least_steps(scene));
 }

@@ -144,6 +144,38 @@ ProjectedVertex rounded(const PagePoint& p) {
   return {{static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))}, p.z};
 }
 
+bool CutSides::has(std::uint32_t face, std::uint32_t v, std::uint32_t w) const {
+  std::call_once(found_, [this] { find(); });
+  return std::binary_search(sides_.begin(), sides_.end(), Side{face, std::min(v, w), std::max(v, w)});
+}
+
+/// By this thread alone: while it waited for others it could take up work that asks for the same.
+void CutSides::find() const {
+  std::uint32_t faces = 0;
+  for (const Facet& f : *facets_) faces = std::max(faces, f.face + 1);
+  // The facets by face.
+  std::vector<std::uint32_t> first(faces + std::size_t{1}, 0);
+  for (const Facet& f : *facets_) ++first[f.face + 1];
+  for (std::size_t face = 0; face < faces; ++face) first[face + 1] += first[face];
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1), by_face(facets_->size());
+  for (std::uint32_t i = 0; i < facets_->size(); ++i) by_face[next[(*facets_)[i].face]++] = i;
+
+  std::vector<Side> sides;
+  for (std::uint32_t face = 0; face < faces; ++face) {
+    if (first[face + 1] - first[face] < 2) continue;
+    sides.clear();
+    for (std::uint32_t i = first[face]; i < first[face + 1]; ++i) {
+      const Facet& f = (*facets_)[by_face[i]];
+      for (int k = 0; k < 3; ++k)
+        sides.push_back({face, std::min(f.v[k], f.v[(k + 1) % 3]), std::max(f.v[k], f.v[(k + 1) % 3])});
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      if (sides[i] == sides[i - 1] && (i == 1 || sides[i] != sides[i - 2])) sides_.push_back(sides[i]);
+    }
+  }
+}
+
 PlacedFacet PenetrationSearch::place(std::uint32_t facet) const {
   const Facet& f = (*facets_)[facet];
   const auto& v = *vertices_;
@@ -204,39 +236,24 @@ void PenetrationSearch::add_side_on_side(const PlacedFacet& plane, const Heights
   while (plane_heights.h[off_plane] == 0) ++off_plane;
   while (heights.h[off] == 0) ++off;
   const std::uint32_t p = plane.v[(off_plane + 1) % 3], q = plane.v[(off_plane + 2) % 3];
+  if (!cut_sides_->has(plane.face, p, q)) return;
   const std::uint32_t v = other.v[(off + 1) % 3], w = other.v[(off + 2) % 3];
   sides_on_sides_.push_back(
       {plane.face, std::min(p, q), std::max(p, q), std::min(v, w), std::max(v, w), heights.h[off] > 0, plane.id, other.id});
 }
 
-/// A side on a side is a penetration when the face of the plane goes on behind its side, which is but a cut of its
-/// triangulation, and on the other side one facet is above it and another below: the lower one is cut. (Folds that touch
-/// along edges do not penetrate.)
+/// A side on a side is a penetration when on the other side one facet is above the plane and another below: the lower one is
+/// cut. (Folds that touch along edges do not penetrate: there the face of the plane ends.)
 void PenetrationSearch::match_sides_on_sides() {
   std::vector<SideOnSide>& sides = sides_on_sides_;
-  if (sides.empty()) return;
   std::sort(sides.begin(), sides.end(), [](const SideOnSide& a, const SideOnSide& b) {
     return std::tie(a.face, a.p0, a.p1, a.v0, a.v1, a.above, a.plane, a.side_of) <
            std::tie(b.face, b.p0, b.p1, b.v0, b.v1, b.above, b.plane, b.side_of);
   });
-  // Facets on each of the sides, counted where the side first stands in the list.
-  std::vector<std::uint8_t> facets_on(sides.size(), 0);
-  for (const Facet& f : *facets_) {
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t p = std::min(f.v[k], f.v[(k + 1) % 3]), q = std::max(f.v[k], f.v[(k + 1) % 3]);
-      const auto found = std::lower_bound(sides.begin(), sides.end(), std::tie(f.face, p, q),
-                                          [](const SideOnSide& s, const auto& key) { return s.side() < key; });
-      if (found != sides.end() && found->side() == std::tie(f.face, p, q))
-        ++facets_on[static_cast<std::size_t>(found - sides.begin())];
-    }
-  }
-  std::size_t first_of_side = 0;
   for (std::size_t i = 0; i < sides.size();) {
-    if (sides[i].side() != sides[first_of_side].side()) first_of_side = i;
     std::size_t end = i + 1;
     while (end < sides.size() && sides[end].key() == sides[i].key()) ++end;
-    if (!sides[i].above && sides[end - 1].above && facets_on[first_of_side] > 1)
-      pairs_.push_back({sides[i].plane, sides[i].side_of});
+    if (!sides[i].above && sides[end - 1].above) pairs_.push_back({sides[i].plane, sides[i].side_of});
     i = end;
   }
 }
@@ -271,9 +288,14 @@ void PenetrationSearch::forget_repeated() {
 }
 
 void PenetrationSearch::add(PenetrationSearch&& other) {
-  pairs_.insert(pairs_.end(), other.pairs_.begin(), other.pairs_.end());
-  sides_.insert(sides_.end(), other.sides_.begin(), other.sides_.end());
-  sides_on_sides_.insert(sides_on_sides_.end(), other.sides_on_sides_.begin(), other.sides_on_sides_.end());
+  const auto append = [](auto& all, auto& found) {
+    all.insert(all.end(), found.begin(), found.end());
+    found = {};
+  };
+  append(pairs_, other.pairs_);
+  append(sides_, other.sides_);
+  append(sides_on_sides_, other.sides_on_sides_);
+  forget_repeated();
 }
 
 std::vector<Intersection> PenetrationSearch::finish(double least_steps) {

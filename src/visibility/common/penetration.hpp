@@ -6,8 +6,11 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "visibility/common/facet.hpp"
@@ -56,14 +59,35 @@ struct PlacedFacet {
   std::array<LatticePoint, 3> p;
 };
 
+/// The sides at which faces were cut into triangles: those of two facets of one face. Found when first asked for, from any
+/// thread.
+class CutSides {
+ public:
+  explicit CutSides(const std::vector<Facet>& facets) : facets_(&facets) {}
+
+  /// Of the face, between these vertices.
+  bool has(std::uint32_t face, std::uint32_t v, std::uint32_t w) const;
+
+ private:
+  struct Side {
+    std::uint32_t face, low, high;
+    friend auto operator<=>(const Side&, const Side&) = default;
+  };
+  void find() const;
+
+  const std::vector<Facet>* facets_;
+  mutable std::once_flag found_;
+  mutable std::vector<Side> sides_;  ///< in order
+};
+
 /// Collects pairs. Facets may be given in any order and as often as one likes; searches of several tasks are put together.
 class PenetrationSearch {
  public:
   PenetrationSearch(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices)
-      : facets_(&facets), vertices_(&vertices) {}
+      : facets_(&facets), vertices_(&vertices), cut_sides_(std::make_shared<CutSides>(facets)) {}
 
   /// A search of the same facets that has found nothing yet.
-  PenetrationSearch empty_copy() const { return {*facets_, *vertices_}; }
+  PenetrationSearch empty_copy() const { return PenetrationSearch(*facets_, *vertices_, cut_sides_); }
 
   PlacedFacet place(std::uint32_t facet) const;
 
@@ -97,6 +121,10 @@ class PenetrationSearch {
   std::vector<Intersection> finish(double least_steps);
 
  private:
+  PenetrationSearch(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices,
+                    std::shared_ptr<const CutSides> cut_sides)
+      : facets_(&facets), vertices_(&vertices), cut_sides_(std::move(cut_sides)) {}
+
   struct Pair {
     std::uint32_t a, b;  ///< facets: the plane, and the one whose boundary is cut by it
     friend auto operator<=>(const Pair&, const Pair&) = default;
@@ -112,14 +140,13 @@ class PenetrationSearch {
     auto key() const { return std::tie(plane, v0, v1); }
     friend auto operator<=>(const SideInPlane&, const SideInPlane&) = default;
   };
-  /// A side of facet `side_of` that lies on a side of facet `plane`, and in its plane: the common line of two faces runs
-  /// where one of them, or both, were cut into triangles.
+  /// A side of facet `side_of` that lies on a side of facet `plane` at which the face was cut into triangles, and in its
+  /// plane: the common line of two faces runs there.
   struct SideOnSide {
     std::uint32_t face, p0, p1;  ///< face of the plane, and its side
     std::uint32_t v0, v1;        ///< the side that lies on it
     bool above;                  ///< the third corner of `side_of` is above the plane
     std::uint32_t plane, side_of;
-    auto side() const { return std::tie(face, p0, p1); }
     auto key() const { return std::tie(face, p0, p1, v0, v1); }
     friend auto operator<=>(const SideOnSide&, const SideOnSide&) = default;
   };
@@ -134,6 +161,7 @@ class PenetrationSearch {
 
   const std::vector<Facet>* facets_;
   const std::vector<ProjectedVertex>* vertices_;
+  std::shared_ptr<const CutSides> cut_sides_;
   std::vector<Pair> pairs_;
   std::vector<SideInPlane> sides_;
   std::vector<SideOnSide> sides_on_sides_;

@@ -136,7 +136,7 @@ struct Control::Task {
       : progress(p),
         solution(control.table_, control.lines_, control.rules_.coincidence_steps, control.rules_.margin_steps),
         area_search(control.table_, control.lines_),
-        outcome{{}, PenetrationSearch(*control.table_.facets, *control.table_.vertices), {}, {}, {}} {}
+        outcome{{}, control.no_pairs_.empty_copy(), {}, {}, {}} {}
 
   Progress& progress;
   Solution solution;
@@ -165,6 +165,7 @@ Control::Control(const FaceTable& table, const std::vector<PageLine>& lines, con
       lines_(lines),
       rules_(rules),
       margin_(std::ceil(rules.margin_steps * table.frame.unit())),
+      no_pairs_(*table.facets, *table.vertices),
       analysis_(table, margin_, rules.drop_hidden, rules.remember_sides) {}
 
 Outcome Control::study(const Window& window, std::vector<Piece> pieces, const std::function<void(double)>& report) const {
@@ -289,6 +290,12 @@ void Control::split(const Window& window, const Division& division, const Lists&
   }
 }
 
+void Control::find_pairs(const Window& window, const Lists& lists, Task& task) const {
+  constexpr float kNoCover = std::numeric_limits<float>::infinity();
+  task.solution.find_pairs(window, rules_.drop_hidden ? lists.occluder_depth : kNoCover, task.outcome.pairs);
+  task.outcome.pairs.forget_repeated();
+}
+
 void Control::draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood,
                    Task& task) const {
   Outcome& out = task.outcome;
@@ -298,9 +305,7 @@ void Control::draw(const Window& window, const Lists& lists, const std::vector<P
   if (!pieces.empty() || pairs) {
     task.solution.load(lists, window);
     task.solution.draw_lines(pieces, out.parts);
-    if (pairs)
-      task.solution.find_pairs(window, rules_.drop_hidden ? lists.occluder_depth : std::numeric_limits<float>::infinity(),
-                               out.pairs);
+    if (pairs) find_pairs(window, lists, task);
   }
   out.counts.solution_seconds += clock.lap();
   if (!rules_.areas) return;
@@ -318,8 +323,7 @@ void Control::draw_at_limit(const Window& window, const Lists& lists, const std:
   task.solution.load(lists, window);
   task.solution.draw_by_middle(pieces, task.outcome.parts);
   if (rules_.find_pairs) {
-    task.solution.find_pairs(window, rules_.drop_hidden ? lists.occluder_depth : std::numeric_limits<float>::infinity(),
-                             task.outcome.pairs);
+    find_pairs(window, lists, task);
   }
   task.outcome.counts.solution_seconds += clock.lap();
   if (rules_.areas) task.area_search.take_front(lists, window, task.outcome.areas);

@@ -121,6 +121,8 @@ class Control {
              int stalled, Task& task) const;
   void draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood,
             Task& task) const;
+  /// In a loaded window.
+  void find_pairs(const Window& window, const Lists& lists, Task& task) const;
   void draw_at_limit(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Task& task) const;
   bool few_edges(const Lists& lists, const std::vector<Piece>& pieces) const;
   Window inner(const Window& window) const;
@@ -129,6 +131,7 @@ class Control {
   const std::vector<PageLine>& lines_;
   Rules rules_;
   double margin_;  ///< frame units
+  PenetrationSearch no_pairs_;
   Analysis analysis_;
 };
 

@@ -9,6 +9,7 @@ void PairFinder::at_point(std::span<const std::uint32_t> touched, const Cover& c
     if (!contains(cover, f)) continue;
     for (const std::uint32_t g : cover) test(f, g);
   }
+  search_.forget_repeated();
 }
 
 void PairFinder::at_crossing(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right,
@@ -19,6 +20,7 @@ void PairFinder::at_crossing(std::span<const std::uint32_t> left, std::span<cons
       if (!contains(outside, g)) test(f, g);
     }
   }
+  search_.forget_repeated();
 }
 
 void PairFinder::test(std::uint32_t f, std::uint32_t g) {
