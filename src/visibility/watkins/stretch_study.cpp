@@ -39,7 +39,8 @@ StretchStudy::StretchStudy(const std::vector<ProjectedVertex>& vertices, const s
       facets_(facets),
       lines_(lines),
       coincidence_steps_(coincidence_steps),
-      spans_(make_span_method<double>(kind)) {}
+      spans_(make_span_method<double>(kind)),
+      marks_(facets.size()) {}
 
 void StretchStudy::study(std::uint32_t index, LineState& state, double x0, double y0, double x1, double y1,
                          const Cover& left, const Cover& right) {
@@ -59,9 +60,10 @@ void StretchStudy::study(std::uint32_t index, LineState& state, double x0, doubl
     return;
   }
   candidates_.clear();
+  mark_tested(state);
   const double z_far = std::max(line.z(t0), line.z(t1));
-  add_candidates(line, state, z_far, left, true);
-  add_candidates(line, state, z_far, right, false);
+  add_candidates(line, z_far, left, true);
+  add_candidates(line, z_far, right, false);
   if (candidates_.empty()) {
     ++counts_.in_front;
     return;
@@ -80,22 +82,25 @@ void StretchStudy::study(std::uint32_t index, LineState& state, double x0, doubl
   }
 }
 
-void StretchStudy::add_candidates(const PageLine& line, const LineState& state, double z_far, const Cover& cover,
-                                  bool left) {
-  const std::size_t others = candidates_.size();
+void StretchStudy::mark_tested(const LineState& state) {
+  if (++study_ == 0) {  // begun anew after 2^32 studies
+    std::fill(marks_.begin(), marks_.end(), Mark{});
+    study_ = 1;
+  }
+  for (const std::uint32_t f : state.tested) marks_[f] = {study_, kNone};
+}
+
+void StretchStudy::add_candidates(const PageLine& line, double z_far, const Cover& cover, bool left) {
   for (const std::uint32_t f : cover) {
     const Facet& facet = facets_[f];
     if (facet.z_near > z_far || facet.face == line.face0 || facet.face == line.face1) continue;
-    if (std::find(state.tested.begin(), state.tested.end(), f) != state.tested.end()) continue;
-    if (!left) {
-      const auto end = candidates_.begin() + static_cast<std::ptrdiff_t>(others);
-      const auto same = std::find_if(candidates_.begin(), end, [&](const Candidate& c) { return c.facet == f; });
-      if (same != end) {
-        same->right = true;
-        continue;
-      }
+    Mark& mark = marks_[f];
+    if (mark.study != study_) {
+      mark = {study_, static_cast<std::uint32_t>(candidates_.size())};
+      candidates_.push_back({f, left, !left});
+    } else if (mark.candidate != kNone) {
+      candidates_[mark.candidate].right = true;
     }
-    candidates_.push_back({f, left, !left});
   }
 }
 

@@ -61,7 +61,13 @@ class StretchStudy {
     bool left, right;  ///< sides that it is over
   };
 
-  void add_candidates(const PageLine& line, const LineState& state, double z_far, const Cover& cover, bool left);
+  /// What is known of a facet in the current study: its place among the candidates, or kNone, it was tested before.
+  struct Mark {
+    std::uint32_t study = 0, candidate = kNone;
+  };
+
+  void mark_tested(const LineState& state);
+  void add_candidates(const PageLine& line, double z_far, const Cover& cover, bool left);
   void propose(const PageLine& line, double t);
   void test(const PageLine& line, std::uint32_t facet, LineState& state);
   double depth(const Facet& facet, double x, double y) const;
@@ -72,6 +78,8 @@ class StretchStudy {
   double coincidence_steps_;
   std::unique_ptr<SpanMethod<double>> spans_;
   std::vector<Candidate> candidates_;
+  std::vector<Mark> marks_;  ///< by facet
+  std::uint32_t study_ = 0;
   std::vector<std::uint32_t> proposed_;  ///< indices among the candidates
   std::vector<ScanSegment<double>> segments_;
   std::vector<VisibleSpan> found_;
