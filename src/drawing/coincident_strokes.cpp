@@ -22,6 +22,7 @@
 #include "drawing/stroke_overlap.hpp"
 #include "drawing/stroke_partners.hpp"
 #include "drawing/stroke_piece.hpp"
+#include "drawing/stroke_tree.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -45,10 +46,11 @@ struct Loss {
   Cut from, to;
 };
 
+template <class Index>
 class Precedence {
  public:
-  Precedence(double cell, double tolerance_steps, double tolerance_mm)
-      : index_(cell, tolerance_steps), tolerance_steps_(tolerance_steps), tolerance_mm_(tolerance_mm) {}
+  Precedence(Index index, double tolerance_steps, double tolerance_mm)
+      : index_(std::move(index)), tolerance_steps_(tolerance_steps), tolerance_mm_(tolerance_mm) {}
 
   /// Strokes must come by rank.
   void add(const Stroke& stroke) {
@@ -98,7 +100,7 @@ class Precedence {
   bool precedes(const Stroke& stroke, const Stroke& standing, const StrokeOverlap& common) const;
   void cut(const Stroke& stroke, std::vector<Loss>& losses);
 
-  StrokeIndex index_;
+  Index index_;
   double tolerance_steps_, tolerance_mm_;
   std::vector<Standing> standing_;
   std::vector<Trial> waiting_;
@@ -110,7 +112,8 @@ class Precedence {
 };
 
 /// `stroke`, which comes later in the order, goes before the one that stands.
-bool Precedence::precedes(const Stroke& stroke, const Stroke& standing, const StrokeOverlap& common) const {
+template <class Index>
+bool Precedence<Index>::precedes(const Stroke& stroke, const Stroke& standing, const StrokeOverlap& common) const {
   if (rank(stroke) != rank(standing)) return rank(stroke) < rank(standing);
   const double z = depth(stroke, (common.a_from + common.a_to) / 2);
   const double z_standing = depth(standing, (common.b_from + common.b_to) / 2);
@@ -119,7 +122,8 @@ bool Precedence::precedes(const Stroke& stroke, const Stroke& standing, const St
 }
 
 /// Puts what the losses leave of the stroke on the list of those to be tried.
-void Precedence::cut(const Stroke& stroke, std::vector<Loss>& losses) {
+template <class Index>
+void Precedence<Index>::cut(const Stroke& stroke, std::vector<Loss>& losses) {
   std::sort(losses.begin(), losses.end(), [](const Loss& l, const Loss& r) {
     return std::tie(l.from.fraction, l.to.fraction) < std::tie(r.from.fraction, r.to.fraction);
   });
@@ -137,19 +141,21 @@ void Precedence::cut(const Stroke& stroke, std::vector<Loss>& losses) {
   keep({1, stroke.to});
 }
 
-void Precedence::try_one(const Trial& trial) {
+template <class Index>
+void Precedence<Index>::try_one(const Trial& trial) {
   const Stroke& stroke = trial.stroke;
   ++trial_;
   hits_.clear();
   index_.query(stroke.from, stroke.to, [&](std::uint32_t entry) {
     const std::uint32_t i = indexed_[entry];
-    if (seen_[entry] == trial_) return;
+    if (seen_[entry] == trial_) return false;
     seen_[entry] = trial_;
     const Stroke& standing = standing_[i].stroke;
-    if (!stroke.may_coincide && !standing.may_coincide) return;
+    if (!stroke.may_coincide && !standing.may_coincide) return false;
     if (const auto common = overlap(stroke.from, stroke.to, standing.from, standing.to, tolerance_steps_)) {
       hits_.push_back({i, entry, *common});
     }
+    return false;
   });
 
   losses_.clear();
@@ -205,13 +211,15 @@ std::vector<Turn> find_turns(const std::vector<Stroke>& strokes, const std::vect
   return turns;
 }
 
-Precedence decide(const std::vector<Stroke>& strokes, const std::vector<Partners>& partners, const std::vector<Turn>& turns,
-                  double tolerance_steps, double tolerance_mm) {
-  std::vector<std::uint32_t> together;
-  for (std::uint32_t i = 0; i < partners.size(); ++i) {
-    if (partners[i] == Partners::some) together.push_back(i);
-  }
-  Precedence precedence(index_cell(strokes, together, tolerance_steps), tolerance_steps, tolerance_mm);
+/// What stands, and of it the pieces of strokes that were cut.
+struct Decided {
+  std::vector<Stroke> strokes, pieces;
+};
+
+template <class Index>
+Decided decide_with(Index index, const std::vector<Stroke>& strokes, const std::vector<Partners>& partners,
+                    const std::vector<Turn>& turns, double tolerance_steps, double tolerance_mm) {
+  Precedence<Index> precedence(std::move(index), tolerance_steps, tolerance_mm);
   for (const Turn& turn : turns) {
     if (partners[turn.stroke] == Partners::some) {
       precedence.add(strokes[turn.stroke]);
@@ -219,7 +227,23 @@ Precedence decide(const std::vector<Stroke>& strokes, const std::vector<Partners
       precedence.add_alone(strokes[turn.stroke]);
     }
   }
-  return precedence;
+  Decided decided;
+  precedence.take(decided.strokes);
+  precedence.take_pieces(decided.pieces);
+  return decided;
+}
+
+Decided decide(const std::vector<Stroke>& strokes, const std::vector<Partners>& partners, const std::vector<Turn>& turns,
+               double tolerance_steps, double tolerance_mm) {
+  std::vector<std::uint32_t> together;
+  for (std::uint32_t i = 0; i < partners.size(); ++i) {
+    if (partners[i] == Partners::some) together.push_back(i);
+  }
+  const auto with = [&](auto index) {
+    return decide_with(std::move(index), strokes, partners, turns, tolerance_steps, tolerance_mm);
+  };
+  if (StrokeTree::suits(strokes, together, tolerance_steps)) return with(StrokeTree(tolerance_steps));
+  return with(StrokeIndex(index_cell(strokes, together, tolerance_steps), tolerance_steps));
 }
 
 /// In a crowd, where nearly every stroke has a partner, all are compared from the beginning: there pieces find partners
@@ -233,12 +257,9 @@ void take_all_of_a_crowd(std::vector<Partners>& partners) {
 
 /// What is left of a stroke that crosses another at a very small angle may lie within the tolerance of it, where the whole
 /// did not. Finds such partners; returns whether there are any.
-bool find_partners_of_pieces(const std::vector<Stroke>& strokes, const Precedence& precedence, double tolerance_steps,
+bool find_partners_of_pieces(const std::vector<Stroke>& strokes, std::vector<Stroke> compared, double tolerance_steps,
                              std::vector<Partners>& partners) {
-  if (std::find(partners.begin(), partners.end(), Partners::none) == partners.end()) return false;
-  std::vector<Stroke> compared;
-  precedence.take_pieces(compared);
-  if (compared.empty()) return false;
+  if (compared.empty() || std::find(partners.begin(), partners.end(), Partners::none) == partners.end()) return false;
   for (Stroke& s : compared) s.may_coincide = true;
   const std::size_t pieces = compared.size();
   std::vector<std::uint32_t> alone;
@@ -269,16 +290,17 @@ void remove_coincident_strokes(StrokeModel& model, double tolerance_mm) {
   take_all_of_a_crowd(partners);
   const std::vector<Turn> turns = find_turns(strokes, partners, tolerance_mm);
   if (turns.empty()) return;
-  Precedence precedence = decide(strokes, partners, turns, tolerance_steps, tolerance_mm);
-  for (int round = 1; round < kRounds && find_partners_of_pieces(strokes, precedence, tolerance_steps, partners); ++round) {
-    precedence = decide(strokes, partners, turns, tolerance_steps, tolerance_mm);
+  Decided decided = decide(strokes, partners, turns, tolerance_steps, tolerance_mm);
+  for (int round = 1;
+       round < kRounds && find_partners_of_pieces(strokes, std::move(decided.pieces), tolerance_steps, partners); ++round) {
+    decided = decide(strokes, partners, turns, tolerance_steps, tolerance_mm);
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     if (partners[i] == Partners::cannot) strokes[kept++] = strokes[i];
   }
   strokes.resize(kept);
-  precedence.take(strokes);
+  strokes.insert(strokes.end(), decided.strokes.begin(), decided.strokes.end());
 }
 
 }  // namespace ligne

@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
-#include "geometry/lattice.hpp"
+#include "drawing/stroke.hpp"
 
 namespace ligne {
 
@@ -39,6 +41,9 @@ inline double direction(LatticePoint from, LatticePoint to) {
   const double dx = double(to.x) - from.x, dy = double(to.y) - from.y;
   return std::abs(dx) >= std::abs(dy) ? dy / dx + 1 : 3 - dx / dy;
 }
+
+/// Whether the common stroke has many ends of others in its way. The edges of a mesh have not.
+bool are_crossing(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of);
 
 inline int range_of(double direction) {
   const int range = static_cast<int>(std::floor(direction / kRange));

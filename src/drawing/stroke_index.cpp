@@ -8,6 +8,9 @@ namespace {
 // Adjustable: a stroke may cross this many cells of the index on the average.
 constexpr double kCellsPerStroke = 64;
 constexpr std::uint32_t kCrowd = 256;  ///< segments and points in one cell
+// Cells are refined as long as segments stand in so many on the average, and so many more in all: memory grows with the
+// input.
+constexpr std::size_t kMostCells = 64, kFewEntries = 1 << 20;
 
 double median(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -89,7 +92,8 @@ void StrokeIndex::pass(std::size_t level, const CellRange& range, std::uint32_t 
 }
 
 void StrokeIndex::refine_if_crowded(std::size_t level, std::uint64_t key, std::uint32_t c) {
-  if (cells_[c].load <= kCrowd || levels_[level].side < kParts * kLeastCellInTolerances * tolerance_) return;
+  if (cells_[c].load <= kCrowd || throughs_.size() > kMostCells * segments_.size() + kFewEntries) return;
+  if (levels_[level].side < kParts * kLeastCellInTolerances * tolerance_) return;
   if (levels_.size() == level + 1) levels_.emplace_back(levels_[level].side / kParts, tolerance_);
   const Cell old = cells_[c];
   cells_[c] = {};

@@ -11,6 +11,7 @@
 #include "drawing/end_grid.hpp"
 #include "drawing/stroke_index.hpp"
 #include "drawing/stroke_overlap.hpp"
+#include "drawing/stroke_tree.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -146,7 +147,7 @@ class PartnerSearch {
   PartnerSearch(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& candidates, double tolerance,
                 std::vector<Partners>& result)
       : strokes_(strokes), tolerance_(tolerance), result_(result) {
-    if (are_crossing(candidates)) long_ = stroke_directions::kLong * tolerance;
+    if (stroke_directions::are_crossing(strokes, candidates)) long_ = stroke_directions::kLong * tolerance;
     file(candidates);
   }
 
@@ -169,7 +170,6 @@ class PartnerSearch {
   bool has_partner(std::uint32_t i) const {
     return std::atomic_ref(result_[i]).load(std::memory_order_relaxed) == Partners::some;
   }
-  bool are_crossing(const std::vector<std::uint32_t>& candidates) const;
   void file(const std::vector<std::uint32_t>& candidates);
   void search_along();
   void search_near_ends();
@@ -185,22 +185,6 @@ class PartnerSearch {
   std::array<std::vector<End>, kShort + 1> ends_;  ///< by group
   std::array<EndGrid, kShort + 1> grids_;
 };
-
-/// Whether the common stroke has many ends of others in its way. The edges of a mesh have not.
-bool PartnerSearch::are_crossing(const std::vector<std::uint32_t>& candidates) const {
-  constexpr double kEndsApart = 4;  // adjustable: so many mean distances of ends is a stroke long
-  LatticePoint low{kLatticeLimit, kLatticeLimit}, high{-kLatticeLimit, -kLatticeLimit};
-  double sum = 0;
-  for (const std::uint32_t i : candidates) {
-    const Stroke& s = strokes_[i];
-    sum += length(s.from, s.to);
-    low = {std::min({low.x, s.from.x, s.to.x}), std::min({low.y, s.from.y, s.to.y})};
-    high = {std::max({high.x, s.from.x, s.to.x}), std::max({high.y, s.from.y, s.to.y})};
-  }
-  const double n = static_cast<double>(candidates.size());
-  const double area = (double(high.x) - low.x + 1) * (double(high.y) - low.y + 1);
-  return sum / n > kEndsApart * std::sqrt(area / (2 * n));
-}
 
 void PartnerSearch::file(const std::vector<std::uint32_t>& candidates) {
   std::vector<std::uint8_t> group(candidates.size());
@@ -302,6 +286,24 @@ void PartnerSearch::search_near_ends() {
   });
 }
 
+/// The same by a search of each stroke, which ends at its first partner.
+template <class Mark>
+void search_side_by_side(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& candidates, double tolerance,
+                         const Mark& mark) {
+  const StrokeTree tree(strokes, candidates, tolerance);
+  parallel_blocks(candidates.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Stroke& s = strokes[candidates[k]];
+      const auto is_partner = [&](std::uint32_t number) {
+        const Stroke& other = strokes[candidates[number]];
+        return number != k && (s.may_coincide || other.may_coincide) &&
+               overlap(s.from, s.to, other.from, other.to, tolerance).has_value();
+      };
+      if (tree.query(s.from, s.to, is_partner)) mark(candidates[k]);
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double tolerance_steps) {
@@ -310,6 +312,10 @@ std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double t
   if (candidates.empty()) return result;
   for (const std::uint32_t i : candidates) {
     if (strokes[i].may_coincide) result[i] = Partners::none;
+  }
+  if (StrokeTree::suits(strokes, candidates, tolerance_steps)) {
+    search_side_by_side(strokes, candidates, tolerance_steps, [&](std::uint32_t i) { result[i] = Partners::some; });
+    return result;
   }
   PartnerSearch search(strokes, candidates, tolerance_steps, result);
   search.run();

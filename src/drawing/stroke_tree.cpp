@@ -1,0 +1,26 @@
+#include "drawing/stroke_tree.hpp"
+
+namespace ligne {
+
+bool StrokeTree::suits(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance) {
+  // Adjustable: fewer strokes are nothing to speak of; of a sample some are asked, which look at so many nodes on the
+  // average.
+  constexpr std::size_t kFewest = 4096, kSample = 4096, kAsked = 256, kMostNodes = 40;
+  if (of.size() < kFewest || !stroke_directions::are_crossing(strokes, of)) return false;
+  std::vector<std::uint32_t> sample;
+  for (std::size_t k = 0; k < kSample; ++k) sample.push_back(of[k * of.size() / kSample]);
+  const StrokeTree tree(strokes, sample, tolerance);
+  std::size_t nodes = 0;
+  for (std::size_t k = 0; k < kAsked; ++k) {
+    const Stroke& s = strokes[sample[k * kSample / kAsked]];
+    for (std::size_t group = 0; group <= kShort; ++group) {
+      const FrameSegment line(tree.trees_[group].frame(), s.from, s.to);
+      if (const auto question = tree.question_of(group, line, s.from, s.to)) {
+        nodes += tree.trees_[group].nodes_asked(line, *question);
+      }
+    }
+  }
+  return nodes <= kMostNodes * kAsked;
+}
+
+}  // namespace ligne
