@@ -6,6 +6,7 @@
 
 #include "drawing/key_table.hpp"
 #include "drawing/near_part.hpp"
+#include "drawing/point_tree.hpp"
 #include "drawing/stroke_chains.hpp"
 #include "drawing/stroke_index.hpp"
 
@@ -30,7 +31,6 @@ constexpr double kAbout = 1 + 0x1p-40;
 struct LooseEnd {
   std::uint32_t stroke;
   bool at_from;
-  std::uint32_t next = KeyTable::kNone;     ///< in its cell
   std::uint32_t nearest = KeyTable::kNone;  ///< of the others that it may be joined to
   LatticePoint point{};
   double dx = 0, dy = 0, length = 0;  ///< the stroke's way to the end
@@ -38,24 +38,25 @@ struct LooseEnd {
 
 class LooseEnds {
  public:
-  LooseEnds(const std::vector<Stroke>& strokes, double gap, double wide)
-      : chains_(strokes), gap_(gap), wide_(wide), grid_(2 * wide, wide) {
+  LooseEnds(const std::vector<Stroke>& strokes, double gap, double wide) : chains_(strokes), gap_(gap), wide_(wide) {
     for (const std::uint32_t i : chains_.seen()) {
       const Stroke& s = strokes[i];
       if (!is_edge(s) || s.line_class == LineClass::mesh || s.from == s.to) continue;
       for (const bool at_from : {true, false}) {
         if (!chains_.is_free(i, at_from)) continue;
-        std::uint32_t& first = cells_[grid_.cell_of(at_from ? s.from : s.to)];
-        ends_.push_back({i, at_from, first});
+        ends_.push_back({i, at_from});
         LooseEnd& end = ends_.back();
         end.point = at_from ? s.from : s.to;
         const LatticePoint start = at_from ? s.to : s.from;
         end.dx = double(end.point.x) - start.x;
         end.dy = double(end.point.y) - start.y;
         end.length = page_length(s);
-        first = static_cast<std::uint32_t>(ends_.size() - 1);
       }
     }
+    std::vector<LatticePoint> points;
+    points.reserve(ends_.size());
+    for (const LooseEnd& end : ends_) points.push_back(end.point);
+    tree_ = PointTree(points);
     for (std::uint32_t e = 0; e < ends_.size(); ++e) ends_[e].nearest = nearest(e);
   }
 
@@ -98,36 +99,53 @@ class LooseEnds {
            squared_distance > kAbout * kRoundedSteps * kRoundedSteps;
   }
 
+  /// leads_to() is false for all points of the box: where thousands of lines end side by side, nearly all of these lie
+  /// beside the line, outside of the cone in which points lie to which it may lead.
+  static bool leads_away(const LooseEnd& e, const PointBox& box) {
+    static const double sine = std::sqrt(1 - kLeastCosine * kLeastCosine);
+    constexpr double kRounding = 1;  // steps
+    for (const double side : {-1.0, 1.0}) {
+      // The inner normal of a side of the cone, as long as the stroke.
+      const double nx = sine * e.dx - side * kLeastCosine * e.dy, ny = sine * e.dy + side * kLeastCosine * e.dx;
+      const double x = (nx > 0 ? box.high.x : box.low.x) - double(e.point.x);
+      const double y = (ny > 0 ? box.high.y : box.low.y) - double(e.point.y);
+      if (nx * x + ny * y < -kRounding * e.length) return true;
+    }
+    return false;
+  }
+
   std::uint32_t nearest(std::uint32_t e) const {
     const LooseEnd& end = ends_[e];
     const LatticePoint p = end.point;
     std::uint32_t best = KeyTable::kNone;
     double best_distance = wide_;
-    grid_.walk(p, p, [&](std::uint64_t cell) {
-      for (std::uint32_t o = cells_.find(cell); o != KeyTable::kNone; o = ends_[o].next) {
-        if (o == e) continue;
-        const LooseEnd& other = ends_[o];
-        const LatticePoint q = other.point;
-        const double dx = double(q.x) - p.x, dy = double(q.y) - p.y, squared = dx * dx + dy * dy;
-        if (squared > kAbout * best_distance * best_distance) continue;
-        if (leads_away(end, q, squared) || leads_away(other, p, squared)) continue;
-        const double distance = length(p, q);
-        if (distance >= wide_ || distance > best_distance || (distance == best_distance && o > best)) continue;
-        const bool same = chains_.chain_of(end.stroke) == chains_.chain_of(other.stroke);
-        if (same && line_length(end) < kRingInGaps * gap_) continue;
-        if (!leads_to(end, q, distance) || !leads_to(other, p, distance)) continue;
-        best = o;
-        best_distance = distance;
-      }
-      return false;
+    const auto enter = [&](const PointBox& box) {
+      const double squared = box.squared_distance(p);
+      if (squared > kAbout * best_distance * best_distance) return false;
+      const bool is_apart = end.length > wide_ && squared > kAbout * kRoundedSteps * kRoundedSteps;
+      return !is_apart || !leads_away(end, box);
+    };
+    tree_.search(p, enter, [&](std::uint32_t o) {
+      if (o == e) return;
+      const LooseEnd& other = ends_[o];
+      const LatticePoint q = other.point;
+      const double dx = double(q.x) - p.x, dy = double(q.y) - p.y, squared = dx * dx + dy * dy;
+      if (squared > kAbout * best_distance * best_distance) return;
+      if (leads_away(end, q, squared) || leads_away(other, p, squared)) return;
+      const double distance = length(p, q);
+      if (distance >= wide_ || distance > best_distance || (distance == best_distance && o > best)) return;
+      const bool same = chains_.chain_of(end.stroke) == chains_.chain_of(other.stroke);
+      if (same && line_length(end) < kRingInGaps * gap_) return;
+      if (!leads_to(end, q, distance) || !leads_to(other, p, distance)) return;
+      best = o;
+      best_distance = distance;
     });
     return best;
   }
 
   StrokeChains chains_;
   double gap_, wide_;
-  SegmentGrid grid_;
-  KeyTable cells_;
+  PointTree tree_;  ///< of the ends
   std::vector<LooseEnd> ends_;
 };
 
