@@ -9,6 +9,7 @@
 #include "drawing/point_tree.hpp"
 #include "drawing/stroke_chains.hpp"
 #include "drawing/stroke_index.hpp"
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -57,7 +58,9 @@ class LooseEnds {
     points.reserve(ends_.size());
     for (const LooseEnd& end : ends_) points.push_back(end.point);
     tree_ = PointTree(points);
-    for (std::uint32_t e = 0; e < ends_.size(); ++e) ends_[e].nearest = nearest(e);
+    parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
+      for (std::size_t e = begin; e < last; ++e) ends_[e].nearest = nearest(static_cast<std::uint32_t>(e));
+    });
   }
 
   /// Calls join(end, end) for each two that are each other's nearest.
