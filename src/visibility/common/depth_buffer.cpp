@@ -260,18 +260,35 @@ class DepthBuffer::BandPainter {
   /// Columns [from, to) of a row; z at the first, and by how much it changes.
   void paint_run(std::uint32_t row, std::uint32_t from, std::uint32_t to, double z, double step, const Piece& piece) {
     const DepthScale& scale = buffer_.scale_;
-    float* depth = buffer_.depth_.data() + buffer_.place(0, row);
-    float* hiding_depth = buffer_.hiding_depth_.data() + buffer_.place(0, row);
-    std::uint32_t* face = buffer_.face_.data() + buffer_.place(0, row);
-    counts.tests += to - from;
-    for (std::uint32_t i = from; i < to; ++i, z += step) {
-      const float stored = scale.stored(z);
-      hiding_depth[i] = std::min(hiding_depth[i], stored + piece.reach);
-      if (stored > depth[i] || (stored == depth[i] && piece.face >= face[i])) continue;
-      depth[i] = stored;
-      face[i] = piece.face;
-      ++counts.writes;
+    if (scale.step == 0) {
+      paint_pixels(buffer_.place(from, row), to - from, piece, [&](double i) { return static_cast<float>(z + i * step); });
+    } else {
+      paint_pixels(buffer_.place(from, row), to - from, piece, [&](double i) { return scale.stored(z + i * step); });
     }
+  }
+
+  /// `count` pixels from `begin` on; stored_at(i) is the depth of the i-th. Written without branches, so that several pixels
+  /// are painted at once: all three values are stored in any case.
+  template <class StoredAt>
+  void paint_pixels(std::size_t begin, std::uint32_t count, const Piece& piece, StoredAt stored_at) {
+    float* depth = buffer_.depth_.data() + begin;
+    float* hiding_depth = buffer_.hiding_depth_.data() + begin;
+    std::uint32_t* face = buffer_.face_.data() + begin;
+    const float reach = piece.reach;
+    const std::uint32_t number = piece.face;
+    std::uint32_t writes = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const float stored = stored_at(double(std::int32_t(i)));
+      const float hiding = stored + reach, before = depth[i], hiding_before = hiding_depth[i];
+      const std::uint32_t face_before = face[i];
+      const bool nearer = (stored < before) | ((stored == before) & (number < face_before));
+      hiding_depth[i] = hiding < hiding_before ? hiding : hiding_before;
+      depth[i] = nearer ? stored : before;
+      face[i] = nearer ? number : face_before;
+      writes += nearer;
+    }
+    counts.tests += count;
+    counts.writes += writes;
   }
 
   const ProjectedScene& scene_;
