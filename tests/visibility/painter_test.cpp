@@ -59,6 +59,16 @@ TEST(Painter, APlaneTellsWhatDepthsDoNot) {
   EXPECT_EQ(find_method("painter")->study(page, {}).beyond, "");
 }
 
+/// Lines are hidden by what is painted later, and by nothing else. By hand: the near plate, 4 wide, stands over the right
+/// side of the far one, 10 wide. All 16 of the near one are seen, and of the 40 of the far one all but 4.
+TEST(Painter, WhatIsPaintedLaterCovers) {
+  Scene scene;
+  add_face(scene, {{{0, 5, 0}, {10, 5, 0}, {10, 5, 10}, {0, 5, 10}}});
+  add_face(scene, {{{8, 0, 3}, {12, 0, 3}, {12, 0, 7}, {8, 0, 7}}});
+  EXPECT_NEAR(draw(scene, {front(), "all", false, 1, "painter"}).length(), 16 + 36, 1e-3);
+  EXPECT_NEAR(draw(scene, {front(), "all", true, 1, "painter"}).length(false), 4, 1e-3) << "what is hidden";
+}
+
 /// Cartography, circuits, windows: the trivial case needs no pairs.
 TEST(Painter, FacesOfOneDepthEach) {
   Scene scene;
