@@ -22,7 +22,8 @@ const char* field_of_regions(const PictureRequest& request) {
 void check(const PictureRequest& request) {
   const Method& method = method_of(request);
   if (request.gray_faces) {
-    if (request.output.format != OutputFormat::png) throw RequestError("shade", "gray faces are for PNG; see --hatch");
+    if (request.output.format != OutputFormat::png)
+      throw RequestError("shade", "gray faces are for PNG; see --fill shade and --hatch");
     if (!(method.traits().products & (kSpans | kPixels))) {
       throw RequestError("shade", "needs a method that gives spans or pixels: " + methods_with(kSpans | kPixels));
     }

@@ -3,7 +3,6 @@
 #include "view/brightness.hpp"
 
 namespace ligne {
-namespace {}  // namespace
 
 std::optional<SpanLines> gray_face_lines(const PictureRequest& request, const PlotOptions& plot) {
   if (!request.gray_faces) return std::nullopt;
