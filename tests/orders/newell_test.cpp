@@ -147,6 +147,23 @@ TEST(Newell, Figure281eRings) {
   }
 }
 
+// Plates that overlap in a strip narrower than a step of the lattice: a line on the strip is hidden with it, so they have an
+// order. Pieces smaller than a step have none: nothing can be seen of them.
+TEST(Newell, NarrowStripsHaveAnOrder) {
+  const double step = draw(ring(3), {along({0, 1, 0}), "all", false, 1, "appel"}).projected.lattice.step_mm;
+  const auto disjoint = [](double overlap, double size) {
+    Scene scene;
+    add_plate(scene, 0, 10, 0, 10, 5, 5);
+    add_plate(scene, 10 - overlap, 10 - overlap + size, 2, 2 + size, 2, 2);
+    const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
+    return PaintElements(picture.projected).disjoint(0, 1);
+  };
+  EXPECT_FALSE(disjoint(10 * step, 5));
+  EXPECT_FALSE(disjoint(0.3 * step, 5));
+  EXPECT_TRUE(disjoint(0, 5));
+  EXPECT_TRUE(disjoint(0.3 * step, 0.6 * step));
+}
+
 // Figure 2.83: the depths of all faces are apart, and Q_p is empty for each: nothing is compared.
 TEST(Newell, Figure283NothingIsCompared) {
   const Sorted s = sorted(studies::apart_in_depth(20));

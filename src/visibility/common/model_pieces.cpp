@@ -99,8 +99,7 @@ PlaneSide ModelPieces::side(std::uint32_t piece, const ModelPlane& plane) const 
     low = std::min(low, h);
     high = std::max(high, h);
   }
-  const bool front = high > tolerance_, back = low < -tolerance_;
-  return front && back ? PlaneSide::both : front ? PlaneSide::front : back ? PlaneSide::back : PlaneSide::on;
+  return side_of_heights(low, high);
 }
 
 std::uint32_t ModelPieces::crossing(std::uint32_t a, std::uint32_t b, const ModelPlane& plane) {

@@ -83,6 +83,11 @@ class ModelPieces {
   }
 
   PlaneSide side(std::uint32_t piece, const ModelPlane& plane) const;
+  /// Of what reaches from a height that is not above the plane to one that is not below it.
+  PlaneSide side_of_heights(double low, double high) const {
+    const bool front = high > tolerance_, back = low < -tolerance_;
+    return front && back ? PlaneSide::both : front ? PlaneSide::front : back ? PlaneSide::back : PlaneSide::on;
+  }
 
   /// Cuts a piece that lies on both sides into the piece in front, which takes its number, and the piece behind, whose
   /// number is returned. Neighbours with a common side get the same corner on it.

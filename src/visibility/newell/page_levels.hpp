@@ -25,6 +25,15 @@ struct Box {
         y1(round_up(e.high[1])),
         z1(round_up(e.high[2])) {}
 
+  void extend(const Box& o) {
+    x0 = std::min(x0, o.x0);
+    y0 = std::min(y0, o.y0);
+    z0 = std::min(z0, o.z0);
+    x1 = std::max(x1, o.x1);
+    y1 = std::max(y1, o.y1);
+    z1 = std::max(z1, o.z1);
+  }
+
   /// Whether they overlap on the page, and the other reaches farther than this one begins.
   bool meets(const Box& o) const { return x0 < o.x1 && o.x0 < x1 && y0 < o.y1 && o.y0 < y1 && z0 < o.z1; }
 };

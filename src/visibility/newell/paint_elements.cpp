@@ -13,6 +13,8 @@ namespace {
 
 /// Part of the sizes that are added to a depth: two products, the coefficients of a plane through two matrices.
 constexpr double kDepthRounding = 0x1p-44;
+/// Part of a step of the lattice: strips that are narrower may come of rounding, which is far less.
+constexpr double kStripRounding = 0x1p-10;
 
 /// Whether a side of `a` has all of `b` outside, or less than `margin` inside.
 bool has_side_between(std::span<const Point2> a, std::span<const Point2> b, double margin) {
@@ -51,7 +53,6 @@ PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements*
       pieces_(earlier ? earlier->pieces : ModelPieces(*scene.model)),
       bodies_(*scene.model, pieces_, viewpoint_of(scene.view.camera)),
       volume_(face_volume(scene.view, scene.lattice)),
-      margin_mm_(scene.lattice.step_mm),
       viewpoint_(viewpoint_of(scene.view.camera)),
       page_planes_(scene.view),
       shown_(shown_faces(scene)) {
@@ -82,7 +83,7 @@ PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements*
 /// An element of these pieces of a face, so far as they are in view.
 void PaintElements::add(std::uint32_t face, std::span<const std::uint32_t> parts) {
   if (!shown_[face]) return;
-  Element element{face, {}, {}, pieces_.plane_of(parts[0]), {}};
+  Element element{face, {}, {}, pieces_.plane_of(parts[0])};
   for (const std::uint32_t piece : parts) {
     const Extents extents = project(piece);
     if (extents.low[0] > extents.high[0]) continue;
@@ -93,6 +94,15 @@ void PaintElements::add(std::uint32_t face, std::span<const std::uint32_t> parts
   if (element.parts.empty()) return;
   if (!viewpoint_.in_front_of(element.plane)) element.plane.normal = -element.plane.normal;
   element.page_plane = page_planes_(element.plane);
+  append(std::move(element));
+}
+
+void PaintElements::append(Element element) {
+  element.corner_begin = element_corners_.size();
+  for (const std::uint32_t part : element.parts) {
+    for (const std::uint32_t corner : pieces_.corners(part)) element_corners_.push_back(pieces_.point(corner));
+  }
+  element.corner_end = element_corners_.size();
   elements_.push_back(std::move(element));
 }
 
@@ -124,25 +134,29 @@ Extents PaintElements::project(std::uint32_t piece) {
 }
 
 PlaneSide PaintElements::side(std::uint32_t element, std::uint32_t of) const {
-  bool front = false, back = false;
-  for (const std::uint32_t part : elements_[element].parts) {
-    const PlaneSide s = pieces_.side(part, elements_[of].plane);
-    front |= s == PlaneSide::front || s == PlaneSide::both;
-    back |= s == PlaneSide::back || s == PlaneSide::both;
-    if (front && back) return PlaneSide::both;
+  const Element& e = elements_[element];
+  const ModelPlane& plane = elements_[of].plane;
+  double low = 0, high = 0;
+  for (std::size_t i = e.corner_begin; i < e.corner_end; ++i) {
+    const double h = plane.height(element_corners_[i]);
+    low = std::min(low, h);
+    high = std::max(high, h);
   }
-  return front ? PlaneSide::front : back ? PlaneSide::back : PlaneSide::on;
+  return pieces_.side_of_heights(low, high);
 }
 
-bool PaintElements::disjoint_pieces(std::span<const Point2> a, std::span<const Point2> b) const {
-  return has_side_between(a, b, margin_mm_) || has_side_between(b, a, margin_mm_);
+bool PaintElements::disjoint_pieces(std::uint32_t p, std::uint32_t q) const {
+  const Extents &e = piece_extents_[p], &f = piece_extents_[q];
+  if (!e.overlap(f, 0) || !e.overlap(f, 1)) return true;
+  const double step = scene_.lattice.step_mm, margin = kStripRounding * step;
+  if (std::min(e.longest_side(), f.longest_side()) < step) return true;
+  return has_side_between(contour(p), contour(q), margin) || has_side_between(contour(q), contour(p), margin);
 }
 
 bool PaintElements::disjoint(std::uint32_t a, std::uint32_t b) const {
   for (const std::uint32_t p : elements_[a].parts) {
     for (const std::uint32_t q : elements_[b].parts) {
-      const Extents &e = piece_extents_[p], &f = piece_extents_[q];
-      if (e.overlap(f, 0) && e.overlap(f, 1) && !disjoint_pieces(contour(p), contour(q))) return false;
+      if (!disjoint_pieces(p, q)) return false;
     }
   }
   return true;
@@ -155,8 +169,7 @@ Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b, CommonPart& work)
   Hiding result;
   for (const std::uint32_t i : elements_[a].parts) {
     for (const std::uint32_t k : elements_[b].parts) {
-      const Extents &e = piece_extents_[i], &f = piece_extents_[k];
-      if (!e.overlap(f, 0) || !e.overlap(f, 1) || disjoint_pieces(contour(i), contour(k))) continue;
+      if (disjoint_pieces(i, k)) continue;
       work.corners.assign(contour(i).begin(), contour(i).end());
       const auto clip = contour(k);
       for (std::size_t s = 0; s < clip.size(); ++s) work.clip_by_side(clip[s], clip[s + 1 == clip.size() ? 0 : s + 1]);
@@ -239,7 +252,7 @@ std::vector<std::uint32_t> PaintElements::cut(std::uint32_t element, ModelPlane 
       for (const std::uint32_t p : piece.parts) piece.extents.extend(piece_extents_[p]);
       if (piece.extents.low[0] > piece.extents.high[0]) continue;  // nothing of it is in view
       numbers.push_back(static_cast<std::uint32_t>(elements_.size()));
-      elements_.push_back(std::move(piece));
+      append(std::move(piece));
     }
   }
   return numbers;

@@ -30,8 +30,9 @@ struct Element {
   std::uint32_t face = 0;
   std::vector<std::uint32_t> parts;  ///< numbers of pieces
   Extents extents;
-  ModelPlane plane;                    ///< its normal points to the viewer's side
-  std::array<double, 3> page_plane{};  ///< see PagePlanes
+  ModelPlane plane;                              ///< its normal points to the viewer's side
+  std::array<double, 3> page_plane{};            ///< see PagePlanes
+  std::size_t corner_begin = 0, corner_end = 0;  ///< of its parts in the model, see PaintElements
 };
 
 /// What a comparison of depths over a common part of the page says.
@@ -80,8 +81,9 @@ class PaintElements {
   /// On which side of the plane of `of` the element lies: front is the viewer's.
   PlaneSide side(std::uint32_t element, std::uint32_t of) const;
 
-  /// Whether the projections have no inner point in common but for strips narrower than a step of the lattice, in which
-  /// nothing can be seen. Compared edge by edge.
+  /// Whether the projections have no inner point in common, compared edge by edge. Pieces smaller than a step of the
+  /// lattice, of which nothing can be seen, have none. A long strip has, however narrow: a line that lies in it is hidden
+  /// with it.
   bool disjoint(std::uint32_t a, std::uint32_t b) const;
 
   /// Which of two elements that are not disjoint is in front, over all that their projections have in common. What differs
@@ -98,23 +100,24 @@ class PaintElements {
 
  private:
   void add(std::uint32_t face, std::span<const std::uint32_t> parts);
+  void append(Element element);
   Extents project(std::uint32_t piece);
   std::vector<std::vector<std::uint32_t>> connected(const std::vector<std::uint32_t>& parts) const;
   std::span<const Point2> contour(std::uint32_t piece) const {
     return std::span(points_).subspan(contours_[piece][0], contours_[piece][1] - contours_[piece][0]);
   }
-  bool disjoint_pieces(std::span<const Point2> a, std::span<const Point2> b) const;
+  bool disjoint_pieces(std::uint32_t p, std::uint32_t q) const;
 
   const View& view_;
   const ProjectedScene& scene_;
   ModelPieces pieces_;
   ConvexBodies bodies_;
   ClipVolume volume_;
-  double margin_mm_;
   Viewpoint viewpoint_;
   PagePlanes page_planes_;
   std::vector<std::uint8_t> shown_;
   std::vector<Element> elements_;
+  std::vector<Point3> element_corners_;  ///< of all elements: nothing is asked for as often
   std::size_t in_order_ = 0;
   std::vector<Extents> piece_extents_;
   std::vector<std::array<std::size_t, 2>> contours_;  ///< per piece: of points_

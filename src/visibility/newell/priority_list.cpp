@@ -1,8 +1,10 @@
 #include "visibility/newell/priority_list.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <numeric>
 
 #include "geometry/parallel.hpp"
@@ -17,7 +19,7 @@
 //
 // It ends. Marks stay, so between two cuts an element is moved once at the most. A cut by the plane of a face leaves pieces
 // that the same plane does not cut again, so each face is cut by the plane of each other one into finitely many pieces; and
-// pieces narrower than a step of the lattice overlap nothing, which ends the halving on the page.
+// pieces smaller than a step of the lattice overlap nothing, which ends the halving on the page.
 
 namespace ligne::newell {
 
@@ -27,24 +29,6 @@ Extents extents_of_all(const PaintElements& elements) {
   Extents all;
   for (std::uint32_t i = 0; i < elements.size(); ++i) all.extend(elements[i].extents);
   return all;
-}
-
-/// Sorts whole numbers below `limit`: large sets by their digits, from the last to the first.
-void sort_descending(std::vector<std::uint32_t>& set, std::uint32_t limit) {
-  constexpr std::size_t kFewest = 64, kDigits = 512, kBits = 9;  // adjustable
-  if (set.size() < kFewest) {
-    std::sort(set.begin(), set.end(), std::greater<>());
-    return;
-  }
-  std::vector<std::uint32_t> sorted(set.size());
-  for (std::uint32_t shift = 0; shift < 32 && (limit >> shift) > 0; shift += kBits) {
-    const auto digit = [&](std::uint32_t e) { return kDigits - 1 - ((e >> shift) & (kDigits - 1)); };
-    std::array<std::uint32_t, kDigits + 1> begin{};
-    for (const std::uint32_t e : set) ++begin[digit(e) + 1];
-    for (std::size_t d = 0; d < kDigits; ++d) begin[d + 1] += begin[d];
-    for (const std::uint32_t e : set) sorted[begin[digit(e)]++] = e;
-    set.swap(sorted);
-  }
 }
 
 }  // namespace
@@ -64,33 +48,31 @@ void ListCounts::add(const ListCounts& o) {
 
 PriorityList::PriorityList(PaintElements& elements, bool keep_sets)
     : elements_(elements), levels_(extents_of_all(elements), elements.size()), keep_sets_(keep_sets) {
-  for (std::uint32_t i = 0; i < elements.size(); ++i) note(i);
   Set by_depth(elements.size());
   std::iota(by_depth.begin(), by_depth.end(), 0u);
   std::stable_sort(by_depth.begin(), by_depth.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return farthest(a) < farthest(b); });
   for (const std::uint32_t i : by_depth) levels_.add(i, elements[i].extents);
-  rank_elements();
+  for (std::uint32_t i = 0; i < elements.size(); ++i) note(i);
+  // An earlier list keeps its order: none of it counts as farther than what stands before it.
+  double reach = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < elements.in_order(); ++i) {
+    reach = std::min(reach, farthest(i));
+    keys_[i] = key(reach, i);
+  }
 }
 
-void PriorityList::rank_elements() {
-  const auto n = static_cast<std::uint32_t>(elements_.size()), in_order = static_cast<std::uint32_t>(elements_.in_order());
-  const auto reaches_farther = [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(-farthest(a), a) < std::pair(-farthest(b), b);
-  };
-  Set others(n - in_order);
-  std::iota(others.begin(), others.end(), in_order);
-  std::sort(others.begin(), others.end(), reaches_farther);
-  rank_.resize(n);
-  std::uint32_t rank = 0;
-  auto other = others.begin();
-  for (std::uint32_t i = 0; i < in_order; ++i) {
-    for (; other != others.end() && reaches_farther(*other, i); ++other) rank_[*other] = rank++;
-    rank_[i] = rank++;
-  }
-  for (; other != others.end(); ++other) rank_[*other] = rank++;
-  by_rank_.resize(n);
-  for (std::uint32_t i = 0; i < n; ++i) by_rank_[rank_[i]] = i;
+void PriorityList::note(std::uint32_t element) {
+  keys_.push_back(key(farthest(element), element));
+  boxes_.emplace_back(elements_[element].extents);
+  element % kBlock == 0 ? blocks_.push_back(boxes_.back()) : blocks_.back().extend(boxes_.back());
+}
+
+/// A float as a whole number that rises with it.
+PriorityList::Key PriorityList::key(double reach, std::uint32_t element) {
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(0 - reach));
+  const std::uint32_t rising = bits >> 31 ? ~bits : bits | 0x80000000u;
+  return Key{rising} << 32 | element;
 }
 
 std::vector<std::uint32_t> PriorityList::sort() {
@@ -149,7 +131,7 @@ void PriorityList::keep(const std::vector<Set>& parts, bool slabs) {
 void PriorityList::sort_list(const Set& set) {
   ++counts_.lists;
   sorted_ = set;
-  std::sort(sorted_.begin(), sorted_.end(), [&](std::uint32_t a, std::uint32_t b) { return rank_[a] < rank_[b]; });
+  std::sort(sorted_.begin(), sorted_.end(), [&](std::uint32_t a, std::uint32_t b) { return keys_[a] < keys_[b]; });
   first_ = ahead_end_ = 0;
   for (std::uint32_t p = head(); p != kNone; p = head()) {
     check_stop();
@@ -168,23 +150,22 @@ void PriorityList::output(std::uint32_t element) {
 std::uint32_t PriorityList::head() {
   if (!moved_.empty()) return moved_.back();
   while (first_ < sorted_.size() && state_[sorted_[first_]] != State::waiting) ++first_;
-  const bool any = first_ < sorted_.size();
-  if (inserted_.empty()) return any ? sorted_[first_] : kNone;
-  const auto inserted = *inserted_.begin();
-  return any && std::pair(-farthest(sorted_[first_]), sorted_[first_]) < inserted ? sorted_[first_] : inserted.second;
+  const Key sorted = first_ < sorted_.size() ? keys_[sorted_[first_]] : kLast;
+  const Key inserted = inserted_.empty() ? kLast : *inserted_.begin();
+  return element_of(std::min(sorted, inserted));
 }
 
 void PriorityList::remove(std::uint32_t element) {
   if (state_[element] == State::marked) std::erase(moved_, element);
-  inserted_.erase({-farthest(element), element});
+  inserted_.erase(keys_[element]);
   comparisons_.erase(element);
   state_[element] = State::gone;
 }
 
 void PriorityList::insert(std::uint32_t element) {
   state_.resize(elements_.size(), State::waiting);
-  for (auto i = static_cast<std::uint32_t>(farthest_.size()); i < elements_.size(); ++i) note(i);
-  inserted_.emplace(-farthest(element), element);
+  for (auto i = static_cast<std::uint32_t>(keys_.size()); i < elements_.size(); ++i) note(i);
+  inserted_.insert(keys_[element]);
   levels_.add(element, elements_[element].extents);
 }
 
@@ -197,31 +178,30 @@ PriorityList::Comparison& PriorityList::comparison_of(std::uint32_t p) {
   seen_.resize(elements_.size(), 0);
   levels_.visit(elements_[p].extents, [&](std::uint32_t q) {
     if (state_[q] == State::gone) return false;
-    if (seen_[q] != p + 1 && q != p) result.others.push_back(q);
+    if (seen_[q] != p + 1 && q != p) result.others.push_back(keys_[q]);
     seen_[q] = p + 1;
     return true;
   });
-  farthest_last(result.others);
+  std::sort(result.others.begin(), result.others.end(), std::greater<>());
   return result;
 }
 
-/// Sets are compared from behind: the farthest first, of equals the first of the scene.
-void PriorityList::farthest_last(Set& set) const {
-  const bool all_ranked =
-      elements_.in_order() == 0 && std::all_of(set.begin(), set.end(), [&](std::uint32_t e) { return e < rank_.size(); });
-  if (all_ranked) {
-    for (std::uint32_t& e : set) e = rank_[e];
-    sort_descending(set, static_cast<std::uint32_t>(rank_.size()));
-    for (std::uint32_t& e : set) e = by_rank_[e];
-    return;
-  }
-  std::sort(set.begin(), set.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return std::pair(-farthest(a), a) > std::pair(-farthest(b), b); });
+/// What is left of the comparison of an element for a piece that was cut from it: what the whole does not hide, the piece
+/// does not hide.
+PriorityList::Comparison PriorityList::inherited(const Comparison& whole, std::uint32_t piece) const {
+  Comparison result{{}, {}, whole.known};
+  const auto is_left = [&](Key k) {
+    const std::uint32_t q = element_of(k);
+    return state_[q] != State::gone && boxes_[piece].meets(boxes_[q]);
+  };
+  std::copy_if(whole.others.begin(), whole.others.end(), std::back_inserter(result.others), is_left);
+  std::copy_if(whole.before.begin(), whole.before.end(), std::back_inserter(result.before), is_left);
+  return result;
 }
 
 /// Compares the next elements of the list with their sets.
 void PriorityList::look_ahead() {
-  constexpr std::size_t kAhead = 16'384, kTask = 64;  // adjustable
+  constexpr std::size_t kAhead = 4096, kTask = 64;  // adjustable
   levels_.forget([&](std::uint32_t e) { return state_[e] == State::gone; });
   Set next;
   for (ahead_end_ = first_; ahead_end_ < sorted_.size() && next.size() < kAhead; ++ahead_end_) {
@@ -249,27 +229,50 @@ PriorityList::Comparison PriorityList::compared_ahead(std::uint32_t p, AheadWork
   levels_.look(elements_[p].extents, [&](std::uint32_t q) {
     if (work.seen[q] == p + 1 || q == p || state_[q] == State::gone) return;
     work.seen[q] = p + 1;
-    (q < rank_.size() && rank_[q] < rank_[p] ? result.before : result.others).push_back(q);
+    (keys_[q] < keys_[p] ? result.before : result.others).push_back(keys_[q]);
   });
-  farthest_last(result.others);
-  farthest_last(result.before);
-  while (!result.others.empty() && !may_hide(p, result.others.back(), work.counts, work.common)) result.others.pop_back();
+  std::sort(result.others.begin(), result.others.end(), std::greater<>());
+  while (!result.others.empty() && !may_hide(p, element_of(result.others.back()), work.counts, work.common)) {
+    result.others.pop_back();
+  }
   return result;
 }
 
 /// Compares the head of the list with its set Q_p. False when the list has changed.
 bool PriorityList::settle(std::uint32_t p) {
   Comparison& comparison = comparison_of(p);
-  for (Set* const set : {&comparison.others, &comparison.before}) {
-    for (; !set->empty(); set->pop_back()) {
-      const std::uint32_t q = set->back();
-      if (state_[q] != State::gone && !resolve(p, q)) return false;
+  if (!work_off(p, comparison.others)) return false;
+  if (!comparison.before.empty()) {
+    // Nothing waits before an element that was not moved to the head.
+    if (!moved_.empty()) {
+      std::erase_if(comparison.before, [&](Key k) { return state_[element_of(k)] == State::gone; });
+      std::sort(comparison.before.begin(), comparison.before.end(), std::greater<>());
+      comparison.others.swap(comparison.before);
+    }
+    comparison.before.clear();
+    if (!work_off(p, comparison.others)) return false;
+  }
+  const Box& box = boxes_[p];
+  const auto count = static_cast<std::uint32_t>(elements_.size());
+  while (comparison.known < count) {
+    const std::uint32_t block = comparison.known / kBlock, end = std::min((block + 1) * kBlock, count);
+    if (!box.meets(blocks_[block])) {
+      comparison.known = end;
+      continue;
+    }
+    for (; comparison.known < end; ++comparison.known) {
+      const std::uint32_t q = comparison.known;
+      if (q != p && state_[q] != State::gone && box.meets(boxes_[q]) && !resolve(p, q)) return false;
     }
   }
-  for (; comparison.known < elements_.size(); ++comparison.known) {
-    const std::uint32_t q = comparison.known;
-    const bool in_set = q != p && state_[q] != State::gone && boxes_[p].meets(boxes_[q]);
-    if (in_set && !resolve(p, q)) return false;
+  return true;
+}
+
+/// Compares P with the elements of a set from behind, and takes them away. False when the list has changed.
+bool PriorityList::work_off(std::uint32_t p, Keys& set) {
+  for (; !set.empty(); set.pop_back()) {
+    const std::uint32_t q = element_of(set.back());
+    if (state_[q] != State::gone && !resolve(p, q)) return false;
   }
   return true;
 }
@@ -279,7 +282,7 @@ bool PriorityList::resolve(std::uint32_t p, std::uint32_t q) {
   if (!may_hide(p, q)) return true;
   if (state_[q] != State::marked) {
     if (may_hide(q, p)) return !replace(p, elements_[q].plane, counts_.plane_cuts);
-    inserted_.erase({-farthest(q), q});
+    inserted_.erase(keys_[q]);
     state_[q] = State::marked;
     moved_.push_back(q);
     ++counts_.moved;
@@ -298,8 +301,12 @@ bool PriorityList::replace(std::uint32_t element, const ModelPlane& plane, std::
   const auto pieces = elements_.cut(element, plane);
   if (pieces.empty()) return false;
   ++count;
+  const Comparison whole = std::move(comparisons_[element]);
   remove(element);
-  for (const std::uint32_t piece : pieces) insert(piece);
+  for (const std::uint32_t piece : pieces) {
+    insert(piece);
+    comparisons_.emplace(piece, inherited(whole, piece));
+  }
   return true;
 }
 

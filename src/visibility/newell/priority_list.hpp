@@ -59,9 +59,14 @@ class PriorityList {
 
  private:
   using Set = std::vector<std::uint32_t>;
+  /// How far an element reaches, the farthest first, and its number. There is one order, of the list and of the sets Q_p;
+  /// depths that are equal as floats stand by their numbers.
+  using Key = std::uint64_t;
+  using Keys = std::vector<Key>;
+  static constexpr Key kLast = ~Key{0};
+  static Key key(double reach, std::uint32_t element);
+  static std::uint32_t element_of(Key k) { return static_cast<std::uint32_t>(k); }  ///< kNone of kLast
 
-  void rank_elements();
-  void farthest_last(Set& set) const;
   bool decompose(const Set& set, std::vector<Set>& waiting);
   void keep(const std::vector<Set>& parts, bool slabs);
   void sort_list(const Set& set);
@@ -75,20 +80,18 @@ class PriorityList {
   bool replace(std::uint32_t element, const ModelPlane& plane, std::uint64_t& count);
   void remove(std::uint32_t element);
   void insert(std::uint32_t element);
-  void note(std::uint32_t element) {
-    farthest_.push_back(elements_[element].extents.high[2]);
-    boxes_.emplace_back(elements_[element].extents);
-  }
-  double farthest(std::uint32_t element) const { return farthest_[element]; }
+  void note(std::uint32_t element);
+  double farthest(std::uint32_t element) const { return elements_[element].extents.high[2]; }
 
-  /// How far the comparison of an element with its set Q_p has come. What was found of a pair stays true, so the
-  /// set is worked off in any order.
+  /// How far the comparison of an element with its set Q_p has come. What was found of a pair stays true.
   struct Comparison {
-    Set others;               ///< not yet compared
-    Set before;               ///< what stands before it in the first list: it will be gone, most of it
+    Keys others;              ///< not yet compared, the farthest last
+    Keys before;              ///< what stood before it when it was compared ahead, in any order: most of it will be gone
     std::uint32_t known = 0;  ///< elements with higher numbers were cut later
   };
   Comparison& comparison_of(std::uint32_t p);
+  Comparison inherited(const Comparison& whole, std::uint32_t piece) const;
+  bool work_off(std::uint32_t p, Keys& set);
   void look_ahead();
   struct AheadWork {
     ListCounts counts;
@@ -99,12 +102,12 @@ class PriorityList {
 
   PaintElements& elements_;
   PageLevels levels_;
-  std::vector<double> farthest_;  ///< depth of every element; by itself, since sorts ask for little else
-  std::vector<Box> boxes_;        ///< of every element
+  static constexpr std::uint32_t kBlock = 32;  ///< adjustable
+  std::vector<Box> boxes_;                     ///< of every element
+  std::vector<Box> blocks_;                    ///< of every kBlock elements together
   ListCounts counts_;
   CommonPart common_;
-  std::vector<std::uint32_t> rank_;     ///< of the elements that were there at the beginning: their place in the first list
-  std::vector<std::uint32_t> by_rank_;  ///< the inverse of rank_
+  Keys keys_;  ///< of every element
   bool keep_sets_;
   std::vector<FoundSet> zones_, slabs_;
   std::vector<std::uint32_t> order_;
@@ -116,7 +119,7 @@ class PriorityList {
   Set sorted_;
   std::size_t first_ = 0;                                      ///< of sorted_ that may still be waiting
   std::size_t ahead_end_ = 0;                                  ///< sorted_ before it was compared ahead
-  std::set<std::pair<double, std::uint32_t>> inserted_;        ///< by minus the farthest depth, and number
+  std::set<Key> inserted_;                                     ///< pieces that wait
   std::unordered_map<std::uint32_t, Comparison> comparisons_;  ///< of elements that were the head; only looked up
   std::vector<std::uint32_t> seen_;                            ///< per element: for which it was collected last, plus one
 };
