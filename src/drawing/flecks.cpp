@@ -156,30 +156,43 @@ class FleckFinder {
 
 }  // namespace
 
+std::vector<double> body_extents(const std::vector<Stroke>& strokes,
+                                 const std::function<std::uint32_t(const Stroke&)>& body_of) {
+  std::vector<Extent> extents;
+  for (const Stroke& s : strokes) {
+    if (!is_seen(s)) continue;
+    const std::uint32_t body = body_of(s);
+    if (body == kNoBody) continue;
+    if (body >= extents.size()) extents.resize(body + 1);
+    extents[body].add(s.from);
+    extents[body].add(s.to);
+  }
+  std::vector<double> diagonals;
+  diagonals.reserve(extents.size());
+  for (const Extent& extent : extents) diagonals.push_back(extent.diagonal());
+  return diagonals;
+}
+
 std::size_t drop_flecks(StrokeModel& model, const std::function<std::uint32_t(const Stroke&)>& body_of,
                         const FleckLimits& limits) {
   std::vector<Stroke>& strokes = model.strokes;
   const double step = model.lattice.step_mm;
   const StrokeChains chains(strokes);
-  std::vector<Extent> extents;
+  const std::vector<double> extents = body_extents(strokes, body_of);
+  if (extents.empty()) return 0;
   std::vector<std::uint32_t> body(strokes.size(), kNoBody);  // by chain
   std::vector<std::uint8_t> may_be(strokes.size(), 1);       // by chain
   for (const std::uint32_t i : chains.seen()) {
     const std::uint32_t b = body_of(strokes[i]), chain = chains.chain_of(i);
     body[chain] = b;
     if (b == kNoBody || strokes[i].line_class != LineClass::outline) may_be[chain] = 0;
-    if (b == kNoBody) continue;
-    if (b >= extents.size()) extents.resize(b + 1);
-    extents[b].add(strokes[i].from);
-    extents[b].add(strokes[i].to);
   }
-  if (extents.empty()) return 0;
   bool any = false;
   for (const std::uint32_t i : chains.seen()) {
     if (chains.chain_of(i) != i || !may_be[i]) continue;
     const StrokeChains::Chain& chain = chains.chain(i);
-    may_be[i] = chain.free_ends == 2 &&
-                chain.length <= std::min(limits.longest_mm / step, limits.body_part * extents[body[i]].diagonal());
+    may_be[i] =
+        chain.free_ends == 2 && chain.length <= std::min(limits.longest_mm / step, limits.body_part * extents[body[i]]);
     any |= may_be[i];
   }
   if (!any) return 0;

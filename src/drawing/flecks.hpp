@@ -25,4 +25,8 @@ std::size_t drop_flecks(StrokeModel& model, const std::function<std::uint32_t(co
 
 inline constexpr std::uint32_t kNoBody = 0xffffffffu;
 
+/// The diagonals of the boxes round what is seen of each body, lattice steps.
+std::vector<double> body_extents(const std::vector<Stroke>& strokes,
+                                 const std::function<std::uint32_t(const Stroke&)>& body_of);
+
 }  // namespace ligne

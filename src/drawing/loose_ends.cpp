@@ -18,6 +18,8 @@ namespace {
 constexpr double kLeastCosine = 0.5, kStraightCosine = 0.94;
 /// Adjustable: lines that are joined by what shows are so many times as long as that.
 constexpr double kLongInGaps = 2;
+/// Adjustable: a joint that is so many gaps long is far. What is joined by it must be straighter and longer.
+constexpr double kFarPartInGaps = 3, kFarCosine = 0.985, kLongInFar = 4;
 /// Adjustable: what was joined may be long enough to be joined to more.
 constexpr int kMostRounds = 3;
 /// Ends of lines that continue each other are rounded to the lattice one by one: so many steps apart, the way from one to
@@ -89,10 +91,10 @@ class LooseEnds {
   /// The line goes on towards the point; a stroke shorter than the way to it has no direction that says anything.
   bool leads_to(const LooseEnd& e, LatticePoint p, double distance) const {
     if (distance <= kRoundedSteps) return true;
-    const bool shows = distance >= gap_;
-    if (shows && line_length(e) < kLongInGaps * distance) return false;
+    const bool shows = distance >= gap_, far = distance >= kFarPartInGaps * gap_;
+    if (shows && line_length(e) < (far ? kLongInFar : kLongInGaps) * distance) return false;
     if (e.length <= distance && !shows) return true;
-    return along(e, p) >= (shows ? kStraightCosine : kLeastCosine) * e.length * distance;
+    return along(e, p) >= (far ? kFarCosine : shows ? kStraightCosine : kLeastCosine) * e.length * distance;
   }
 
   /// leads_to() is false, as can be told in a moment: where thousands of lines end side by side, nearly all others are asked

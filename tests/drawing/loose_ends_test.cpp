@@ -14,6 +14,8 @@ SourceEdge no_source(const Stroke&) { return {}; }
 
 std::size_t joined(StrokeModel& m) { return join_loose_ends(m, {100, 250, 50}, no_source); }
 
+std::size_t join_far(StrokeModel& m) { return join_loose_ends(m, {100, 900, 50}, no_source); }
+
 TEST(LooseEnds, AreJoined) {
   StrokeModel m = model({stroke({0, 0}, {1000, 0}, kCreaseClass, 3), stroke({2000, 30}, {1050, 20}, kCreaseClass, 4)});
   m.edge_count = 10;
@@ -75,6 +77,16 @@ TEST(LooseEnds, OfLongLinesThatGoStraightOnAreJoinedWhereItShows) {
   EXPECT_EQ(joined(behind_a_post), 0u);
   StrokeModel beside = model({left, right, stroke({1100, 60}, {1100, 500}, kOutlineClass)});
   EXPECT_EQ(joined(beside), 0u);
+}
+
+TEST(LooseEnds, FarApartAreJoinedWhereLongLinesAreStraight) {
+  const Stroke left = stroke({0, 0}, {2000, 0}, kCreaseClass), right = stroke({2400, 20}, {5000, 120}, kCreaseClass);
+  StrokeModel straight = model({left, right});
+  EXPECT_EQ(join_far(straight), 1u);
+  StrokeModel turning = model({left, stroke({2400, 110}, {5000, 300}, kCreaseClass)});
+  EXPECT_EQ(join_far(turning), 0u);
+  StrokeModel short_line = model({stroke({600, 0}, {2000, 0}, kCreaseClass), right});
+  EXPECT_EQ(join_far(short_line), 0u);
 }
 
 TEST(LooseEnds, MakeLinesLongEnoughForMore) {

@@ -7,7 +7,7 @@
 namespace ligne {
 namespace {
 
-SpanModel model() {
+SpanModel spans() {
   SpanModel m;
   m.lines = {0.5, 1, 16};
   for (std::uint32_t line = 0; line < 16; ++line) {
@@ -21,7 +21,7 @@ SpanModel model() {
 const std::vector<double> kBrightness{0.0, 0.6, 1.0};
 
 TEST(Shading, PixelsAreMixedAtTheEndsOfSpans) {
-  const GrayPicture p = shade(model(), kBrightness, 16, 16, 1);
+  const GrayPicture p = shade(spans(), kBrightness, 16, 16, 1);
   ASSERT_EQ(p.gray.size(), 256u);
   EXPECT_EQ(p.gray[0], 255);
   EXPECT_EQ(p.gray[2], 0);

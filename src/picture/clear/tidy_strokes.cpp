@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "drawing/drawing.hpp"
@@ -9,6 +10,8 @@
 #include "drawing/inked_bits.hpp"
 #include "drawing/loose_ends.hpp"
 #include "drawing/short_bits.hpp"
+#include "drawing/short_ends.hpp"
+#include "drawing/spurs.hpp"
 #include "view/tolerances.hpp"
 
 namespace ligne {
@@ -16,12 +19,19 @@ namespace {
 
 // Adjustable, in widths of the pen.
 constexpr double kLeastInPens = 1.5;
-constexpr double kGapInPens = 1;      ///< a wider gap shows between the round ends of two strokes
-constexpr double kWideInGaps = 3;     ///< a gap that shows, in a line that goes straight on
-constexpr double kInkInPens = 0.5;    ///< to either side of a line
-constexpr double kShownInPens = 0.5;  ///< of a bit beside the ink of other lines
+constexpr double kGapInPens = 1;              ///< a wider gap shows between the round ends of two strokes
+constexpr double kWideInGaps = 3;             ///< a gap that shows, in a line that goes straight on
+constexpr double kFarInGaps = 12;             ///< and among outlines
+constexpr double kShortInPens = 3;            ///< what ends short of a line
+constexpr double kTouchingInPens = 1.0 / 16;  ///< ends that lie on a line
+constexpr double kInkInPens = 0.5;            ///< to either side of a line
+constexpr double kShownInPens = 0.5;          ///< of a bit beside the ink of other lines
 constexpr double kFleckInPens = 8;
 constexpr double kFleckPart = 1.0 / 48;  ///< of the extent of its body
+constexpr double kSpurInPens = 12;
+constexpr double kSpurPart = 1.0 / 32;
+constexpr double kBesideInPens = 2.5;
+constexpr double kBesideInSpurs = 4;  ///< what runs beside a line, in spurs that do not
 
 /// The number of the scan that a stroke belongs to, kNoBody for other objects.
 std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& strokes, const Stroke& s) {
@@ -80,19 +90,35 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
   const double gap_mm = std::min(least_mm, kGapInPens * pen_mm);
   count("short gaps closed", close_short_gaps(strokes, gap_mm));
   remove_coincident_strokes(strokes, coincidence);
+  const auto scan = [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); };
+  JointSources make_source(strokes, prepared.projected);
+  // Without outlines nothing tells that a line passes behind something.
+  const double wide_mm = (request.lines.studied().has(LineClass::outline) ? kFarInGaps : kWideInGaps) * gap_mm;
+  const auto join = [&] { return join_loose_ends(strokes, {gap_mm, wide_mm, kInkInPens * pen_mm}, std::ref(make_source)); };
   if (clear) {
-    const JointLimits limits{gap_mm, kWideInGaps * gap_mm, kInkInPens * pen_mm};
-    count("loose ends joined", join_loose_ends(strokes, limits, JointSources(strokes, prepared.projected)));
+    std::size_t joined = join();
+    if (!prepared.scans.empty()) {
+      count("spurs of scans left out", drop_spurs(strokes, scan,
+                                                  {.longest_mm = kSpurInPens * pen_mm,
+                                                   .body_part = kSpurPart,
+                                                   .beside_mm = kBesideInPens * pen_mm,
+                                                   .beside_times = kBesideInSpurs,
+                                                   .touching_mm = pen_mm}));
+      joined += join();
+    }
+    count("loose ends joined", joined);
     count("short bits of another class than their line", join_short_classes(strokes, least_mm));
   }
   count("short bits of lines left out", drop_short_bits(strokes, least_mm));
   if (!clear) return;
   count("short bits in the ink of other lines",
         drop_inked_bits(strokes, {least_mm, kInkInPens * pen_mm, kShownInPens * pen_mm}));
-  if (prepared.scans.empty()) return;
-  count("flecks of scans left out",
-        drop_flecks(strokes, [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); },
-                    {kFleckInPens * pen_mm, kFleckPart, pen_mm / 2}));
+  if (!prepared.scans.empty()) {
+    count("flecks of scans left out", drop_flecks(strokes, scan, {kFleckInPens * pen_mm, kFleckPart, pen_mm / 2}));
+  }
+  if (!request.lines.studied().has(LineClass::outline)) return;
+  count("ends led to the line before them",
+        extend_short_ends(strokes, {kShortInPens * gap_mm, kTouchingInPens * pen_mm}, std::ref(make_source)));
 }
 
 }  // namespace ligne

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""open_ends.py LIGNE MODEL... [--views NAME,...] [--from MM] [--to MM] [--where] [-- OPTIONS of ligne draw]
+
+Draws each model in each view (iso, front, right, top) and prints a Markdown table: the strokes of the drawing, the ends of
+outlines and of other strokes that meet no line (none is nearer than 0.1 mm), and how many of both would meet one if they
+went straight on by no more than 3 mm. --where lists those: layer, place on the page, and the way to the line."""
+
+import argparse
+import collections
+import math
+import os
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from short_strokes import distance, draw  # noqa: E402
+
+DIRECTION_MM = 0.5  # of the stroke before its end, which tells its direction
+CELL_MM = 2
+
+
+def before_end(line):
+    """The point that is DIRECTION_MM before the end of the line, or its beginning."""
+    left = DIRECTION_MM
+    for p, q in zip(line[::-1], line[-2::-1]):
+        mm = math.dist(p, q)
+        if mm >= left:
+            return (p[0] + (q[0] - p[0]) * left / mm, p[1] + (q[1] - p[1]) * left / mm)
+        left -= mm
+    return line[0]
+
+
+def hit(p, q, a, b):
+    """The fraction of p-q at which a-b crosses it, or None."""
+    dx, dy, ex, ey = q[0] - p[0], q[1] - p[1], b[0] - a[0], b[1] - a[1]
+    area = dx * ey - dy * ex
+    if area == 0:
+        return None
+    t = ((a[0] - p[0]) * ey - (a[1] - p[1]) * ex) / area
+    s = ((a[0] - p[0]) * dy - (a[1] - p[1]) * dx) / area
+    return t if 0 <= t <= 1 and 0 <= s <= 1 else None
+
+
+class Segments:
+    def __init__(self, strokes):
+        self.cells = collections.defaultdict(set)
+        self.list = []
+        for i, (_, line, _) in enumerate(strokes):
+            for k, (a, b) in enumerate(zip(line, line[1:])):
+                for cell in self.box(a, b, 0):
+                    self.cells[cell].add(len(self.list))
+                self.list.append((i, k, a, b))
+
+    @staticmethod
+    def box(a, b, margin):
+        low = [math.floor((min(u, v) - margin) / CELL_MM) for u, v in zip(a, b)]
+        high = [math.floor((max(u, v) + margin) / CELL_MM) for u, v in zip(a, b)]
+        return [(x, y) for x in range(low[0], high[0] + 1) for y in range(low[1], high[1] + 1)]
+
+    def near(self, a, b, margin):
+        return {s for cell in self.box(a, b, margin) for s in self.cells.get(cell, ())}
+
+
+def open_ends(picture, least, most):
+    """(layer, point, way to the line ahead or None) of each end that meets no line."""
+    segments = Segments(picture.strokes)
+    for i, (name, line, mm) in enumerate(picture.strokes):
+        if name == "hidden" or line[0] == line[-1]:
+            continue
+        for way in (line, line[::-1]):
+            end, back = way[-1], before_end(way)
+            # Of its own stroke only what lies farther off than the piece that tells the direction.
+            own = [s for s in segments.near(end, end, least) if segments.list[s][0] != i]
+            if any(distance(end, *segments.list[s][2:]) < least for s in own):
+                continue
+            unit = math.dist(back, end)
+            if unit == 0:
+                continue
+            to = tuple(e + (e - b) * most / unit for b, e in zip(back, end))
+            hits = []
+            for s in segments.near(end, to, 0):
+                k, _, a, b = segments.list[s]
+                if k == i and min(math.dist(end, a), math.dist(end, b)) < 1e-9:
+                    continue
+                t = hit(end, to, a, b)
+                if t is not None and t > 0:
+                    hits.append(t * most)
+            yield name, end, min(hits) if hits else None
+
+
+def main():
+    own, options = sys.argv[1:], []
+    if "--" in own:
+        own, options = own[:own.index("--")], own[own.index("--") + 1:]
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("ligne")
+    parser.add_argument("models", nargs="+")
+    parser.add_argument("--views", default="iso,front,right,top")
+    parser.add_argument("--from", dest="least", type=float, default=0.1)
+    parser.add_argument("--to", dest="most", type=float, default=3)
+    parser.add_argument("--where", action="store_true")
+    args = parser.parse_args(own)
+    print("| model | view | strokes | open outlines | short of a line | other open ends | short of a line |")
+    print("|---|---|---:|---:|---:|---:|---:|")
+    sums = [0] * 5
+    with tempfile.TemporaryDirectory() as folder:
+        for model in args.models:
+            for view in args.views.split(","):
+                picture = draw(args.ligne, model, view, options, folder)
+                if picture is None:
+                    continue
+                ends = list(open_ends(picture, args.least, args.most))
+                row = [len(picture.strokes)]
+                for outline in (True, False):
+                    these = [way for name, _, way in ends if (name in ("outline", "profile")) == outline]
+                    row += [len(these), sum(way is not None for way in these)]
+                sums = [a + b for a, b in zip(sums, row)]
+                print(f"| `{os.path.basename(model)}` | {view} | " + " | ".join(map(str, row)) + " |")
+                if args.where:
+                    for name, p, way in ends:
+                        if way is not None:
+                            print(f"    {name} at {p[0]:.2f} {p[1]:.2f}: {way:.2f} mm")
+    print("| all | | " + " | ".join(map(str, sums)) + " |")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,196 @@
+#include "drawing/short_ends.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "drawing/key_table.hpp"
+#include "drawing/near_part.hpp"
+#include "drawing/stroke_chains.hpp"
+#include "drawing/stroke_index.hpp"
+#include "drawing/stroke_net.hpp"
+#include "drawing/stroke_piece.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: a line is so many times as long as the way that it goes on.
+constexpr double kLongInWays = 3;
+/// Adjustable: its direction is that of its last part, so long as the reach at the most.
+constexpr double kDirectionInReaches = 0.5;
+
+bool takes_part(const Stroke& s) { return is_edge(s) && s.line_class != LineClass::mesh; }
+
+struct Vector {
+  double x = 0, y = 0;
+};
+
+class ShortEnds {
+ public:
+  ShortEnds(const std::vector<Stroke>& strokes, double reach, double touching)
+      : net_(strokes, touching), reach_(reach), grid_(reach, touching) {
+    const std::vector<StrokeNet::Piece>& pieces = net_.pieces();
+    arc_of_.assign(pieces.size(), 0);
+    const std::vector<StrokeNet::Arc> arcs = net_.arcs();
+    for (std::uint32_t a = 0; a < arcs.size(); ++a) {
+      for (const std::uint32_t i : arcs[a].pieces) arc_of_[i] = a;
+      lengths_.push_back(arcs[a].length);
+    }
+  }
+
+  /// Calls add(stroke that goes on, its end, where it meets a line).
+  template <class Add>
+  void find(const Add& add) {
+    const std::vector<StrokeNet::Piece>& pieces = net_.pieces();
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      if (!pieces[i].alive || !takes_part(pieces[i].stroke)) continue;
+      for (const bool at_from : {true, false}) {
+        if (net_.arms(at_from ? pieces[i].from : pieces[i].to) != 1) continue;
+        ends_.push_back({i, at_from, direction(i, at_from)});
+        Vector& d = ends_.back().direction;
+        const LatticePoint p = end_point(ends_.back());
+        const double way = std::min(reach_, lengths_[arc_of_[i]] / kLongInWays);
+        d = {d.x * way, d.y * way};
+        const LatticePoint far{p.x + static_cast<std::int32_t>(d.x), p.y + static_cast<std::int32_t>(d.y)};
+        grid_.walk(p, far, [&](std::uint64_t cell) {
+          std::uint32_t& first = cells_[cell];
+          links_.emplace_back(static_cast<std::uint32_t>(ends_.size() - 1), first);
+          first = static_cast<std::uint32_t>(links_.size() - 1);
+          return false;
+        });
+      }
+    }
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      if (!pieces[i].alive || !takes_part(pieces[i].stroke)) continue;
+      const Stroke& s = pieces[i].stroke;
+      grid_.walk(s.from, s.to, [&](std::uint64_t cell) {
+        for (std::uint32_t l = cells_.find(cell); l != KeyTable::kNone; l = links_[l].second)
+          meet(ends_[links_[l].first], i);
+        return false;
+      });
+    }
+    for (const End& end : ends_) {
+      if (end.way > 1) continue;
+      const LatticePoint p = end_point(end);
+      const LatticePoint to{p.x + static_cast<std::int32_t>(std::lround(end.way * end.direction.x)),
+                            p.y + static_cast<std::int32_t>(std::lround(end.way * end.direction.y))};
+      if (to != p) add(pieces[end.piece].stroke, end.at_from, to);
+    }
+  }
+
+ private:
+  struct End {
+    std::uint32_t piece;
+    bool at_from;
+    Vector direction;  ///< as long as the way that it may go
+    double way = 2;    ///< to the first line, as a part of that; more than 1 where there is none
+  };
+
+  LatticePoint end_point(const End& end) const {
+    const Stroke& s = net_.pieces()[end.piece].stroke;
+    return end.at_from ? s.from : s.to;
+  }
+
+  /// Of unit length, outwards; none for a line that comes back to its end.
+  Vector direction(std::uint32_t i, bool at_from) const {
+    const Stroke& last = net_.pieces()[i].stroke;
+    const LatticePoint end = at_from ? last.from : last.to;
+    LatticePoint back = end;
+    std::uint32_t node = at_from ? net_.pieces()[i].from : net_.pieces()[i].to;
+    for (double left = kDirectionInReaches * reach_;;) {
+      const StrokeNet::Piece& piece = net_.pieces()[i];
+      const bool forwards = piece.from == node;
+      node = forwards ? piece.to : piece.from;
+      back = forwards ? piece.stroke.to : piece.stroke.from;
+      left -= page_length(piece.stroke);
+      if (left <= 0 || net_.arms(node) != 2) break;
+      const auto arm = net_.pieces_at(node);
+      i = arm[0].second == i ? arm[1].second : arm[0].second;
+    }
+    const Vector d{double(end.x) - back.x, double(end.y) - back.y};
+    const double length = std::hypot(d.x, d.y);
+    return length > 0 ? Vector{d.x / length, d.y / length} : Vector{};
+  }
+
+  void meet(End& end, std::uint32_t piece) const {
+    if (arc_of_[piece] == arc_of_[end.piece]) return;
+    const Stroke& s = net_.pieces()[piece].stroke;
+    const LatticePoint p = end_point(end);
+    const double ux = double(s.to.x) - s.from.x, uy = double(s.to.y) - s.from.y;
+    const double px = double(s.from.x) - p.x, py = double(s.from.y) - p.y;
+    const double area = end.direction.x * uy - end.direction.y * ux;
+    if (area == 0) return;
+    const double way = (px * uy - py * ux) / area, along = (px * end.direction.y - py * end.direction.x) / area;
+    if (way <= 0 || way > 1 || along < 0 || along > 1) return;
+    end.way = std::min(end.way, way);
+  }
+
+  StrokeNet net_;
+  double reach_;
+  SegmentGrid grid_;
+  std::vector<std::uint32_t> arc_of_;  // by piece
+  std::vector<double> lengths_;        // by arc
+  std::vector<End> ends_;
+  KeyTable cells_;                                              // of each cell the first link
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> links_;  // end, next link
+};
+
+/// Cuts what lies along the new strokes off hidden ones.
+void cut_hidden(std::vector<Stroke>& strokes, const std::vector<Stroke>& added, double reach, double touching) {
+  if (!any_hidden(strokes)) return;
+  const SegmentGrid grid(2 * reach, touching);
+  KeyTable cells;                                              // of each cell the first link
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;  // new stroke, next link
+  for (std::uint32_t a = 0; a < added.size(); ++a) {
+    grid.walk(added[a].from, added[a].to, [&](std::uint64_t cell) {
+      std::uint32_t& first = cells[cell];
+      links.emplace_back(a, first);
+      first = static_cast<std::uint32_t>(links.size() - 1);
+      return false;
+    });
+  }
+  std::erase_if(strokes, [&](Stroke& s) {
+    if (s.visible || s.from == s.to) return false;
+    return grid.walk(s.from, s.to, [&](std::uint64_t cell) {
+      for (std::uint32_t l = cells.find(cell); l != KeyTable::kNone; l = links[l].second) {
+        const StrokePart part = part_near(s, added[links[l].first], touching);
+        if (part.empty() || (part.from > 0 && part.to < 1)) continue;
+        if (part.from == 0 && part.to == 1) return true;
+        const double at = part.from == 0 ? part.to : part.from;
+        const StrokeCut cut{at,
+                            {static_cast<std::int32_t>(std::lround(s.from.x + at * (double(s.to.x) - s.from.x))),
+                             static_cast<std::int32_t>(std::lround(s.from.y + at * (double(s.to.y) - s.from.y)))}};
+        s = part.from == 0 ? stroke_piece(s, cut, {1, s.to}) : stroke_piece(s, {0, s.from}, cut);
+        if (s.from == s.to) return true;
+      }
+      return false;
+    });
+  });
+}
+
+}  // namespace
+
+std::size_t extend_short_ends(StrokeModel& model, const ShortEndLimits& limits, const MakeSource& make_source) {
+  const double reach = limits.reach_mm / model.lattice.step_mm, touching = limits.touching_mm / model.lattice.step_mm;
+  std::vector<Stroke> added;
+  ShortEnds(model.strokes, reach, touching).find([&](const Stroke& last, bool at_from, LatticePoint to) {
+    Stroke s = last;
+    s.t_from = 0;
+    s.t_to = 1;
+    s.from = at_from ? last.from : last.to;
+    s.to = to;
+    s.z_from = s.z_to = at_from ? last.z_from : last.z_to;
+    s.w_from = s.w_to = at_from ? last.w_from : last.w_to;
+    added.push_back(s);
+  });
+  for (Stroke& s : added) {
+    model.intersections.push_back(make_source(s));
+    s.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size()) - 1;
+  }
+  cut_hidden(model.strokes, added, reach, touching);
+  model.strokes.insert(model.strokes.end(), added.begin(), added.end());
+  return added.size();
+}
+
+}  // namespace ligne

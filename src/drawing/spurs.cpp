@@ -1,0 +1,170 @@
+#include "drawing/spurs.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "drawing/key_table.hpp"
+#include "drawing/near_part.hpp"
+#include "drawing/stroke_chains.hpp"
+#include "drawing/stroke_index.hpp"
+#include "drawing/stroke_net.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: without a spur the line that it left may be part of another one.
+constexpr int kSpurRounds = 8;
+/// Adjustable: where a line is left out, another way from end to end is at most so many times as long.
+constexpr double kDetour = 2;
+
+class SpurFinder {
+ public:
+  SpurFinder(const std::vector<Stroke>& strokes, const std::function<std::uint32_t(const Stroke&)>& body_of,
+             const SpurLimits& limits, double step)
+      : net_(strokes, limits.touching_mm / step),
+        limits_(limits),
+        step_(step),
+        grid_(2 * limits.beside_mm / step, limits.beside_mm / step) {
+    const std::vector<StrokeNet::Piece>& pieces = net_.pieces();
+    body_.reserve(pieces.size());
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      const Stroke& s = pieces[i].stroke;
+      body_.push_back(s.line_class == LineClass::outline ? body_of(s) : kNoBody);
+      grid_.walk(s.from, s.to, [&](std::uint64_t cell) {
+        std::uint32_t& first = cells_[cell];
+        links_.push_back({i, first});
+        first = static_cast<std::uint32_t>(links_.size() - 1);
+        return false;
+      });
+    }
+    extents_ = body_extents(strokes, body_of);
+  }
+
+  std::size_t take_away() {
+    std::size_t count = 0;
+    for (int round = 0; round < kSpurRounds; ++round) {
+      std::vector<StrokeNet::Arc> arcs = net_.arcs();
+      std::stable_sort(arcs.begin(), arcs.end(),
+                       [](const StrokeNet::Arc& a, const StrokeNet::Arc& b) { return a.length < b.length; });
+      const std::size_t before = count;
+      for (const StrokeNet::Arc& arc : arcs) {
+        if (!is_spur(arc)) continue;
+        net_.take_away(arc);
+        ++count;
+      }
+      if (count == before) break;
+    }
+    return count;
+  }
+
+  const StrokeNet& net() const { return net_; }
+
+ private:
+  bool is_spur(const StrokeNet::Arc& arc) const {
+    const std::uint32_t body = body_[arc.pieces.front()];
+    if (body == kNoBody || arc.ends.size() != 2) return false;
+    for (const std::uint32_t i : arc.pieces) {
+      if (body_[i] != body) return false;
+    }
+    const double longest = std::min(limits_.longest_mm / step_, limits_.body_part * extents_[body]);
+    if (arc.length > limits_.beside_times * longest) return false;
+    const std::uint32_t a = net_.arms(arc.ends[0]), b = net_.arms(arc.ends[1]);
+    // An end of two arms was one of more, of which a spur was taken away: this arc is part of a longer line now.
+    if (a == 2 || b == 2) return false;
+    if (arc.length <= longest && std::min(a, b) == 1 && std::max(a, b) > 2) return true;
+    return std::ranges::all_of(arc.pieces, [&](std::uint32_t i) { return runs_beside(i, arc); }) &&
+           (std::min(a, b) == 1 || stays_connected(arc));
+  }
+
+  /// There is another way from end to end that is not much longer. Of several ways to a node the one with the fewest pieces
+  /// counts, so that a spur may stay.
+  bool stays_connected(const StrokeNet::Arc& arc) const {
+    const double longest = kDetour * (arc.length + limits_.beside_mm / step_);
+    std::vector<std::pair<std::uint32_t, double>> reached{{arc.ends[0], 0}};  // nodes
+    KeyTable place_of;                                                        // by node
+    place_of[arc.ends[0]] = 0;
+    for (std::size_t k = 0; k < reached.size(); ++k) {
+      const auto [node, length] = reached[k];
+      if (node == arc.ends[1]) return true;
+      for (const auto& [at, i] : net_.pieces_at(node)) {
+        const StrokeNet::Piece& piece = net_.pieces()[i];
+        const double further = length + page_length(piece.stroke);
+        if (!piece.alive || further > longest || std::ranges::binary_search(arc.pieces, i)) continue;
+        const std::uint32_t next = piece.from == node ? piece.to : piece.from;
+        std::uint32_t& place = place_of[next];
+        if (place != KeyTable::kNone) continue;
+        place = static_cast<std::uint32_t>(reached.size());
+        reached.emplace_back(next, further);
+      }
+    }
+    return false;
+  }
+
+  /// Its ends and its middle lie beside another line.
+  bool runs_beside(std::uint32_t i, const StrokeNet::Arc& arc) const {
+    const Stroke& s = net_.pieces()[i].stroke;
+    const LatticePoint middle{static_cast<std::int32_t>((std::int64_t{s.from.x} + s.to.x) / 2),
+                              static_cast<std::int32_t>((std::int64_t{s.from.y} + s.to.y) / 2)};
+    return lies_beside(s.from, arc) && lies_beside(middle, arc) && lies_beside(s.to, arc);
+  }
+
+  bool lies_beside(LatticePoint p, const StrokeNet::Arc& arc) const {
+    Stroke point;
+    point.from = point.to = p;
+    return grid_.walk(p, p, [&](std::uint64_t cell) {
+      for (std::uint32_t l = cells_.find(cell); l != KeyTable::kNone; l = links_[l].next) {
+        const std::uint32_t other = links_[l].piece;
+        if (!net_.pieces()[other].alive || std::ranges::binary_search(arc.pieces, other)) continue;
+        if (!part_near(net_.pieces()[other].stroke, point, limits_.beside_mm / step_).empty()) return true;
+      }
+      return false;
+    });
+  }
+
+  struct Link {
+    std::uint32_t piece, next;
+  };
+
+  StrokeNet net_;
+  SpurLimits limits_;
+  double step_;
+  SegmentGrid grid_;
+  KeyTable cells_;  // of each cell the first link
+  std::vector<Link> links_;
+  std::vector<std::uint32_t> body_;  // by piece: kNoBody but for outlines
+  std::vector<double> extents_;
+};
+
+}  // namespace
+
+std::size_t drop_spurs(StrokeModel& model, const std::function<std::uint32_t(const Stroke&)>& body_of,
+                       const SpurLimits& limits) {
+  SpurFinder finder(model.strokes, body_of, limits, model.lattice.step_mm);
+  const std::size_t count = finder.take_away();
+  if (count == 0) return 0;
+  const bool hidden_too = any_hidden(model.strokes);
+  // Strokes of which nothing was taken away stay as they are.
+  std::vector<std::uint8_t> is_cut(model.strokes.size(), 0);
+  for (const StrokeNet::Piece& piece : finder.net().pieces()) {
+    if (!piece.alive && piece.from != piece.to) is_cut[piece.of] = 1;
+  }
+  std::vector<Stroke> kept;
+  kept.reserve(model.strokes.size());
+  auto piece = finder.net().pieces().begin();
+  const auto end = finder.net().pieces().end();
+  for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
+    if (is_cut[i] == 0) kept.push_back(model.strokes[i]);
+    for (; piece != end && piece->of == i; ++piece) {
+      if (is_cut[i] == 0) continue;
+      const bool stays = piece->alive || piece->from == piece->to;
+      if (!stays && !hidden_too) continue;
+      kept.push_back(piece->stroke);
+      kept.back().visible = stays;
+    }
+  }
+  model.strokes = std::move(kept);
+  return count;
+}
+
+}  // namespace ligne

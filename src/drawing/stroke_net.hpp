@@ -1,0 +1,56 @@
+#pragma once
+/// Visible strokes as a graph: where lines end on the side of lines, too.
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "drawing/stroke.hpp"
+#include "geometry/disjoint_sets.hpp"
+
+namespace ligne {
+
+/// The strokes that are seen, cut where free ends of others lie on them.
+class StrokeNet {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  /// Of one stroke the part between two cuts, and the nodes at both.
+  struct Piece {
+    Stroke stroke;
+    std::uint32_t of;  ///< the stroke that it is a part of
+    std::uint32_t from, to;
+    bool alive = true;
+  };
+  /// Pieces that continue each other at nodes of two arms.
+  struct Arc {
+    std::vector<std::uint32_t> pieces;
+    double length = 0;                ///< lattice steps
+    std::vector<std::uint32_t> ends;  ///< nodes of one or of more than two arms; none for a ring
+  };
+
+  /// Ends that lie within `touching` steps of another line meet it. O(n + m), with m the grid cells of the side of
+  /// `touching` x 16 that lines pass.
+  StrokeNet(const std::vector<Stroke>& strokes, double touching);
+
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Of pieces that are alive.
+  std::uint32_t arms(std::uint32_t node) const { return arms_[node]; }
+  /// All pieces at a node, each with the node.
+  std::span<const std::pair<std::uint32_t, std::uint32_t>> pieces_at(std::uint32_t node) const {
+    const auto begin = std::lower_bound(at_node_.begin(), at_node_.end(), std::pair(node, 0u));
+    return {begin, std::upper_bound(begin, at_node_.end(), std::pair(node, kNone))};
+  }
+  /// Of pieces that are alive, by their lowest piece.
+  std::vector<Arc> arcs() const;
+  void take_away(const Arc& arc);
+
+ private:
+  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> arms_;  ///< by node
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> at_node_;
+};
+
+}  // namespace ligne
