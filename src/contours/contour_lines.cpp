@@ -8,6 +8,7 @@
 
 #include "contours/contour_sights.hpp"
 #include "contours/outline_probes.hpp"
+#include "contours/shallow_islands.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -83,7 +84,8 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
   const std::vector<std::uint32_t> outlines = outline_edges(topology, projected);
   if (outlines.empty()) return contours;
   const View& view = projected.view;
-  const SmoothPatch patch = smooth_patch(scene, topology, view.camera, outlines, options.borders);
+  SmoothPatch patch = smooth_patch(scene, topology, view.camera, outlines, options.borders);
+  level_shallow_islands(patch, scene, view.camera, options.scans);
   const std::vector<OutlineSide> sides = outline_sides(topology, patch, outlines);
   ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, view.camera, patch), sides,
                                          kCoarseInPens * options.pen_width_mm);

@@ -2,15 +2,18 @@
 /// Smooth contours in place of the outlines of a mesh: the way into a study. docs/smooth-contours.md.
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "contours/contour_chains.hpp"
+#include "scene/creases/trace_creases.hpp"
 #include "view/projected_scene.hpp"
 
 namespace ligne {
 
 struct ContourOptions {
   RegionBorders borders{};
+  std::span<const ScanObject> scans{};
   double pen_width_mm = 0.35;  ///< what is smaller on the page is no shape
 };
 

@@ -43,6 +43,7 @@ bool draws_contours(const LineRequest& lines) {
 /// Clear lines draw the outlines of smooth regions as contours of the shape; their borders are the creases that were found.
 ContourOptions contour_options(const PictureRequest& request, const Creases& creases) {
   return {{request.lines.crease_degrees, creases.is_crease.empty() ? nullptr : &creases.is_crease},
+          creases.scans,
           request.page.pen_width_mm};
 }
 
