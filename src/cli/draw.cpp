@@ -4,11 +4,13 @@
 
 #include "cli/fill_options.hpp"
 #include "cli/hatch_options.hpp"
+#include "cli/messages.hpp"
 #include "cli/mixed_scene_options.hpp"
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
+#include "files/message_text.hpp"
 #include "picture/clear/clear_creases.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/draw_scene.hpp"
@@ -109,6 +111,36 @@ void put_behind(const ZBuffer& buffer, LoadedModels& models) {
   models.topology.reset();
 }
 
+/// The part of the model that is drawn, where it is to be streamed; `request` is then told what else is needed.
+std::optional<LoadedModels> stream(const DrawOptions& options, const ModelRequest& model, PictureRequest& request,
+                                   RunReport& run, RunFiles& files) {
+  const bool one_picture = options.frames.count == 1 && options.zbuffer_add.empty() && options.zbuffer_save.empty() &&
+                           height_count(options.surfaces) == 0;
+  if (!one_picture) {
+    if (options.streaming != Streaming::on) return std::nullopt;
+    throw RequestError("stream", "is of one picture of one model");
+  }
+  const std::unique_ptr<TriangleFile> file = file_to_stream(options.streaming, model, request);
+  if (!file) return std::nullopt;
+  files.were_read(file->report().files);
+  std::string why;
+  std::optional<StreamedModel> streamed = stream_model(*file, request, run, why);
+  if (!streamed) {
+    if (options.streaming != Streaming::on) return std::nullopt;
+    throw RequestError("stream", printable(file->name(), kLongestPath) + " can not be streamed: " + why);
+  }
+  request.lines.method = find_method("appel");
+  request.blank = std::move(streamed->blank);
+  if (!options.run.quiet) warn(streamed->models.files.front().name, streamed->models.files.front().warnings);
+  return std::move(streamed->models);
+}
+
+LoadedModels load(const DrawOptions& options, const ModelRequest& model, PictureRequest& request, RunReport& run,
+                  RunFiles& files) {
+  if (std::optional<LoadedModels> streamed = stream(options, model, request, run, files)) return std::move(*streamed);
+  return timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
+}
+
 void draw(const DrawOptions& options, PictureRequest request) {
   const bool as_pages = request.output.format == OutputFormat::pdf && !has_number_place(*options.output.file);
   const std::vector<std::string> outputs = numbered_names(*options.output.file, as_pages ? 1 : options.frames.count);
@@ -126,8 +158,7 @@ void draw(const DrawOptions& options, PictureRequest request) {
   model.unit_mm = request.page.unit_mm;
   model.tell_parts =
       request.output.group_objects || !request.output.colors.empty() || !request.plotter.pens.pen_of_object.empty();
-  LoadedModels models =
-      timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
+  LoadedModels models = load(options, model, request, run, files);
   add_surfaces(options.surfaces, models, request, run);
   files.were_read(run.files);
   ZBuffer buffer;
@@ -186,6 +217,13 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_hatch_options(draw, picture.hatch);
   add_plotter_options(draw, options.plotter);
   add_run_options(draw, options.run);
+  OptionGroup(draw, "Work")
+      .add(
+          "--stream", "HOW", options.streaming,
+          [](const std::string& text) { return static_cast<Streaming>(parse_choice(text, kStreamingNames)); },
+          "binary STL and PLY with --quality exact, read several times and never stored as a whole: on, off; auto: where "
+          "the model would take more than half of --max-memory")
+      .standard("auto");
 }
 
 void run_draw(const DrawOptions& options) {

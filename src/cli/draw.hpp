@@ -7,6 +7,7 @@
 #include "cli/plotter_options.hpp"
 #include "cli/run_options.hpp"
 #include "picture/frames.hpp"
+#include "picture/stream/streamed_model.hpp"
 #include "picture/surface/surface_request.hpp"
 
 namespace CLI {
@@ -25,6 +26,7 @@ struct DrawOptions {
   OutputOptions output;
   PlotterOptions plotter;
   RunOptions run;
+  Streaming streaming = Streaming::automatic;
 };
 
 /// Adds the command; it runs when the command line names it. `options` must outlive the parse.

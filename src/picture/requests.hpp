@@ -27,6 +27,7 @@
 
 namespace ligne {
 
+struct BlankSquares;
 class CompiledScene;
 class Method;
 struct LineGroups;
@@ -232,6 +233,7 @@ struct PictureRequest {
   std::shared_ptr<const CompiledScene> compiled{};  ///< of the scene, by the method; nullptr: it is made when it is needed
   Keep keep = Keep::nothing;                        ///< what the study leaves is wanted for that
   std::shared_ptr<const KeptStudy> earlier{};       ///< what an earlier one has left, by the method; nullptr: nothing
+  std::shared_ptr<const BlankSquares> blank{};      ///< of a streamed scene (streamed_model.hpp); nullptr: there are none
   MemoryLimit memory{};
   std::function<void(double)> progress{};  ///< called with the fraction of the study done, from one thread at a time
 };

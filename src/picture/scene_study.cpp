@@ -15,6 +15,7 @@
 #include "picture/light/lighting.hpp"
 #include "picture/line_groups.hpp"
 #include "picture/marks/point_marks.hpp"
+#include "picture/stream/streamed_model.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -78,6 +79,13 @@ std::string faces_text(const Scene& scene) {
 double least_bytes(const Scene& scene) {
   return static_cast<double>(scene.vertices.size() * sizeof(ProjectedScene::vertices[0]) +
                              scene.faces.size() * sizeof(Topology::triangles[0]));
+}
+
+/// Whether the order of strokes must not depend on what is hidden: where the model is streamed, or could be. Other drawings
+/// keep the order that they had before.
+bool coincide_by_sight(const PictureRequest& request, const Scene& scene) {
+  return request.blank || (scene.faces.size() >= kFewestStreamedFaces && request.lines.quality == Quality::exact &&
+                           request.lines.hidden == HiddenLines::none);
 }
 
 }  // namespace
@@ -189,6 +197,8 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
     options.compiled = request.compiled.get();
     options.keep = request.keep;
     options.earlier = request.earlier.get();
+    options.blank = request.blank.get();
+    options.coincide_by_sight = coincide_by_sight(request, prepared.scene);
     if (request.lines.method) return prepared.method.study(projected, options);
     ChosenStudy choice = study_by_choice(request, projected, options);
     found.method = choice.method;

@@ -14,9 +14,8 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kCrowd = 16;  ///< adjustable: so many vertices in a cube are left alone
 /// A crowd may lie where squares of the page meet; in one of four it still has more than this.
-constexpr std::size_t kPartOfCrowd = kCrowd / 4;
+constexpr std::size_t kPartOfCrowd = kCrowdOfVertices / 4;
 
 using Cube = std::array<double, 3>;
 
@@ -144,7 +143,7 @@ void gather_crowds(std::vector<ProjectedVertex>& vertices, double side_steps, do
   const std::vector<std::uint32_t> near = candidates(vertices, side);
   if (near.empty()) return;
   Cubes cubes(vertices, near, side);
-  for (const std::size_t g : cubes.larger_than(kCrowd)) {
+  for (const std::size_t g : cubes.larger_than(kCrowdOfVertices)) {
     if (cubes.taken[g]) continue;
     const ProjectedVertex to = cubes.members[cubes.groups[g].begin].place;
     cubes.take_around(g, [&](std::uint32_t v) { vertices[v] = to; });

@@ -7,6 +7,9 @@
 
 namespace ligne {
 
+/// Adjustable: so many vertices in a cube are left alone.
+inline constexpr std::size_t kCrowdOfVertices = 16;
+
 /// Gives all vertices of a crowd one place and depth. A crowd is more than sixteen vertices in a cube of the given side,
 /// with those in the cubes around it; the fullest cube gathers first, so no vertex moves by more than two sides along an
 /// axis, and what is no crowd stays as it is. Each pair of the faces of a crowd would be just within the tolerances of each

@@ -25,9 +25,14 @@ double product_sizes(const Point3& a, const Point3& b, const Point3& c) {
   return (p.y * q.z + p.z * q.y) * s.x + (p.z * q.x + p.x * q.z) * s.y + (p.x * q.y + p.y * q.x) * s.z;
 }
 
-/// Is the triangle seen edge on? See the header for `precision`, e, and `rounding`, d.
-bool seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Camera& camera, double precision,
-                  double rounding) {
+}  // namespace
+
+double sight_rounding(const Camera& camera, double largest) {
+  return kSightRounding * std::max(sum_of_sizes(camera.eye), largest);
+}
+
+bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Camera& camera, double precision,
+                     double rounding) {
   const Point3 pq = q - p, pr = r - p, normal = glm::cross(pq, pr);
   const Point3 sight = camera.perspective ? p - camera.eye : camera.forward;
   const double product = std::abs(glm::dot(normal, sight)) - kMixedProductRounding * product_sizes(pq, pr, sight);
@@ -40,12 +45,10 @@ bool seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Camer
   return product <= precision * sum_of_sizes(normal) + rounding * (moved(b, c) + moved(c, sight) + moved(sight, b));
 }
 
-}  // namespace
-
 std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera) {
-  double largest = sum_of_sizes(camera.eye);
+  double largest = 0;
   for (const Point3& v : scene.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const double rounding = kSightRounding * largest;
+  const double rounding = sight_rounding(camera, largest);
   // A face is seen edge on when all its triangles are.
   const std::vector<Triangle>& triangles = topology.triangles;
   std::vector<std::uint8_t> edge_on(triangles.size());
@@ -60,7 +63,7 @@ std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology&
       const Triangle& t = triangles[i];
       while (t.face >= scene.objects[object].face_end) ++object;
       const Point3 &p = scene.vertices[t.v[0]], &q = scene.vertices[t.v[1]], &r = scene.vertices[t.v[2]];
-      edge_on[i] = seen_edge_on(p, q, r, camera, scene.objects[object].precision, rounding);
+      edge_on[i] = is_seen_edge_on(p, q, r, camera, scene.objects[object].precision, rounding);
       found = found || edge_on[i];
     }
     if (found) any = true;

@@ -24,7 +24,7 @@ double input_error_mm(const Scene& scene, const View& view) {
   for (const Object& object : scene.objects) error = std::max(error, object.precision);
   double largest = 0;
   for (const Point3& v : scene.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  return view.scale * std::max(error, kProjectionRounding * largest);
+  return projected_error_mm(view, error, largest);
 }
 
 ProjectedVertex to_vertex(const HomogeneousPoint& p, const Lattice& lattice) {
@@ -160,6 +160,10 @@ void select_edges(const Scene& scene, const Topology& topology, const Camera& ca
 }
 
 }  // namespace
+
+double projected_error_mm(const View& view, double precision, double largest) {
+  return view.scale * std::max(precision, kProjectionRounding * largest);
+}
 
 std::vector<std::uint8_t> transparent_faces(const Scene& scene) {
   const auto transparent = [&](std::uint32_t material) {

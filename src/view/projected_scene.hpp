@@ -79,6 +79,9 @@ struct ProjectedScene {
 /// and classifies the edges.
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection);
 
+/// ProjectedScene::input_error_mm of coordinates of that precision (Object::precision) and size.
+double projected_error_mm(const View& view, double precision, double largest);
+
 /// Per face of the scene 1 when its material is transparent, else 0; empty when there is no such material.
 std::vector<std::uint8_t> transparent_faces(const Scene& scene);
 

@@ -19,6 +19,7 @@
 
 namespace ligne {
 
+struct BlankSquares;
 class ByteReader;
 class ByteWriter;
 
@@ -62,6 +63,9 @@ struct StudyOptions {
   const CompiledScene* compiled = nullptr;  ///< by this method's compile(), of the model that is projected; or nullptr
   Keep keep = Keep::nothing;                ///< what VisibilityResult::kept is wanted for
   const KeptStudy* earlier = nullptr;       ///< kept by an earlier study; or nullptr
+  const BlankSquares* blank = nullptr;      ///< where no line is seen, whatever the scene says; for `appel`; or nullptr
+  /// Stroke::may_coincide is told by what is seen alone, whatever is hidden; for `appel`.
+  bool coincide_by_sight = false;
 };
 
 /// What was found. Models that a method does not produce stay empty.

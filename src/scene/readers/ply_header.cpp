@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "scene/readers/load_bytes.hpp"
 #include "scene/readers/text_lines.hpp"
 
 namespace ligne {
@@ -143,6 +144,28 @@ std::size_t PlyElement::find(std::initializer_list<const char*> names) const {
 
 PlyHeader read_ply_header(std::span<const std::byte> bytes, const std::string& name) {
   return HeaderReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name).read();
+}
+
+double load_ply_number(const std::byte* p, PlyType type, std::endian order) {
+  switch (type) {
+    case PlyType::int8:
+      return load_bytes<std::int8_t>(p, order);
+    case PlyType::uint8:
+      return load_bytes<std::uint8_t>(p, order);
+    case PlyType::int16:
+      return load_bytes<std::int16_t>(p, order);
+    case PlyType::uint16:
+      return load_bytes<std::uint16_t>(p, order);
+    case PlyType::int32:
+      return load_bytes<std::int32_t>(p, order);
+    case PlyType::uint32:
+      return load_bytes<std::uint32_t>(p, order);
+    case PlyType::float32:
+      return load_bytes<float>(p, order);
+    case PlyType::float64:
+      break;
+  }
+  return load_bytes<double>(p, order);
 }
 
 }  // namespace ligne

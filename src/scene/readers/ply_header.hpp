@@ -1,6 +1,7 @@
 #pragma once
 /// The header of a PLY file (G. Turk, "The PLY Polygon File Format", 1994).
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -17,6 +18,9 @@ enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, f
 
 std::size_t byte_size(PlyType type);
 constexpr bool is_float(PlyType type) { return type >= PlyType::float32; }
+
+/// The number of that type stored at p.
+double load_ply_number(const std::byte* p, PlyType type, std::endian order);
 
 struct PlyProperty {
   std::string name;

@@ -28,28 +28,6 @@ struct PlyValue {
   int digits = 0;  ///< significant digits as written; 0 in binary files
 };
 
-double load_number(const std::byte* p, PlyType type, std::endian order) {
-  switch (type) {
-    case PlyType::int8:
-      return load_bytes<std::int8_t>(p, order);
-    case PlyType::uint8:
-      return load_bytes<std::uint8_t>(p, order);
-    case PlyType::int16:
-      return load_bytes<std::int16_t>(p, order);
-    case PlyType::uint16:
-      return load_bytes<std::uint16_t>(p, order);
-    case PlyType::int32:
-      return load_bytes<std::int32_t>(p, order);
-    case PlyType::uint32:
-      return load_bytes<std::uint32_t>(p, order);
-    case PlyType::float32:
-      return load_bytes<float>(p, order);
-    case PlyType::float64:
-      break;
-  }
-  return load_bytes<double>(p, order);
-}
-
 std::string of_element(const PlyElement& element, std::uint64_t item) {
   return printable(element.name) + " " + std::to_string(item) + " of " + std::to_string(element.count);
 }
@@ -107,7 +85,7 @@ class BinaryData {
   }
   PlyValue take(PlyType type) {
     need(1, byte_size(type));
-    const double value = load_number(rest_.data(), type, order_);
+    const double value = load_ply_number(rest_.data(), type, order_);
     rest_ = rest_.subspan(byte_size(type));
     return {value, 0};
   }

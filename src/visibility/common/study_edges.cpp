@@ -80,7 +80,8 @@ VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& op
       };
     }
     const auto search =
-        std::make_shared<VisibleParts>(scene, facets.facets, grid, coincidence_steps, &totals, known ? &*known : nullptr);
+        std::make_shared<VisibleParts>(scene, facets.facets, grid, coincidence_steps, &totals, known ? &*known : nullptr,
+                                       options.blank, options.coincide_by_sight && !ranks);
     return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
       parts = search->find(line);
       return search->near_side();

@@ -7,6 +7,7 @@
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/face_ranks.hpp"
 #include "visibility/common/open_parts.hpp"
+#include "visibility/common/page_squares.hpp"
 
 namespace ligne {
 
@@ -34,14 +35,18 @@ struct TestTotals {
 class VisibleParts {
  public:
   /// `totals` gets the counts in the end; none where nobody asks for them. `ranks`: an order of the faces, if there is one.
+  /// `blank`: where no line is seen, if it is known. `by_sight`: see find().
   VisibleParts(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double coincidence_steps,
-               TestTotals* totals = nullptr, const FaceRanks* ranks = nullptr)
+               TestTotals* totals = nullptr, const FaceRanks* ranks = nullptr, const BlankSquares* blank = nullptr,
+               bool by_sight = false)
       : vertices_(scene.vertices.data()),
         facets_(facets.data()),
         grid_(grid),
         coincidence_steps_(coincidence_steps),
         totals_(totals),
-        ranks_(ranks) {}
+        ranks_(ranks),
+        blank_(blank),
+        by_sight_(by_sight) {}
   VisibleParts(const VisibleParts&) = delete;
   VisibleParts& operator=(const VisibleParts&) = delete;
   ~VisibleParts() {
@@ -52,7 +57,8 @@ class VisibleParts {
 
   /// Finds the visible parts of the line, in order, disjoint; parts that touch are one. They are the caller's to change
   /// until the next call. Afterwards near_side()
-  /// says whether a side of a facet in front of the line or level with it lies along the line.
+  /// says whether a side of a facet in front of the line or level with it lies along the line; `by_sight`: along what
+  /// is seen of it, whatever is hidden and whatever cells the line passes.
   std::vector<LinePart>& find(const PageLine& line);
   bool near_side() const { return near_side_; }
 
@@ -60,6 +66,7 @@ class VisibleParts {
   void search_leaf(const PageLine& line, const Cell& cell, const CellSquare& square, double from, double to);
 
   bool has_side_along(const PageLine& line, const Facet& facet) const;
+  bool has_side_along_part(const PageLine& line, const Facet& facet) const;
 
   bool is_own(const PageLine& line, std::uint32_t facet) const {
     return facets_[facet].face == line.face0 || facets_[facet].face == line.face1;
@@ -72,9 +79,12 @@ class VisibleParts {
   TestTotals* totals_;
   const FaceRanks* ranks_;
   std::uint32_t rank_ = 0;  ///< of the line at hand
+  const BlankSquares* blank_;
+  bool by_sight_;
   bool near_side_ = false;
-  std::vector<LinePart> parts_;  ///< found so far, along the whole line
-  OpenParts open_;               ///< not yet hidden, in the leaf at hand
+  std::vector<std::uint32_t> near_;  ///< facets with a side along the line, seen or not, maybe repeated
+  std::vector<LinePart> parts_;      ///< found so far, along the whole line
+  OpenParts open_;                   ///< not yet hidden, in the leaf at hand
   TestCounts counts_;
 };
 

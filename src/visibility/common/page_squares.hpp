@@ -1,0 +1,41 @@
+#pragma once
+/// The page cut into squares, and those of them in which no line is seen.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/lattice.hpp"
+#include "visibility/common/open_parts.hpp"
+
+namespace ligne {
+
+/// Squares of a whole, even number of lattice steps.
+struct PageSquares {
+  std::int64_t x = 0, y = 0, size = 2;  ///< of the first one, and of all
+  std::int64_t columns = 1, rows = 1;
+
+  std::size_t count() const { return static_cast<std::size_t>(columns * rows); }
+  std::int64_t column_of(std::int64_t at) const { return clamped(at - x, columns); }
+  std::int64_t row_of(std::int64_t at) const { return clamped(at - y, rows); }
+  std::size_t number(std::int64_t column, std::int64_t row) const {
+    return static_cast<std::size_t>(row * columns + column);
+  }
+
+ private:
+  std::int64_t clamped(std::int64_t offset, std::int64_t n) const {
+    const std::int64_t i = offset < 0 ? 0 : offset / size;
+    return i < n ? i : n - 1;
+  }
+};
+
+/// Of a scene that is part of a model: the squares in which something that is not in the scene hides every line.
+struct BlankSquares {
+  PageSquares squares;
+  std::vector<std::uint8_t> blank;  ///< by number
+
+  /// Takes from the parts of a line what lies in blank squares.
+  void take_from(std::vector<LinePart>& parts, const PageLine& line) const;
+};
+
+}  // namespace ligne

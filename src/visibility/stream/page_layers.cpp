@@ -1,0 +1,178 @@
+#include "visibility/stream/page_layers.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "geometry/parallel.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr auto kRelaxed = std::memory_order_relaxed;
+
+/// A side of a facet from its lower end to its upper one: both facets of a side have the same.
+struct StreamSide {
+  LatticePoint from, to;
+  std::uint64_t number;  ///< added to the sum: negative where the facet has it from the upper end
+
+  StreamSide(const StreamFacet& f, int k) {
+    const int next = k == 2 ? 0 : k + 1;
+    const bool forward = f.p[k] < f.p[next];
+    const int a = forward ? k : next, b = forward ? next : k;
+    from = f.p[a];
+    to = f.p[b];
+    const std::uint64_t both = f.corner[a] * 0x9e3779b97f4a7c15u + std::rotl(f.corner[b] * 0xc2b2ae3d27d4eb4fu, 32);
+    const std::uint64_t side = (both ^ (both >> 29)) * 0xbf58476d1ce4e5b9u;
+    number = forward ? side : std::uint64_t{0} - side;
+  }
+};
+
+/// A square and what lies round it.
+struct WideSquare {
+  double left, right, top, bottom;
+  WideSquare(double x, double y, double size, double margin)
+      : left(x - margin), right(x + size + margin), top(y - margin), bottom(y + size + margin) {}
+
+  /// Whether the side has a point in it. The same for both facets of the side, whatever is rounded.
+  bool meets(const StreamSide& s) const {
+    if (std::max(s.from.x, s.to.x) < left || std::min(s.from.x, s.to.x) > right) return false;
+    if (std::max(s.from.y, s.to.y) < top || std::min(s.from.y, s.to.y) > bottom) return false;
+    const double dx = double(s.to.x) - s.from.x, dy = double(s.to.y) - s.from.y;
+    const double x = (left + right) / 2, y = (top + bottom) / 2;
+    const double centre = dx * (y - s.from.y) - dy * (x - s.from.x);
+    return std::abs(centre) <= (std::abs(dx) * (bottom - top) + std::abs(dy) * (right - left)) / 2;
+  }
+};
+
+/// Whether the facet, which is plain, lies over the point. Of the facets round it one does, also where it lies on a side:
+/// the point counts as moved a little to the right, and much less down.
+bool is_over(const StreamFacet& f, double x, double y) {
+  for (int k = 0; k < 3; ++k) {
+    const LatticePoint a = f.p[k], b = f.p[k == 2 ? 0 : k + 1];
+    const double dx = double(b.x) - a.x, dy = double(b.y) - a.y;
+    const double e = dx * (y - a.y) - dy * (x - a.x);
+    if (e < 0 || (e == 0 && !(dy < 0 || (dy == 0 && dx > 0)))) return false;
+  }
+  return true;
+}
+
+std::uint64_t slices_of(const StreamFacet& f) { return (~std::uint64_t{0} >> (63 - (f.farthest - f.nearest))) << f.nearest; }
+
+}  // namespace
+
+/// Calls visit(square, sum of the sides in it, over) for the squares that a facet meets.
+template <class Visit>
+void PageLayers::for_each_square(const StreamFacet& f, Visit visit) const {
+  const std::int64_t left = std::min({f.p[0].x, f.p[1].x, f.p[2].x}), right = std::max({f.p[0].x, f.p[1].x, f.p[2].x});
+  const std::int64_t top = std::min({f.p[0].y, f.p[1].y, f.p[2].y}), bottom = std::max({f.p[0].y, f.p[1].y, f.p[2].y});
+  const std::int64_t column0 = squares_.column_of(left - margin_), column1 = squares_.column_of(right + margin_);
+  const std::int64_t row0 = squares_.row_of(top - margin_), row1 = squares_.row_of(bottom + margin_);
+  const StreamSide sides[3] = {{f, 0}, {f, 1}, {f, 2}};
+  const bool plain = f.kind == StreamFacet::Kind::plain;
+  const auto over_middle = [&](std::int64_t x, std::int64_t y) {
+    const std::int64_t mx = x + squares_.size / 2, my = y + squares_.size / 2;
+    if (!plain || mx < left || mx > right || my < top || my > bottom) return false;
+    return is_over(f, static_cast<double>(mx), static_cast<double>(my));
+  };
+  for (std::int64_t row = row0; row <= row1; ++row) {
+    for (std::int64_t column = column0; column <= column1; ++column) {
+      const std::int64_t x = squares_.x + column * squares_.size, y = squares_.y + row * squares_.size;
+      const bool over = over_middle(x, y);
+      if (column0 == column1 && row0 == row1) {
+        visit(squares_.number(column, row), sides[0].number + sides[1].number + sides[2].number, over);
+        return;
+      }
+      const WideSquare square(static_cast<double>(x), static_cast<double>(y), static_cast<double>(squares_.size),
+                              static_cast<double>(margin_));
+      std::uint64_t sum = 0;
+      bool meets = over;
+      for (const StreamSide& side : sides) {
+        if (!square.meets(side)) continue;
+        sum += side.number;
+        meets = true;
+      }
+      if (meets) visit(squares_.number(column, row), sum, over);
+    }
+  }
+}
+
+void PageLayers::add_depths(const StreamFacet& facet) {
+  for_each_square(facet, [&](std::size_t number, std::uint64_t, bool) {
+    std::atomic<std::uint64_t>& slices = of_[number].slices;
+    const std::uint64_t mine = slices_of(facet);
+    if ((slices.load(kRelaxed) & mine) != mine) slices.fetch_or(mine, kRelaxed);
+  });
+}
+
+void PageLayers::find_layers() {
+  parallel_blocks(of_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      std::uint64_t left = of_[i].slices.load(kRelaxed), ends = 0;
+      for (int layer = 0; layer < 2; ++layer) {
+        std::uint64_t last = kNoSlice;
+        if (left != 0) {
+          const int first = std::countr_zero(left);
+          const int length = std::countr_one(left >> first);
+          last = static_cast<std::uint64_t>(first + length - 1);
+          left = last == kSlices - 1 ? 0 : left >> (last + 1) << (last + 1);
+        }
+        ends |= last << (8 * layer);
+      }
+      of_[i].slices.store(ends, kRelaxed);
+    }
+  });
+}
+
+void PageLayers::add(const StreamFacet& facet) {
+  for_each_square(facet, [&](std::size_t number, std::uint64_t sum, bool over) {
+    Square& square = of_[number];
+    const int layer = facet.farthest <= layer_end(square, 0) ? 0 : facet.farthest <= layer_end(square, 1) ? 1 : 2;
+    if (layer == 2) return;
+    if (facet.kind == StreamFacet::Kind::plain) {
+      square.sum[static_cast<std::size_t>(layer)].fetch_add(sum, kRelaxed);
+      if (over) square.over[static_cast<std::size_t>(layer)].fetch_add(1, kRelaxed);
+    }
+    if (layer == 1) return;
+    std::uint64_t looks = square.looks.load(kRelaxed);
+    for (;;) {
+      const std::uint64_t all = put_together(looks, facet.looks);
+      if (all == looks || square.looks.compare_exchange_weak(looks, all, kRelaxed)) return;
+    }
+  });
+}
+
+void PageLayers::find_covers(bool blanks, double crease_cosine) {
+  blank_.assign(of_.size(), 0);
+  parallel_blocks(of_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Square& square = of_[i];
+      std::uint8_t cover = kNoSlice;
+      for (std::size_t layer = 2; layer-- > 0;) {
+        if (square.sum[layer].load(kRelaxed) == 0 && square.over[layer].load(kRelaxed) > 0) {
+          cover = layer_end(square, static_cast<int>(layer));
+        }
+      }
+      const bool once = square.sum[0].load(kRelaxed) == 0 && square.over[0].load(kRelaxed) == 1;
+      blank_[i] = blanks && once && look_alike(square.looks.load(kRelaxed), crease_cosine);
+      square.slices.store(cover, kRelaxed);
+    }
+  });
+}
+
+bool PageLayers::can_be_left_out(const StreamFacet& facet) const {
+  bool can = true;
+  for_each_square(facet, [&](std::size_t number, std::uint64_t, bool) {
+    can = can && (blank_[number] || facet.nearest > layer_end(of_[number], 0));
+  });
+  return can;
+}
+
+BlankSquares PageLayers::take_blank() {
+  std::vector<Square>().swap(of_);
+  return {squares_, std::move(blank_)};
+}
+
+std::size_t PageLayers::blank_count() const { return static_cast<std::size_t>(std::ranges::count(blank_, 1)); }
+
+}  // namespace ligne
