@@ -25,7 +25,8 @@ class SpurFinder {
       : net_(strokes, limits.touching_mm / step),
         limits_(limits),
         step_(step),
-        grid_(2 * limits.beside_mm / step, limits.beside_mm / step) {
+        grid_(2 * limits.beside_mm / step, limits.beside_mm / step),
+        node_grid_(2 * limits.gap_mm / step, limits.gap_mm / step) {
     const std::vector<StrokeNet::Piece>& pieces = net_.pieces();
     body_.reserve(pieces.size());
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
@@ -37,6 +38,14 @@ class SpurFinder {
         first = static_cast<std::uint32_t>(links_.size() - 1);
         return false;
       });
+      for (const bool at_from : {true, false}) {
+        const std::uint32_t node = at_from ? pieces[i].from : pieces[i].to;
+        if (!pieces[i].alive) continue;
+        const LatticePoint p = at_from ? s.from : s.to;
+        std::uint32_t& first = node_cells_[node_grid_.cell_of(p)];
+        places_.push_back({node, first, p});
+        first = static_cast<std::uint32_t>(places_.size() - 1);
+      }
     }
     extents_ = body_extents(strokes, body_of);
   }
@@ -71,22 +80,65 @@ class SpurFinder {
     if (arc.length > limits_.beside_times * longest) return false;
     const std::uint32_t a = net_.arms(arc.ends[0]), b = net_.arms(arc.ends[1]);
     // An end of two arms was one of more, of which a spur was taken away: this arc is part of a longer line now.
-    if (a == 2 || b == 2) return false;
+    if (a == 2 || b == 2 || bridges_a_gap(arc)) return false;
     if (arc.length <= longest && std::min(a, b) == 1 && std::max(a, b) > 2) return true;
     return std::ranges::all_of(arc.pieces, [&](std::uint32_t i) { return runs_beside(i, arc); }) &&
            (std::min(a, b) == 1 || stays_connected(arc));
   }
 
-  /// There is another way from end to end that is not much longer. Of several ways to a node the one with the fewest pieces
-  /// counts, so that a spur may stay.
+  /// Lines that end near a free end of the arc have no other way to where its other end leads: they are one line with a gap.
+  bool bridges_a_gap(const StrokeNet::Arc& arc) const {
+    const std::vector<std::uint32_t> at[2] = {nodes_near(arc, 0), nodes_near(arc, 1)};
+    return !at[0].empty() && !at[1].empty() && !are_connected(at[0], at[1], arc, limits_.gap_mm / step_);
+  }
+
+  /// The nodes of other lines within a gap of a free end, in order; the end itself where it is not free.
+  std::vector<std::uint32_t> nodes_near(const StrokeNet::Arc& arc, std::size_t end) const {
+    std::vector<std::uint32_t> near;
+    if (net_.arms(arc.ends[end]) > 1) return {arc.ends[end]};
+    const auto at = net_.pieces_at(arc.ends[end]);
+    const auto own = std::ranges::find_if(at, [&](const auto& a) { return net_.pieces()[a.second].alive; });
+    const StrokeNet::Piece& piece = net_.pieces()[own->second];
+    const LatticePoint p = piece.from == arc.ends[end] ? piece.stroke.from : piece.stroke.to;
+    const double gap = limits_.gap_mm / step_;
+    node_grid_.walk(p, p, [&](std::uint64_t cell) {
+      for (std::uint32_t l = node_cells_.find(cell); l != KeyTable::kNone; l = places_[l].next) {
+        const NodePlace& other = places_[l];
+        const double dx = double(other.p.x) - p.x, dy = double(other.p.y) - p.y;
+        if (dx * dx + dy * dy <= gap * gap && goes_on_without(other.node, arc)) near.push_back(other.node);
+      }
+      return false;
+    });
+    std::sort(near.begin(), near.end());
+    return near;
+  }
+
+  /// The node has a piece of another arc.
+  bool goes_on_without(std::uint32_t node, const StrokeNet::Arc& arc) const {
+    return std::ranges::any_of(net_.pieces_at(node), [&](const auto& at) {
+      return net_.pieces()[at.second].alive && !std::ranges::binary_search(arc.pieces, at.second);
+    });
+  }
+
+  /// There is another way from end to end that is not much longer.
   bool stays_connected(const StrokeNet::Arc& arc) const {
-    const double longest = kDetour * (arc.length + limits_.beside_mm / step_);
-    std::vector<std::pair<std::uint32_t, double>> reached{{arc.ends[0], 0}};  // nodes
-    KeyTable place_of;                                                        // by node
-    place_of[arc.ends[0]] = 0;
+    return are_connected({arc.ends[0]}, {arc.ends[1]}, arc, limits_.beside_mm / step_);
+  }
+
+  /// From one node of `from` to one of `to`, which are in order, there is a way that is not by the arc and not much longer
+  /// than it and `more`. Of several ways to a node the one with the fewest pieces counts, so that a spur may stay.
+  bool are_connected(const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to, const StrokeNet::Arc& arc,
+                     double more) const {
+    const double longest = kDetour * (arc.length + more);
+    std::vector<std::pair<std::uint32_t, double>> reached;  // nodes
+    KeyTable place_of;                                      // by node
+    for (const std::uint32_t node : from) {
+      place_of[node] = static_cast<std::uint32_t>(reached.size());
+      reached.emplace_back(node, 0);
+    }
     for (std::size_t k = 0; k < reached.size(); ++k) {
       const auto [node, length] = reached[k];
-      if (node == arc.ends[1]) return true;
+      if (std::ranges::binary_search(to, node)) return true;
       for (const auto& [at, i] : net_.pieces_at(node)) {
         const StrokeNet::Piece& piece = net_.pieces()[i];
         const double further = length + page_length(piece.stroke);
@@ -125,6 +177,10 @@ class SpurFinder {
   struct Link {
     std::uint32_t piece, next;
   };
+  struct NodePlace {
+    std::uint32_t node, next;
+    LatticePoint p;
+  };
 
   StrokeNet net_;
   SpurLimits limits_;
@@ -132,6 +188,9 @@ class SpurFinder {
   SegmentGrid grid_;
   KeyTable cells_;  // of each cell the first link
   std::vector<Link> links_;
+  SegmentGrid node_grid_;
+  KeyTable node_cells_;  // of each cell the first place
+  std::vector<NodePlace> places_;
   std::vector<std::uint32_t> body_;  // by piece: kNoBody but for outlines
   std::vector<double> extents_;
 };

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace ligne {
@@ -28,8 +29,9 @@ class Scan {
     return *this;
   }
   std::size_t drop() {
-    return drop_spurs(model, [](const Stroke& s) { return s.source < 100 ? 0u : kNoBody; },
-                      {.longest_mm = 4, .body_part = 1.0 / 32, .beside_mm = 1, .beside_times = 4, .touching_mm = 0.2});
+    return drop_spurs(
+        model, [](const Stroke& s) { return s.source < 100 ? 0u : kNoBody; },
+        {.longest_mm = 4, .body_part = 1.0 / 32, .beside_mm = 1, .beside_times = 4, .touching_mm = 0.2, .gap_mm = 1.5});
   }
 
   StrokeModel model;
@@ -44,6 +46,19 @@ TEST(Spurs, LeaveALineAndEndFreely) {
   scan.add(4, {170, 0.1}, {171, 3}, LineClass::crease);
   EXPECT_EQ(scan.drop(), 1u);
   EXPECT_EQ(scan.model.strokes.size(), 5u);
+}
+
+TEST(Spurs, AreNoneWhereTheLineGoesOnBehindAGap) {
+  Scan scan;
+  scan.model.strokes.clear();
+  // An outline bends off at a fork, and goes on after a gap; a tooth of the same size beside it is a spur.
+  scan.add(0, {0, 0}, {100, 0}).add(1, {100, 0}, {103, -1}).add(2, {100, 0}, {102, 3}).add(3, {103, 3.5}, {150, 40});
+  scan.add(4, {50, 0.1}, {52, 3}).add(5, {53, 0.1}, {53, 3});
+  EXPECT_EQ(scan.drop(), 3u);
+  std::vector<std::uint32_t> kept;
+  for (const Stroke& s : scan.model.strokes) kept.push_back(s.source);
+  EXPECT_EQ(std::ranges::count(kept, 2u), 1);
+  EXPECT_EQ(std::ranges::count(kept, 4u) + std::ranges::count(kept, 5u), 0);
 }
 
 TEST(Spurs, EndTheLineThatTheyContinue) {

@@ -31,6 +31,7 @@ constexpr double kFleckPart = 1.0 / 48;  ///< of the extent of its body
 constexpr double kSpurInPens = 12;
 constexpr double kSpurPart = 1.0 / 32;
 constexpr double kBesideInPens = 2.5;
+constexpr double kBrokenInPens = 4;   ///< a gap in an outline of a scan
 constexpr double kBesideInSpurs = 4;  ///< what runs beside a line, in spurs that do not
 
 /// The number of the scan that a stroke belongs to, kNoBody for other objects.
@@ -103,7 +104,8 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
                                                    .body_part = kSpurPart,
                                                    .beside_mm = kBesideInPens * pen_mm,
                                                    .beside_times = kBesideInSpurs,
-                                                   .touching_mm = pen_mm}));
+                                                   .touching_mm = pen_mm,
+                                                   .gap_mm = kBrokenInPens * pen_mm}));
       joined += join();
     }
     count("loose ends joined", joined);
