@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kBlock = 4096;
 // Adjustable.
 constexpr double kMostCellsPerStroke = 64;  ///< that a stroke crosses on the average, at most
-constexpr std::size_t kLeastCells = 4;  ///< of the grid of a crowded cell
+constexpr std::size_t kLeastCells = 4;      ///< of the grid of a crowded cell
 
 }  // namespace
 
