@@ -29,6 +29,7 @@ REASONS = {
     "quiet": "nothing is written to a terminal: Drawing.warnings, Scene.warnings, Plotted.warnings",
     "zbuffer-save": "files between runs of the command, for which the library has `ZBuffer` (C++)",
     "zbuffer-add": "files between runs of the command, for which the library has `ZBuffer` (C++)",
+    "stream": "the file of the command is read in parts; a Scene of the module is in memory",
     "stats": "Drawing.statistics, Plotted.statistics; compare() and study() give their times",
     "stats-json": "Drawing.statistics, Plotted.statistics; compare() and study() give their times",
     ("progress", "plot", "info", "compile"): "short work; the others call back",

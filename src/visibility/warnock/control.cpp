@@ -168,18 +168,19 @@ Control::Control(const FaceTable& table, const std::vector<PageLine>& lines, con
       no_pairs_(*table.facets, *table.vertices),
       analysis_(table, margin_, rules.drop_hidden, rules.remember_sides) {}
 
-Outcome Control::study(const Window& window, std::vector<Piece> pieces, const std::function<void(double)>& report) const {
+Outcome Control::study(const Window& window, const std::vector<Piece>& pieces,
+                       const std::function<void(double)>& report) const {
   Progress progress(report);
   Task task(*this, progress);
   if (window.empty()) return std::move(task.outcome);  // a scene without vertices
   Clock clock;
-  Lists lists = analysis_.begin(window, task.outcome.counts.analysis);
+  const Lists lists = analysis_.begin(window, task.outcome.counts.analysis);
   task.outcome.counts.analysis_seconds += clock.lap();
   if (rules_.show_windows) {
     const FramePoint a{window.u0, window.v0}, b{window.u1, window.v0}, c{window.u1, window.v1}, d{window.u0, window.v1};
     task.outcome.cuts = {{a, b}, {b, c}, {c, d}, {d, a}};
   }
-  study(window, std::move(lists), std::move(pieces), 0, 0, task);
+  study(window, lists, pieces, 0, 0, task);
   task.outcome.counts.solution += task.solution.counts();
   return std::move(task.outcome);
 }
@@ -196,7 +197,8 @@ Window Control::inner(const Window& window) const {
   return window.grown(-std::max(margin_, std::min(rules_.precision, most)));
 }
 
-void Control::study(const Window& window, Lists lists, std::vector<Piece> pieces, int depth, int stalled, Task& task) const {
+void Control::study(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, int depth, int stalled,
+                    Task& task) const {
   Counts& counts = task.outcome.counts;
   ++counts.windows;
   const auto report = [&] {
@@ -263,14 +265,16 @@ void Control::split(const Window& window, const Division& division, const Lists&
   std::array<Lists, 4> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
   task.outcome.counts.analysis_seconds += clock.lap();
   const auto study_child = [&](std::size_t k, Task& own) {
-    Lists& own_lists = child_lists[k];
+    // Freed as soon as the window is studied.
+    const Lists own_lists = std::move(child_lists[k]);
+    std::vector<Piece> own_pieces = std::move(parts[k]);
     // Pieces behind the cover are hidden.
-    std::erase_if(parts[k], [&](const Piece& p) {
+    std::erase_if(own_pieces, [&](const Piece& p) {
       return lines_[p.line].z(p.from) > own_lists.occluder_depth && lines_[p.line].z(p.to) > own_lists.occluder_depth;
     });
     const bool shorter =
         static_cast<double>(own_lists.elements.size()) < kStall * static_cast<double>(lists.elements.size());
-    study(windows[k], std::move(own_lists), std::move(parts[k]), depth + 1, shorter ? 0 : stalled + 1, own);
+    study(windows[k], own_lists, own_pieces, depth + 1, shorter ? 0 : stalled + 1, own);
   };
   if (lists.elements.size() + pieces.size() < kParallelLoad) {
     for (std::size_t k = 0; k < 4; ++k) {

@@ -110,13 +110,14 @@ class Control {
 
   /// Studies the window with these pieces of lines. `progress` may be empty; it is called with the studied part of the
   /// window, from one thread at a time.
-  Outcome study(const Window& window, std::vector<Piece> pieces, const std::function<void(double)>& progress) const;
+  Outcome study(const Window& window, const std::vector<Piece>& pieces, const std::function<void(double)>& progress) const;
 
  private:
   struct Task;
   class Progress;
 
-  void study(const Window& window, Lists lists, std::vector<Piece> pieces, int depth, int stalled, Task& task) const;
+  void study(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, int depth, int stalled,
+             Task& task) const;
   void split(const Window& window, const Division& division, const Lists& lists, const std::vector<Piece>& pieces, int depth,
              int stalled, Task& task) const;
   void draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood,
