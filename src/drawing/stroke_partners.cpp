@@ -20,11 +20,11 @@ namespace {
 constexpr std::size_t kGrain = 4096;
 
 /// A coarse raster of the page in which strokes are marked: most strokes of a large drawing lie in no marked square, and
-/// this is found out faster than in a hash table.
+/// this is found out faster than in a hash table. A drawing of few strokes has few squares: to clear many would cost more.
 class MarkedSquares {
  public:
   MarkedSquares(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double margin)
-      : marks_(kSide * kSide, 0), margin_(margin + 1) {
+      : side_(side_for(strokes.size())), marks_(side_ * side_, 0), margin_(margin + 1) {
     for (const std::uint32_t i : of) {
       for_each_square(strokes[i], [&](std::size_t k) {
         marks_[k] = 1;
@@ -38,12 +38,18 @@ class MarkedSquares {
   }
 
  private:
-  static constexpr std::size_t kSide = 2048;
-  static constexpr double kPerStep = double(kSide) / (2.0 * kLatticeLimit + 1);
+  static constexpr double kPageSteps = 2.0 * kLatticeLimit + 1;
 
-  static std::size_t square(double v) {
+  /// About 64 squares for each stroke.
+  static std::size_t side_for(std::size_t strokes) {
+    std::size_t side = 16;
+    while (side < 2048 && side * side < 64 * strokes) side *= 2;
+    return side;
+  }
+
+  std::size_t square(double v) const {
     constexpr double limit = kLatticeLimit;
-    return static_cast<std::size_t>((std::clamp(v, -limit, limit) + limit) * kPerStep);
+    return static_cast<std::size_t>((std::clamp(v, -limit, limit) + limit) * per_step_);
   }
   /// The squares within the margin of the stroke, column by column, until visit returns true; and some beside them.
   template <class Visit>
@@ -54,7 +60,7 @@ class MarkedSquares {
     if (s.from.x != s.to.x && right - left > 1 && bottom - top > 1) return for_each_crossed(s, left, right, visit);
     for (std::size_t y = top; y <= bottom; ++y) {
       for (std::size_t x = left; x <= right; ++x) {
-        if (visit(y * kSide + x)) return true;
+        if (visit(y * side_ + x)) return true;
       }
     }
     return false;
@@ -66,16 +72,18 @@ class MarkedSquares {
     const double slope = (double(s.to.y) - s.from.y) / (double(s.to.x) - s.from.x);
     const auto y_at = [&](double x) { return std::clamp(s.from.y + (x - s.from.x) * slope, low, high); };
     for (std::size_t x = left; x <= right; ++x) {
-      const double x0 = static_cast<double>(x) / kPerStep - kLatticeLimit;
-      const double a = y_at(x0 - margin_), b = y_at(x0 + 1 / kPerStep + margin_);
+      const double x0 = static_cast<double>(x) / per_step_ - kLatticeLimit;
+      const double a = y_at(x0 - margin_), b = y_at(x0 + 1 / per_step_ + margin_);
       const std::size_t last = square(std::max(a, b) + margin_);
       for (std::size_t y = square(std::min(a, b) - margin_); y <= last; ++y) {
-        if (visit(y * kSide + x)) return true;
+        if (visit(y * side_ + x)) return true;
       }
     }
     return false;
   }
 
+  std::size_t side_;
+  double per_step_ = static_cast<double>(side_) / kPageSteps;
   std::vector<std::uint8_t> marks_;
   double margin_;
 };

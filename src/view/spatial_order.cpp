@@ -1,6 +1,8 @@
 #include "view/spatial_order.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "geometry/parallel.hpp"
@@ -19,8 +21,17 @@ std::uint32_t spread_bits(std::uint32_t v) {
 
 /// The stable order of n things by key(i) < key_count: order[k] is the k-th.
 template <class Key>
-std::vector<std::uint32_t> counting_order(std::size_t n, std::size_t key_count, Key key) {
-  std::vector<std::uint32_t> next(key_count + 1, 0), order(n);
+std::vector<std::uint32_t> stable_order(std::size_t n, std::size_t key_count, Key key) {
+  std::vector<std::uint32_t> order(n);
+  // Few things are sorted sooner than the keys are counted.
+  constexpr std::size_t kKeysPerThing = 16;  // adjustable
+  if (n * kKeysPerThing < key_count) {
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+    return order;
+  }
+  std::vector<std::uint32_t> next(key_count + 1, 0);
   for (std::size_t i = 0; i < n; ++i) ++next[key(i) + 1];
   for (std::size_t k = 0; k < key_count; ++k) next[k + 1] += next[k];
   for (std::size_t i = 0; i < n; ++i) order[next[key(i)]++] = static_cast<std::uint32_t>(i);
@@ -58,7 +69,7 @@ void order_spatially(ProjectedScene& scene) {
   {
     std::vector<std::uint32_t> number(n);
     for_each_index(n, [&](std::size_t i) { number[i] = page_square(scene.vertices[i].p); });
-    const auto order = counting_order(n, std::size_t{1} << (2 * kMortonBits), [&](std::size_t i) { return number[i]; });
+    const auto order = stable_order(n, std::size_t{1} << (2 * kMortonBits), [&](std::size_t i) { return number[i]; });
     scene.vertices = in_order(scene.vertices, order);
     for_each_index(n, [&](std::size_t k) { number[order[k]] = static_cast<std::uint32_t>(k); });
     for_each_index(scene.triangles.size(), [&](std::size_t i) {
@@ -69,12 +80,12 @@ void order_spatially(ProjectedScene& scene) {
       scene.edges[i].v1 = number[scene.edges[i].v1];
     });
   }
-  scene.triangles = in_order(scene.triangles, counting_order(scene.triangles.size(), n, [&](std::size_t i) {
+  scene.triangles = in_order(scene.triangles, stable_order(scene.triangles.size(), n, [&](std::size_t i) {
                                const auto& v = scene.triangles[i].v;
                                return std::min({v[0], v[1], v[2]});
                              }));
   const auto order =
-      counting_order(scene.edges.size(), n, [&](std::size_t i) { return std::min(scene.edges[i].v0, scene.edges[i].v1); });
+      stable_order(scene.edges.size(), n, [&](std::size_t i) { return std::min(scene.edges[i].v0, scene.edges[i].v1); });
   scene.edges = in_order(scene.edges, order);
   if (!scene.edge_parts.empty()) scene.edge_parts = in_order(scene.edge_parts, order);
 }

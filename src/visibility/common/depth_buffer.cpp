@@ -17,7 +17,8 @@
 namespace ligne::zbuffer {
 namespace {
 
-constexpr std::uint32_t kBandRows = 64;  ///< adjustable
+constexpr std::uint32_t kBandRows =
+    16;  ///< adjustable; few enough to stay in the cache while faces are painted one after the other
 /// A depth that is stored as a float, and one computed along a side and a run, are off by this part of it.
 constexpr double kFloatRounding = 0x1p-22;
 
@@ -305,7 +306,7 @@ DepthBuffer::DepthBuffer(const PixelGrid& grid, const DepthScale& scale)
     : grid_(grid),
       scale_(scale),
       depth_(std::size_t{grid.width} * grid.height, std::numeric_limits<float>::infinity()),
-      hiding_depth_(depth_),
+      hiding_depth_(depth_.size(), std::numeric_limits<float>::infinity()),
       face_(depth_.size(), kNothing) {}
 
 PaintCounts DepthBuffer::add(const ProjectedScene& scene, Filling filling, std::uint32_t first_face) {
