@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/closest_name.hpp"
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
@@ -34,12 +35,32 @@ Examples:
   ligne methods
   ligne study --list)help";
 
+/// What the command line has too much, and what was probably meant.
+std::string complaint_about_extras(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  std::vector<std::string> commands;
+  for (const CLI::App* subcommand : command.get_subcommands(nullptr)) commands.push_back(subcommand->get_name());
+  std::string text;
+  for (const std::string& extra : app.remaining(true)) {
+    const bool is_option = extra.size() > 1 && extra.front() == '-';
+    const auto meant = closest_name(extra, is_option ? names : commands);
+    text += ' ' + extra + (meant ? " (" + *meant + "?)" : "");
+  }
+  return "not known:" + text + "; see " + (chosen.empty() ? "ligne" : "ligne " + command.get_name()) + " --help";
+}
+
 /// CLI11's own complaint in our words.
-std::string complaint(const CLI::ParseError& e) {
+std::string complaint(const CLI::ParseError& e, const CLI::App& app) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&e)) return complaint_about_extras(app);
   const std::string text = e.what();
   const std::size_t colon = text.find(": ");
   if (colon == std::string::npos) return text;
-  if (dynamic_cast<const CLI::ExtrasError*>(&e)) return "not known: " + text.substr(colon + 2) + "; see ligne --help";
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&e)) {
     const bool repeated = text.find("At Most") != std::string::npos;
     return text.substr(0, colon) + (repeated ? ": given more than once" : ": its value is missing");
@@ -68,7 +89,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(with_formulas_in_parentheses(argc, argv));
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() != 0) throw UsageError(complaint(e));
+    if (e.get_exit_code() != 0) throw UsageError(complaint(e, app));
     std::ostringstream text;
     app.exit(e, text, text);
     write_output("-", text.str());
