@@ -58,7 +58,7 @@ std::string complaint_about_extras(const CLI::App& app) {
 /// CLI11's own complaint in our words.
 std::string complaint(const CLI::ParseError& e, const CLI::App& app) {
   if (dynamic_cast<const CLI::ExtrasError*>(&e)) return complaint_about_extras(app);
-  const std::string text = e.what();
+  std::string text = e.what();
   const std::size_t colon = text.find(": ");
   if (colon == std::string::npos) return text;
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&e)) {
