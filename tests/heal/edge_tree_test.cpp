@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -43,6 +44,18 @@ TEST(EdgeTree, OfARangeTheNearestIsFoundByTheTreeToo) {
     }
   }
   EXPECT_GT(found, 300u);
+}
+
+TEST(EdgeTree, TheDistanceItselfIsNearEnough) {
+  std::mt19937 random(2);
+  const std::vector<EdgeTree::Segment> segments = random_segments(random, 40);
+  const EdgeTree tree(segments);
+  const auto any = [](std::uint32_t, double) { return true; };
+  for (const EdgeTree::Segment& p : random_segments(random, 1000)) {
+    const NearestPoint found = tree.nearest(p.a, 10, any);
+    EXPECT_EQ(tree.nearest(p.a, found.distance, any).segment, found.segment);
+    EXPECT_EQ(tree.nearest(p.a, std::nextafter(found.distance, 0), any).segment, kNowhere);
+  }
 }
 
 TEST(EdgeTree, OfEquallyNearSegmentsTheFirstOfARangeIsGiven) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <numbers>
@@ -92,6 +93,26 @@ TEST(Heal, FacesStoredTwiceCountOnceInWhateverWinding) {
   EXPECT_EQ(twice.scene.faces.size(), 12u);
   EXPECT_EQ(border_edges(twice.topology), 0u);
   for (const std::uint16_t flags : twice.topology.edge_flags) EXPECT_EQ(flags, 0);
+}
+
+TEST(Heal, FacesStoredTwiceWhereManyOthersHaveTheirLowestVertex) {
+  constexpr std::uint32_t n = 40;
+  Scene scene;
+  test::begin_object(scene);
+  scene.vertices.emplace_back(0, 0, 0);
+  // Of each petal one side is among the first edges of vertex 0 and the other among the last.
+  for (const double turn : {0.0, 0.5}) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + turn) / n;
+      scene.vertices.emplace_back(std::cos(angle), std::sin(angle), 0);
+    }
+  }
+  for (std::uint32_t i = 0; i < n; ++i) scene.faces.add_triangle(0, 1 + i, 1 + n + i);
+  scene.faces.add_triangle(0, n, 2 * n);
+  test::end_object(scene);
+  const Healed after = healed(std::move(scene));
+  EXPECT_EQ(after.report.faces_twice, 1u);
+  EXPECT_EQ(after.scene.faces.size(), n);
 }
 
 TEST(Heal, HolesAndFlagsAndDetailsOfFacesStoredTwice) {

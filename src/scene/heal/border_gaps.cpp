@@ -62,6 +62,7 @@ Border::Border(const Scene& scene, std::vector<Edge> edges)
   sort_unique(vertices_);
   sort_unique(faces);
   one_face_ = faces.size() == 1;
+  if (scene.faces.all_triangles()) return;
   for (const std::uint32_t f : faces) {
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       for (const std::uint32_t v : scene.faces.contour(f, c)) corners_.emplace_back(f, v);
@@ -83,6 +84,10 @@ double Border::median_length() const {
 }
 
 bool Border::has(std::uint32_t face, std::uint32_t v) const {
+  if (scene_.faces.all_triangles()) {
+    const std::uint32_t* const corner = &std::as_const(scene_.faces).corners()[3 * std::size_t{face}];
+    return corner[0] == v || corner[1] == v || corner[2] == v;
+  }
   return std::binary_search(corners_.begin(), corners_.end(), std::pair(face, v));
 }
 

@@ -33,8 +33,9 @@ class Border {
   const Scene& scene_;
   std::vector<Edge> edges_;  ///< ordered by their vertices
   std::vector<std::uint32_t> vertices_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;  ///< (face, vertex) of the faces at the border, sorted
-  bool one_face_ = false;                                         ///< all edges are of one face
+  /// (face, vertex) of the faces at the border, sorted; none where all faces are triangles.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;
+  bool one_face_ = false;  ///< all edges are of one face
   EdgeTree tree_;
 };
 

@@ -55,9 +55,10 @@ bool may_be_same(const PolygonFaces& faces, std::uint32_t a, std::uint32_t b) {
 }
 
 /// Whether there is an edge of more than two faces, or a vertex from which two edges with the same two faces go to higher
-/// ones: the lowest vertex of a face that is stored twice is such a one.
-bool may_have_faces_twice(const Topology& topology) {
-  constexpr std::size_t kFan = 16;  ///< adjustable: larger ones are not looked at
+/// ones: the lowest vertex of a face that is stored twice is such a one. Where many edges go to higher ones, the two faces
+/// of each are compared instead.
+bool may_have_faces_twice(const PolygonFaces& faces, const Topology& topology) {
+  constexpr std::size_t kFan = 16;  ///< adjustable: edges that are looked at for another one
   const std::size_t n = topology.edges.size();
   std::atomic<bool> any{false};
   parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
@@ -67,7 +68,11 @@ bool may_have_faces_twice(const Topology& topology) {
       found = (topology.edge_flags[e] & kEdgeManyFaces) != 0;
       if (edge.face1 == kNone) continue;
       for (std::size_t other = e + 1; other < n && topology.edges[other].v0 == edge.v0 && !found; ++other) {
-        found = other - e > kFan || (topology.edges[other].face0 == edge.face0 && topology.edges[other].face1 == edge.face1);
+        if (other - e > kFan) {
+          found = may_be_same(faces, edge.face0, edge.face1);
+          break;
+        }
+        found = topology.edges[other].face0 == edge.face0 && topology.edges[other].face1 == edge.face1;
       }
     }
     if (found) any.store(true, std::memory_order_relaxed);
@@ -77,7 +82,7 @@ bool may_have_faces_twice(const Topology& topology) {
 
 /// Per vertex: lies on an edge that faces stored twice would have. Empty when there is none.
 std::vector<std::uint8_t> suspect_vertices(const Scene& scene, const Topology& topology) {
-  if (!may_have_faces_twice(topology)) return {};
+  if (!may_have_faces_twice(scene.faces, topology)) return {};
   const auto is_suspect = [&](std::size_t e) {
     const Edge& edge = topology.edges[e];
     if (edge.face1 == kNone) return false;

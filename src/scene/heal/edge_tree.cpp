@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numeric>
 
 namespace ligne {
@@ -16,20 +17,28 @@ constexpr int kMostVisits = 256;
 
 /// The point of a segment that is nearest to another point.
 struct Foot {
-  double at, distance;  ///< from 0 to 1 along the segment
+  double at;      ///< from 0 to 1 along the segment
+  double square;  ///< of the distance
 };
 
 Foot foot(const EdgeTree::Segment& s, const Point3& p) {
   const Point3 along = s.b - s.a;
-  const double square = glm::dot(along, along);
-  const double at = square > 0 ? std::clamp(glm::dot(p - s.a, along) / square, 0.0, 1.0) : 0;
-  return {at, glm::distance(p, s.a + at * along)};
+  const double length = glm::dot(along, along);
+  const double at = length > 0 ? std::clamp(glm::dot(p - s.a, along) / length, 0.0, 1.0) : 0;
+  const Point3 away = p - (s.a + at * along);
+  return {at, glm::dot(away, away)};
 }
+
+/// What is farther than a distance by its square, whatever was rounded, is farther.
+constexpr double kSquareSlack = 1 + 8 * std::numeric_limits<double>::epsilon();
+
+double square_limit(double distance) { return kSquareSlack * distance * distance; }
 
 }  // namespace
 
-double EdgeTree::Box::distance(const Point3& p) const {
-  return glm::length(glm::max(glm::max(low - p, p - high), Point3(0)));
+inline double EdgeTree::Box::square_distance(const Point3& p) const {
+  const Point3 away = glm::max(glm::max(low - p, p - high), Point3(0));
+  return glm::dot(away, away);
 }
 
 EdgeTree::EdgeTree(std::vector<Segment> segments) : segments_(std::move(segments)), order_(segments_.size()) {
@@ -69,33 +78,40 @@ NearestPoint EdgeTree::nearest(const Point3& p, double distance, FunctionRef<boo
   NearestPoint best;
   best.distance = distance;
   if (segments_.empty()) return best;
+  double limit = square_limit(distance);
   struct Range {
     std::size_t node;
     std::uint32_t begin, end;
-    double distance;
+    double square;
   };
   std::array<Range, 64> stack;  // one entry a level, and the depth is that of a 32-bit count
   std::size_t top = 0;
-  stack[top++] = {0, 0, static_cast<std::uint32_t>(segments_.size()), boxes_[0].distance(p)};
+  const auto push = [&](const Range& range) {
+    if (range.square <= limit) stack[top++] = range;
+  };
+  push({0, 0, static_cast<std::uint32_t>(segments_.size()), boxes_[0].square_distance(p)});
   int visits = 0;
   while (top > 0) {
     const Range range = stack[--top];
-    if (range.distance > best.distance) continue;
+    if (range.square > limit) continue;
     if (2 * range.node + 2 < boxes_.size()) {
       const std::uint32_t half = range.begin + (range.end - range.begin) / 2;
-      Range left{2 * range.node + 1, range.begin, half, boxes_[2 * range.node + 1].distance(p)};
-      Range right{2 * range.node + 2, half, range.end, boxes_[2 * range.node + 2].distance(p)};
-      if (left.distance <= right.distance) std::swap(left, right);
-      stack[top++] = left;
-      stack[top++] = right;
+      const Range left{2 * range.node + 1, range.begin, half, boxes_[2 * range.node + 1].square_distance(p)};
+      const Range right{2 * range.node + 2, half, range.end, boxes_[2 * range.node + 2].square_distance(p)};
+      const bool left_first = left.square <= right.square;
+      push(left_first ? right : left);
+      push(left_first ? left : right);
       continue;
     }
     for (std::uint32_t k = range.begin; k < range.end; ++k) {
       if (++visits > kMostVisits) return best;
       const std::uint32_t s = order_[k];
-      const auto [at, d] = foot(segments_[s], p);
-      if (d > best.distance || (d == best.distance && best.segment != NearestPoint{}.segment)) continue;
-      if (accept(s, at)) best = {s, at, d};
+      const auto [at, square] = foot(segments_[s], p);
+      if (square > limit) continue;
+      const double d = std::sqrt(square);
+      if (d > best.distance || (d == best.distance && best.segment != NearestPoint{}.segment) || !accept(s, at)) continue;
+      best = {s, at, d};
+      limit = square_limit(d);
     }
   }
   return best;
@@ -107,7 +123,8 @@ NearestPoint EdgeTree::nearest_of(std::uint32_t begin, std::uint32_t end, const 
   best.distance = distance;
   several = false;
   for (std::uint32_t s = begin; s < end; ++s) {
-    const auto [at, d] = foot(segments_[s], p);
+    const auto [at, square] = foot(segments_[s], p);
+    const double d = std::sqrt(square);
     const bool is_first = best.segment == NearestPoint{}.segment;
     if (d < best.distance || (d == best.distance && is_first)) {
       best = {s, at, d};

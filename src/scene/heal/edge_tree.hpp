@@ -36,7 +36,7 @@ class EdgeTree {
  private:
   struct Box {
     Point3 low, high;
-    double distance(const Point3& p) const;
+    double square_distance(const Point3& p) const;
   };
   /// Of a segment, along the side that is halved.
   struct Middle {

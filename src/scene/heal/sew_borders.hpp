@@ -1,7 +1,6 @@
 #pragma once
 /// Sewing borders that run along each other.
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -18,12 +17,6 @@ struct Sewing {
   /// Per vertex: all vertices at borders of the objects that are sewn, and maybe others.
   std::vector<std::uint8_t> may_be_on_border{};
   std::vector<std::uint8_t> settled{};  ///< per vertex: it has moved, or another one has come to it
-
-  /// Nothing is left to be sewn of object i.
-  void leave(std::size_t i, const Object& object) {
-    distances[i] = 0;
-    std::fill(may_be_on_border.begin() + object.vertex_begin, may_be_on_border.begin() + object.vertex_end, std::uint8_t{0});
-  }
 };
 
 /// Puts vertices of the border onto other ones of the border of the same object that are nearer than the object's distance,

@@ -176,15 +176,14 @@ bool write_split(const Scene& scene, std::uint32_t f, double precision, std::spa
 }  // namespace
 
 EdgeSplits split_border_edges(Scene& scene, Sewing& sewing) {
-  std::vector<std::vector<Edge>> borders = border_edges(scene, sewing.may_be_on_border);
   std::vector<std::vector<Split>> found(scene.objects.size());
   parallel_tasks(scene.objects.size(), [&](std::size_t i) {
-    if (!(sewing.distances[i] > 0) || borders[i].empty()) return;
-    const Border border(scene, std::move(borders[i]));
+    if (!(sewing.distances[i] > 0)) return;
+    const Border border(scene, border_edges(scene, scene.objects[i], sewing.may_be_on_border));
     const double inside = straightness_tolerance(scene.objects[i].precision, border.median_length());
     found[i] = splits_of(border, sewing.distances[i], inside);
     std::sort(found[i].begin(), found[i].end());
-    if (found[i].empty()) sewing.leave(i, scene.objects[i]);
+    if (found[i].empty()) sewing.distances[i] = 0;
   });
   // Objects own ascending ranges of faces: the lists in a row are one sorted list.
   std::vector<Split> splits;
