@@ -24,9 +24,10 @@ class FiledPairs {
   /// numbers, and the same each time it is called. `about`: how many things there are, more or less.
   template <class List>
   FiledPairs(std::size_t nodes, std::size_t about, const List& list) : begin_(nodes + 1, 0) {
-    // A task owns a range of nodes and goes through all things: so entries stand in the order of the things.
-    constexpr std::size_t kThingsPerRange = 200'000;
-    const std::size_t ranges = std::clamp<std::size_t>(about / kThingsPerRange, 1, 4);
+    // A task owns a range of nodes and goes through all things: so entries stand in the order of the things, whatever the
+    // number of ranges.
+    constexpr std::size_t kThingsPerRange = 200'000, kMostRanges = 4;
+    const std::size_t ranges = std::clamp<std::size_t>(about / kThingsPerRange, 1, std::min(kMostRanges, thread_count()));
     const auto for_range = [&](std::size_t r, auto visit) {
       const auto first = static_cast<std::uint32_t>(nodes * r / ranges);
       const auto count = static_cast<std::uint32_t>(nodes * (r + 1) / ranges) - first;

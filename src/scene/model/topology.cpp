@@ -11,7 +11,7 @@
 // Edges are found by counting sort: every corner of a contour gives one half-edge, filed under the lower of its two
 // vertices; a bucket then holds the half-edges of one vertex (six on average) and is sorted by the other vertex.
 // Vertices are dealt out in ranges, and every range is filed by one thread that scans all corners: the order inside a
-// bucket is the order of the corners, whatever the number of threads.
+// bucket is the order of the corners, whatever the number of ranges.
 
 namespace ligne {
 namespace {
@@ -102,11 +102,19 @@ void sort_bucket(Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
     }
     return;
   }
+  HalfEdge* const half_edges = h.data();
+  std::uint8_t* const flags = buckets.corner_flags.empty() ? nullptr : buckets.corner_flags.data();
   for (std::uint32_t i = begin + 1; i < end; ++i) {
-    for (std::uint32_t k = i; k > begin && h[k].other < h[k - 1].other; --k) {
-      std::swap(h[k], h[k - 1]);
-      if (!buckets.corner_flags.empty()) std::swap(buckets.corner_flags[k], buckets.corner_flags[k - 1]);
+    const HalfEdge moved = half_edges[i];
+    if (!(moved.other < half_edges[i - 1].other)) continue;
+    const std::uint8_t moved_flags = flags ? flags[i] : std::uint8_t{0};
+    std::uint32_t k = i;
+    for (; k > begin && moved.other < half_edges[k - 1].other; --k) {
+      half_edges[k] = half_edges[k - 1];
+      if (flags) flags[k] = flags[k - 1];
     }
+    half_edges[k] = moved;
+    if (flags) flags[k] = moved_flags;
   }
 }
 
@@ -139,8 +147,9 @@ std::uint16_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::ui
 void find_edges(const Scene& scene, Topology& topology) {
   const std::size_t vertex_count = scene.vertices.size();
   if (vertex_count == 0) return;
-  constexpr std::size_t kCornersPerRange = 200'000;
-  const std::size_t ranges = std::clamp<std::size_t>(scene.faces.corners().size() / kCornersPerRange, 1, 4);
+  constexpr std::size_t kCornersPerRange = 200'000, kMostRanges = 4;
+  const std::size_t ranges =
+      std::clamp<std::size_t>(scene.faces.corners().size() / kCornersPerRange, 1, std::min(kMostRanges, thread_count()));
   Buckets buckets = file_half_edges(scene, ranges);
 
   // Runs of equal half-edges are edges: sort and count them per block of vertices, then write every block at its place.
