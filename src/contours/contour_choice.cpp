@@ -156,22 +156,20 @@ class Chooser {
 std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPatch& patch,
                                        std::span<const std::uint32_t> outline_edges) {
   std::vector<OutlineSide> found;
-  std::uint32_t vertices = 0;
-  for (const std::uint32_t e : outline_edges) vertices = std::max(vertices, topology.edges[e].v1 + 1);
-  std::vector<std::uint8_t> on_outline(vertices, 0);
-  for (const std::uint32_t e : outline_edges) on_outline[topology.edges[e].v0] = on_outline[topology.edges[e].v1] = 1;
-  const auto before = [&](std::uint32_t e, std::pair<std::uint32_t, std::uint32_t> ends) {
-    return std::pair(topology.edges[e].v0, topology.edges[e].v1) < ends;
-  };
+  // Where the edges from each vertex to higher ones begin.
+  std::vector<std::uint32_t> begin;
+  for (std::uint32_t i = 0; i < outline_edges.size(); ++i) {
+    begin.resize(std::max<std::size_t>(begin.size(), topology.edges[outline_edges[i]].v0 + 1), i);
+  }
   for (std::uint32_t s = 0; s < patch.across.size(); ++s) {
     if (patch.across[s] == kNone || patch.across[s] < s) continue;
     const auto& v = patch.triangles[s / 3].v;
-    const auto ends = std::minmax(v[s % 3], v[(s + 1) % 3]);
-    const std::pair<std::uint32_t, std::uint32_t> key{ends.first, ends.second};
-    if (key.second >= vertices || !on_outline[key.first] || !on_outline[key.second]) continue;
-    const auto e = std::lower_bound(outline_edges.begin(), outline_edges.end(), key, before);
-    if (e == outline_edges.end() || topology.edges[*e].v0 != key.first || topology.edges[*e].v1 != key.second) continue;
-    found.push_back({*e, s});
+    const auto [low, high] = std::minmax(v[s % 3], v[(s + 1) % 3]);
+    if (low >= begin.size()) continue;
+    const auto first = outline_edges.begin() + begin[low];
+    const auto last = low + 1 < begin.size() ? outline_edges.begin() + begin[low + 1] : outline_edges.end();
+    const auto e = std::partition_point(first, last, [&](std::uint32_t k) { return topology.edges[k].v1 < high; });
+    if (e != last && topology.edges[*e].v1 == high) found.push_back({*e, s});
   }
   return found;
 }

@@ -14,27 +14,34 @@ namespace {
 constexpr std::size_t kSectorsPerTask = 512;
 constexpr int kRings = 2;
 
-/// The corners of each sector.
-class SectorCorners {
+/// The corners of each sector, and its place.
+class Sectors {
  public:
-  explicit SectorCorners(const SmoothPatch& patch) : begin_(patch.normals.size() + 1, 0), corners_(patch.sector.size()) {
+  Sectors(const Scene& scene, const SmoothPatch& patch)
+      : begin_(patch.normals.size() + 1, 0), corners_(patch.sector.size()), places_(patch.normals.size()) {
     for (const std::uint32_t s : patch.sector) ++begin_[s + 1];
     for (std::size_t s = 1; s < begin_.size(); ++s) begin_[s] += begin_[s - 1];
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     for (std::uint32_t c = 0; c < corners_.size(); ++c) corners_[next[patch.sector[c]]++] = c;
+    for (std::uint32_t s = 0; s < places_.size(); ++s) {
+      const std::uint32_t c = corners_[begin_[s]];
+      places_[s] = scene.vertices[patch.triangles[c / 3].v[c % 3]];
+    }
   }
-  std::span<const std::uint32_t> of(std::uint32_t sector) const {
+  std::span<const std::uint32_t> corners(std::uint32_t sector) const {
     return {corners_.data() + begin_[sector], corners_.data() + begin_[sector + 1]};
   }
+  const Point3& place(std::uint32_t sector) const { return places_[sector]; }
 
  private:
   std::vector<std::uint32_t> begin_, corners_;
+  std::vector<Point3> places_;
 };
 
 class PatchFits {
  public:
   PatchFits(const Scene& scene, const Camera& camera, SmoothPatch& patch)
-      : scene_(scene), camera_(camera), patch_(patch), corners_(patch) {
+      : camera_(camera), patch_(patch), sectors_(scene, patch) {
     patch_.turns.assign(patch_.normals.size(), NormalTurn{});
     patch_.fitted.assign(patch_.normals.size(), 0);
   }
@@ -62,13 +69,8 @@ class PatchFits {
  private:
   /// Some faces of the sector look to the side of the viewer, or to the other one.
   bool any_faces(std::uint32_t sector, bool towards) const {
-    const auto own = corners_.of(sector);
+    const auto own = sectors_.corners(sector);
     return std::any_of(own.begin(), own.end(), [&](std::uint32_t c) { return (patch_.facing[c / 3] >= 0) == towards; });
-  }
-
-  const Point3& place(std::uint32_t sector) const {
-    const std::uint32_t c = corners_.of(sector)[0];
-    return scene_.vertices[patch_.triangles[c / 3].v[c % 3]];
   }
 
   void fit(const std::vector<std::uint32_t>& sectors) {
@@ -77,13 +79,13 @@ class PatchFits {
       std::vector<Point3> points;
       for (std::size_t i = begin; i < end; ++i) {
         const std::uint32_t s = sectors[i];
-        if (!patch_.complete[corners_.of(s)[0]] || patch_.normals[s] == Point3(0.0)) continue;
+        if (!patch_.complete[sectors_.corners(s)[0]] || patch_.normals[s] == Point3(0.0)) continue;
         reach_rings(s, reached, reached_from);
         points.clear();
-        for (std::size_t k = 1; k < reached.size(); ++k) points.push_back(place(reached[k]));
+        for (std::size_t k = 1; k < reached.size(); ++k) points.push_back(sectors_.place(reached[k]));
         SurfaceFit fit;
-        if (!fit_surface(place(s), patch_.normals[s], points, fit)) continue;
-        const double g = glm::dot(fit.normal, to_eye(camera_, place(s)));
+        if (!fit_surface(sectors_.place(s), patch_.normals[s], points, fit)) continue;
+        const double g = glm::dot(fit.normal, to_eye(camera_, sectors_.place(s)));
         if (!any_faces(s, g >= 0)) continue;
         patch_.normals[s] = fit.normal;
         patch_.turns[s] = fit.turn;
@@ -101,7 +103,7 @@ class PatchFits {
     std::size_t next = 0;
     for (int ring = 0; ring < kRings; ++ring) {
       for (const std::size_t last = reached.size(); next < last; ++next) {
-        for (const std::uint32_t c : corners_.of(reached[next])) {
+        for (const std::uint32_t c : sectors_.corners(reached[next])) {
           for (const std::uint32_t other : {patch_.sector[next_corner(c)], patch_.sector[last_corner(c)]}) {
             if (std::exchange(reached_from[other], sector) != sector) reached.push_back(other);
           }
@@ -110,10 +112,9 @@ class PatchFits {
     }
   }
 
-  const Scene& scene_;
   const Camera& camera_;
   SmoothPatch& patch_;
-  SectorCorners corners_;
+  Sectors sectors_;
 };
 
 }  // namespace

@@ -103,7 +103,9 @@ double cosine(const RegionBorders& borders, double times) {
 }
 
 /// Whether a region certainly ends at an edge. Where the angle decides, faces of more than three corners are not asked.
-bool is_border(const Scene& scene, const Topology& topology, const RegionBorders& borders, std::uint32_t e) {
+/// `least_cosine`: of the angle between two faces of one region.
+bool is_border(const Scene& scene, const Topology& topology, const RegionBorders& borders, double least_cosine,
+               std::uint32_t e) {
   if (borders.creases && (*borders.creases)[e]) return true;
   if (topology.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound)) return true;
   const Edge& edge = topology.edges[e];
@@ -112,7 +114,7 @@ bool is_border(const Scene& scene, const Topology& topology, const RegionBorders
   };
   if (!is_triangle(edge.face0) || !is_triangle(edge.face1)) return false;
   const Point3 a = face_normal(scene, edge.face0), b = face_normal(scene, edge.face1);
-  return a != kNoNormal && b != kNoNormal && glm::dot(a, b) < cosine(borders, borders.creases ? kSharp : 1);
+  return a != kNoNormal && b != kNoNormal && glm::dot(a, b) < least_cosine;
 }
 
 class PatchBuilder {
@@ -129,7 +131,6 @@ class PatchBuilder {
   void build() {
     measure_triangles();
     join_sides();
-    weigh_normals();
     make_sectors();
     if (cut_at_sharp_vertices()) make_sectors();
     fit_surfaces(scene_, camera_, patch_);
@@ -141,18 +142,28 @@ class PatchBuilder {
   void measure_triangles() {
     const std::size_t n = patch_.triangles.size();
     face_normals_.resize(n);
+    weighted_normals_.resize(3 * n);
     patch_.facing.resize(n);
     parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
-        const Point3 &a = vertex(3 * t), &b = vertex(3 * t + 1), &c = vertex(3 * t + 2);
-        const Point3 area = glm::cross(b - a, c - a);
-        const double size = glm::length(area);
-        face_normals_[t] = size > 0 ? area / size : kNoNormal;
-        const Point3 eye = to_eye(camera_, a);
-        const double d = glm::dot(area, eye);
-        patch_.facing[t] = std::abs(d) <= kEdgeOnSine * size * glm::length(eye) ? 0 : d > 0 ? 1 : -1;
-      }
+      for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) measure(t);
     });
+  }
+
+  /// The share of a corner in the normal of its vertex: the weights of N. Max (Weights for computing vertex normals from
+  /// facet normals, 1999), for which the normals of a mesh with its vertices on a sphere are exact, however uneven.
+  void measure(std::uint32_t t) {
+    const Point3 &a = vertex(3 * t), &b = vertex(3 * t + 1), &c = vertex(3 * t + 2);
+    const Point3 ab = b - a, bc = c - b, ca = a - c, area = glm::cross(ab, -ca);
+    const double size = glm::length(area);
+    face_normals_[t] = size > 0 ? area / size : kNoNormal;
+    const Point3 eye = to_eye(camera_, a);
+    const double d = glm::dot(area, eye);
+    patch_.facing[t] = std::abs(d) <= kEdgeOnSine * size * glm::length(eye) ? 0 : d > 0 ? 1 : -1;
+    const double ab2 = glm::dot(ab, ab), bc2 = glm::dot(bc, bc), ca2 = glm::dot(ca, ca);
+    const auto weigh = [&](const Point3& twice_area, double sizes) { return sizes > 0 ? twice_area / sizes : kNoNormal; };
+    weighted_normals_[3 * t] = weigh(area, ab2 * ca2);
+    weighted_normals_[3 * t + 1] = weigh(glm::cross(bc, -ab), bc2 * ab2);
+    weighted_normals_[3 * t + 2] = weigh(glm::cross(ca, -bc), ca2 * bc2);
   }
 
   /// Pairs the sides that two triangles have in common, unless a border runs along them.
@@ -225,21 +236,6 @@ class PatchBuilder {
     }
   }
 
-  /// The share of a corner in the normal of its vertex: the weights of N. Max (Weights for computing vertex normals from
-  /// facet normals, 1999), for which the normals of a mesh with its vertices on a sphere are exact, however uneven.
-  Point3 weighted_normal(std::uint32_t c) const {
-    const Point3 a = vertex(next_corner(c)) - vertex(c), b = vertex(last_corner(c)) - vertex(c);
-    const double sizes = glm::dot(a, a) * glm::dot(b, b);
-    return sizes > 0 ? glm::cross(a, b) / sizes : kNoNormal;
-  }
-
-  void weigh_normals() {
-    weighted_normals_.resize(3 * patch_.triangles.size());
-    parallel_blocks(weighted_normals_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c) weighted_normals_[c] = weighted_normal(static_cast<std::uint32_t>(c));
-    });
-  }
-
   /// Makes borders of all sides at vertices whose faces differ too much from their normal; whether there are any.
   bool cut_at_sharp_vertices() {
     std::vector<std::uint8_t> sharp(patch_.normals.size(), 0);
@@ -278,8 +274,9 @@ SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Cam
                          std::span<const std::uint32_t> outline_edges, const RegionBorders& borders) {
   SmoothPatch patch;
   VertexSet on_outline(scene.vertices.size());
+  const double least_cosine = cosine(borders, borders.creases ? kSharp : 1);
   for (const std::uint32_t e : outline_edges) {
-    if (is_border(scene, topology, borders, e)) continue;  // what lies on either side looks one way
+    if (is_border(scene, topology, borders, least_cosine, e)) continue;  // what lies on either side looks one way
     on_outline.add(topology.edges[e].v0);
     on_outline.add(topology.edges[e].v1);
   }
