@@ -46,15 +46,24 @@ class Tracer {
   bool is_even() const {
     constexpr std::uint16_t kSpoken = kEdgeSmooth | kEdgeSharp | kEdgeInner | kEdgeUnlikeWound | kEdgeManyFaces;
     const auto count = static_cast<double>(edge_end_ - edge_begin_);
-    std::size_t bent = 0, flat = 0;
+    struct Counts {
+      std::size_t spoken = 0, bent = 0, flat = 0;
+      Counts operator+(const Counts& o) const { return {spoken + o.spoken, bent + o.bent, flat + o.flat}; }
+    };
     const auto least = static_cast<float>(std::cos(radians(kFlatDegrees)));
-    for (std::size_t e = edge_begin_; e < edge_end_; ++e) {
-      if (topology_.edge_flags[e] & kSpoken) return false;
-      const Edge& edge = topology_.edges[e];
-      bent += bends_[e] >= Bend::strong;
-      flat += edge.face1 != kNone && glm::dot(normals_[edge.face0], normals_[edge.face1]) > least;
-    }
-    if (bent == 0 || static_cast<double>(bent) > kBentPart * count || static_cast<double>(flat) > kFlatPart * count) {
+    const auto count_edges = [&](std::size_t begin, std::size_t end) {
+      Counts sum;
+      for (std::size_t e = edge_begin_ + begin; e < edge_begin_ + end && sum.spoken == 0; ++e) {
+        const Edge& edge = topology_.edges[e];
+        sum.spoken += (topology_.edge_flags[e] & kSpoken) != 0;
+        sum.bent += bends_[e] >= Bend::strong;
+        sum.flat += edge.face1 != kNone && glm::dot(normals_[edge.face0], normals_[edge.face1]) > least;
+      }
+      return sum;
+    };
+    const Counts edges = parallel_reduce(edge_end_ - edge_begin_, kShortWorkBlock, Counts{}, count_edges);
+    if (edges.spoken > 0 || edges.bent == 0 || static_cast<double>(edges.bent) > kBentPart * count ||
+        static_cast<double>(edges.flat) > kFlatPart * count) {
       return false;
     }
     for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
@@ -74,23 +83,20 @@ class Tracer {
   TracedCreases run(double crease_degrees) {
     collect();
     const double crease = radians(crease_degrees);
+    least_wide_ = kWidePart * crease;
     std::vector<std::uint32_t> seeds;
     for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
       if (bends_[candidates_[k]] >= Bend::strong && wide_[k] > crease) seeds.push_back(k);
     }
     std::sort(seeds.begin(), seeds.end(),
               [&](std::uint32_t a, std::uint32_t b) { return std::pair(-wide_[a], a) < std::pair(-wide_[b], b); });
-    for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
-      if (wide_[k] > kWidePart * crease) continue;
-      state_of_edge_[k] = EdgeState::spent;
-    }
     for (const std::uint32_t seed : seeds) {
-      if (state_of_edge_[seed] == EdgeState::open && !refused_[seed]) trace(seed);
+      if (!on_line_[seed] && !refused_[seed]) trace(seed);
     }
     TracedCreases result;
     for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
       Bend& bend = bends_[candidates_[k]];
-      if (state_of_edge_[k] == EdgeState::line) {
+      if (on_line_[k]) {
         result.continued += bend < Bend::strong;
         bend = std::max(bend, Bend::strong);
         if (!firm_[k]) bend = Bend::strong;
@@ -103,7 +109,7 @@ class Tracer {
   }
 
  private:
-  enum class EdgeState : std::uint8_t { open, spent, line };
+  static constexpr double kUnknown = -1;
   enum class VertexState : std::uint8_t { open, beside, line };
 
   /// What there is at each vertex of the object, in ascending order: candidates, by their places in candidates_, or faces.
@@ -178,12 +184,14 @@ class Tracer {
         }
       }
     });
-    wide_.resize(candidates_.size());
+    wide_.assign(candidates_.size(), kUnknown);
     parallel_blocks(candidates_.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> round;
-      for (std::size_t k = begin; k < end; ++k) wide_[k] = wide_bend(candidates_[k], round);
+      for (std::size_t k = begin; k < end; ++k) {
+        if (bends_[candidates_[k]] >= Bend::strong) wide_[k] = wide_bend(candidates_[k], round);
+      }
     });
-    state_of_edge_.assign(candidates_.size(), EdgeState::open);
+    on_line_.assign(candidates_.size(), 0);
     firm_.assign(candidates_.size(), 0);
     refused_.assign(candidates_.size(), 0);
     state_of_vertex_.assign(wanted.size(), VertexState::open);
@@ -258,7 +266,7 @@ class Tracer {
     const auto firm = std::count_if(line.edges.begin(), line.edges.end(),
                                     [&](std::uint32_t k) { return bends_[candidates_[k]] == Bend::firm; });
     for (const std::uint32_t k : line.edges) {
-      state_of_edge_[k] = EdgeState::line;
+      on_line_[k] = 1;
       firm_[k] = 2 * static_cast<std::size_t>(firm) >= line.edges.size();
     }
     for (const std::uint32_t v : line.vertices) {
@@ -282,13 +290,15 @@ class Tracer {
     std::uint32_t best = kNone, best_vertex = kNone;
     double best_score = 0;
     for (const std::uint32_t k : edges_at_[v]) {
-      if (state_of_edge_[k] != EdgeState::open || k == line.edges.back()) continue;
+      if (on_line_[k] || k == line.edges.back()) continue;
       const Edge& edge = topology_.edges[candidates_[k]];
       const std::uint32_t next = edge.v0 == v ? edge.v1 : edge.v0;
       if (!may_run(v, next)) continue;
       const double cosine = glm::dot(glm::normalize(scene_.vertices[next] - scene_.vertices[v]), direction);
+      if (cosine < kWalkCosine) continue;
+      if (wide_[k] == kUnknown) wide_[k] = wide_bend(candidates_[k], round_);
       const double score = cosine * cosine * wide_[k];
-      if (cosine < kWalkCosine || score <= best_score) continue;
+      if (wide_[k] <= least_wide_ || score <= best_score) continue;
       best = k, best_vertex = next, best_score = score;
     }
     if (best == kNone) return false;
@@ -332,12 +342,13 @@ class Tracer {
   const Object& object_;
   std::size_t edge_begin_, edge_end_;
   std::vector<std::uint32_t> candidates_;
-  std::vector<double> wide_;  ///< per candidate: wide_bend()
-  std::vector<EdgeState> state_of_edge_;
-  std::vector<std::uint8_t> firm_, refused_;  ///< per candidate
-  std::vector<VertexState> state_of_vertex_;  ///< per vertex of the object
-  std::vector<std::uint8_t> on_ridge_;        ///< per vertex of the object: an edge there bends by more than the angle
-  AtVertices edges_at_, faces_at_;            ///< the latter round vertices of candidates' faces only
+  double least_wide_ = 0;
+  std::vector<double> wide_;          ///< per candidate: wide_bend(); where lines do not come, it need not be known
+  std::vector<std::uint32_t> round_;  ///< memory for it
+  std::vector<std::uint8_t> on_line_, firm_, refused_;  ///< per candidate
+  std::vector<VertexState> state_of_vertex_;            ///< per vertex of the object
+  std::vector<std::uint8_t> on_ridge_;  ///< per vertex of the object: an edge there bends by more than the angle
+  AtVertices edges_at_, faces_at_;      ///< the latter round vertices of candidates' faces only
 };
 
 }  // namespace
