@@ -19,22 +19,34 @@ std::uint32_t spread_bits(std::uint32_t v) {
   return (v | (v << 1)) & 0x55555555u;
 }
 
-/// The stable order of n things by key(i) < key_count: order[k] is the k-th.
+/// The stable order of n things by key(i) < key_count: order[k] is the k-th. A task owns a range of keys and goes through
+/// all things.
 template <class Key>
 std::vector<std::uint32_t> stable_order(std::size_t n, std::size_t key_count, Key key) {
-  std::vector<std::uint32_t> order(n);
   // Few things are sorted sooner than the keys are counted.
   constexpr std::size_t kKeysPerThing = 16;  // adjustable
   if (n * kKeysPerThing < key_count) {
+    std::vector<std::uint32_t> order(n);
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
     return order;
   }
-  std::vector<std::uint32_t> next(key_count + 1, 0);
-  for (std::size_t i = 0; i < n; ++i) ++next[key(i) + 1];
+  constexpr std::size_t kThingsPerRange = 200'000, kMostRanges = 4;
+  const std::size_t ranges = std::clamp<std::size_t>(n / kThingsPerRange, 1, std::min(kMostRanges, thread_count()));
+  std::vector<std::uint32_t> next(key_count + 1, 0), order(n);
+  const auto for_ranges = [&](auto visit) {
+    parallel_for(ranges, [&](std::size_t r) {
+      const std::size_t first = key_count * r / ranges, count = key_count * (r + 1) / ranges - first;
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t k = key(i);
+        if (k - first < count) visit(k, static_cast<std::uint32_t>(i));
+      }
+    });
+  };
+  for_ranges([&](std::size_t k, std::uint32_t) { ++next[k + 1]; });
   for (std::size_t k = 0; k < key_count; ++k) next[k + 1] += next[k];
-  for (std::size_t i = 0; i < n; ++i) order[next[key(i)]++] = static_cast<std::uint32_t>(i);
+  for_ranges([&](std::size_t k, std::uint32_t i) { order[next[k]++] = i; });
   return order;
 }
 

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "geometry/parallel.hpp"
 #include "view/clip.hpp"
 
 namespace ligne {
@@ -125,11 +126,20 @@ Point3 camera_coordinates(const Camera& camera, const Point3& p) {
 Rect projected_extent(const Scene& scene, const Camera& camera) {
   Rect extent;
   if (!camera.perspective) {
-    for (const Point3& v : scene.vertices) {
-      const Point3 c = camera_coordinates(camera, v);
-      extent.extend({c.x, c.y});
-    }
-    return extent;
+    const auto extent_of = [&](std::size_t begin, std::size_t end) {
+      Rect part;
+      for (std::size_t v = begin; v < end; ++v) {
+        const Point3 c = camera_coordinates(camera, scene.vertices[v]);
+        part.extend({c.x, c.y});
+      }
+      return part;
+    };
+    return parallel_reduce(scene.vertices.size(), kShortWorkBlock, Rect{}, extent_of, [](Rect sum, const Rect& part) {
+      if (part.empty()) return sum;
+      sum.extend(part.min);
+      sum.extend(part.max);
+      return sum;
+    });
   }
   const double half_height = std::tan(camera.fov_degrees * 3.14159265358979323846 / 360) * camera.target_distance;
   const double half_width = half_height * camera.aspect;
