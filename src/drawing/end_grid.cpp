@@ -40,6 +40,7 @@ bool EndGrid::choose_cells(const std::vector<End>& ends, const Cells& cells) {
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
     stroke = std::max<double>(*middle, sum / n / kMostCellsPerStroke);
+    if (cells.is_finer) stroke = std::min(stroke, std::sqrt(cells.longest * width * height / n));
   }
   side_u_ = std::max({std::min(std::max(stroke, std::sqrt(width * height / n)), width), width / n, cells.least});
   side_v_ = std::max({width * height / (n * side_u_), side_u_ / cells.longest, height / n, cells.least});
@@ -93,9 +94,11 @@ void EndGrid::refine_if_crowded(std::size_t c, const Cells& cells) {
   for (std::uint32_t e = first_[c]; e < first_[c + 1]; e = next_point(e, first_[c + 1])) ++points;
   if (points <= kCrowd) return;
   std::vector<End> here(ends_.begin() + first_[c], ends_.begin() + first_[c + 1]);
-  if (!EndGrid().choose_cells(here, cells)) return;
+  Cells finer = cells;
+  finer.is_finer = true;
+  if (!EndGrid().choose_cells(here, finer)) return;
   finer_number_[c] = static_cast<std::uint32_t>(finer_.size());
-  finer_.emplace_back(std::move(here), cells);
+  finer_.emplace_back(std::move(here), finer);
 }
 
 void EndGrid::settle_end(LatticePoint p) {

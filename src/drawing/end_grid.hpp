@@ -29,6 +29,7 @@ class EndGrid {
     double least = 1;        ///< side
     double longest = 1;      ///< how many times as long as wide
     bool as_strokes = true;  ///< as long as the strokes are, or longer
+    bool is_finer = false;   ///< in a crowd: no longer than leaves each cell an end or two, however long the strokes are
   };
 
   EndGrid() = default;
@@ -57,8 +58,8 @@ class EndGrid {
   }
 
  private:
-  static constexpr double kRounding = 2;        ///< steps; more than the rounding of any position worked out here
-  static constexpr std::uint32_t kCrowd = 256;  ///< adjustable: points in one cell
+  static constexpr double kRounding = 2;       ///< steps; more than the rounding of any position worked out here
+  static constexpr std::uint32_t kCrowd = 64;  ///< adjustable: points in one cell
 
   bool choose_cells(const std::vector<End>& ends, const Cells& cells);
   /// The first end behind number e, and before `last`, that is elsewhere.

@@ -6,6 +6,34 @@
 #include "drawing/stroke_overlap.hpp"
 
 namespace ligne::stroke_directions {
+namespace {
+
+/// In a sample: whether so many strokes have so many ends within the square about them. A crowd in one place of a large
+/// page does not show in the mean distance of all ends.
+bool are_crowded(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of) {
+  // Adjustable.
+  constexpr std::size_t kAsked = 256, kEnds = 8192, kOneIn = 4;
+  constexpr double kMany = 64, kLeastSampled = 4;
+  const auto sampled = [&](std::size_t k, std::size_t count) -> const Stroke& {
+    return strokes[of[of.size() < count ? k : k * of.size() / count]];
+  };
+  std::vector<LatticePoint> ends;
+  for (std::size_t k = 0; k < std::min(of.size(), kEnds); ++k) ends.push_back(sampled(k, kEnds).from);
+  const double each = static_cast<double>(2 * of.size()) / static_cast<double>(ends.size());
+  const double least = std::max(kMany / each, kLeastSampled);
+  const std::size_t asked = std::min(of.size(), kAsked);
+  std::size_t crowded = 0;
+  for (std::size_t k = 0; k < asked; ++k) {
+    const Stroke& s = sampled(k, kAsked);
+    const double x = (double(s.from.x) + s.to.x) / 2, y = (double(s.from.y) + s.to.y) / 2;
+    const double half = length(s.from, s.to) / 2;
+    const auto inside = [&](LatticePoint p) { return std::abs(p.x - x) <= half && std::abs(p.y - y) <= half; };
+    if (static_cast<double>(std::count_if(ends.begin(), ends.end(), inside)) >= least) ++crowded;
+  }
+  return kOneIn * crowded >= asked;
+}
+
+}  // namespace
 
 bool are_crossing(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of) {
   constexpr double kEndsApart = 4;  // adjustable: so many mean distances of ends is a stroke long
@@ -19,7 +47,7 @@ bool are_crossing(const std::vector<Stroke>& strokes, const std::vector<std::uin
   }
   const double n = static_cast<double>(of.size());
   const double area = (double(high.x) - low.x + 1) * (double(high.y) - low.y + 1);
-  return sum / n > kEndsApart * std::sqrt(area / (2 * n));
+  return sum / n > kEndsApart * std::sqrt(area / (2 * n)) || are_crowded(strokes, of);
 }
 
 }  // namespace ligne::stroke_directions

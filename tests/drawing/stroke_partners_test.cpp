@@ -1,10 +1,12 @@
 /// The search for partners against all pairs.
 
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "drawing/stroke_directions.hpp"
 #include "drawing/stroke_overlap.hpp"
 #include "drawing/stroke_partners.hpp"
 #include "stroke_builder.hpp"
@@ -91,6 +93,40 @@ TEST(StrokePartners, OfStrokesAboutAsLongAsTheShortOnes) {
 
 TEST(StrokePartners, InACrowd) {
   for (std::uint32_t seed = 1; seed <= 2; ++seed) expect_found(clustered(seed, 3000, 300, 20, 2000), seed);
+}
+
+/// All in the middle of a large page but for four: their mean distance on the page says nothing of the crowd.
+std::vector<Stroke> crowded_on_a_large_page(std::uint32_t seed) {
+  std::vector<Stroke> strokes = clustered(seed, 3000, 10'000, 3000, 12'000);
+  constexpr int kFar = kLatticeLimit - 1000;
+  for (const LatticePoint corner : {LatticePoint{kFar, kFar}, {kFar, -kFar}, {-kFar, kFar}, {-kFar, -kFar}}) {
+    strokes.push_back(stroke(corner, {corner.x + 500, corner.y}, LineClass::mesh, 0));
+    strokes.back().may_coincide = true;
+  }
+  return strokes;
+}
+
+TEST(StrokePartners, InACrowdOnALargePage) {
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) expect_found(crowded_on_a_large_page(seed), seed);
+}
+
+TEST(StrokePartners, ACrowdOnALargePageIsCrossing) {
+  const auto are_crossing = [](const std::vector<Stroke>& strokes) {
+    std::vector<std::uint32_t> all(strokes.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return stroke_directions::are_crossing(strokes, all);
+  };
+  EXPECT_TRUE(are_crossing(crowded_on_a_large_page(1)));
+  std::vector<Stroke> mesh;  // of squares, on the same page
+  for (int i = 0; i < 100; ++i) {
+    for (int k = 0; k < 100; ++k) {
+      const LatticePoint p{100 * i, 100 * k};
+      mesh.push_back(stroke(p, {p.x + 100, p.y}, LineClass::mesh, 0));
+      mesh.push_back(stroke(p, {p.x, p.y + 100}, LineClass::mesh, 0));
+    }
+  }
+  mesh.push_back(stroke({kLatticeLimit - 1, kLatticeLimit - 1}, {kLatticeLimit - 500, 0}, LineClass::mesh, 0));
+  EXPECT_FALSE(are_crossing(mesh));
 }
 
 TEST(StrokePartners, AmongFarStrokesOfWhichFewMayCoincide) {
