@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
 #include <string_view>
 
+#include "drawing/drawing.hpp"
+#include "drawing/stroke_overlap.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
 #include "visibility/watkins/exact_study.hpp"
@@ -217,6 +221,40 @@ TEST(WatkinsSweep, FindsWhatPenetrates) {
     sum += std::hypot(double(i.to.p.x) - i.from.p.x, double(i.to.p.y) - i.from.p.y);
   const double unit = p.projected.view.scale / p.projected.lattice.step_mm;
   EXPECT_NEAR(sum, 6 * unit, 4);
+}
+
+/// Length of all visible strokes of the scene, by class.
+std::array<double, kLineClassCount> visible_lengths(const ProjectedScene& scene, const char* method) {
+  VisibilityResult result = find_method(method)->study(scene, {});
+  remove_coincident_strokes(*result.strokes, coincidence_mm(scene));
+  std::array<double, kLineClassCount> lengths{};
+  for (const Stroke& s : result.strokes->strokes) {
+    if (s.visible) lengths[static_cast<std::size_t>(s.line_class)] += length(s.from, s.to);
+  }
+  return lengths;
+}
+
+/// Hundreds of facets over each other on all of the page: the scan gives up, and the lines are studied by cells.
+TEST(WatkinsSweep, GivesUpInACrowd) {
+  constexpr int kSquares = 300;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> place(0, 3), size(1, 5);
+  Scene sheets, fan;
+  for (int k = 0; k < kSquares; ++k) {
+    const double x = place(random), y = place(random), w = size(random), h = size(random);
+    add_face(sheets, {{{x, y, 0}, {x + w, y, 0}, {x + w, y + h, 0}, {x, y + h, 0}}});
+    const double a = 3.14159265358979 * k / kSquares, u = std::cos(a), v = std::sin(a);
+    add_face(fan, {{{0, 0, 0}, {u, v, 0}, {u, v, 1}, {0, 0, 1}}});
+  }
+  for (Scene* scene : {&sheets, &fan}) {
+    const Prepared p = prepare(*scene, along({-1, 1, -1}));
+    EXPECT_TRUE(study(p, SpanMethodKind::stack, true).gave_up);
+    const auto expected = visible_lengths(p.projected, "appel"), found = visible_lengths(p.projected, "watkins");
+    for (std::size_t c = 0; c < kLineClassCount; ++c) EXPECT_NEAR(found[c], expected[c], 1e-6 * expected[c]);
+  }
+  Scene boxes;
+  for (int i = 0; i < kSquares; ++i) add_box(boxes, {place(random), place(random), place(random)}, {size(random), 0.3, 0.2});
+  EXPECT_FALSE(study(prepare(boxes, along({-1, 1, -1})), SpanMethodKind::stack, true).gave_up);
 }
 
 }  // namespace

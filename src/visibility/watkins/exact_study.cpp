@@ -1,5 +1,6 @@
 #include "visibility/watkins/exact_study.hpp"
 
+#include <atomic>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -32,21 +33,30 @@ ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const st
   std::vector<BandResult> results(bands.size());
   ExactResult result;
   if (options.penetrations) result.penetrations.assign(bands.size(), PenetrationSearch(facets, vertices));
+  std::atomic<bool> gave_up = false;  // one of the bands, so that all is in vain
   std::mutex progress_mutex;
   std::size_t done = 0;
   parallel_tasks(bands.size(), [&](std::size_t b) {
-    StretchStudy study(vertices, facets, lines, options.coincidence_steps, options.kind);
+    if (gave_up) return;
+    ScanEffort effort(bands[b].end - bands[b].first);
+    StretchStudy study(vertices, facets, lines, options.coincidence_steps, options.kind, effort);
     std::optional<PairFinder> pairs;
-    if (options.penetrations) pairs.emplace(facets, result.penetrations[b], options.covers);
-    ExactSweep sweep(scene, study, options.coincidence_steps + 1, pairs ? &*pairs : nullptr);
+    if (options.penetrations) pairs.emplace(facets, result.penetrations[b], options.covers, effort);
+    ExactSweep sweep(scene, study, options.coincidence_steps + 1, pairs ? &*pairs : nullptr, effort);
     sweep.scan(bands[b]);
     results[b] = {sweep.findings(), sweep.near_lines(), {sweep.counts(), study.counts(), study.span_counts(), 1}};
+    if (effort.spent()) gave_up = true;
     if (options.progress) {
       const std::lock_guard lock(progress_mutex);
       options.progress(static_cast<double>(++done) / static_cast<double>(bands.size()));
     }
   });
 
+  if (gave_up) {
+    result.gave_up = true;
+    result.penetrations.clear();
+    return result;
+  }
   result.near.assign(lines.size(), 0);
   std::vector<std::vector<Finding>> findings;
   for (BandResult& r : results) {

@@ -42,6 +42,7 @@ class FoundIntervals {
 };
 
 struct ExactResult {
+  bool gave_up = false;  ///< see ScanEffort; then nothing is found
   FoundIntervals found;
   std::vector<std::uint8_t> near;               ///< by line: another one may lie on it
   std::vector<PenetrationSearch> penetrations;  ///< one by band, when asked for

@@ -28,6 +28,7 @@ void SweepCounts::operator+=(const SweepCounts& o) {
 void ExactSweep::scan(const SweepBand& band) {
   begin(band);
   for (std::uint32_t p = band.first; p < band.end; ++p) {
+    if (effort_.spent()) return;
     at_crossings(scene_.points[p].y, scene_.points[p].x);
     if (p > band.first && (p - band.first) % kPointsPerBucket == 0)
       queue_.pass_fence([this](const Crossing& c) { return still_to_come(c); });
@@ -123,6 +124,7 @@ void ExactSweep::toggle_node(std::uint32_t node, Cover& cover) {
 void ExactSweep::at_crossings(double y, double x) {
   while (const std::optional<Crossing> next = queue_.take_before(y, x)) {
     const Crossing& c = *next;
+    if (effort_.spent()) return;
     if (!still_to_come(c)) continue;
     const SweepNode &p = status_.node(c.left), &q = status_.node(c.right);
     y_ = c.y;
@@ -134,6 +136,7 @@ void ExactSweep::at_crossings(double y, double x) {
 }
 
 void ExactSweep::exchange(std::uint32_t s) {
+  effort_.spend(status_.cover(s).size());
   const std::uint32_t t = status_.next(s), a = status_.node_at(s), b = status_.node_at(t), before = status_.previous(s);
   close(s, x_, y_);
   close(t, x_, y_);

@@ -42,9 +42,10 @@ class ExactSweep {
  public:
   /// `pairs` is called where facets begin to overlap; it may be null. Edges no farther apart than `near_steps` may lie on
   /// each other.
-  ExactSweep(const SweepScene& scene, StretchStudy& study, double near_steps, PairFinder* pairs)
-      : scene_(scene), study_(study), near_steps_(near_steps), pairs_(pairs) {}
+  ExactSweep(const SweepScene& scene, StretchStudy& study, double near_steps, PairFinder* pairs, ScanEffort& effort)
+      : scene_(scene), study_(study), near_steps_(near_steps), pairs_(pairs), effort_(effort) {}
 
+  /// Until the effort is spent: then what is found is not all.
   void scan(const SweepBand& band);
 
   const std::vector<Finding>& findings() const { return findings_; }
@@ -90,6 +91,7 @@ class ExactSweep {
   StretchStudy& study_;
   double near_steps_;
   PairFinder* pairs_;
+  ScanEffort& effort_;
 
   SweepStatus status_;
   CrossingQueue queue_;

@@ -10,6 +10,7 @@
 
 #include "visibility/common/penetration.hpp"
 #include "visibility/watkins/occluder_grid.hpp"
+#include "visibility/watkins/scan_effort.hpp"
 #include "visibility/watkins/sweep_status.hpp"
 
 namespace ligne::watkins {
@@ -17,8 +18,8 @@ namespace ligne::watkins {
 class PairFinder {
  public:
   /// What lies behind `covers`, which may be null, is not wanted.
-  PairFinder(const std::vector<Facet>& facets, PenetrationSearch& search, const OccluderGrid* covers)
-      : facets_(facets), search_(search), occluders_(covers) {}
+  PairFinder(const std::vector<Facet>& facets, PenetrationSearch& search, const OccluderGrid* covers, ScanEffort& effort)
+      : facets_(facets), search_(search), occluders_(covers), effort_(effort) {}
 
   /// At a point: the facets that have a corner or a side there against all over a gap below it.
   void at_point(std::span<const std::uint32_t> touched, const Cover& cover);
@@ -27,11 +28,14 @@ class PairFinder {
   void at_crossing(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right, const Cover& outside);
 
  private:
+  static constexpr std::uint64_t kLooksPerTest = 32;  ///< adjustable
+
   void test(std::uint32_t f, std::uint32_t g);
 
   const std::vector<Facet>& facets_;
   PenetrationSearch& search_;
   const OccluderGrid* occluders_;
+  ScanEffort& effort_;
 };
 
 }  // namespace ligne::watkins

@@ -34,12 +34,14 @@ void StretchCounts::operator+=(const StretchCounts& o) {
 }
 
 StretchStudy::StretchStudy(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
-                           std::span<const SweepLine> lines, double coincidence_steps, SpanMethodKind kind)
+                           std::span<const SweepLine> lines, double coincidence_steps, SpanMethodKind kind,
+                           ScanEffort& effort)
     : vertices_(vertices),
       facets_(facets),
       lines_(lines),
       coincidence_steps_(coincidence_steps),
       spans_(make_span_method<double>(kind)),
+      effort_(effort),
       marks_(facets.size()) {}
 
 void StretchStudy::study(std::uint32_t index, LineState& state, double x0, double y0, double x1, double y1,
@@ -59,6 +61,7 @@ void StretchStudy::study(std::uint32_t index, LineState& state, double x0, doubl
     ++counts_.carried;
     return;
   }
+  effort_.spend(state.tested.size() + left.size() + right.size());
   candidates_.clear();
   mark_tested(state);
   const double z_far = std::max(line.z(t0), line.z(t1));

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "visibility/common/open_parts.hpp"
+#include "visibility/watkins/scan_effort.hpp"
 #include "visibility/watkins/span_method.hpp"
 #include "visibility/watkins/sweep_scene.hpp"
 #include "visibility/watkins/sweep_status.hpp"
@@ -44,7 +45,7 @@ struct StretchCounts {
 class StretchStudy {
  public:
   StretchStudy(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
-               std::span<const SweepLine> lines, double coincidence_steps, SpanMethodKind kind);
+               std::span<const SweepLine> lines, double coincidence_steps, SpanMethodKind kind, ScanEffort& effort);
 
   /// The stretch from page position (x0, y0) to (x1, y1), in steps, both on the line; `left` and `right` are the facets over
   /// its sides.
@@ -77,6 +78,7 @@ class StretchStudy {
   std::span<const SweepLine> lines_;
   double coincidence_steps_;
   std::unique_ptr<SpanMethod<double>> spans_;
+  ScanEffort& effort_;
   std::vector<Candidate> candidates_;
   std::vector<Mark> marks_;  ///< by facet
   std::uint32_t study_ = 0;

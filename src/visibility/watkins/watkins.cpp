@@ -1,13 +1,16 @@
 #include "visibility/watkins/watkins.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 
 #include "geometry/parallel.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
+#include "visibility/common/intersections.hpp"
 #include "visibility/common/line_strokes.hpp"
+#include "visibility/common/visible_parts.hpp"
 #include "visibility/watkins/exact_study.hpp"
 #include "visibility/watkins/line_study.hpp"
 
@@ -146,6 +149,8 @@ class WatkinsStudy {
   void make_lines();
   void leave_out_what_is_hidden();
   void study_edges();
+  const CellGrid& cells_to_search();
+  LineVisibility by_cells();
   void study_intersections();
   void study_lines();
   void make_spans();
@@ -170,7 +175,9 @@ class WatkinsStudy {
   std::vector<SweepLine> lines_;    ///< the candidate edges
   std::vector<SweepLine> crossed_;  ///< the intersections
   std::optional<OccluderGrid> occluders_;
-  std::optional<CellGrid> cells_;  ///< for their covers
+  std::optional<CellGrid> cells_;     ///< for their covers
+  std::optional<CellGrid> searched_;  ///< of the facets that are left
+  bool edges_by_cells_ = false, intersections_by_cells_ = false;
   std::vector<Intersection> intersections_;
   /// Of edges, and behind them, by a number of lines, of intersections; in the exact study these have their own.
   FoundIntervals found_, found_of_intersections_;
@@ -209,10 +216,14 @@ void WatkinsStudy::study_edges() {
   const std::span<const SweepLine> studied = exact_ ? std::span<const SweepLine>(lines_) : std::span<const SweepLine>{};
   ExactResult first = study_exactly(scene_.vertices, facets_.facets, studied, exact_options_);
   counts_ += first.counts;
+  edges_by_cells_ = exact_ && first.gave_up;
+  if (edges_by_cells_) cells_to_search();
   found_ = std::move(first.found);
   near_ = std::move(first.near);
   if (finds_intersections()) {
-    intersections_ = take_intersections(first, scene_.vertices, facets_.facets, kLeastPartMm / step_);
+    intersections_ =
+        first.gave_up ? find_intersections(scene_, facets_.facets, cells_to_search(), exact_options_.coincidence_steps + 1)
+                      : take_intersections(first, scene_.vertices, facets_.facets, kLeastPartMm / step_);
   }
   for (const Intersection& i : intersections_) {
     crossed_.push_back({i.from, i.to, i.face0, i.face1});
@@ -222,6 +233,27 @@ void WatkinsStudy::study_edges() {
   result_.statistics.time("edges", clock_.lap());
 }
 
+/// For what a scan gave up.
+const CellGrid& WatkinsStudy::cells_to_search() {
+  if (!searched_) {
+    CellGrid::Options options;
+    options.margin_steps = exact_options_.coincidence_steps + 1;
+    options.drop_hidden = cells_.has_value();
+    searched_.emplace(scene_, facets_.facets, options);
+  }
+  return *searched_;
+}
+
+/// The visible parts of lines, by cells.
+LineVisibility WatkinsStudy::by_cells() {
+  const auto search =
+      std::make_shared<VisibleParts>(scene_, facets_.facets, cells_to_search(), exact_options_.coincidence_steps);
+  return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
+    parts = search->find(line);
+    return search->near_side();
+  };
+}
+
 // 4. Intersections.
 void WatkinsStudy::study_intersections() {
   if (scene_.with_intersections && !intersections_.empty()) {
@@ -229,6 +261,8 @@ void WatkinsStudy::study_intersections() {
     exact_options_.progress = {};
     ExactResult r = study_exactly(scene_.vertices, facets_.facets, crossed_, exact_options_);
     counts_ += r.counts;
+    intersections_by_cells_ = r.gave_up;
+    if (r.gave_up) cells_to_search();
     found_of_intersections_ = std::move(r.found);
   }
   report(counts_, result_.statistics);
@@ -264,6 +298,7 @@ void WatkinsStudy::make_strokes() {
   const double shortest = exact_ ? least : std::max(least, grid_of_lines(scene_, line_count_).spacing);
   LineStrokes strokes(scene_, facets_, options_.hidden_strokes, shortest);
   strokes.add_edges([&]() -> LineVisibility {
+    if (edges_by_cells_) return by_cells();
     return [this, open = OpenParts()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
       if (!lines_[i].behind) parts = found_.visible_parts(i, open);
       return near_.empty() || near_[i];
@@ -271,6 +306,7 @@ void WatkinsStudy::make_strokes() {
   });
   if (scene_.with_intersections) {
     strokes.add_intersections(intersections_, [&]() -> LineVisibility {
+      if (intersections_by_cells_) return by_cells();
       return [this, open = OpenParts()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
         if (crossed_[i].behind) return true;
         parts = exact_ ? found_of_intersections_.visible_parts(i, open) : found_.visible_parts(lines_.size() + i, open);
