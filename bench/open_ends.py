@@ -5,15 +5,13 @@ Draws each model in each view (iso, front, right, top) and prints a Markdown tab
 outlines and of other strokes that meet no line (none is nearer than 0.1 mm), and how many of both would meet one if they
 went straight on by no more than 3 mm. --where lists those: layer, place on the page, and the way to the line."""
 
-import argparse
 import collections
 import math
 import os
 import sys
-import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from short_strokes import distance, draw  # noqa: E402
+from short_strokes import argument_parser, distance, parse_arguments, pictures  # noqa: E402
 
 DIRECTION_MM = 0.5  # of the stroke before its end, which tells its direction
 CELL_MM = 2
@@ -28,6 +26,18 @@ def before_end(line):
             return (p[0] + (q[0] - p[0]) * left / mm, p[1] + (q[1] - p[1]) * left / mm)
         left -= mm
     return line[0]
+
+
+def last_segments(line, at_end):
+    """The numbers of the segments of the piece that tells the direction; what is left of the line may come back."""
+    numbers = range(len(line) - 1)
+    left, last = DIRECTION_MM, set()
+    for k in reversed(numbers) if at_end else numbers:
+        last.add(k)
+        left -= math.dist(line[k], line[k + 1])
+        if left <= 0:
+            break
+    return last
 
 
 def hit(p, q, a, b):
@@ -69,9 +79,10 @@ def open_ends(picture, least, most):
             continue
         for way in (line, line[::-1]):
             end, back = way[-1], before_end(way)
-            # Of its own stroke only what lies farther off than the piece that tells the direction.
-            own = [s for s in segments.near(end, end, least) if segments.list[s][0] != i]
-            if any(distance(end, *segments.list[s][2:]) < least for s in own):
+            last = last_segments(line, way is line)
+            near = [s for s in segments.near(end, end, least)
+                    if segments.list[s][0] != i or segments.list[s][1] not in last]
+            if any(distance(end, *segments.list[s][2:]) < least for s in near):
                 continue
             unit = math.dist(back, end)
             if unit == 0:
@@ -89,37 +100,25 @@ def open_ends(picture, least, most):
 
 
 def main():
-    own, options = sys.argv[1:], []
-    if "--" in own:
-        own, options = own[:own.index("--")], own[own.index("--") + 1:]
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("ligne")
-    parser.add_argument("models", nargs="+")
-    parser.add_argument("--views", default="iso,front,right,top")
+    parser = argument_parser(__doc__)
     parser.add_argument("--from", dest="least", type=float, default=0.1)
     parser.add_argument("--to", dest="most", type=float, default=3)
-    parser.add_argument("--where", action="store_true")
-    args = parser.parse_args(own)
+    args, options = parse_arguments(parser)
     print("| model | view | strokes | open outlines | short of a line | other open ends | short of a line |")
     print("|---|---|---:|---:|---:|---:|---:|")
     sums = [0] * 5
-    with tempfile.TemporaryDirectory() as folder:
-        for model in args.models:
-            for view in args.views.split(","):
-                picture = draw(args.ligne, model, view, options, folder)
-                if picture is None:
-                    continue
-                ends = list(open_ends(picture, args.least, args.most))
-                row = [len(picture.strokes)]
-                for outline in (True, False):
-                    these = [way for name, _, way in ends if (name in ("outline", "profile")) == outline]
-                    row += [len(these), sum(way is not None for way in these)]
-                sums = [a + b for a, b in zip(sums, row)]
-                print(f"| `{os.path.basename(model)}` | {view} | " + " | ".join(map(str, row)) + " |")
-                if args.where:
-                    for name, p, way in ends:
-                        if way is not None:
-                            print(f"    {name} at {p[0]:.2f} {p[1]:.2f}: {way:.2f} mm")
+    for title, picture in pictures(args, options):
+        ends = list(open_ends(picture, args.least, args.most))
+        row = [len(picture.strokes)]
+        for outline in (True, False):
+            these = [way for name, _, way in ends if (name in ("outline", "profile")) == outline]
+            row += [len(these), sum(way is not None for way in these)]
+        sums = [a + b for a, b in zip(sums, row)]
+        print(title + " | ".join(map(str, row)) + " |")
+        if args.where:
+            for name, p, way in ends:
+                if way is not None:
+                    print(f"    {name} at {p[0]:.2f} {p[1]:.2f}: {way:.2f} mm")
     print("| all | | " + " | ".join(map(str, sums)) + " |")
 
 

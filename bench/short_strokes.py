@@ -113,35 +113,51 @@ def draw(ligne, model, view, options, folder):
         return Picture(file.read())
 
 
-def main():
-    own, options = sys.argv[1:], []
-    if "--" in own:
-        own, options = own[:own.index("--")], own[own.index("--") + 1:]
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def argument_parser(description):
+    """Of a program that draws models in views and prints a table."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("ligne")
     parser.add_argument("models", nargs="+")
     parser.add_argument("--views", default="iso,front,right,top")
-    parser.add_argument("--limit", type=float, default=0.5)
     parser.add_argument("--where", action="store_true")
-    args = parser.parse_args(own)
-    print("| model | view | strokes | short | chains | short |\n|---|---|---:|---:|---:|---:|")
-    sums = [0, 0, 0, 0]
+    return parser
+
+
+def parse_arguments(parser):
+    """The program's own arguments, and the options of ligne draw behind them."""
+    own, options = sys.argv[1:], []
+    if "--" in own:
+        own, options = own[:own.index("--")], own[own.index("--") + 1:]
+    return parser.parse_args(own), options
+
+
+def pictures(args, options):
+    """(beginning of a row of the table, picture) of each model in each view."""
     with tempfile.TemporaryDirectory() as folder:
         for model in args.models:
             for view in args.views.split(","):
                 picture = draw(args.ligne, model, view, options, folder)
-                if picture is None:
-                    continue
-                chains = picture.chains()
-                short = [i for i, s in enumerate(picture.strokes) if s[2] < args.limit]
-                row = [len(picture.strokes), len(short), len(chains), sum(mm < args.limit for mm in chains)]
-                sums = [a + b for a, b in zip(sums, row)]
-                print(f"| `{os.path.basename(model)}` | {view} | " + " | ".join(map(str, row)) + " |")
-                if args.where:
-                    for i in short:
-                        name, line, mm = picture.strokes[i]
-                        ends = " ".join(picture.end_text(i, p) for p in (line[0], line[-1]))
-                        print(f"    {name} at {line[0][0]:.2f} {line[0][1]:.2f}, {mm:.3f} mm: {ends}")
+                if picture is not None:
+                    yield f"| `{os.path.basename(model)}` | {view} | ", picture
+
+
+def main():
+    parser = argument_parser(__doc__)
+    parser.add_argument("--limit", type=float, default=0.5)
+    args, options = parse_arguments(parser)
+    print("| model | view | strokes | short | chains | short |\n|---|---|---:|---:|---:|---:|")
+    sums = [0, 0, 0, 0]
+    for title, picture in pictures(args, options):
+        chains = picture.chains()
+        short = [i for i, s in enumerate(picture.strokes) if s[2] < args.limit]
+        row = [len(picture.strokes), len(short), len(chains), sum(mm < args.limit for mm in chains)]
+        sums = [a + b for a, b in zip(sums, row)]
+        print(title + " | ".join(map(str, row)) + " |")
+        if args.where:
+            for i in short:
+                name, line, mm = picture.strokes[i]
+                ends = " ".join(picture.end_text(i, p) for p in (line[0], line[-1]))
+                print(f"    {name} at {line[0][0]:.2f} {line[0][1]:.2f}, {mm:.3f} mm: {ends}")
     print("| all | | " + " | ".join(map(str, sums)) + " |")
 
 

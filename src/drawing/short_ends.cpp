@@ -19,6 +19,8 @@ namespace {
 constexpr double kLongInWays = 3;
 /// Adjustable: its direction is that of its last part, so long as the reach at the most.
 constexpr double kDirectionInReaches = 0.5;
+/// Adjustable: sine and cosine of the most that a line turns where it does not run into another one straight: 20 degrees.
+constexpr double kTurnSine = 0.342, kTurnCosine = 0.94;
 
 bool takes_part(const Stroke& s) { return is_edge(s) && s.line_class != LineClass::mesh; }
 
@@ -29,7 +31,7 @@ struct Vector {
 class ShortEnds {
  public:
   ShortEnds(const std::vector<Stroke>& strokes, double reach, double touching)
-      : net_(strokes, touching), reach_(reach), grid_(reach, touching) {
+      : net_(strokes, touching), reach_(reach), grid_(reach, touching), wide_grid_(reach, touching + kTurnSine * reach) {
     const std::vector<StrokeNet::Piece>& pieces = net_.pieces();
     arc_of_.assign(pieces.size(), 0);
     const std::vector<StrokeNet::Arc> arcs = net_.arcs();
@@ -53,7 +55,7 @@ class ShortEnds {
         const double way = std::min(reach_, lengths_[arc_of_[i]] / kLongInWays);
         d = {d.x * way, d.y * way};
         const LatticePoint far{p.x + static_cast<std::int32_t>(d.x), p.y + static_cast<std::int32_t>(d.y)};
-        grid_.walk(p, far, [&](std::uint64_t cell) {
+        wide_grid_.walk(p, far, [&](std::uint64_t cell) {
           std::uint32_t& first = cells_[cell];
           links_.emplace_back(static_cast<std::uint32_t>(ends_.size() - 1), first);
           first = static_cast<std::uint32_t>(links_.size() - 1);
@@ -71,10 +73,11 @@ class ShortEnds {
       });
     }
     for (const End& end : ends_) {
-      if (end.way > 1) continue;
+      if (end.way > 1 && end.turned_way > 1) continue;
       const LatticePoint p = end_point(end);
-      const LatticePoint to{p.x + static_cast<std::int32_t>(std::lround(end.way * end.direction.x)),
-                            p.y + static_cast<std::int32_t>(std::lround(end.way * end.direction.y))};
+      const Vector way = end.way > 1 ? end.turned : Vector{end.way * end.direction.x, end.way * end.direction.y};
+      const LatticePoint to{p.x + static_cast<std::int32_t>(std::lround(way.x)),
+                            p.y + static_cast<std::int32_t>(std::lround(way.y))};
       if (to != p) add(pieces[end.piece].stroke, end.at_from, to);
     }
   }
@@ -85,6 +88,8 @@ class ShortEnds {
     bool at_from;
     Vector direction;  ///< as long as the way that it may go
     double way = 2;    ///< to the first line, as a part of that; more than 1 where there is none
+    Vector turned{};   ///< the way to the nearest place on a line beside which it ends
+    double turned_way = 2;
   };
 
   LatticePoint end_point(const End& end) const {
@@ -120,21 +125,56 @@ class ShortEnds {
     const double ux = double(s.to.x) - s.from.x, uy = double(s.to.y) - s.from.y;
     const double px = double(s.from.x) - p.x, py = double(s.from.y) - p.y;
     const double area = end.direction.x * uy - end.direction.y * ux;
-    if (area == 0) return;
-    const double way = (px * uy - py * ux) / area, along = (px * end.direction.y - py * end.direction.x) / area;
-    if (way <= 0 || way > 1 || along < 0 || along > 1) return;
-    end.way = std::min(end.way, way);
+    if (area != 0) {
+      const double way = (px * uy - py * ux) / area, along = (px * end.direction.y - py * end.direction.x) / area;
+      if (way > 0 && way <= 1 && along >= 0 && along <= 1) end.way = std::min(end.way, way);
+    }
+    turn_to(end, {px, py}, {ux, uy});
+  }
+
+  /// The nearest place on start + [0, 1] u, from the end, to which the line may turn.
+  static void turn_to(End& end, const Vector& start, const Vector& u) {
+    const Vector& d = end.direction;
+    double from = 0, to = 1;
+    for (const double side : {-1.0, 1.0}) {
+      // The inner normal of a side of the wedge.
+      const Vector n{kTurnSine * d.x - side * kTurnCosine * d.y, kTurnSine * d.y + side * kTurnCosine * d.x};
+      const double at_start = n.x * start.x + n.y * start.y, slope = n.x * u.x + n.y * u.y;
+      if (slope == 0 && at_start < 0) return;
+      if (slope > 0) from = std::max(from, -at_start / slope);
+      if (slope < 0) to = std::min(to, -at_start / slope);
+    }
+    if (from > to || (d.x == 0 && d.y == 0)) return;
+    const double square = u.x * u.x + u.y * u.y;
+    const double at = square > 0 ? std::clamp(-(start.x * u.x + start.y * u.y) / square, from, to) : from;
+    const Vector turned{start.x + at * u.x, start.y + at * u.y};
+    const double way = std::hypot(turned.x, turned.y) / std::hypot(d.x, d.y);
+    if (way >= end.turned_way) return;
+    end.turned = turned;
+    end.turned_way = way;
   }
 
   StrokeNet net_;
   double reach_;
-  SegmentGrid grid_;
+  SegmentGrid grid_, wide_grid_;       // of the same cells
   std::vector<std::uint32_t> arc_of_;  // by piece
   std::vector<double> lengths_;        // by arc
   std::vector<End> ends_;
   KeyTable cells_;                                              // of each cell the first link
   std::vector<std::pair<std::uint32_t, std::uint32_t>> links_;  // end, next link
 };
+
+/// Of two new strokes between the same ends, which lead to each other, one stays.
+void drop_ways_back(std::vector<Stroke>& added) {
+  const auto is_before = [](const Stroke& a, const Stroke& b) { return a.from == b.from ? a.to < b.to : a.from < b.from; };
+  std::vector<Stroke> sorted = added;
+  std::sort(sorted.begin(), sorted.end(), is_before);
+  std::erase_if(added, [&](const Stroke& s) {
+    Stroke back = s;
+    std::swap(back.from, back.to);
+    return s.to < s.from && std::binary_search(sorted.begin(), sorted.end(), back, is_before);
+  });
+}
 
 /// Cuts what lies along the new strokes off hidden ones.
 void cut_hidden(std::vector<Stroke>& strokes, const std::vector<Stroke>& added, double reach, double touching) {
@@ -184,6 +224,7 @@ std::size_t extend_short_ends(StrokeModel& model, const ShortEndLimits& limits, 
     s.w_from = s.w_to = at_from ? last.w_from : last.w_to;
     added.push_back(s);
   });
+  drop_ways_back(added);
   for (Stroke& s : added) {
     model.intersections.push_back(make_source(s));
     s.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size()) - 1;

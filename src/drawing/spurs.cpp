@@ -89,7 +89,10 @@ class SpurFinder {
   /// Lines that end near a free end of the arc have no other way to where its other end leads: they are one line with a gap.
   bool bridges_a_gap(const StrokeNet::Arc& arc) const {
     const std::vector<std::uint32_t> at[2] = {nodes_near(arc, 0), nodes_near(arc, 1)};
-    return !at[0].empty() && !at[1].empty() && !are_connected(at[0], at[1], arc, limits_.gap_mm / step_);
+    // Each by itself: among the nodes near an end may be some of lines with which the arc hangs together anyway.
+    return !at[0].empty() && std::ranges::any_of(at[1], [&](std::uint32_t node) {
+      return !leads_to_all(node, at[0], arc, limits_.gap_mm / step_);
+    });
   }
 
   /// The nodes of other lines within a gap of a free end, in order; the end itself where it is not free.
@@ -110,6 +113,7 @@ class SpurFinder {
       return false;
     });
     std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
     return near;
   }
 
@@ -122,23 +126,20 @@ class SpurFinder {
 
   /// There is another way from end to end that is not much longer.
   bool stays_connected(const StrokeNet::Arc& arc) const {
-    return are_connected({arc.ends[0]}, {arc.ends[1]}, arc, limits_.beside_mm / step_);
+    return leads_to_all(arc.ends[0], {arc.ends[1]}, arc, limits_.beside_mm / step_);
   }
 
-  /// From one node of `from` to one of `to`, which are in order, there is a way that is not by the arc and not much longer
-  /// than it and `more`. Of several ways to a node the one with the fewest pieces counts, so that a spur may stay.
-  bool are_connected(const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to, const StrokeNet::Arc& arc,
-                     double more) const {
+  /// From a node to each of `to`, which are in order, there is a way that is not by the arc and not much longer than it and
+  /// `more`. Of several ways to a node the one with the fewest pieces counts, so that a spur may stay.
+  bool leads_to_all(std::uint32_t from, const std::vector<std::uint32_t>& to, const StrokeNet::Arc& arc, double more) const {
     const double longest = kDetour * (arc.length + more);
-    std::vector<std::pair<std::uint32_t, double>> reached;  // nodes
-    KeyTable place_of;                                      // by node
-    for (const std::uint32_t node : from) {
-      place_of[node] = static_cast<std::uint32_t>(reached.size());
-      reached.emplace_back(node, 0);
-    }
+    std::vector<std::pair<std::uint32_t, double>> reached{{from, 0}};  // nodes
+    KeyTable place_of;                                                 // by node
+    place_of[from] = 0;
+    std::size_t left = to.size();
     for (std::size_t k = 0; k < reached.size(); ++k) {
       const auto [node, length] = reached[k];
-      if (std::ranges::binary_search(to, node)) return true;
+      if (std::ranges::binary_search(to, node) && --left == 0) return true;
       for (const auto& [at, i] : net_.pieces_at(node)) {
         const StrokeNet::Piece& piece = net_.pieces()[i];
         const double further = length + page_length(piece.stroke);

@@ -37,6 +37,26 @@ TEST(ShortEnds, GoOnInTheDirectionOfTheirLine) {
   EXPECT_NEAR(m.strokes.back().to.y, 2, 1);
 }
 
+TEST(ShortEnds, TurnToTheLineBesideWhichTheyEnd) {
+  // It comes from afar, so that only one end is near the others.
+  const Stroke start = stroke({0, -90}, {60, 0}, LineClass::outline, 0),
+               line = stroke({60, 0}, {90, 0}, LineClass::outline, 2);
+  StrokeModel beside = page_with({start, line, stroke({50, 4}, {200, 4}, LineClass::outline, 1)});
+  EXPECT_EQ(extend(beside), 1u);
+  EXPECT_EQ(beside.strokes.back().from, (LatticePoint{90, 0}));
+  EXPECT_EQ(beside.strokes.back().to, (LatticePoint{101, 4})) << "by 20 degrees";
+  StrokeModel begins = page_with({start, line, stroke({105, 4}, {200, 10}, LineClass::outline, 1)});
+  EXPECT_EQ(extend(begins), 1u) << "not once from either end";
+  EXPECT_EQ(begins.strokes.back().to, (LatticePoint{105, 4}));
+  StrokeModel apart = page_with({start, line, stroke({50, 8}, {200, 8}, LineClass::outline, 1)});
+  EXPECT_EQ(extend(apart), 0u);
+  StrokeModel behind = page_with({start, line, stroke({50, 4}, {92, 4}, LineClass::outline, 1)});
+  EXPECT_EQ(extend(behind), 0u);
+  StrokeModel ahead = page_with({start, line, stroke({91, -2}, {109, 2}, LineClass::outline, 1)});
+  EXPECT_EQ(extend(ahead), 1u);
+  EXPECT_EQ(ahead.strokes.back().to, (LatticePoint{100, 0})) << "straight, where it can";
+}
+
 TEST(ShortEnds, StayWhereNothingIsNearOrTheLineIsShort) {
   StrokeModel far = page_with({stroke({0, 0}, {75, 0}, LineClass::outline, 0), kWall});
   EXPECT_EQ(extend(far), 0u);
