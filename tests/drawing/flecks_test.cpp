@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "drawing/spurs.hpp"
 #include "scan_page.hpp"
 
 namespace ligne {
@@ -67,6 +69,29 @@ TEST(Flecks, BecomeHiddenWhereHiddenLinesAreDrawn) {
   EXPECT_EQ(drop_flecks_of(page), 1u);
   EXPECT_EQ(page.model.strokes.size(), 3u);
   EXPECT_FALSE(page.model.strokes[1].visible);
+}
+
+TEST(Flecks, AreNoneInALineOfFoldsWithoutSpurs) {
+  // An outline of four folds, each of which begins beside the one before: with its spurs left out, its second piece has no
+  // end nearer than 0.26 mm to the others.
+  ScanPage page;
+  page.add(1, {158.5, 10}, {158.525, 27.993}).add(1, {158.525, 27.993}, {158.583, 29.915});
+  page.add(1, {158.583, 29.915}, {158.365, 30.659});
+  page.add(2, {158.321, 29.886}, {158.427, 31.758}).add(2, {158.427, 31.758}, {158.058, 32.159});
+  page.add(3, {158.377, 31.771}, {158.084, 33.202});
+  page.add(4, {158.048, 31.771}, {158.095, 33.606}).add(4, {158.095, 33.606}, {157.643, 34.318});
+  page.add(4, {157.643, 34.318}, {150, 45});
+  EXPECT_GT(drop_spurs(page.model, ScanPage::body_of,
+                       {.longest_mm = 4.2,
+                        .body_part = 1.0 / 32,
+                        .beside_mm = 0.875,
+                        .beside_times = 4,
+                        .touching_mm = 0.35,
+                        .gap_mm = 1.4}),
+            0u);
+  drop_flecks(page.model, ScanPage::body_of, {.longest_mm = 2.8, .body_part = 1.0 / 48, .touching_mm = 0.35});
+  EXPECT_TRUE(std::ranges::any_of(page.model.strokes,
+                                  [&](const Stroke& s) { return s.source == 2 && page.model.lattice.to_mm(s.to).y > 31; }));
 }
 
 }  // namespace

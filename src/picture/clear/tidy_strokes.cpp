@@ -26,6 +26,8 @@ constexpr double kShortInPens = 3;            ///< what ends short of a line
 constexpr double kTouchingInPens = 1.0 / 16;  ///< ends that lie on a line
 constexpr double kInkInPens = 0.5;            ///< to either side of a line
 constexpr double kShownInPens = 0.5;          ///< of a bit beside the ink of other lines
+/// Lines of a scan that meet: without spurs they go on from one to the other there, so for flecks they meet too.
+constexpr double kMeetingInPens = 1;
 constexpr double kFleckInPens = 8;
 constexpr double kFleckPart = 1.0 / 48;  ///< of the extent of its body
 constexpr double kSpurInPens = 12;
@@ -104,7 +106,7 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
                                                    .body_part = kSpurPart,
                                                    .beside_mm = kBesideInPens * pen_mm,
                                                    .beside_times = kBesideInSpurs,
-                                                   .touching_mm = pen_mm,
+                                                   .touching_mm = kMeetingInPens * pen_mm,
                                                    .gap_mm = kBrokenInPens * pen_mm}));
       joined += join();
     }
@@ -116,7 +118,8 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
   count("short bits in the ink of other lines",
         drop_inked_bits(strokes, {least_mm, kInkInPens * pen_mm, kShownInPens * pen_mm}));
   if (!prepared.scans.empty()) {
-    count("flecks of scans left out", drop_flecks(strokes, scan, {kFleckInPens * pen_mm, kFleckPart, pen_mm / 2}));
+    count("flecks of scans left out",
+          drop_flecks(strokes, scan, {kFleckInPens * pen_mm, kFleckPart, kMeetingInPens * pen_mm}));
   }
   if (!request.lines.studied().has(LineClass::outline)) return;
   count("ends led to the line before them",
