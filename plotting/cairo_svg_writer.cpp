@@ -16,6 +16,7 @@
 
 #include "plotting/cairo_path.hpp"
 #include "plotting/cairo_text.hpp"
+#include "plotting/gray_image.hpp"
 #include "plotting/number_text.hpp"
 #include "plotting/writers.hpp"
 #include "plotting/xml_text.hpp"
@@ -51,7 +52,7 @@ bool replace_behind(std::string& svg, const char* begin, const std::string& text
 
 }  // namespace
 
-std::string write_cairo_svg(const Drawing& drawing, const PlotOptions& options) {
+std::string write_cairo_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
   const double units = units_per_mm(largest_coordinate(drawing, options.page));
   const double width = options.page.width_mm, height = options.page.height_mm;
   std::string svg;
@@ -61,6 +62,7 @@ std::string write_cairo_svg(const Drawing& drawing, const PlotOptions& options) 
     const CairoContext cairo(cairo_create(surface.get()));
     cairo_set_source_rgb(cairo.get(), 1, 1, 1);
     cairo_paint(cairo.get());
+    if (under) paint_gray(cairo.get(), *under, units);
     paint_fills(cairo.get(), drawing.fills, units);
     for (const Layer& layer : drawing.layers) {
       stroke_polylines(cairo.get(), layer.lines, options.style_of(layer), {units, 0, options.curves_of(layer)});

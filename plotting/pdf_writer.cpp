@@ -13,6 +13,7 @@
 
 #include "plotting/cairo_path.hpp"
 #include "plotting/cairo_text.hpp"
+#include "plotting/gray_image.hpp"
 #include "plotting/writers.hpp"
 
 namespace ligne {
@@ -46,7 +47,7 @@ struct PdfDocument::Surface {
 PdfDocument::PdfDocument() = default;
 PdfDocument::~PdfDocument() = default;
 
-void PdfDocument::add_page(const Drawing& drawing, const PlotOptions& options) {
+void PdfDocument::add_page(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
   const double width = options.page.width_mm * kPointsPerMm, height = options.page.height_mm * kPointsPerMm;
   const double units = units_per_point(largest_coordinate(drawing, options.page));
 
@@ -69,10 +70,11 @@ void PdfDocument::add_page(const Drawing& drawing, const PlotOptions& options) {
     }
   }
   cairo_surface_t* const surface = surface_->cairo.get();
-  if (!drawing.fills.empty()) {
+  if (under || !drawing.fills.empty()) {
     const CairoContext cairo(cairo_create(surface));
     cairo_set_source_rgb(cairo.get(), 1, 1, 1);
     cairo_paint(cairo.get());
+    if (under) paint_gray(cairo.get(), *under, kPointsPerMm);
     paint_fills(cairo.get(), drawing.fills, kPointsPerMm);
   }
   if (!drawing.layers.empty()) {
@@ -98,9 +100,9 @@ std::string PdfDocument::finish() {
   return std::move(surface_->bytes);
 }
 
-std::string write_pdf(const Drawing& drawing, const PlotOptions& options) {
+std::string write_pdf(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
   PdfDocument document;
-  document.add_page(drawing, options);
+  document.add_page(drawing, options, under);
   return document.finish();
 }
 

@@ -18,6 +18,7 @@
 #include "plotting/cairo_path.hpp"
 #include "plotting/cairo_text.hpp"
 #include "plotting/fill_rim.hpp"
+#include "plotting/gray_image.hpp"
 #include "plotting/number_text.hpp"
 #include "plotting/paths/fit_curves.hpp"
 #include "plotting/pens.hpp"
@@ -282,6 +283,14 @@ std::string fills_text(const std::vector<Fill>& fills) {
   return text + "</g>\n";
 }
 
+/// Gray pixels, in a layer of their own.
+std::string gray_text(const GrayPicture& picture) {
+  return group_start("shade") + ">\n<image x=\"" + number(picture.corner_mm.x) + "\" y=\"" + number(picture.corner_mm.y) +
+         "\" width=\"" + number(picture.width * picture.pixel_mm) + "\" height=\"" +
+         number(picture.height * picture.pixel_mm) + "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
+         base64(gray_png(picture)) + "\"/>\n</g>\n";
+}
+
 std::string layer_start(const Layer& layer, const LineStyle& style) {
   const bool dashed = !style.dashes_mm.empty();
   std::string text = group_start(layer.name) + " fill=\"none\" stroke=\"" + short_color_code(style.color) +
@@ -298,7 +307,7 @@ std::string layer_start(const Layer& layer, const LineStyle& style) {
 class ObjectIds {
  public:
   explicit ObjectIds(const Drawing& drawing) {
-    for (const char* own : {"fill", "text"}) used_.insert(own);
+    for (const char* own : {"fill", "shade", "text"}) used_.insert(own);
     for (const Layer& layer : drawing.layers) used_.insert(id_of(layer.name));
   }
   std::string id(const Layer& layer) {
@@ -347,7 +356,7 @@ std::string text_layer(std::span<const TextItem> items) {
 
 }  // namespace
 
-std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
+std::string write_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
   const std::string width = number(options.page.width_mm), height = number(options.page.height_mm);
   std::string svg =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -357,6 +366,7 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options) {
   if (!options.title.empty()) svg += "<title>" + xml_text(options.title) + "</title>\n";
 
   const double device = device_units(largest_coordinate(drawing, options.page));
+  if (under && !under->gray.empty()) svg += gray_text(*under);
   svg += fills_text(drawing.fills);
   ObjectIds ids(drawing);
   for (std::size_t l = 0; l < drawing.layers.size(); ++l) {

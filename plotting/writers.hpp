@@ -54,16 +54,17 @@ struct PlotOptions {
 };
 
 /// SVG: width, height and viewBox in mm, one Inkscape layer group per layer with the style on it, one path per polyline.
-std::string write_svg(const Drawing& drawing, const PlotOptions& options);
+/// Here and below `under` lies below fills and lines, or is null.
+std::string write_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
 /// SVG through Cairo's SVG surface: width and height in mm, no layers, on white paper.
-std::string write_cairo_svg(const Drawing& drawing, const PlotOptions& options);
+std::string write_cairo_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
 /// A PDF of true size, page by page.
 class PdfDocument {
  public:
   PdfDocument();
   ~PdfDocument();
   /// The document's title is that of the first page.
-  void add_page(const Drawing& drawing, const PlotOptions& options);
+  void add_page(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
   /// The bytes. Nothing can be added afterwards.
   std::string finish();
 
@@ -72,7 +73,7 @@ class PdfDocument {
   std::unique_ptr<Surface> surface_;
 };
 /// The same of one page.
-std::string write_pdf(const Drawing& drawing, const PlotOptions& options);
+std::string write_pdf(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
 /// Pixels of a PNG, width and height.
 struct PixelSize {
   std::uint32_t width = 1, height = 1;
@@ -82,7 +83,7 @@ PixelSize png_size(const PlotOptions& options);
 /// Bytes of the pixels while they are painted.
 inline double png_bytes(const PixelSize& size) { return 4.0 * size.width * size.height; }
 
-/// PNG on white, for looking; `under` lies below the lines and is as large as png_size() says, or null.
+/// PNG on white, for looking; the pixels of `under` are its own, as many as png_size() says.
 std::string write_png(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
 
 /// What hatching needs to know of a region beyond its contours.

@@ -213,7 +213,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_curves_option(draw, picture.output.curves, "on; off with --quality exact");
   add_title_option(draw, picture.output.title, "title of an SVG or PDF");
   OptionGroup(draw, "Faces")
-      .add_flag("--shade", picture.gray_faces, "PNG: faces in gray, lit from the eye (methods with spans or pixels)");
+      .add_flag("--shade", picture.gray_faces, "faces in gray, lit from the eye (methods with spans or pixels)");
   add_hatch_options(draw, picture.hatch);
   add_plotter_options(draw, options.plotter);
   add_run_options(draw, options.run);

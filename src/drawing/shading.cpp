@@ -24,11 +24,15 @@ struct Resampling {
   }
 };
 
+std::uint8_t gray_of(double brightness) {
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(brightness, 0.0, 1.0)));
+}
+
 }  // namespace
 
 GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm) {
-  GrayPicture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 255)};
+  GrayPicture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 255), {}, 0};
   std::vector<double> row(width);
   const std::vector<Span>& all = spans.spans;
   for (std::size_t i = 0; i < all.size();) {
@@ -44,8 +48,7 @@ GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness,
     }
     if (line >= height) continue;
     for (std::uint32_t x = 0; x < width; ++x) {
-      picture.gray[std::size_t{line} * width + x] =
-          static_cast<std::uint8_t>(std::lround(255 * std::clamp(row[x], 0.0, 1.0)));
+      picture.gray[std::size_t{line} * width + x] = gray_of(row[x]);
     }
   }
   return picture;
@@ -53,7 +56,7 @@ GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness,
 
 GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm) {
-  GrayPicture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 255)};
+  GrayPicture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 255), {}, 0};
   const double size = 1 / (pixels_per_mm * pixels.pixel_mm);
   const Resampling columns{-pixels.corner_mm.x / pixels.pixel_mm, size, pixels.width},
       rows{-pixels.corner_mm.y / pixels.pixel_mm, size, pixels.height};
@@ -70,10 +73,19 @@ GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightnes
       for (std::uint32_t x = 0; x < width; ++x) {
         double sum = 0;
         columns.of(x, [&](std::uint32_t column, double share) { sum += share * dark[column]; });
-        picture.gray[y * width + x] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(1 - sum, 0.0, 1.0)));
+        picture.gray[y * width + x] = gray_of(1 - sum);
       }
     }
   });
+  return picture;
+}
+
+GrayPicture gray_pixels(const PixelModel& pixels, const std::vector<double>& brightness) {
+  GrayPicture picture{pixels.width, pixels.height, {}, pixels.corner_mm, pixels.pixel_mm};
+  picture.gray.reserve(pixels.face.size());
+  for (const std::uint32_t face : pixels.face) {
+    picture.gray.push_back(face < brightness.size() ? gray_of(brightness[face]) : 255);
+  }
   return picture;
 }
 

@@ -22,8 +22,10 @@ const char* field_of_regions(const PictureRequest& request) {
 void check(const PictureRequest& request) {
   const Method& method = method_of(request);
   if (request.gray_faces) {
-    if (request.output.format != OutputFormat::png)
-      throw RequestError("shade", "gray faces are for PNG; see --fill shade and --hatch");
+    const OutputFormat format = request.output.format;
+    if (format == OutputFormat::json) throw RequestError("shade", "a JSON drawing has no gray faces");
+    if (request.plotter.by_pens() && format != OutputFormat::png)
+      throw RequestError("shade", "pens draw no gray faces; see --hatch");
     if (!(method.traits().products & (kSpans | kPixels))) {
       throw RequestError("shade", "needs a method that gives spans or pixels: " + methods_with(kSpans | kPixels));
     }

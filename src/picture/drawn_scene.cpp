@@ -92,7 +92,7 @@ DrawnScene::DrawnScene(const Scene& scene, PictureRequest request, RunReport& ru
   const PlotOptions plot = plot_options(request_, prepared_.around.placement.page);
   HatchScene hatch = hatch_scene(prepared_, plot);
   hatching_ = hatch_spans(hatch, run);
-  study_ = ligne::study(prepared_, gray_face_lines(request_, plot), has_edges_, run);
+  study_ = ligne::study(prepared_, gray_face_lines(request_, prepared_.method, plot), has_edges_, run);
   write_debug_numbers(study_.result, request_, prepared_.around.placement.page);
   if (study_.result.regions) {
     std::ranges::move(hatch_regions(hatch, *study_.result.regions, run), std::back_inserter(hatching_));
@@ -122,6 +122,8 @@ Drawing DrawnScene::drawing(RunReport& run) const {
     drawing.fills = fill_regions(prepared_.scene, prepared_.view(), *result.regions, prepared_.lights, request_.fill.kind);
   } else if (result.order && paints_in_order(request_, prepared_.method)) {
     drawing.fills = paint(prepared_, *result.order, run);
+  } else {
+    drawing.fills = gray_areas(prepared_, result);
   }
   add_surroundings(drawing, prepared_.around, request_.axes, run);
   return drawing;

@@ -60,6 +60,25 @@ class FillColors {
   FillKind kind_;
 };
 
+struct LeveledFill {
+  std::uint32_t level;
+  bool narrow;
+  Fill fill;
+};
+
+/// Within a level nothing overlaps but rims, which hide what is narrow. So colours may be put together.
+std::vector<Fill> in_painting_order(std::vector<LeveledFill> found) {
+  std::stable_sort(found.begin(), found.end(), [](const LeveledFill& a, const LeveledFill& b) {
+    if (a.level != b.level) return a.level > b.level;
+    if (a.narrow != b.narrow) return a.narrow;
+    return std::tie(a.fill.opacity, a.fill.color) > std::tie(b.fill.opacity, b.fill.color);
+  });
+  std::vector<Fill> fills;
+  fills.reserve(found.size());
+  for (LeveledFill& one : found) fills.push_back(std::move(one.fill));
+  return fills;
+}
+
 }  // namespace
 
 Material material_of(const Scene& scene, std::uint32_t face) {
@@ -74,27 +93,23 @@ Material material_of(const Scene& scene, const Region& region) {
 std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::vector<Region>& regions,
                                std::span<const Light> lights, FillKind kind) {
   const FillColors colors(scene, view, lights, kind);
-  struct LeveledFill {
-    std::uint32_t level;
-    bool narrow;
-    Fill fill;
-  };
   std::vector<LeveledFill> found;
   for (const Region& region : regions) {
     const Material material = material_of(scene, region);
     const auto color = colors.of(material, region.face, region.lights, region.light_shares);
     found.push_back({region.level, is_narrow(region), {region.contours, color, material.opacity}});
   }
-  // Within a level nothing overlaps but rims, which hide what is narrow. So colours may be put together.
-  std::stable_sort(found.begin(), found.end(), [](const LeveledFill& a, const LeveledFill& b) {
-    if (a.level != b.level) return a.level > b.level;
-    if (a.narrow != b.narrow) return a.narrow;
-    return std::tie(a.fill.opacity, a.fill.color) > std::tie(b.fill.opacity, b.fill.color);
-  });
-  std::vector<Fill> fills;
-  fills.reserve(found.size());
-  for (LeveledFill& one : found) fills.push_back(std::move(one.fill));
-  return fills;
+  return in_painting_order(std::move(found));
+}
+
+std::vector<Fill> fill_gray(const std::vector<Region>& regions, const std::vector<double>& brightness) {
+  std::vector<LeveledFill> found;
+  for (const Region& region : regions) {
+    const double light = region.face < brightness.size() ? brightness[region.face] : 1;
+    const double gray = std::round(std::clamp(light, 0.0, 1.0) * 255) / 255;
+    found.push_back({0, is_narrow(region), {region.contours, {gray, gray, gray}, 1}});
+  }
+  return in_painting_order(std::move(found));
 }
 
 std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintOrder& order, std::span<const Light> lights,

@@ -22,6 +22,9 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
 std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintOrder& order, std::span<const Light> lights,
                               FillKind kind);
 
+/// Regions seen directly in the gray of the brightness of their faces (0 to 1).
+std::vector<Fill> fill_gray(const std::vector<Region>& regions, const std::vector<double>& brightness);
+
 /// The material of a face.
 Material material_of(const Scene& scene, std::uint32_t face);
 

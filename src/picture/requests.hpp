@@ -221,7 +221,7 @@ struct PictureRequest {
   FillRequest fill{};
   bool regions = false;  ///< visible faces as areas are wanted for themselves
   HatchRequest hatch{};
-  bool gray_faces = false;  ///< PNG: faces in gray, lit from the eye, by a method that gives spans or pixels
+  bool gray_faces = false;  ///< faces in gray, lit from the eye, by a method that gives spans or pixels
   AxesChoice axes{};
   PlotterRequest plotter{};
   OutputRequest output{};

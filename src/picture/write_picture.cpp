@@ -21,13 +21,13 @@ namespace {
 std::string written_as(OutputFormat format, const Drawing& drawing, const PlotOptions& style, const GrayPicture* under,
                        PdfDocument* pages) {
   if (pages) {
-    pages->add_page(drawing, style);
+    pages->add_page(drawing, style, under);
     return {};
   }
-  return format == OutputFormat::pdf   ? write_pdf(drawing, style)
+  return format == OutputFormat::pdf   ? write_pdf(drawing, style, under)
          : format == OutputFormat::png ? write_png(drawing, style, under)
-         : style.svg_by_cairo          ? write_cairo_svg(drawing, style)
-                                       : write_svg(drawing, style);
+         : style.svg_by_cairo          ? write_cairo_svg(drawing, style, under)
+                                       : write_svg(drawing, style, under);
 }
 
 std::string padded(const std::string& text, std::size_t width) {

@@ -65,7 +65,10 @@ INSTANTIATE_TEST_SUITE_P(
         draw("LinesZero", {"--method", "watkins", "--lines", "0"}, "--lines: "),
         draw("LinesWord", {"--method", "watkins", "--lines", "many"}, "--lines: "),
         draw("LinesHuge", {"--method", "watkins", "--lines", "99999999999999999999"}, "--lines: "),
-        draw("ShadeInSvg", {"--method", "watkins", "--shade"}, "--shade: gray faces are for PNG"),
+        draw("ShadeInJson", {"--method", "watkins", "--shade", "--format", "json"}, "--shade: a JSON drawing has no gray faces"),
+        draw("ShadeForAPlotter", {"--method", "watkins", "--shade", "--device", "hp7475a", "--format", "hpgl"}, "--shade: pens draw no gray faces; see --hatch"),
+        draw("ShadeInGcode", {"--method", "zbuffer", "--shade", "--format", "gcode"}, "--shade: pens draw no gray faces; see --hatch"),
+        draw("ShadeByPens", {"--method", "zbuffer", "--shade", "--pen", "outline=1"}, "--shade: pens draw no gray faces; see --hatch"),
         draw(
             "HatchWithoutSpans", {"--method", "appel", "--hatch", "shade"},
             "--hatch: method appel gives neither regions nor spans; regions: atherton-weiler, warnock, newell, bsp, convex-tree; spans: watkins"),

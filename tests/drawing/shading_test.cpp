@@ -61,5 +61,15 @@ TEST(Shading, PixelsOfAnotherSizeAreMixed) {
   EXPECT_EQ(fine.gray[3 * 8 + 6], 255);
 }
 
+TEST(Shading, PixelsThatStayWhereTheyLie) {
+  PixelModel model = pixels();
+  model.pixel_mm = 0.5;
+  const GrayPicture p = gray_pixels(model, kBrightness);
+  EXPECT_EQ(p.gray, (std::vector<std::uint8_t>{0, 153, 255, 255}));
+  EXPECT_EQ(p.width, 2u);
+  EXPECT_EQ(p.corner_mm, (Point2{1, 1}));
+  EXPECT_EQ(p.pixel_mm, 0.5);
+}
+
 }  // namespace
 }  // namespace ligne

@@ -53,6 +53,10 @@ class Rasters : public testing::Test {
     const std::string command = pdf ? std::string(PDFTOPPM) + " -r 150 -png -singlefile " + file + " " + file
                                     : std::string(RSVG_CONVERT) + " -d 150 -p 150 -b white -o " + png + " " + file;
     if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+    return picture(png);
+  }
+
+  static Raster picture(const std::string& png) {
     cairo_surface_t* const surface = cairo_image_surface_create_from_png(png.c_str());
     if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) throw std::runtime_error("no picture: " + png);
     Raster result{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
@@ -101,12 +105,19 @@ std::size_t dark(const Raster& a) {
       std::ranges::count_if(a.pixels, [](const std::array<int, 3>& p) { return p[0] + p[1] + p[2] < 3 * 128; }));
 }
 
+std::size_t gray(const Raster& a) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(a.pixels, [](const std::array<int, 3>& p) { return p[0] > 50 && p[0] < 250; }));
+}
+
 TEST_F(Rasters, BothSvgsAndThePdfAreOnePicture) {
   const std::vector<std::vector<std::string>> drawings{
       {"draw", "tests/corpus/house.json", "--hidden", "dashed", "--title", "a house"},
       {"draw", "tests/corpus/holes_behind_holes.json", "--fill", "shade"},
       {"draw", "tests/atherton_weiler/scenes/transparent_three.json", "--view", "front", "--fill", "material"},
       {"draw", "examples/models/gear-pair.json", "--fill", "material", "--method", "bsp"},
+      {"draw", "examples/models/pipe-tee.json", "--view", "trimetric", "--shade", "--method", "watkins"},
+      {"draw", "examples/models/pipe-tee.json", "--view", "trimetric", "--shade", "--method", "zbuffer"},
       {"surface", "sin(x)*cos(y)", "-x", "-3:3", "-y", "-3:3", "--axes"}};
   for (const std::vector<std::string>& drawing : drawings) {
     SCOPED_TRACE(drawing[1]);
@@ -125,6 +136,26 @@ TEST_F(Rasters, BothSvgsAndThePdfAreOnePicture) {
     EXPECT_LE(missing(cairo, layers), few);
     EXPECT_LE(missing(pdf, cairo), few);
     EXPECT_LE(missing(cairo, pdf), few);
+  }
+}
+
+/// Gray faces are areas in SVG where the method gives spans, and pixels where it gives pixels: both look as the PNG does.
+TEST_F(Rasters, GrayFacesLookTheSameInSvgAndPng) {
+  for (const std::string method : {"watkins", "zbuffer", "painter"}) {
+    SCOPED_TRACE(method);
+    std::vector<std::string> drawing{
+        "draw", "examples/models/five-cubes.obj", "--view", "trimetric", "--shade", "--landscape", "--method", method};
+    const std::string svg = written(drawing, method + ".svg");
+    const Raster vector = raster(svg);
+    drawing.insert(drawing.end(), {"--dpi", "150"});
+    const Raster pixels = picture(written(drawing, method + ".png"));
+    ASSERT_EQ(vector.width, pixels.width);
+    EXPECT_GT(gray(pixels), 100'000u);
+    EXPECT_LE(missing(vector, pixels), gray(pixels) / 1000);
+    EXPECT_LE(missing(pixels, vector), gray(pixels) / 1000);
+    std::ostringstream text;
+    text << std::ifstream(svg).rdbuf();
+    EXPECT_EQ(text.str().find("<image ") == std::string::npos, method == "watkins");
   }
 }
 

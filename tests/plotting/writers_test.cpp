@@ -46,6 +46,18 @@ Xml parse_xml(const std::string& bytes) {
 
 const std::string kSvg = "http://www.w3.org/2000/svg|", kInkscape = "http://www.inkscape.org/namespaces/inkscape|";
 
+TEST(Svg, GrayPixelsAreAnImageWhereTheyLie) {
+  const GrayPicture picture{3, 2, {0, 50, 100, 150, 200, 250}, {10, 20}, 0.5};
+  const Xml xml = parse_xml(write_svg(sample_drawing(), {}, &picture));
+  ASSERT_EQ(xml.error, "");
+  const auto image = std::ranges::find(xml.elements, kSvg + "image", &Element::name);
+  ASSERT_NE(image, xml.elements.end());
+  EXPECT_EQ(std::prev(image)->attributes.at("id"), "shade");
+  EXPECT_EQ(image->attributes.at("x") + " " + image->attributes.at("y"), "10 20");
+  EXPECT_EQ(image->attributes.at("width") + " " + image->attributes.at("height"), "1.5 1");
+  EXPECT_EQ(image->attributes.at("href").substr(0, 33), "data:image/png;base64,iVBORw0KGgo");
+}
+
 TEST(Svg, IsLayersOfPathsAndNothingElse) {
   const Xml xml = parse_xml(write_svg(sample_drawing(), {}));
   ASSERT_EQ(xml.error, "");

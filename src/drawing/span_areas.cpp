@@ -1,0 +1,170 @@
+#include "drawing/span_areas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace ligne {
+namespace {
+
+/// Ends of spans that lie nearer than this to a straight line lie on it: as right as strokes are.
+constexpr double kStraightMm = 0.001;
+
+/// One side of an area: where its spans begin, or end, line by line.
+struct AreaSide {
+  const SpanLines& lines;
+  std::uint32_t first_line;
+  const std::vector<double>& x;
+
+  Point2 at(std::size_t i) const { return {x[i], lines.y_mm(first_line + static_cast<std::uint32_t>(i))}; }
+};
+
+/// A straight piece of a side, of the points [first, last].
+struct StraightRun {
+  std::size_t first = 0, last = 0;
+  double x = 0, y = 0, slope = 0;  ///< x + slope (height - y); of a single point: upright
+
+  double at(double height) const { return x + slope * (height - y); }
+};
+
+/// Each run as long as one line through its first point stays within the tolerance of all others.
+std::vector<StraightRun> straight_runs(const AreaSide& side) {
+  std::vector<StraightRun> runs;
+  for (std::size_t i = 0; i < side.x.size();) {
+    const Point2 begin = side.at(i);
+    double least = -std::numeric_limits<double>::infinity(), most = -least;
+    std::size_t k = i + 1;
+    for (; k < side.x.size(); ++k) {
+      const Point2 p = side.at(k);
+      const double dy = p.y - begin.y, slope = (p.x - begin.x) / dy;
+      if (slope < least || slope > most) break;
+      least = std::max(least, slope - kStraightMm / dy);
+      most = std::min(most, slope + kStraightMm / dy);
+    }
+    const Point2 end = side.at(k - 1);
+    runs.push_back({i, k - 1, begin.x, begin.y, k - 1 > i ? (end.x - begin.x) / (end.y - begin.y) : 0});
+    i = k;
+  }
+  return runs;
+}
+
+/// The height at which two runs meet, if they do so between two heights.
+std::optional<double> meeting(const StraightRun& a, const StraightRun& b, double from, double to) {
+  if (a.slope == b.slope) return std::nullopt;
+  const double y = a.y + (b.at(a.y) - a.x) / (a.slope - b.slope);
+  return y >= from && y <= to ? std::optional(y) : std::nullopt;
+}
+
+/// The corners of a side, from above.
+std::vector<Point2> corners_of(const AreaSide& side, const std::vector<StraightRun>& runs) {
+  std::vector<Point2> corners{side.at(0)};
+  for (std::size_t r = 1; r < runs.size(); ++r) {
+    const Point2 above = side.at(runs[r].first - 1), below = side.at(runs[r].first);
+    if (const auto y = meeting(runs[r - 1], runs[r], above.y, below.y)) {
+      corners.push_back({runs[r].at(*y), *y});
+    } else {
+      corners.push_back(above);
+      corners.push_back(below);
+    }
+  }
+  corners.push_back(side.at(side.x.size() - 1));
+  return corners;
+}
+
+/// Where the area ends above its first span (`down` -1) or below its last (1): one point where its sides meet before the
+/// next scan line, else two half way to it. A level side tells little of what is beyond: it goes no farther than that
+/// across.
+std::vector<Point2> end_of(const StraightRun& left, const StraightRun& right, double y, double spacing, double down) {
+  const double next = y + down * spacing, half = spacing / 2;
+  const double x_left = left.at(y), x_right = right.at(y);
+  if (const auto meet = meeting(left, right, std::min(y, next), std::max(y, next))) {
+    const double x = left.at(*meet);
+    if (x > x_left - spacing && x < x_right + spacing) return {{x, *meet}};
+  }
+  const double between = y + down * half;
+  const auto across = [&](const StraightRun& run, double x) { return std::clamp(run.at(between), x - half, x + half); };
+  const double a = across(left, x_left), b = across(right, x_right);
+  if (a >= b) return {{(a + b) / 2, between}};
+  return {{a, between}, {b, between}};
+}
+
+/// An area that the scan lines still run through.
+struct OpenArea {
+  std::uint32_t face = 0, first_line = 0;
+  std::vector<double> left, right;
+
+  Region closed(const SpanLines& lines) const {
+    const AreaSide begins{lines, first_line, left}, ends{lines, first_line, right};
+    const std::vector<StraightRun> left_runs = straight_runs(begins), right_runs = straight_runs(ends);
+    std::vector<Point2> contour =
+        end_of(left_runs.front(), right_runs.front(), begins.at(0).y, lines.spacing_mm, -1);  // from left to right
+    const std::vector<Point2> down = corners_of(ends, right_runs), up = corners_of(begins, left_runs);
+    const std::vector<Point2> foot =
+        end_of(left_runs.back(), right_runs.back(), begins.at(left.size() - 1).y, lines.spacing_mm, 1);
+    contour.insert(contour.end(), down.begin(), down.end());
+    contour.insert(contour.end(), foot.rbegin(), foot.rend());
+    contour.insert(contour.end(), up.rbegin(), up.rend());
+    Region region;
+    region.face = face;
+    region.contours.push_back(std::move(contour));
+    return region;
+  }
+};
+
+/// For each span of a line the area above it that it alone continues; none where there is no such area. Both from left to
+/// right.
+std::vector<std::size_t> continued(const std::vector<OpenArea>& above, const Span* spans, std::size_t count,
+                                   std::size_t none) {
+  std::vector<std::size_t> area_of(count, none);
+  std::vector<std::uint32_t> of_span(count), of_area(above.size());
+  for (std::size_t a = 0, s = 0; a < above.size() && s < count;) {
+    const double left = above[a].left.back(), right = above[a].right.back();
+    if (above[a].face == spans[s].face && std::max(left, spans[s].x_from) < std::min(right, spans[s].x_to)) {
+      area_of[s] = a;
+      ++of_span[s];
+      ++of_area[a];
+    }
+    right < spans[s].x_to ? ++a : ++s;
+  }
+  for (std::size_t s = 0; s < count; ++s) {
+    if (area_of[s] != none && (of_span[s] != 1 || of_area[area_of[s]] != 1)) area_of[s] = none;
+  }
+  return area_of;
+}
+
+}  // namespace
+
+std::vector<Region> areas_of_spans(const SpanModel& model) {
+  constexpr std::size_t kNoArea = std::numeric_limits<std::size_t>::max();
+  std::vector<Region> areas;
+  std::vector<OpenArea> open;
+  const auto close = [&](const OpenArea& area) {
+    if (!area.left.empty()) areas.push_back(area.closed(model.lines));
+  };
+  const std::vector<Span>& spans = model.spans;
+  for (std::size_t i = 0; i < spans.size();) {
+    const std::size_t begin = i;
+    while (i < spans.size() && spans[i].line == spans[begin].line) ++i;
+    if (begin > 0 && spans[begin - 1].line + 1 != spans[begin].line) {
+      for (const OpenArea& area : open) close(area);
+      open.clear();
+    }
+    const std::vector<std::size_t> area_of = continued(open, &spans[begin], i - begin, kNoArea);
+    std::vector<OpenArea> next(i - begin);
+    for (std::size_t s = 0; s < next.size(); ++s) {
+      const Span& span = spans[begin + s];
+      next[s] = area_of[s] == kNoArea ? OpenArea{span.face, span.line, {}, {}} : std::exchange(open[area_of[s]], {});
+      next[s].left.push_back(span.x_from);
+      next[s].right.push_back(span.x_to);
+    }
+    for (const OpenArea& area : open) close(area);  // but for those that were taken
+    open = std::move(next);
+  }
+  for (const OpenArea& area : open) close(area);
+  return areas;
+}
+
+}  // namespace ligne

@@ -1,0 +1,112 @@
+// Spans put together to areas.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+#include "drawing/span_areas.hpp"
+
+namespace ligne {
+namespace {
+
+double area_of(const Region& region) {
+  double twice = 0;
+  for (const std::vector<Point2>& contour : region.contours) {
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const Point2 p = contour[i], q = contour[(i + 1) % contour.size()];
+      twice += p.x * q.y - p.y * q.x;
+    }
+  }
+  return std::abs(twice) / 2;
+}
+
+double area_of(const std::vector<Region>& regions, std::uint32_t face) {
+  return std::accumulate(regions.begin(), regions.end(), 0.0,
+                         [&](double sum, const Region& r) { return r.face == face ? sum + area_of(r) : sum; });
+}
+
+/// How far the area is from having a corner there.
+double from_corner(const Region& region, Point2 at) {
+  double least = 1e9;
+  for (const Point2 p : region.contours.at(0)) least = std::min(least, std::hypot(p.x - at.x, p.y - at.y));
+  return least;
+}
+
+/// Lines half a millimetre apart, with the spans that `of_height` gives.
+SpanModel scanned(const std::function<std::vector<Span>(double)>& of_height) {
+  SpanModel model{{0.25, 0.5, 100}, {}};
+  for (std::uint32_t line = 0; line < model.lines.count; ++line) {
+    for (Span span : of_height(model.lines.y_mm(line))) {
+      span.line = line;
+      if (span.x_from < span.x_to) model.spans.push_back(span);
+    }
+  }
+  return model;
+}
+
+constexpr double kRightMm = 0.002;  ///< sides are straight to a micrometre on either side of the ends of spans
+
+TEST(SpanAreas, CornersBetweenTheLinesAreFoundWhereSidesMeet) {
+  // A kite: (20, 3.1), (31, 17.4), (20, 40.6), (11, 12.9).
+  const SpanModel model = scanned([](double y) {
+    if (y < 3.1 || y > 40.6) return std::vector<Span>{};
+    const double left = y < 12.9 ? 20 - 9 * (y - 3.1) / 9.8 : 11 + 9 * (y - 12.9) / 27.7;
+    const double right = y < 17.4 ? 20 + 11 * (y - 3.1) / 14.3 : 31 - 11 * (y - 17.4) / 23.2;
+    return std::vector<Span>{{0, left, right, 7}};
+  });
+  const std::vector<Region> areas = areas_of_spans(model);
+  ASSERT_EQ(areas.size(), 1u);
+  EXPECT_EQ(areas[0].face, 7u);
+  ASSERT_EQ(areas[0].contours.size(), 1u);
+  for (const Point2 corner : {Point2{20, 3.1}, {31, 17.4}, {20, 40.6}, {11, 12.9}}) {
+    EXPECT_LT(from_corner(areas[0], corner), kRightMm) << corner.x << " " << corner.y;
+  }
+  EXPECT_LE(areas[0].contours[0].size(), 10u);
+  EXPECT_NEAR(area_of(areas[0]), 20 * 37.5 / 2, 0.1);
+}
+
+TEST(SpanAreas, LevelBordersLieHalfWayBetweenTwoLines) {
+  const std::vector<Region> areas = areas_of_spans(scanned([](double y) {
+    return y < 10 || y > 20 ? std::vector<Span>{} : std::vector<Span>{{0, 5, 8, 0}};
+  }));
+  ASSERT_EQ(areas.size(), 1u);
+  EXPECT_NEAR(area_of(areas[0]), 30, 1e-9);
+  for (const Point2 corner : {Point2{5, 10}, {8, 10}, {8, 20}, {5, 20}}) EXPECT_LT(from_corner(areas[0], corner), 1e-9);
+}
+
+/// What lies before a face divides it: no part of it is lost, and none is there twice.
+TEST(SpanAreas, AFaceBehindAnother) {
+  const SpanModel model = scanned([](double y) {
+    if (y < 5 || y > 45) return std::vector<Span>{};
+    const double half = 10 - std::abs(y - 25.1);  // a square on its corner in the middle of a square
+    if (half <= 0) return std::vector<Span>{{0, 5, 45, 1}};
+    return std::vector<Span>{{0, 5, 25 - half, 1}, {0, 25 - half, 25 + half, 2}, {0, 25 + half, 45, 1}};
+  });
+  const std::vector<Region> areas = areas_of_spans(model);
+  EXPECT_EQ(areas.size(), 5u);
+  EXPECT_NEAR(area_of(areas, 2), 200, 0.01);
+  EXPECT_NEAR(area_of(areas, 1), 1400, 0.5);
+  for (const Region& area : areas) {
+    if (area.face != 2) continue;
+    for (const Point2 corner : {Point2{25, 15.1}, {35, 25.1}, {25, 35.1}, {15, 25.1}})
+      EXPECT_LT(from_corner(area, corner), kRightMm) << corner.x << " " << corner.y;
+  }
+}
+
+TEST(SpanAreas, TwoPartsOfOneFaceOneBelowTheOther) {
+  const std::vector<Region> areas = areas_of_spans(scanned([](double y) {
+    return (y > 10 && y < 12) || (y > 13 && y < 15) ? std::vector<Span>{{0, 5, 8, 0}} : std::vector<Span>{};
+  }));
+  EXPECT_EQ(areas.size(), 2u);
+  EXPECT_NEAR(area_of(areas, 0), 12, 1e-9);
+}
+
+TEST(SpanAreas, OfNothing) { EXPECT_TRUE(areas_of_spans({}).empty()); }
+
+}  // namespace
+}  // namespace ligne
