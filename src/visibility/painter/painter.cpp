@@ -146,13 +146,15 @@ PaintOrder paint_order(const ProjectedScene& scene, const PaintSequence& sequenc
   return order;
 }
 
-/// A depth by which faces can be sorted needs a viewer before the scene.
-bool cut_off_in_perspective(const ProjectedScene& scene) {
-  return scene.view.camera.perspective && !scene.edge_parts.empty();
+/// A face in whose plane the eye lies has no place in the order, and where it reaches to the eye its lines lie before all
+/// others on the page.
+bool eye_is_on_a_face(const ProjectedScene& scene) {
+  const bool cut_off = scene.view.camera.perspective && !scene.edge_parts.empty();
+  return cut_off && std::ranges::count(scene.face_is_edge_on, std::uint8_t{1}) > 0;
 }
 
 std::string why_wrong(const ProjectedScene& scene, const PaintSequence& s) {
-  std::string text = cut_off_in_perspective(scene) ? "a part lies outside the view" : "";
+  std::string text = eye_is_on_a_face(scene) ? "the eye lies in the plane of a face and a part is out of view" : "";
   const auto add = [&](std::uint64_t count, const char* one, const char* many) {
     if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? one : many);
   };
