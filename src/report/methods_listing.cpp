@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "report/listing.hpp"
@@ -11,6 +12,12 @@ std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text;
+}
+
+/// Of transparent faces.
+std::string_view glass_words(Glass glass) {
+  constexpr std::string_view kWords[] = {"taken as opaque", "left out", "hides nothing", "seen through"};
+  return kWords[static_cast<std::size_t>(glass)];
 }
 
 }  // namespace
@@ -37,6 +44,7 @@ std::string methods_text() {
     text += "  produces     " + joined(product_names(traits.products)) + "\n";
     text += "  numbers      " + precision_name(traits) + "\n";
     text += std::string("  penetration  ") + (traits.penetration ? "drawn" : "not drawn") + "\n";
+    text += "  glass        " + std::string(glass_words(traits.glass)) + "\n";
     if (!traits.only_for.empty()) text += "  only for     " + std::string(traits.only_for) + "\n";
     text += "  paper        " + std::string(traits.paper) + "\n";
     const char* head = "  options      ";
@@ -61,6 +69,7 @@ std::string methods_json() {
     entry["produces"] = product_names(traits.products);
     entry["exact"] = traits.exact;
     entry["penetration"] = traits.penetration;
+    entry["glass"] = glass_words(traits.glass);
     if (!traits.only_for.empty()) entry["only_for"] = traits.only_for;
     entry["paper"] = traits.paper;
     entry["default"] = method == default_method;

@@ -39,6 +39,14 @@ class CompiledScene {
   virtual void write(ByteWriter& bytes) const = 0;
 };
 
+/// What a method makes of transparent faces.
+enum class Glass : std::uint8_t {
+  opaque,    ///< they hide as others do
+  left_out,  ///< they and the edges that only they have are no part of the study (VisibilityResult::left_out says how many)
+  hides_nothing,  ///< they are drawn, and hide nothing
+  seen_through,   ///< the same, and Stroke::level tells what is behind how many of them
+};
+
 struct MethodTraits {
   std::string_view name;     ///< as on the command line
   std::string_view summary;  ///< one line
@@ -52,6 +60,7 @@ struct MethodTraits {
   /// The scenes for which its drawings hold, in words; empty: all. For others VisibilityResult::beyond says why not.
   std::string_view only_for{};
   bool compiles = false;  ///< part of its work is done once for all views of a scene
+  Glass glass = Glass::opaque;
 };
 
 struct StudyOptions {

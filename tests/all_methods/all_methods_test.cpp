@@ -76,6 +76,11 @@ TEST_P(AllMethods, AgreeWithTheOracle) {
         break;
       }
       EXPECT_TRUE(verdict.passes()) << variant.name << '\n' << verdict.faults;
+      // Elsewhere the default method stands for all: cull_drawing_test.cpp.
+      if (has_glass(scene)) {
+        const Verdict culled = judged.judge(*variant.method, edges, variant.settings, Cull::on);
+        EXPECT_TRUE(culled.skipped.empty() && culled.passes()) << variant.name << '\n' << culled.skipped << culled.faults;
+      }
       if (verdict.line_mm > 0) {
         const double share = verdict.undecided_mm / verdict.line_mm;
         RecordProperty("undecided_permille", static_cast<int>(1000 * share));

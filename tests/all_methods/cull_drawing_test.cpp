@@ -122,10 +122,13 @@ TEST(CullDrawing, ChangesNoBall) {
 /// well; by every method that sees through glass.
 TEST(CullDrawing, ACubeInACubeOfGlass) {
   Warnings warnings;
-  const Scene scene =
-      read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/atherton_weiler/scenes/cube_in_glass.json", {}, warnings);
-  for (const char* method : {"atherton-weiler", "newell", "bsp", "convex-tree"}) {
-    const Drawings d = drawings(scene, along({-0.37, 0.83, -0.41}), method);
+  const Scene scene = read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus/cube_in_glass.json", {}, warnings);
+  std::size_t methods = 0;
+  for (const Method* each : all_methods()) {
+    if (each->traits().glass != Glass::seen_through) continue;
+    ++methods;
+    const std::string method(each->traits().name);
+    const Drawings d = drawings(scene, along({-0.37, 0.83, -0.41}), method.c_str());
     EXPECT_EQ(d.faces, 3u) << "of the inner cube; " << method;
     EXPECT_EQ(differences(d), "") << method;
     EXPECT_EQ(d.culled.strokes.size(), d.all.strokes.size()) << method;
@@ -133,6 +136,7 @@ TEST(CullDrawing, ACubeInACubeOfGlass) {
     for (const Stroke& s : d.culled.strokes) edges.insert(s.source);
     EXPECT_EQ(edges.size(), 12u + 9u) << "edges of the outer cube, and those of the inner one that it does not hide itself";
   }
+  EXPECT_EQ(methods, 4u);
 }
 
 TEST(CullDrawing, ChangesNoSceneWithGlass) {

@@ -27,6 +27,7 @@ struct Face {
   // On the page, cut off before the near plane. Contours one after the other; points inside have an odd number of sides
   // to their left.
   bool hides = false;  ///< has area on the page
+  bool clear = false;  ///< transparent, and nothing counts as hidden by it
   std::vector<PagePoint> corners;
   std::vector<std::array<std::uint32_t, 2>> sides;  ///< corners from and to
   std::vector<Point2> corners_mm;                   ///< the corners on the page, rounded

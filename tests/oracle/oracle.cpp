@@ -77,13 +77,18 @@ double input_error(const ligne::Scene& scene) {
 
 }  // namespace
 
-Oracle::State::State(const ligne::Scene& scene, const View& v, double crease_degrees)
+Oracle::State::State(const ligne::Scene& scene, const View& v, double crease_degrees, Glass glass)
     : view(v),
       projection(v),
       faces(make_faces(scene, projection, input_error(scene))),
       edges(make_edges(scene, faces, crease_degrees)),
       touch_distance(kTouchPart * size_of(scene)),
       input_error_mm(v.scale * input_error(scene)) {
+  if (glass == Glass::is_clear) {
+    for (std::size_t f = 0; f < scene.face_material.size(); ++f) {
+      faces[f].clear = scene.materials[scene.face_material[f]].opacity < 1;
+    }
+  }
   find_intersections();
 }
 
@@ -133,7 +138,7 @@ std::vector<Part> Oracle::State::judge(const Line& line, const Vector3& a, const
   std::vector<FaceOverLine> before;
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     const Face& face = faces[f];
-    if (!face.hides || std::find(own_faces.begin(), own_faces.end(), f) != own_faces.end()) continue;
+    if (!face.hides || face.clear || std::find(own_faces.begin(), own_faces.end(), f) != own_faces.end()) continue;
     if (!line.box.meets(face.box, 2 * kMicrometre / projection.mm_x(), 2 * kMicrometre / projection.mm_y())) continue;
     const double delta_here = delta(face, line);
     if (face.box.z0 > line.box.z1 + delta_here || line.surely_beside(face)) continue;
@@ -217,8 +222,8 @@ std::vector<Interval> visibility(const Oracle::State& state, const Vector3& a, c
 
 }  // namespace
 
-Oracle::Oracle(const ligne::Scene& scene, const View& view, double crease_degrees)
-    : state_(std::make_unique<State>(scene, view, crease_degrees)) {}
+Oracle::Oracle(const ligne::Scene& scene, const View& view, double crease_degrees, Glass glass)
+    : state_(std::make_unique<State>(scene, view, crease_degrees, glass)) {}
 Oracle::~Oracle() = default;
 
 std::span<const Edge> Oracle::edges() const { return state_->edges; }

@@ -86,10 +86,13 @@ struct FaceHit {
   bool on_side = false;  ///< the point lies exactly on a side of the face
 };
 
+/// Whether transparent faces hide as others do, or nothing.
+enum class Glass : std::uint8_t { hides, is_clear };
+
 class Oracle {
  public:
   /// Edges whose faces' normals differ by more than `crease_degrees` are creases.
-  Oracle(const ligne::Scene& scene, const View& view, double crease_degrees = 30);
+  Oracle(const ligne::Scene& scene, const View& view, double crease_degrees = 30, Glass glass = Glass::hides);
   ~Oracle();
   Oracle(const Oracle&) = delete;
   Oracle& operator=(const Oracle&) = delete;

@@ -25,7 +25,7 @@ struct LineInView {
 };
 
 struct Oracle::State {
-  State(const ligne::Scene& scene, const View& view, double crease_degrees);
+  State(const ligne::Scene& scene, const View& view, double crease_degrees, Glass glass);
 
   View view;
   Projection projection;

@@ -1,5 +1,6 @@
 #include "support/judge.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <map>
@@ -8,6 +9,7 @@
 #include "drawing/drawing.hpp"
 #include "support/comparison.hpp"
 #include "support/stroke_places.hpp"
+#include "view/cull.hpp"
 #include "view/tolerances.hpp"
 
 namespace ligne::test {
@@ -85,7 +87,18 @@ std::vector<oracle::Interval> larger(std::vector<oracle::Interval> intervals, do
   return intervals;
 }
 
+bool is_glass(const Scene& scene, std::uint32_t face) {
+  return !scene.face_material.empty() && scene.materials[scene.face_material[face]].opacity < 1;
+}
+
 }  // namespace
+
+bool has_glass(const Scene& scene) {
+  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
+    if (is_glass(scene, f)) return true;
+  }
+  return false;
+}
 
 JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView& standard, double accuracy_mm)
     : scene_(scene),
@@ -94,17 +107,26 @@ JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView&
       accuracy_mm_(accuracy_mm),
       topology_(build_topology(scene)),
       view_(make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
-                      standard.sheet.scale)),
-      oracle_(std::make_unique<oracle::Oracle>(scene, smaller(oracle_view(standard.camera, view_), accuracy_mm / kOracleMm),
-                                               kCreaseDegrees)),
-      lines_(std::make_unique<Lines>()) {
-  const double by = accuracy_mm / kOracleMm;
+                      standard.sheet.scale)) {
+  const oracle::View view = smaller(oracle_view(standard.camera, view_), accuracy_mm / kOracleMm);
+  oracle_ = std::make_unique<oracle::Oracle>(scene, view, kCreaseDegrees);
+  lines_ = std::make_unique<Lines>(lines_of(*oracle_, Edges::all));
+  if (!has_glass(scene)) return;
+  clear_ = std::make_unique<oracle::Oracle>(scene, view, kCreaseDegrees, oracle::Glass::is_clear);
+  behind_ = std::make_unique<Lines>(lines_of(*clear_, Edges::all));
+  opaque_ = std::make_unique<Lines>(lines_of(*clear_, Edges::without_glass));
+}
+
+JudgedView::Lines JudgedView::lines_of(const oracle::Oracle& oracle, Edges edges) const {
+  Lines lines;
+  const double by = accuracy_mm_ / kOracleMm;
+  const auto is_out = [&](auto... faces) { return edges == Edges::without_glass && (is_glass(scene_, faces) || ...); };
   std::map<EdgeKey, std::uint32_t> numbers;
   std::uint32_t object = 0;
   for (std::uint32_t e = 0; e < topology_.edges.size(); ++e) {
     const Edge& edge = topology_.edges[e];
-    while (edge.v0 >= scene.objects[object].vertex_end) ++object;
-    numbers[key_of(object, scene.vertices[edge.v0], scene.vertices[edge.v1])] = e;
+    while (edge.v0 >= scene_.objects[object].vertex_end) ++object;
+    numbers[key_of(object, scene_.vertices[edge.v0], scene_.vertices[edge.v1])] = e;
   }
   const auto add_candidate = [&](Candidate candidate) {
     if (candidate.intervals.empty()) return false;
@@ -115,29 +137,32 @@ JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView&
       candidate.in_view = {first ? i.from : candidate.in_view.from, i.to};
       first = false;
     }
-    lines_->candidates.push_back(std::move(candidate));
+    lines.candidates.push_back(std::move(candidate));
     return true;
   };
-  for (std::size_t i = 0; i < oracle_->edges().size(); ++i) {
-    const oracle::Edge& edge = oracle_->edges()[i];
+  for (std::size_t i = 0; i < oracle.edges().size(); ++i) {
+    const oracle::Edge& edge = oracle.edges()[i];
+    if (!edge.faces.empty() && std::ranges::all_of(edge.faces, [&](std::uint32_t f) { return is_out(f); })) continue;
     const std::string what = words(("object " + std::to_string(edge.object) + " edge").c_str(), edge.a, edge.b);
-    if (!add_candidate({false, true, edge.edge_class, {}, larger(oracle_->visible_intervals(i), by), what})) continue;
+    if (!add_candidate({false, true, edge.edge_class, {}, larger(oracle.visible_intervals(i), by), what})) continue;
     const auto number = numbers.find(key_of(edge.object, edge.a, edge.b));
-    if (number != numbers.end()) lines_->of_edge[number->second] = lines_->candidates.size() - 1;
+    if (number != numbers.end()) lines.of_edge[number->second] = lines.candidates.size() - 1;
   }
-  for (std::size_t i = 0; i < oracle_->intersections().size(); ++i) {
-    const oracle::Intersection& x = oracle_->intersections()[i];
+  for (std::size_t i = 0; i < oracle.intersections().size(); ++i) {
+    const oracle::Intersection& x = oracle.intersections()[i];
+    if (is_out(x.face0, x.face1)) continue;
     const std::string faces = "intersection of faces " + std::to_string(x.face0) + " and " + std::to_string(x.face1);
     const Segment page{x.page_a * by, x.page_b * by};
     Candidate candidate{true,
                         x.proper,
                         EdgeClass::intersection,
                         {},
-                        larger(oracle_->intersection_intervals(i), by),
+                        larger(oracle.intersection_intervals(i), by),
                         words(faces.c_str(), x.a, x.b)};
-    lines_->of_faces[{x.face0, x.face1}].push_back({page, x.vague, candidate});
+    lines.of_faces[{x.face0, x.face1}].push_back({page, x.vague, candidate});
     add_candidate(std::move(candidate));
   }
+  return lines;
 }
 
 JudgedView::~JudgedView() = default;
@@ -168,7 +193,44 @@ std::string report(const Verdict& verdict) {
 
 }  // namespace
 
-Verdict JudgedView::judge(const Method& method, const std::string& edges, const MethodSettings& settings) const {
+/// Compares a drawing of the method with the answers of one oracle. Of all drawings compared the worst counts.
+void JudgedView::compare(StrokeModel model, const Lines& lines, const MethodTraits& traits, const ProjectedScene& projected,
+                         bool all, bool hidden, Verdict& verdict) const {
+  // A stroke that gave way lies within the coincidence tolerance of the one that stands; the ends of both are rounded to the
+  // lattice.
+  const double coincidence = coincidence_mm(projected), limited = accuracy_mm_ > kOracleMm ? accuracy_mm_ : 0;
+  const double tolerance = std::max({traits.tolerance_mm, limited, coincidence + 2 * projected.lattice.step_mm});
+  Verdict drawing;
+  drawing.misplaced = misplaced(model, scene_, topology_, view_, 0);
+  remove_coincident_strokes(model, coincidence);
+  keep_worse(drawing.misplaced, misplaced(model, scene_, topology_, view_, kEndsOfTwo * coincidence));
+  // A little less than the tolerance: what lies just at it may be told either way.
+  constexpr double kInside = 0.9;
+  Comparison comparison(model, lines.candidates, all, tolerance, kInside * coincidence, drawing);
+  for (const DrawnStroke& s : comparison.strokes()) {
+    if (!s.stroke->visible) continue;
+    if (s.stroke->source < model.edge_count) {
+      const auto found = lines.of_edge.find(s.stroke->source);
+      comparison.visible_edge(s, found == lines.of_edge.end() ? nullptr : &lines.candidates[found->second]);
+    } else {
+      const SourceEdge& source = model.intersections[s.stroke->source - model.edge_count];
+      const auto found =
+          lines.of_faces.find({std::min(source.faces[0], source.faces[1]), std::max(source.faces[0], source.faces[1])});
+      comparison.visible_intersection(s, found == lines.of_faces.end() ? std::vector<Crossing>{} : found->second);
+    }
+  }
+  comparison.missing();
+  comparison.twice();
+  if (hidden) comparison.uncovered();
+  keep_worse(verdict.drawn_hidden, drawing.drawn_hidden);
+  keep_worse(verdict.missing, drawing.missing);
+  keep_worse(verdict.twice, drawing.twice);
+  keep_worse(verdict.uncovered, drawing.uncovered);
+  keep_worse(verdict.misplaced, drawing.misplaced);
+  keep_worse(verdict.wrong_class, drawing.wrong_class);
+}
+
+Verdict JudgedView::judge(const Method& method, const std::string& edges, const MethodSettings& settings, Cull cull) const {
   const MethodTraits& traits = method.traits();
   Verdict verdict;
   if (!(traits.products & kStrokes)) {
@@ -184,13 +246,13 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
   for (std::size_t c = 0; c < kLineClassCount; ++c) {
     if (all || static_cast<LineClass>(c) != LineClass::mesh) selection.classes.add(static_cast<LineClass>(c));
   }
-  const ProjectedScene projected = project(scene_, topology_, view_, selection);
-  const double coincidence = coincidence_mm(projected);
-  // A stroke that gave way lies within the coincidence tolerance of the one that stands; the ends of both are rounded to the
-  // lattice.
-  const double limited = accuracy_mm_ > kOracleMm ? accuracy_mm_ : 0;
-  const double tolerance = std::max({traits.tolerance_mm, limited, coincidence + 2 * projected.lattice.step_mm});
+  ProjectedScene projected = project(scene_, topology_, view_, selection);
+  if (cull == Cull::on) ligne::cull(projected, find_back_faces(scene_, topology_, view_));
+  const Lines& lines = !clear_ || traits.glass == Glass::opaque ? *lines_
+                       : traits.glass == Glass::left_out        ? *opaque_
+                                                                : *behind_;
   for (const bool hidden : {false, true}) {
+    if (hidden && cull == Cull::on) break;  // the lines of back faces are gone
     StudyOptions options;
     options.hidden_strokes = hidden;
     options.settings = settings;
@@ -203,37 +265,16 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
       verdict.faults = "  gives no strokes, although its traits say so\n";
       return verdict;
     }
-    StrokeModel& model = *result.strokes;
-    Verdict drawing;
-    drawing.misplaced = misplaced(model, scene_, topology_, view_, 0);
-    remove_coincident_strokes(model, coincidence);
-    keep_worse(drawing.misplaced, misplaced(model, scene_, topology_, view_, kEndsOfTwo * coincidence));
-    // A little less than the tolerance: what lies just at it may be told either way.
-    constexpr double kInside = 0.9;
-    Comparison comparison(model, lines_->candidates, all, tolerance, kInside * coincidence, drawing);
-    for (const DrawnStroke& s : comparison.strokes()) {
-      if (!s.stroke->visible) continue;
-      if (s.stroke->source < model.edge_count) {
-        const auto found = lines_->of_edge.find(s.stroke->source);
-        comparison.visible_edge(s, found == lines_->of_edge.end() ? nullptr : &lines_->candidates[found->second]);
-      } else {
-        const SourceEdge& source = model.intersections[s.stroke->source - model.edge_count];
-        const auto found =
-            lines_->of_faces.find({std::min(source.faces[0], source.faces[1]), std::max(source.faces[0], source.faces[1])});
-        comparison.visible_intersection(s, found == lines_->of_faces.end() ? std::vector<Crossing>{} : found->second);
-      }
+    if (clear_ && traits.glass == Glass::left_out && result.left_out.empty()) {
+      verdict.faults = "  leaves transparent faces out and does not say so\n";
+      return verdict;
     }
-    comparison.missing();
-    comparison.twice();
-    if (hidden) comparison.uncovered();
-    keep_worse(verdict.drawn_hidden, drawing.drawn_hidden);
-    keep_worse(verdict.missing, drawing.missing);
-    keep_worse(verdict.twice, drawing.twice);
-    keep_worse(verdict.uncovered, drawing.uncovered);
-    keep_worse(verdict.misplaced, drawing.misplaced);
-    keep_worse(verdict.wrong_class, drawing.wrong_class);
+    compare(*result.strokes, lines, traits, projected, all, hidden, verdict);
+    if (!clear_ || traits.glass != Glass::seen_through) continue;
+    for (Stroke& s : result.strokes->strokes) s.visible = s.visible && s.level == 0;
+    compare(std::move(*result.strokes), *lines_, traits, projected, all, hidden, verdict);
   }
-  for (const Candidate& c : lines_->candidates) {
+  for (const Candidate& c : lines.candidates) {
     for (const oracle::Interval& i : c.intervals) {
       if (i.at_border) continue;
       verdict.line_mm += segment(i).length();
@@ -243,8 +284,9 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
   verdict.faults = report(verdict);
   if (!verdict.faults.empty()) {
     verdict.faults = name_ + ", view " + standard_.name + ", method " + std::string(traits.name) + ", edges " + edges +
-                     "\n" + verdict.faults + "  ligne draw tests/corpus/" + name_ + ".json " + standard_.options +
-                     " --method " + std::string(traits.name) + " --edges " + edges + " -o x.svg\n";
+                     (cull == Cull::on ? ", culled" : "") + "\n" + verdict.faults + "  ligne draw tests/corpus/" + name_ +
+                     ".json " + standard_.options + " --method " + std::string(traits.name) + " --edges " + edges +
+                     (cull == Cull::on ? " --cull" : "") + " -o x.svg\n";
   }
   return verdict;
 }

@@ -36,7 +36,14 @@ struct Verdict {
   bool passes() const { return faults.empty(); }
 };
 
+/// Whether what is judged is drawn without the back faces of solids.
+enum class Cull : std::uint8_t { off, on };
+
 /// A scene in one view on a sheet, with the oracle's answers. These are found once, for all methods.
+///
+/// Where faces are transparent a method is held to what its traits say of them: as opaque faces they hide; else nothing does
+/// that is behind them alone, and for methods that tell what is behind glass, what they say is seen directly is moreover
+/// held to the answers with opaque faces.
 class JudgedView {
  public:
   /// `name` is the corpus scene's, "tests/corpus/NAME.json"; it stands in the command that shows a fault. For methods that
@@ -47,14 +54,20 @@ class JudgedView {
 
   /// Draws with the method as `ligne draw --edges EDGES` does and compares. `edges` is "all" or "feature". The method's
   /// tolerance is that of its traits, or the accuracy of this view when that is coarser.
-  Verdict judge(const Method& method, const std::string& edges, const MethodSettings& settings = {}) const;
+  Verdict judge(const Method& method, const std::string& edges, const MethodSettings& settings = {},
+                Cull cull = Cull::off) const;
 
   const View& view() const { return view_; }
-  const oracle::Oracle& oracle() const { return *oracle_; }
-  bool has_intersections() const;  ///< proper ones
+  const oracle::Oracle& oracle() const { return *oracle_; }  ///< for which transparent faces hide
+  bool has_intersections() const;                            ///< proper ones
 
  private:
   struct Lines;
+  enum class Edges : std::uint8_t { all, without_glass };
+
+  Lines lines_of(const oracle::Oracle& oracle, Edges edges) const;
+  void compare(StrokeModel model, const Lines& lines, const MethodTraits& traits, const ProjectedScene& projected, bool all,
+               bool hidden, Verdict& verdict) const;
 
   const Scene& scene_;
   std::string name_;
@@ -63,8 +76,12 @@ class JudgedView {
   Topology topology_;
   View view_;
   std::unique_ptr<oracle::Oracle> oracle_;
-  std::unique_ptr<Lines> lines_;
+  std::unique_ptr<oracle::Oracle> clear_;           ///< for which they hide nothing; where there are none, nullptr
+  std::unique_ptr<Lines> lines_, behind_, opaque_;  ///< by the one oracle, by the other, and of that without glass edges
 };
+
+/// Whether faces are transparent.
+bool has_glass(const Scene& scene);
 
 /// The oracle's view of the same doubles.
 oracle::View oracle_view(const CameraRequest& request, const View& view);

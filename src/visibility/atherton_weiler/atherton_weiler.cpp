@@ -96,7 +96,10 @@ const MethodTraits& AthertonWeilerMethod::traits() const {
       true,
       "K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, 1977",
       MethodTraits{}.tolerance_mm,
-      kParameters};
+      kParameters,
+      {},
+      false,
+      Glass::seen_through};
   return traits;
 }
 

@@ -18,7 +18,8 @@ const MethodTraits& BspMethod::traits() const {
       MethodTraits{}.tolerance_mm,
       kTreeParameters,
       {},
-      true};
+      true,
+      Glass::seen_through};
   return traits;
 }
 

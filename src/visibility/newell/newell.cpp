@@ -96,7 +96,10 @@ const MethodTraits& NewellMethod::traits() const {
       true,
       "M. Newell, R. Newell, T. Sancha, A solution to the hidden surface problem, 1972",
       MethodTraits{}.tolerance_mm,
-      kParameters};
+      kParameters,
+      {},
+      false,
+      Glass::seen_through};
   return traits;
 }
 

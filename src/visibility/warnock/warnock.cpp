@@ -9,9 +9,9 @@
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/line_strokes.hpp"
+#include "visibility/common/opaque_scene.hpp"
 #include "visibility/warnock/control.hpp"
 #include "visibility/warnock/initial_window.hpp"
-#include "visibility/warnock/opaque_scene.hpp"
 #include "visibility/warnock/regions.hpp"
 
 // Phases: (1) facets and faces, sorted by depth; (2) windows with the candidate edges: visible parts, penetrating pairs; (3)
@@ -205,7 +205,10 @@ const MethodTraits& WarnockMethod::traits() const {
       true,
       "J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969",
       0.001,
-      kParameters};
+      kParameters,
+      {},
+      false,
+      Glass::left_out};
   return traits;
 }
 
@@ -269,7 +272,7 @@ VisibilityResult WarnockMethod::study(const ProjectedScene& whole, const StudyOp
   report_times(of_edges.counts, statistics);
   if (opaque) {
     statistics.count("transparent faces, left out", opaque->faces_left_out);
-    result.left_out = std::to_string(opaque->faces_left_out) + " transparent faces";
+    result.left_out = opaque->left_out();
   }
   result.debug = page_lines(of_edges.cuts, first.frame, scene.lattice);
   return result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "geometry/parallel.hpp"
@@ -10,6 +11,7 @@
 #include "visibility/common/clock.hpp"
 #include "visibility/common/intersections.hpp"
 #include "visibility/common/line_strokes.hpp"
+#include "visibility/common/opaque_scene.hpp"
 #include "visibility/common/visible_parts.hpp"
 #include "visibility/watkins/exact_study.hpp"
 #include "visibility/watkins/line_study.hpp"
@@ -359,12 +361,20 @@ const MethodTraits& WatkinsMethod::traits() const {
       true,
       "G. S. Watkins, A real time visible surface algorithm, 1970; M. Archuleta, Hidden surface line-drawing algorithm, 1972",
       0.001,
-      kParameters};
+      kParameters,
+      {},
+      false,
+      Glass::left_out};
   return traits;
 }
 
 VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
-  return WatkinsStudy(scene, options).run();
+  const std::optional<OpaqueScene> opaque = without_transparent_faces(scene);
+  if (!opaque) return WatkinsStudy(scene, options).run();
+  VisibilityResult result = WatkinsStudy(opaque->scene, options).run();
+  result.statistics.count("transparent faces, left out", opaque->faces_left_out);
+  result.left_out = opaque->left_out();
+  return result;
 }
 
 }  // namespace ligne

@@ -111,7 +111,10 @@ const MethodTraits& ZBufferMethod::traits() const {
                                    true,
                                    "E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974",
                                    zbuffer_tolerance_mm(210, kRows),
-                                   kParameters};
+                                   kParameters,
+                                   {},
+                                   false,
+                                   Glass::hides_nothing};
   return traits;
 }
 

@@ -160,6 +160,12 @@ def buildings():
                 *[shell(k) for k in (1, 2, 3)])
     yield Scene("nested_cubes", "closed cubes within each other: all but the outermost are hidden",
                 cube(0, 0, 0, 12, "outer cube"), cube(2, 2, 2, 8, "middle cube"), cube(4, 4, 4, 4, "inner cube"))
+    yield Scene("cube_in_glass", "a closed cube of opacity 0.4 with a cube inside: back faces may go of the inner one alone",
+                cube(0, 0, 0, 8, "glass").of_glass(0.4), cube(2, 2, 2, 4, "stone"))
+    yield Scene("panes_round_a_block", "a block between panes of glass: one before it, one behind it, one across a corner of both",
+                sheet([(1, 1), (9, 1), (9, 7), (1, 7)], -3, name="pane before").of_glass(0.5), box((3, 0, 2), (8, 4, 9), "block"),
+                sheet([(0, 0), (12, 0), (12, 10), (0, 10)], 6, name="pane behind").of_glass(0.5),
+                sheet([(6, 4), (11, 4), (11, 11), (6, 11)], -5, name="pane across").of_glass(0.25))
     yield Scene("window_frames", "a wall with four windows, their frames, and a cross of bars in each", *window_frames())
     yield Scene("room", "a room of three walls with a table in its corner, open to the viewer",
                 Mesh("room").face([(0, 0, 0), (12, 0, 0), (12, 12, 0), (0, 12, 0)]).face([(0, 12, 0), (12, 12, 0), (12, 12, 9), (0, 12, 9)])

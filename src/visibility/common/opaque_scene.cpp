@@ -1,9 +1,9 @@
-#include "visibility/warnock/opaque_scene.hpp"
+#include "visibility/common/opaque_scene.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace ligne::warnock {
+namespace ligne {
 
 std::optional<OpaqueScene> without_transparent_faces(const ProjectedScene& scene) {
   const auto transparent = [&](std::uint32_t face) {
@@ -33,4 +33,4 @@ std::optional<OpaqueScene> without_transparent_faces(const ProjectedScene& scene
   return opaque;
 }
 
-}  // namespace ligne::warnock
+}  // namespace ligne

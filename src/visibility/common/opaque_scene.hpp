@@ -3,18 +3,21 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "view/projected_scene.hpp"
 
-namespace ligne::warnock {
+namespace ligne {
 
 struct OpaqueScene {
   ProjectedScene scene;
   std::size_t faces_left_out = 0;
+
+  std::string left_out() const { return std::to_string(faces_left_out) + " transparent faces"; }
 };
 
 /// The scene without its transparent faces, and without the edges that only such faces have; an edge that an opaque face has
 /// too keeps its class. Nothing when all faces in view are opaque.
 std::optional<OpaqueScene> without_transparent_faces(const ProjectedScene& scene);
 
-}  // namespace ligne::warnock
+}  // namespace ligne
