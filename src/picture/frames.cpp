@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "picture/drawn_scene.hpp"
@@ -9,13 +10,17 @@
 namespace ligne {
 namespace {
 
-/// Adds up what has the same name.
+constexpr std::string_view kDepthOfTree = "depth of the tree", kOfListBefore = "elements of the view before";
+
+/// Adds up what has the same name. Of depths of one tree the sum would mean nothing.
 template <class Value>
 void add(std::vector<std::pair<std::string, Value>>& sums, const std::vector<std::pair<std::string, Value>>& values) {
   for (const auto& [name, value] : values) {
     const auto sum = std::ranges::find(sums, name, &std::pair<std::string, Value>::first);
     if (sum == sums.end()) {
       sums.emplace_back(name, value);
+    } else if (name == kDepthOfTree) {
+      sum->second = std::max(sum->second, value);
     } else {
       sum->second += value;
     }
@@ -38,6 +43,11 @@ void add(RunReport& sums, const RunReport& frame) {
         sums.warnings, [&](const RunWarning& w) { return w.place == warning.place && w.text == warning.text; });
     if (!known) sums.warnings.push_back(warning);
   }
+}
+
+/// Whether the view began with the list of the one before.
+bool took_list_over(const Statistics& study) {
+  return std::ranges::any_of(study.counts, [](const auto& c) { return c.first == kOfListBefore && c.second > 0; });
 }
 
 /// What the page must hold so that every frame has its place.
@@ -69,6 +79,7 @@ void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest&
   if (as_pages) document.emplace();
   request.keep = Keep::for_next_view;
   const std::function<void(double)> progress = request.progress;
+  unsigned lists_taken_over = 0;
   for (unsigned i = 0; i < frames.count; ++i) {
     request.view.turn_degrees = frames.turn_degrees * i / frames.count;
     if (progress) request.progress = [&, i](double done) { progress((i + done) / frames.count); };
@@ -77,10 +88,14 @@ void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest&
     request.earlier = drawn.study().result.kept;
     Picture picture = drawn.write(frame, document ? &*document : nullptr);
     add(run, frame);
+    lists_taken_over += took_list_over(frame.study);
     if (!document) take(std::move(picture));
   }
   if (document) take({document->finish()});
   run.study.count("frames", frames.count);
+  run.study.count("of them with the topology of the first", frames.count - 1);
+  if (request.compiled) run.study.count("of them with the tree of the first", frames.count - 1);
+  if (lists_taken_over > 0) run.study.count("of them with the list of the one before", lists_taken_over);
 }
 
 }  // namespace ligne

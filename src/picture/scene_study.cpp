@@ -216,6 +216,10 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   if (!found.result.left_out.empty()) {
     run.warn("--method " + std::string(found.method->traits().name) + " leaves out " + found.result.left_out);
   }
+  // The scene may have nothing of that kind: no cut, one zone, a convex body without planes.
+  if (request.lines.settings.has("show") && found.result.debug.empty() && found.result.debug_numbers.empty()) {
+    run.warn("--show finds nothing of that kind to draw");
+  }
   remove_hidden_axes(*found.result.strokes);
   if (request.groups) {
     found.points_seen = take_probes(*found.result.strokes, prepared.first_probe, request.groups->points.size());

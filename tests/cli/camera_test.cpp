@@ -72,6 +72,22 @@ TEST_F(CameraTest, OfGltfLookAlongTheirNode) {
   EXPECT_EQ(info["scene"]["cameras"], json({"eye", "flat"}));
 }
 
+TEST_F(CameraTest, OfGltfWithoutANameHaveTheirNumber) {
+  write("plate.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+    "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0.5, 0.3, 4]}, {"camera": 1, "translation": [0.5, 0.3, 3]}],
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 1.5707963267948966, "znear": 0.1}},
+                {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1, "znear": 0.1, "zfar": 9}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36,
+                 "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  EXPECT_EQ(strokes("plate.gltf", {"--view", "camera:1"}), strokes("plate.gltf", {"--view", "camera"}));
+  EXPECT_EQ(strokes("plate.gltf", {"--view", "camera:2"}), strokes("plate.gltf", {"--direction", "0,0,-1"}));
+  EXPECT_EQ(run({"draw", "plate.gltf", "--view", "camera:3", "-o", "a.svg"}).err,
+            "ligne: --view: no camera is called \"3\"; there are 1, 2\n");
+}
+
 TEST_F(CameraTest, ThatAreNotThereAreNamed) {
   write("plate.asc", kTriangle + "Named object: \"only\"\nCamera (50mm)\nPosition: X:0 Y:0 Z:9\nTarget: X:0 Y:0 Z:0\n");
   EXPECT_EQ(run({"draw", "cube.obj", "--view", "camera", "-o", "a.svg"}).err, "ligne: --view: the model has no camera\n");

@@ -140,6 +140,8 @@ TEST_F(DrawTest, WarnockShowsItsWindowsAndAreas) {
   ASSERT_EQ(with({"--show", "windows", "-o", "shown.svg"}), 0);
   ASSERT_EQ(with({"-o", "plain.svg"}), 0);
   EXPECT_NE(contents(file("shown.svg")).find("id=\"debug\""), std::string::npos);
+  EXPECT_EQ(run({"draw", "cube.obj", "--method", "newell", "--show", "zones", "-o", "shown.svg"}).err,
+            "ligne: cube.obj: warning: --show finds nothing of that kind to draw\n");
   EXPECT_EQ(contents(file("plain.svg")).find("id=\"debug\""), std::string::npos);
   ASSERT_EQ(with({"--show", "windows", "-o", "shown.json"}), 0);
   const json drawing = json::parse(contents(file("shown.json")));

@@ -47,6 +47,24 @@ TEST_F(FramesTest, ArePagesOfOnePdf) {
   EXPECT_NE(contents(file("f.pdf")).find("/Count 5"), std::string::npos);
 }
 
+/// The statistics say what was made once.
+TEST_F(FramesTest, TellWhatWasSaved) {
+  const auto counts = [&](const std::string& method) {
+    EXPECT_EQ(run({"draw", "cube.obj", "--frames", "4", "--turn", "12", "--method", method, "--stats-json", "s.json", "-o",
+                   "f%d.svg"})
+                  .status,
+              0);
+    return json::parse(contents(file("s.json")))["counts"];
+  };
+  const json appel = counts("appel"), bsp = counts("bsp"), newell = counts("newell");
+  for (const json& method : {appel, bsp, newell}) EXPECT_EQ(method["of them with the topology of the first"], 3);
+  EXPECT_EQ(bsp["of them with the tree of the first"], 3);
+  EXPECT_FALSE(appel.contains("of them with the tree of the first"));
+  EXPECT_EQ(newell["of them with the list of the one before"], 3);
+  ASSERT_EQ(run({"draw", "cube.obj", "--method", "bsp", "--stats-json", "s.json", "-o", "f.svg"}).status, 0);
+  EXPECT_EQ(bsp["depth of the tree"], json::parse(contents(file("s.json")))["counts"]["depth of the tree"]);
+}
+
 /// The cube has the same sides after a quarter of a turn; in between it is wider, and has the same scale.
 TEST_F(FramesTest, TurnTheModelAtOneScale) {
   ASSERT_EQ(run({"draw", "cube.obj", "--view", "front", "--frames", "8", "--edges", "all", "-o", "f%d.json"}).status, 0);

@@ -77,13 +77,15 @@ class Reader {
   }
 
  private:
-  /// It looks along -z of its node, with y up. One whose numbers mean nothing is left out.
+  /// It looks along -z of its node, with y up. One whose numbers mean nothing is left out; one without a name gets its
+  /// number, so that it can be asked for.
   void add_camera(const GltfCamera& from) {
     const tinygltf::Camera& camera = model_.cameras[from.camera];
     const tinygltf::Node& node = model_.nodes[from.node];
     const auto axis = [&](int k) { return Point3(from.to_world[k][0], from.to_world[k][1], from.to_world[k][2]); };
     SceneCamera to;
     to.name = !node.name.empty() ? node.name : camera.name;
+    if (to.name.empty()) to.name = std::to_string(scene_.cameras.size() + 1);
     to.eye = axis(3);
     to.forward = -axis(2);
     to.up = axis(1);
