@@ -87,11 +87,11 @@ std::vector<oracle::Interval> larger(std::vector<oracle::Interval> intervals, do
   return intervals;
 }
 
+}  // namespace
+
 bool is_glass(const Scene& scene, std::uint32_t face) {
   return !scene.face_material.empty() && scene.materials[scene.face_material[face]].opacity < 1;
 }
-
-}  // namespace
 
 bool has_glass(const Scene& scene) {
   for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {

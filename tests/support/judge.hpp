@@ -80,7 +80,8 @@ class JudgedView {
   std::unique_ptr<Lines> lines_, behind_, opaque_;  ///< by the one oracle, by the other, and of that without glass edges
 };
 
-/// Whether faces are transparent.
+/// Whether the face is transparent; whether any is.
+bool is_glass(const Scene& scene, std::uint32_t face);
 bool has_glass(const Scene& scene);
 
 /// The oracle's view of the same doubles.

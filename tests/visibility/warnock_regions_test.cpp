@@ -60,11 +60,12 @@ bool holds(const Region& r, Point2 p, double distance, bool& near) {
   return inside;
 }
 
-/// Depths of all faces at a page point, by their triangles.
+/// Depths of all opaque faces at a page point, by their triangles.
 std::map<std::uint32_t, double> depths_of_faces_at(const ProjectedScene& scene, Point2 mm) {
   std::map<std::uint32_t, double> depths;
   const Point2 p = (mm - scene.lattice.origin_mm) / scene.lattice.step_mm;
   for (const Triangle& t : scene.triangles) {
+    if (!scene.face_is_transparent.empty() && scene.face_is_transparent[t.face]) continue;
     const ProjectedVertex &a = scene.vertices[t.v[0]], &b = scene.vertices[t.v[1]], &c = scene.vertices[t.v[2]];
     const double area = orientation(a.p, b.p, c.p);
     if (area == 0) continue;

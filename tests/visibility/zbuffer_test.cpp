@@ -169,6 +169,7 @@ std::vector<std::filesystem::path> small_scenes() {
 std::array<double, 2> depths_at(const ProjectedScene& scene, Point2 p) {
   std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const Triangle& t : scene.triangles) {
+    if (!scene.face_is_transparent.empty() && scene.face_is_transparent[t.face]) continue;  // not in the buffer
     if (scene.is_edge_on(t)) continue;
     const ProjectedVertex* v[3] = {&scene.vertices[t.v[0]], &scene.vertices[t.v[1]], &scene.vertices[t.v[2]]};
     const double area = orientation(v[0]->p, v[1]->p, v[2]->p);
