@@ -164,7 +164,7 @@ std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPat
   for (std::uint32_t s = 0; s < patch.across.size(); ++s) {
     if (patch.across[s] == kNone || patch.across[s] < s) continue;
     const auto& v = patch.triangles[s / 3].v;
-    const auto [low, high] = std::minmax(v[s % 3], v[(s + 1) % 3]);
+    const std::uint32_t a = v[s % 3], b = v[(s + 1) % 3], low = std::min(a, b), high = std::max(a, b);
     if (low >= begin.size()) continue;
     const auto first = outline_edges.begin() + begin[low];
     const auto last = low + 1 < begin.size() ? outline_edges.begin() + begin[low + 1] : outline_edges.end();

@@ -7,6 +7,7 @@
 
 #include "contours/patch_fits.hpp"
 #include "geometry/filed_pairs.hpp"
+#include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
 #include "view/edge_classes.hpp"
 
@@ -35,15 +36,7 @@ class VertexSet {
 
 /// The triangles that have a vertex of the set, in their order.
 std::vector<std::uint32_t> touching(const std::vector<Triangle>& triangles, const VertexSet& set) {
-  std::vector<std::vector<std::uint32_t>> found(block_count(triangles.size(), kShortWorkBlock));
-  parallel_blocks(triangles.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (set.touches(triangles[i])) found[begin / kShortWorkBlock].push_back(static_cast<std::uint32_t>(i));
-    }
-  });
-  std::vector<std::uint32_t> all;
-  for (const auto& block : found) all.insert(all.end(), block.begin(), block.end());
-  return all;
+  return indices_where(triangles.size(), [&](std::size_t i) { return set.touches(triangles[i]); });
 }
 
 /// The vertices of some triangles, numbered in ascending order.

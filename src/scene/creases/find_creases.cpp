@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/disjoint_sets.hpp"
+#include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
 #include "scene/creases/across_edge.hpp"
 #include "scene/creases/bend.hpp"
@@ -165,27 +166,12 @@ class Finder {
 
   bool is_crease(std::uint32_t e) const { return bends_[e] >= Bend::strong; }
 
-  /// Calls visit(e) for the edges that are wanted, in ascending order; they are looked for in parallel.
-  template <class Wanted, class Visit>
-  void for_each_edge(const Wanted& wanted, const Visit& visit) const {
-    std::vector<std::vector<std::uint32_t>> found(block_count(topology_.edges.size(), kShortWorkBlock));
-    parallel_blocks(topology_.edges.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e) {
-        if (wanted(e)) found[begin / kShortWorkBlock].push_back(static_cast<std::uint32_t>(e));
-      }
-    });
-    for (const std::vector<std::uint32_t>& block : found) {
-      for (const std::uint32_t e : block) visit(e);
-    }
-  }
-
   /// The edges that may be creases, by their vertices.
   void collect() {
-    for_each_edge([&](std::size_t e) { return bends_[e] != Bend::none; },
-                  [&](std::uint32_t e) {
-                    ends_.push_back({topology_.edges[e].v0, e});
-                    ends_.push_back({topology_.edges[e].v1, e});
-                  });
+    for (const std::uint32_t e : indices_where(bends_.size(), [&](std::size_t i) { return bends_[i] != Bend::none; })) {
+      ends_.push_back({topology_.edges[e].v0, e});
+      ends_.push_back({topology_.edges[e].v1, e});
+    }
     parallel_sort(ends_.begin(), ends_.end());
     for (std::uint32_t k = 0; k < ends_.size(); ++k) {
       if (nodes_.empty() || nodes_.back().vertex != ends_[k].vertex) nodes_.push_back({ends_[k].vertex, k, 0});
@@ -307,13 +293,13 @@ class Finder {
   /// A crease that ends at a border does not end in the middle of a surface.
   void find_anchors() {
     anchored_.assign(nodes_.size(), 0);
-    for_each_edge([&](std::size_t e) { return topology_.edges[e].face1 == kNone; },
-                  [&](std::uint32_t e) {
-                    for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) {
-                      const std::uint32_t node = node_of(v);
-                      if (node < nodes_.size() && nodes_[node].vertex == v) anchored_[node] = 1;
-                    }
-                  });
+    const auto is_border = [&](std::size_t e) { return topology_.edges[e].face1 == kNone; };
+    for (const std::uint32_t e : indices_where(topology_.edges.size(), is_border)) {
+      for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) {
+        const std::uint32_t node = node_of(v);
+        if (node < nodes_.size() && nodes_[node].vertex == v) anchored_[node] = 1;
+      }
+    }
   }
 
   bool is_open(std::uint32_t node) const { return !anchored_[node] && creases_at(node) == 1; }

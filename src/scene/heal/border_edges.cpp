@@ -3,25 +3,18 @@
 #include <span>
 
 #include "geometry/filed_pairs.hpp"
-#include "geometry/parallel.hpp"
+#include "geometry/indices_where.hpp"
 
 namespace ligne {
 
 std::vector<std::vector<Edge>> border_edges(const Scene& scene, const Topology& topology) {
-  std::vector<std::vector<Edge>> found(block_count(topology.edges.size(), kShortWorkBlock));
-  parallel_blocks(topology.edges.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      if (topology.edges[e].face1 == kNone) found[begin / kShortWorkBlock].push_back(topology.edges[e]);
-    }
-  });
   std::vector<std::vector<Edge>> borders(scene.objects.size());
   std::size_t object = 0;
-  for (const std::vector<Edge>& block : found) {
-    for (const Edge& edge : block) {
-      // Objects own ascending ranges of the vertices, and edges come in the order of their vertices.
-      while (edge.v0 >= scene.objects[object].vertex_end) ++object;
-      borders[object].push_back(edge);
-    }
+  const auto is_border = [&](std::size_t e) { return topology.edges[e].face1 == kNone; };
+  for (const std::uint32_t e : indices_where(topology.edges.size(), is_border)) {
+    // Objects own ascending ranges of the vertices, and edges come in the order of their vertices.
+    while (topology.edges[e].v0 >= scene.objects[object].vertex_end) ++object;
+    borders[object].push_back(topology.edges[e]);
   }
   return borders;
 }
