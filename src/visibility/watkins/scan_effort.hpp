@@ -9,7 +9,7 @@ namespace ligne::watkins {
 
 /// Where hundreds of facets lie over each other on all of the page, each of a million events looks at hundreds of them. So
 /// the scan of a band may look at a multiple of its points and no more; then it gives up, and what it was to find is looked
-/// for cell by cell. Ordinary scenes take less than a tenth of it.
+/// for cell by cell.
 class ScanEffort {
  public:
   explicit ScanEffort(std::size_t points) : left_(kLooksPerPoint * std::max(points, kFewPoints)) {}
