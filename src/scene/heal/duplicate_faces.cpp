@@ -38,26 +38,36 @@ std::uint64_t hash(std::span<const std::uint32_t> key) {
   return h;
 }
 
-/// Whether the two faces of an edge may be one face stored twice: as many corners, and the same vertices but for their
-/// order.
-bool may_be_same(const PolygonFaces& faces, std::uint32_t a, std::uint32_t b) {
-  if (a == b) return false;
-  if (faces.all_triangles()) {
-    const std::uint32_t *p = &faces.corners()[3 * std::size_t{a}], *q = &faces.corners()[3 * std::size_t{b}];
+/// Whether two faces of an edge may be one face stored twice: as many corners, and the same vertices but for their order.
+class FaceComparison {
+ public:
+  explicit FaceComparison(const PolygonFaces& faces) : faces_(faces) {
+    if (faces.all_triangles()) return;
+    // Summed beforehand: a face of n corners has n edges to be compared at.
+    sums_.resize(faces.size());
+    parallel_blocks(sums_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        for (const std::uint32_t v : faces.contour(static_cast<std::uint32_t>(f), 0)) sums_[f] += v;
+      }
+    });
+  }
+
+  bool may_be_same(std::uint32_t a, std::uint32_t b) const {
+    if (a == b) return false;
+    if (!sums_.empty()) return faces_.contour(a, 0).size() == faces_.contour(b, 0).size() && sums_[a] == sums_[b];
+    const std::uint32_t *p = &faces_.corners()[3 * std::size_t{a}], *q = &faces_.corners()[3 * std::size_t{b}];
     return std::uint64_t{p[0]} + p[1] + p[2] == std::uint64_t{q[0]} + q[1] + q[2];
   }
-  const auto p = faces.contour(a, 0), q = faces.contour(b, 0);
-  if (p.size() != q.size()) return false;
-  std::uint64_t sum = 0;
-  for (const std::uint32_t v : p) sum += v;
-  for (const std::uint32_t v : q) sum -= v;
-  return sum == 0;
-}
+
+ private:
+  const PolygonFaces& faces_;
+  std::vector<std::uint64_t> sums_;  ///< of the numbers of the corners; none where all faces are triangles
+};
 
 /// Whether there is an edge of more than two faces, or a vertex from which two edges with the same two faces go to higher
 /// ones: the lowest vertex of a face that is stored twice is such a one. Where many edges go to higher ones, the two faces
 /// of each are compared instead.
-bool may_have_faces_twice(const PolygonFaces& faces, const Topology& topology) {
+bool may_have_faces_twice(const FaceComparison& faces, const Topology& topology) {
   constexpr std::size_t kFan = 16;  ///< adjustable: edges that are looked at for another one
   const std::size_t n = topology.edges.size();
   std::atomic<bool> any{false};
@@ -69,7 +79,7 @@ bool may_have_faces_twice(const PolygonFaces& faces, const Topology& topology) {
       if (edge.face1 == kNone) continue;
       for (std::size_t other = e + 1; other < n && topology.edges[other].v0 == edge.v0 && !found; ++other) {
         if (other - e > kFan) {
-          found = may_be_same(faces, edge.face0, edge.face1);
+          found = faces.may_be_same(edge.face0, edge.face1);
           break;
         }
         found = topology.edges[other].face0 == edge.face0 && topology.edges[other].face1 == edge.face1;
@@ -82,11 +92,12 @@ bool may_have_faces_twice(const PolygonFaces& faces, const Topology& topology) {
 
 /// Per vertex: lies on an edge that faces stored twice would have. Empty when there is none.
 std::vector<std::uint8_t> suspect_vertices(const Scene& scene, const Topology& topology) {
-  if (!may_have_faces_twice(scene.faces, topology)) return {};
+  const FaceComparison faces(scene.faces);
+  if (!may_have_faces_twice(faces, topology)) return {};
   const auto is_suspect = [&](std::size_t e) {
     const Edge& edge = topology.edges[e];
     if (edge.face1 == kNone) return false;
-    return (topology.edge_flags[e] & kEdgeManyFaces) != 0 || may_be_same(scene.faces, edge.face0, edge.face1);
+    return (topology.edge_flags[e] & kEdgeManyFaces) != 0 || faces.may_be_same(edge.face0, edge.face1);
   };
   const std::size_t n = topology.edges.size();
   const std::size_t found = parallel_reduce(n, kShortWorkBlock, std::size_t{0}, [&](std::size_t begin, std::size_t end) {
