@@ -256,6 +256,7 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
     StudyOptions options;
     options.hidden_strokes = hidden;
     options.settings = settings;
+    options.wanted = static_cast<std::uint8_t>(~kPixels);  // are not judged, and take more time than all else
     VisibilityResult result = method.study(projected, options);
     if (!result.beyond.empty()) {
       verdict.skipped = result.beyond;
