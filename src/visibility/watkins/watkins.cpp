@@ -268,6 +268,8 @@ void WatkinsStudy::study_intersections() {
     found_of_intersections_ = std::move(r.found);
   }
   report(counts_, result_.statistics);
+  const int gave_up = edges_by_cells_ + intersections_by_cells_;
+  if (gave_up > 0) result_.statistics.count("scans given up, lines studied by cells", static_cast<std::uint64_t>(gave_up));
 }
 
 // 4. By lines, edges and intersections at once.
