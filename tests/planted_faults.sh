@@ -25,7 +25,7 @@ programs_of() {
   case $1 in
     warnock_*) echo visibility_test known_answers_test all_methods_test random_scenes_test warnock_corpus_test ;;
     watkins_*) echo visibility_test known_answers_test all_methods_test random_scenes_test limited_methods_test ;;
-    zbuffer_*) echo visibility_test random_scenes_test limited_methods_test ;;
+    zbuffer_*) echo visibility_test random_scenes_test limited_methods_test cli_program_test ;;
     painter_*) echo visibility_test all_methods_test random_scenes_test ;;
     weiler_*) echo known_answers_test all_methods_test random_scenes_test regions_test polygon_study_test light_test transparent_lines_test ;;
     clip_*) echo clip_test clip_clipper_test "$(programs_of weiler_)" ;;
@@ -67,6 +67,7 @@ filter_of() {
       case $2 in
         horizon_*) echo '*Surface*' ;;
         plot_*) echo '*Plot*' ;;
+        zbuffer_*) echo 'ZBufferFile*' ;;
         *) echo '*Surface*:*Plot*' ;;
       esac ;;
     embree_models_test) echo '*teapot*:*featuretype*:*CITY*' ;;

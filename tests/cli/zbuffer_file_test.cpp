@@ -1,5 +1,7 @@
 /// ligne draw --zbuffer-save and --zbuffer-add.
 
+#include <cmath>
+
 #include "draw_program.hpp"
 #include "forged_files.hpp"
 #include "picture/zbuffer_picture.hpp"
@@ -140,6 +142,41 @@ TEST_F(ZBufferFileTest, DamagedAndForgedFilesAreReadOrRefused) {
   other[12] = 7;
   EXPECT_NE(error_of(other).find("a depth buffer of version 7; this program reads version 1"), std::string::npos);
   expect_forgeries_are_refused(bytes, sign_zbuffer, ZBuffer::read);
+}
+
+/// A line behind a plate, here two sides of another one, is drawn to the plate's border at least, and by less than two
+/// pixels too far: it counts as hidden only where the faces about it hide all of it.
+TEST_F(ZBufferFileTest, LinesReachWhatHidesThem) {
+  write("behind.obj", R"(v -1 -1 0
+v 1 -1 0
+v 1.03 1 0
+v -1.06 1 0
+v -3 -0.7 -1
+v 3 0.8 -1
+v -3 0.95 -1
+v 3 -0.9 -1
+f 1 2 3 4
+f 5 8 6 7
+)");
+  for (const char* lines : {"90", "128", "200", "331"}) {
+    SCOPED_TRACE(lines);
+    const auto length_of_lines = [&](const char* method, std::vector<std::string> options) {
+      options.insert(options.begin(), {"behind.obj", "--view", "front", "--method", method, "--quality", "exact"});
+      double length = 0;
+      const json drawing = drawn(options);
+      for (const json& stroke : drawing["strokes"]) {
+        const json& a = stroke["points"].front();
+        const json& b = stroke["points"].back();
+        const double dx = b[0].get<double>() - a[0].get<double>(), dy = b[1].get<double>() - a[1].get<double>();
+        length += std::hypot(dx, dy);
+      }
+      return length;
+    };
+    const double right = length_of_lines("appel", {}), by_pixels = length_of_lines("zbuffer", {"--lines", lines});
+    const double pixel_mm = 190 / std::stod(lines);  // of the height of the page between its margins
+    EXPECT_GE(by_pixels, right - 0.01);
+    EXPECT_LE(by_pixels, right + 4 * 2 * std::sqrt(2) * pixel_mm);
+  }
 }
 
 }  // namespace
