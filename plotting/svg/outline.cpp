@@ -160,91 +160,114 @@ void Outline::end() {
   first_ = lines_.points.size();
 }
 
-void add_path(Outline& outline, std::string_view data) {
-  Scanner scanner(data);
-  char command = '\0', before = '\0';
-  Point2 control{0, 0};  // of the last curve, for S and T
-  const auto number = [&] {
-    const double v = scanner.number();
-    scanner.skip_separator();
-    return v;
-  };
-  const auto flag = [&] {
-    const bool v = scanner.flag();
-    scanner.skip_separator();
-    return v;
-  };
-  while (!scanner.done()) {
-    if (!scanner.at_number()) {
-      command = scanner.take();
-      scanner.skip_blanks();
-      if (before == '\0' && command != 'M' && command != 'm') throw std::invalid_argument("path data do not begin with M");
-    } else if (command == 'Z' || command == 'z' || command == '\0') {
-      throw std::invalid_argument("path data have a number where a command should be");
-    } else if (before == 'M' || before == 'm') {
-      command = command == 'M' ? 'L' : command == 'm' ? 'l' : command;
+namespace {
+
+/// Reads the commands of path data (SVG 1.1, 8.3) into an outline.
+class PathData {
+ public:
+  PathData(Outline& outline, std::string_view data) : outline_(outline), scanner_(data) {}
+
+  void read() {
+    while (!scanner_.done()) {
+      take_command();
+      add_part();
+      before_ = command_;
     }
-    const bool relative = command >= 'a' && command <= 'z';
-    const Point2 origin = relative ? outline.at() : Point2{0, 0};
-    const auto point = [&] {
-      const double x = number();
-      return origin + Point2{x, number()};
-    };
-    const char kind = static_cast<char>(relative ? command - 'a' + 'A' : command);
-    const char last = static_cast<char>(before >= 'a' ? before - 'a' + 'A' : before);
-    const Point2 mirrored = outline.at() * 2.0 - control;
-    switch (kind) {
+    outline_.end();
+  }
+
+ private:
+  void take_command() {
+    if (!scanner_.at_number()) {
+      command_ = scanner_.take();
+      scanner_.skip_blanks();
+      if (before_ == '\0' && command_ != 'M' && command_ != 'm')
+        throw std::invalid_argument("path data do not begin with M");
+    } else if (command_ == 'Z' || command_ == 'z' || command_ == '\0') {
+      throw std::invalid_argument("path data have a number where a command should be");
+    } else if (before_ == 'M' || before_ == 'm') {
+      command_ = command_ == 'M' ? 'L' : command_ == 'm' ? 'l' : command_;
+    }
+    const bool relative = command_ >= 'a' && command_ <= 'z';
+    origin_ = relative ? outline_.at() : Point2{0, 0};
+  }
+
+  static char upper(char command) {
+    return static_cast<char>(command >= 'a' && command <= 'z' ? command - 'a' + 'A' : command);
+  }
+
+  double number() {
+    const double v = scanner_.number();
+    scanner_.skip_separator();
+    return v;
+  }
+  bool flag() {
+    const bool v = scanner_.flag();
+    scanner_.skip_separator();
+    return v;
+  }
+  Point2 point() {
+    const double x = number();
+    return origin_ + Point2{x, number()};
+  }
+
+  /// The control point of the last curve of the kind, mirrored; where the last part was none, the place itself.
+  Point2 smooth_control(char kind, char smooth_kind) const {
+    const char last = upper(before_);
+    return last == kind || last == smooth_kind ? outline_.at() * 2.0 - control_ : outline_.at();
+  }
+
+  void add_part() {
+    switch (upper(command_)) {
       case 'M':
-        outline.move_to(point());
-        break;
+        return outline_.move_to(point());
       case 'L':
-        outline.line_to(point());
-        break;
+        return outline_.line_to(point());
       case 'H':
-        outline.line_to({origin.x + number(), outline.at().y});
-        break;
+        return outline_.line_to({origin_.x + number(), outline_.at().y});
       case 'V':
-        outline.line_to({outline.at().x, origin.y + number()});
-        break;
-      case 'C': {
-        const Point2 c1 = point(), c2 = point(), p = point();
-        outline.cubic_to(c1, c2, p);
-        control = c2;
-        break;
-      }
-      case 'S': {
-        const Point2 c1 = last == 'C' || last == 'S' ? mirrored : outline.at(), c2 = point(), p = point();
-        outline.cubic_to(c1, c2, p);
-        control = c2;
-        break;
-      }
-      case 'Q': {
-        const Point2 c = point(), p = point();
-        outline.quadratic_to(c, p);
-        control = c;
-        break;
-      }
-      case 'T': {
-        const Point2 c = last == 'Q' || last == 'T' ? mirrored : outline.at(), p = point();
-        outline.quadratic_to(c, p);
-        control = c;
-        break;
-      }
-      case 'A': {
-        const double rx = number(), ry = number(), rotation = number();
-        const bool large = flag(), sweep = flag();
-        outline.arc_to(rx, ry, rotation, large, sweep, point());
-        break;
-      }
+        return outline_.line_to({outline_.at().x, origin_.y + number()});
+      case 'C':
+        return add_cubic(point());
+      case 'S':
+        return add_cubic(smooth_control('C', 'S'));
+      case 'Q':
+        return add_quadratic(point());
+      case 'T':
+        return add_quadratic(smooth_control('Q', 'T'));
+      case 'A':
+        return add_arc();
       case 'Z':
-        outline.close();
-        break;
+        return outline_.close();
       default:
         throw std::invalid_argument("path data have an unknown command");
     }
-    before = command;
   }
-  outline.end();
-}
+
+  void add_cubic(Point2 c1) {
+    const Point2 c2 = point(), p = point();
+    outline_.cubic_to(c1, c2, p);
+    control_ = c2;
+  }
+  void add_quadratic(Point2 c) {
+    outline_.quadratic_to(c, point());
+    control_ = c;
+  }
+  void add_arc() {
+    const double rx = number(), ry = number(), rotation = number();
+    const bool large = flag(), sweep = flag();
+    outline_.arc_to(rx, ry, rotation, large, sweep, point());
+  }
+
+  Outline& outline_;
+  Scanner scanner_;
+  char command_ = '\0', before_ = '\0';
+  Point2 origin_{0, 0};   ///< of a relative command, the place before it
+  Point2 control_{0, 0};  ///< of the last curve, for S and T
+};
+
+}  // namespace
+
+void add_path(Outline& outline, std::string_view data) { PathData(outline, data).read(); }
 
 }  // namespace ligne::svg

@@ -123,62 +123,72 @@ void StyleSheet::add(std::string_view given) {
   }
 }
 
+bool StyleSheet::take_qualifiers(std::string_view& selector, Compound& compound, Rule& rule) {
+  bool never = false;
+  while (!selector.empty() && std::string_view(".#:[").find(selector[0]) != std::string_view::npos) {
+    const char kind = selector[0];
+    if (kind == '[') {
+      Attribute& attribute = compound.attributes.emplace_back();
+      take_attribute(selector, attribute.name, attribute.value, attribute.how);
+      rule.weight += 1'000;
+      continue;
+    }
+    selector.remove_prefix(1);
+    const std::string name = take_name(selector);
+    if (kind == '.') {
+      compound.classes.push_back(name);
+      rule.weight += 1'000;
+    } else if (kind == '#') {
+      compound.id = name;
+      rule.weight += 1'000'000;
+    } else if (name == "hover" || name == "active" || name == "focus" || name == "visited") {
+      never = true;
+    } else {
+      throw UnknownStyle("a selector that is not known");
+    }
+  }
+  return !never;
+}
+
+bool StyleSheet::take_path(std::string_view selector, Rule& rule) {
+  bool ever = true, child = false;
+  while (!selector.empty()) {
+    Compound compound;
+    compound.child = child;
+    child = false;
+    if (selector[0] == '*') {
+      selector.remove_prefix(1);
+    } else if (name_character(selector[0])) {
+      compound.element = take_name(selector);
+      rule.weight += 1;
+    } else if (selector[0] != '.' && selector[0] != '#' && selector[0] != ':' && selector[0] != '[') {
+      throw UnknownStyle("a selector that is not known");
+    }
+    ever = take_qualifiers(selector, compound, rule) && ever;
+    rule.path.push_back(std::move(compound));
+    const std::string_view rest = trimmed(selector);
+    if (!rest.empty() && rest[0] == '>') {
+      child = true;
+      selector = trimmed(rest.substr(1));
+      if (selector.empty()) throw UnknownStyle("a selector that is not known");
+    } else if (rest.size() == selector.size() && !rest.empty()) {
+      throw UnknownStyle("a selector that is not known");
+    } else {
+      selector = rest;
+    }
+  }
+  return ever && !rule.path.empty();
+}
+
 void StyleSheet::add_rule(std::string_view selectors, std::string_view body) {
   const std::vector<Declaration> said = declarations(body);
   while (!selectors.empty()) {
     const std::size_t comma = std::min(selectors.find(','), selectors.size());
-    std::string_view selector = trimmed(selectors.substr(0, comma));
+    const std::string_view selector = trimmed(selectors.substr(0, comma));
     selectors.remove_prefix(std::min(comma + 1, selectors.size()));
     Rule rule;
     rule.declarations = said;
-    bool never = false, child = false;
-    while (!selector.empty()) {
-      Compound compound;
-      compound.child = child;
-      child = false;
-      if (selector[0] == '*') {
-        selector.remove_prefix(1);
-      } else if (name_character(selector[0])) {
-        compound.element = take_name(selector);
-        rule.weight += 1;
-      } else if (selector[0] != '.' && selector[0] != '#' && selector[0] != ':' && selector[0] != '[') {
-        throw UnknownStyle("a selector that is not known");
-      }
-      while (!selector.empty() && std::string_view(".#:[").find(selector[0]) != std::string_view::npos) {
-        const char kind = selector[0];
-        if (kind == '[') {
-          Attribute& attribute = compound.attributes.emplace_back();
-          take_attribute(selector, attribute.name, attribute.value, attribute.how);
-          rule.weight += 1'000;
-          continue;
-        }
-        selector.remove_prefix(1);
-        const std::string name = take_name(selector);
-        if (kind == '.') {
-          compound.classes.push_back(name);
-          rule.weight += 1'000;
-        } else if (kind == '#') {
-          compound.id = name;
-          rule.weight += 1'000'000;
-        } else if (name == "hover" || name == "active" || name == "focus" || name == "visited") {
-          never = true;
-        } else {
-          throw UnknownStyle("a selector that is not known");
-        }
-      }
-      rule.path.push_back(std::move(compound));
-      const std::string_view rest = trimmed(selector);
-      if (!rest.empty() && rest[0] == '>') {
-        child = true;
-        selector = trimmed(rest.substr(1));
-        if (selector.empty()) throw UnknownStyle("a selector that is not known");
-      } else if (rest.size() == selector.size() && !rest.empty()) {
-        throw UnknownStyle("a selector that is not known");
-      } else {
-        selector = rest;
-      }
-    }
-    if (rule.path.empty() || never) continue;
+    if (!take_path(selector, rule)) continue;
     if (rules_.size() == kMostRules) throw std::invalid_argument("there are more than 10,000 rules of style");
     const Compound& own = rule.path.back();
     const std::string key = !own.id.empty()        ? "#" + own.id

@@ -57,6 +57,10 @@ class StyleSheet {
     std::vector<Declaration> declarations;
   };
 
+  /// Reads classes, names, attributes and states. False where they never hold: for a state that paper does not have.
+  static bool take_qualifiers(std::string_view& selector, Compound& compound, Rule& rule);
+  /// Reads one selector. False where it selects nothing, ever.
+  static bool take_path(std::string_view selector, Rule& rule);
   void add_rule(std::string_view selectors, std::string_view body);
   bool holds(const Compound& compound, const pugi::xml_node& node) const;
   bool holds(const Rule& rule, std::size_t last, const pugi::xml_node& node) const;

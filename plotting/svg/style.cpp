@@ -21,59 +21,15 @@ class StyleReader {
       : node_(node), style_(style), displayed_(displayed), refuse_(refuse) {}
 
   void set(std::string_view name, std::string_view value) {
-    if (value == "inherit") return;
-    if (name == "stroke")
-      set_paint(style_.stroke, value);
-    else if (name == "fill")
-      set_paint(style_.fill, value);
-    else if (name == "color")
-      style_.color = paint(value).value_or("#000000");
-    else if (name == "stop-color")
-      style_.stop_color = paint(value) == "currentColor" ? style_.color : paint(value);
-    else if (name == "stroke-opacity")
-      style_.stroke_seen = opacity_of(value) > 0;
-    else if (name == "fill-opacity")
-      set_fill_opacity(opacity_of(value));
-    else if (name == "opacity")
-      show(none_, (style_.opacity = opacity_of(value)) == 0);
-    else if (name == "display")
+    if (value == "inherit" || set_of_paint(name, value) || set_of_text(name, value)) return;
+    if (name == "display")
       show(value == "none", clear_);
     else if (name == "visibility")
       style_.visible = value == "visible";
-    else if (name == "stroke-width")
-      style_.stroke_width = length_px(value);
-    else if (name == "stroke-dashoffset")
-      style_.dash_offset = length_px(value);
-    else if (name == "stroke-dasharray")
-      set_dashes(value);
-    else if (name == "font-size")
-      set_font_size(value);
-    else if (name == "font")
-      set_font(value);
-    else if (name == "fill-rule")
-      style_.fill_even_odd = value == "evenodd";
-    else if (name == "stroke-linecap")
-      style_.round_caps = value != "butt";
     else if (name == "clip-rule")
       style_.clip_even_odd = value == "evenodd";
     else if (name == "overflow")
       style_.overflow = value == "visible" || value == "auto";
-    else if (name == "text-anchor")
-      style_.anchor = value;
-    else if (name == "vector-effect")
-      style_.non_scaling = value == "non-scaling-stroke";
-    else if (name == "letter-spacing")
-      style_.letter_spacing = spacing(value);
-    else if (name == "word-spacing")
-      style_.word_spacing = spacing(value);
-    else if (name == "dominant-baseline" || name == "alignment-baseline")
-      set_baseline(value);
-    else if (name == "baseline-shift")
-      set_baseline_shift(value);
-    else if (name == "xml:space")
-      style_.keep_blanks = value == "preserve";
-    else if (name == "white-space")
-      style_.keep_blanks = value == "pre" || value == "pre-wrap" || value == "break-spaces";
     else if (name.starts_with("marker-"))
       set_markers(name, value);
     else if (value == "none" || value == "normal" || value == "auto")
@@ -99,6 +55,61 @@ class StyleReader {
   }
 
  private:
+  /// Paint and lines. False for other names; so for the next.
+  bool set_of_paint(std::string_view name, std::string_view value) {
+    if (name == "stroke")
+      set_paint(style_.stroke, value);
+    else if (name == "fill")
+      set_paint(style_.fill, value);
+    else if (name == "color")
+      style_.color = paint(value).value_or("#000000");
+    else if (name == "stop-color")
+      style_.stop_color = paint(value) == "currentColor" ? style_.color : paint(value);
+    else if (name == "stroke-opacity")
+      style_.stroke_seen = opacity_of(value) > 0;
+    else if (name == "fill-opacity")
+      set_fill_opacity(opacity_of(value));
+    else if (name == "opacity")
+      show(none_, (style_.opacity = opacity_of(value)) == 0);
+    else if (name == "stroke-width")
+      style_.stroke_width = length_px(value);
+    else if (name == "stroke-dashoffset")
+      style_.dash_offset = length_px(value);
+    else if (name == "stroke-dasharray")
+      set_dashes(value);
+    else if (name == "fill-rule")
+      style_.fill_even_odd = value == "evenodd";
+    else if (name == "stroke-linecap")
+      style_.round_caps = value != "butt";
+    else if (name == "vector-effect")
+      style_.non_scaling = value == "non-scaling-stroke";
+    else
+      return false;
+    return true;
+  }
+  bool set_of_text(std::string_view name, std::string_view value) {
+    if (name == "font-size")
+      set_font_size(value);
+    else if (name == "font")
+      set_font(value);
+    else if (name == "text-anchor")
+      style_.anchor = value;
+    else if (name == "letter-spacing")
+      style_.letter_spacing = spacing(value);
+    else if (name == "word-spacing")
+      style_.word_spacing = spacing(value);
+    else if (name == "dominant-baseline" || name == "alignment-baseline")
+      set_baseline(value);
+    else if (name == "baseline-shift")
+      set_baseline_shift(value);
+    else if (name == "xml:space")
+      style_.keep_blanks = value == "preserve";
+    else if (name == "white-space")
+      style_.keep_blanks = value == "pre" || value == "pre-wrap" || value == "break-spaces";
+    else
+      return false;
+    return true;
+  }
   void set_markers(std::string_view name, std::string_view value) {
     constexpr std::string_view kNames[] = {"marker-start", "marker-mid", "marker-end"};
     const std::string id = value == "none" ? "" : id_in(value);

@@ -88,6 +88,36 @@ bool coincide_by_sight(const PictureRequest& request, const Scene& scene) {
                            request.lines.hidden == HiddenLines::none);
 }
 
+StudyOptions study_options(const PreparedScene& prepared, std::optional<SpanLines> span_lines) {
+  const PictureRequest& request = prepared.request;
+  StudyOptions options;
+  options.hidden_strokes = request.lines.hidden != HiddenLines::none;
+  options.span_lines = span_lines;
+  options.settings = request.lines.settings;
+  options.wanted = wanted_products(request, prepared.method);
+  options.progress = request.progress;
+  options.compiled = request.compiled.get();
+  options.keep = request.keep;
+  options.earlier = request.earlier.get();
+  options.blank = request.blank.get();
+  options.coincide_by_sight = coincide_by_sight(request, prepared.scene);
+  return options;
+}
+
+/// What of the scene the method can not do, or not draw.
+void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, const LineRequest& lines, RunReport& run) {
+  const std::string name(method.name);
+  if (!result.beyond.empty()) {
+    run.warn("the drawing may be wrong: --method " + name + " is for " + std::string(method.only_for) +
+             ", and of this scene " + result.beyond);
+  }
+  if (!result.left_out.empty()) run.warn("--method " + name + " leaves out " + result.left_out);
+  // The scene may have nothing of that kind: no cut, one zone, a convex body without planes.
+  if (lines.settings.has("show") && result.debug.empty() && result.debug_numbers.empty()) {
+    run.warn("--show finds nothing of that kind to draw");
+  }
+}
+
 }  // namespace
 
 const Method& method_of(const PictureRequest& request) {
@@ -188,17 +218,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
       std::to_string(projected.triangles.size()) + " triangles, " + std::to_string(projected.edges.size()) + " lines";
   found.method = &prepared.method;
   found.result = timed(run.stages, {"study", asks}, [&] {
-    StudyOptions options;
-    options.hidden_strokes = request.lines.hidden != HiddenLines::none;
-    options.span_lines = span_lines;
-    options.settings = request.lines.settings;
-    options.wanted = wanted_products(request, prepared.method);
-    options.progress = request.progress;
-    options.compiled = request.compiled.get();
-    options.keep = request.keep;
-    options.earlier = request.earlier.get();
-    options.blank = request.blank.get();
-    options.coincide_by_sight = coincide_by_sight(request, prepared.scene);
+    const StudyOptions options = study_options(prepared, span_lines);
     if (request.lines.method) return prepared.method.study(projected, options);
     ChosenStudy choice = study_by_choice(request, projected, options);
     found.method = choice.method;
@@ -209,17 +229,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   if (!found.result.strokes) {
     throw RequestError("method", std::string(found.method->traits().name) + " does not produce lines");
   }
-  if (!found.result.beyond.empty()) {
-    run.warn("the drawing may be wrong: --method " + std::string(found.method->traits().name) + " is for " +
-             std::string(found.method->traits().only_for) + ", and of this scene " + found.result.beyond);
-  }
-  if (!found.result.left_out.empty()) {
-    run.warn("--method " + std::string(found.method->traits().name) + " leaves out " + found.result.left_out);
-  }
-  // The scene may have nothing of that kind: no cut, one zone, a convex body without planes.
-  if (request.lines.settings.has("show") && found.result.debug.empty() && found.result.debug_numbers.empty()) {
-    run.warn("--show finds nothing of that kind to draw");
-  }
+  warn_of_limits(found.method->traits(), found.result, request.lines, run);
   remove_hidden_axes(*found.result.strokes);
   if (request.groups) {
     found.points_seen = take_probes(*found.result.strokes, prepared.first_probe, request.groups->points.size());

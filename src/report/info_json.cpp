@@ -55,13 +55,7 @@ Json object_json(const SceneFacts& scene, const ObjectFacts& object) {
   return json;
 }
 
-}  // namespace
-
-std::string info_json(const LoadedModels& models, const SceneInfo& info) {
-  Json json{{"format", "ligne-info"}, {"version", 1}};
-  json["files"] = Json::array();
-  for (const ModelFile& file : models.files) json["files"].push_back(file_json(file));
-
+Json scene_json(const LoadedModels& models, const SceneInfo& info) {
   const SceneFacts& facts = info.scene;
   Json scene;
   scene["vertices"] = facts.vertices;
@@ -86,8 +80,10 @@ std::string info_json(const LoadedModels& models, const SceneInfo& info) {
                                       {"opacity", material.opacity},
                                       {"faces", material.faces}});
   }
-  json["scene"] = std::move(scene);
+  return scene;
+}
 
+Json view_json(const SceneInfo& info) {
   Json view;
   view["edges"] = Json::object();
   for (std::size_t c = 0; c < kEdgeClassCount; ++c) {
@@ -106,7 +102,17 @@ std::string info_json(const LoadedModels& models, const SceneInfo& info) {
                            ? Json(nullptr)
                            : Json::array({info.placement.picture.width(), info.placement.picture.height()});
   view["mm_per_unit"] = info.placement.view.scale;
-  json["view"] = std::move(view);
+  return view;
+}
+
+}  // namespace
+
+std::string info_json(const LoadedModels& models, const SceneInfo& info) {
+  Json json{{"format", "ligne-info"}, {"version", 1}};
+  json["files"] = Json::array();
+  for (const ModelFile& file : models.files) json["files"].push_back(file_json(file));
+  json["scene"] = scene_json(models, info);
+  json["view"] = view_json(info);
   json["traits"] = json_of(info.traits);
 
   json["methods"] = Json::array();

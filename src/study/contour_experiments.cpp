@@ -78,6 +78,64 @@ std::vector<int> list_of(int n, int kind) {
   return list;
 }
 
+/// Both are kept by reference.
+std::vector<Way> ways_to_ask(const std::vector<LatticePoint>& contour, const Sectors& sectors) {
+  return {
+      {"crossings", "O(n), special cases", true,
+       [&](LatticePoint p, ContourCounts& c) { return by_crossings(contour, p, c); }},
+      {"angles", "O(n), arc tangents", true, [&](LatticePoint p, ContourCounts& c) { return by_angles(contour, p, c); }},
+      {"half planes (Dahan, Le Tuan)", "1 to n; n inside", false,
+       [&](LatticePoint p, ContourCounts& c) { return by_half_planes(contour, p, c); }},
+      {"triangles (Dahan, Le Tuan)", "3 to 2 n - 3 inside, 1 to 2 n - 3 outside", false,
+       [&](LatticePoint p, ContourCounts& c) { return by_triangles(contour, p, c); }},
+      {"sectors by angle (Shamos)", "O(log n)", false,
+       [&](LatticePoint p, ContourCounts& c) { return sectors.by_angle(p, c); }},
+      {"sectors by signs", "no figure", false, [&](LatticePoint p, ContourCounts& c) { return sectors.by_signs(p, c); }},
+      {"codes", "O(n), coordinates alone", true,
+       [&](LatticePoint p, ContourCounts& c) { return by_codes(contour, p, false, c); }},
+      {"codes, mended", "no figure", true, [&](LatticePoint p, ContourCounts& c) { return by_codes(contour, p, true, c); }},
+  };
+}
+
+std::vector<LatticePoint> points_to_ask(const std::vector<LatticePoint>& contour, int n, int reach) {
+  Chance chance(53);
+  std::vector<LatticePoint> points;
+  for (int i = 0; i < n; ++i) {
+    points.push_back({chance.whole(-reach, reach), chance.whole(-reach, reach)});
+    // One in four is a corner, or the middle of a side where that is a point of the lattice.
+    const std::size_t k = std::size_t(chance.whole(0, int(contour.size()) - 1));
+    const LatticePoint a = contour[k], b = contour[(k + 1) % contour.size()];
+    if (i % 4 == 0)
+      points.back() =
+          (a.x + b.x) % 2 == 0 && (a.y + b.y) % 2 == 0 && i % 8 == 0 ? LatticePoint{(a.x + b.x) / 2, (a.y + b.y) / 2} : a;
+  }
+  return points;
+}
+
+struct Answers {
+  ContourCounts counts;
+  std::uint64_t wrong = 0, on_contour = 0;  ///< against the exact ones: of points beside the contour, and on it
+  double seconds = 0;                       ///< of one
+};
+
+Answers ask_all(const Way& way, const std::vector<LatticePoint>& contour, const std::vector<LatticePoint>& points) {
+  Answers answers;
+  ContourCounts unused;
+  for (const LatticePoint p : points) {
+    const Place truth = by_crossings(contour, p, unused), found = way.ask(p, answers.counts);
+    const bool on = truth == Place::on_side || truth == Place::on_corner;
+    answers.on_contour += on && found != truth;
+    answers.wrong += !on && found != truth;
+  }
+  const double seconds = seconds_each([&] {
+    int inside = 0;
+    for (const LatticePoint p : points) inside += way.ask(p, unused) == Place::inside;
+    return inside;
+  });
+  answers.seconds = seconds / double(points.size());
+  return answers;
+}
+
 }  // namespace
 
 Result study_point_in_contour(const StudyRequest& request) {
@@ -104,51 +162,12 @@ Result study_point_in_contour(const StudyRequest& request) {
     for (int n = 4; n <= request.pick(64, 1024); n *= 4) {
       const std::vector<LatticePoint> contour = round_contour(n, kRadius, convex);
       const Sectors sectors(contour);
-      const std::vector<Way> ways{
-          {"crossings", "O(n), special cases", true,
-           [&](LatticePoint p, ContourCounts& c) { return by_crossings(contour, p, c); }},
-          {"angles", "O(n), arc tangents", true, [&](LatticePoint p, ContourCounts& c) { return by_angles(contour, p, c); }},
-          {"half planes (Dahan, Le Tuan)", "1 to n; n inside", false,
-           [&](LatticePoint p, ContourCounts& c) { return by_half_planes(contour, p, c); }},
-          {"triangles (Dahan, Le Tuan)", "3 to 2 n - 3 inside, 1 to 2 n - 3 outside", false,
-           [&](LatticePoint p, ContourCounts& c) { return by_triangles(contour, p, c); }},
-          {"sectors by angle (Shamos)", "O(log n)", false,
-           [&](LatticePoint p, ContourCounts& c) { return sectors.by_angle(p, c); }},
-          {"sectors by signs", "no figure", false, [&](LatticePoint p, ContourCounts& c) { return sectors.by_signs(p, c); }},
-          {"codes", "O(n), coordinates alone", true,
-           [&](LatticePoint p, ContourCounts& c) { return by_codes(contour, p, false, c); }},
-          {"codes, mended", "no figure", true,
-           [&](LatticePoint p, ContourCounts& c) { return by_codes(contour, p, true, c); }},
-      };
-      Chance chance(53);
-      std::vector<LatticePoint> asked;
-      for (int i = 0; i < points; ++i) {
-        asked.push_back({chance.whole(-kReach, kReach), chance.whole(-kReach, kReach)});
-        // One in four is a corner, or the middle of a side where that is a point of the lattice.
-        const std::size_t k = std::size_t(chance.whole(0, int(contour.size()) - 1));
-        const LatticePoint a = contour[k], b = contour[(k + 1) % contour.size()];
-        if (i % 4 == 0)
-          asked.back() = (a.x + b.x) % 2 == 0 && (a.y + b.y) % 2 == 0 && i % 8 == 0
-                             ? LatticePoint{(a.x + b.x) / 2, (a.y + b.y) / 2}
-                             : a;
-      }
+      const std::vector<Way> ways = ways_to_ask(contour, sectors);
+      const std::vector<LatticePoint> asked = points_to_ask(contour, points, kReach);
       for (std::size_t w = 0; w < ways.size(); ++w) {
         const Way& way = ways[w];
         if (!convex && !way.any_contour) continue;
-        ContourCounts counts, unused;
-        std::uint64_t wrong = 0, on_contour = 0;
-        for (const LatticePoint p : asked) {
-          const Place truth = by_crossings(contour, p, unused), found = way.ask(p, counts);
-          const bool on = truth == Place::on_side || truth == Place::on_corner;
-          on_contour += on && found != truth;
-          wrong += !on && found != truth;
-        }
-        const double seconds = seconds_each([&] {
-                                 int inside = 0;
-                                 for (const LatticePoint p : asked) inside += way.ask(p, unused) == Place::inside;
-                                 return inside;
-                               }) /
-                               points;
+        const auto [counts, wrong, on_contour, seconds] = ask_all(way, contour, asked);
         const double m = points;
         if (w == 5) {
           logarithmic = logarithmic && double(counts.signs) / m <= 3 + std::log2(n);

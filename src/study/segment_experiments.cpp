@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "geometry/exact_segment.hpp"
 #include "study/experiments.hpp"
@@ -203,45 +206,82 @@ Result study_many_segments(const StudyRequest& request) {
   return result;
 }
 
-Result study_segment_clipping(const StudyRequest& request) {
-  constexpr int kBits = 10;
-  constexpr double kScreen = 1 << kBits;
-  const ClipRectangle r{256, 767, 256, 767};
-  struct Kind {
-    const char *name, *codes, *middles;
-    ClipCounts most_by_halving, most_by_codes;
-    std::uint64_t segments = 0, different = 0;
-  };
-  Kind kinds[] = {{"both ends inside", "2", "0", {}, {}},
-                  {"one end inside", "< k + 1 = 11", "< k = 10", {}, {}},
-                  {"no end inside", "< 2 k + 2 = 22", "< 2 k = 20", {}, {}}};
+namespace {
+
+constexpr int kScreenPoints = 1 << 10;
+constexpr ClipRectangle kScreenPart{256, 767, 256, 767};
+
+using ScreenSegment = std::pair<Point2, Point2>;
+
+/// Segments by how many of their ends are inside, with the bounds of the thesis.
+struct SegmentKind {
+  const char *name, *codes, *middles;
+  ClipCounts most_by_halving, most_by_codes;
+  std::uint64_t segments = 0, different = 0;
+};
+
+void enlarge(ClipCounts& most, const ClipCounts& c) {
+  most.codes = std::max(most.codes, c.codes);
+  most.crossings = std::max(most.crossings, c.crossings);
+  most.middles = std::max(most.middles, c.middles);
+}
+
+std::vector<ScreenSegment> screen_segments(int n) {
   Chance chance(23);
-  const int n = request.pick(5000, 200000);
-  std::vector<std::pair<Point2, Point2>> segments;
-  const auto larger = [](ClipCounts& most, const ClipCounts& c) {
-    most.codes = std::max(most.codes, c.codes);
-    most.crossings = std::max(most.crossings, c.crossings);
-    most.middles = std::max(most.middles, c.middles);
-  };
   const auto whole = [&] {
-    return Point2{double(chance.whole(0, int(kScreen) - 1)), double(chance.whole(0, int(kScreen) - 1))};
+    return Point2{double(chance.whole(0, kScreenPoints - 1)), double(chance.whole(0, kScreenPoints - 1))};
   };
-  double farthest = 0;
+  std::vector<ScreenSegment> segments;
   for (int i = 0; i < n; ++i) {
-    const Point2 p = whole(), q = whole();
-    segments.emplace_back(p, q);
-    Kind& kind = kinds[(r.code(p) != 0) + (r.code(q) != 0)];
+    const Point2 p = whole();
+    segments.emplace_back(p, whole());
+  }
+  return segments;
+}
+
+/// How far apart the ends are that the two ways find, in steps.
+double clip_both_ways(const std::vector<ScreenSegment>& segments, std::span<SegmentKind, 3> kinds) {
+  const ClipRectangle& r = kScreenPart;
+  double farthest = 0;
+  for (const auto& [p, q] : segments) {
+    SegmentKind& kind = kinds[(r.code(p) != 0) + (r.code(q) != 0)];
     ClipCounts halving, codes;
     const ClippedSegment a = clip_by_halving(p, q, r, halving), b = clip_by_codes(p, q, r, codes);
     ++kind.segments;
-    larger(kind.most_by_halving, halving);
-    larger(kind.most_by_codes, codes);
+    enlarge(kind.most_by_halving, halving);
+    enlarge(kind.most_by_codes, codes);
     kind.different += a.has_value() != b.has_value();
     if (a && b) {
       for (const Point2 d : {a->first - b->first, a->second - b->second})
         farthest = std::max({farthest, std::abs(d.x), std::abs(d.y)});
     }
   }
+  return farthest;
+}
+
+double clip_seconds(const std::vector<ScreenSegment>& segments, bool halving) {
+  return seconds_each([&] {
+           ClipCounts counts;
+           double sum = 0;
+           for (const auto& [p, q] : segments) {
+             const ClippedSegment s =
+                 halving ? clip_by_halving(p, q, kScreenPart, counts) : clip_by_codes(p, q, kScreenPart, counts);
+             if (s) sum += s->first.x;
+           }
+           return sum;
+         }) /
+         double(segments.size());
+}
+
+}  // namespace
+
+Result study_segment_clipping(const StudyRequest& request) {
+  SegmentKind kinds[] = {{"both ends inside", "2", "0", {}, {}},
+                         {"one end inside", "< k + 1 = 11", "< k = 10", {}, {}},
+                         {"no end inside", "< 2 k + 2 = 22", "< 2 k = 20", {}, {}}};
+  const int n = request.pick(5000, 200000);
+  const std::vector<ScreenSegment> segments = screen_segments(n);
+  const double farthest = clip_both_ways(segments, kinds);
   Table table{"Halving on a screen of 2^10 points, the most over " + std::to_string(n) + " segments",
               {{"segment", ColumnKind::label},
                {"what", ColumnKind::label},
@@ -249,7 +289,7 @@ Result study_segment_clipping(const StudyRequest& request) {
                {"most", ColumnKind::count},
                {"segments", ColumnKind::count},
                {"decided otherwise by codes", ColumnKind::count}}};
-  for (const Kind& k : kinds) {
+  for (const SegmentKind& k : kinds) {
     table.rows.push_back(
         {k.name, "points against the rectangle", k.codes, k.most_by_halving.codes, k.segments, k.different});
     table.rows.push_back({k.name, "middles", k.middles, k.most_by_halving.middles, k.segments, k.different});
@@ -261,19 +301,7 @@ Result study_segment_clipping(const StudyRequest& request) {
                {"thesis", ColumnKind::source},
                {"ns", ColumnKind::time},
                {"farthest apart, steps", ColumnKind::measure}}};
-  double by_halving = 0, by_codes = 0;
-  for (const bool halving : {true, false}) {
-    const double seconds = seconds_each([&] {
-      ClipCounts counts;
-      double sum = 0;
-      for (const auto& [p, q] : segments) {
-        const ClippedSegment s = halving ? clip_by_halving(p, q, r, counts) : clip_by_codes(p, q, r, counts);
-        if (s) sum += s->first.x;
-      }
-      return sum;
-    });
-    (halving ? by_halving : by_codes) = 1e9 * seconds / double(segments.size());
-  }
+  const double by_halving = 1e9 * clip_seconds(segments, true), by_codes = 1e9 * clip_seconds(segments, false);
   times.rows.push_back({"halving", "no crossing to compute: for hardware", by_halving, farthest});
   times.rows.push_back({"codes", "a costly crossing", by_codes, 0.0});
   Result result;

@@ -31,6 +31,20 @@ std::uint64_t program_operations(SpanMethodKind kind, std::vector<ScanSegment<do
   return method->counts().total();
 }
 
+/// The least of several times of a study. `windows`: where the number of windows studied goes.
+double method_seconds(const ProjectedScene& scene, const char* name, const MethodSettings& settings, int times,
+                      std::uint64_t* windows = nullptr) {
+  StudyOptions options;
+  options.wanted = kStrokes;
+  options.settings = settings;
+  return least_seconds(times, [&] {
+    const VisibilityResult found = find_method(name)->study(scene, options);
+    for (const auto& [count, n] : found.statistics.counts) {
+      if (windows && count == "windows studied") *windows = n;
+    }
+  });
+}
+
 }  // namespace
 
 Result study_merge_orders(const StudyRequest&) {
@@ -154,28 +168,18 @@ Result study_whole_numbers(const StudyRequest& request) {
                  {"windows", ColumnKind::count},
                  {"Warnock, limited, over box by lines, time", ColumnKind::time},
                  {"Warnock, exact, over watkins, exact, time", ColumnKind::time}}};
-  const auto seconds = [&](const ProjectedScene& scene, const char* name, MethodSettings settings, std::uint64_t* windows) {
-    StudyOptions options;
-    options.wanted = kStrokes;
-    options.settings = std::move(settings);
-    return least_seconds(request.pick(1, 2), [&] {
-      const VisibilityResult found = find_method(name)->study(scene, options);
-      for (const auto& [count, n] : found.statistics.counts) {
-        if (windows && count == "windows studied") *windows = n;
-      }
-    });
-  };
   for (const NamedScene& s : scan_scenes(request)) {
     const ProjectedScene scene = on_sheet(s.scene, s.view, false);
     MethodSettings limited, lines;
     limited.set("resolution", kLines);
     lines.set("lines", kLines);
     lines.set("span-method", ParameterWord{static_cast<std::size_t>(SpanMethodKind::box)});
+    const int times = request.pick(1, 2);
     std::uint64_t windows = 0;
-    const double of_warnock = seconds(scene, "warnock", limited, &windows),
-                 of_box = seconds(scene, "watkins", lines, nullptr);
-    const double exact_warnock = seconds(scene, "warnock", {}, nullptr),
-                 exact_watkins = seconds(scene, "watkins", {}, nullptr);
+    const double of_warnock = method_seconds(scene, "warnock", limited, times, &windows),
+                 of_box = method_seconds(scene, "watkins", lines, times);
+    const double exact_warnock = method_seconds(scene, "warnock", {}, times),
+                 exact_watkins = method_seconds(scene, "watkins", {}, times);
     warnock.rows.push_back({s.name, "6 to 7", windows, of_warnock / of_box, exact_warnock / exact_watkins});
   }
   result.tables.push_back(std::move(warnock));

@@ -72,6 +72,16 @@ Table by_kind(bool& box_above) {
   return table;
 }
 
+Table growth_table() {
+  return {"Growth with n: the exponent e of n^e over the last doubling",
+          {{"angle", ColumnKind::label},
+           {"thesis", ColumnKind::source},
+           {"stack", ColumnKind::measure},
+           {"box", ColumnKind::measure},
+           {"our stack", ColumnKind::measure},
+           {"our box", ColumnKind::measure}}};
+}
+
 }  // namespace
 
 Result study_squares(const StudyRequest& request) {
@@ -90,13 +100,7 @@ Result study_squares(const StudyRequest& request) {
                {"our box", ColumnKind::count},
                {"our point", ColumnKind::count},
                {"thesis' stack wrong on %", ColumnKind::measure}}};
-  Table growths{"Growth with n: the exponent e of n^e over the last doubling",
-                {{"angle", ColumnKind::label},
-                 {"thesis", ColumnKind::source},
-                 {"stack", ColumnKind::measure},
-                 {"box", ColumnKind::measure},
-                 {"our stack", ColumnKind::measure},
-                 {"our box", ColumnKind::measure}}};
+  Table growths = growth_table();
   std::vector<int> numbers{1, 2, 3, 4, 5};
   if (request.full()) numbers.insert(numbers.end(), {10, 20, 30, 40, 50, 60, 70, 80, 90, 100});
   for (const double angle : kAngles) {

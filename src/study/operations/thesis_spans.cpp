@@ -60,6 +60,18 @@ SpanRun ThesisSpans::merge() {
   return take();
 }
 
+std::uint32_t ThesisSpans::next_of(std::vector<std::uint32_t>& pile, const std::vector<bool>& ended) {
+  std::uint32_t next = kBackground;
+  while (test(!pile.empty()) && next == kBackground) {
+    const std::uint32_t top = pile.back();
+    pile.pop_back();
+    run_.operations.accesses += 2;
+    if (test(!ended[top])) next = top;
+  }
+  ++run_.operations.assignments;
+  return next;
+}
+
 SpanRun ThesisSpans::stack() {
   std::sort(source_.begin(), source_.end(), [](const auto& a, const auto& b) { return watkins::comes_before(a, b); });
   const std::vector<PlaneSegment> s = counted();
@@ -93,16 +105,7 @@ SpanRun ThesisSpans::stack() {
       ended[e.segment] = true;
       ++run_.operations.accesses;
       ++run_.operations.assignments;
-      if (test(current == e.segment)) {
-        current = kBackground;
-        while (test(!pile.empty()) && current == kBackground) {
-          const std::uint32_t top = pile.back();
-          pile.pop_back();
-          run_.operations.accesses += 2;
-          if (test(!ended[top])) current = top;
-        }
-        ++run_.operations.assignments;
-      }
+      if (test(current == e.segment)) current = next_of(pile, ended);
       continue;
     }
     if (!test(e.segment != current)) continue;
@@ -144,20 +147,19 @@ SpanRun ThesisSpans::box(bool at_ends, double length) {
   return take();
 }
 
-void ThesisSpans::study_box(const std::vector<PlaneSegment>& s, const std::vector<std::uint32_t>& list, const Real& from,
-                            const Real& to, bool at_ends) {
-  ++run_.boxes;
-  // Analysis: the box round what was met, how much that is, and whether it is two segments that cross.
-  Real x0 = from, x1 = from, z0 = from, z1 = from, cut = from;
-  std::uint32_t count = 0, only = kBackground, other = kBackground;
-  bool crossing = false, have_cut = false;
-  std::vector<std::uint32_t> inside;
-  const auto fit = [&](const Real& a, const Real& b, const Real& za, const Real& zb) {
-    x0 = a;
-    x1 = b;
-    z0 = za < zb ? za : zb;
-    z1 = za < zb ? zb : za;
-  };
+void ThesisSpans::Box::fit(std::uint32_t id, const Real& a, const Real& b, const Real& za, const Real& zb) {
+  x0 = a;
+  x1 = b;
+  z0 = za < zb ? za : zb;
+  z1 = za < zb ? zb : za;
+  only = id;
+  count = 1;
+}
+
+ThesisSpans::Box ThesisSpans::analyse(const std::vector<PlaneSegment>& s, const std::vector<std::uint32_t>& list,
+                                      const Real& from, const Real& to) {
+  Box box{.x0 = from, .x1 = from, .z0 = from, .z1 = from, .cut = from, .inside = {}};
+  auto& [x0, x1, z0, z1, cut, have_cut, crossing, count, only, other, inside] = box;
   for (const std::uint32_t id : list) {
     run_.operations.accesses += 1;
     const PlaneSegment& n = s[id];
@@ -173,9 +175,7 @@ void ThesisSpans::study_box(const std::vector<PlaneSegment>& s, const std::vecto
     }
     const Real za = begins ? n.z0 : n.z(from), zb = ends ? n.z1 : n.z(to);
     if (test(count == 0)) {
-      fit(a, b, za, zb);
-      only = id;
-      count = 1;
+      box.fit(id, a, b, za, zb);
       ++run_.operations.assignments;
       continue;
     }
@@ -183,8 +183,7 @@ void ThesisSpans::study_box(const std::vector<PlaneSegment>& s, const std::vecto
       const PlaneSegment& o = s[only];
       run_.operations.accesses += 1;
       if (a <= x0 && b >= x1 && n.z(x0) <= o.z(x0) && n.z(x1) <= o.z(x1)) {  // before the box
-        fit(a, b, za, zb);
-        only = id;
+        box.fit(id, a, b, za, zb);
         ++run_.operations.assignments;
         continue;
       }
@@ -197,15 +196,12 @@ void ThesisSpans::study_box(const std::vector<PlaneSegment>& s, const std::vecto
         have_cut = true;
       }
     } else {
+      crossing = false;
       if (a <= x0 && b >= x1 && n.z(x0) <= z0 && n.z(x1) <= z0) {
-        fit(a, b, za, zb);
-        only = id;
-        count = 1;
-        crossing = false;
+        box.fit(id, a, b, za, zb);
         run_.operations.assignments += 3;
         continue;
       }
-      crossing = false;
     }
     run_.operations.assignments += 2;  // count and type
     ++count;
@@ -215,21 +211,29 @@ void ThesisSpans::study_box(const std::vector<PlaneSegment>& s, const std::vecto
     if (low < z0) z0 = low;
     if (high > z1) z1 = high;
   }
+  return box;
+}
+
+void ThesisSpans::study_box(const std::vector<PlaneSegment>& s, const std::vector<std::uint32_t>& list, const Real& from,
+                            const Real& to, bool at_ends) {
+  ++run_.boxes;
+  Box box = analyse(s, list, from, to);
   // Decision.
-  if (test(count == 0)) return;
-  if (test(count == 1)) return show(x0.value(), x1.value(), only);
-  if (test(crossing)) {
-    const bool first = s[only].z(from) < s[other].z(from);
-    show(from.value(), cut.value(), first ? only : other);
-    return show(cut.value(), to.value(), first ? other : only);
+  if (test(box.count == 0)) return;
+  if (test(box.count == 1)) return show(box.x0.value(), box.x1.value(), box.only);
+  Real& cut = box.cut;
+  if (test(box.crossing)) {
+    const bool first = s[box.only].z(from) < s[box.other].z(from);
+    show(from.value(), cut.value(), first ? box.only : box.other);
+    return show(cut.value(), to.value(), first ? box.other : box.only);
   }
   // Control. At a column's width the first of the list is shown, which the sort has put in front.
-  if (to - from <= real(1)) return show(from.value(), to.value(), only);
-  if (!at_ends || !have_cut) cut = real(std::floor((from.value() + to.value()) / 2));
+  if (to - from <= real(1)) return show(from.value(), to.value(), box.only);
+  if (!at_ends || !box.have_cut) cut = real(std::floor((from.value() + to.value()) / 2));
   // On a line with places that are no columns, as crossings are, a rounded place may lie beside the part.
   if (!(from.value() < cut.value() && cut.value() < to.value())) cut = real((from.value() + to.value()) / 2);
-  study_box(s, inside, from, cut, at_ends);
-  study_box(s, inside, cut, to, at_ends);
+  study_box(s, box.inside, from, cut, at_ends);
+  study_box(s, box.inside, cut, to, at_ends);
 }
 
 double difference_of(const std::vector<watkins::VisibleSpan>& a, const std::vector<watkins::VisibleSpan>& b) {

@@ -68,6 +68,19 @@ class ThesisSpans {
   }
   SpanRun take() { return std::move(run_); }
 
+  /// The newest segment of the pile that goes on, none of them the background; those that ended leave the pile.
+  std::uint32_t next_of(std::vector<std::uint32_t>& pile, const std::vector<bool>& ended);
+  /// The box round what was met in a part of the line, how much that is, and whether it is two segments that cross.
+  struct Box {
+    Real x0, x1, z0, z1;
+    Real cut;  ///< where the part may be divided
+    bool have_cut = false, crossing = false;
+    std::uint32_t count = 0, only = kBackground, other = kBackground;
+    std::vector<std::uint32_t> inside;
+
+    void fit(std::uint32_t id, const Real& a, const Real& b, const Real& za, const Real& zb);
+  };
+  Box analyse(const std::vector<PlaneSegment>& s, const std::vector<std::uint32_t>& list, const Real& from, const Real& to);
   void study_box(const std::vector<PlaneSegment>& s, const std::vector<std::uint32_t>& list, const Real& from,
                  const Real& to, bool at_ends);
 

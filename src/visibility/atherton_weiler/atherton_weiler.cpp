@@ -1,5 +1,6 @@
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 
+#include <functional>
 #include <memory>
 
 #include "view/tolerances.hpp"
@@ -77,6 +78,27 @@ void report(const PolygonCounts& counts, Statistics& statistics) {
   statistics.count("deepest recursion", counts.deepest);
 }
 
+/// Searches the parts of lines that the borders of regions do not tell.
+using MakeSearch = std::function<std::shared_ptr<LineSearch>()>;
+
+LineVisibility parts_of_edges(const BorderLines& borders, const MakeSearch& make_search) {
+  return [&borders, search = make_search()](std::size_t i, const PageLine& line, std::vector<LinePart>& parts) {
+    if (borders.needs_study(i)) {
+      parts = search->find(line);
+    } else {
+      parts.assign(borders.parts(i).begin(), borders.parts(i).end());
+    }
+    return true;
+  };
+}
+
+LineVisibility parts_of_intersections(const MakeSearch& make_search) {
+  return [search = make_search()](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
+    parts = search->find(line);
+    return true;
+  };
+}
+
 CellGrid::Options grid_options(double coincidence_steps, bool hidden_intersections) {
   CellGrid::Options options;
   options.margin_steps = coincidence_steps + 1;
@@ -127,27 +149,13 @@ VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const 
   // 3. Lines.
   const BorderLines borders(scene, facets, visible);
   LineStrokes strokes(scene, facets, options.hidden_strokes, kLeastPartMm / step);
-  const auto make_search = [&] { return std::make_shared<LineSearch>(scene, facets, grid, coincidence_steps); };
-  strokes.add_edges([&]() -> LineVisibility {
-    return [&borders, search = make_search()](std::size_t i, const PageLine& line, std::vector<LinePart>& parts) {
-      if (borders.needs_study(i)) {
-        parts = search->find(line);
-      } else {
-        parts.assign(borders.parts(i).begin(), borders.parts(i).end());
-      }
-      return true;
-    };
-  });
+  const MakeSearch make_search = [&] { return std::make_shared<LineSearch>(scene, facets, grid, coincidence_steps); };
+  strokes.add_edges([&] { return parts_of_edges(borders, make_search); });
   std::vector<Intersection> intersections;
   if (scene.with_intersections) {
     intersections = find_intersections(scene, facets.facets, grid, of_grid.margin_steps);
   }
-  strokes.add_intersections(intersections, [&]() -> LineVisibility {
-    return [search = make_search()](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
-      parts = search->find(line);
-      return true;
-    };
-  });
+  strokes.add_intersections(intersections, [&] { return parts_of_intersections(make_search); });
   result.strokes = strokes.take();
   statistics.time("lines", clock.lap());
 

@@ -65,6 +65,14 @@ struct CellGrid::Build {
   bool of_one_face(const CellFacet* list, std::size_t n) const;
   /// Removes from a long list what lies behind the cell's cover; gives the list's new length.
   std::size_t drop_covered(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square, CellCover& cover) const;
+  static constexpr int kChildren = kSplitSide * kSplitSide;
+  /// Lists and nearest covers of the children of a cell, row by row.
+  struct Children {
+    std::vector<CellFacet> lists[kChildren];
+    float covers[kChildren];
+  };
+  /// Files what the cell inherited under its children. Sorts it, nearest first.
+  void hand_down(const Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Children& children) const;
   /// `budget`: how many entries the leaves of the cell should have at the most.
   void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
              std::uint16_t arena_index, double budget, CellCover& cover);
@@ -284,12 +292,10 @@ void CellGrid::Build::finish_leaf(Cell& cell, CellFacet* list, std::size_t n, co
   }
 }
 
-void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
-                            std::uint16_t arena_index, double budget, CellCover& cover) {
-  constexpr int kChildren = kSplitSide * kSplitSide;
+void CellGrid::Build::hand_down(const Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited,
+                                Children& children) const {
   const double size = square.size / kSplitSide;
-  std::vector<CellFacet> lists[kChildren];
-  float covers[kChildren];
+  auto& [lists, covers] = children;
   std::fill_n(covers, kChildren, cell.occluder_depth);
   NearestCover nearest[kChildren];
   // Nearest first: covers are found before what they hide.
@@ -325,6 +331,14 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
       }
     }
   }
+}
+
+void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
+                            std::uint16_t arena_index, double budget, CellCover& cover) {
+  Children children;
+  hand_down(cell, square, inherited, children);
+  auto& [lists, covers] = children;
+  const double size = square.size / kSplitSide;
   std::size_t total = 0;
   for (int k = 0; k < kChildren; ++k) {
     if (options.drop_hidden) std::erase_if(lists[k], [&](const CellFacet& c) { return c.z_near > covers[k]; });

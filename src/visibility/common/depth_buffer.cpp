@@ -320,6 +320,29 @@ PaintCounts DepthBuffer::add_from(std::uint32_t begin, const ProjectedScene& sce
   return paint(scene, by_face(std::move(added)), filling, 0);
 }
 
+/// Numbers of pieces by the bands of rows that they meet: those of a band from begin[band] on.
+struct DepthBuffer::BandLists {
+  BandLists(const std::vector<Piece>& all, std::uint32_t height);
+
+  std::vector<std::size_t> begin;
+  std::vector<std::uint32_t> pieces;
+};
+
+DepthBuffer::BandLists::BandLists(const std::vector<Piece>& all, std::uint32_t height) {
+  const std::size_t bands = block_count(height, kBandRows);
+  begin.assign(bands + 1, 0);
+  const auto for_each_band = [&](const Piece& piece, auto visit) {
+    for (std::size_t band = piece.row_begin / kBandRows; band * kBandRows < piece.row_end; ++band) visit(band);
+  };
+  for (const Piece& piece : all) for_each_band(piece, [&](std::size_t band) { ++begin[band + 1]; });
+  for (std::size_t band = 0; band < bands; ++band) begin[band + 1] += begin[band];
+  pieces.resize(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    for_each_band(all[i], [&](std::size_t band) { pieces[next[band]++] = i; });
+  }
+}
+
 /// `triangles` of the scene, those of each face behind each other.
 PaintCounts DepthBuffer::paint(const ProjectedScene& scene, const std::vector<Triangle>& triangles, Filling filling,
                                std::uint32_t first_face) {
@@ -357,26 +380,15 @@ PaintCounts DepthBuffer::paint(const ProjectedScene& scene, const std::vector<Tr
   }
 
   // 2. Bands.
-  const std::size_t bands = block_count(grid_.height, kBandRows);
-  std::vector<std::size_t> begin(bands + 1, 0);
-  const auto for_each_band = [&](const Piece& piece, auto visit) {
-    for (std::size_t band = piece.row_begin / kBandRows; band * kBandRows < piece.row_end; ++band) visit(band);
-  };
-  for (const Piece& piece : pieces) for_each_band(piece, [&](std::size_t band) { ++begin[band + 1]; });
-  for (std::size_t band = 0; band < bands; ++band) begin[band + 1] += begin[band];
-  std::vector<std::uint32_t> lists(begin.back());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-    for_each_band(pieces[i], [&](std::size_t band) { lists[next[band]++] = i; });
-  }
+  const BandLists lists(pieces, grid_.height);
 
   // 3. Painting.
-  std::vector<PaintCounts> of_bands(bands);
-  parallel_tasks(bands, [&](std::size_t band) {
+  std::vector<PaintCounts> of_bands(lists.begin.size() - 1);
+  parallel_tasks(of_bands.size(), [&](std::size_t band) {
     const auto row = static_cast<std::uint32_t>(band * kBandRows);
     BandPainter painter(scene, triangles, *this, sides, row, std::min(grid_.height, row + kBandRows));
-    for (std::size_t i = begin[band]; i < begin[band + 1]; ++i) {
-      painter.paint(pieces[lists[i]], filling);
+    for (std::size_t i = lists.begin[band]; i < lists.begin[band + 1]; ++i) {
+      painter.paint(pieces[lists.pieces[i]], filling);
     }
     of_bands[band] = painter.counts;
   });

@@ -77,6 +77,7 @@ class DepthBuffer {
 
  private:
   struct Piece;
+  struct BandLists;
   class Preparation;
   class BandPainter;
 

@@ -41,6 +41,34 @@ struct HiddenInterval {
   HiddenSides sides = HiddenSides::none;
 };
 
+/// The signed areas of the triangles that a place of the line makes with the sides of a facet, each linear in the parameter:
+/// at_start - t * fall. They are the weights of the corners, corner i + 2 that of side i.
+struct SideAreas {
+  double at_start[3], fall[3];
+};
+
+/// Narrows [enter, leave], on which the line is over the facet, to where it lies behind it, by more than its depth tolerance
+/// somewhere. False where it does not.
+inline bool narrow_to_behind(const PageLine& line, const Facet& facet, const ProjectedVertex* vertices,
+                             const SideAreas& sides, double& enter, double& leave) {
+  const auto& [e0, fall] = sides;
+  const double area = e0[0] + e0[1] + e0[2];
+  const double za = vertices[facet.v[0]].z, zb = vertices[facet.v[1]].z, zc = vertices[facet.v[2]].z;
+  const auto behind = [&](double t) {
+    const double w2 = e0[0] - t * fall[0], w0 = e0[1] - t * fall[1], w1 = e0[2] - t * fall[2];
+    return line.z(t) - (w0 * za + w1 * zb + w2 * zc) / area;
+  };
+  const double d_enter = behind(enter), d_leave = behind(leave);
+  const double tolerance = facet.depth_tolerance;
+  if (d_enter <= tolerance && d_leave <= tolerance) return false;
+  if (d_enter < -tolerance) {
+    enter += (leave - enter) * (d_enter / (d_enter - d_leave));
+  } else if (d_leave < -tolerance) {
+    leave = enter + (leave - enter) * (d_enter / (d_enter - d_leave));
+  }
+  return true;
+}
+
 /// What of [from, to] lies in the part of the line on which the facet lies strictly in front of it, by more than its depth
 /// tolerance somewhere. That part is found for the whole line: what is hidden does not depend on the pieces in which the
 /// line is asked about, which are those of cells, of windows or of what is not hidden yet. The ends at which the line enters
@@ -72,14 +100,14 @@ inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, 
   // The ends of the line against the sides: E_i(p0) = corner_i x corner_(i+1), E_i(p0) - E_i(p1) = f_(i+1) - f_i.
   HiddenSides sides = HiddenSides::both;
   double enter = 0, leave = 1;
-  double e0[3], fall[3];
+  SideAreas areas;
   for (int i = 0; i < 3; ++i) {
     const int k = i == 2 ? 0 : i + 1;
     const double q0 = x[i] * y[k] - y[i] * x[k];
     const double q0_q1 = f[k] - f[i];
     const double q1 = q0 - q0_q1;
-    e0[i] = q0;
-    fall[i] = q0_q1;
+    areas.at_start[i] = q0;
+    areas.fall[i] = q0_q1;
     if (maybe_near) {
       const double limit = coincidence_steps * (std::abs(x[k] - x[i]) + std::abs(y[k] - y[i]));
       near_side |= std::abs(q0) <= limit && std::abs(q1) <= limit;
@@ -94,20 +122,8 @@ inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, 
     }
   }
   if (!(std::max(enter, from) < std::min(leave, to))) return {};
-  // Depth of the line behind the facet at both ends, where it is inside the facet and the weights are not negative.
-  const double area = e0[0] + e0[1] + e0[2];
-  const auto behind = [&](double t) {
-    const double w2 = e0[0] - t * fall[0], w0 = e0[1] - t * fall[1], w1 = e0[2] - t * fall[2];
-    return line.z(t) - (w0 * a.z + w1 * b.z + w2 * c.z) / area;
-  };
-  const double d_enter = behind(enter), d_leave = behind(leave);
-  const double tolerance = facet.depth_tolerance;
-  if (d_enter <= tolerance && d_leave <= tolerance) return {};
-  if (d_enter < -tolerance) {
-    enter += (leave - enter) * (d_enter / (d_enter - d_leave));
-  } else if (d_leave < -tolerance) {
-    leave = enter + (leave - enter) * (d_enter / (d_enter - d_leave));
-  }
+  // At both ends the line is inside the facet, and the weights are not negative.
+  if (!narrow_to_behind(line, facet, vertices, areas, enter, leave)) return {};
   from = std::max(from, enter);
   to = std::min(to, leave);
   if (!(from < to)) return {};

@@ -42,6 +42,34 @@ FaceRanks without_thin_faces(FaceRanks ranks, const Facets& facets) {
   return ranks;
 }
 
+LineVisibility parts_seen_through(const ProjectedScene& scene, const Facets& facets, const CellGrid& grid,
+                                  double coincidence_steps) {
+  const auto search = std::make_shared<TransparentLines>(scene, facets.facets, grid, coincidence_steps);
+  return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
+    parts = search->find(line);
+    return true;
+  };
+}
+
+void report(const VisibleFaces& visible, Statistics& statistics) {
+  statistics.count("pairs of facets by the order", visible.counts.by_order);
+  statistics.count("pairs of facets by their depths", visible.counts.compared);
+  statistics.count("regions", visible.regions.size());
+}
+
+void report(const Facets& facets, const ProjectedScene& scene, const CellGrid& grid, Statistics& statistics) {
+  statistics.count("facets", facets.facets.size());
+  statistics.count("candidate edges", scene.edges.size());
+  statistics.count("grid leaves", grid.leaf_count());
+  statistics.count("grid entries", grid.entry_count());
+}
+
+void report(const TestCounts& counts, Statistics& statistics) {
+  statistics.count("leaves visited", counts.leaves);
+  statistics.count("leaves behind their cover", counts.covered);
+  statistics.count("line-facet tests", counts.facet_tests);
+}
+
 }  // namespace
 
 VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& options, const FaceRanks* ranks) {
@@ -72,13 +100,7 @@ VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& op
   if (ranks) known = without_thin_faces(*ranks, facets);
   TestTotals totals;
   const auto search_lines = [&]() -> LineVisibility {
-    if (see_through) {
-      const auto search = std::make_shared<TransparentLines>(scene, facets.facets, grid, coincidence_steps);
-      return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
-        parts = search->find(line);
-        return true;
-      };
-    }
+    if (see_through) return parts_seen_through(scene, facets, grid, coincidence_steps);
     const auto search =
         std::make_shared<VisibleParts>(scene, facets.facets, grid, coincidence_steps, &totals, known ? &*known : nullptr,
                                        options.blank, options.coincide_by_sight && !ranks);
@@ -97,20 +119,13 @@ VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& op
   if (regions) {
     VisibleFaces visible = find_visible_faces(scene, facets.facets, grid, {}, &*known);
     statistics.time("regions", clock.lap());
-    statistics.count("pairs of facets by the order", visible.counts.by_order);
-    statistics.count("pairs of facets by their depths", visible.counts.compared);
-    statistics.count("regions", visible.regions.size());
+    report(visible, statistics);
     result.regions = std::move(visible.regions);
   }
 
-  statistics.count("facets", facets.facets.size());
-  statistics.count("candidate edges", scene.edges.size());
-  statistics.count("grid leaves", grid.leaf_count());
-  statistics.count("grid entries", grid.entry_count());
+  report(facets, scene, grid, statistics);
   statistics.count("intersection segments tested", intersections.size());
-  statistics.count("leaves visited", totals.counts.leaves);
-  statistics.count("leaves behind their cover", totals.counts.covered);
-  statistics.count("line-facet tests", totals.counts.facet_tests);
+  report(totals.counts, statistics);
   if (ranks) statistics.count("left out by the order", totals.counts.behind_in_order);
   statistics.count("strokes", result.strokes->strokes.size());
   return result;

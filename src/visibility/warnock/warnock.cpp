@@ -190,6 +190,19 @@ std::vector<std::vector<Point2>> page_lines(const std::vector<WindowCut>& cuts, 
   return lines;
 }
 
+void report(const OpaqueScene& opaque, VisibilityResult& result) {
+  result.statistics.count("transparent faces, left out", opaque.faces_left_out);
+  result.left_out = opaque.left_out();
+}
+
+/// The rules of the windows that are studied once the intersections are known, without looking for them again.
+Rules second_rules(const Rules& first, bool regions) {
+  Rules second = first;
+  second.find_pairs = second.show_windows = false;
+  second.areas = regions;
+  return second;
+}
+
 }  // namespace
 
 double warnock_tolerance_mm(const Rect& sheet, unsigned resolution) {
@@ -243,12 +256,9 @@ VisibilityResult WarnockMethod::study(const ProjectedScene& whole, const StudyOp
   if (rules.find_pairs) intersections = of_edges.pairs.finish(kLeastPartMm / step);
   std::optional<Outcome> of_intersections;
   if (!intersections.empty() || regions) {
-    Rules second = rules;
-    second.find_pairs = second.show_windows = false;
-    second.areas = regions;
     const std::vector<PageLine> crossings = intersection_lines(intersections);
-    of_intersections.emplace(
-        Control(table, crossings, second).study(first.window, whole_lines(crossings), part_of_progress(options, half, 1)));
+    Control control(table, crossings, second_rules(rules, regions));
+    of_intersections.emplace(control.study(first.window, whole_lines(crossings), part_of_progress(options, half, 1)));
     if (scene.with_intersections) {
       const PartsByLine crossing_parts = by_line(of_intersections->parts, crossings.size());
       strokes.add_intersections(intersections, [&] { return parts_of_lines(crossing_parts); });
@@ -270,10 +280,7 @@ VisibilityResult WarnockMethod::study(const ProjectedScene& whole, const StudyOp
   statistics.count("strokes", result.strokes->strokes.size());
   if (result.regions) statistics.count("regions", result.regions->size());
   report_times(of_edges.counts, statistics);
-  if (opaque) {
-    statistics.count("transparent faces, left out", opaque->faces_left_out);
-    result.left_out = opaque->left_out();
-  }
+  if (opaque) report(*opaque, result);
   result.debug = page_lines(of_edges.cuts, first.frame, scene.lattice);
   return result;
 }

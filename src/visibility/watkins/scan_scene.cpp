@@ -36,57 +36,55 @@ std::vector<GridPlane> planes_of(const ProjectedScene& scene, const LineGrid& gr
   return planes;
 }
 
-}  // namespace
-
-ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
-                          const LineGrid& grid, double thin_steps) {
-  ScanScene result;
-  result.grid = grid;
-  for (const Triangle& t : scene.triangles) result.face_count = std::max(result.face_count, t.face + 1);
-  result.planes = planes_of(scene, grid, result.face_count);
-  result.of_faces = FacetsOfFaces(facets, result.face_count);
-  result.depth_tolerance.assign(result.face_count, 0);
+/// The greatest of the facets of each face, those as thin as the lattice apart.
+std::vector<double> depth_tolerances(const ProjectedScene& scene, const std::vector<Facet>& facets, std::uint32_t face_count,
+                                     double thin_steps) {
+  std::vector<double> tolerances(face_count, 0);
   for (const Facet& f : facets) {
     const auto& v = scene.vertices;
     const double area = orientation(v[f.v[0]].p, v[f.v[1]].p, v[f.v[2]].p);
-    if (area > thin_steps * f.size)
-      result.depth_tolerance[f.face] = std::max(result.depth_tolerance[f.face], double(f.depth_tolerance));
+    if (area > thin_steps * f.size) tolerances[f.face] = std::max(tolerances[f.face], double(f.depth_tolerance));
   }
+  return tolerances;
+}
 
-  // Lines that are edges of the scene end at its vertices, the others at vertices of their own.
-  std::vector<ProjectedVertex> vertices = scene.vertices;
-  std::vector<std::array<std::uint32_t, 2>> line_ends(lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (i < scene.edges.size()) {
-      line_ends[i] = {scene.edges[i].v0, scene.edges[i].v1};
-    } else {
-      const auto n = static_cast<std::uint32_t>(vertices.size());
-      line_ends[i] = {n, n + 1};
-      vertices.push_back(lines[i].from);
-      vertices.push_back(lines[i].to);
-    }
-  }
-  // Uses by their lower vertex.
-  std::vector<std::uint32_t> begin(vertices.size() + 1, 0);
+/// Sides of triangles and lines by their lower vertex: those of a vertex from begin[vertex] on, in order.
+struct UsesByVertex {
+  std::vector<std::uint32_t> begin;
+  std::vector<SideUse> uses;
+};
+
+UsesByVertex find_uses(const ProjectedScene& scene, const std::vector<std::array<std::uint32_t, 2>>& line_ends,
+                       std::size_t vertex_count) {
+  UsesByVertex found{std::vector<std::uint32_t>(vertex_count + 1, 0), {}};
   const auto for_each_use = [&](const auto& use) {
     for (const Triangle& t : scene.triangles) {
       if (scene.is_edge_on(t)) continue;
       for (int k = 0; k < 3; ++k) use(t.v[k], t.v[(k + 1) % 3], false, t.face);
     }
-    for (std::uint32_t i = 0; i < lines.size(); ++i) use(line_ends[i][0], line_ends[i][1], true, i);
+    for (std::uint32_t i = 0; i < line_ends.size(); ++i) use(line_ends[i][0], line_ends[i][1], true, i);
   };
+  std::vector<std::uint32_t>& begin = found.begin;
   for_each_use([&](std::uint32_t a, std::uint32_t b, bool, std::uint32_t) { ++begin[std::min(a, b) + 1]; });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<SideUse> uses(begin.back());
+  found.uses.resize(begin.back());
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   for_each_use([&](std::uint32_t a, std::uint32_t b, bool line, std::uint32_t i) {
-    uses[next[std::min(a, b)]++] = {std::max(a, b), line, i};
+    found.uses[next[std::min(a, b)]++] = {std::max(a, b), line, i};
   });
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    std::sort(found.uses.begin() + begin[v], found.uses.begin() + begin[v + 1]);
+  }
+  return found;
+}
 
+/// The edges of a scene from vertex to vertex, with the faces and lines that use them.
+std::vector<ScanEdge> make_edges(ScanScene& result, const std::vector<ProjectedVertex>& vertices,
+                                 const UsesByVertex& sides) {
+  const LineGrid& grid = result.grid;
   std::vector<ScanEdge> edges;
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    const auto first = uses.begin() + begin[v], end = uses.begin() + begin[v + 1];
-    std::sort(first, end);
+    const auto first = sides.uses.begin() + sides.begin[v], end = sides.uses.begin() + sides.begin[v + 1];
     for (auto use = first; use != end;) {
       ScanEdge edge;
       edge.faces_begin = static_cast<std::uint32_t>(result.edge_faces.size());
@@ -118,6 +116,34 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
       edges.push_back(edge);
     }
   }
+  return edges;
+}
+
+}  // namespace
+
+ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
+                          const LineGrid& grid, double thin_steps) {
+  ScanScene result;
+  result.grid = grid;
+  for (const Triangle& t : scene.triangles) result.face_count = std::max(result.face_count, t.face + 1);
+  result.planes = planes_of(scene, grid, result.face_count);
+  result.of_faces = FacetsOfFaces(facets, result.face_count);
+  result.depth_tolerance = depth_tolerances(scene, facets, result.face_count, thin_steps);
+
+  // Lines that are edges of the scene end at its vertices, the others at vertices of their own.
+  std::vector<ProjectedVertex> vertices = scene.vertices;
+  std::vector<std::array<std::uint32_t, 2>> line_ends(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i < scene.edges.size()) {
+      line_ends[i] = {scene.edges[i].v0, scene.edges[i].v1};
+    } else {
+      const auto n = static_cast<std::uint32_t>(vertices.size());
+      line_ends[i] = {n, n + 1};
+      vertices.push_back(lines[i].from);
+      vertices.push_back(lines[i].to);
+    }
+  }
+  const std::vector<ScanEdge> edges = make_edges(result, vertices, find_uses(scene, line_ends, vertices.size()));
   // Buckets by first line.
   result.first_of_line.assign(std::size_t{grid.count} + 2, 0);
   for (const ScanEdge& e : edges) ++result.first_of_line[e.track.first + 1];
