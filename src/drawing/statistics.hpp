@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,8 +13,9 @@ struct Statistics {
   std::vector<std::pair<std::string, std::uint64_t>> counts;
   std::vector<std::pair<std::string, double>> seconds;
 
-  void count(std::string name, std::uint64_t n) { counts.emplace_back(std::move(name), n); }
-  void time(std::string name, double s) { seconds.emplace_back(std::move(name), s); }
+  // Not inline: what makes a text is long, and a study names dozens of figures.
+  void count(std::string_view name, std::uint64_t n);
+  void time(std::string_view name, double s);
 };
 
 }  // namespace ligne
