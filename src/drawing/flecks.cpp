@@ -64,7 +64,7 @@ class FleckFinder {
         chains_(chains),
         may_be_(std::move(may_be)),
         touching_(touching),
-        grid_(2 * touching, touching),
+        grid_(walked_cell(strokes, 2 * touching), touching),
         clusters_(strokes.size()),
         held_(strokes.size(), 0),
         ends_held_(strokes.size(), 0) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,40 +31,128 @@ std::uint32_t giver(const StrokeLines& lines, std::uint32_t run, double least) {
   return run;
 }
 
-/// Of the whole, what no part covers.
-double uncovered(std::vector<StrokePart>& parts) {
-  std::sort(parts.begin(), parts.end(),
-            [](const StrokePart& a, const StrokePart& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
-  double open = 0, covered_to = 0;
-  for (const StrokePart& part : parts) {
-    open += std::max(0.0, part.from - covered_to);
-    covered_to = std::max(covered_to, part.to);
+/// What of a bit lies in the ink of other lines. Parts are united as they come: a bit among thousands of lines keeps few.
+class Inked {
+ public:
+  void add(const StrokePart& part) {
+    parts_.push_back(part);
+    if (parts_.size() >= most_ || (part.from == 0 && part.to == 1)) unite();
   }
-  return open + std::max(0.0, 1 - covered_to);
-}
+  bool empty() const { return parts_.empty(); }
+  bool is_whole() const { return parts_.size() == 1 && parts_[0].from == 0 && parts_[0].to == 1; }
 
-/// Runs of bits, by their lowest strokes, in groups: where one ends another ends, within `reach`.
-DisjointSets touching_runs(const std::vector<Stroke>& strokes, const StrokeLines& lines,
-                           const std::vector<std::uint32_t>& bits, const SegmentGrid& grid, double reach) {
-  DisjointSets groups(strokes.size());
-  KeyTable cells;                                              // of each cell the first link
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;  // end, next link
-  const auto point = [&](std::uint32_t end) {
-    return end % 2 == 0 ? strokes[bits[end / 2]].from : strokes[bits[end / 2]].to;
-  };
-  for (std::uint32_t end = 0; end < 2 * bits.size(); ++end) {
-    const LatticePoint p = point(end);
-    grid.walk(p, p, [&](std::uint64_t cell) {
-      for (std::uint32_t l = cells.find(cell); l != KeyTable::kNone; l = links[l].second) {
-        const LatticePoint q = point(links[l].first);
-        if (std::hypot(double(q.x) - p.x, double(q.y) - p.y) > reach) continue;
-        groups.join(lines.chain_of(bits[end / 2]), lines.chain_of(bits[links[l].first / 2]));
+  /// Of the whole, what no part covers.
+  double uncovered() {
+    unite();
+    double open = 0, covered_to = 0;
+    for (const StrokePart& part : parts_) {
+      open += part.from - covered_to;
+      covered_to = part.to;
+    }
+    return open + (1 - covered_to);
+  }
+
+ private:
+  void unite() {
+    std::sort(parts_.begin(), parts_.end(), [](const StrokePart& a, const StrokePart& b) { return a.from < b.from; });
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < parts_.size(); ++i) {
+      if (parts_[i].from <= parts_[last].to) {
+        parts_[last].to = std::max(parts_[last].to, parts_[i].to);
+      } else {
+        parts_[++last] = parts_[i];
+      }
+    }
+    if (!parts_.empty()) parts_.resize(last + 1);
+    most_ = 2 * parts_.size() + 6;
+  }
+
+  std::vector<StrokePart> parts_;
+  std::size_t most_ = 8;
+};
+
+/// The ink on each bit, by the lines that are no bits. A bit that is whole is looked at no more: so where the pen is wide
+/// against the lines the cost follows the bits and not their pairs with lines.
+std::vector<Inked> ink_bits(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& bits,
+                            const std::vector<std::uint32_t>& lines, const SegmentGrid& grid, double reach) {
+  KeyTable cells;                                              // of each cell a link that stands before its first
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;  // bit, next link
+  for (std::uint32_t b = 0; b < bits.size(); ++b) {
+    grid.walk(strokes[bits[b]].from, strokes[bits[b]].to, [&](std::uint64_t cell) {
+      std::uint32_t& head = cells[cell];
+      if (head == KeyTable::kNone) {
+        head = static_cast<std::uint32_t>(links.size());
+        links.emplace_back(KeyTable::kNone, KeyTable::kNone);
+      }
+      links.emplace_back(b, links[head].second);
+      links[head].second = static_cast<std::uint32_t>(links.size() - 1);
+      return false;
+    });
+  }
+  std::vector<Inked> inked(bits.size());
+  for (const std::uint32_t i : lines) {
+    grid.walk(strokes[i].from, strokes[i].to, [&](std::uint64_t cell) {
+      std::uint32_t before = cells.find(cell);
+      if (before == KeyTable::kNone) return false;
+      for (std::uint32_t l = links[before].second; l != KeyTable::kNone; l = links[l].second) {
+        const std::uint32_t b = links[l].first;
+        if (inked[b].is_whole()) {
+          links[before].second = links[l].second;
+          continue;
+        }
+        before = l;
+        const StrokePart part = part_near(strokes[bits[b]], strokes[i], reach);
+        if (!part.empty()) inked[b].add(part);
       }
       return false;
     });
-    std::uint32_t& first = cells[grid.cell_of(p)];
-    links.emplace_back(end, first);
-    first = static_cast<std::uint32_t>(links.size() - 1);
+  }
+  return inked;
+}
+
+/// Runs of bits, by their lowest strokes, in groups: where one ends another ends, within `reach`. Ends in one cell are that
+/// near; of two cells the ends are compared until the first pair is found. O(n log n) where cells of many ends touch.
+DisjointSets touching_runs(const std::vector<Stroke>& strokes, const StrokeLines& lines,
+                           const std::vector<std::uint32_t>& bits, double reach) {
+  struct End {
+    std::int32_t column, row;
+    LatticePoint p;
+    std::uint32_t run;
+  };
+  constexpr int kReachInCells = 2;
+  const double cell = std::max(1.0, reach / std::numbers::sqrt2);
+  const auto index = [&](double v) { return static_cast<std::int32_t>(std::floor(v / cell)); };
+  std::vector<End> ends;
+  for (const std::uint32_t i : bits) {
+    for (const LatticePoint p : {strokes[i].from, strokes[i].to}) {
+      ends.push_back({index(p.x), index(p.y), p, lines.chain_of(i)});
+    }
+  }
+  const auto key = [](const End& e) { return std::pair(e.column, e.row); };
+  std::ranges::sort(ends, {}, key);
+  DisjointSets groups(strokes.size());
+  const auto join_cells = [&](std::span<const End> of, std::span<const End> others) {
+    if (groups.find(of[0].run) == groups.find(others[0].run)) return;
+    for (const End& a : of) {
+      for (const End& b : others) {
+        if (std::hypot(double(a.p.x) - b.p.x, double(a.p.y) - b.p.y) <= reach) return groups.join(a.run, b.run);
+      }
+    }
+  };
+  const auto cell_at = [&](std::int32_t column, std::int32_t row) {
+    return std::span<const End>(std::ranges::equal_range(ends, std::pair(column, row), {}, key));
+  };
+  for (std::size_t begin = 0; begin < ends.size();) {
+    const auto [column, row] = key(ends[begin]);
+    const std::span<const End> of = cell_at(column, row);
+    for (const End& e : of) groups.join(e.run, of[0].run);
+    // Those of the cells round it that come before it in order.
+    for (std::int32_t c = column - kReachInCells; c <= column; ++c) {
+      for (std::int32_t r = row - kReachInCells; r <= row + kReachInCells && (c < column || r < row); ++r) {
+        if (const std::span<const End> others = cell_at(c, r); !others.empty()) join_cells(of, others);
+      }
+    }
+    begin += of.size();
   }
   return groups;
 }
@@ -96,36 +186,19 @@ std::size_t drop_inked_bits(StrokeModel& model, const InkLimits& limits) {
   }
   if (bits.empty()) return 0;
 
-  const SegmentGrid grid(2 * reach, reach);
-  KeyTable cells;                                              // of each cell the first link
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;  // bit, next link
-  for (std::uint32_t b = 0; b < bits.size(); ++b) {
-    grid.walk(strokes[bits[b]].from, strokes[bits[b]].to, [&](std::uint64_t cell) {
-      std::uint32_t& first = cells[cell];
-      links.emplace_back(b, first);
-      first = static_cast<std::uint32_t>(links.size() - 1);
-      return false;
-    });
-  }
-  std::vector<std::vector<StrokePart>> covered(bits.size());
+  std::vector<std::uint32_t> long_lines;
   for (const std::uint32_t i : lines.seen()) {
-    if (is_short(i)) continue;
-    grid.walk(strokes[i].from, strokes[i].to, [&](std::uint64_t cell) {
-      for (std::uint32_t l = cells.find(cell); l != KeyTable::kNone; l = links[l].second) {
-        const std::uint32_t b = links[l].first;
-        const StrokePart part = part_near(strokes[bits[b]], strokes[i], reach);
-        if (!part.empty()) covered[b].push_back(part);
-      }
-      return false;
-    });
+    if (!is_short(i)) long_lines.push_back(i);
   }
-  DisjointSets groups = touching_runs(strokes, lines, bits, grid, reach);
+  const SegmentGrid grid(walked_cell(strokes, 2 * reach), reach);
+  std::vector<Inked> inked = ink_bits(strokes, bits, long_lines, grid, reach);
+  DisjointSets groups = touching_runs(strokes, lines, bits, reach);
   std::vector<double> shown(strokes.size(), 0);          // by group
   std::vector<std::uint8_t> touches(strokes.size(), 0);  // by group: the ink of another line
   for (std::uint32_t b = 0; b < bits.size(); ++b) {
     const std::uint32_t group = groups.find(lines.chain_of(bits[b]));
-    touches[group] |= !covered[b].empty();
-    shown[group] += uncovered(covered[b]) * page_length(strokes[bits[b]]);
+    touches[group] |= !inked[b].empty();
+    shown[group] += inked[b].uncovered() * page_length(strokes[bits[b]]);
   }
   return leave_out(strokes, lines, [&](std::uint32_t run) {
     const std::uint32_t group = groups.find(run);

@@ -195,7 +195,7 @@ class JointGrid {
 /// Finds the lines in the way of the joints that show.
 void block(std::vector<Joint>& joints, const LooseEnds& ends, const std::vector<Stroke>& strokes, double wide,
            double clear) {
-  JointGrid grid(2 * wide, clear);
+  JointGrid grid(walked_cell(strokes, 2 * wide), clear);
   for (std::uint32_t j = 0; j < joints.size(); ++j) {
     if (ends.shows(*joints[j].a, *joints[j].b)) grid.add(j, joints[j].stroke);
   }
@@ -213,7 +213,7 @@ void block(std::vector<Joint>& joints, const LooseEnds& ends, const std::vector<
 /// Takes out the hidden strokes that lie all along joints: they are the line that is seen now.
 void drop_hidden(std::vector<Stroke>& strokes, const std::vector<Joint>& joints, double wide, double clear) {
   if (joints.empty() || !any_hidden(strokes)) return;
-  JointGrid grid(2 * wide, clear);
+  JointGrid grid(walked_cell(strokes, 2 * wide), clear);
   for (std::uint32_t j = 0; j < joints.size(); ++j) grid.add(j, joints[j].stroke);
   std::erase_if(strokes, [&](const Stroke& s) {
     return !s.visible && s.from != s.to && grid.near(s, [&](std::uint32_t j) {

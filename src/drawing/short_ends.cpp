@@ -31,7 +31,10 @@ struct Vector {
 class ShortEnds {
  public:
   ShortEnds(const std::vector<Stroke>& strokes, double reach, double touching)
-      : net_(strokes, touching), reach_(reach), grid_(reach, touching), wide_grid_(reach, touching + kTurnSine * reach) {
+      : net_(strokes, touching),
+        reach_(reach),
+        grid_(walked_cell(strokes, reach), touching),
+        wide_grid_(walked_cell(strokes, reach), touching + kTurnSine * reach) {
     const std::vector<StrokeNet::Piece>& pieces = net_.pieces();
     arc_of_.assign(pieces.size(), 0);
     const std::vector<StrokeNet::Arc> arcs = net_.arcs();
@@ -179,7 +182,7 @@ void drop_ways_back(std::vector<Stroke>& added) {
 /// Cuts what lies along the new strokes off hidden ones.
 void cut_hidden(std::vector<Stroke>& strokes, const std::vector<Stroke>& added, double reach, double touching) {
   if (!any_hidden(strokes)) return;
-  const SegmentGrid grid(2 * reach, touching);
+  const SegmentGrid grid(walked_cell(strokes, 2 * reach), touching);
   KeyTable cells;                                              // of each cell the first link
   std::vector<std::pair<std::uint32_t, std::uint32_t>> links;  // new stroke, next link
   for (std::uint32_t a = 0; a < added.size(); ++a) {

@@ -25,8 +25,8 @@ class SpurFinder {
       : net_(strokes, limits.touching_mm / step),
         limits_(limits),
         step_(step),
-        grid_(2 * limits.beside_mm / step, limits.beside_mm / step),
-        node_grid_(2 * limits.gap_mm / step, limits.gap_mm / step) {
+        grid_(walked_cell(strokes, 2 * limits.beside_mm / step), limits.beside_mm / step),
+        node_grid_(walked_cell(strokes, 2 * limits.gap_mm / step), limits.gap_mm / step) {
     const std::vector<StrokeNet::Piece>& pieces = net_.pieces();
     body_.reserve(pieces.size());
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {

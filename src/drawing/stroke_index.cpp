@@ -148,4 +148,11 @@ double index_cell(const std::vector<Stroke>& strokes, const std::vector<std::uin
                    kLeastCellInTolerances * tolerance_steps});
 }
 
+double walked_cell(const std::vector<Stroke>& strokes, double wanted) {
+  constexpr double kCellsOfFew = 1 << 18;
+  double sum = 0;  // of the cells' sides that a stroke of this extent crosses at the most
+  for (const Stroke& s : strokes) sum += std::abs(double(s.to.x) - s.from.x) + std::abs(double(s.to.y) - s.from.y);
+  return std::max(wanted, sum / (kCellsPerStroke * static_cast<double>(strokes.size()) + kCellsOfFew));
+}
+
 }  // namespace ligne

@@ -144,6 +144,11 @@ class StrokeIndex {
 /// and always larger than the reach of the tolerance.
 double index_cell(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance_steps);
 
+/// Side of the cells of a grid that all strokes are walked through, in steps: `wanted`, unless they would pass more than
+/// 64 cells on the average and a quarter of a million in all. Then it is so much larger: a hair of a pen on a large page
+/// asks for no more memory than the strokes.
+double walked_cell(const std::vector<Stroke>& strokes, double wanted);
+
 }  // namespace ligne
 
 #include "drawing/stroke_index.inl.hpp"

@@ -46,7 +46,10 @@ struct Meeting {
 class MeetingFinder {
  public:
   MeetingFinder(const std::vector<Stroke>& strokes, double touching)
-      : strokes_(strokes), chains_(strokes), touching_(touching), grid_(kCellInReaches * touching, touching) {
+      : strokes_(strokes),
+        chains_(strokes),
+        touching_(touching),
+        grid_(walked_cell(strokes, kCellInReaches * touching), touching) {
     for (const std::uint32_t i : chains_.seen()) {
       for (const LatticePoint p : {strokes[i].from, strokes[i].to}) at_end_.emplace_back(p, i);
     }

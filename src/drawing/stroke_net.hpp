@@ -32,7 +32,7 @@ class StrokeNet {
   };
 
   /// Ends that lie within `touching` steps of another line meet it. O(n + m), with m the grid cells of the side of
-  /// `touching` x 16 that lines pass.
+  /// `touching` x 16 that lines pass, or fewer: see walked_cell().
   StrokeNet(const std::vector<Stroke>& strokes, double touching);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
