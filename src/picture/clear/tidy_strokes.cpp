@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "drawing/drawing.hpp"
@@ -76,6 +77,32 @@ class JointSources {
   bool filed_ = false;
 };
 
+/// Keeps the visible strokes of class mesh apart while the others are tidied, and puts them back behind these. They are no
+/// lines of the shape: among the edges of all faces every line would meet others everywhere.
+class MeshApart {
+ public:
+  explicit MeshApart(StrokeModel& model) : strokes_(model.strokes) {
+    const auto is_other = [](const Stroke& s) { return !s.visible || s.line_class != LineClass::mesh; };
+    const auto others = std::stable_partition(strokes_.begin(), strokes_.end(), is_other);
+    mesh_.assign(others, strokes_.end());
+    strokes_.erase(others, strokes_.end());
+  }
+  ~MeshApart() { strokes_.insert(strokes_.end(), mesh_.begin(), mesh_.end()); }
+  /// Does it to the mesh alone.
+  template <class Work>
+  void change(Work work) {
+    strokes_.swap(mesh_);
+    work();
+    strokes_.swap(mesh_);
+  }
+  MeshApart(const MeshApart&) = delete;
+  MeshApart& operator=(const MeshApart&) = delete;
+
+ private:
+  std::vector<Stroke>& strokes_;
+  std::vector<Stroke> mesh_;
+};
+
 }  // namespace
 
 void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport& run) {
@@ -93,6 +120,11 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
   const double gap_mm = std::min(least_mm, kGapInPens * pen_mm);
   count("short gaps closed", close_short_gaps(strokes, gap_mm));
   remove_coincident_strokes(strokes, coincidence);
+  std::optional<MeshApart> mesh;
+  if (clear) mesh.emplace(strokes);
+  if (clear && request.lines.least_mm) {
+    mesh->change([&] { count("short bits of the mesh left out", drop_short_bits(strokes, least_mm)); });
+  }
   const auto scan = [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); };
   JointSources make_source(strokes, prepared.projected);
   // Without outlines nothing tells that a line passes behind something.
