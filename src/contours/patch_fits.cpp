@@ -1,6 +1,7 @@
 #include "contours/patch_fits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace {
 constexpr std::size_t kSectorsPerTask = 512;
 constexpr int kRings = 2;
 
-/// The corners of each sector, and its place.
+/// The corners of each sector, its place, and the sectors at the other corners of its triangles.
 class Sectors {
  public:
   Sectors(const Scene& scene, const SmoothPatch& patch)
@@ -22,7 +23,12 @@ class Sectors {
     for (const std::uint32_t s : patch.sector) ++begin_[s + 1];
     for (std::size_t s = 1; s < begin_.size(); ++s) begin_[s] += begin_[s - 1];
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t c = 0; c < corners_.size(); ++c) corners_[next[patch.sector[c]]++] = c;
+    others_.resize(corners_.size());
+    for (std::uint32_t c = 0; c < corners_.size(); ++c) {
+      const std::uint32_t at = next[patch.sector[c]]++;
+      corners_[at] = c;
+      others_[at] = {patch.sector[next_corner(c)], patch.sector[last_corner(c)]};
+    }
     for (std::uint32_t s = 0; s < places_.size(); ++s) {
       const std::uint32_t c = corners_[begin_[s]];
       places_[s] = scene.vertices[patch.triangles[c / 3].v[c % 3]];
@@ -31,10 +37,15 @@ class Sectors {
   std::span<const std::uint32_t> corners(std::uint32_t sector) const {
     return {corners_.data() + begin_[sector], corners_.data() + begin_[sector + 1]};
   }
+  /// Of each of its corners those at the next and at the last corner of the triangle.
+  std::span<const std::array<std::uint32_t, 2>> others(std::uint32_t sector) const {
+    return {others_.data() + begin_[sector], others_.data() + begin_[sector + 1]};
+  }
   const Point3& place(std::uint32_t sector) const { return places_[sector]; }
 
  private:
   std::vector<std::uint32_t> begin_, corners_;
+  std::vector<std::array<std::uint32_t, 2>> others_;
   std::vector<Point3> places_;
 };
 
@@ -76,23 +87,38 @@ class PatchFits {
   void fit(const std::vector<std::uint32_t>& sectors) {
     parallel_blocks(sectors.size(), kSectorsPerTask, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> reached, reached_from(patch_.normals.size(), kNone);
-      std::vector<Point3> points;
+      std::array<std::uint32_t, 2> pair;
+      std::array<std::vector<Point3>, 2> points;
+      std::size_t count = 0;
+      const auto fit_pair = [&] {
+        std::array<PointsRound, 2> rounds;
+        for (std::size_t f = 0; f < count; ++f) rounds[f] = {sectors_.place(pair[f]), patch_.normals[pair[f]], points[f]};
+        const auto fits = fit_two_surfaces(rounds);
+        for (std::size_t f = 0; f < count; ++f) {
+          if (fits[f]) take(pair[f], *fits[f]);
+        }
+        count = 0;
+      };
       for (std::size_t i = begin; i < end; ++i) {
         const std::uint32_t s = sectors[i];
         if (!patch_.complete[sectors_.corners(s)[0]] || patch_.normals[s] == Point3(0.0)) continue;
         reach_rings(s, reached, reached_from);
-        points.clear();
-        for (std::size_t k = 1; k < reached.size(); ++k) points.push_back(sectors_.place(reached[k]));
-        SurfaceFit fit;
-        if (!fit_surface(sectors_.place(s), patch_.normals[s], points, fit)) continue;
-        const double g = glm::dot(fit.normal, to_eye(camera_, sectors_.place(s)));
-        if (!any_faces(s, g >= 0)) continue;
-        patch_.normals[s] = fit.normal;
-        patch_.turns[s] = fit.turn;
-        patch_.g[s] = g;
-        patch_.fitted[s] = 1;
+        pair[count] = s;
+        points[count].clear();
+        for (std::size_t k = 1; k < reached.size(); ++k) points[count].push_back(sectors_.place(reached[k]));
+        if (++count == pair.size()) fit_pair();
       }
+      if (count > 0) fit_pair();
     });
+  }
+
+  void take(std::uint32_t s, const SurfaceFit& fit) {
+    const double g = glm::dot(fit.normal, to_eye(camera_, sectors_.place(s)));
+    if (!any_faces(s, g >= 0)) return;
+    patch_.normals[s] = fit.normal;
+    patch_.turns[s] = fit.turn;
+    patch_.g[s] = g;
+    patch_.fitted[s] = 1;
   }
 
   /// The sector, and those within two rings of triangles. `reached_from`: per sector, from which one it was reached last.
@@ -103,8 +129,8 @@ class PatchFits {
     std::size_t next = 0;
     for (int ring = 0; ring < kRings; ++ring) {
       for (const std::size_t last = reached.size(); next < last; ++next) {
-        for (const std::uint32_t c : sectors_.corners(reached[next])) {
-          for (const std::uint32_t other : {patch_.sector[next_corner(c)], patch_.sector[last_corner(c)]}) {
+        for (const auto& others : sectors_.others(reached[next])) {
+          for (const std::uint32_t other : others) {
             if (std::exchange(reached_from[other], sector) != sector) reached.push_back(other);
           }
         }

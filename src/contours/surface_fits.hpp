@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "geometry/point.hpp"
@@ -18,13 +19,23 @@ using NormalTurn = std::array<double, 6>;
 
 Point3 turned(const NormalTurn& turn, const Point3& way);
 
+/// What a surface is fitted to: it passes through `at` and comes nearest to the points round it.
+struct PointsRound {
+  Point3 at{0, 0, 0};
+  Point3 normal{0, 0, 1};  ///< an estimate, of unit length
+  std::span<const Point3> points{};
+};
+
 struct SurfaceFit {
   Point3 normal{0, 0, 0};
   NormalTurn turn{};
 };
 
-/// The surface through `at` that comes nearest to the points round it, which may be reordered; `normal`: an estimate of unit
-/// length. False where they do not lie on such a surface, or do not say which.
+/// The surfaces of two places at once, which takes hardly longer than one. None where the points do not lie on such a
+/// surface, or do not say which; each is the same whatever the other is.
+std::array<std::optional<SurfaceFit>, 2> fit_two_surfaces(const std::array<PointsRound, 2>& fits);
+
+/// One of them alone; false where there is none.
 bool fit_surface(const Point3& at, const Point3& normal, std::span<const Point3> points, SurfaceFit& fit);
 
 }  // namespace ligne
