@@ -9,6 +9,7 @@
 #include "contours/contour_sights.hpp"
 #include "contours/outline_probes.hpp"
 #include "contours/shallow_islands.hpp"
+#include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -27,21 +28,23 @@ bool has_lines_of_its_own(const Scene& scene) {
   return std::any_of(scene.corner_flags.begin(), scene.corner_flags.end(), [](std::uint8_t f) { return f & kLines; });
 }
 
+/// The outlines of the mesh among the candidate edges, ascending.
 std::vector<std::uint32_t> outline_edges(const Topology& topology, const ProjectedScene& projected) {
-  std::vector<std::uint32_t> edges;
+  std::vector<std::uint8_t> is_outline(topology.edges.size(), 0);
   for (const ProjectedEdge& e : projected.edges) {
-    if (e.line_class == LineClass::outline && e.source < topology.edges.size()) edges.push_back(e.source);
+    if (e.line_class == LineClass::outline && e.source < is_outline.size()) is_outline[e.source] = 1;
   }
-  std::sort(edges.begin(), edges.end());
-  return edges;
+  return indices_where(is_outline.size(), [&](std::size_t e) { return is_outline[e] != 0; });
 }
 
-/// Takes the edges of these sources out.
-void remove_edges(ProjectedScene& projected, const std::vector<std::uint32_t>& sources) {
+/// Takes the outlines with these sources out, which are edges of the topology.
+void remove_outlines(ProjectedScene& projected, const Topology& topology, const std::vector<std::uint32_t>& sources) {
+  std::vector<std::uint8_t> is_removed(topology.edges.size(), 0);
+  for (const std::uint32_t e : sources) is_removed[e] = 1;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < projected.edges.size(); ++i) {
     const ProjectedEdge& e = projected.edges[i];
-    if (e.line_class == LineClass::outline && std::binary_search(sources.begin(), sources.end(), e.source)) continue;
+    if (e.line_class == LineClass::outline && e.source < is_removed.size() && is_removed[e.source]) continue;
     projected.edges[kept] = e;
     if (!projected.edge_parts.empty()) projected.edge_parts[kept] = projected.edge_parts[i];
     ++kept;
@@ -81,7 +84,8 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
                                 const ContourOptions& options) {
   SmoothContours contours;
   if (has_lines_of_its_own(scene)) return contours;
-  const std::vector<std::uint32_t> outlines = outline_edges(topology, projected);
+  const std::vector<std::uint32_t> outlines =
+      outlines_inside_regions(scene, topology, outline_edges(topology, projected), options.borders);
   if (outlines.empty()) return contours;
   const View& view = projected.view;
   SmoothPatch patch = smooth_patch(scene, topology, view.camera, outlines, options.borders);
@@ -94,8 +98,9 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
   const double slack_mm = kSlackSteps * projected.lattice.step_mm + 2 * projected.input_error_mm;
   std::vector<std::vector<ContourSight>> sights(choice.chains.size());
   parallel_blocks(sights.size(), kChainsPerTask, [&](std::size_t begin, std::size_t end) {
+    ReachedSectors reached(patch.normals.size());
     for (std::size_t c = begin; c < end; ++c) {
-      sights[c] = contour_sights(scene, view, patch, graph, choice.chains[c], slack_mm);
+      sights[c] = contour_sights(scene, view, patch, graph, choice.chains[c], slack_mm, reached);
     }
   });
   std::vector<std::array<Point3, 2>> lines;
@@ -122,8 +127,7 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
   contours.chains = std::move(choice.chains);
   std::vector<std::uint32_t> removed;
   for (const std::uint32_t i : choice.sides) removed.push_back(sides[i].edge);
-  std::sort(removed.begin(), removed.end());
-  remove_edges(projected, removed);
+  remove_outlines(projected, topology, removed);
   add_lines(projected, lines, LineClass::outline);
   return contours;
 }

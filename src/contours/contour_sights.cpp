@@ -19,8 +19,14 @@ constexpr double kLeastAcross = 0.5;
 class Sights {
  public:
   Sights(const Scene& scene, const View& view, const SmoothPatch& patch, const OutlineGraph& outline,
-         const ContourChain& chain, double slack_mm)
-      : scene_(scene), view_(view), patch_(patch), outline_(outline), chain_(chain), slack_mm_(slack_mm) {}
+         const ContourChain& chain, double slack_mm, ReachedSectors& reached)
+      : scene_(scene),
+        view_(view),
+        patch_(patch),
+        outline_(outline),
+        chain_(chain),
+        slack_mm_(slack_mm),
+        reached_(reached) {}
 
   std::vector<ContourSight> find() {
     std::vector<ContourSight> sights(chain_.size());
@@ -142,21 +148,16 @@ class Sights {
   template <class Visit>
   void for_outline_near(std::uint32_t t, Visit visit) {
     reached_.clear();
-    const auto reach = [&](std::uint32_t sector) {
-      const auto found = static_cast<std::size_t>(std::find(reached_.begin(), reached_.end(), sector) - reached_.begin());
-      if (found == reached_.size()) reached_.push_back(sector);
-      return found;
-    };
     for (std::uint32_t k = 3 * t; k < 3 * t + 3; ++k) {
-      reach(patch_.sector[k]);
-      if (patch_.across[k] != kNone) reach(patch_.sector[last_corner(patch_.across[k])]);
+      reached_.add(patch_.sector[k]);
+      if (patch_.across[k] != kNone) reached_.add(patch_.sector[last_corner(patch_.across[k])]);
     }
     std::size_t begin = 0;
     for (int step = 0; step < kOutlineSteps; ++step) {
       const std::size_t end = reached_.size();
       for (std::size_t i = begin; i < end; ++i) {
         for (const OutlineGraph::End& e : outline_.at(reached_[i])) {
-          if (reach(e.other) >= i) visit(e);
+          if (reached_.add(e.other) >= i) visit(e);
         }
       }
       begin = end;
@@ -169,7 +170,7 @@ class Sights {
   const OutlineGraph& outline_;
   const ContourChain& chain_;
   double slack_mm_;
-  std::vector<std::uint32_t> reached_;
+  ReachedSectors& reached_;
 };
 
 }  // namespace
@@ -196,8 +197,9 @@ OutlineGraph::OutlineGraph(const Scene& scene, const View& view, const SmoothPat
 }
 
 std::vector<ContourSight> contour_sights(const Scene& scene, const View& view, const SmoothPatch& patch,
-                                         const OutlineGraph& outline, const ContourChain& chain, double slack_mm) {
-  return Sights(scene, view, patch, outline, chain, slack_mm).find();
+                                         const OutlineGraph& outline, const ContourChain& chain, double slack_mm,
+                                         ReachedSectors& reached) {
+  return Sights(scene, view, patch, outline, chain, slack_mm, reached).find();
 }
 
 Point2 page_direction(const View& view, const Point3& p, const Point3& n) {

@@ -35,15 +35,44 @@ class OutlineGraph {
   std::vector<End> ends_;
 };
 
+/// Sectors in the order in which they were reached, each once.
+class ReachedSectors {
+ public:
+  explicit ReachedSectors(std::size_t sectors) : place_(sectors, 0) {}
+
+  void clear() {
+    first_ += static_cast<std::uint32_t>(reached_.size());
+    reached_.clear();
+  }
+  /// The place of a sector among those reached.
+  std::size_t add(std::uint32_t sector) {
+    std::uint32_t& place = place_[sector];
+    if (place < first_) {
+      place = first_ + static_cast<std::uint32_t>(reached_.size());
+      reached_.push_back(sector);
+    }
+    return place - first_;
+  }
+  std::size_t size() const { return reached_.size(); }
+  std::uint32_t operator[](std::size_t place) const { return reached_[place]; }
+
+ private:
+  std::uint32_t first_ = 1;
+  std::vector<std::uint32_t> place_;  ///< less than `first_`: not reached since the last clear()
+  std::vector<std::uint32_t> reached_;
+};
+
 /// The line in model space that is studied for a segment, and on which side of the contour it lies.
 struct ContourSight {
   Point3 from, to;
   int side = 1;  ///< +1 on that of the normals
 };
 
-/// Per segment of the chain. `slack_mm`: how far beyond the outline of the mesh at least.
+/// Per segment of the chain. `slack_mm`: how far beyond the outline of the mesh at least. `reached` serves one chain after
+/// the other.
 std::vector<ContourSight> contour_sights(const Scene& scene, const View& view, const SmoothPatch& patch,
-                                         const OutlineGraph& outline, const ContourChain& chain, double slack_mm);
+                                         const OutlineGraph& outline, const ContourChain& chain, double slack_mm,
+                                         ReachedSectors& reached);
 
 /// What a step of one unit along `n` from p moves on the page, mm.
 Point2 page_direction(const View& view, const Point3& p, const Point3& n);

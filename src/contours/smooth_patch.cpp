@@ -263,13 +263,42 @@ class PatchBuilder {
 
 Point3 to_eye(const Camera& camera, const Point3& p) { return camera.perspective ? camera.eye - p : -camera.forward; }
 
+std::vector<std::uint32_t> outlines_inside_regions(const Scene& scene, const Topology& topology,
+                                                   std::span<const std::uint32_t> outline_edges,
+                                                   const RegionBorders& borders) {
+  const double least_cosine = cosine(borders, borders.creases ? kSharp : 1);
+  std::vector<std::uint32_t> inside;
+  VertexSet on_outline(scene.vertices.size()), continued(scene.vertices.size());
+  for (const std::uint32_t e : outline_edges) {
+    if (is_border(scene, topology, borders, least_cosine, e)) continue;  // what lies on either side looks one way
+    inside.push_back(e);
+    for (const std::uint32_t v : {topology.edges[e].v0, topology.edges[e].v1}) {
+      if (on_outline.has(v)) continued.add(v);
+      on_outline.add(v);
+    }
+  }
+  const auto both = [&](const VertexSet& set, std::size_t e) {
+    return set.has(topology.edges[e].v0) && set.has(topology.edges[e].v1);
+  };
+  auto next = inside.begin();
+  for (const std::uint32_t e : indices_where(topology.edges.size(), [&](std::size_t i) { return both(on_outline, i); })) {
+    if (next != inside.end() && *next == e) {
+      ++next;
+      continue;
+    }
+    continued.add(topology.edges[e].v0);
+    continued.add(topology.edges[e].v1);
+  }
+  std::erase_if(
+      inside, [&](std::uint32_t e) { return !continued.has(topology.edges[e].v0) && !continued.has(topology.edges[e].v1); });
+  return inside;
+}
+
 SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Camera& camera,
                          std::span<const std::uint32_t> outline_edges, const RegionBorders& borders) {
   SmoothPatch patch;
   VertexSet on_outline(scene.vertices.size());
-  const double least_cosine = cosine(borders, borders.creases ? kSharp : 1);
   for (const std::uint32_t e : outline_edges) {
-    if (is_border(scene, topology, borders, least_cosine, e)) continue;  // what lies on either side looks one way
     on_outline.add(topology.edges[e].v0);
     on_outline.add(topology.edges[e].v1);
   }

@@ -52,7 +52,14 @@ struct RegionBorders {
   const std::vector<std::uint8_t>* creases = nullptr;
 };
 
-/// The patch round the given edges of the topology. Borders of regions are its creases, edges of other than two triangles,
+/// Of the outline edges of a mesh, in ascending order, those along which no region ends. Left out are those that have no
+/// vertex near them that another one has: round a vertex inside a region there are two of them, or more, so such an edge
+/// runs from border to border of its region, and is the contour itself.
+std::vector<std::uint32_t> outlines_inside_regions(const Scene& scene, const Topology& topology,
+                                                   std::span<const std::uint32_t> outline_edges,
+                                                   const RegionBorders& borders);
+
+/// The patch round edges inside regions. Borders of regions are creases, edges of other than two triangles,
 /// those across which the windings disagree, and all edges at a vertex from whose normal a face round it differs by more
 /// than the crease angle (the tip of a cone).
 SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Camera& camera,
