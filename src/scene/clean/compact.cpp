@@ -7,13 +7,25 @@
 namespace ligne {
 namespace {
 
-/// Corners that one task visits.
-
 template <class Work>
 void for_blocks(std::size_t n, const Work& work) {
   parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i != end; ++i) work(i);
   });
+}
+
+/// Puts the vertices for which stays(v) holds together, and the objects on them. `number` has one entry more than there are
+/// vertices: where each goes, or would.
+template <class Stays>
+void keep_vertices(Scene& scene, const std::vector<std::uint32_t>& number, const Stays& stays) {
+  for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
+    if (stays(v)) scene.vertices[number[v]] = scene.vertices[v];
+  }
+  scene.vertices.resize(number.back());
+  for (Object& object : scene.objects) {
+    object.vertex_begin = number[object.vertex_begin];
+    object.vertex_end = number[object.vertex_end];
+  }
 }
 
 }  // namespace
@@ -35,15 +47,23 @@ void drop_unused_vertices(Scene& scene) {
   }
   new_index[n] = count;
   if (count == n) return;
-  for (std::size_t v = 0; v < n; ++v) {
-    if (used[v]) scene.vertices[new_index[v]] = scene.vertices[v];
-  }
-  scene.vertices.resize(count);
+  keep_vertices(scene, new_index, [&](std::size_t v) { return used[v] != 0; });
   for_blocks(corners.size(), [&](std::size_t k) { corners[k] = new_index[corners[k]]; });
-  for (Object& object : scene.objects) {
-    object.vertex_begin = new_index[object.vertex_begin];
-    object.vertex_end = new_index[object.vertex_end];
+}
+
+void merge_vertices(Scene& scene, std::vector<std::uint32_t> target) {
+  const std::size_t n = scene.vertices.size();
+  std::vector<std::uint32_t> number(n + 1);
+  std::uint32_t count = 0;
+  for (std::size_t v = 0; v < n; ++v) {
+    number[v] = count;
+    count += target[v] == v;
   }
+  number[n] = count;
+  keep_vertices(scene, number, [&](std::size_t v) { return target[v] == v; });
+  for (std::uint32_t& to : target) to = number[to];
+  const std::span<std::uint32_t> corners = scene.faces.corners();
+  for_blocks(corners.size(), [&](std::size_t k) { corners[k] = target[corners[k]]; });
 }
 
 void renumber_faces(Scene& scene, const std::vector<std::uint32_t>& first_new, Warnings& warnings) {

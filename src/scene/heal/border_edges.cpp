@@ -1,11 +1,94 @@
 #include "scene/heal/border_edges.hpp"
 
-#include <span>
+#include <algorithm>
+#include <utility>
 
 #include "geometry/filed_pairs.hpp"
 #include "geometry/indices_where.hpp"
+#include "geometry/parallel.hpp"
 
 namespace ligne {
+namespace {
+
+/// Calls visit(from, to) for the sides of a face.
+template <class Visit>
+void for_sides(const PolygonFaces& faces, std::uint32_t f, const Visit& visit) {
+  for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
+    const auto contour = faces.contour(f, c);
+    for (std::size_t k = 0; k + 1 < contour.size(); ++k) visit(contour[k], contour[k + 1]);
+    visit(contour.back(), contour[0]);
+  }
+}
+
+/// Different numbers for different vertices, without a pattern that could cancel in sums: two rounds of multiplication.
+std::uint64_t scatter(std::uint32_t v) {
+  std::uint64_t x = (v + std::uint64_t{1}) * 0x9e3779b97f4a7c15u;
+  x ^= x >> 32;
+  return x * 0xbf58476d1ce4e5b9u;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene) {
+  // Whatever the parts are, the sums are the same: exclusive or knows no order.
+  constexpr std::size_t kFacesPerPart = 100'000, kMostParts = 4;
+  const PolygonFaces& faces = scene.faces;
+  const std::size_t n = faces.size(), vertices = scene.vertices.size();
+  const std::size_t parts = std::clamp<std::size_t>(n / kFacesPerPart, 1, std::min(kMostParts, thread_count()));
+  std::vector<std::vector<std::uint64_t>> sums(parts);
+  parallel_tasks(parts, [&](std::size_t part) {
+    std::vector<std::uint64_t>& sum = sums[part];
+    sum.assign(vertices, 0);
+    const std::size_t begin = n * part / parts, end = n * (part + 1) / parts;
+    if (faces.all_triangles()) {
+      const std::span<const std::uint32_t> corners = faces.corners();
+      for (std::size_t k = 3 * begin; k < 3 * end; k += 3) {
+        const std::uint32_t a = corners[k], b = corners[k + 1], c = corners[k + 2];
+        const std::uint64_t of_a = scatter(a), of_b = scatter(b), of_c = scatter(c);
+        sum[a] ^= of_b ^ of_c;
+        sum[b] ^= of_c ^ of_a;
+        sum[c] ^= of_a ^ of_b;
+      }
+      return;
+    }
+    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
+      for_sides(faces, f, [&](std::uint32_t a, std::uint32_t b) {
+        sum[a] ^= scatter(b);
+        sum[b] ^= scatter(a);
+      });
+    }
+  });
+  std::vector<std::uint8_t> marked(vertices);
+  parallel_blocks(vertices, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      std::uint64_t sum = 0;
+      for (const auto& of_part : sums) sum ^= of_part[v];
+      marked[v] = sum != 0;
+    }
+  });
+  return marked;
+}
+
+std::vector<std::uint32_t> faces_at(const Scene& scene, const std::vector<std::uint8_t>& marked) {
+  const PolygonFaces& faces = scene.faces;
+  const std::span<const std::uint32_t> corners = faces.corners();
+  if (faces.all_triangles()) {
+    return indices_where(faces.size(), [&](std::size_t f) {
+      return (marked[corners[3 * f]] | marked[corners[3 * f + 1]] | marked[corners[3 * f + 2]]) != 0;
+    });
+  }
+  return indices_where(faces.size(), [&](std::size_t f) {
+    for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
+      if (std::ranges::any_of(faces.contour(f, c), [&](std::uint32_t v) { return marked[v] != 0; })) return true;
+    }
+    return false;
+  });
+}
+
+std::span<const std::uint32_t> faces_of(const Object& object, std::span<const std::uint32_t> faces) {
+  const auto first = std::ranges::lower_bound(faces, object.face_begin);
+  return {first, std::ranges::lower_bound(first, faces.end(), object.face_end)};
+}
 
 std::vector<std::vector<Edge>> border_edges(const Scene& scene, const Topology& topology) {
   std::vector<std::vector<Edge>> borders(scene.objects.size());
@@ -19,7 +102,8 @@ std::vector<std::vector<Edge>> border_edges(const Scene& scene, const Topology& 
   return borders;
 }
 
-std::vector<Edge> border_edges(const Scene& scene, const Object& object, const std::vector<std::uint8_t>& marked) {
+std::vector<Edge> border_edges(const Scene& scene, const Object& object, const std::vector<std::uint8_t>& marked,
+                               std::span<const std::uint32_t> faces) {
   std::vector<std::uint32_t> vertices, number(object.vertex_end - object.vertex_begin, kNone);
   for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
     if (!marked[v]) continue;
@@ -30,29 +114,11 @@ std::vector<Edge> border_edges(const Scene& scene, const Object& object, const s
     std::uint32_t from, to, face;
   };
   std::vector<Side> sides;
-  const auto number_of = [&](std::uint32_t v) { return number[v - object.vertex_begin]; };
-  const auto add_side = [&](std::uint32_t from, std::uint32_t to, std::uint32_t f) {
-    if (from != kNone && to != kNone) sides.push_back({from, to, f});
-  };
-  const bool triangles = scene.faces.all_triangles();
-  const std::span<const std::uint32_t> corners = scene.faces.corners();
-  for (std::uint32_t f = object.face_begin; triangles && f < object.face_end; ++f) {
-    const std::uint32_t* v = &corners[3 * std::size_t{f}];
-    const std::uint32_t a = number_of(v[0]), b = number_of(v[1]), c = number_of(v[2]);
-    add_side(a, b, f);
-    add_side(b, c, f);
-    add_side(c, a, f);
-  }
-  for (std::uint32_t f = object.face_begin; !triangles && f < object.face_end; ++f) {
-    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-      const auto contour = scene.faces.contour(f, c);
-      std::uint32_t from = number_of(contour.back());
-      for (const std::uint32_t v : contour) {
-        const std::uint32_t to = number_of(v);
-        add_side(from, to, f);
-        from = to;
-      }
-    }
+  for (const std::uint32_t f : faces) {
+    for_sides(scene.faces, f, [&](std::uint32_t a, std::uint32_t b) {
+      const std::uint32_t from = number[a - object.vertex_begin], to = number[b - object.vertex_begin];
+      if (from != kNone && to != kNone) sides.push_back({from, to, f});
+    });
   }
   const FiledPairs filed(vertices.size(), sides.size(), [&](const auto& add) {
     for (const Side& side : sides) add(side.from, side.to, side.face);

@@ -50,25 +50,27 @@ std::size_t count_within(const std::vector<double>& gaps, double distance) {
 
 Border::Border(const Scene& scene, std::vector<Edge> edges)
     : scene_(scene), edges_(std::move(edges)), tree_(segments_of(scene, edges_)) {
-  std::vector<std::uint32_t> faces;
-  for (const Edge& edge : edges_) {
-    vertices_.insert(vertices_.end(), {edge.v0, edge.v1});
-    faces.push_back(edge.face0);
-  }
-  const auto sort_unique = [](auto& values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-  };
-  sort_unique(vertices_);
-  sort_unique(faces);
-  one_face_ = faces.size() == 1;
+  // The lower ends come in order already.
+  for (const Edge& edge : edges_) vertices_.push_back(edge.v0);
+  for (const Edge& edge : edges_) vertices_.push_back(edge.v1);
+  const auto higher = vertices_.begin() + static_cast<std::ptrdiff_t>(edges_.size());
+  std::sort(higher, vertices_.end());
+  std::inplace_merge(vertices_.begin(), higher, vertices_.end());
+  const auto make_unique = [](auto& values) { values.erase(std::unique(values.begin(), values.end()), values.end()); };
+  make_unique(vertices_);
+  one_face_ = std::ranges::all_of(edges_, [&](const Edge& edge) { return edge.face0 == edges_[0].face0; });
   if (scene.faces.all_triangles()) return;
+  std::vector<std::uint32_t> faces;
+  for (const Edge& edge : edges_) faces.push_back(edge.face0);
+  std::sort(faces.begin(), faces.end());
+  make_unique(faces);
   for (const std::uint32_t f : faces) {
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       for (const std::uint32_t v : scene.faces.contour(f, c)) corners_.emplace_back(f, v);
     }
   }
-  sort_unique(corners_);
+  std::sort(corners_.begin(), corners_.end());
+  make_unique(corners_);
 }
 
 double Border::median_length() const {

@@ -1,38 +1,44 @@
 #include "scene/heal/corner_uses.hpp"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace ligne {
 
-CornerUses::CornerUses(const Scene& scene, const Object& object, const std::vector<std::uint32_t>& vertices) {
-  std::vector<std::uint8_t> wanted(object.vertex_end - object.vertex_begin, 0);
-  for (const std::uint32_t v : vertices) wanted[v - object.vertex_begin] = 1;
-  const bool triangles = scene.faces.all_triangles();
-  const std::uint32_t* corners = scene.faces.corners().data();
-  for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-    if (triangles) {  // most faces have none of the vertices
-      const std::uint32_t* v = corners + 3 * std::size_t{f};
-      const auto is_wanted = [&](int k) { return wanted[v[k] - object.vertex_begin]; };
-      if (!(is_wanted(0) | is_wanted(1) | is_wanted(2))) continue;
+CornerUses::CornerUses(const Scene& scene, const Object& object, std::span<const std::uint32_t> faces,
+                       const std::vector<std::uint32_t>& vertices)
+    : first_vertex_(object.vertex_begin), number_(object.vertex_end - object.vertex_begin, 0) {
+  std::uint32_t count = 0;
+  for (const std::uint32_t v : vertices) {
+    std::uint32_t& number = number_[v - first_vertex_];
+    if (number == 0) number = ++count;
+  }
+  begin_.assign(count + 2, 0);
+  for (const std::uint32_t f : faces) {
+    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+      for (const std::uint32_t v : scene.faces.contour(f, c)) ++begin_[number_[v - first_vertex_] + 1];
     }
+  }
+  begin_[1] = 0;  // those that nobody asks for
+  for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
+  uses_.resize(begin_.back());
+  std::vector<std::uint32_t> next = begin_;
+  for (const std::uint32_t f : faces) {
     const bool triangle = scene.faces.contour_count(f) == 1 && scene.faces.contour(f, 0).size() == 3;
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       const auto contour = scene.faces.contour(f, c);
       const std::size_t n = contour.size();
       for (std::size_t k = 0; k < n; ++k) {
-        if (!wanted[contour[k] - object.vertex_begin]) continue;
-        uses_.push_back({contour[k], contour[k == 0 ? n - 1 : k - 1], contour[k + 1 == n ? 0 : k + 1], f, triangle});
+        const std::uint32_t number = number_[contour[k] - first_vertex_];
+        if (number == 0) continue;
+        uses_[next[number]++] = {contour[k], contour[k == 0 ? n - 1 : k - 1], contour[k + 1 == n ? 0 : k + 1], f, triangle};
       }
     }
   }
-  std::stable_sort(uses_.begin(), uses_.end(), [](const CornerUse& a, const CornerUse& b) { return a.vertex < b.vertex; });
 }
 
 std::span<const CornerUse> CornerUses::of(std::uint32_t v) const {
-  const auto less = [](const CornerUse& a, const CornerUse& b) { return a.vertex < b.vertex; };
-  const auto [first, last] = std::equal_range(uses_.begin(), uses_.end(), CornerUse{v, 0, 0, 0, false}, less);
-  return {first, last};
+  const std::uint32_t number = number_[v - first_vertex_];
+  return {uses_.data() + begin_[number], uses_.data() + begin_[number + 1]};
 }
 
 bool turns_over(const Point3& p, const Point3& q, const Point3& before, const Point3& after) {

@@ -19,13 +19,18 @@ struct CornerUse {
 /// The corners of some vertices of an object.
 class CornerUses {
  public:
-  CornerUses(const Scene& scene, const Object& object, const std::vector<std::uint32_t>& vertices);
+  /// `faces`: all of the object that have one of them, and maybe others, ascending.
+  CornerUses(const Scene& scene, const Object& object, std::span<const std::uint32_t> faces,
+             const std::vector<std::uint32_t>& vertices);
 
   /// In the order of the faces.
   std::span<const CornerUse> of(std::uint32_t v) const;
 
  private:
-  std::vector<CornerUse> uses_;  ///< by vertex
+  std::uint32_t first_vertex_;
+  std::vector<std::uint32_t> number_;  ///< per vertex of the object: among those asked for, from 1 on; 0: none of them
+  std::vector<std::uint32_t> begin_;   ///< by number: the first use; and the end
+  std::vector<CornerUse> uses_;
 };
 
 /// Whether the triangle p, before, after turns over, or loses its area, when its corner p goes to q. One without area does

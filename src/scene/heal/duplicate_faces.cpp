@@ -1,6 +1,6 @@
-// Within an object: a face that is stored twice has edges of more than two faces, or, where it lies alone, edges whose two
-// faces are the same all round. The topology knows both, so a mesh without duplicates costs one look at its edges. Faces all
-// of whose vertices lie on such edges are put into a hash table by their key.
+// Within an object: each face takes a bit by a hash of its corners, one of 64 at its lowest vertex, so that neighbours lie
+// together; those that share it take one of many others; and those that share that too are put into a hash table by their
+// key. So a mesh without duplicates costs two short looks at its faces.
 //
 // Between objects: objects that may coincide have the same sum of hashes of positions. Each is written down as its sorted
 // positions and its sorted face keys in terms of them, and compared with the first of its kind.
@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <numeric>
 #include <optional>
@@ -17,6 +16,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
 #include "scene/clean/compact.hpp"
 #include "scene/heal/face_key.hpp"
@@ -38,80 +38,57 @@ std::uint64_t hash(std::span<const std::uint32_t> key) {
   return h;
 }
 
-/// Whether two faces of an edge may be one face stored twice: as many corners, and the same vertices but for their order.
-class FaceComparison {
- public:
-  explicit FaceComparison(const PolygonFaces& faces) : faces_(faces) {
-    if (faces.all_triangles()) return;
-    // Summed beforehand: a face of n corners has n edges to be compared at.
-    sums_.resize(faces.size());
-    parallel_blocks(sums_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) {
-        for (const std::uint32_t v : faces.contour(static_cast<std::uint32_t>(f), 0)) sums_[f] += v;
-      }
-    });
+/// Those of the faces that share their bit with another one, in their order. `face(k)`: the faces, for k in [0, count);
+/// `bit_of(f)` is less than `bits`, which is a multiple of 64.
+template <class Face, class Bit>
+std::vector<std::uint32_t> faces_that_share(std::size_t count, std::size_t bits, const Face& face, const Bit& bit_of) {
+  struct Words {
+    std::uint64_t taken = 0, shared = 0;
+  };
+  std::vector<Words> words(bits / 64);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t bit = bit_of(face(k));
+    const std::uint64_t mask = std::uint64_t{1} << (bit % 64);
+    Words& at = words[bit / 64];
+    at.shared |= at.taken & mask;
+    at.taken |= mask;
   }
-
-  bool may_be_same(std::uint32_t a, std::uint32_t b) const {
-    if (a == b) return false;
-    if (!sums_.empty()) return faces_.contour(a, 0).size() == faces_.contour(b, 0).size() && sums_[a] == sums_[b];
-    const std::uint32_t *p = &faces_.corners()[3 * std::size_t{a}], *q = &faces_.corners()[3 * std::size_t{b}];
-    return std::uint64_t{p[0]} + p[1] + p[2] == std::uint64_t{q[0]} + q[1] + q[2];
-  }
-
- private:
-  const PolygonFaces& faces_;
-  std::vector<std::uint64_t> sums_;  ///< of the numbers of the corners; none where all faces are triangles
-};
-
-/// Whether there is an edge of more than two faces, or a vertex from which two edges with the same two faces go to higher
-/// ones: the lowest vertex of a face that is stored twice is such a one. Where many edges go to higher ones, the two faces
-/// of each are compared instead.
-bool may_have_faces_twice(const FaceComparison& faces, const Topology& topology) {
-  constexpr std::size_t kFan = 16;  ///< adjustable: edges that are looked at for another one
-  const std::size_t n = topology.edges.size();
-  std::atomic<bool> any{false};
-  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    bool found = false;
-    for (std::size_t e = begin; e < end && !found; ++e) {
-      const Edge& edge = topology.edges[e];
-      found = (topology.edge_flags[e] & kEdgeManyFaces) != 0;
-      if (edge.face1 == kNone) continue;
-      for (std::size_t other = e + 1; other < n && topology.edges[other].v0 == edge.v0 && !found; ++other) {
-        if (other - e > kFan) {
-          found = faces.may_be_same(edge.face0, edge.face1);
-          break;
-        }
-        found = topology.edges[other].face0 == edge.face0 && topology.edges[other].face1 == edge.face1;
-      }
-    }
-    if (found) any.store(true, std::memory_order_relaxed);
+  std::vector<std::uint32_t> sharing = indices_where(count, [&](std::size_t k) {
+    const std::size_t bit = bit_of(face(k));
+    return (words[bit / 64].shared >> (bit % 64) & 1) != 0;
   });
-  return any;
+  for (std::uint32_t& k : sharing) k = face(k);
+  return sharing;
 }
 
-/// Per vertex: lies on an edge that faces stored twice would have. Empty when there is none.
-std::vector<std::uint8_t> suspect_vertices(const Scene& scene, const Topology& topology) {
-  const FaceComparison faces(scene.faces);
-  if (!may_have_faces_twice(faces, topology)) return {};
-  const auto is_suspect = [&](std::size_t e) {
-    const Edge& edge = topology.edges[e];
-    if (edge.face1 == kNone) return false;
-    return (topology.edge_flags[e] & kEdgeManyFaces) != 0 || faces.may_be_same(edge.face0, edge.face1);
-  };
-  const std::size_t n = topology.edges.size();
-  const std::size_t found = parallel_reduce(n, kShortWorkBlock, std::size_t{0}, [&](std::size_t begin, std::size_t end) {
-    std::size_t count = 0;
-    for (std::size_t e = begin; e < end; ++e) count += is_suspect(e);
-    return count;
-  });
-  std::vector<std::uint8_t> suspect;
-  if (found == 0) return suspect;
-  suspect.resize(scene.vertices.size(), 0);
-  for (std::size_t e = 0; e < n; ++e) {
-    if (is_suspect(e)) suspect[topology.edges[e].v0] = suspect[topology.edges[e].v1] = 1;
+/// The bit of a face among 64 at its lowest vertex, whatever the order of its corners.
+std::size_t bit_at_vertex(std::span<const std::uint32_t> contour) {
+  constexpr std::uint32_t kGolden = 0x9e3779b9u;
+  std::uint32_t lowest = contour[0], sum = 0;
+  for (const std::uint32_t v : contour) {
+    lowest = std::min(lowest, v);
+    sum ^= v;
   }
-  return suspect;
+  return 64 * std::size_t{lowest} + ((sum * kGolden) >> 26);
+}
+
+/// The faces that may have the same contour as another one, ascending.
+std::vector<std::uint32_t> suspect_faces(const PolygonFaces& faces, std::size_t vertices) {
+  const std::span<const std::uint32_t> corners = faces.corners();
+  const auto all = [](std::size_t f) { return static_cast<std::uint32_t>(f); };
+  const auto share = [&](const auto& bit_of) { return faces_that_share(faces.size(), 64 * vertices, all, bit_of); };
+  const std::vector<std::uint32_t> sharing =
+      faces.all_triangles()
+          ? share([&](std::uint32_t f) { return bit_at_vertex(corners.subspan(3 * std::size_t{f}).first<3>()); })
+          : share([&](std::uint32_t f) { return bit_at_vertex(faces.contour(f, 0)); });
+  const std::size_t bits = 64 * std::bit_ceil(sharing.size() + 1);
+  return faces_that_share(
+      sharing.size(), bits, [&](std::size_t k) { return sharing[k]; },
+      [&](std::uint32_t f) {
+        std::uint64_t sum = 0;
+        for (const std::uint32_t v : faces.contour(f, 0)) sum += mix(v);
+        return sum & (bits - 1);
+      });
 }
 
 /// One face stands for another.
@@ -123,17 +100,9 @@ void stand_in(DuplicateFaces& found, std::size_t faces, std::uint32_t face, std:
   found.first[face] = first;
 }
 
-void find_within_objects(const Scene& scene, const Topology& topology, DuplicateFaces& found) {
-  const std::vector<std::uint8_t> suspect = suspect_vertices(scene, topology);
-  if (suspect.empty()) return;
-  const auto is_suspect = [&](std::uint32_t f) {
-    const auto contour = scene.faces.contour(f, 0);
-    return std::all_of(contour.begin(), contour.end(), [&](std::uint32_t v) { return suspect[v]; });
-  };
-  std::vector<std::uint32_t> candidates;
-  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
-    if (is_suspect(f)) candidates.push_back(f);
-  }
+void find_within_objects(const Scene& scene, DuplicateFaces& found) {
+  const std::vector<std::uint32_t> candidates = suspect_faces(scene.faces, scene.vertices.size());
+  if (candidates.empty()) return;
   // Vertices of different objects differ, so one table serves all.
   const std::size_t mask = std::bit_ceil(2 * candidates.size() + 1) - 1;
   struct Slot {
@@ -281,9 +250,9 @@ void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
 
 }  // namespace
 
-DuplicateFaces find_duplicate_faces(const Scene& scene, const Topology& topology) {
+DuplicateFaces find_duplicate_faces(const Scene& scene) {
   DuplicateFaces found;
-  find_within_objects(scene, topology, found);
+  find_within_objects(scene, found);
   if (scene.objects.size() > 1) find_equal_objects(scene, found);
   for (std::uint32_t f = 0; f < found.first.size(); ++f) {
     // The first face of a pair within an object may have gone with that object.

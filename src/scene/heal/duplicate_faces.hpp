@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "scene/model/scene.hpp"
-#include "scene/model/topology.hpp"
 
 namespace ligne {
 
@@ -19,8 +18,7 @@ struct DuplicateFaces {
 /// Finds the faces of each object that have the same contours as an earlier one (face_key.hpp), and the objects all of whose
 /// faces lie exactly on those of an earlier object, which has no others. A face of one object that lies on a face of another
 /// one is no duplicate otherwise: where two bodies stand on each other both have their own.
-/// Only faces at whose edges more than two faces meet, or the same two all round, are looked at.
-DuplicateFaces find_duplicate_faces(const Scene& scene, const Topology& topology);
+DuplicateFaces find_duplicate_faces(const Scene& scene);
 
 /// Leaves out the faces for which another one stands. An edge stays marked as hidden or inner when all its faces say so, and
 /// as part of a curve when one does. Details move. Objects may stay without faces.

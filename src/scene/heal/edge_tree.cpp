@@ -36,11 +36,6 @@ double square_limit(double distance) { return kSquareSlack * distance * distance
 
 }  // namespace
 
-inline double EdgeTree::Box::square_distance(const Point3& p) const {
-  const Point3 away = glm::max(glm::max(low - p, p - high), Point3(0));
-  return glm::dot(away, away);
-}
-
 EdgeTree::EdgeTree(std::vector<Segment> segments) : segments_(std::move(segments)), order_(segments_.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
   if (segments_.empty()) return;
@@ -94,13 +89,17 @@ NearestPoint EdgeTree::nearest(const Point3& p, double distance, FunctionRef<boo
   while (top > 0) {
     const Range range = stack[--top];
     if (range.square > limit) continue;
-    if (2 * range.node + 2 < boxes_.size()) {
+    const std::size_t first = 2 * range.node + 1;
+    if (first + 1 < boxes_.size()) {
       const std::uint32_t half = range.begin + (range.end - range.begin) / 2;
-      const Range left{2 * range.node + 1, range.begin, half, boxes_[2 * range.node + 1].square_distance(p)};
-      const Range right{2 * range.node + 2, half, range.end, boxes_[2 * range.node + 2].square_distance(p)};
-      const bool left_first = left.square <= right.square;
-      push(left_first ? right : left);
-      push(left_first ? left : right);
+      const double left = boxes_[first].square_distance(p), right = boxes_[first + 1].square_distance(p);
+      if (left <= right) {
+        push({first + 1, half, range.end, right});
+        push({first, range.begin, half, left});
+      } else {
+        push({first, range.begin, half, left});
+        push({first + 1, half, range.end, right});
+      }
       continue;
     }
     for (std::uint32_t k = range.begin; k < range.end; ++k) {

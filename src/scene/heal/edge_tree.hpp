@@ -1,6 +1,7 @@
 #pragma once
 /// The nearest of a set of segments in space.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -36,7 +37,14 @@ class EdgeTree {
  private:
   struct Box {
     Point3 low, high;
-    double square_distance(const Point3& p) const;
+    double square_distance(const Point3& p) const {
+      double square = 0;
+      for (int k = 0; k < 3; ++k) {
+        const double away = std::max(std::max(low[k] - p[k], p[k] - high[k]), 0.0);
+        square += away * away;
+      }
+      return square;
+    }
   };
   /// Of a segment, along the side that is halved.
   struct Middle {

@@ -70,7 +70,7 @@ void FaceWriter::replace(std::uint32_t f, const CutTriangle& triangle) {
   add_origins(f, f + 1);
 }
 
-void FaceWriter::finish() {
+void FaceWriter::finish(std::vector<std::uint32_t>* faces) {
   begin(static_cast<std::uint32_t>(scene_.faces.size()));
   if (!flags_.empty()) flags_.resize(faces_.corners().size(), 0);
   faces_.shrink_to_fit();
@@ -80,6 +80,13 @@ void FaceWriter::finish() {
   if (!scene_.face_source.empty()) scene_.face_source = std::move(source_);
   Warnings none;  // details stand on faces that stay
   renumber_faces(scene_, first_new_, none);
+  if (!faces) return;
+  std::vector<std::uint32_t> come_from;
+  come_from.reserve(faces->size());
+  for (const std::uint32_t f : *faces) {
+    for (std::uint32_t k = first_new_[f]; k < first_new_[f + 1]; ++k) come_from.push_back(k);
+  }
+  *faces = std::move(come_from);
 }
 
 /// Flags come into being with the first corner that has one.

@@ -20,8 +20,9 @@ class FaceWriter {
   void replace(std::uint32_t f, const CutTriangle& triangle);
   /// Tells that what is put in the place of face f follows; faces come in ascending order.
   void begin(std::uint32_t f);
-  /// Puts the new faces into the scene, and objects and details on their new numbers. Vertices stay.
-  void finish();
+  /// Puts the new faces into the scene, and objects and details on their new numbers. Vertices stay. In an ascending list of
+  /// faces those that came from them take their place.
+  void finish(std::vector<std::uint32_t>* faces = nullptr);
 
  private:
   void keep_polygon(std::uint32_t f);

@@ -27,47 +27,56 @@ double size_of(const Scene& scene) {
   return glm::distance(low, high);
 }
 
+/// Sewing triangles makes no borders but between vertices of borders; polygons may be cut anywhere. `faces`: all that have a
+/// vertex of a border.
+void take_border(const Scene& scene, const Object& object, const Border& border, std::span<const std::uint32_t> faces,
+                 Sewing& sewing) {
+  std::vector<std::uint8_t>& marked = sewing.may_be_on_border;
+  if (scene.faces.all_triangles()) {
+    for (const std::uint32_t v : border.vertices()) marked[v] = 1;
+    const std::span<const std::uint32_t> own = faces_of(object, faces);
+    sewing.faces.insert(sewing.faces.end(), own.begin(), own.end());
+  } else {
+    std::fill(marked.begin() + object.vertex_begin, marked.begin() + object.vertex_end, std::uint8_t{1});
+    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) sewing.faces.push_back(f);
+  }
+}
+
 /// The borders of the objects that are sewn, and the distances, and what was seen of them.
-std::vector<std::unique_ptr<Border>> borders_to_sew(const Scene& scene, const Topology& topology, const HealOptions& options,
-                                                    Sewing& sewing, HealReport& report) {
-  std::vector<std::vector<Edge>> edges = border_edges(scene, topology);
-  std::vector<std::unique_ptr<Border>> borders(edges.size());
-  if (std::all_of(edges.begin(), edges.end(), [](const auto& list) { return list.empty(); })) return borders;
+std::vector<std::unique_ptr<Border>> borders_to_sew(const Scene& scene, const HealOptions& options, Sewing& sewing,
+                                                    HealReport& report) {
+  std::vector<std::unique_ptr<Border>> borders(scene.objects.size());
+  const std::vector<std::uint8_t> marked = ends_of_odd_edges(scene);
+  const std::vector<std::uint32_t> faces = faces_at(scene, marked);
+  if (faces.empty()) return borders;
   const double size = size_of(scene);
+  sewing.may_be_on_border.assign(scene.vertices.size(), 0);
   std::vector<GapBreak> gaps(scene.objects.size());
   std::vector<std::size_t> counts(scene.objects.size());
   parallel_tasks(scene.objects.size(), [&](std::size_t i) {
-    counts[i] = edges[i].size();
-    if (edges[i].empty()) return;
-    auto border = std::make_unique<Border>(scene, std::move(edges[i]));
-    gaps[i] = options.sew_distance ? gaps_within(*border, *options.sew_distance)
-                                   : find_gap_break(*border, scene.objects[i].precision, size);
+    const Object& object = scene.objects[i];
+    const std::span<const std::uint32_t> own = faces_of(object, faces);
+    if (own.empty()) return;
+    std::vector<Edge> edges = border_edges(scene, object, marked, own);
+    counts[i] = edges.size();
+    if (edges.empty()) return;
+    auto border = std::make_unique<Border>(scene, std::move(edges));
+    gaps[i] =
+        options.sew_distance ? gaps_within(*border, *options.sew_distance) : find_gap_break(*border, object.precision, size);
     if (gaps[i].near > 0 && gaps[i].distance > 0) borders[i] = std::move(border);
   });
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     report.border_edges += counts[i];
     if (gaps[i].near == 0) continue;
     sewing.distances[i] = gaps[i].distance;
+    if (borders[i]) take_border(scene, scene.objects[i], *borders[i], faces, sewing);
     report.sewn.push_back({i, gaps[i].distance, counts[i], counts[i], gaps[i].near, gaps[i].next});
   }
   return borders;
 }
 
-/// Sewing triangles makes no borders but between vertices of borders; polygons may be cut anywhere.
-void mark_borders(const Scene& scene, std::span<const std::unique_ptr<Border>> borders, std::vector<std::uint8_t>& marked) {
-  marked.assign(scene.vertices.size(), 0);
-  for (std::size_t i = 0; i < borders.size(); ++i) {
-    if (!borders[i]) continue;
-    for (const std::uint32_t v : borders[i]->vertices()) marked[v] = 1;
-    const Object& object = scene.objects[i];
-    if (!scene.faces.all_triangles()) {
-      std::fill(marked.begin() + object.vertex_begin, marked.begin() + object.vertex_end, std::uint8_t{1});
-    }
-  }
-}
-
 /// Vertices that moved may have left polygons that are not planar: those are cut.
-void cut_bent_faces(Scene& scene) {
+void cut_bent_faces(Scene& scene, std::vector<std::uint32_t>& faces) {
   if (scene.faces.all_triangles()) return;
   FaceWriter writer(scene);
   for (const Object& object : scene.objects) {
@@ -84,30 +93,29 @@ void cut_bent_faces(Scene& scene) {
       for (const CutTriangle& triangle : triangles) writer.replace(f, triangle);
     }
   }
-  writer.finish();
+  writer.finish(&faces);
 }
 
-void sew(Scene& scene, Topology& topology, const HealOptions& options, HealReport& report) {
+void sew(Scene& scene, const HealOptions& options, HealReport& report) {
   Sewing sewing{std::vector<double>(scene.objects.size(), 0)};
   {
-    const std::vector<std::unique_ptr<Border>> borders = borders_to_sew(scene, topology, options, sewing, report);
+    const std::vector<std::unique_ptr<Border>> borders = borders_to_sew(scene, options, sewing, report);
     if (report.sewn.empty()) return;
-    mark_borders(scene, borders, sewing.may_be_on_border);
     report.vertices_moved = join_border_vertices(scene, borders, sewing);
   }
-  bool changed = report.vertices_moved > 0;
-  if (changed) cut_bent_faces(scene);
+  if (report.vertices_moved > 0) cut_bent_faces(scene, sewing.faces);
   // What was split may lie beside another vertex now.
   for (int round = 0; round < kMostRounds; ++round) {
     const EdgeSplits split = split_border_edges(scene, sewing);
     if (split.splits == 0) break;
-    changed = true;
     report.edges_split += split.splits;
     report.vertices_moved += split.vertices_moved;
-    if (split.vertices_moved > 0) cut_bent_faces(scene);
+    if (split.vertices_moved > 0) cut_bent_faces(scene, sewing.faces);
   }
-  if (changed) topology = build_topology(scene);
+}
 
+void count_edges_left(const Scene& scene, const Topology& topology, HealReport& report) {
+  if (report.sewn.empty()) return;
   const std::vector<std::vector<Edge>> left = border_edges(scene, topology);
   for (SewnBorders& sewn : report.sewn) sewn.edges_left = left[sewn.object].size();
   std::erase_if(report.sewn, [](const SewnBorders& sewn) { return sewn.edges_left >= sewn.edges; });
@@ -117,14 +125,13 @@ void sew(Scene& scene, Topology& topology, const HealOptions& options, HealRepor
 
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
   HealReport report;
-  const DuplicateFaces duplicates = find_duplicate_faces(scene, topology);
+  const DuplicateFaces duplicates = find_duplicate_faces(scene);
   report.objects_twice = duplicates.objects;
   report.faces_twice = duplicates.faces;
-  if (duplicates.faces > 0) {
-    drop_duplicate_faces(scene, duplicates);
-    topology = build_topology(scene);
-  }
-  if (options.sew_distance != 0.0) sew(scene, topology, options, report);
+  drop_duplicate_faces(scene, duplicates);
+  if (options.sew_distance != 0.0) sew(scene, options, report);
+  topology = build_topology(scene);
+  count_edges_left(scene, topology, report);
   report.faces_turned = agree_windings(scene, topology);
   if (report.faces_turned > 0) topology = build_topology(scene);
   return report;

@@ -49,8 +49,8 @@ struct HealReport {
 ///      face that stays (duplicate_faces.hpp).
 ///   2. Within each object, borders that run along each other nearer than a distance are sewn (sew_borders.hpp).
 ///   3. Windings of neighbours are made to agree (agree_windings.hpp).
-/// The scene stays finished. `topology` is that of the scene, before and after. The result does not depend on the number of
-/// threads; time grows as n log n, memory with n. Where there is nothing to heal, nothing but the topology is read.
+/// The scene stays finished. `topology` becomes that of the healed scene, and is made once, unless faces were turned. The
+/// result does not depend on the number of threads; time grows as n log n, memory with n.
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options);
 
 }  // namespace ligne

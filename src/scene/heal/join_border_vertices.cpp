@@ -9,6 +9,7 @@
 
 #include "scene/clean/compact.hpp"
 #include "scene/clean/near_cells.hpp"
+#include "scene/heal/border_edges.hpp"
 #include "scene/heal/border_gaps.hpp"
 #include "scene/heal/corner_uses.hpp"
 #include "scene/heal/sew_borders.hpp"
@@ -21,8 +22,9 @@ constexpr int kMostTried = 64;
 
 class Joiner {
  public:
-  Joiner(const Scene& scene, const Object& object, const Border& border, double distance, std::vector<std::uint32_t>& target)
-      : scene_(scene), distance_(distance), target_(target), uses_(scene, object, border.vertices()) {
+  Joiner(const Scene& scene, const Object& object, std::span<const std::uint32_t> faces, const Border& border,
+         double distance, std::vector<std::uint32_t>& target)
+      : scene_(scene), distance_(distance), target_(target), uses_(scene, object, faces, border.vertices()) {
     heads_.assign(std::bit_ceil(border.vertices().size() + 1), kNone);
   }
 
@@ -84,7 +86,8 @@ std::size_t join_border_vertices(Scene& scene, std::span<const std::unique_ptr<B
   std::vector<std::size_t> moved(scene.objects.size(), 0);
   parallel_tasks(scene.objects.size(), [&](std::size_t i) {
     if (!borders[i]) return;
-    Joiner joiner(scene, scene.objects[i], *borders[i], sewing.distances[i], target);
+    const Object& object = scene.objects[i];
+    Joiner joiner(scene, object, faces_of(object, sewing.faces), *borders[i], sewing.distances[i], target);
     for (const std::uint32_t v : borders[i]->vertices()) moved[i] += joiner.take(v);
   });
   std::size_t sum = 0;
@@ -92,11 +95,9 @@ std::size_t join_border_vertices(Scene& scene, std::span<const std::unique_ptr<B
   std::vector<std::uint8_t>&settled = sewing.settled, &may_be_on_border = sewing.may_be_on_border;
   settled.assign(scene.vertices.size(), 0);
   if (sum == 0) return 0;
-  for (std::uint32_t& v : scene.faces.corners()) v = target[v];
   for (std::uint32_t v = 0; v < target.size(); ++v) {
     if (target[v] != v) settled[target[v]] = 1;
   }
-  // A finished scene uses all its vertices, so those that moved are the ones to go, and the others keep their order.
   std::size_t left = 0;
   for (std::uint32_t v = 0; v < target.size(); ++v) {
     if (target[v] != v) continue;
@@ -105,7 +106,7 @@ std::size_t join_border_vertices(Scene& scene, std::span<const std::unique_ptr<B
   }
   settled.resize(left);
   may_be_on_border.resize(left);
-  drop_unused_vertices(scene);
+  merge_vertices(scene, std::move(target));
   return sum;
 }
 

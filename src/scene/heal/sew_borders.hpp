@@ -17,6 +17,8 @@ struct Sewing {
   /// Per vertex: all vertices at borders of the objects that are sewn, and maybe others.
   std::vector<std::uint8_t> may_be_on_border{};
   std::vector<std::uint8_t> settled{};  ///< per vertex: it has moved, or another one has come to it
+  /// All faces of the objects that are sewn that have such a vertex, and maybe others, ascending.
+  std::vector<std::uint32_t> faces{};
 };
 
 /// Puts vertices of the border onto other ones of the border of the same object that are nearer than the object's distance,

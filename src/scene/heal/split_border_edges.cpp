@@ -30,11 +30,11 @@ struct Split {
 
 /// Puts the vertices that lie beside an edge onto it, where that bends the faces round the vertex less than the split would
 /// bend the face of the edge. So a straight edge and a flat face stay what they are.
-std::size_t move_onto_edges(Scene& scene, const Object& object, std::span<const Split> splits,
-                            std::vector<std::uint8_t>& settled) {
+std::size_t move_onto_edges(Scene& scene, const Object& object, std::span<const std::uint32_t> faces,
+                            std::span<const Split> splits, std::vector<std::uint8_t>& settled) {
   std::vector<std::uint32_t> vertices;
   for (const Split& split : splits) vertices.push_back(split.vertex);
-  const CornerUses uses(scene, object, vertices);
+  const CornerUses uses(scene, object, faces, vertices);
   std::size_t moved = 0;
   for (const Split& split : splits) {
     if (settled[split.vertex]) continue;
@@ -179,8 +179,9 @@ EdgeSplits split_border_edges(Scene& scene, Sewing& sewing) {
   std::vector<std::vector<Split>> found(scene.objects.size());
   parallel_tasks(scene.objects.size(), [&](std::size_t i) {
     if (!(sewing.distances[i] > 0)) return;
-    const Border border(scene, border_edges(scene, scene.objects[i], sewing.may_be_on_border));
-    const double inside = straightness_tolerance(scene.objects[i].precision, border.median_length());
+    const Object& object = scene.objects[i];
+    const Border border(scene, border_edges(scene, object, sewing.may_be_on_border, faces_of(object, sewing.faces)));
+    const double inside = straightness_tolerance(object.precision, border.median_length());
     found[i] = splits_of(border, sewing.distances[i], inside);
     std::sort(found[i].begin(), found[i].end());
     if (found[i].empty()) sewing.distances[i] = 0;
@@ -191,7 +192,9 @@ EdgeSplits split_border_edges(Scene& scene, Sewing& sewing) {
   EdgeSplits done;
   if (splits.empty()) return done;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i].empty()) done.vertices_moved += move_onto_edges(scene, scene.objects[i], found[i], sewing.settled);
+    if (found[i].empty()) continue;
+    const Object& object = scene.objects[i];
+    done.vertices_moved += move_onto_edges(scene, object, faces_of(object, sewing.faces), found[i], sewing.settled);
   }
   FaceWriter writer(scene);
   std::uint32_t written = 0;
@@ -211,7 +214,7 @@ EdgeSplits split_border_edges(Scene& scene, Sewing& sewing) {
     k = end;
   }
   writer.keep(written, static_cast<std::uint32_t>(scene.faces.size()));
-  writer.finish();
+  writer.finish(&sewing.faces);
   return done;
 }
 
