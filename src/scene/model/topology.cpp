@@ -118,6 +118,23 @@ void sort_bucket(Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
   }
 }
 
+/// What an edge is when any of its faces says so, and when all do, by the flags of corners.
+struct EdgeFlags {
+  std::array<std::uint16_t, 256> of_any{}, of_all{};
+};
+
+constexpr EdgeFlags kEdgeFlags = [] {
+  EdgeFlags flags;
+  for (unsigned corner = 0; corner < 256; ++corner) {
+    const auto take = [&](unsigned if_corner, std::uint16_t edge) -> std::uint16_t { return corner & if_corner ? edge : 0; };
+    flags.of_any[corner] = take(kCornerCurve, kEdgeCurve) | take(kCornerCrossing, kEdgeCrossing) |
+                           take(kCornerContour, kEdgeContour) | take(kCornerSharp, kEdgeSharp);
+    flags.of_all[corner] =
+        take(kCornerFileHidden, kEdgeFileHidden) | take(kCornerInner, kEdgeInner) | take(kCornerSmooth, kEdgeSmooth);
+  }
+  return flags;
+}();
+
 std::uint16_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
   std::uint16_t flags = 0;
   if (end - begin > 2) flags |= kEdgeManyFaces;
@@ -133,13 +150,7 @@ std::uint16_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::ui
       common &= buckets.corner_flags[k];
       any |= buckets.corner_flags[k];
     }
-    if (any & kCornerCurve) flags |= kEdgeCurve;
-    if (any & kCornerCrossing) flags |= kEdgeCrossing;
-    if (any & kCornerContour) flags |= kEdgeContour;
-    if (common & kCornerFileHidden) flags |= kEdgeFileHidden;
-    if (common & kCornerInner) flags |= kEdgeInner;
-    if (common & kCornerSmooth) flags |= kEdgeSmooth;
-    if (any & kCornerSharp) flags |= kEdgeSharp;
+    flags |= kEdgeFlags.of_any[any] | kEdgeFlags.of_all[common];
   }
   return flags;
 }
