@@ -19,6 +19,7 @@ bool are_crowded(const std::vector<Stroke>& strokes, const std::vector<std::uint
   };
   std::vector<LatticePoint> ends;
   for (std::size_t k = 0; k < std::min(of.size(), kEnds); ++k) ends.push_back(sampled(k, kEnds).from);
+  std::sort(ends.begin(), ends.end());
   const double each = static_cast<double>(2 * of.size()) / static_cast<double>(ends.size());
   const double least = std::max(kMany / each, kLeastSampled);
   const std::size_t asked = std::min(of.size(), kAsked);
@@ -27,8 +28,10 @@ bool are_crowded(const std::vector<Stroke>& strokes, const std::vector<std::uint
     const Stroke& s = sampled(k, kAsked);
     const double x = (double(s.from.x) + s.to.x) / 2, y = (double(s.from.y) + s.to.y) / 2;
     const double half = length(s.from, s.to) / 2;
-    const auto inside = [&](LatticePoint p) { return std::abs(p.x - x) <= half && std::abs(p.y - y) <= half; };
-    if (static_cast<double>(std::count_if(ends.begin(), ends.end(), inside)) >= least) ++crowded;
+    const auto first = std::partition_point(ends.begin(), ends.end(), [&](LatticePoint p) { return p.x - x < -half; });
+    const auto last = std::partition_point(first, ends.end(), [&](LatticePoint p) { return p.x - x <= half; });
+    const auto inside = [&](LatticePoint p) { return std::abs(p.y - y) <= half; };
+    if (static_cast<double>(std::count_if(first, last, inside)) >= least) ++crowded;
   }
   return kOneIn * crowded >= asked;
 }
