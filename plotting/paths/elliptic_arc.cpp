@@ -19,13 +19,11 @@ constexpr int kMostSteps = 100;
 /// A covariance whose determinant is so small a part of its trace squared is that of a straight line.
 constexpr double kStraight = 1e-14;
 
-Point2 turned(Point2 p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * p.x - s * p.y, s * p.x + c * p.y};
-}
+Point2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// `p` in the frame in which the ellipse is the unit circle.
-Point2 to_unit(const Ellipse& ellipse, Point2 p) { return turned(p - ellipse.centre, -ellipse.rotation) / ellipse.radii; }
+/// Turned as the x axis is to `axis`, or back.
+Point2 turned(Point2 p, Point2 axis) { return {axis.x * p.x - axis.y * p.y, axis.y * p.x + axis.x * p.y}; }
+Point2 turned_back(Point2 p, Point2 axis) { return {axis.x * p.x + axis.y * p.y, axis.x * p.y - axis.y * p.x}; }
 
 Point2 mean_of(std::span<const Point2> points) {
   Point2 sum{0, 0};
@@ -70,23 +68,30 @@ bool ellipse_of(Point2 centre, const glm::dmat2& q, Ellipse& ellipse) {
 }  // namespace
 
 Point2 point_at(const Ellipse& e, double t) {
-  return e.centre + turned({e.radii.x * std::cos(t), e.radii.y * std::sin(t)}, e.rotation);
+  return e.centre + turned({e.radii.x * std::cos(t), e.radii.y * std::sin(t)}, direction(e.rotation));
 }
 
-Point2 tangent_at(const Ellipse& e, double t) {
-  return turned({-e.radii.x * std::sin(t), e.radii.y * std::cos(t)}, e.rotation);
-}
-
-double angle_of(const Ellipse& ellipse, Point2 p) {
-  const Point2 u = to_unit(ellipse, p);
-  return std::atan2(u.y, u.x);
-}
+Point2 tangent_at(const Ellipse& e, double t) { return EllipseFrame(e).tangent_at(t); }
 
 double distance(const Ellipse& ellipse, Point2 p) {
-  const Point2 u = to_unit(ellipse, p);
-  const double r = glm::length(u);
-  return std::abs(r - 1) / (glm::length(u / ellipse.radii) / r);
+  const EllipseFrame frame(ellipse);
+  return frame.distance(frame.to_unit(p));
 }
+
+EllipseFrame::EllipseFrame(const Ellipse& ellipse) : ellipse_(ellipse), axis_(direction(ellipse.rotation)) {}
+
+Point2 EllipseFrame::to_unit(Point2 p) const { return turned_back(p - ellipse_.centre, axis_) / ellipse_.radii; }
+
+Point2 EllipseFrame::tangent_at(double t) const {
+  return turned({-ellipse_.radii.x * std::sin(t), ellipse_.radii.y * std::cos(t)}, axis_);
+}
+
+double EllipseFrame::distance(Point2 unit) const {
+  const double r = glm::length(unit);
+  return std::abs(r - 1) / (glm::length(unit / ellipse_.radii) / r);
+}
+
+double angle_of(Point2 unit) { return std::atan2(unit.y, unit.x); }
 
 bool fit_circle(std::span<const Point2> points, Ellipse& circle) {
   const Point2 mean = mean_of(points);
@@ -186,7 +191,8 @@ EllipticArc arc_between(Point2 from, Point2 to, const Ellipse& size, bool positi
   Ellipse& ellipse = arc.ellipse;
   ellipse.centre = (from + to) / 2.0;
   // In the frame of the unit circle the centre lies on the bisector of the chord, to its left or right.
-  Point2 half = (to_unit(ellipse, to) - to_unit(ellipse, from)) / 2.0;
+  const EllipseFrame frame(ellipse);
+  Point2 half = (frame.to_unit(to) - frame.to_unit(from)) / 2.0;
   const double h = glm::length(half);
   if (h > 1) {
     ellipse.radii *= h;
@@ -194,9 +200,10 @@ EllipticArc arc_between(Point2 from, Point2 to, const Ellipse& size, bool positi
   }
   const double away = std::sqrt(std::max(0.0, 1 - h * h)) / std::max(h, std::numeric_limits<double>::min());
   const Point2 bisector = positive ? Point2{-half.y, half.x} : Point2{half.y, -half.x};
-  ellipse.centre += turned(bisector * away * ellipse.radii, ellipse.rotation);
-  arc.from = angle_of(ellipse, from);
-  arc.sweep = std::remainder(angle_of(ellipse, to) - arc.from, 2 * std::numbers::pi);
+  ellipse.centre += turned(bisector * away * ellipse.radii, direction(ellipse.rotation));
+  const EllipseFrame found(ellipse);
+  arc.from = angle_of(found.to_unit(from));
+  arc.sweep = std::remainder(angle_of(found.to_unit(to)) - arc.from, 2 * std::numbers::pi);
   if (positive ? arc.sweep < 0 : arc.sweep > 0) arc.sweep += positive ? 2 * std::numbers::pi : -2 * std::numbers::pi;
   return arc;
 }

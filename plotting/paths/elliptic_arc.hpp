@@ -19,10 +19,27 @@ struct Ellipse {
 Point2 point_at(const Ellipse& ellipse, double t);
 /// Derivative of point_at.
 Point2 tangent_at(const Ellipse& ellipse, double t);
-/// Eccentric angle of the point where the ray from the centre through `p` meets the ellipse.
-double angle_of(const Ellipse& ellipse, Point2 p);
 /// Distance of `p` from the ellipse, to first order: right for what is much nearer than the radius of curvature.
 double distance(const Ellipse& ellipse, Point2 p);
+
+/// An ellipse of which much is asked: its frame is that in which it is the unit circle.
+class EllipseFrame {
+ public:
+  explicit EllipseFrame(const Ellipse& ellipse);
+
+  Point2 to_unit(Point2 p) const;
+  /// As above.
+  Point2 tangent_at(double t) const;
+  /// Of a point in the frame, as above.
+  double distance(Point2 unit) const;
+
+ private:
+  Ellipse ellipse_;
+  Point2 axis_;  ///< the direction of the longer radius
+};
+
+/// Eccentric angle of the point where the ray from the centre through a point of the frame meets the ellipse.
+double angle_of(Point2 unit);
 
 /// From the angle `from` over `sweep`, which is positive from x towards y.
 struct EllipticArc {

@@ -14,12 +14,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <numbers>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "geometry/parallel.hpp"
 #include "plotting/number_text.hpp"
 #include "plotting/paths/simplify.hpp"
 
@@ -110,8 +110,7 @@ class CurveFit {
  private:
   /// The last corner up to `end` of the longest run from `first` that is accepted, among runs of at least `least` corners;
   /// `first` when the shortest is not.
-  std::size_t longest(std::size_t first, std::size_t end, std::size_t least,
-                      const std::function<bool(std::size_t)>& accepted) const {
+  std::size_t longest(std::size_t first, std::size_t end, std::size_t least, FunctionRef<bool(std::size_t)> accepted) const {
     std::size_t good = first, bad = end + 1;
     for (std::size_t count = least; first + count - 1 < bad; count *= 2) {
       if (!accepted(first + count - 1)) {
@@ -182,20 +181,24 @@ class CurveFit {
   bool accepted(std::size_t first, std::size_t last, const Ellipse& ellipse, const Round& round, Arcs& arcs) const {
     if (ellipse.radii.y < kLeastRadius * round.tolerance || ellipse.radii.x > kLargestRadiusMm) return false;
     const bool positive = turn(first + 1) > 0;
+    const EllipseFrame frame(ellipse);
     std::vector<double> swept(1, 0.0);
+    Point2 unit = frame.to_unit(corners_[first]);
     for (std::size_t i = first; i <= last; ++i) {
-      if (distance(ellipse, corners_[i]) > round.tolerance) return false;
+      if (frame.distance(unit) > round.tolerance) return false;
       if (i == last) break;
-      const double from = angle_of(ellipse, corners_[i]);
-      const double step = std::remainder(angle_of(ellipse, corners_[i + 1]) - from, 2 * std::numbers::pi);
+      const Point2 next = frame.to_unit(corners_[i + 1]);
+      const double from = angle_of(unit);
+      const double step = std::remainder(angle_of(next) - from, 2 * std::numbers::pi);
       if ((step > 0) != positive || std::abs(step) > kMostStep) return false;
       const Point2 chord = corners_[i + 1] - corners_[i];
-      Point2 tangent = tangent_at(ellipse, from + step / 2);
+      Point2 tangent = frame.tangent_at(from + step / 2);
       if (!positive) tangent = -tangent;
       if (std::abs(cross(tangent, chord)) > std::tan(kMostTurn) * glm::dot(tangent, chord)) return false;
       // By the longer radius all along, so that an ellipse is an arc as a whole or not at all.
       if (ellipse.radii.x * (1 - std::cos(step / 2)) > limits_.most_rise_mm) return false;
       swept.push_back(swept.back() + std::abs(step));
+      unit = next;
     }
     return swept.back() <= kWholeTurn && (swept.size() >= kMany || even(swept)) &&
            parts(first, swept, ellipse, positive, arcs);
@@ -225,8 +228,9 @@ class CurveFit {
       if (part == count) to = swept.size() - 1;
       if (to <= from) return false;
       const EllipticArc arc = arc_between(corners_[first + from], corners_[first + to], size, positive);
+      const EllipseFrame frame(arc.ellipse);
       for (std::size_t i = from + 1; i < to; ++i) {
-        if (distance(arc.ellipse, corners_[first + i]) > limits_.tolerance_mm) return false;
+        if (frame.distance(frame.to_unit(corners_[first + i])) > limits_.tolerance_mm) return false;
       }
       // Another arc than the one that was fitted: enlarged, or the rest of the ellipse.
       if (std::abs(std::abs(arc.sweep) - (swept[to] - swept[from])) > kMostStep) return false;
