@@ -17,6 +17,7 @@
 
 #include "geometry/parallel.hpp"
 #include "scene/clean/clean.hpp"
+#include "scene/heal/border_edges.hpp"
 #include "scene/readers/reader.hpp"
 #include "support/scene_parts.hpp"
 
@@ -67,6 +68,25 @@ Scene relief(std::uint32_t n) {
   }
   test::end_object(scene);
   return scene;
+}
+
+TEST(Heal, KnowsTheEndsOfBordersWithoutATopology) {
+  const Scene sheet = relief(5);
+  const std::vector<std::uint8_t> marked = ends_of_odd_edges(sheet);
+  for (std::uint32_t v = 0; v < marked.size(); ++v) {
+    const std::uint32_t i = v / 6, j = v % 6;
+    EXPECT_EQ(marked[v] != 0, i == 0 || i == 5 || j == 0 || j == 5) << v;
+  }
+  Scene box;
+  test::add_box(box, {0, 0, 0}, {1, 2, 3});
+  EXPECT_EQ(ends_of_odd_edges(box), std::vector<std::uint8_t>(8, 0)) << "closed";
+  // As many faces as threads share, and the same marks.
+  const Scene large = relief(400);
+  std::vector<std::uint8_t> alone, together;
+  run_with_threads(1, [&] { alone = ends_of_odd_edges(large); });
+  run_with_threads(3, [&] { together = ends_of_odd_edges(large); });
+  EXPECT_EQ(alone, together);
+  EXPECT_EQ(std::count(alone.begin(), alone.end(), 1), 4 * 400);
 }
 
 TEST(Heal, OfTheCorpusOnlyTheDefectsAreChanged) {

@@ -46,13 +46,20 @@ std::vector<std::uint32_t> faces_that_share(std::size_t count, std::size_t bits,
     std::uint64_t taken = 0, shared = 0;
   };
   std::vector<Words> words(bits / 64);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t bit = bit_of(face(k));
-    const std::uint64_t mask = std::uint64_t{1} << (bit % 64);
-    Words& at = words[bit / 64];
-    at.shared |= at.taken & mask;
-    at.taken |= mask;
-  }
+  // A task owns a range of the words and goes through all faces.
+  constexpr std::size_t kFacesPerRange = 200'000, kMostRanges = 4;
+  const std::size_t ranges = std::clamp<std::size_t>(count / kFacesPerRange, 1, std::min(kMostRanges, thread_count()));
+  parallel_tasks(ranges, [&](std::size_t range) {
+    const std::size_t first = words.size() * range / ranges, own = words.size() * (range + 1) / ranges - first;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t bit = bit_of(face(k));
+      if (bit / 64 - first >= own) continue;
+      const std::uint64_t mask = std::uint64_t{1} << (bit % 64);
+      Words& at = words[bit / 64];
+      at.shared |= at.taken & mask;
+      at.taken |= mask;
+    }
+  });
   std::vector<std::uint32_t> sharing = indices_where(count, [&](std::size_t k) {
     const std::size_t bit = bit_of(face(k));
     return (words[bit / 64].shared >> (bit % 64) & 1) != 0;
