@@ -31,16 +31,15 @@ DisjointSets connect(const std::vector<SourceEdge>& segments, double distance) {
   for (std::uint32_t end = 0; end < 2 * segments.size(); ++end) {
     const NearCells cells(place(end), distance);
     if (!cells.finite()) continue;
-    std::array<std::size_t, 8> looked_at{};
-    for (unsigned k = 0; k < 8; ++k) {
-      looked_at[k] = cells.slot(k, slots);
-      if (std::find(looked_at.begin(), looked_at.begin() + k, looked_at[k]) != looked_at.begin() + k) continue;
-      for (const std::uint32_t other : ends[looked_at[k]]) {
+    const auto near = cells.slots(slots);
+    for (auto slot = near.begin(); slot != near.end(); ++slot) {
+      if (std::find(near.begin(), slot, *slot) != slot) continue;
+      for (const std::uint32_t other : ends[*slot]) {
         if (glm::distance(place(end), place(other)) <= distance) sets.join(end / 2, other / 2);
       }
     }
     // One end stands for all that coincide with it.
-    auto& own = ends[looked_at[0]];
+    auto& own = ends[near[0]];
     const bool stands = std::any_of(own.begin(), own.end(), [&](std::uint32_t other) { return place(other) == place(end); });
     if (!stands) own.push_back(end);
   }

@@ -25,15 +25,22 @@ class NearCells {
 
   bool finite() const { return finite_; }
 
-  /// Slot of cell k, 0 <= k < 8, among `slots`, a power of two; cell 0 is the point's own. Cells that share a slot only cost
-  /// time: distances are looked at.
-  std::size_t slot(unsigned k, std::size_t slots) const {
-    std::uint64_t hash = 0;
-    for (const double cell : {cells_[0][k & 1], cells_[1][k >> 1 & 1], cells_[2][k >> 2]}) {
+  /// Slots of the cells among `slots`, a power of two; the first is that of the point's own. Cells that share a slot only
+  /// cost time: distances are looked at.
+  std::array<std::size_t, 8> slots(std::size_t slots) const {
+    const auto mixed = [](std::uint64_t hash, double cell) {
       hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint64_t>(cell + 0.0)) * 0x9e3779b97f4a7c15u;
-      hash ^= hash >> 29;
+      return hash ^ (hash >> 29);
+    };
+    std::array<std::size_t, 8> found{};
+    for (std::size_t x = 0; x < 2; ++x) {
+      const std::uint64_t of_x = mixed(0, cells_[0][x]);
+      for (std::size_t y = 0; y < 2; ++y) {
+        const std::uint64_t of_y = mixed(of_x, cells_[1][y]);
+        for (std::size_t z = 0; z < 2; ++z) found[x + 2 * y + 4 * z] = mixed(of_y, cells_[2][z]) & (slots - 1);
+      }
     }
-    return hash & (slots - 1);
+    return found;
   }
 
  private:

@@ -24,8 +24,9 @@ class NearVertices {
     const Point3 p = vertices_[v];
     const NearCells cells(p, distance_);
     if (!cells.finite()) return;
-    for (unsigned k = 0; k < 8; ++k) {
-      std::uint32_t link = heads_[cells.slot(k, heads_.size())];
+    const auto slots = cells.slots(heads_.size());
+    for (const std::size_t slot : slots) {
+      std::uint32_t link = heads_[slot];
       for (; link != kNone; link = links_[link].next) {
         const Point3 there = links_[link].position;
         if (glm::distance(there, p) > distance_) continue;
@@ -33,7 +34,7 @@ class NearVertices {
         return;
       }
     }
-    std::uint32_t& head = heads_[cells.slot(0, heads_.size())];
+    std::uint32_t& head = heads_[slots[0]];
     links_.push_back({p, head});
     head = static_cast<std::uint32_t>(links_.size() - 1);
   }

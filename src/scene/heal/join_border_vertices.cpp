@@ -31,12 +31,12 @@ class Joiner {
   /// Joins vertex v to one that stays, or lets it stay.
   bool take(std::uint32_t v) {
     const Point3 p = scene_.vertices[v];
-    const NearCells cells(p, distance_);
+    const auto slots = NearCells(p, distance_).slots(heads_.size());
     std::uint32_t best = kNone;
     double best_distance = distance_;
     int tried = 0;
-    for (unsigned k = 0; k < 8; ++k) {
-      std::uint32_t link = heads_[cells.slot(k, heads_.size())];
+    for (const std::size_t slot : slots) {
+      std::uint32_t link = heads_[slot];
       for (; link != kNone && tried < kMostTried; link = links_[link].next, ++tried) {
         const std::uint32_t w = links_[link].vertex;
         const double d = glm::distance(scene_.vertices[w], p);
@@ -48,7 +48,7 @@ class Joiner {
       target_[v] = best;
       return true;
     }
-    std::uint32_t& head = heads_[cells.slot(0, heads_.size())];
+    std::uint32_t& head = heads_[slots[0]];
     links_.push_back({v, head});
     head = static_cast<std::uint32_t>(links_.size() - 1);
     return false;
