@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t kSectorsPerTask = 512;
 constexpr int kRings = 2;
 
-/// The corners of each sector, its place, and the sectors at the other corners of its triangles.
+/// The corners of each sector, its place, the ways that its faces look, and the sectors at the other corners of its
+/// triangles.
 class Sectors {
  public:
   Sectors(const Scene& scene, const SmoothPatch& patch)
@@ -24,10 +25,12 @@ class Sectors {
     for (std::size_t s = 1; s < begin_.size(); ++s) begin_[s] += begin_[s - 1];
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     others_.resize(corners_.size());
+    ways_.assign(places_.size(), 0);
     for (std::uint32_t c = 0; c < corners_.size(); ++c) {
       const std::uint32_t at = next[patch.sector[c]]++;
       corners_[at] = c;
       others_[at] = {patch.sector[next_corner(c)], patch.sector[last_corner(c)]};
+      ways_[patch.sector[c]] |= way(patch.facing[c / 3] >= 0);
     }
     for (std::uint32_t s = 0; s < places_.size(); ++s) {
       const std::uint32_t c = corners_[begin_[s]];
@@ -42,11 +45,16 @@ class Sectors {
     return {others_.data() + begin_[sector], others_.data() + begin_[sector + 1]};
   }
   const Point3& place(std::uint32_t sector) const { return places_[sector]; }
+  /// Some faces of the sector look to the side of the viewer, or to the other one.
+  bool any_faces(std::uint32_t sector, bool towards) const { return (ways_[sector] & way(towards)) != 0; }
 
  private:
+  static std::uint8_t way(bool towards) { return towards ? 1 : 2; }
+
   std::vector<std::uint32_t> begin_, corners_;
   std::vector<std::array<std::uint32_t, 2>> others_;
   std::vector<Point3> places_;
+  std::vector<std::uint8_t> ways_;
 };
 
 class PatchFits {
@@ -63,7 +71,7 @@ class PatchFits {
     std::vector<std::uint32_t> first, then;
     std::vector<std::uint8_t> taken(patch_.normals.size(), 0);
     for (std::uint32_t s = 0; s < taken.size(); ++s) {
-      if (!any_faces(s, true) || !any_faces(s, false)) continue;
+      if (!sectors_.any_faces(s, true) || !sectors_.any_faces(s, false)) continue;
       taken[s] = 1;
       first.push_back(s);
     }
@@ -78,12 +86,6 @@ class PatchFits {
   }
 
  private:
-  /// Some faces of the sector look to the side of the viewer, or to the other one.
-  bool any_faces(std::uint32_t sector, bool towards) const {
-    const auto own = sectors_.corners(sector);
-    return std::any_of(own.begin(), own.end(), [&](std::uint32_t c) { return (patch_.facing[c / 3] >= 0) == towards; });
-  }
-
   void fit(const std::vector<std::uint32_t>& sectors) {
     parallel_blocks(sectors.size(), kSectorsPerTask, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> reached, reached_from(patch_.normals.size(), kNone);
@@ -114,7 +116,7 @@ class PatchFits {
 
   void take(std::uint32_t s, const SurfaceFit& fit) {
     const double g = glm::dot(fit.normal, to_eye(camera_, sectors_.place(s)));
-    if (!any_faces(s, g >= 0)) return;
+    if (!sectors_.any_faces(s, g >= 0)) return;
     patch_.normals[s] = fit.normal;
     patch_.turns[s] = fit.turn;
     patch_.g[s] = g;

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "contours/contour_junctions.hpp"
 #include "contours/parametric_mesh.hpp"
+#include "contours/smooth_patch.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne::test {
@@ -78,6 +81,33 @@ Scene turned(std::uint32_t sides, const std::vector<double>& radii) {
 
 /// Without creases of its own: borders of regions by the angle.
 DrawnOutlines by_angle(const Scene& scene, bool smooth) { return draw_outlines(scene, kIso, smooth, true); }
+
+/// The edges between these pairs of vertices, ascending.
+std::vector<std::uint32_t> edges_between(const Topology& topology,
+                                         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& ends) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
+    const Edge& edge = topology.edges[e];
+    if (std::find(ends.begin(), ends.end(), std::pair(edge.v0, edge.v1)) != ends.end()) found.push_back(e);
+  }
+  return found;
+}
+
+TEST(SmoothPatch, LeavesOutOutlinesOfOneEdgeOnly) {
+  const Scene cylinder = turned(24, {5, 5}), barrel = turned(24, {5, 5.2, 5});
+  const auto inside = [](const Scene& scene, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& ends) {
+    const Topology topology = build_topology(scene);
+    const std::vector<std::uint32_t> edges = edges_between(topology, ends);
+    EXPECT_EQ(edges.size(), ends.size());
+    return std::pair(outlines_inside_regions(scene, topology, edges, {}), edges);
+  };
+  EXPECT_TRUE(inside(cylinder, {{0, 24}, {12, 36}}).first.empty()) << "from rim to rim";
+  EXPECT_TRUE(inside(cylinder, {{0, 1}}).first.empty()) << "a rim, where the region ends";
+  for (const auto& [left, given] :
+       {inside(barrel, {{0, 24}, {24, 48}}), inside(cylinder, {{0, 24}, {1, 25}}), inside(cylinder, {{0, 24}, {0, 25}})}) {
+    EXPECT_EQ(left, given) << "one that continues it, or is a neighbour";
+  }
+}
 
 TEST(SmoothContours, StraightOutlinesStayThoseOfTheMesh) {
   for (const std::uint32_t sides : {4u, 8u, 12u, 24u}) {

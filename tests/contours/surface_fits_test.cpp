@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -81,6 +83,31 @@ TEST(SurfaceFits, RefuseWhatIsNoSurfaceOfDegreeThree) {
   }
   EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, rows, fit)) << "two rows";
   EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, std::vector<Point3>(20, Point3{0, 0, 0}), fit)) << "one place";
+}
+
+/// The places of the second have other numbers of points, too few for a cubic, and for any surface.
+TEST(SurfaceFits, OfTwoPlacesAreThoseOfEachAlone) {
+  const Height saddle = [](double x, double y) { return 0.05 * x * x - 0.08 * x * y + 0.01 * x; };
+  const Height ball = [](double x, double y) { return std::sqrt(100 - x * x - y * y) - 10; };
+  const std::vector<Point3> many = rings(0.5, saddle);
+  for (const std::size_t count : {18, 10, 5, 0}) {
+    std::vector<Point3> few = rings(0.7, ball);
+    few.resize(count);
+    const PointsRound a{{0, 0, 0}, kUp, many}, b{{0, 0, 0}, glm::normalize(Point3{0.1, 0, 1}), few};
+    const auto both = fit_two_surfaces({a, b}), turned = fit_two_surfaces({b, a});
+    for (const auto& [round, fits] : {std::pair{a, std::array{both[0], turned[1]}}, {b, std::array{both[1], turned[0]}}}) {
+      SurfaceFit alone;
+      const bool known = fit_surface(round.at, round.normal, round.points, alone);
+      for (const auto& fit : fits) {
+        ASSERT_EQ(fit.has_value(), known) << count << " points";
+        if (!known) continue;
+        EXPECT_EQ(fit->normal, alone.normal);
+        EXPECT_EQ(fit->turn, alone.turn);
+      }
+    }
+    EXPECT_TRUE(both[0]);
+    EXPECT_EQ(both[1].has_value(), count >= 10);
+  }
 }
 
 }  // namespace
