@@ -92,22 +92,36 @@ struct CellGrid::Build {
 };
 
 bool CellGrid::Build::choose_cells() {
-  double extent = 0, area = 0, outline = 0;
-  double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300;
-  for (const Facet& f : facets) {
-    const PageBox box = page_box(f, scene.vertices.data());
-    extent += (box.right - box.left) + (box.bottom - box.top);
-    area += orientation(scene.vertices[f.v[0]].p, scene.vertices[f.v[1]].p, scene.vertices[f.v[2]].p) / 2;
-    outline += 2 * f.size;
-    x0 = std::min(x0, box.left);
-    x1 = std::max(x1, box.right);
-    y0 = std::min(y0, box.top);
-    y1 = std::max(y1, box.bottom);
-  }
+  /// Of all facets: sums of width and height, area and length of the outline, and the box round them.
+  struct Extent {
+    double sides = 0, area = 0, outline = 0;
+    double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300;
+  };
+  const auto extent_of = [&](std::size_t begin, std::size_t end) {
+    Extent e;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Facet& f = facets[i];
+      const PageBox box = page_box(f, scene.vertices.data());
+      e.sides += (box.right - box.left) + (box.bottom - box.top);
+      e.area += orientation(scene.vertices[f.v[0]].p, scene.vertices[f.v[1]].p, scene.vertices[f.v[2]].p) / 2;
+      e.outline += 2 * f.size;
+      e.x0 = std::min(e.x0, box.left);
+      e.x1 = std::max(e.x1, box.right);
+      e.y0 = std::min(e.y0, box.top);
+      e.y1 = std::max(e.y1, box.bottom);
+    }
+    return e;
+  };
+  const auto together = [](const Extent& a, const Extent& b) {
+    return Extent{a.sides + b.sides,    a.area + b.area,      a.outline + b.outline, std::min(a.x0, b.x0),
+                  std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+  };
+  const auto [sides, area, outline, x0, y0, x1, y1] =
+      parallel_reduce(facets.size(), kFacetsPerBlock, Extent{}, extent_of, together);
   if (facets.empty()) return false;
   const double n = static_cast<double>(facets.size());
   const double width = x1 - x0 + 1, height = y1 - y0 + 1;
-  double size = kSizeFactor * extent / (2 * n);
+  double size = kSizeFactor * sides / (2 * n);
   size = std::max(size, std::sqrt(width * height / std::max(kMinCells, kCellsPerFacet * n)));
   size = std::max(size, std::max(width, height) / 4096);
   size = std::min(size, std::sqrt(width * height / kMinCells));

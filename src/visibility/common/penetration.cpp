@@ -156,6 +156,7 @@ void CutSides::find() const {
   // The facets by face.
   std::vector<std::uint32_t> first(faces + std::size_t{1}, 0);
   for (const Facet& f : *facets_) ++first[f.face + 1];
+  if (std::ranges::all_of(first, [](std::uint32_t count) { return count < 2; })) return;  // none is cut
   for (std::size_t face = 0; face < faces; ++face) first[face + 1] += first[face];
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1), by_face(facets_->size());
   for (std::uint32_t i = 0; i < facets_->size(); ++i) by_face[next[(*facets_)[i].face]++] = i;
