@@ -83,14 +83,17 @@ class FleckFinder {
   }
 
   /// By chain; only where it may be one.
-  std::vector<std::uint8_t> flecks(double longest) {
-    std::vector<double> length(strokes_.size(), 0);
+  std::vector<std::uint8_t> flecks(double longest, std::uint32_t most_ends_on_lines) {
+    std::vector<Extent> extents(strokes_.size());
     std::vector<std::uint8_t> held(strokes_.size(), 0);
     std::vector<std::uint32_t> ends_held(strokes_.size(), 0);
     for (const std::uint32_t i : chains_.seen()) {
-      if (chains_.chain_of(i) != i || !may_be_[i]) continue;
-      const std::uint32_t cluster = clusters_.find(i);
-      length[cluster] += chains_.chain(i).length;
+      const std::uint32_t chain = chains_.chain_of(i);
+      if (!may_be_[chain]) continue;
+      const std::uint32_t cluster = clusters_.find(chain);
+      extents[cluster].add(strokes_[i].from);
+      extents[cluster].add(strokes_[i].to);
+      if (chain != i) continue;
       held[cluster] |= held_[i];
       ends_held[cluster] += ends_held_[i];
     }
@@ -98,7 +101,7 @@ class FleckFinder {
     for (const std::uint32_t i : chains_.seen()) {
       if (chains_.chain_of(i) != i || !may_be_[i]) continue;
       const std::uint32_t cluster = clusters_.find(i);
-      found[i] = !held[cluster] && ends_held[cluster] < 2 && length[cluster] <= longest;
+      found[i] = !held[cluster] && ends_held[cluster] <= most_ends_on_lines && extents[cluster].diagonal() <= longest;
     }
     return found;
   }
@@ -185,7 +188,7 @@ std::size_t drop_flecks(StrokeModel& model, const std::function<std::uint32_t(co
   for (const std::uint32_t i : chains.seen()) {
     const std::uint32_t b = body_of(strokes[i]), chain = chains.chain_of(i);
     body[chain] = b;
-    if (b == kNoBody || strokes[i].line_class != LineClass::outline) may_be[chain] = 0;
+    if (b == kNoBody || !limits.classes.has(strokes[i].line_class)) may_be[chain] = 0;
   }
   bool any = false;
   for (const std::uint32_t i : chains.seen()) {
@@ -197,7 +200,7 @@ std::size_t drop_flecks(StrokeModel& model, const std::function<std::uint32_t(co
   }
   if (!any) return 0;
   FleckFinder finder(strokes, chains, std::move(may_be), limits.touching_mm / step);
-  const std::vector<std::uint8_t> flecks = finder.flecks(limits.longest_mm / step);
+  const std::vector<std::uint8_t> flecks = finder.flecks(limits.longest_mm / step, limits.most_ends_on_lines);
   return leave_out(strokes, chains, [&](std::uint32_t chain) { return flecks[chain] != 0; });
 }
 

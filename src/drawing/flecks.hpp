@@ -1,5 +1,5 @@
 #pragma once
-/// Outlines of what is rough on a surface, and no shape.
+/// Short lines that show no shape: outlines of what is rough on a surface, and lines that meet no other.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,12 +13,15 @@ struct FleckLimits {
   double longest_mm = 0;   ///< of a fleck on the page
   double body_part = 0;    ///< and of the extent of its body's lines on the page
   double touching_mm = 0;  ///< lines meet within this distance
+  LineClasses classes{1u << static_cast<unsigned>(LineClass::outline)};
+  std::uint32_t most_ends_on_lines = 1;
 };
 
-/// Hides the outlines of rough bodies that are flecks, or takes them out where no stroke is hidden: open chains of visible
-/// strokes, short on the page, that stand alone. Chains that touch each other count together. A chain stays on which
-/// another line ends, since that line goes on behind it; and one that runs from line to line. `body_of` numbers the rough
-/// bodies from 0 on, kNoBody for all other strokes. No two visible strokes coincide. Returns the number of chains.
+/// Hides the lines of bodies that are flecks, or takes them out where no stroke is hidden: open chains of visible strokes
+/// of the limits' classes, short on the page, that stand alone. Chains that touch each other count together, by the
+/// diagonal of the box round them. A chain stays on which another line ends, since that line goes on behind it; and one
+/// with more ends on lines than the limits say. `body_of` numbers the bodies from 0 on, kNoBody for all other strokes. No
+/// two visible strokes coincide. Returns the number of chains.
 /// O(n + m), with m the grid cells of the side of `touching_mm` x 2 that lines pass near the flecks.
 std::size_t drop_flecks(StrokeModel& model, const std::function<std::uint32_t(const Stroke&)>& body_of,
                         const FleckLimits& limits);

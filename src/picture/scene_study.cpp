@@ -81,6 +81,16 @@ double least_bytes(const Scene& scene) {
                              scene.faces.size() * sizeof(Topology::triangles[0]));
 }
 
+std::vector<std::uint32_t> edge_ends_of_objects(const Scene& scene, const Topology& topology) {
+  std::vector<std::uint32_t> ends;
+  ends.reserve(scene.objects.size());
+  for (const Object& object : scene.objects) {
+    const auto end = std::ranges::lower_bound(topology.edges, object.vertex_end, {}, &Edge::v0);
+    ends.push_back(static_cast<std::uint32_t>(end - topology.edges.begin()));
+  }
+  return ends;
+}
+
 /// Whether the order of strokes must not depend on what is hidden: where the model is streamed, or could be. Other drawings
 /// keep the order that they had before.
 bool coincide_by_sight(const PictureRequest& request, const Scene& scene) {
@@ -182,6 +192,7 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
                                              contour_options(request, creases));
     }
     prepared.scans = std::move(creases.scans);
+    prepared.object_edge_ends = edge_ends_of_objects(scene, prepared.topology);
     if (request.groups) {
       std::vector<std::array<Point3, 2>> lines;
       for (const SpaceLine& line : request.groups->lines) lines.push_back(line.ends);

@@ -34,7 +34,8 @@ struct PreparedScene {
   SmoothContours contours{};  ///< in place of outlines of meshes
   ShapeLines shape_lines{};
   std::vector<ScanObject> scans{};
-  std::uint32_t first_probe = 0;  ///< source of the first probe of a point (LineGroups)
+  std::vector<std::uint32_t> object_edge_ends{};  ///< by object: the end of its edges, which follow those before it
+  std::uint32_t first_probe = 0;                  ///< source of the first probe of a point (LineGroups)
   std::vector<DetailLine> details{};
   std::uint32_t first_detail = 0;  ///< source of the first of them
 

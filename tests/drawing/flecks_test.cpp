@@ -57,6 +57,27 @@ TEST(Flecks, ThatTouchCountTogether) {
   EXPECT_EQ(drop_flecks_of(outline), 0u);
 }
 
+TEST(Flecks, OfAnyClassMeetNoLine) {
+  const auto drop_lone = [](ScanPage& page) {
+    return drop_flecks(page.model, ScanPage::body_of,
+                       {.longest_mm = 2,
+                        .body_part = 1.0 / 48,
+                        .touching_mm = 0.1,
+                        .classes = LineClasses::features(),
+                        .most_ends_on_lines = 0});
+  };
+  ScanPage lone;
+  lone.add(1, {10, 10}, {11, 10}, LineClass::crease);
+  lone.add(2, {20, 10}, {21.5, 10}).add(3, {21.5, 10.05}, {20, 10.2}, LineClass::intersection);  // 3 mm in a box of 1.5
+  lone.add(4, {30, 10}, {31, 10}, LineClass::mesh);
+  EXPECT_EQ(drop_lone(lone), 3u);
+  ASSERT_EQ(lone.model.strokes.size(), 2u);
+  EXPECT_EQ(lone.model.strokes[1].line_class, LineClass::mesh);
+  ScanPage met;
+  met.add(1, {10, 0}, {11, 1}, LineClass::crease).add(2, {20, 0.05}, {21, 1});
+  EXPECT_EQ(drop_lone(met), 0u) << "each has an end on a line";
+}
+
 TEST(Flecks, AreOpen) {
   ScanPage page;
   page.add(1, {10, 10}, {11, 10}).add(1, {11, 10}, {10, 10.5}).add(1, {10, 10.5}, {10, 10});

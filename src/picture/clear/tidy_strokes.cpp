@@ -27,10 +27,11 @@ constexpr double kShortInPens = 3;            ///< what ends short of a line
 constexpr double kTouchingInPens = 1.0 / 16;  ///< ends that lie on a line
 constexpr double kInkInPens = 0.5;            ///< to either side of a line
 constexpr double kShownInPens = 0.5;          ///< of a bit beside the ink of other lines
-/// Lines of a scan that meet: without spurs they go on from one to the other there, so for flecks they meet too.
+/// Lines whose ink meets; on scans, without spurs, they go on from one to the other there.
 constexpr double kMeetingInPens = 1;
 constexpr double kFleckInPens = 8;
 constexpr double kFleckPart = 1.0 / 48;  ///< of the extent of its body
+constexpr double kLoneInPens = 5;        ///< a line that meets no other, of any body
 constexpr double kSpurInPens = 12;
 constexpr double kSpurPart = 1.0 / 32;
 constexpr double kBesideInPens = 2.5;
@@ -45,6 +46,19 @@ std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& s
   const auto scan = std::ranges::upper_bound(scans, number, {}, end_of);
   if (scan == scans.end() || number < (is_edge ? scan->edge_begin : scan->face_begin)) return kNoBody;
   return static_cast<std::uint32_t>(scan - scans.begin());
+}
+
+/// The number of the object that a stroke belongs to.
+std::uint32_t object_of(const PreparedScene& prepared, const StrokeModel& strokes, const Stroke& s) {
+  if (s.source < strokes.edge_count) {
+    const auto& ends = prepared.object_edge_ends;
+    const auto end = std::ranges::upper_bound(ends, s.source);
+    return end == ends.end() ? kNoBody : static_cast<std::uint32_t>(end - ends.begin());
+  }
+  const std::vector<Object>& objects = prepared.scene.objects;
+  const std::uint32_t face = strokes.intersections[s.source - strokes.edge_count].faces[0];
+  const auto object = std::ranges::upper_bound(objects, face, {}, &Object::face_end);
+  return object == objects.end() ? kNoBody : static_cast<std::uint32_t>(object - objects.begin());
 }
 
 /// Makes sources of strokes that join lines, on the faces of the line.
@@ -154,6 +168,17 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
           drop_flecks(strokes, scan, {kFleckInPens * pen_mm, kFleckPart, kMeetingInPens * pen_mm}));
   }
   if (!request.lines.studied().has(LineClass::outline)) return;
+  const LineClasses features = LineClasses::features();
+  // Where a class is left out, what its lines would meet stands alone.
+  if ((request.lines.studied().bits & features.bits) == features.bits) {
+    const auto object = [&](const Stroke& s) { return object_of(prepared, strokes, s); };
+    count("lone flecks left out", drop_flecks(strokes, object,
+                                              {.longest_mm = kLoneInPens * pen_mm,
+                                               .body_part = kFleckPart,
+                                               .touching_mm = kMeetingInPens * pen_mm,
+                                               .classes = features,
+                                               .most_ends_on_lines = 0}));
+  }
   count("ends led to the line before them",
         extend_short_ends(strokes, {kShortInPens * gap_mm, kTouchingInPens * pen_mm}, std::ref(make_source)));
 }
