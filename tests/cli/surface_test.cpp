@@ -55,6 +55,20 @@ TEST_F(SurfaceTest, NumbersOfCurves) {
   EXPECT_EQ(with({"--eye", "0.3,0.7,4", "--fov", "90"}), 12u + 5 + 7) << "the eye over the ground divides the curves";
 }
 
+TEST_F(SurfaceTest, TheDefaultRangeIsWhereThereAreHeights) {
+  const auto same = [&](const std::vector<std::string>& formulas, std::vector<std::string> ranges) {
+    ranges.insert(ranges.begin(), formulas.begin(), formulas.end());
+    return svg(formulas) == svg(ranges);
+  };
+  EXPECT_TRUE(same({"sqrt(1-x^2-y^2)"}, {"-x", "-1:1", "-y", "-1:1"}));
+  EXPECT_TRUE(same({"sqrt(2-(x-1)^2-y^2)"}, {"-x", "-0.5:2.5", "-y", "-1.5:1.5"})) << "in hundredths, outwards";
+  EXPECT_TRUE(same({"sqrt(x)"}, {"-x", "0:5", "-y", "-5:5"}));
+  EXPECT_TRUE(same({"sqrt(4-x^2-y^2)", "sqrt(1-x^2)-4"}, {"-x", "-2:2", "-y", "-5:5"})) << "of either formula";
+  EXPECT_TRUE(same({"sqrt(x^2+y^2-9)"}, {"-x", "-5:5", "-y", "-5:5"}));
+  EXPECT_TRUE(same({"if(abs(x) < 0.06, y, 0/0)"}, {"-x", "-5:5", "-y", "-5:5"})) << "too narrow to tell";
+  EXPECT_NE(svg({"sqrt(1-x^2-y^2)", "-x", "-5:5"}), svg({"sqrt(1-x^2-y^2)"})) << "a range that is given stays";
+}
+
 TEST_F(SurfaceTest, RimsAreDrawnUnlessACurveRunsThere) {
   const auto rims = [&](std::vector<std::string> more) {
     std::vector<std::string> flat{"0", "-x", "0:1:5", "-y", "0:2:7"};

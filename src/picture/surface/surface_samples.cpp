@@ -7,6 +7,7 @@
 
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
+#include "picture/surface/defined_ground.hpp"
 #include "picture/surface/surface_scale.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/held_heights.hpp"
@@ -129,6 +130,28 @@ CurveRange range_of(const std::optional<CurveRange>& given, const std::vector<Su
   return range;
 }
 
+/// Narrows ranges that are nobody's choice to where the formulas have heights: the scale of heights and the curves would
+/// else be those of empty ground.
+void narrow_default_ranges(const SurfaceRequest& request, CurveRange& x, CurveRange& y, RunReport& run) {
+  const std::array<bool, 2> open{!request.x && !request.log_axes[0], !request.y && !request.log_axes[1]};
+  if (request.formulas.empty() || (!open[0] && !open[1])) return;
+  std::vector<std::shared_ptr<const HeightFunction>> functions;
+  for (const std::string& formula : request.formulas) functions.push_back(formula_function(formula, request.log_axes));
+  const auto positions_of = [](const CurveRange& range, bool log) {
+    return log ? std::array{std::log10(range.from), std::log10(range.to)} : std::array{range.from, range.to};
+  };
+  const Ground ground{positions_of(x, request.log_axes[0]), positions_of(y, request.log_axes[1])};
+  const Ground defined = defined_ground(functions, ground, open);
+  const auto narrow = [&](CurveRange& range, std::size_t axis, const char* name) {
+    if (defined[axis] == ground[axis]) return;
+    range.from = defined[axis][0];
+    range.to = defined[axis][1];
+    run.choices.emplace_back(name, short_number(range.from) + ":" + short_number(range.to) + ": where there are heights");
+  };
+  narrow(x, 0, "x");
+  narrow(y, 1, "y");
+}
+
 /// The range of a parameter of the k-th parametric surface.
 CurveRange parameter_range(const std::vector<CurveRange>& given, std::size_t k) {
   if (given.empty()) return {0, 2 * std::numbers::pi, {}};
@@ -150,8 +173,8 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
   for (const GivenHeights& given : request.heights) grids.push_back(given_surface(request, given));
   // What hides is fine in both directions, unless it is the curves alone.
   const bool by_curves = request.curves.hidden_by == HiddenBy::curves || request.curves.ridgeline;
-  const CurveRange x_range = range_of(request.x, grids, &HeightSource::x),
-                   y_range = range_of(request.y, grids, &HeightSource::y);
+  CurveRange x_range = range_of(request.x, grids, &HeightSource::x), y_range = range_of(request.y, grids, &HeightSource::y);
+  if (grids.empty()) narrow_default_ranges(request, x_range, y_range, run);
   std::vector<Surface> surfaces;
   for (const std::string& formula : request.formulas) {
     Positions x = positions(x_range, !by_curves || y_curves(request), request.samples, request.log_axes[0]);
