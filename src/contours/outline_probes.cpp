@@ -24,6 +24,12 @@ constexpr double kMovedOff = 0.05;
 /// rise above chords by less than an eighth of them.
 constexpr double kNearEdge = 0.2;
 constexpr double kProbeCellMm = 1;
+/// Where two contours end before they meet, each may run near a half of the edge between them. So an edge is looked at in
+/// so many parts, and contours that run across it (cosine of 45 degrees) do not count.
+constexpr int kParts = 4;
+constexpr double kAlongCosine = 0.70710678;
+/// The end of a contour is its last part, so many times as long as the reach: it may turn inwards before it ends.
+constexpr double kTailInReaches = 2;
 
 double distance(Point2 p, const PageSegment& s) {
   const Point2 d = s.to - s.from;
@@ -35,16 +41,32 @@ double distance(Point2 p, const PageSegment& s) {
 /// The visible pieces of contours, for questions about places.
 class NearContours {
  public:
-  explicit NearContours(const std::vector<SeenContour>& seen) : seen_(seen), finder_(kProbeCellMm) {}
+  NearContours(const std::vector<SeenContour>& seen, double reach_mm)
+      : seen_(seen), reach_mm_(reach_mm), finder_(kProbeCellMm), tails_(kProbeCellMm) {}
 
   void expect(Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); }
+  /// An end of a part of an edge, of which tails are asked.
+  void expect_tail(Point2 p) { tails_.expect(p - Point2(reach_mm_), p + Point2(reach_mm_)); }
   void prepare() {
     finder_.prepare();
+    tails_.prepare();
     for (const SeenContour& contour : seen_) {
-      for (const ContourRun& run : contour.runs) {
+      const ContourCurve& curve = contour.curve;
+      const std::size_t n = contour.runs.size();
+      for (std::size_t r = 0; r < n; ++r) {
+        const ContourRun& run = contour.runs[r];
         if (run.state < 0) continue;
-        const std::vector<CurvePoint> points = contour.curve.part(run.from, run.to);
+        std::vector<CurvePoint> points = curve.part(run.from, run.to);
+        unfold(points, reach_mm_);  // as it is drawn
         for (std::size_t i = 1; i < points.size(); ++i) finder_.add({points[i - 1].mm, points[i].mm, 0, 0});
+        const auto ends = [&](bool first) {
+          if (first ? r > 0 : r + 1 < n) return contour.runs[first ? r - 1 : r + 1].state < 0;
+          return !curve.closed || contour.runs[first ? n - 1 : 0].state < 0;
+        };
+        if (ends(false)) add_tail(points);
+        if (!ends(true)) continue;
+        std::reverse(points.begin(), points.end());
+        add_tail(points);
       }
     }
   }
@@ -66,10 +88,36 @@ class NearContours {
     finder_.near(p - Point2(reach), p + Point2(reach), [&](const PageSegment& s) { any |= distance(p, s) <= reach; });
     return any;
   }
+  /// A piece runs past the place, in that direction and within the reach; `slack_mm` beyond its ends at the most.
+  bool any_past(Point2 p, Point2 direction, double reach, double slack_mm) const {
+    bool any = false;
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const PageSegment& s) {
+      const Point2 d = s.to - s.from;
+      const double length = glm::length(d), along = glm::dot(p - s.from, d) / length;
+      any |= along >= -slack_mm && along <= length + slack_mm && distance(p, s) <= reach &&
+             std::abs(glm::dot(d, direction)) >= kAlongCosine * length * glm::length(direction);
+    });
+    return any;
+  }
+  bool any_tail(Point2 p) const {
+    bool any = false;
+    tails_.near(p - Point2(reach_mm_), p + Point2(reach_mm_),
+                [&](const PageSegment& s) { any |= distance(p, s) <= reach_mm_; });
+    return any;
+  }
 
  private:
+  void add_tail(const std::vector<CurvePoint>& points) {
+    double left = kTailInReaches * reach_mm_;
+    for (std::size_t i = points.size(); --i > 0 && left > 0;) {
+      tails_.add({points[i - 1].mm, points[i].mm, 0, 0});
+      left -= glm::length(points[i].mm - points[i - 1].mm);
+    }
+  }
+
   const std::vector<SeenContour>& seen_;
-  SegmentFinder finder_;
+  double reach_mm_;
+  SegmentFinder finder_, tails_;
 };
 
 /// A part of an edge whose probe is seen.
@@ -79,6 +127,8 @@ struct Candidate {
   Point2 middle;
   double near_mm;
 };
+
+Point2 middle_of_part(Point2 from, Point2 to, int part) { return from + (part + 0.5) / kParts * (to - from); }
 
 Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContours& contours, const View& view,
                     const Lattice& lattice, double pen_width_mm) {
@@ -100,19 +150,29 @@ Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContour
   return c;
 }
 
-/// Leaves runs of candidates that are longer than the reach and than what counts as near: less is what moved ends at
-/// crossings leave.
-void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, double reach_mm) {
+/// The ends of candidates, in order.
+std::vector<std::pair<LatticePoint, std::uint32_t>> ends_of(const std::vector<Candidate>& candidates) {
   std::vector<std::pair<LatticePoint, std::uint32_t>> ends;
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
     ends.emplace_back(candidates[i].stroke.from, i);
     ends.emplace_back(candidates[i].stroke.to, i);
   }
   std::sort(ends.begin(), ends.end());
-  DisjointSets runs(candidates.size());
+  return ends;
+}
+
+DisjointSets connected(const std::vector<std::pair<LatticePoint, std::uint32_t>>& ends, std::size_t candidates) {
+  DisjointSets runs(candidates);
   for (std::size_t i = 1; i < ends.size(); ++i) {
     if (ends[i].first == ends[i - 1].first) runs.join(ends[i].second, ends[i - 1].second);
   }
+  return runs;
+}
+
+/// Leaves runs of candidates that are longer than the reach and than what counts as near: less is what moved ends at
+/// crossings leave.
+void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, double reach_mm) {
+  DisjointSets runs = connected(ends_of(candidates), candidates.size());
   std::vector<double> length(candidates.size(), 0), least(candidates.size(), reach_mm);
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
@@ -124,6 +184,28 @@ void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, doub
     if (length[runs.find(i)] >= least[runs.find(i)]) kept.push_back(candidates[i]);
   }
   candidates = std::move(kept);
+}
+
+/// Leaves runs that lead from the end of a contour to that of another one, or to an end of `others`.
+void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidate>& others, const NearContours& near,
+                       const Lattice& lattice) {
+  const auto ends = ends_of(parts), other_ends = ends_of(others);
+  DisjointSets runs = connected(ends, parts.size());
+  std::vector<std::uint32_t> open(parts.size(), 0), met(parts.size(), 0);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const LatticePoint p = ends[i].first;
+    if ((i > 0 && ends[i - 1].first == p) || (i + 1 < ends.size() && ends[i + 1].first == p)) continue;
+    const std::uint32_t run = runs.find(ends[i].second);
+    ++open[run];
+    const auto other = std::lower_bound(other_ends.begin(), other_ends.end(), std::pair(p, 0u));
+    met[run] += (other != other_ends.end() && other->first == p) || near.any_tail(lattice.to_mm(p));
+  }
+  std::vector<Candidate> kept;
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    const std::uint32_t run = runs.find(i);
+    if (open[run] == 2 && met[run] == 2) kept.push_back(parts[i]);
+  }
+  parts = std::move(kept);
 }
 
 }  // namespace
@@ -163,22 +245,42 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
                           const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, double pen_width_mm,
                           double reach_mm) {
   std::vector<Candidate> candidates;
-  NearContours near(seen);
+  NearContours near(seen, reach_mm);
   for (const Stroke& probe : probes) {
     if (!probe.visible) continue;
     candidates.push_back(candidate(probe, probe.source - contours.first_probe, contours, view, model.lattice, pen_width_mm));
-    near.expect(candidates.back().middle, candidates.back().near_mm);
-    near.expect(model.lattice.to_mm(candidates.back().stroke.from), reach_mm);
-    near.expect(model.lattice.to_mm(candidates.back().stroke.to), reach_mm);
+    const Candidate& c = candidates.back();
+    const Point2 from = model.lattice.to_mm(c.stroke.from), to = model.lattice.to_mm(c.stroke.to);
+    near.expect(c.middle, c.near_mm);
+    for (const Point2 end : {from, to}) near.expect(end, reach_mm);
+    for (int k = 0; k < kParts; ++k) near.expect(middle_of_part(from, to, k), c.near_mm);
+    for (int k = 0; k <= kParts; ++k) near.expect_tail(from + double(k) / kParts * (to - from));
   }
   if (candidates.empty()) return;
   near.prepare();
-  std::erase_if(candidates, [&](const Candidate& c) { return near.any_within(c.middle, c.near_mm); });
-  drop_short(candidates, model.lattice, reach_mm);
+  std::vector<Candidate> missing, parts;
+  for (const Candidate& c : candidates) {
+    if (!near.any_within(c.middle, c.near_mm)) {
+      missing.push_back(c);
+      continue;
+    }
+    const Point2 from = model.lattice.to_mm(c.stroke.from), to = model.lattice.to_mm(c.stroke.to);
+    for (int k = 0; k < kParts; ++k) {
+      if (near.any_past(middle_of_part(from, to, k), to - from, c.near_mm, pen_width_mm / 2)) continue;
+      Stroke part = c.stroke;
+      const double dt = (c.stroke.t_to - c.stroke.t_from) / kParts;
+      part.t_from = c.stroke.t_from + k * dt;
+      part.t_to = k + 1 == kParts ? c.stroke.t_to : part.t_from + dt;
+      parts.push_back(candidate(part, c.edge, contours, view, model.lattice, pen_width_mm));
+    }
+  }
+  drop_short(missing, model.lattice, reach_mm);
+  keep_between_ends(parts, missing, near, model.lattice);
+  missing.insert(missing.end(), parts.begin(), parts.end());
   std::vector<LatticePoint> ends;
-  for (const Candidate& c : candidates) ends.insert(ends.end(), {c.stroke.from, c.stroke.to});
+  for (const Candidate& c : missing) ends.insert(ends.end(), {c.stroke.from, c.stroke.to});
   std::sort(ends.begin(), ends.end());
-  for (Candidate& c : candidates) {
+  for (Candidate& c : missing) {
     for (LatticePoint* end : {&c.stroke.from, &c.stroke.to}) {
       const auto [first, last] = std::equal_range(ends.begin(), ends.end(), *end);
       if (last - first > 1) continue;
