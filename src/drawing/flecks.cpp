@@ -72,8 +72,9 @@ class FleckFinder {
       if (!may_be_[chains_.chain_of(i)]) continue;
       const Stroke& s = strokes_[i];
       along(s.from, s.to, [&](std::uint64_t cell) { fleck_strokes_.add(cell, i); });
+      const bool in_ring = chains_.chain(chains_.chain_of(i)).free_ends == 0;
       for (const bool at_from : {true, false}) {
-        if (!chains_.is_free(i, at_from)) continue;
+        if (!in_ring && !chains_.is_free(i, at_from)) continue;
         const LatticePoint end = at_from ? s.from : s.to;
         fleck_ends_.add(grid_.cell_of(end), static_cast<std::uint32_t>(ends_.size()));
         ends_.push_back({end, chains_.chain_of(i)});
@@ -157,6 +158,30 @@ class FleckFinder {
   Cells fleck_strokes_, fleck_ends_;
 };
 
+/// Takes out of `rings`, chains without free ends in order, those that are wider than a line.
+void leave_thin(std::vector<std::uint32_t>& rings, const std::vector<Stroke>& strokes, const StrokeChains& chains,
+                double width) {
+  std::vector<std::pair<std::uint32_t, LatticePoint>> ends;
+  for (const std::uint32_t i : chains.seen()) {
+    const std::uint32_t chain = chains.chain_of(i);
+    if (!std::ranges::binary_search(rings, chain)) continue;
+    ends.emplace_back(chain, strokes[i].from);
+    ends.emplace_back(chain, strokes[i].to);
+  }
+  std::ranges::sort(ends);
+  std::erase_if(rings, [&](std::uint32_t ring) {
+    const auto own = std::ranges::equal_range(ends, ring, {}, &std::pair<std::uint32_t, LatticePoint>::first);
+    Stroke axis;
+    axis.from = axis.to = own.front().second;
+    for (const auto& [chain, p] : own) {
+      Stroke longer = axis;
+      longer.to = p;
+      if (page_length(longer) > page_length(axis)) axis = longer;
+    }
+    return std::ranges::any_of(own, [&](const auto& end) { return distance(end.second, axis) > width; });
+  });
+}
+
 }  // namespace
 
 std::vector<double> body_extents(const std::vector<Stroke>& strokes,
@@ -191,13 +216,18 @@ std::size_t drop_flecks(StrokeModel& model, const std::function<std::uint32_t(co
     if (b == kNoBody || !limits.classes.has(strokes[i].line_class)) may_be[chain] = 0;
   }
   bool any = false;
+  std::vector<std::uint32_t> rings;
   for (const std::uint32_t i : chains.seen()) {
     if (chains.chain_of(i) != i || !may_be[i]) continue;
     const StrokeChains::Chain& chain = chains.chain(i);
-    may_be[i] =
-        chain.free_ends == 2 && chain.length <= std::min(limits.longest_mm / step, limits.body_part * extents[body[i]]);
+    const double longest = std::min(limits.longest_mm / step, limits.body_part * extents[body[i]]);
+    may_be[i] = chain.free_ends == 2 && chain.length <= longest;
     any |= may_be[i];
+    if (chain.free_ends == 0 && chain.length <= 2 * longest) rings.push_back(i);
   }
+  if (!rings.empty()) leave_thin(rings, strokes, chains, limits.ring_width_mm / step);
+  for (const std::uint32_t ring : rings) may_be[ring] = 1;
+  any |= !rings.empty();
   if (!any) return 0;
   FleckFinder finder(strokes, chains, std::move(may_be), limits.touching_mm / step);
   const std::vector<std::uint8_t> flecks = finder.flecks(limits.longest_mm / step, limits.most_ends_on_lines);

@@ -64,7 +64,8 @@ TEST(Flecks, OfAnyClassMeetNoLine) {
                         .body_part = 1.0 / 48,
                         .touching_mm = 0.1,
                         .classes = LineClasses::features(),
-                        .most_ends_on_lines = 0});
+                        .most_ends_on_lines = 0,
+                        .ring_width_mm = 0.1});
   };
   ScanPage lone;
   lone.add(1, {10, 10}, {11, 10}, LineClass::crease);
@@ -76,6 +77,15 @@ TEST(Flecks, OfAnyClassMeetNoLine) {
   ScanPage met;
   met.add(1, {10, 0}, {11, 1}, LineClass::crease).add(2, {20, 0.05}, {21, 1});
   EXPECT_EQ(drop_lone(met), 0u) << "each has an end on a line";
+  const auto ring = [](double y, double width) {
+    ScanPage page;
+    page.add(1, {10, y}, {11.5, y}).add(1, {11.5, y}, {10.7, y + width}).add(1, {10.7, y + width}, {10, y});
+    return page;
+  };
+  ScanPage narrow = ring(10, 0.08), wide = ring(10, 0.12), beside = ring(0.05, 0.08);
+  EXPECT_EQ(drop_lone(narrow), 1u);
+  EXPECT_EQ(drop_lone(wide), 0u) << "a small hole";
+  EXPECT_EQ(drop_lone(beside), 0u) << "it lies on a line";
 }
 
 TEST(Flecks, AreOpen) {

@@ -31,6 +31,7 @@ constexpr double kShownInPens = 0.5;          ///< of a bit beside the ink of ot
 constexpr double kMeetingInPens = 1;
 constexpr double kFleckInPens = 8;
 constexpr double kFleckPart = 1.0 / 48;  ///< of the extent of its body
+constexpr double kRingInPens = 0.25;     ///< a ring so narrow is drawn as one line
 constexpr double kLoneInPens = 5;        ///< a line that meets no other, of any body
 constexpr double kSpurInPens = 12;
 constexpr double kSpurPart = 1.0 / 32;
@@ -177,7 +178,8 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
                                                .body_part = kFleckPart,
                                                .touching_mm = kMeetingInPens * pen_mm,
                                                .classes = features,
-                                               .most_ends_on_lines = 0}));
+                                               .most_ends_on_lines = 0,
+                                               .ring_width_mm = kRingInPens * pen_mm}));
   }
   count("ends led to the line before them",
         extend_short_ends(strokes, {kShortInPens * gap_mm, kTouchingInPens * pen_mm}, std::ref(make_source)));
