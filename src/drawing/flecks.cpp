@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "drawing/key_table.hpp"
@@ -170,7 +172,9 @@ void leave_thin(std::vector<std::uint32_t>& rings, const std::vector<Stroke>& st
   }
   std::ranges::sort(ends);
   std::erase_if(rings, [&](std::uint32_t ring) {
-    const auto own = std::ranges::equal_range(ends, ring, {}, &std::pair<std::uint32_t, LatticePoint>::first);
+    using End = std::pair<std::uint32_t, LatticePoint>;
+    const auto first = std::ranges::lower_bound(ends, ring, {}, &End::first);
+    const std::span<const End> own(first, std::ranges::upper_bound(first, ends.end(), ring, {}, &End::first));
     Stroke axis;
     axis.from = axis.to = own.front().second;
     for (const auto& [chain, p] : own) {
