@@ -25,6 +25,7 @@ struct Extent {
     high_x = std::max<double>(high_x, p.x);
     high_y = std::max<double>(high_y, p.y);
   }
+  double side() const { return std::max(high_x - low_x, high_y - low_y); }
   double diagonal() const { return std::hypot(high_x - low_x, high_y - low_y); }
 };
 
@@ -104,7 +105,7 @@ class FleckFinder {
     for (const std::uint32_t i : chains_.seen()) {
       if (chains_.chain_of(i) != i || !may_be_[i]) continue;
       const std::uint32_t cluster = clusters_.find(i);
-      found[i] = !held[cluster] && ends_held[cluster] <= most_ends_on_lines && extents[cluster].diagonal() <= longest;
+      found[i] = !held[cluster] && ends_held[cluster] <= most_ends_on_lines && extents[cluster].side() <= longest;
     }
     return found;
   }

@@ -20,10 +20,10 @@ struct FleckLimits {
 
 /// Hides the lines of bodies that are flecks, or takes them out where no stroke is hidden: open chains of visible strokes
 /// of the limits' classes, short on the page, that stand alone; rings too that are lines to and fro, as narrow triangles
-/// are. Chains that touch each other count together, by the diagonal of the box round them. A chain stays on which another
-/// line ends, since that line goes on behind it; and one with more ends on lines than the limits say. `body_of` numbers the
-/// bodies from 0 on, kNoBody for all other strokes. No two visible strokes coincide. Returns the number of chains.
-/// O(n + m), with m the grid cells of the side of `touching_mm` x 2 that lines pass near the flecks.
+/// are. Chains that touch each other count together, by the longer side of the box round them. A chain stays on which
+/// another line ends, since that line goes on behind it; and one with more ends on lines than the limits say. `body_of`
+/// numbers the bodies from 0 on, kNoBody for all other strokes. No two visible strokes coincide. Returns the number of
+/// chains. O(n + m), with m the grid cells of the side of `touching_mm` x 2 that lines pass near the flecks.
 std::size_t drop_flecks(StrokeModel& model, const std::function<std::uint32_t(const Stroke&)>& body_of,
                         const FleckLimits& limits);
 
