@@ -177,6 +177,19 @@ TEST_F(SurfaceBreaksTest, PolesAreCut) {
   EXPECT_EQ(surface({"1/x", "--z-range", "-9:9"}, {"-o", "a.svg"}).err, "");
 }
 
+/// Beside a surface without poles; what stands between the samples is chance, and costs no more than a few of them.
+TEST_F(SurfaceBreaksTest, PolesBetweenAllSamplesCostAFewFacetsEach) {
+  const auto facets = [&](const std::string& formula) {
+    const Outcome outcome = surface({formula, "--samples", "41", "-q"}, {"-o", "-", "--format", "json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return json::parse(outcome.out)["stats"]["counts"]["facets"].get<int>();
+  };
+  const int plain = facets("x+y");
+  for (const char* formula : {"tan(x*100)", "tan(x*1e6)", "1/sin(x*1e6)*cos(y*1e5)"}) {
+    EXPECT_LT(facets(formula), 8 * plain) << formula;
+  }
+}
+
 TEST_F(SurfaceBreaksTest, TheHorizonLeavesOutCellsOfAJump) {
   // Six curves across, which end at the jump, and none along it but the two beside it.
   const auto rows = [&](const std::string& formula) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/parallel.hpp"
 
@@ -13,6 +14,17 @@ namespace {
 constexpr double kOutOfStep = 0.25;
 /// ... and by more than this part of the range of heights: less is no stroke on any page.
 constexpr double kLeastStep = 0x1p-20;
+
+/// Pieces of broken edges are halved so often at most, and less often where so many edges are broken that a row of cells
+/// would get more points than these for each sample: where there is a pole between all samples, what is drawn is chance.
+constexpr int kMostPieceHalvings = 6;
+constexpr std::size_t kPointsForSample = 4;
+
+int halvings_of(std::size_t broken, std::size_t samples) {
+  int halvings = kMostPieceHalvings;
+  while (halvings > 0 && broken << halvings > kPointsForSample * samples) --halvings;
+  return halvings;
+}
 
 /// Six samples in a row, of which the middle two are the edge's ends; NaN where there is none that counts.
 using Neighbours = std::array<double, 6>;
@@ -91,13 +103,23 @@ class EdgeFinder {
           look_at(i, j, true, breaks, found);
       }
     }
+    const int halvings = halvings_of(found.size(), (end_ - begin_) * columns_);
+    for (BrokenEdge& edge : found) {
+      const auto [a, b] = ends_of(edge.edge.sample % columns_, edge.edge.sample / columns_, edge.edge.along_column);
+      breaks.refine(a, b, kLeastHeightPart * range_, halvings, edge.pieces);
+    }
   }
 
  private:
+  std::pair<Point3, Point3> ends_of(std::size_t i, std::size_t j, bool along_column) const {
+    const std::size_t at = (j - first_) * columns_ + i;
+    return {{heights_.x()[i], heights_.y()[j], raw_[at]},
+            {heights_.x()[along_column ? i : i + 1], heights_.y()[along_column ? j + 1 : j],
+             raw_[at + (along_column ? columns_ : 1)]}};
+  }
   void look_at(std::size_t i, std::size_t j, bool along_column, LineBreaks& breaks, std::vector<BrokenEdge>& found) const {
     const std::size_t step = along_column ? columns_ : 1, at = (j - first_) * columns_ + i;
-    const Point3 a{heights_.x()[i], heights_.y()[j], raw_[at]};
-    const Point3 b{heights_.x()[along_column ? i : i + 1], heights_.y()[along_column ? j + 1 : j], raw_[at + step]};
+    const auto [a, b] = ends_of(i, j, along_column);
     const bool start = window_.holds(a.z), end = window_.holds(b.z);
     bool may_jump = may_jump_;
     if (start && end && !may_jump_) return;

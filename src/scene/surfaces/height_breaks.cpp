@@ -27,8 +27,6 @@ constexpr double kNear = 0x1p-20;
 /// Between two samples a pole has shown itself after so many halvings by so much growth.
 constexpr int kPeakHalvings = 8;
 constexpr double kPeakGrowth = 4;
-/// Pieces between two points that are put into a curve before it ends.
-constexpr int kMostRefinements = 6;
 
 double change(const Point3& a, const Point3& b) { return std::abs(b.z - a.z); }
 
@@ -123,15 +121,24 @@ bool LineBreaks::diverges(const Point3& border, const Point3& end) {
 }
 
 /// Puts points between `border` and `inner`, denser towards the border, in this order.
-void LineBreaks::refine(const Point3& border, const Point3& inner, double least, bool at_border, int depth,
-                        std::vector<Point3>& out) {
-  if (depth == 0) return;
+void LineBreaks::add_between(const Point3& border, const Point3& inner, double least, bool at_border, int halvings,
+                             std::vector<Point3>& out) {
+  if (halvings == 0) return;
   const double t = at_border ? 0.25 : 0.5;  // heights over the square root of the distance come at equal steps
   const Point3 m = point({border.x + t * (inner.x - border.x), border.y + t * (inner.y - border.y)});
   if (!counts(m) || std::abs(m.z - (border.z + t * (inner.z - border.z))) <= least) return;
-  refine(border, m, least, at_border, depth - 1, out);
+  add_between(border, m, least, at_border, halvings - 1, out);
   out.push_back(m);
-  refine(m, inner, least, false, depth - 1, out);
+  add_between(m, inner, least, false, halvings - 1, out);
+}
+
+void LineBreaks::refine(const Point3& a, const Point3& b, double least, int halvings, std::vector<LinePiece>& pieces) {
+  for (LinePiece& piece : pieces) {
+    if (piece.from_start == piece.to_end || piece.points.empty()) continue;
+    const Point3 border = piece.points[0];
+    add_between(border, piece.from_start ? a : b, least, true, halvings, piece.points);
+    if (piece.from_start) std::reverse(piece.points.begin(), piece.points.end());
+  }
 }
 
 std::optional<Point3> LineBreaks::last_before_break(const Point3& a, Point2 b) {
@@ -152,10 +159,7 @@ std::vector<LinePiece> LineBreaks::pieces(const Point3& a, const Point3& b, bool
     has_pole_ = has_pole_ || diverges(border, end);
     LinePiece& piece = found.emplace_back();
     (from_start ? piece.from_start : piece.to_end) = true;
-    if (is_point(border, end)) return;
-    piece.points.push_back(border);
-    refine(border, end, least, true, kMostRefinements, piece.points);
-    if (from_start) std::reverse(piece.points.begin(), piece.points.end());
+    if (!is_point(border, end)) piece.points.push_back(border);
   };
   // Between the end that counts and the border the surface may jump too.
   const auto add_to_border = [&](const Point3& end, const Point3& beyond, bool from_start) {

@@ -31,9 +31,12 @@ class LineBreaks {
   LineBreaks(HeightFunction::At& at, const HeightWindow& window) : at_(at), window_(window) {}
 
   /// The pieces of the line from `a` to `b`, points with their heights, or NaN where there is none. `may_jump`: whether the
-  /// line is looked at for a jump. `least`: what curves between its ends by no more
-  /// than this height is left straight.
+  /// line is looked at for a jump. `least`: height that is nothing to see.
   std::vector<LinePiece> pieces(const Point3& a, const Point3& b, bool may_jump, double least);
+
+  /// Puts points between the ends of such pieces that reach one end of the line, halving each so often at most; what curves
+  /// by no more than `least` between two points is left straight.
+  void refine(const Point3& a, const Point3& b, double least, int halvings, std::vector<LinePiece>& pieces);
 
   /// The last point from `a`, which counts, towards `b` before the surface breaks off; nothing when it reaches `b`.
   std::optional<Point3> last_before_break(const Point3& a, Point2 b);
@@ -57,7 +60,8 @@ class LineBreaks {
   std::optional<Pair> peak(Point3 a, Point3 b);
   std::optional<Point3> crossing(Point3 a, Point3 b);
   bool diverges(const Point3& border, const Point3& end);
-  void refine(const Point3& border, const Point3& inner, double least, bool at_border, int depth, std::vector<Point3>& out);
+  void add_between(const Point3& border, const Point3& inner, double least, bool at_border, int halvings,
+                   std::vector<Point3>& out);
 
   HeightFunction::At& at_;
   HeightWindow window_;
