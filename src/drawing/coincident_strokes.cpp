@@ -16,6 +16,7 @@
 #include <cmath>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 
 #include "drawing/drawing.hpp"
 #include "drawing/stroke_index.hpp"
@@ -45,6 +46,12 @@ using Cut = StrokeCut;
 struct Loss {
   Cut from, to;
 };
+
+/// What a stroke loses to one that stands and goes before it; a is the one that loses.
+Loss loss_to(const Stroke& standing, const StrokeOverlap& common) {
+  const auto end = [&](double fraction) { return fraction < 0.5 ? standing.from : standing.to; };
+  return {{common.a_from, end(common.b_from)}, {common.a_to, end(common.b_to)}};
+}
 
 template <class Index>
 class Precedence {
@@ -80,6 +87,8 @@ class Precedence {
   }
 
  private:
+  static constexpr bool kHasRuns = std::is_same_v<Index, StrokeTree>;
+
   /// A stroke that stands, and where the one on trial lies on it: a is the one on trial.
   struct Hit {
     std::uint32_t standing, entry;
@@ -98,6 +107,8 @@ class Precedence {
 
   void try_one(const Trial& trial);
   bool precedes(const Stroke& stroke, const Stroke& standing, const StrokeOverlap& common) const;
+  bool goes_behind(const Stroke& stroke, const StrokeOrder& last, double begin, double end) const;
+  bool lose_to_run(const Stroke& stroke, const SegmentRun& run, double begin, double end);
   void cut(const Stroke& stroke, std::vector<Loss>& losses);
 
   Index index_;
@@ -141,12 +152,39 @@ void Precedence<Index>::cut(const Stroke& stroke, std::vector<Loss>& losses) {
   keep({1, stroke.to});
 }
 
+/// Whether all strokes of which `last` is the order go before this one; they lie between two fractions of it.
+template <class Index>
+bool Precedence<Index>::goes_behind(const Stroke& stroke, const StrokeOrder& last, double begin, double end) const {
+  constexpr double kRounding = 0x1p-8;  // in tolerances: more than that of a depth
+  if (last.rank != rank(stroke)) return last.rank < rank(stroke);
+  const double behind = (std::min(depth(stroke, begin), depth(stroke, end)) - last.z) / tolerance_mm_;
+  return behind > 1 + kRounding || (behind > kRounding - 1 && last.source < stroke.source);
+}
+
+/// Takes the run for one loss when all of it goes before the stroke.
+template <class Index>
+bool Precedence<Index>::lose_to_run(const Stroke& stroke, const SegmentRun& run, double begin, double end) {
+  if (!goes_behind(stroke, run.order, begin, end)) return false;
+  Loss all{{1, stroke.to}, {0, stroke.from}};
+  for (const std::uint32_t entry : {run.first, run.last}) {
+    const Stroke& standing = standing_[indexed_[entry]].stroke;
+    const auto common = overlap(stroke.from, stroke.to, standing.from, standing.to, tolerance_steps_);
+    if (!common) return false;
+    const Loss loss = loss_to(standing, *common);
+    if (loss.from.fraction < all.from.fraction) all.from = loss.from;
+    if (loss.to.fraction > all.to.fraction) all.to = loss.to;
+  }
+  losses_.push_back(all);
+  return true;
+}
+
 template <class Index>
 void Precedence<Index>::try_one(const Trial& trial) {
   const Stroke& stroke = trial.stroke;
   ++trial_;
   hits_.clear();
-  index_.query(stroke.from, stroke.to, [&](std::uint32_t entry) {
+  losses_.clear();
+  const auto visit = [&](std::uint32_t entry) {
     const std::uint32_t i = indexed_[entry];
     if (seen_[entry] == trial_) return false;
     seen_[entry] = trial_;
@@ -156,14 +194,19 @@ void Precedence<Index>::try_one(const Trial& trial) {
       hits_.push_back({i, entry, *common});
     }
     return false;
-  });
+  };
+  if constexpr (kHasRuns) {
+    const auto takes_run = [&](const SegmentRun& run, double begin, double end) {
+      return lose_to_run(stroke, run, begin, end);
+    };
+    index_.query(stroke.from, stroke.to, takes_run, visit);
+  } else {
+    index_.query(stroke.from, stroke.to, visit);
+  }
 
-  losses_.clear();
   for (const auto& [i, entry, common] : hits_) {
     const Stroke& standing = standing_[i].stroke;
-    if (precedes(stroke, standing, common)) continue;
-    const auto end = [&](double fraction) { return fraction < 0.5 ? standing.from : standing.to; };
-    losses_.push_back({{common.a_from, end(common.b_from)}, {common.a_to, end(common.b_to)}});
+    if (!precedes(stroke, standing, common)) losses_.push_back(loss_to(standing, common));
   }
   if (!losses_.empty()) return cut(stroke, losses_);
 
@@ -176,7 +219,12 @@ void Precedence<Index>::try_one(const Trial& trial) {
     losses_.assign(1, loss);
     cut(standing_[i].stroke, losses_);
   }
-  index_.insert(stroke.from, stroke.to);
+  if constexpr (kHasRuns) {
+    const StrokeOrder order{rank(stroke), std::max(stroke.z_from, stroke.z_to), stroke.source};
+    index_.insert(stroke.from, stroke.to, stroke.may_coincide ? std::optional(order) : std::nullopt);
+  } else {
+    index_.insert(stroke.from, stroke.to);
+  }
   indexed_.push_back(static_cast<std::uint32_t>(standing_.size()));
   seen_.push_back(0);
   standing_.push_back({stroke, true, trial.is_piece});
@@ -242,7 +290,8 @@ Decided decide(const std::vector<Stroke>& strokes, const std::vector<Partners>& 
   const auto with = [&](auto index) {
     return decide_with(std::move(index), strokes, partners, turns, tolerance_steps, tolerance_mm);
   };
-  if (StrokeTree::suits(strokes, together, tolerance_steps)) return with(StrokeTree(tolerance_steps));
+  if (StrokeTree::suits_runs(strokes, together, tolerance_steps) || StrokeTree::suits(strokes, together, tolerance_steps))
+    return with(StrokeTree(tolerance_steps));
   return with(StrokeIndex(index_cell(strokes, together, tolerance_steps), tolerance_steps));
 }
 

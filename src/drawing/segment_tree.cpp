@@ -14,6 +14,10 @@ constexpr double kTurned = 2;
 // A point of a short segment near the line, in v: slopes on the page are at most 1.
 constexpr double kBeside = 3;
 
+// Gaps in a run, and how far its segments are off its line; a line on which it lies is no farther from it. Less than a piece
+// of a stroke is long, and together within the tolerance.
+constexpr double kRunSlack = 0.25, kOnRun = 0.5;
+
 // Adjustable: a node is built anew when one child has more than this part of it, and these.
 constexpr double kUneven = 0.75;
 constexpr std::uint32_t kFew = 16;
@@ -118,9 +122,54 @@ std::size_t SegmentTree::nodes_asked(std::uint32_t number, const FrameSegment& l
   return 1 + nodes_asked(node.children, line, question) + nodes_asked(node.children + 1, line, question);
 }
 
-std::uint32_t SegmentTree::insert(const FrameSegment& segment, std::uint32_t number) {
+bool SegmentTree::is_on(const FrameSegment& line, const SegmentRun& run) const {
+  const double most = kOnRun * tolerance_ - run.aside;
+  return line.u0 <= run.u0 && run.u1 <= line.u1 && std::abs(line.v_at(run.u0) - run.v0) <= most &&
+         std::abs(line.v_at(run.u1) - run.v1) <= most;
+}
+
+std::optional<SegmentRun> SegmentTree::run_of_leaf(const Node& node) const {
+  std::vector<const Item*> items;
+  for (std::uint32_t i = node.first_item; i != kNone; i = items_[i].next) {
+    if (items_[i].erased) continue;
+    if (!items_[i].order) return std::nullopt;
+    items.push_back(&items_[i]);
+  }
+  std::sort(items.begin(), items.end(), [](const Item* a, const Item* b) { return a->segment.u0 < b->segment.u0; });
+  std::optional<SegmentRun> run;
+  for (const Item* const item : items) {
+    const FrameSegment& s = item->segment;
+    const SegmentRun own{s.u0, s.v0, s.u1, s.v1, 0, item->number, item->number, *item->order};
+    run = item == items.front() ? own : SegmentRun::joined(*run, own, kRunSlack * tolerance_);
+    if (!run) break;
+  }
+  return run;
+}
+
+void SegmentTree::find_run(std::uint32_t number) {
+  Node& node = nodes_[number];
+  if (node.children == kNone) {
+    node.run = run_of_leaf(node);
+    return;
+  }
+  const Node &a = nodes_[node.children], &b = nodes_[node.children + 1];
+  if (a.count == 0 || b.count == 0) {
+    node.run = a.count == 0 ? b.run : a.run;
+  } else {
+    node.run = a.run && b.run ? SegmentRun::joined(*a.run, *b.run, kRunSlack * tolerance_) : std::nullopt;
+  }
+}
+
+void SegmentTree::find_runs_up_from(std::uint32_t node) {
+  if (!has_runs_) return;
+  for (; node != kNone; node = nodes_[node].parent) find_run(node);
+}
+
+std::uint32_t SegmentTree::insert(const FrameSegment& segment, std::uint32_t number,
+                                  const std::optional<StrokeOrder>& order) {
   const auto place = static_cast<std::uint32_t>(items_.size());
-  items_.push_back({segment, number, kNone, kNone, false});
+  items_.push_back({segment, number, kNone, kNone, false, order});
+  has_runs_ = has_runs_ || order;
   if (nodes_.empty()) {
     nodes_.emplace_back();
     nodes_[0].first_u = segment.u0, nodes_[0].last_u = segment.u1;
@@ -145,6 +194,7 @@ std::uint32_t SegmentTree::insert(const FrameSegment& segment, std::uint32_t num
   } else if (++leaf.listed > 2 * std::max(kLeafSize, leaf.count_when_built)) {
     build_anew(at);
   }
+  find_runs_up_from(items_[place].leaf);
   return place;
 }
 
@@ -153,7 +203,7 @@ void SegmentTree::fill(const std::vector<std::pair<FrameSegment, std::uint32_t>>
   std::vector<std::uint32_t> items(segments.size());
   items_.reserve(segments.size());
   for (std::uint32_t i = 0; i < items.size(); ++i) {
-    items_.push_back({segments[i].first, segments[i].second, kNone, kNone, false});
+    items_.push_back({segments[i].first, segments[i].second, kNone, kNone, false, {}});
     items[i] = i;
   }
   nodes_.emplace_back();
@@ -163,6 +213,7 @@ void SegmentTree::fill(const std::vector<std::pair<FrameSegment, std::uint32_t>>
 void SegmentTree::erase(std::uint32_t place) {
   items_[place].erased = true;
   for (std::uint32_t at = items_[place].leaf; at != kNone; at = nodes_[at].parent) --nodes_[at].count;
+  find_runs_up_from(items_[place].leaf);
 }
 
 std::uint32_t SegmentTree::new_children() {
@@ -259,6 +310,7 @@ void SegmentTree::build(std::uint32_t number, std::span<std::uint32_t> items) {
       items_[i].leaf = number;
     }
     nodes_[number] = node;
+    if (has_runs_) find_run(number);
     return;
   }
   const auto second =
@@ -269,6 +321,7 @@ void SegmentTree::build(std::uint32_t number, std::span<std::uint32_t> items) {
   for (const std::uint32_t child : {node.children, node.children + 1}) nodes_[child].parent = number;
   build(node.children, items.first(first_count));
   build(node.children + 1, items.subspan(first_count));
+  if (has_runs_) find_run(number);
 }
 
 }  // namespace ligne

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "drawing/segment_run.hpp"
 #include "drawing/stroke_directions.hpp"
 
 namespace ligne {
@@ -39,7 +41,8 @@ struct NumberRange {
 /// that cross each other everywhere are told apart by their slopes, parallel ones by their offset. Memory is linear.
 ///
 /// Invariants: a node's bounds hold all that stands below it (they shrink only when it is built anew); `count` is what
-/// stands below. A node of which one child has got too much is built anew, when it has grown by half since it was.
+/// stands below. A node of which one child has got too much is built anew, when it has grown by half since it was. Where
+/// what stands below is one run of segments that came in with their order, the node knows that.
 class SegmentTree {
  public:
   /// What is asked of the segments here.
@@ -54,8 +57,8 @@ class SegmentTree {
       : frame_(frame), is_directed_(is_directed), tolerance_(tolerance) {}
 
   const DirectionFrame& frame() const { return frame_; }
-  /// Returns the place of the segment, for erase().
-  std::uint32_t insert(const FrameSegment& segment, std::uint32_t number);
+  /// Returns the place of the segment, for erase(). Those with an order may become parts of runs.
+  std::uint32_t insert(const FrameSegment& segment, std::uint32_t number, const std::optional<StrokeOrder>& order = {});
   void erase(std::uint32_t place);
 
   /// Puts in many at once, into an empty tree: for each its number.
@@ -64,7 +67,14 @@ class SegmentTree {
   /// Calls found(number) for the segments of which the answer may be yes, until it returns true; true when it did.
   template <class Found>
   bool query(const FrameSegment& line, Question question, const Found& found) const {
-    return !nodes_.empty() && visit(0, line, question, found);
+    return query(
+        line, question, [](const SegmentRun&) { return false; }, found);
+  }
+  /// The same, but runs that lie on the line and inside it are handed to takes_run(run) first; where that returns true their
+  /// segments are not told one by one.
+  template <class TakesRun, class Found>
+  bool query(const FrameSegment& line, Question question, const TakesRun& takes_run, const Found& found) const {
+    return !nodes_.empty() && visit(0, line, question, takes_run, found);
   }
 
   /// How many nodes such a query looks at.
@@ -80,6 +90,7 @@ class SegmentTree {
     FrameSegment segment;
     std::uint32_t number, next, leaf;
     bool erased;
+    std::optional<StrokeOrder> order{};
   };
   /// At two places along u, and for the ends.
   struct Bounds {
@@ -95,6 +106,7 @@ class SegmentTree {
     std::uint32_t first_item = kNone;
     std::uint32_t count = 0, count_when_built = 0;
     std::uint32_t listed = 0;  ///< of a leaf: items, and those erased since it was built
+    std::optional<SegmentRun> run{};
 
     double key(const FrameSegment& s) const {
       return of_u * (s.u0 + s.u1) / 2 + of_v * (s.v0 + s.v1) / 2 + of_slope * s.slope;
@@ -109,18 +121,25 @@ class SegmentTree {
   bool may_be(const Node& node, const FrameSegment& line, Question question) const;
   bool may_be(const FrameSegment& segment, const FrameSegment& line, Question question) const;
   std::size_t nodes_asked(std::uint32_t number, const FrameSegment& line, Question question) const;
+  bool is_on(const FrameSegment& line, const SegmentRun& run) const;
+  std::optional<SegmentRun> run_of_leaf(const Node& node) const;
+  void find_run(std::uint32_t node);
+  void find_runs_up_from(std::uint32_t node);
   bool choose_division(Node& node, std::span<const std::uint32_t> items, std::vector<double>& keys) const;
   void build(std::uint32_t node, std::span<std::uint32_t> items);
   void build_anew(std::uint32_t node);
   void collect(std::uint32_t node, std::vector<std::uint32_t>& items);
   std::uint32_t new_children();
 
-  template <class Found>
-  bool visit(std::uint32_t number, const FrameSegment& line, Question question, const Found& found) const {
+  template <class TakesRun, class Found>
+  bool visit(std::uint32_t number, const FrameSegment& line, Question question, const TakesRun& takes_run,
+             const Found& found) const {
     const Node& node = nodes_[number];
     if (node.count == 0 || !may_be(node, line, question)) return false;
+    if (node.run && is_on(line, *node.run) && takes_run(*node.run)) return false;
     if (node.children != kNone) {
-      return visit(node.children, line, question, found) || visit(node.children + 1, line, question, found);
+      return visit(node.children, line, question, takes_run, found) ||
+             visit(node.children + 1, line, question, takes_run, found);
     }
     for (std::uint32_t i = node.first_item; i != kNone; i = items_[i].next) {
       const Item& item = items_[i];
@@ -135,6 +154,7 @@ class SegmentTree {
   std::vector<Item> items_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> free_;  ///< pairs of nodes
+  bool has_runs_ = false;            ///< some segment came in with its order
 };
 
 }  // namespace ligne

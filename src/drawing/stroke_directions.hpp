@@ -17,6 +17,9 @@ struct DirectionFrame {
   bool flat = true;  ///< u is x, v is y - slope x; otherwise u is y, v is x - slope y
   double slope = 0;  ///< in [-1, 1]
 
+  static bool is_flat(LatticePoint from, LatticePoint to) {
+    return std::abs(double(to.x) - from.x) >= std::abs(double(to.y) - from.y);
+  }
   double u(LatticePoint p) const { return flat ? p.x : p.y; }
   double v(LatticePoint p) const { return flat ? p.y - slope * p.x : p.x - slope * p.y; }
 };

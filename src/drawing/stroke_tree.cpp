@@ -13,7 +13,7 @@ bool StrokeTree::suits(const std::vector<Stroke>& strokes, const std::vector<std
   std::size_t nodes = 0;
   for (std::size_t k = 0; k < kAsked; ++k) {
     const Stroke& s = strokes[sample[k * kSample / kAsked]];
-    for (std::size_t group = 0; group <= kShort; ++group) {
+    for (std::size_t group = 0; group < kGroups; ++group) {
       const FrameSegment line(tree.trees_[group].frame(), s.from, s.to);
       if (const auto question = tree.question_of(group, line, s.from, s.to)) {
         nodes += tree.trees_[group].nodes_asked(line, *question);
@@ -21,6 +21,22 @@ bool StrokeTree::suits(const std::vector<Stroke>& strokes, const std::vector<std
     }
   }
   return nodes <= kMostNodes * kAsked;
+}
+
+bool StrokeTree::suits_runs(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance) {
+  // Adjustable: of so many some are asked, and have so many on the average on which they lie.
+  constexpr std::size_t kFewest = 4096, kSample = 512, kAsked = 64, kOnEach = 8;
+  if (of.size() < kFewest) return false;
+  const auto sampled = [&](std::size_t k) -> const Stroke& { return strokes[of[k * of.size() / kSample]]; };
+  std::size_t common = 0;
+  for (std::size_t k = 0; k < kAsked; ++k) {
+    const Stroke& s = sampled(k * kSample / kAsked);
+    for (std::size_t i = 0; i < kSample; ++i) {
+      const Stroke& other = sampled(i);
+      if (overlap(s.from, s.to, other.from, other.to, tolerance)) ++common;
+    }
+  }
+  return common >= (kOnEach + 1) * kAsked;  // each lies on itself
 }
 
 }  // namespace ligne

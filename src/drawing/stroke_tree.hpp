@@ -24,29 +24,37 @@ class StrokeTree {
  public:
   /// The distance within which segments count as one, in lattice steps.
   explicit StrokeTree(double tolerance)
-      : directed_(kDirectedLength * tolerance), trees_(make_trees(tolerance)), ends_(kAcross * tolerance + kRounding) {}
+      : tolerance_(tolerance),
+        directed_(kDirectedLength * tolerance),
+        trees_(make_trees(tolerance)),
+        ends_(kAcross * tolerance + kRounding) {}
 
   /// With the strokes numbered in `of`, which are not to be erased; in parallel.
   StrokeTree(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance)
       : StrokeTree(tolerance) {
-    std::array<std::vector<std::pair<FrameSegment, std::uint32_t>>, kShort + 1> segments;
+    std::array<std::vector<std::pair<FrameSegment, std::uint32_t>>, kGroups> segments;
     for (const std::uint32_t i : of) {
       const LatticePoint from = strokes[i].from, to = strokes[i].to;
       const std::uint32_t number = add(from, to);
       const std::size_t group = segments_[number].group;
       segments[group].push_back({{trees_[group].frame(), from, to}, number});
     }
-    parallel_tasks(kShort + 1, [&](std::size_t group) { trees_[group].fill(std::exchange(segments[group], {})); });
+    parallel_tasks(kGroups, [&](std::size_t group) { trees_[group].fill(std::exchange(segments[group], {})); });
   }
 
   /// Whether a query looks at few of the strokes: most lie side by side. A sample tells. Those that cross each other
   /// everywhere are better told apart by their ends.
   static bool suits(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance);
 
-  void insert(LatticePoint from, LatticePoint to) {
+  /// Whether many of the strokes lie on each other, so that they make runs. A sample tells.
+  static bool suits_runs(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance);
+
+  /// Segments that come in with their order may become parts of runs.
+  void insert(LatticePoint from, LatticePoint to, const std::optional<StrokeOrder>& order = {}) {
     const std::uint32_t number = add(from, to);
     SegmentTree& tree = trees_[segments_[number].group];
-    segments_[number].place = tree.insert({tree.frame(), from, to}, number);
+    const bool may_run = length(from, to) >= kLeastInRun * tolerance_;
+    segments_[number].place = tree.insert({tree.frame(), from, to}, number, may_run ? order : std::nullopt);
   }
 
   /// Segment number `segment` is no longer to be found; it keeps its number.
@@ -61,12 +69,23 @@ class StrokeTree {
   /// did.
   template <class Found>
   bool query(LatticePoint from, LatticePoint to, const Found& found) const {
-    for (std::size_t group = 0; group <= kShort; ++group) {
-      const FrameSegment line(trees_[group].frame(), from, to);
+    return query(
+        from, to, [](const SegmentRun&, double, double) { return false; }, found);
+  }
+  /// The same, but runs within the tolerance of from-to are handed to takes_run(run, begin, end) first, with the fractions
+  /// of from-to at the two ends of the run; where that returns true their segments are not told one by one.
+  template <class TakesRun, class Found>
+  bool query(LatticePoint from, LatticePoint to, const TakesRun& takes_run, const Found& found) const {
+    for (std::size_t group = 0; group < kGroups; ++group) {
+      const DirectionFrame& frame = trees_[group].frame();
+      const FrameSegment line(frame, from, to);
       const auto question = question_of(group, line, from, to);
-      if (question && trees_[group].query(line, *question, found)) return true;
+      if (!question) continue;
+      const double u = frame.u(from), extent = frame.u(to) - u;
+      const auto takes = [&](const SegmentRun& run) { return takes_run(run, (run.u0 - u) / extent, (run.u1 - u) / extent); };
+      if (trees_[group].query(line, *question, takes, found)) return true;
     }
-    if (group_of(from, to) == kShort) return false;
+    if (group_of(from, to) >= kShort) return false;
     const auto found_from = [&](std::uint32_t i) {
       const Segment& s = segments_[i];
       return !s.erased && !question_of(s.group, {trees_[s.group].frame(), from, to}, from, to) && found(i);
@@ -80,13 +99,17 @@ class StrokeTree {
 
  private:
   using Question = SegmentTree::Question;
-  static constexpr std::size_t kShort = 4;  ///< the group behind those of the four quarters of directions
+  /// Behind the groups of the four quarters of directions: short ones nearer to the x axis, and to the y axis.
+  static constexpr std::size_t kShort = 4, kGroups = 6;
   /// In a frame, where the segments have slopes of at most a half. A steeper line is at an angle of 11 degrees or more to
   /// them.
   static constexpr double kSteep = 1;
   /// What segments at such an angle have in common is shorter than 10.2 tolerances; those that share an end have nothing.
   static constexpr double kAcross = kDirectedLength + 2;
   static constexpr double kRounding = 2;  ///< steps
+  /// Tolerances. What such a segment has in common with a stroke along a run is longer than the tolerance, since it is at an
+  /// angle of at most 30 degrees to it.
+  static constexpr double kLeastInRun = 2;
 
   struct Segment {
     LatticePoint from, to;
@@ -95,20 +118,20 @@ class StrokeTree {
     bool erased;
   };
 
-  static std::array<SegmentTree, kShort + 1> make_trees(double tolerance) {
+  static std::array<SegmentTree, kGroups> make_trees(double tolerance) {
     return {SegmentTree({true, -0.5}, true, tolerance), SegmentTree({true, 0.5}, true, tolerance),
             SegmentTree({false, 0.5}, true, tolerance), SegmentTree({false, -0.5}, true, tolerance),
-            SegmentTree({true, 0}, false, tolerance)};
+            SegmentTree({true, 0}, false, tolerance),   SegmentTree({false, 0}, false, tolerance)};
   }
   std::size_t group_of(LatticePoint from, LatticePoint to) const {
-    if (length(from, to) < directed_) return kShort;
+    if (length(from, to) < directed_) return kShort + (DirectionFrame::is_flat(from, to) ? 0 : 1);
     return std::min(kShort - 1, static_cast<std::size_t>(stroke_directions::direction(from, to)));
   }
   /// What to ask a group; nothing when its directions are so different that the ends tell.
   std::optional<Question> question_of(std::size_t group, const FrameSegment& line, LatticePoint from,
                                       LatticePoint to) const {
-    if (group == kShort) return Question::box;
-    if (group_of(from, to) == kShort) return Question::beside;
+    if (group >= kShort) return Question::box;
+    if (group_of(from, to) >= kShort) return Question::beside;
     if (std::abs(line.v1 - line.v0) > kSteep * (line.u1 - line.u0)) return std::nullopt;
     return Question::along;
   }
@@ -116,15 +139,15 @@ class StrokeTree {
     const auto number = static_cast<std::uint32_t>(segments_.size());
     const std::size_t group = group_of(from, to);
     segments_.push_back({from, to, 0, static_cast<std::uint8_t>(group), false});
-    if (group != kShort) {
+    if (group < kShort) {
       ends_.add(from, number);
       ends_.add(to, number);
     }
     return number;
   }
 
-  double directed_;
-  std::array<SegmentTree, kShort + 1> trees_;
+  double tolerance_, directed_;
+  std::array<SegmentTree, kGroups> trees_;
   EndPoints ends_;
   std::vector<Segment> segments_;
 };

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -164,6 +167,61 @@ TEST(CoincidentStrokesRandom, ThousandsOnOneLineAndFromOnePointStayFast) {
   double sum = 0;
   for (const Stroke& s : fan.strokes) sum += length(s.from, s.to);
   EXPECT_NEAR(sum, std::hypot(200.0 * count, 100.0 * count), 1e-6 * sum);
+}
+
+/// Strokes on one line, each all at a depth of its own: at every place the nearest stands, whatever lies on it.
+TEST(CoincidentStrokesRandom, OfThousandsOnOneLineTheNearestStands) {
+  for (const LatticePoint d : {LatticePoint{1, 0}, LatticePoint{-3, 7}}) {
+    constexpr int count = 6000, places = 20000;
+    std::mt19937 random(21);
+    std::vector<float> depths(count), nearest(places, std::numeric_limits<float>::infinity());
+    for (int i = 0; i < count; ++i) depths[static_cast<std::size_t>(i)] = static_cast<float>(10 * i);
+    std::shuffle(depths.begin(), depths.end(), random);
+    StrokeModel m;
+    const auto point = [&](int place) { return LatticePoint{100 * place * d.x, 100 * place * d.y}; };
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const int from = int(random() % (places - 1)), to = std::min(places, from + 1 + int(random() % 3000));
+      m.strokes.push_back(at_depth(stroke(point(from), point(to), LineClass::mesh, i), depths[i], depths[i]));
+      if (i % 2 == 0) std::swap(m.strokes.back().from, m.strokes.back().to);
+      for (auto k = static_cast<std::size_t>(from); k < static_cast<std::size_t>(to); ++k) {
+        nearest[k] = std::min(nearest[k], depths[i]);
+      }
+    }
+    remove_coincident_strokes(m, kApart);
+    std::vector<float> standing(places, std::numeric_limits<float>::infinity());
+    const auto place_of = [&](LatticePoint p) { return static_cast<std::size_t>(p.x / (100 * d.x)); };
+    for (const Stroke& s : m.strokes) {
+      const auto [from, to] = std::minmax({place_of(s.from), place_of(s.to)});
+      for (std::size_t k = from; k < to; ++k) {
+        EXPECT_TRUE(std::isinf(standing[k])) << "twice at " << k;
+        standing[k] = s.z_from;
+      }
+    }
+    EXPECT_EQ(standing, nearest);
+  }
+}
+
+/// The same with depths that change along the strokes, so that they change places: nothing is lost or drawn twice.
+TEST(CoincidentStrokesRandom, ThousandsOnOneLineThatChangePlacesInDepthStayFast) {
+  constexpr int count = 50000;
+  std::mt19937 random(22);
+  StrokeModel m;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const int from = int(random() % 20'000'000), to = from + 1000 + int(random() % 9'000'000);
+    const auto z = [&] { return static_cast<float>(random() % 100'000); };
+    m.strokes.push_back(at_depth(stroke({from, 0}, {to, 0}, LineClass::mesh, i), z(), z()));
+  }
+  int high = 0, low = 20'000'000;
+  for (const Stroke& s : m.strokes) low = std::min(low, s.from.x), high = std::max(high, s.to.x);
+  remove_coincident_strokes(m, kApart);
+  std::vector<std::pair<int, int>> parts;
+  for (const Stroke& s : m.strokes) parts.push_back({s.from.x, s.to.x});
+  std::sort(parts.begin(), parts.end());
+  EXPECT_EQ(parts.front().first, low);
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    EXPECT_LE(std::abs(parts[k].first - parts[k - 1].second), kApart) << k;
+  }
+  EXPECT_EQ(parts.back().second, high);
 }
 
 }  // namespace
