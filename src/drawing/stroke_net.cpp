@@ -50,6 +50,8 @@ class MeetingFinder {
         chains_(strokes),
         touching_(touching),
         grid_(walked_cell(strokes, kCellInReaches * touching), touching) {
+    const auto has_free_end = [&](std::uint32_t i) { return chains_.is_free(i, true) || chains_.is_free(i, false); };
+    if (std::none_of(chains_.seen().begin(), chains_.seen().end(), has_free_end)) return;
     for (const std::uint32_t i : chains_.seen()) {
       for (const LatticePoint p : {strokes[i].from, strokes[i].to}) at_end_.emplace_back(p, i);
     }
@@ -58,8 +60,9 @@ class MeetingFinder {
 
   const std::vector<std::uint32_t>& seen() const { return chains_.seen(); }
 
-  /// By stroke and fraction.
+  /// By stroke and fraction. A drawing in which all lines are closed has none.
   std::vector<Meeting> find() const {
+    if (at_end_.empty()) return {};
     struct FreeEnd {
       LatticePoint p;
       std::vector<std::uint32_t> own;  // strokes
@@ -125,7 +128,7 @@ class MeetingFinder {
   StrokeChains chains_;
   double touching_;
   SegmentGrid grid_;
-  std::vector<std::pair<LatticePoint, std::uint32_t>> at_end_;  // strokes by their ends
+  std::vector<std::pair<LatticePoint, std::uint32_t>> at_end_;  // strokes by their ends, where some end is free
 };
 
 }  // namespace
