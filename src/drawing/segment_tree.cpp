@@ -129,34 +129,36 @@ bool SegmentTree::is_on(const FrameSegment& line, const SegmentRun& run) const {
 }
 
 std::optional<SegmentRun> SegmentTree::run_of_leaf(const Node& node) const {
-  std::vector<const Item*> items;
+  std::vector<std::uint32_t> items;
   for (std::uint32_t i = node.first_item; i != kNone; i = items_[i].next) {
     if (items_[i].erased) continue;
-    if (!items_[i].order) return std::nullopt;
-    items.push_back(&items_[i]);
+    if (!orders_[i]) return std::nullopt;
+    items.push_back(i);
   }
-  std::sort(items.begin(), items.end(), [](const Item* a, const Item* b) { return a->segment.u0 < b->segment.u0; });
+  std::sort(items.begin(), items.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return items_[a].segment.u0 < items_[b].segment.u0; });
   std::optional<SegmentRun> run;
-  for (const Item* const item : items) {
-    const FrameSegment& s = item->segment;
-    const SegmentRun own{s.u0, s.v0, s.u1, s.v1, 0, item->number, item->number, *item->order};
-    run = item == items.front() ? own : SegmentRun::joined(*run, own, kRunSlack * tolerance_);
+  for (const std::uint32_t i : items) {
+    const FrameSegment& s = items_[i].segment;
+    const SegmentRun own{s.u0, s.v0, s.u1, s.v1, 0, items_[i].number, items_[i].number, *orders_[i]};
+    run = i == items.front() ? own : SegmentRun::joined(*run, own, kRunSlack * tolerance_);
     if (!run) break;
   }
   return run;
 }
 
 void SegmentTree::find_run(std::uint32_t number) {
-  Node& node = nodes_[number];
+  const Node& node = nodes_[number];
+  std::optional<SegmentRun>& run = runs_[number];
   if (node.children == kNone) {
-    node.run = run_of_leaf(node);
+    run = run_of_leaf(node);
     return;
   }
-  const Node &a = nodes_[node.children], &b = nodes_[node.children + 1];
-  if (a.count == 0 || b.count == 0) {
-    node.run = a.count == 0 ? b.run : a.run;
+  const std::optional<SegmentRun>&a = runs_[node.children], &b = runs_[node.children + 1];
+  if (nodes_[node.children].count == 0 || nodes_[node.children + 1].count == 0) {
+    run = nodes_[node.children].count == 0 ? b : a;
   } else {
-    node.run = a.run && b.run ? SegmentRun::joined(*a.run, *b.run, kRunSlack * tolerance_) : std::nullopt;
+    run = a && b ? SegmentRun::joined(*a, *b, kRunSlack * tolerance_) : std::nullopt;
   }
 }
 
@@ -168,10 +170,18 @@ void SegmentTree::find_runs_up_from(std::uint32_t node) {
 std::uint32_t SegmentTree::insert(const FrameSegment& segment, std::uint32_t number,
                                   const std::optional<StrokeOrder>& order) {
   const auto place = static_cast<std::uint32_t>(items_.size());
-  items_.push_back({segment, number, kNone, kNone, false, order});
-  has_runs_ = has_runs_ || order;
+  items_.push_back({segment, number, kNone, kNone, false});
+  if (order && !has_runs_) {
+    has_runs_ = true;
+    runs_.resize(nodes_.size());
+  }
+  if (has_runs_) {
+    orders_.resize(items_.size());
+    orders_[place] = order;
+  }
   if (nodes_.empty()) {
     nodes_.emplace_back();
+    if (has_runs_) runs_.resize(nodes_.size());
     nodes_[0].first_u = segment.u0, nodes_[0].last_u = segment.u1;
   }
   std::uint32_t at = 0, uneven = kNone;
@@ -203,7 +213,7 @@ void SegmentTree::fill(const std::vector<std::pair<FrameSegment, std::uint32_t>>
   std::vector<std::uint32_t> items(segments.size());
   items_.reserve(segments.size());
   for (std::uint32_t i = 0; i < items.size(); ++i) {
-    items_.push_back({segments[i].first, segments[i].second, kNone, kNone, false, {}});
+    items_.push_back({segments[i].first, segments[i].second, kNone, kNone, false});
     items[i] = i;
   }
   nodes_.emplace_back();
@@ -223,6 +233,7 @@ std::uint32_t SegmentTree::new_children() {
     return pair;
   }
   nodes_.resize(nodes_.size() + 2);
+  if (has_runs_) runs_.resize(nodes_.size());
   return static_cast<std::uint32_t>(nodes_.size() - 2);
 }
 

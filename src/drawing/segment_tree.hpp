@@ -90,7 +90,6 @@ class SegmentTree {
     FrameSegment segment;
     std::uint32_t number, next, leaf;
     bool erased;
-    std::optional<StrokeOrder> order{};
   };
   /// At two places along u, and for the ends.
   struct Bounds {
@@ -106,7 +105,6 @@ class SegmentTree {
     std::uint32_t first_item = kNone;
     std::uint32_t count = 0, count_when_built = 0;
     std::uint32_t listed = 0;  ///< of a leaf: items, and those erased since it was built
-    std::optional<SegmentRun> run{};
 
     double key(const FrameSegment& s) const {
       return of_u * (s.u0 + s.u1) / 2 + of_v * (s.v0 + s.v1) / 2 + of_slope * s.slope;
@@ -122,6 +120,7 @@ class SegmentTree {
   bool may_be(const FrameSegment& segment, const FrameSegment& line, Question question) const;
   std::size_t nodes_asked(std::uint32_t number, const FrameSegment& line, Question question) const;
   bool is_on(const FrameSegment& line, const SegmentRun& run) const;
+  const std::optional<SegmentRun>& run_below(std::uint32_t node) const { return runs_[has_runs_ ? node : 0]; }
   std::optional<SegmentRun> run_of_leaf(const Node& node) const;
   void find_run(std::uint32_t node);
   void find_runs_up_from(std::uint32_t node);
@@ -136,7 +135,7 @@ class SegmentTree {
              const Found& found) const {
     const Node& node = nodes_[number];
     if (node.count == 0 || !may_be(node, line, question)) return false;
-    if (node.run && is_on(line, *node.run) && takes_run(*node.run)) return false;
+    if (const auto& run = run_below(number); run && is_on(line, *run) && takes_run(*run)) return false;
     if (node.children != kNone) {
       return visit(node.children, line, question, takes_run, found) ||
              visit(node.children + 1, line, question, takes_run, found);
@@ -154,7 +153,10 @@ class SegmentTree {
   std::vector<Item> items_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> free_;  ///< pairs of nodes
-  bool has_runs_ = false;            ///< some segment came in with its order
+  bool has_runs_ =
+      false;  ///< some segment came in with its order: then there are as many of the next two as of items and nodes
+  std::vector<std::optional<StrokeOrder>> orders_;   ///< by item
+  std::vector<std::optional<SegmentRun>> runs_{{}};  ///< by node
 };
 
 }  // namespace ligne
