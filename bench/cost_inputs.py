@@ -98,6 +98,15 @@ def boxes_about_a_point(n, obj):
         obj.add([rotated(v, axis, angle) for v in box((-0.05, -0.11, -0.06), (0.1, 0.22, 0.12))], CUBE)
 
 
+def crosses_about_a_point(n, obj):
+    """n crosses of two squares about one point, turned at random."""
+    rng, half = random.Random(7), 0.1
+    for _ in range(n):
+        axis, angle = random_direction(rng), rng.uniform(-3, 3)
+        corners = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0), (-1, 0, -1), (1, 0, -1), (1, 0, 1), (-1, 0, 1)]
+        obj.add([rotated([half * c for c in v], axis, angle) for v in corners], [(0, 1, 2, 3), (4, 5, 6, 7)])
+
+
 def boxes(n, obj):
     """n boxes that penetrate each other, as dense for every n."""
     rng, side = random.Random(3), n ** (1 / 3)
@@ -163,11 +172,13 @@ FAMILIES = {
     "needles, hidden dashed": (needles, (50, 100, 200), ["--hidden", "dashed"]),
     "boxes about a point": (boxes_about_a_point, (50, 150, 450), []),
     "boxes about a point, hidden dashed": (boxes_about_a_point, (15, 30, 60), ["--hidden", "dashed"]),
+    "crosses about a point, hidden dashed": (crosses_about_a_point, (30, 60, 120), ["--hidden", "dashed"]),
     "penetrating boxes": (boxes, (1000, 3000, 9000), []),
     "penetrating boxes, hidden dashed": (boxes, (1000, 3000, 9000), ["--hidden", "dashed"]),
     "touching cubes": (touching_cubes, (1000, 3375, 10648), []),
     "squares on one edge": (fan, (300, 900, 2700), []),
     "star, one face": (star, (10000, 30000, 90000), []),
+    "star seen edge on": (star, (20000, 60000, 180000), ["--view", "left"]),
     "comb, one face": (comb, (10000, 30000, 90000), []),
     "boxes in boxes": (shells, (1000, 3000, 9000), []),
     "stack of plates": (stack, (300, 900, 2700), []),
