@@ -22,7 +22,7 @@ struct StrokeOrder {
 };
 
 /// In the coordinates of a frame (drawing/stroke_directions.hpp). All the segments lie within `aside` in v of the line from
-/// (u0, v0) to (u1, v1), which they cover but for gaps that no piece of a stroke is as short as.
+/// (u0, v0) to (u1, v1), which they cover but for gaps that are shorter than any piece of a stroke.
 struct SegmentRun {
   double u0, v0, u1, v1;
   double aside = 0;

@@ -153,8 +153,8 @@ class SegmentTree {
   std::vector<Item> items_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> free_;  ///< pairs of nodes
-  bool has_runs_ =
-      false;  ///< some segment came in with its order: then there are as many of the next two as of items and nodes
+  /// Some segment came in with its order: then there are as many of the next two as of items and nodes.
+  bool has_runs_ = false;
   std::vector<std::optional<StrokeOrder>> orders_;   ///< by item
   std::vector<std::optional<SegmentRun>> runs_{{}};  ///< by node
 };

@@ -15,8 +15,9 @@ constexpr double kOutOfStep = 0.25;
 /// ... and by more than this part of the range of heights: less is no stroke on any page.
 constexpr double kLeastStep = 0x1p-20;
 
-/// Pieces of broken edges are halved so often at most, and less often where so many edges are broken that a row of cells
-/// would get more points than these for each sample: where there is a pole between all samples, what is drawn is chance.
+/// Pieces of broken edges are halved so often at most, and less often where so many edges are broken that a block of
+/// rows would get more points than these for each sample: where there is a pole between all samples, what is drawn is
+/// chance.
 constexpr int kMostPieceHalvings = 6;
 constexpr std::size_t kPointsForSample = 4;
 
