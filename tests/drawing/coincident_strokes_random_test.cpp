@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -201,27 +202,38 @@ TEST(CoincidentStrokesRandom, OfThousandsOnOneLineTheNearestStands) {
   }
 }
 
-/// The same with depths that change along the strokes, so that they change places: nothing is lost or drawn twice.
-TEST(CoincidentStrokesRandom, ThousandsOnOneLineThatChangePlacesInDepthStayFast) {
-  constexpr int count = 50000;
+/// Short strokes that follow each other on a line, and long ones whose depths change along them, so that they go before some
+/// of the short ones. Among so many others that they are searched for runs, they are decided as they are by themselves.
+TEST(CoincidentStrokesRandom, AmongThousandsOnOneLineAsAmongFew) {
+  constexpr int shorts = 1500, longs = 200, more = 4000, place = 1000;
+  constexpr std::uint32_t few = shorts + longs;
   std::mt19937 random(22);
-  StrokeModel m;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const int from = int(random() % 20'000'000), to = from + 1000 + int(random() % 9'000'000);
-    const auto z = [&] { return static_cast<float>(random() % 100'000); };
-    m.strokes.push_back(at_depth(stroke({from, 0}, {to, 0}, LineClass::mesh, i), z(), z()));
+  const auto z = [&] { return static_cast<float>(random() % 10'000); };
+  const auto any_stroke = [&](int height, std::uint32_t source) {
+    const int from = place * int(random() % (shorts - 1)), to = std::min(place * shorts, from + 1 + int(random() % 900'000));
+    return at_depth(stroke({from, height}, {to, height}, LineClass::mesh, source), z(), z());
+  };
+  StrokeModel alone;
+  for (std::uint32_t i = 0; i < shorts; ++i) {
+    const int from = place * int(i);
+    const float depth = z() / 4;
+    alone.strokes.push_back(at_depth(stroke({from, 0}, {from + place, 0}, LineClass::mesh, i), depth, depth));
   }
-  int high = 0, low = 20'000'000;
-  for (const Stroke& s : m.strokes) low = std::min(low, s.from.x), high = std::max(high, s.to.x);
-  remove_coincident_strokes(m, kApart);
-  std::vector<std::pair<int, int>> parts;
-  for (const Stroke& s : m.strokes) parts.push_back({s.from.x, s.to.x});
-  std::sort(parts.begin(), parts.end());
-  EXPECT_EQ(parts.front().first, low);
-  for (std::size_t k = 1; k < parts.size(); ++k) {
-    EXPECT_LE(std::abs(parts[k].first - parts[k - 1].second), kApart) << k;
-  }
-  EXPECT_EQ(parts.back().second, high);
+  for (std::uint32_t i = shorts; i < few; ++i) alone.strokes.push_back(any_stroke(0, i));
+  StrokeModel together = alone;
+  for (std::uint32_t i = 0; i < more; ++i) together.strokes.push_back(any_stroke(10'000, few + i));
+  remove_coincident_strokes(alone, kApart);
+  remove_coincident_strokes(together, kApart);
+  const auto pieces = [](const StrokeModel& m) {
+    std::vector<std::tuple<int, int, std::uint32_t>> found;
+    for (const Stroke& s : m.strokes) {
+      if (s.source < few) found.emplace_back(s.from.x, s.to.x, s.source);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  };
+  EXPECT_GT(pieces(alone).size(), 100u);
+  EXPECT_EQ(pieces(together), pieces(alone));
 }
 
 }  // namespace
