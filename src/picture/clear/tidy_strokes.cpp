@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "drawing/drawing.hpp"
@@ -118,71 +117,83 @@ class MeshApart {
   std::vector<Stroke> mesh_;
 };
 
-}  // namespace
+void count(RunReport& run, const char* name, std::size_t n) {
+  if (n > 0) run.clear.count(name, n);
+}
 
-void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport& run) {
-  const PictureRequest& request = prepared.request;
-  const double pen_mm = request.page.pen_width_mm, coincidence = coincidence_mm(prepared.projected);
-  const bool clear = request.lines.quality == Quality::clear;
-  const double least_mm = request.lines.least_mm.value_or(clear ? kLeastInPens * pen_mm : 0);
-  if (least_mm == 0) {
-    remove_coincident_strokes(strokes, coincidence);
-    return;
-  }
-  const auto count = [&](const char* name, std::size_t n) {
-    if (n > 0) run.clear.count(name, n);
-  };
-  const double gap_mm = std::min(least_mm, kGapInPens * pen_mm);
-  count("short gaps closed", close_short_gaps(strokes, gap_mm));
-  remove_coincident_strokes(strokes, coincidence);
-  std::optional<MeshApart> mesh;
-  if (clear) mesh.emplace(strokes);
-  if (clear && request.lines.least_mm) {
-    mesh->change([&] { count("short bits of the mesh left out", drop_short_bits(strokes, least_mm)); });
-  }
+void drop_lone_flecks(StrokeModel& strokes, const PreparedScene& prepared, RunReport& run) {
+  const LineRequest& lines = prepared.request.lines;
+  const double pen_mm = prepared.request.page.pen_width_mm;
+  const LineClasses features = LineClasses::features();
+  // Where a class is left out, what its lines would meet stands alone.
+  if ((lines.studied().bits & features.bits) != features.bits) return;
+  const auto object = [&](const Stroke& s) { return object_of(prepared, strokes, s); };
+  count(run, "lone flecks left out",
+        drop_flecks(strokes, object,
+                    {.longest_mm = kLoneInPens * pen_mm,
+                     .body_part = kFleckPart,
+                     .touching_mm = kMeetingInPens * pen_mm,
+                     .classes = features,
+                     .most_ends_on_lines = 0,
+                     .ring_width_mm = kRingInPens * pen_mm}));
+}
+
+/// Of strokes none of which coincide, and none of which are of the mesh.
+void tidy_lines(StrokeModel& strokes, const PreparedScene& prepared, double least_mm, double gap_mm, RunReport& run) {
+  const double pen_mm = prepared.request.page.pen_width_mm;
+  const bool has_outlines = prepared.request.lines.studied().has(LineClass::outline);
   const auto scan = [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); };
   JointSources make_source(strokes, prepared.projected);
   // Without outlines nothing tells that a line passes behind something.
-  const double wide_mm = (request.lines.studied().has(LineClass::outline) ? kFarInGaps : kWideInGaps) * gap_mm;
+  const double wide_mm = (has_outlines ? kFarInGaps : kWideInGaps) * gap_mm;
   const auto join = [&] { return join_loose_ends(strokes, {gap_mm, wide_mm, kInkInPens * pen_mm}, std::ref(make_source)); };
-  if (clear) {
-    std::size_t joined = join();
-    if (!prepared.scans.empty()) {
-      count("spurs of scans left out", drop_spurs(strokes, scan,
-                                                  {.longest_mm = kSpurInPens * pen_mm,
-                                                   .body_part = kSpurPart,
-                                                   .beside_mm = kBesideInPens * pen_mm,
-                                                   .beside_times = kBesideInSpurs,
-                                                   .touching_mm = kMeetingInPens * pen_mm,
-                                                   .gap_mm = kBrokenInPens * pen_mm}));
-      joined += join();
-    }
-    count("loose ends joined", joined);
-    count("short bits of another class than their line", join_short_classes(strokes, least_mm));
+  std::size_t joined = join();
+  if (!prepared.scans.empty()) {
+    count(run, "spurs of scans left out",
+          drop_spurs(strokes, scan,
+                     {.longest_mm = kSpurInPens * pen_mm,
+                      .body_part = kSpurPart,
+                      .beside_mm = kBesideInPens * pen_mm,
+                      .beside_times = kBesideInSpurs,
+                      .touching_mm = kMeetingInPens * pen_mm,
+                      .gap_mm = kBrokenInPens * pen_mm}));
+    joined += join();
   }
-  count("short bits of lines left out", drop_short_bits(strokes, least_mm));
-  if (!clear) return;
-  count("short bits in the ink of other lines",
+  count(run, "loose ends joined", joined);
+  count(run, "short bits of another class than their line", join_short_classes(strokes, least_mm));
+  count(run, "short bits of lines left out", drop_short_bits(strokes, least_mm));
+  count(run, "short bits in the ink of other lines",
         drop_inked_bits(strokes, {least_mm, kInkInPens * pen_mm, kShownInPens * pen_mm}));
   if (!prepared.scans.empty()) {
-    count("flecks of scans left out",
+    count(run, "flecks of scans left out",
           drop_flecks(strokes, scan, {kFleckInPens * pen_mm, kFleckPart, kMeetingInPens * pen_mm}));
   }
-  if (!request.lines.studied().has(LineClass::outline)) return;
-  const LineClasses features = LineClasses::features();
-  // Where a class is left out, what its lines would meet stands alone.
-  if ((request.lines.studied().bits & features.bits) == features.bits) {
-    const auto object = [&](const Stroke& s) { return object_of(prepared, strokes, s); };
-    count("lone flecks left out", drop_flecks(strokes, object,
-                                              {.longest_mm = kLoneInPens * pen_mm,
-                                               .body_part = kFleckPart,
-                                               .touching_mm = kMeetingInPens * pen_mm,
-                                               .classes = features,
-                                               .most_ends_on_lines = 0,
-                                               .ring_width_mm = kRingInPens * pen_mm}));
-  }
-  count("ends led to the line before them",
+  if (!has_outlines) return;
+  drop_lone_flecks(strokes, prepared, run);
+  count(run, "ends led to the line before them",
         extend_short_ends(strokes, {kShortInPens * gap_mm, kTouchingInPens * pen_mm}, std::ref(make_source)));
+}
+
+}  // namespace
+
+void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport& run) {
+  const LineRequest& lines = prepared.request.lines;
+  const double pen_mm = prepared.request.page.pen_width_mm, coincidence = coincidence_mm(prepared.projected);
+  const bool clear = lines.quality == Quality::clear;
+  const double least_mm = lines.least_mm.value_or(clear ? kLeastInPens * pen_mm : 0);
+  const double gap_mm = std::min(least_mm, kGapInPens * pen_mm);
+  if (least_mm > 0) count(run, "short gaps closed", close_short_gaps(strokes, gap_mm));
+  remove_coincident_strokes(strokes, coincidence);
+  if (least_mm == 0) return;
+  if (!clear) {
+    count(run, "short bits of lines left out", drop_short_bits(strokes, least_mm));
+    return;
+  }
+  MeshApart mesh(strokes);
+  if (lines.least_mm) {
+    mesh.change([&] { count(run, "short bits of the mesh left out", drop_short_bits(strokes, least_mm)); });
+  }
+  tidy_lines(strokes, prepared, least_mm, gap_mm, run);
 }
 
 }  // namespace ligne
