@@ -91,11 +91,11 @@ std::vector<std::uint32_t> edge_ends_of_objects(const Scene& scene, const Topolo
   return ends;
 }
 
-/// Whether the order of strokes must not depend on what is hidden: where the model is streamed, or could be. Other drawings
-/// keep the order that they had before.
+/// Whether strokes are compared for coincidence by what is seen beside them alone: where the model is streamed, or could be,
+/// so that their order does not depend on what is hidden, and of other large models since nearly none are compared then.
+/// Drawings of small models keep the order that they had before.
 bool coincide_by_sight(const PictureRequest& request, const Scene& scene) {
-  return request.blank || (scene.faces.size() >= kFewestStreamedFaces && request.lines.quality == Quality::exact &&
-                           request.lines.hidden == HiddenLines::none);
+  return request.blank || (scene.faces.size() >= kFewestStreamedFaces && request.lines.hidden == HiddenLines::none);
 }
 
 StudyOptions study_options(const PreparedScene& prepared, std::optional<SpanLines> span_lines) {
