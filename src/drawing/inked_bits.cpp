@@ -140,7 +140,9 @@ DisjointSets touching_runs(const std::vector<Stroke>& strokes, const StrokeLines
     }
   };
   const auto cell_at = [&](std::int32_t column, std::int32_t row) {
-    return std::span<const End>(std::ranges::equal_range(ends, std::pair(column, row), {}, key));
+    const std::pair at(column, row);
+    const auto first = std::ranges::lower_bound(ends, at, {}, key);
+    return std::span<const End>(first, std::ranges::upper_bound(first, ends.end(), at, {}, key));
   };
   for (std::size_t begin = 0; begin < ends.size();) {
     const auto [column, row] = key(ends[begin]);

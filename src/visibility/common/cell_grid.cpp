@@ -309,7 +309,8 @@ void CellGrid::Build::finish_leaf(Cell& cell, CellFacet* list, std::size_t n, co
 void CellGrid::Build::hand_down(const Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited,
                                 Children& children) const {
   const double size = square.size / kSplitSide;
-  auto& [lists, covers] = children;
+  std::vector<CellFacet>* lists = children.lists;
+  float* covers = children.covers;
   std::fill_n(covers, kChildren, cell.occluder_depth);
   NearestCover nearest[kChildren];
   // Nearest first: covers are found before what they hide.
@@ -351,7 +352,8 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
                             std::uint16_t arena_index, double budget, CellCover& cover) {
   Children children;
   hand_down(cell, square, inherited, children);
-  auto& [lists, covers] = children;
+  std::vector<CellFacet>* lists = children.lists;
+  float* covers = children.covers;
   const double size = square.size / kSplitSide;
   std::size_t total = 0;
   for (int k = 0; k < kChildren; ++k) {

@@ -51,7 +51,7 @@ struct SideAreas {
 /// somewhere. False where it does not.
 inline bool narrow_to_behind(const PageLine& line, const Facet& facet, const ProjectedVertex* vertices,
                              const SideAreas& sides, double& enter, double& leave) {
-  const auto& [e0, fall] = sides;
+  const double *e0 = sides.at_start, *fall = sides.fall;
   const double area = e0[0] + e0[1] + e0[2];
   const double za = vertices[facet.v[0]].z, zb = vertices[facet.v[1]].z, zc = vertices[facet.v[2]].z;
   const auto behind = [&](double t) {
