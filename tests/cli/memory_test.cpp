@@ -8,9 +8,11 @@
 namespace ligne::test {
 namespace {
 
-/// The sanitizer's allocator ends the program in its own way.
+/// The sanitizer's allocator ends the program in its own way. GCC tells of it by a macro, clang by a feature.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kOwnAllocator = true;
+#elif defined(__has_feature)
+constexpr bool kOwnAllocator = __has_feature(address_sanitizer);
 #else
 constexpr bool kOwnAllocator = false;
 #endif
