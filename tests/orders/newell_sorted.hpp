@@ -1,0 +1,30 @@
+#pragma once
+/// The list of the method newell, sorted for a scene and a view.
+
+#include <cstdint>
+#include <vector>
+
+#include "support/scenes.hpp"
+#include "visibility/newell/priority_list.hpp"
+
+namespace ligne::test {
+
+/// A list and how it came about. The viewer looks along +y: x to the right, z up, what has the larger y is farther.
+struct Sorted {
+  std::vector<std::uint32_t> faces;  ///< of the elements, the farthest first
+  newell::ListCounts counts;
+};
+
+inline Sorted sorted(const Scene& scene, const CameraRequest& camera = along({0, 1, 0})) {
+  const Picture picture = draw(scene, {camera, "all", false, 1, "appel"});
+  newell::PaintElements elements(picture.projected);
+  newell::PriorityList list(elements);
+  Sorted result;
+  for (const std::uint32_t e : list.sort()) result.faces.push_back(elements[e].face);
+  result.counts = list.counts();
+  return result;
+}
+
+using Order = std::vector<std::uint32_t>;
+
+}  // namespace ligne::test

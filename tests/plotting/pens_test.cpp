@@ -1,0 +1,259 @@
+/// Pens, their labels and looks, and dashes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "plotted.hpp"
+#include "plotting/dashes.hpp"
+
+namespace ligne {
+namespace {
+
+using namespace test;
+
+TEST(Pens, ThatTheDeviceDoesNotHoldAreRefused) {
+  PlotRequest request;
+  add_pen(request.pens, "rest=7");
+  const Drawing drawing = plotter_drawing();
+  const Device& device = *find_device("hp7475a");
+  const DeviceFrame frame = place_on_device(device, {}, ink_of(drawing), false);
+  EXPECT_THROW(write_plot(make_plot(drawing, request), device, frame), std::runtime_error);
+}
+
+TEST(Pens, LabelsAreWhatOtherProgramsRead) {
+  Pen pen;
+  pen.number = 3;
+  EXPECT_EQ(layer_label(pen), "3");
+  pen.name = "red 0.5";
+  pen.pause = pen.skip = true;
+  pen.speed = 30;
+  pen.height = 50;
+  pen.delay_ms = 250;
+  EXPECT_EQ(layer_label(pen), "%!3+S30+H50+D250 red 0.5");
+}
+
+TEST(Pens, LabelsAreReadAsTheyAreWritten) {
+  const LayerLabel label = parse_layer_label("%!3+S30+H50+D250 red 0.5");
+  EXPECT_EQ(label.number, 3u);
+  EXPECT_TRUE(label.skip && label.pause);
+  EXPECT_EQ(label.speed, 30u);
+  EXPECT_EQ(label.height, 50u);
+  EXPECT_EQ(label.delay_ms, 250u);
+  EXPECT_EQ(label.name, "red 0.5");
+  EXPECT_EQ(parse_layer_label("12-layer").number, 12u);
+  EXPECT_EQ(parse_layer_label("2001 a space odyssey").number, 0u) << "no plotter holds so many";
+  EXPECT_EQ(parse_layer_label("2001 a space odyssey").name, "2001 a space odyssey");
+  EXPECT_EQ(parse_layer_label("99999999999").number, 0u);
+  EXPECT_EQ(parse_layer_label("1+s0+h101+d9999999+x3 y").name, "+x3 y");
+  EXPECT_FALSE(parse_layer_label("1+s0+h101+d9999999+x3 y").speed);
+  EXPECT_FALSE(parse_layer_label("1+s0+h101+d9999999+x3 y").delay_ms);
+  EXPECT_EQ(parse_layer_label("red").name, "red");
+  EXPECT_TRUE(parse_layer_label("").name.empty());
+}
+
+Drawing layers_of(const std::vector<std::string>& names) {
+  Drawing drawing;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double y = 10.0 * static_cast<double>(i + 1);
+    drawing.layers.push_back({names[i], {}});
+    drawing.layers.back().lines.add(std::vector<Point2>{{20, y}, {40, y}});
+  }
+  return drawing;
+}
+
+std::vector<std::string> names_of(const Drawing& drawing) {
+  std::vector<std::string> names;
+  for (const Layer& layer : drawing.layers) names.push_back(layer.name);
+  return names;
+}
+
+TEST(Pens, LayersKeepTheirNames) {
+  PlotRequest request;
+  request.pen_per_layer = request.keep_looks = true;
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names_of(drawing_of(make_plot(layers_of({"3 red", "1 black", "%2 draft", "% note", "1 black too"}), request))),
+            (Names{"1 black", "% note", "1 black too", "%2 draft", "3 red"}));
+  const Drawing once = drawing_of(make_plot(layers_of({"crease", "outline", "1 pencil"}), request));
+  EXPECT_EQ(names_of(once), (Names{"1 pencil", "2 crease", "3 outline"})) << "those without a number get one that is free";
+  EXPECT_EQ(names_of(drawing_of(make_plot(once, request))), names_of(once)) << "and keep it";
+}
+
+TEST(Pens, WhatLayersSayOfPensIsDone) {
+  const Drawing drawing = layers_of({"2+D250+S50 slow", "%3 note", "!2 again", "1"});
+  const Plot plot = make_plot(drawing, {});
+  const Device& grbl = *find_device("grbl-servo");
+  const std::string gcode = write_plot(plot, grbl, place_on_device(grbl, {}, ink_of(plot), false));
+  EXPECT_EQ(gcode.find("pen 3"), std::string::npos) << "not plotted";
+  EXPECT_NE(gcode.find("M0 (pen 2: slow)\nG4 P0.25\n"), std::string::npos) << gcode;
+  EXPECT_NE(gcode.find("G1 F1200"), std::string::npos) << "half its speed";
+  EXPECT_NE(gcode.find("M0 (pen 2: again)\n"), std::string::npos) << "a pause";
+  const Device& hp = *find_device("cutter");
+  const std::string hpgl = write_plot(plot, hp, place_on_device(hp, {}, ink_of(plot), false));
+  EXPECT_EQ(hpgl.find("SP3"), std::string::npos);
+  EXPECT_NE(hpgl.find("SP2;\nVS5;"), std::string::npos) << hpgl;
+  EXPECT_EQ(hpgl.find("SP2", hpgl.find("SP2") + 1), std::string::npos) << "it is held already";
+  EXPECT_NE(hpgl.find("VS10;"), std::string::npos) << "as fast as usual again";
+  EXPECT_EQ(measure(plot, {0, 0}, false).strokes, 3u);
+  EXPECT_EQ(pen_changes(plot), 1u);
+  PlotRequest named;
+  add_pen(named.pens, "%3 note=4");
+  EXPECT_FALSE(make_plot(drawing, named).pens.back().pen.skip) << "who names it wants it";
+}
+
+/// The time that a device takes never grows, whatever is drawn.
+TEST(Plots, TakeNoLongerThanInTheOrderOfTheDrawing) {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(5, 95), jitter(-0.03, 0.03);
+    std::uniform_int_distribution<int> count(1, 30), kind(0, 4), node(1, 12);
+    Drawing drawing;
+    for (const char* name : {"1 a", "2 b"}) {
+      Layer& layer = drawing.layers.emplace_back(Layer{name, {}});
+      const int lines = count(random);
+      std::vector<Point2> line;
+      for (int i = 0; i < lines; ++i) {
+        const int what = kind(random);
+        if (what == 0 && !line.empty()) {  // nearly the line before, in part
+          for (Point2& p : line) p += Point2{jitter(random), jitter(random)};
+          line.resize(std::max<std::size_t>(2, line.size() / 2));
+        } else {
+          line.clear();
+          const int points = count(random) + 1;
+          Point2 p{place(random), place(random)};
+          for (int k = 0; k < points; ++k) {
+            line.push_back(p);
+            if (what == 1) p = {node(random) * 8.0, node(random) * 8.0};
+            if (what == 2) p = {place(random), place(random)};
+            if (what > 2) p += Point2{1, what == 3 ? 0 : jitter(random)};
+          }
+        }
+        layer.lines.add(line);
+      }
+    }
+    for (const char* name : {"grbl-servo", "axidraw-v3", "cutter", "designjet", "hp7475a"}) {
+      const Device& device = *find_device(name);
+      PlotRequest request;
+      request.style.page = {100, 100, 0};
+      request.paths.pace = pace_of(device);
+      request.paths.tolerances.lift_mm = request.paths.pace.lift_mm();
+      request.paths.order.returns = device.returns;
+      for (const Optimize how : {Optimize::order, Optimize::join, Optimize::full}) {
+        request.paths.optimize = how;
+        const auto seconds = [&](const Plot& plot) {
+          return plot_seconds(device, measure(plot, {0, 0}, device.returns), pen_changes(plot));
+        };
+        EXPECT_LE(seconds(make_plot(drawing, request)), seconds(deal_to_pens(drawing, request)) * (1 + 1e-12))
+            << seed << " " << name << " " << static_cast<int>(how);
+      }
+    }
+  }
+}
+
+TEST(Plots, StrokesOfOnePenKeepTheirLooks) {
+  Drawing drawing = layers_of({"1 all", "1 all", "1 all"});
+  drawing.layers[0].color = {1, 0, 0};
+  drawing.layers[1].color = {0, 0, 1};
+  drawing.layers[2].color = {1, 0, 0};
+  drawing.layers[2].width_mm = 0.7;
+  PlotRequest request;
+  request.pen_per_layer = request.keep_looks = true;
+  const Plot plot = make_plot(drawing, request);
+  ASSERT_EQ(plot.pens.size(), 1u);
+  EXPECT_EQ(plot.pens[0].lines.size(), 3u);
+  const Drawing pictured = drawing_of(plot);
+  ASSERT_EQ(pictured.layers.size(), 3u);
+  double red = 0, blue = 0, wide = 0;
+  for (const Layer& layer : pictured.layers) {
+    EXPECT_EQ(layer.name, "1 all");
+    red += layer.color == std::array<double, 3>{1, 0, 0};
+    blue += layer.color == std::array<double, 3>{0, 0, 1};
+    wide += layer.width_mm == 0.7;
+  }
+  EXPECT_EQ(red, 2);
+  EXPECT_EQ(blue, 1);
+  EXPECT_EQ(wide, 1);
+  PlotOptions options;
+  options.style = styles_of(plot);
+  const std::string svg = write_svg(pictured, options);
+  EXPECT_NE(svg.find("<g stroke=\"#00f\""), std::string::npos) << svg;
+  EXPECT_NE(svg.find("stroke-width=\"0.7\""), std::string::npos) << svg;
+}
+
+TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
+  PenTable table;
+  add_pen(table, "outline=1,black,0.5");
+  add_pen(table, "material:steel=4,#0f0");
+  add_pen(table, "rest=2");
+  EXPECT_EQ(table.pen_of("outline", ""), 1u);
+  EXPECT_EQ(table.pen_of("outline", "steel"), 4u);
+  EXPECT_EQ(table.pen_of("mesh", ""), 2u);
+  add_pen(table, "object:wheel*=5");
+  add_pen(table, "object:wheel 2=6");
+  EXPECT_EQ(table.pen_of("outline", "steel", 0, "wheel 1"), 5u);
+  EXPECT_EQ(table.pen_of("outline", "steel", 0, "wheel 2"), 6u) << "the last that fits";
+  EXPECT_EQ(table.pen_of("outline", "steel", 0, "axle"), 4u);
+  EXPECT_EQ(table.pen_of("!5+S30 mine", ""), 5u) << "a layer that another program numbered";
+  EXPECT_EQ(table.pen(4).color, (std::array<double, 3>{0, 1, 0}));
+  for (const char* wrong : {"", "outline", "=1", "outline=0", "outline=1001", "outline=x", "outline=1,reddish",
+                            "outline=1,red,-1", "outline=1,red,0", "outline=1,#12"}) {
+    EXPECT_THROW(add_pen(table, wrong), std::invalid_argument) << wrong;
+  }
+  const PenTable file = read_pens(
+      "[[pen]]\nnumber = 2\ncolor = \"red\"\nwidth = 0.7\nclasses = [\"outline\", \"border\"]\nmaterials = [\"glass\"]\nobjects = [\"lid\"]\n"
+      "[[pen]]\nnumber = 1\nrest = true\nskip = true\n",
+      "pens.toml");
+  EXPECT_EQ(file.pen_of("border", ""), 2u);
+  EXPECT_EQ(file.pen_of("mesh", "glass"), 2u);
+  EXPECT_EQ(file.pen_of("mesh", "", 0, "lid"), 2u);
+  EXPECT_EQ(file.pen_of("mesh", ""), 1u);
+  EXPECT_TRUE(file.pen(1).skip);
+  for (const char* wrong :
+       {"", "[[pen]]\n", "[[pen]]\nnumber = 0\n", "[[pen]]\nnumber = 1\nwidth = 0\n", "[[pen]]\nnumber = 1\nwidht = 1\n",
+        "[[pen]]\nnumber = 1\n[[pen]]\nnumber = 1\n", "[[pen]]\nnumber = 1\ncolor = \"?\"\n", "[pen]\nnumber = 1\n"}) {
+    EXPECT_THROW(read_pens(wrong, "pens.toml"), std::runtime_error) << wrong;
+  }
+}
+
+TEST(Dashes, BeginAndEndWithADash) {
+  Polylines line;
+  line.points = {{0, 0}, {10, 0}, {10, 20}};
+  line.begin = {0, 3};
+  const std::vector<double> pattern{3, 1};
+  const Polylines cut = cut_dashes(line, pattern, 0.5);
+  ASSERT_GT(cut.size(), 4u);
+  EXPECT_EQ(cut[0].front(), Point2(0, 0));
+  EXPECT_NEAR(glm::distance(cut[cut.size() - 1].back(), Point2(10, 20)), 0, 1e-9);
+  // 8 dashes of 2.5 and 7 gaps of 1.5, pressed or stretched into 30 mm.
+  const double stretch = 30 / (7 * 4 + 2.5);
+  EXPECT_EQ(cut.size(), 8u);
+  const PathLengths lengths = measure(cut, {0, 0}, false);
+  EXPECT_NEAR(lengths.down_mm, 8 * 2.5 * stretch, 1e-9);
+  // A short line is one dash, and lines without a pattern stay.
+  line.points = {{0, 0}, {2, 0}};
+  line.begin = {0, 2};
+  EXPECT_EQ(cut_dashes(line, pattern, 0.5).size(), 1u);
+  EXPECT_EQ(cut_dashes(line, {}, 0.5).points, line.points);
+}
+
+TEST(Dashes, PatternsOfSvgAreCutAsTheyAre) {
+  Polylines line;
+  line.points = {{0, 0}, {10, 0}};
+  line.begin = {0, 2};
+  const Polylines cut = cut_pattern(line, std::vector<double>{2}, 1);
+  // Marks of 2 and gaps of 2 from 1 mm into the first mark: [0,1], [3,5], [7,9].
+  ASSERT_EQ(cut.size(), 3u);
+  EXPECT_EQ(cut[0][1], Point2(1, 0));
+  EXPECT_EQ(cut[1][0], Point2(3, 0));
+  EXPECT_EQ(cut[2][1], Point2(9, 0));
+  EXPECT_EQ(cut_pattern(line, std::vector<double>{0, 0}, 1).points, line.points);
+}
+
+}  // namespace
+}  // namespace ligne

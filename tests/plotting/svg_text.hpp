@@ -1,0 +1,90 @@
+#pragma once
+/// Short SVG texts, read, and what is in them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "plotting/drawing_reader.hpp"
+
+namespace ligne::test {
+
+/// In a page of 100 x 100 mm whose unit is the millimetre.
+inline std::string page(const std::string& body, const std::string& attributes = "") {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+         "width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\" fill=\"none\" stroke=\"black\" " +
+         attributes + ">\n" + body + "\n</svg>";
+}
+
+inline ReadDrawing read(const std::string& body) { return read_svg_drawing(page(body), "a.svg", {}); }
+
+/// The only line of the only layer.
+inline std::vector<Point2> line_of(const std::string& body) {
+  const ReadDrawing drawing = read(body);
+  if (drawing.drawing.layers.size() != 1 || drawing.drawing.layers[0].lines.size() != 1) {
+    ADD_FAILURE() << body << ": not one line";
+    return {{0, 0}, {0, 0}};
+  }
+  const auto line = drawing.drawing.layers[0].lines[0];
+  return {line.begin(), line.end()};
+}
+
+inline void expect_points(const std::string& body, const std::vector<Point2>& wanted) {
+  const std::vector<Point2> got = line_of(body);
+  ASSERT_EQ(got.size(), wanted.size()) << body;
+  for (std::size_t i = 0; i < got.size(); ++i)
+    EXPECT_NEAR(glm::distance(got[i], wanted[i]), 0, 1e-9) << body << " point " << i;
+}
+
+inline double length_of(const std::string& body) {
+  const std::vector<Point2> line = line_of(body);
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+  return length;
+}
+
+inline std::string error_of(const std::string& svg) {
+  try {
+    read_svg_drawing(svg, "a.svg", {});
+  } catch (const std::runtime_error& e) {
+    EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
+    EXPECT_LT(std::string(e.what()).size(), 400u);
+    return e.what();
+  }
+  return "";
+}
+
+/// What the strokes of the layer take up.
+inline Rect box_of(const ReadDrawing& drawing, const std::string& layer) {
+  Rect box;
+  for (const Layer& l : drawing.drawing.layers) {
+    if (l.name != layer) continue;
+    for (const Point2 p : l.lines.points) box.extend(p);
+  }
+  return box;
+}
+inline Rect text_box(const std::string& body) { return box_of(read(body), "text"); }
+
+/// All lines of all layers, as texts of whole hundredths, sorted.
+inline std::multiset<std::string> lines_of(const ReadDrawing& drawing) {
+  std::multiset<std::string> all;
+  for (const Layer& layer : drawing.drawing.layers) {
+    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
+      std::string text;
+      for (const Point2 p : layer.lines[i])
+        text += std::to_string(std::lround(p.x * 100)) + "," + std::to_string(std::lround(p.y * 100)) + " ";
+      all.insert(text);
+    }
+  }
+  return all;
+}
+
+using Lines = std::multiset<std::string>;
+
+}  // namespace ligne::test
