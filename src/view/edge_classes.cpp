@@ -1,11 +1,12 @@
 #include "view/edge_classes.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include <glm/geometric.hpp>
 
 #include "geometry/parallel.hpp"
+#include "scene/model/flat_faces.hpp"
 
 namespace ligne {
 namespace {
@@ -39,36 +40,15 @@ std::vector<FacePlane> face_planes(const Scene& scene, const Camera& camera) {
 
 /// Gives faces without area the plane of the face across their longest edge.
 void mend_flat_faces(const Scene& scene, const Topology& topology, std::vector<FacePlane>& planes) {
-  bool any = false;
-  for (const FacePlane& plane : planes) any = any || plane.normal == glm::vec3{0, 0, 0};
-  if (!any) return;
-  struct Neighbour {
-    double length = -1;
-    std::uint32_t face = kNone;
-    bool turned = false;
-  };
-  std::unordered_map<std::uint32_t, Neighbour> neighbours;
-  const auto offer = [&](std::uint32_t flat, std::uint32_t other, std::size_t e) {
-    if (planes[flat].normal != glm::vec3{0, 0, 0} || planes[other].normal == glm::vec3{0, 0, 0}) return;
-    const Edge& edge = topology.edges[e];
-    const double length = glm::length(scene.vertices[edge.v1] - scene.vertices[edge.v0]);
-    Neighbour& best = neighbours[flat];
-    if (length > best.length) best = {length, other, (topology.edge_flags[e] & kEdgeUnlikeWound) != 0};
-  };
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-    const Edge& edge = topology.edges[e];
-    if (edge.face1 == kNone) continue;
-    offer(edge.face0, edge.face1, e);
-    offer(edge.face1, edge.face0, e);
+  const auto is_flat = [](const FacePlane& plane) { return plane.normal == glm::vec3{0, 0, 0}; };
+  if (std::none_of(planes.begin(), planes.end(), is_flat)) return;
+  std::vector<std::uint8_t> flat(planes.size());
+  std::transform(planes.begin(), planes.end(), flat.begin(), is_flat);
+  const auto neighbours = longest_neighbours(scene, topology, flat, FlatNeighbours::passed_over);
+  for (const auto& [face, neighbour] : neighbours) {
+    const FacePlane& plane = planes[neighbour.face];
+    planes[face] = neighbour.turned ? FacePlane{-plane.normal, static_cast<std::int8_t>(-plane.facing)} : plane;
   }
-  std::vector<std::pair<std::uint32_t, FacePlane>> mended;
-  for (const auto& [flat, neighbour] : neighbours) {
-    if (neighbour.face == kNone) continue;
-    FacePlane plane = planes[neighbour.face];
-    if (neighbour.turned) plane = {-plane.normal, static_cast<std::int8_t>(-plane.facing)};
-    mended.emplace_back(flat, plane);
-  }
-  for (const auto& [flat, plane] : mended) planes[flat] = plane;
 }
 
 }  // namespace

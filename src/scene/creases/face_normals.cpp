@@ -4,9 +4,9 @@
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <unordered_map>
 
 #include "geometry/parallel.hpp"
+#include "scene/model/flat_faces.hpp"
 #include "scene/model/planarity.hpp"
 
 namespace ligne {
@@ -29,33 +29,17 @@ Point3 own_normal(const Scene& scene, const Object& object, std::uint32_t f) {
 
 /// The normals that faces without one take from their neighbours across their longest edges.
 void take_from_neighbours(const Scene& scene, const Topology& topology, std::vector<glm::vec3>& normals) {
-  struct Neighbour {
-    double length = -1;
-    std::uint32_t face = kNone;
-    bool turned = false;
-  };
-  std::unordered_map<std::uint32_t, Neighbour> neighbours;
-  const auto offer = [&](std::uint32_t flat, std::uint32_t other, std::size_t e) {
-    if (normals[flat] != glm::vec3{0, 0, 0}) return;
-    const Edge& edge = topology.edges[e];
-    const double length = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
-    Neighbour& best = neighbours[flat];
-    if (length > best.length) best = {length, other, (topology.edge_flags[e] & kEdgeUnlikeWound) != 0};
-  };
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-    const Edge& edge = topology.edges[e];
-    if (edge.face1 == kNone) continue;
-    offer(edge.face0, edge.face1, e);
-    offer(edge.face1, edge.face0, e);
-  }
+  std::vector<std::uint8_t> flat(normals.size());
+  for (std::size_t f = 0; f < normals.size(); ++f) flat[f] = normals[f] == glm::vec3{0, 0, 0};
+  const auto neighbours = longest_neighbours(scene, topology, flat, FlatNeighbours::taken);
   std::vector<std::pair<std::uint32_t, glm::vec3>> taken;
-  for (const auto& [flat, first] : neighbours) {
+  for (const auto& [face, first] : neighbours) {
     bool turned = false;
-    Neighbour next = first;
+    LongestNeighbour next = first;
     for (int k = 0; k < kLongestChain; ++k) {
       turned ^= next.turned;
-      if (normals[next.face] != glm::vec3{0, 0, 0}) {
-        taken.emplace_back(flat, turned ? -normals[next.face] : normals[next.face]);
+      if (!flat[next.face]) {
+        taken.emplace_back(face, turned ? -normals[next.face] : normals[next.face]);
         break;
       }
       const auto further = neighbours.find(next.face);
@@ -63,7 +47,7 @@ void take_from_neighbours(const Scene& scene, const Topology& topology, std::vec
       next = further->second;
     }
   }
-  for (const auto& [flat, normal] : taken) normals[flat] = normal;
+  for (const auto& [face, normal] : taken) normals[face] = normal;
 }
 
 }  // namespace
