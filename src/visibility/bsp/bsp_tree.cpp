@@ -101,17 +101,7 @@ void BspTree::divide(Task task, const PlaneChoice& options, std::vector<Task>& o
 }
 
 std::vector<PartitionNode> BspTree::partition() const {
-  std::vector<PartitionNode> partition(nodes_.size());
-  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    partition[i].plane = nodes_[i].plane;
-    for (const bool front : {true, false}) {
-      const std::uint32_t child = front ? nodes_[i].front : nodes_[i].back;
-      if (child == kNone) continue;
-      partition[child].parent = i;
-      partition[child].in_front = front;
-    }
-  }
-  return partition;
+  return partition_nodes(nodes_, [](const Node&) { return true; });
 }
 
 }  // namespace ligne

@@ -19,6 +19,24 @@ struct PartitionNode {
   bool in_front = false;  ///< in front of its parent's plane
 };
 
+/// The nodes of a tree, with their parents instead of their children. A node has `plane`, `front` and `back`; a child that
+/// is not there has the number kNone. `divides(node)`: whether its plane divides what is below it.
+template <typename Node, typename Divides>
+std::vector<PartitionNode> partition_nodes(const std::vector<Node>& nodes, Divides&& divides) {
+  std::vector<PartitionNode> partition(nodes.size());
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    partition[i].plane = nodes[i].plane;
+    partition[i].divides = divides(nodes[i]);
+    for (const bool front : {true, false}) {
+      const std::uint32_t child = front ? nodes[i].front : nodes[i].back;
+      if (child == kNone) continue;
+      partition[child].parent = i;
+      partition[child].in_front = front;
+    }
+  }
+  return partition;
+}
+
 /// Planes of a tree on the page.
 struct PartitionLines {
   std::vector<std::vector<Point2>> outlines;  ///< closed, page mm; those seen edge on are lines there and back

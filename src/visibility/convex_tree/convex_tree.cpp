@@ -275,18 +275,7 @@ void ConvexTree::separate(Task task, Node& node, const PlaneChoice& options, std
 }
 
 std::vector<PartitionNode> ConvexTree::partition() const {
-  std::vector<PartitionNode> partition(nodes_.size());
-  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    partition[i].plane = nodes_[i].plane;
-    partition[i].divides = !nodes_[i].convex;
-    for (const bool front : {true, false}) {
-      const std::uint32_t child = front ? nodes_[i].front : nodes_[i].back;
-      if (child == kNone) continue;
-      partition[child].parent = i;
-      partition[child].in_front = front;
-    }
-  }
-  return partition;
+  return partition_nodes(nodes_, [](const Node& node) { return !node.convex; });
 }
 
 }  // namespace ligne
