@@ -13,6 +13,8 @@ namespace ligne::test {
 
 using namespace ligne::watkins;
 
+/// Only lines on which something changes that is seen are studied.
+inline constexpr ScanOptions kRecognising{SpanMethodKind::stack, true, true, true};
 inline const CameraRequest kOdd = along({-0.31, 0.87, -0.39});
 
 /// Everything that a study by lines needs; intersections as the method finds them.

@@ -14,7 +14,6 @@ using namespace ligne::test;
 
 constexpr ScanOptions kEveryLine{SpanMethodKind::stack, false, false, true};
 constexpr ScanOptions kCoherent{SpanMethodKind::stack, true, false, true};
-constexpr ScanOptions kRecognising{SpanMethodKind::stack, true, true, true};
 
 /// Length on all lines on which the two say different faces, in mm.
 double difference(const std::vector<Span>& a, const std::vector<Span>& b) {

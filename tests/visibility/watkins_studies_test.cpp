@@ -11,8 +11,6 @@ namespace {
 
 using namespace ligne::test;
 
-constexpr ScanOptions kRecognising{SpanMethodKind::stack, true, true, true};
-
 std::uint64_t studied(const PreparedScan& p, std::uint32_t lines) { return p.study(lines, kRecognising).scan.studied; }
 
 /// Cost follows the changes in the scene, not its height. From some number of lines on no two changes share a line, and

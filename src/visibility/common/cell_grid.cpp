@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "geometry/parallel.hpp"
 #include "visibility/common/cell_cover.hpp"
@@ -61,7 +62,8 @@ struct CellGrid::Build {
   bool worth_splitting(const CellFacet* list, std::size_t n, double size) const;
   void split_overfull();
   /// To be called once per leaf, when its list is complete.
-  void finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square) const;
+  void finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square,
+                   std::vector<LeafPlane>& planes) const;
   bool of_one_face(const CellFacet* list, std::size_t n) const;
   /// Removes from a long list what lies behind the cell's cover; gives the list's new length.
   std::size_t drop_covered(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square, CellCover& cover) const;
@@ -269,7 +271,7 @@ void CellGrid::Build::split_overfull() {
       Cell& cell = grid.cells_[i];
       CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
       if (!worth_splitting(list, cell.count, grid.size_)) {
-        finish_leaf(cell, list, cell.count, grid.top_square(i));
+        finish_leaf(cell, list, cell.count, grid.top_square(i), arena.planes);
         continue;
       }
       inherited.assign(list, list + cell.count);
@@ -277,6 +279,9 @@ void CellGrid::Build::split_overfull() {
             budget * static_cast<double>(inherited.size()), cover);
     }
   });
+  for (Arena& arena : grid.arenas_) grid.planes_.insert(grid.planes_.end(), arena.planes.begin(), arena.planes.end());
+  std::sort(grid.planes_.begin(), grid.planes_.end(),
+            [](const LeafPlane& a, const LeafPlane& b) { return std::tie(a.arena, a.begin) < std::tie(b.arena, b.begin); });
 }
 
 bool CellGrid::Build::of_one_face(const CellFacet* list, std::size_t n) const {
@@ -296,13 +301,19 @@ std::size_t CellGrid::Build::drop_covered(Cell& cell, CellFacet* list, std::size
       list);
 }
 
-void CellGrid::Build::finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square) const {
+void CellGrid::Build::finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square,
+                                  std::vector<LeafPlane>& planes) const {
   cell.one_face = of_one_face(list, n);
   sort_by_depth(list, list + n);
   const double margin = options.margin_steps;
   for (std::size_t i = 0; i < n; ++i) {
     const PageBox b = page_box(facets[list[i].facet], scene.vertices.data());
     list[i].box = square.box(b.left - margin, b.right + margin, b.top - margin, b.bottom + margin);
+  }
+  if (n <= CommonPlane::kLongList || cell.one_face) return;
+  if (const auto plane = CommonPlane::of(scene, facets, {list, n})) {
+    cell.one_plane = true;
+    planes.push_back({cell.arena, cell.begin, *plane});
   }
 }
 
@@ -389,7 +400,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
     } else {
       child.begin = static_cast<std::uint32_t>(arena.list.size());
       child.count = static_cast<std::uint32_t>(lists[k].size());
-      finish_leaf(child, lists[k].data(), lists[k].size(), below);
+      finish_leaf(child, lists[k].data(), lists[k].size(), below, arena.planes);
       arena.list.insert(arena.list.end(), lists[k].begin(), lists[k].end());
     }
     arena.children[first + k] = child;
@@ -411,6 +422,13 @@ CellGrid::CellGrid(const ProjectedScene& scene, const std::vector<Facet>& facets
   build.find_occluders();
   build.fill();
   build.split_overfull();
+}
+
+const CommonPlane& CellGrid::plane_of(const Cell& cell) const {
+  const auto before = [](const LeafPlane& leaf, const Cell& c) {
+    return std::tie(leaf.arena, leaf.begin) < std::tie(c.arena, c.begin);
+  };
+  return std::lower_bound(planes_.begin(), planes_.end(), cell, before)->plane;
 }
 
 std::vector<std::uint8_t> CellGrid::listed(std::size_t facets) const {

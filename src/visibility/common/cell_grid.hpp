@@ -14,50 +14,12 @@
 #include <limits>
 #include <vector>
 
+#include "visibility/common/cell_facet.hpp"
+#include "visibility/common/common_plane.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/common/hidden_interval.hpp"
 
 namespace ligne {
-
-/// A rectangle inside a cell in 128ths of the cell's side, rounded outwards: four seven-bit numbers in one word, so that
-/// two boxes are compared by one subtraction.
-class CellBox {
- public:
-  CellBox() = default;
-  CellBox(std::uint32_t left, std::uint32_t right, std::uint32_t top, std::uint32_t bottom)
-      : bits_(left | (127 - right) << 8 | top << 16 | (127 - bottom) << 24) {}
-
-  /// Byte by byte: left <= right', 127 - right <= 127 - left', top <= bottom', 127 - bottom <= 127 - top'. Where that holds
-  /// the high bit set beforehand survives the subtraction.
-  bool meets(CellBox o) const {
-    constexpr std::uint32_t kHigh = 0x80808080u, kLow = 0x7f7f7f7fu;
-    const std::uint32_t complement = kLow - o.bits_;  // 127 - left', right', 127 - top', bottom'
-    const std::uint32_t swapped = (complement & 0xff00ff00u) >> 8 | (complement & 0x00ff00ffu) << 8;
-    return (((swapped | kHigh) - bits_) & kHigh) == kHigh;
-  }
-
- private:
-  std::uint32_t bits_ = 0;  ///< the whole cell
-};
-
-/// Square part of the page lattice.
-struct CellSquare {
-  double x = 0, y = 0, size = 0;
-
-  /// The box of the rectangle [x0, x1] x [y0, y1] as far as it lies in the square. Rounding is monotone: boxes of
-  /// rectangles that meet in the square meet.
-  CellBox box(double x0, double x1, double y0, double y1) const {
-    const double parts = 128 / size;
-    const auto part = [](double v) { return static_cast<std::uint32_t>(v <= 0 ? 0 : v >= 127 ? 127 : v); };
-    return {part((x0 - x) * parts), part((x1 - x) * parts), part((y0 - y) * parts), part((y1 - y) * parts)};
-  }
-};
-
-struct CellFacet {
-  std::uint32_t facet = 0;
-  float z_near = 0;  ///< nearest depth in the cell
-  CellBox box{};     ///< of its projection
-};
 
 /// A rectangle of the page.
 struct PageRange {
@@ -70,7 +32,8 @@ struct Cell {
   std::uint32_t count = 0;  ///< length of the list, or kSplit
   float occluder_depth = std::numeric_limits<float>::infinity();
   std::uint16_t arena = 0;
-  bool one_face = false;  ///< all facets of the list are of one face
+  bool one_face = false;   ///< all facets of the list are of one face
+  bool one_plane = false;  ///< the list is long, and its facets have a plane in common; see CellGrid::plane_of()
 };
 
 inline constexpr int kSplitSide = 4;
@@ -105,15 +68,23 @@ class CellGrid {
   bool complete() const { return complete_; }
   std::size_t top_cell_count() const { return cells_.size(); }
   const CellFacet* list(const Cell& cell) const { return arenas_[cell.arena].list.data() + cell.begin; }
+  /// The plane of the facets of a leaf for which `one_plane` is true.
+  const CommonPlane& plane_of(const Cell& cell) const;
   /// By facet, of so many: 1 where it is in the list of any leaf. The others can not be seen, and hide nothing that is.
   std::vector<std::uint8_t> listed(std::size_t facets) const;
   std::size_t entry_count() const;
   std::size_t leaf_count() const;
 
  private:
+  struct LeafPlane {
+    std::uint16_t arena;
+    std::uint32_t begin;  ///< of the leaf's list in the arena
+    CommonPlane plane;
+  };
   struct Arena {
     std::vector<Cell> children;
     std::vector<CellFacet> list;
+    std::vector<LeafPlane> planes;
   };
   struct Build;
 
@@ -134,6 +105,7 @@ class CellGrid {
   bool complete_ = false;
   std::vector<Cell> cells_;
   std::vector<Arena> arenas_;
+  std::vector<LeafPlane> planes_;  ///< by arena and begin
 };
 
 template <class Visit>

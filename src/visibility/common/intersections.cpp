@@ -36,8 +36,6 @@ constexpr std::size_t kManyItems = 1024, kItemsPerTask = 256;
 
 /// Adjustable: of so many facets it is asked whether they lie in one plane.
 constexpr std::size_t kSeveral = 4;
-/// Of the sum of the sizes: a dozen roundings of a depth and of what it is compared with.
-constexpr double kPlaneRounding = 0x1p-49;
 
 /// Pairs of facets that have no segment in common, as many as there is room for: where hundreds of facets meet in one line,
 /// every pair of them comes in all the leaves along it. The table grows with what is put into it, since most scenes have few
@@ -90,7 +88,7 @@ class LeafSearch {
       : scene_(scene), facets_(facets), grid_(grid), margin_(margin), own_(scene, facets, all) {}
 
   void search(const Cell& cell, const CellSquare& square) {
-    if (cell.count < 2 || cell.one_face || in_one_plane(grid_.list(cell), cell.count)) return;
+    if (cell.count < 2 || cell.one_face || in_one_plane(cell)) return;
     items_.clear();
     planes_.clear();
     const Leaf leaf{cell, square, grid_.list(cell), square.size / 2 + margin_};
@@ -138,26 +136,9 @@ class LeafSearch {
     double reach;  ///< half its side, with the margin
   };
 
-  /// Whether all corners of the facets lie within half of every facet's depth tolerance of one plane. Another facet's corner
-  /// is then, with W the sum of its absolute weights over a facet, no farther from that facet's plane than (1 + W) / 2 of
-  /// the tolerance: it is on it, and no two of the facets penetrate.
-  bool in_one_plane(const CellFacet* list, std::size_t n) const {
-    if (n < kSeveral) return false;
-    const FacetFunctions plane(facets_[list[0].facet], scene_.vertices.data());
-    float touch = facets_[list[0].facet].depth_tolerance;
-    double off = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Facet& facet = facets_[list[i].facet];
-      touch = std::min(touch, facet.depth_tolerance);
-      for (const std::uint32_t v : facet.v) {
-        const ProjectedVertex& corner = scene_.vertices[v];
-        const double x = corner.p.x, y = corner.p.y;
-        const double sizes = std::abs(plane.zx * x) + std::abs(plane.zy * y) + std::abs(plane.z) + std::abs(corner.z);
-        off = std::max(off, std::abs(plane.depth(x, y) - corner.z) + kPlaneRounding * sizes);
-      }
-      if (!(off <= 0.5 * touch)) return false;
-    }
-    return true;
+  bool in_one_plane(const Cell& cell) const {
+    if (cell.one_plane || cell.count < kSeveral || cell.count > CommonPlane::kLongList) return cell.one_plane;
+    return CommonPlane::of(scene_, facets_, {grid_.list(cell), cell.count}).has_value();
   }
 
   bool wanted(const PageSegment& s, const Leaf& leaf) const {

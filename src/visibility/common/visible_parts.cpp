@@ -80,6 +80,7 @@ void VisibleParts::search_leaf(const PageLine& line, const Cell& cell, const Cel
   const double x0 = line.p0.x + from * line.dx, x1 = line.p0.x + to * line.dx;
   const double y0 = line.p0.y + from * line.dy, y1 = line.p0.y + to * line.dy;
   const CellBox box = square.box(std::min(x0, x1), std::max(x0, x1), std::min(y0, y1), std::max(y0, y1));
+  const bool in_plane = cell.one_plane && grid_.plane_of(cell).holds(line);
   const CellFacet* entry = grid_.list(cell);
   const CellFacet* const end = entry + cell.count;
   for (; entry != end && entry->z_near <= z_far; ++entry) {
@@ -90,6 +91,8 @@ void VisibleParts::search_leaf(const PageLine& line, const Cell& cell, const Cel
       ++counts_.behind_in_order;
       continue;
     }
+    // What lies in the plane of the line does not hide it, but may have a side along it.
+    if (in_plane && !has_side_along(line, facet)) continue;
     ++counts_.facet_tests;
     bool near = false;
     const HiddenInterval hidden =
