@@ -39,8 +39,8 @@ constexpr int kAttributeDecimals = 6;
 /// Finest device unit for Cairo's fixed point: 1/256 of it is a nanometre.
 constexpr double kFinestDevice = 4096;
 
-/// Adjustable: points to a chunk.
-constexpr std::size_t kChunkPoints = 8192;
+/// Adjustable: points to a chunk; and where curves are found, which is a hundred times the work.
+constexpr std::size_t kChunkPoints = 8192, kCurvedChunkPoints = 256;
 
 /// Device units to a millimetre: a power of two that keeps the largest coordinate within Cairo's range.
 double device_units(double largest_mm) {
@@ -167,11 +167,11 @@ struct Chunk {
   std::size_t first, last;
 };
 
-std::vector<Chunk> chunks_of(const Polylines& lines) {
+std::vector<Chunk> chunks_of(const Polylines& lines, std::size_t points) {
   std::vector<Chunk> chunks;
   for (std::size_t i = 0; i < lines.size();) {
     const std::size_t first = i;
-    while (i < lines.size() && (i == first || lines.begin[i + 1] - lines.begin[first] <= kChunkPoints)) ++i;
+    while (i < lines.size() && (i == first || lines.begin[i + 1] - lines.begin[first] <= points)) ++i;
     chunks.push_back({first, i});
   }
   return chunks;
@@ -380,9 +380,9 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options, const 
     const bool begins = l == 0 || !continues(l - 1, l), ends = !continues(l, l + 1);
     // The look of a part that is alone in its layer is that of the layer.
     const bool alone = layer.object.empty() && begins && ends;
-    const std::vector<Chunk> chunks = chunks_of(layer.lines);
-    std::vector<std::string> texts(chunks.size());
     const std::optional<CurveLimits> curves = options.curves_of(layer);
+    const std::vector<Chunk> chunks = chunks_of(layer.lines, curves ? kCurvedChunkPoints : kChunkPoints);
+    std::vector<std::string> texts(chunks.size());
     parallel_for(chunks.size(), [&](std::size_t i) {
       texts[i] = curves ? curved_text(layer.lines, chunks[i], *curves) : chunk_text(layer.lines, chunks[i], device);
     });
