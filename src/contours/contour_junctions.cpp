@@ -124,26 +124,20 @@ void close_gaps(const std::vector<Change>& changes, const std::vector<std::optio
 }  // namespace
 
 void SegmentFinder::expect(Point2 from, Point2 to) {
-  for_cells(from, to, [&](std::uint64_t key) { cells_.push_back(key); });
-}
-
-void SegmentFinder::prepare() {
-  std::sort(cells_.begin(), cells_.end());
-  cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
-  lists_.resize(cells_.size());
-}
-
-std::size_t SegmentFinder::cell_of(std::uint64_t key) const {
-  const auto place = std::lower_bound(cells_.begin(), cells_.end(), key);
-  return place == cells_.end() || *place != key ? cells_.size() : static_cast<std::size_t>(place - cells_.begin());
+  for_cells(from, to, [&](std::uint64_t key) {
+    std::uint32_t& list = cells_[key];
+    if (list != KeyTable::kNone) return;
+    list = static_cast<std::uint32_t>(lists_.size());
+    lists_.emplace_back();
+  });
 }
 
 void SegmentFinder::add(const PageSegment& segment) {
   const auto number = static_cast<std::uint32_t>(segments_.size());
   bool listed = false;
   for_cells(segment.from, segment.to, [&](std::uint64_t key) {
-    const std::size_t cell = cell_of(key);
-    if (cell == cells_.size()) return;
+    const std::uint32_t cell = cells_.find(key);
+    if (cell == KeyTable::kNone) return;
     lists_[cell].push_back(number);
     listed = true;
   });
@@ -171,7 +165,6 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
         curve.part(curve.point_at_length(change.from).at, curve.point_at_length(change.to).at);
     for (std::size_t i = 1; i < points.size(); ++i) finder.expect(points[i - 1].mm, points[i].mm);
   }
-  finder.prepare();
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
     for_visible_pieces(contours[c], c, [&](const PageSegment& s) { finder.add(s); });
   }
@@ -253,7 +246,6 @@ void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& c
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
     for_visible_pieces(contours[c], c, [&](const PageSegment& s) { finder.expect(s.from, s.to); });
   }
-  finder.prepare();
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
     for_visible_pieces(contours[c], c, [&](const PageSegment& s) { finder.add(s); });
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contours/contour_states.hpp"
+#include "drawing/key_table.hpp"
 #include "drawing/stroke.hpp"
 
 namespace ligne {
@@ -25,18 +26,16 @@ class SegmentFinder {
  public:
   explicit SegmentFinder(double cell_mm) : cell_mm_(cell_mm) {}
 
-  /// A segment will be asked about.
+  /// A segment will be asked about. To be called before the first add().
   void expect(Point2 from, Point2 to);
-  /// To be called between the last expect() and the first add().
-  void prepare();
   /// Segments that nothing expected passes are left out.
   void add(const PageSegment& segment);
   /// Calls found(segment) for the segments that may cross from-to; some more than once.
   template <class Found>
   void near(Point2 from, Point2 to, Found found) const {
     for_cells(from, to, [&](std::uint64_t key) {
-      const std::size_t cell = cell_of(key);
-      if (cell == cells_.size()) return;
+      const std::uint32_t cell = cells_.find(key);
+      if (cell == KeyTable::kNone) return;
       for (const std::uint32_t i : lists_[cell]) found(segments_[i]);
     });
   }
@@ -44,10 +43,9 @@ class SegmentFinder {
  private:
   template <class Visit>
   void for_cells(Point2 from, Point2 to, Visit visit) const;
-  std::size_t cell_of(std::uint64_t key) const;
 
   double cell_mm_;
-  std::vector<std::uint64_t> cells_;  ///< keys in ascending order
+  KeyTable cells_;  ///< of each cell that is asked about the list
   std::vector<std::vector<std::uint32_t>> lists_;
   std::vector<PageSegment> segments_;
 };

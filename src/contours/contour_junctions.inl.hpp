@@ -16,7 +16,7 @@ void SegmentFinder::for_cells(Point2 from, Point2 to, Visit visit) const {
   const std::int32_t y0 = index(std::min(from.y, to.y)), y1 = index(std::max(from.y, to.y));
   for (std::int32_t y = y0; y <= y1; ++y) {
     for (std::int32_t x = x0; x <= x1; ++x) {
-      visit(std::uint64_t(std::uint32_t(x)) << 32 | std::uint32_t(y));
+      visit(KeyTable::key(x, y));
     }
   }
 }

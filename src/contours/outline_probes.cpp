@@ -48,8 +48,6 @@ class NearContours {
   /// An end of a part of an edge, of which tails are asked.
   void expect_tail(Point2 p) { tails_.expect(p - Point2(reach_mm_), p + Point2(reach_mm_)); }
   void prepare() {
-    finder_.prepare();
-    tails_.prepare();
     for (const SeenContour& contour : seen_) {
       const ContourCurve& curve = contour.curve;
       const std::size_t n = contour.runs.size();
