@@ -114,7 +114,7 @@ class ShortEnds {
       left -= page_length(piece.stroke);
       if (left <= 0 || net_.arms(node) != 2) break;
       const auto arm = net_.pieces_at(node);
-      i = arm[0].second == i ? arm[1].second : arm[0].second;
+      i = arm[0] == i ? arm[1] : arm[0];
     }
     const Vector d{double(end.x) - back.x, double(end.y) - back.y};
     const double length = std::hypot(d.x, d.y);

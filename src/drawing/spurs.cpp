@@ -100,8 +100,8 @@ class SpurFinder {
     std::vector<std::uint32_t> near;
     if (net_.arms(arc.ends[end]) > 1) return {arc.ends[end]};
     const auto at = net_.pieces_at(arc.ends[end]);
-    const auto own = std::ranges::find_if(at, [&](const auto& a) { return net_.pieces()[a.second].alive; });
-    const StrokeNet::Piece& piece = net_.pieces()[own->second];
+    const auto own = std::ranges::find_if(at, [&](std::uint32_t i) { return net_.pieces()[i].alive; });
+    const StrokeNet::Piece& piece = net_.pieces()[*own];
     const LatticePoint p = piece.from == arc.ends[end] ? piece.stroke.from : piece.stroke.to;
     const double gap = limits_.gap_mm / step_;
     node_grid_.walk(p, p, [&](std::uint64_t cell) {
@@ -119,8 +119,8 @@ class SpurFinder {
 
   /// The node has a piece of another arc.
   bool goes_on_without(std::uint32_t node, const StrokeNet::Arc& arc) const {
-    return std::ranges::any_of(net_.pieces_at(node), [&](const auto& at) {
-      return net_.pieces()[at.second].alive && !std::ranges::binary_search(arc.pieces, at.second);
+    return std::ranges::any_of(net_.pieces_at(node), [&](std::uint32_t i) {
+      return net_.pieces()[i].alive && !std::ranges::binary_search(arc.pieces, i);
     });
   }
 
@@ -140,7 +140,7 @@ class SpurFinder {
     for (std::size_t k = 0; k < reached.size(); ++k) {
       const auto [node, length] = reached[k];
       if (std::ranges::binary_search(to, node) && --left == 0) return true;
-      for (const auto& [at, i] : net_.pieces_at(node)) {
+      for (const std::uint32_t i : net_.pieces_at(node)) {
         const StrokeNet::Piece& piece = net_.pieces()[i];
         const double further = length + page_length(piece.stroke);
         if (!piece.alive || further > longest || std::ranges::binary_search(arc.pieces, i)) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -53,16 +54,19 @@ class MeetingFinder {
     const auto has_free_end = [&](std::uint32_t i) { return chains_.is_free(i, true) || chains_.is_free(i, false); };
     if (std::none_of(chains_.seen().begin(), chains_.seen().end(), has_free_end)) return;
     for (const std::uint32_t i : chains_.seen()) {
-      for (const LatticePoint p : {strokes[i].from, strokes[i].to}) at_end_.emplace_back(p, i);
+      for (const LatticePoint p : {strokes[i].from, strokes[i].to}) {
+        std::uint32_t& first = places_[KeyTable::key(p)];
+        arms_.emplace_back(i, first);
+        first = static_cast<std::uint32_t>(arms_.size() - 1);
+      }
     }
-    std::sort(at_end_.begin(), at_end_.end());
   }
 
   const std::vector<std::uint32_t>& seen() const { return chains_.seen(); }
 
   /// By stroke and fraction. A drawing in which all lines are closed has none.
   std::vector<Meeting> find() const {
-    if (at_end_.empty()) return {};
+    if (arms_.empty()) return {};
     struct FreeEnd {
       LatticePoint p;
       std::vector<std::uint32_t> own;  // strokes
@@ -114,10 +118,9 @@ class MeetingFinder {
       const Stroke& s = strokes_[own.back()];
       length += page_length(s);
       p = s.from == p ? s.to : s.from;
-      const auto first = std::lower_bound(at_end_.begin(), at_end_.end(), std::pair(p, 0u));
       std::uint32_t next = KeyTable::kNone, arms = 0;
-      for (auto arm = first; arm != at_end_.end() && arm->first == p; ++arm, ++arms) {
-        if (arm->second != own.back()) next = arm->second;
+      for (std::uint32_t a = places_.find(KeyTable::key(p)); a != KeyTable::kNone; a = arms_[a].second, ++arms) {
+        if (arms_[a].first != own.back()) next = arms_[a].first;
       }
       if (length > kOwnLineInReaches * touching_ || arms != 2 || next == KeyTable::kNone || next == i) return own;
       own.push_back(next);
@@ -128,7 +131,8 @@ class MeetingFinder {
   StrokeChains chains_;
   double touching_;
   SegmentGrid grid_;
-  std::vector<std::pair<LatticePoint, std::uint32_t>> at_end_;  // strokes by their ends, where some end is free
+  KeyTable places_;                                            // of ends, where some end is free: of each the first arm
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> arms_;  // stroke, next arm
 };
 
 }  // namespace
@@ -161,18 +165,26 @@ StrokeNet::StrokeNet(const std::vector<Stroke>& strokes, double touching) {
   DisjointSets nodes(count);
   for (const Meeting& m : meetings) nodes.join(node_at(m.end), node_at(m.place));
   arms_.assign(count, 0);
-  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-    Piece& piece = pieces_[i];
+  for (Piece& piece : pieces_) {
     piece.from = nodes.find(piece.from);
     piece.to = nodes.find(piece.to);
     piece.alive = piece.from != piece.to;
     if (!piece.alive) continue;
-    for (const std::uint32_t node : {piece.from, piece.to}) {
-      ++arms_[node];
-      at_node_.emplace_back(node, i);
-    }
+    ++arms_[piece.from];
+    ++arms_[piece.to];
   }
-  std::sort(at_node_.begin(), at_node_.end());
+  file_pieces();
+}
+
+void StrokeNet::file_pieces() {
+  first_at_.assign(arms_.size() + 1, 0);
+  std::partial_sum(arms_.begin(), arms_.end(), first_at_.begin() + 1);
+  at_node_.resize(first_at_.back());
+  std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    if (!pieces_[i].alive) continue;
+    for (const std::uint32_t node : {pieces_[i].from, pieces_[i].to}) at_node_[next[node]++] = i;
+  }
 }
 
 std::vector<StrokeNet::Arc> StrokeNet::arcs() const {

@@ -1,10 +1,8 @@
 #pragma once
 /// Visible strokes as a graph: where lines end on the side of lines, too.
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "drawing/stroke.hpp"
@@ -38,19 +36,20 @@ class StrokeNet {
   const std::vector<Piece>& pieces() const { return pieces_; }
   /// Of pieces that are alive.
   std::uint32_t arms(std::uint32_t node) const { return arms_[node]; }
-  /// All pieces at a node, each with the node.
-  std::span<const std::pair<std::uint32_t, std::uint32_t>> pieces_at(std::uint32_t node) const {
-    const auto begin = std::lower_bound(at_node_.begin(), at_node_.end(), std::pair(node, 0u));
-    return {begin, std::upper_bound(begin, at_node_.end(), std::pair(node, kNone))};
+  /// All pieces at a node, ascending.
+  std::span<const std::uint32_t> pieces_at(std::uint32_t node) const {
+    return {at_node_.data() + first_at_[node], at_node_.data() + first_at_[node + 1]};
   }
   /// Of pieces that are alive, by their lowest piece.
   std::vector<Arc> arcs() const;
   void take_away(const Arc& arc);
 
  private:
+  void file_pieces();
+
   std::vector<Piece> pieces_;
-  std::vector<std::uint32_t> arms_;  ///< by node
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> at_node_;
+  std::vector<std::uint32_t> arms_;                ///< by node
+  std::vector<std::uint32_t> first_at_, at_node_;  ///< by node the first of its pieces; these
 };
 
 }  // namespace ligne
