@@ -1,4 +1,4 @@
-/// The tree of segments against all segments one by one.
+/// The tree of segments against all segments one by one, and cells of segments against the tree.
 
 #include "scene/heal/edge_tree.hpp"
 
@@ -7,6 +7,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
+
+#include "scene/heal/segment_cells.hpp"
 
 namespace ligne {
 namespace {
@@ -44,6 +46,37 @@ TEST(EdgeTree, OfARangeTheNearestIsFoundByTheTreeToo) {
     }
   }
   EXPECT_GT(found, 300u);
+}
+
+TEST(SegmentCells, AmongTheSegmentsOfACellTheNearestIsThatOfTheTree) {
+  std::mt19937 random(3);
+  std::vector<EdgeTree::Segment> segments = random_segments(random, 3000);
+  segments.push_back({{-1, -1, -1}, {1, 1, 1}});  // far longer than a cell
+  segments.push_back({{1, -1, 0.5}, {1, 1, 0.5}});
+  const EdgeTree tree(segments);
+  for (const double reach : {0.0, 0.02, 0.04}) {
+    const SegmentCells cells(segments, reach);
+    std::size_t found = 0, listed = 0;
+    for (std::uint32_t own = 0; own < segments.size(); ++own) {
+      const auto other = [&](std::uint32_t s, double) { return s != own; };
+      for (const Point3& p : {segments[own].a, 0.5 * (segments[own].a + segments[own].b)}) {
+        const NearestPoint here = nearest_among(segments, cells.near(p), p, reach, other);
+        const NearestPoint anywhere = tree.nearest(p, reach, other);
+        EXPECT_EQ(here.segment, anywhere.segment);
+        EXPECT_EQ(here.distance, anywhere.distance);
+        found += here.segment != kNowhere;
+        listed += cells.near(p).size();
+      }
+    }
+    EXPECT_EQ(found > 300u, reach > 0);
+    EXPECT_LT(listed, segments.size() * 100);
+  }
+}
+
+TEST(SegmentCells, HoldWhatHasNoExtent) {
+  const std::vector<EdgeTree::Segment> segments(3, {{5, 5, 5}, {5, 5, 5}});
+  const SegmentCells cells(segments, 0);
+  EXPECT_EQ(cells.near({5, 5, 5}).size(), 3u);
 }
 
 TEST(EdgeTree, TheDistanceItselfIsNearEnough) {

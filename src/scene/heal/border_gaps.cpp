@@ -5,7 +5,9 @@
 #include <glm/geometric.hpp>
 #include <span>
 
+#include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
+#include "scene/heal/segment_cells.hpp"
 #include "scene/model/planarity.hpp"
 
 namespace ligne {
@@ -16,23 +18,32 @@ constexpr double kBreak = 2;
 constexpr double kPartOfMedian = 1.0 / 8;
 constexpr double kPartOfModel = 1.0 / 4096;
 
-std::vector<EdgeTree::Segment> segments_of(const Scene& scene, const std::vector<Edge>& edges) {
-  std::vector<EdgeTree::Segment> segments;
-  segments.reserve(edges.size());
-  for (const Edge& edge : edges) segments.push_back({scene.vertices[edge.v0], scene.vertices[edge.v1]});
-  return segments;
-}
-
 /// The gaps at the border's vertices up to a distance, in ascending order.
 std::vector<double> gaps_up_to(const Border& border, double distance) {
+  if (border.is_of_one_face()) return {};
   const std::vector<std::uint32_t>& vertices = border.vertices();
   std::vector<double> gaps(vertices.size(), -1);
+  const std::vector<EdgeTree::Segment> segments = border.segments();
+  const SegmentCells cells(segments, distance);
+  const auto near = [&](std::size_t k) { return cells.near(border.point(vertices[k])); };
+  const auto is_crowded = [&](std::size_t k) { return near(k).size() > EdgeTree::kMostVisits; };
+  const auto keep = [&](std::size_t k, const NearestPoint& nearest) {
+    if (nearest.segment != kNone) gaps[k] = nearest.distance;
+  };
   parallel_blocks(vertices.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const NearestPoint near = border.nearest(vertices[k], distance);
-      if (near.segment != kNone) gaps[k] = near.distance;
+      if (is_crowded(k)) continue;
+      const auto is_apart = [&](std::uint32_t e, double at) { return border.is_apart(vertices[k], e, at); };
+      keep(k, nearest_among(segments, near(k), border.point(vertices[k]), distance, is_apart));
     }
   });
+  const std::vector<std::uint32_t> crowded = indices_where(vertices.size(), is_crowded);
+  if (!crowded.empty()) {
+    const BorderSearch search(border);
+    parallel_blocks(crowded.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) keep(crowded[i], search.nearest(vertices[crowded[i]], distance));
+    });
+  }
   std::erase(gaps, -1.0);
   std::sort(gaps.begin(), gaps.end());
   return gaps;
@@ -48,8 +59,7 @@ std::size_t count_within(const std::vector<double>& gaps, double distance) {
 
 }  // namespace
 
-Border::Border(const Scene& scene, std::vector<Edge> edges)
-    : scene_(scene), edges_(std::move(edges)), tree_(segments_of(scene, edges_)) {
+Border::Border(const Scene& scene, std::vector<Edge> edges) : scene_(scene), edges_(std::move(edges)) {
   // The lower ends come in order already.
   for (const Edge& edge : edges_) vertices_.push_back(edge.v0);
   for (const Edge& edge : edges_) vertices_.push_back(edge.v1);
@@ -71,6 +81,13 @@ Border::Border(const Scene& scene, std::vector<Edge> edges)
   }
   std::sort(corners_.begin(), corners_.end());
   make_unique(corners_);
+}
+
+std::vector<EdgeTree::Segment> Border::segments() const {
+  std::vector<EdgeTree::Segment> segments;
+  segments.reserve(edges_.size());
+  for (const Edge& edge : edges_) segments.push_back({point(edge.v0), point(edge.v1)});
+  return segments;
 }
 
 double Border::median_length() const {
@@ -100,18 +117,23 @@ bool Border::adjacent(std::uint32_t u, std::uint32_t v) const {
   return at != edges_.end() && at->v0 == low && at->v1 == high;
 }
 
-NearestPoint Border::nearest(std::uint32_t v, double distance, double inside) const {
-  if (one_face_) return {};  // which has v, whatever comes near
-  return tree_.nearest(scene_.vertices[v], distance, [&](std::uint32_t s, double at) {
-    const Edge& edge = edges_[s];
-    if (edge.v0 == v || edge.v1 == v) return false;
-    if (at == 0 && adjacent(edge.v0, v)) return false;
-    if (at == 1 && adjacent(edge.v1, v)) return false;
+bool Border::is_apart(std::uint32_t v, std::uint32_t e, double at) const {
+  const Edge& edge = edges_[e];
+  if (edge.v0 == v || edge.v1 == v) return false;
+  if (at == 0 && adjacent(edge.v0, v)) return false;
+  if (at == 1 && adjacent(edge.v1, v)) return false;
+  return !has(edge.face0, v);
+}
+
+NearestPoint BorderSearch::nearest(std::uint32_t v, double distance, double inside) const {
+  if (border_.is_of_one_face()) return {};  // which has v, whatever comes near
+  return tree_.nearest(border_.point(v), distance, [&](std::uint32_t e, double at) {
     if (inside > 0) {
-      const double length = glm::distance(scene_.vertices[edge.v0], scene_.vertices[edge.v1]);
+      const Edge& edge = border_.edges()[e];
+      const double length = glm::distance(border_.point(edge.v0), border_.point(edge.v1));
       if (!(std::min(at, 1 - at) * length > inside)) return false;
     }
-    return !has(edge.face0, v);
+    return border_.is_apart(v, e, at);
   });
 }
 

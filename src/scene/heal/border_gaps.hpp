@@ -20,11 +20,14 @@ class Border {
 
   const std::vector<Edge>& edges() const { return edges_; }
   const std::vector<std::uint32_t>& vertices() const { return vertices_; }  ///< ascending
+  std::vector<EdgeTree::Segment> segments() const;                          ///< the edges in space
+  const Point3& point(std::uint32_t v) const { return scene_.vertices[v]; }
   double median_length() const;
+  bool is_of_one_face() const { return one_face_; }
 
-  /// The nearest point of the border that is not next to vertex v: on an edge that does not end in v, whose face does not
-  /// have v, and not at the other end of an edge of v. `inside` > 0: at least so far from both ends of the edge.
-  NearestPoint nearest(std::uint32_t v, double distance, double inside = 0) const;
+  /// Point `at` of edge e is not next to vertex v: the edge does not end in v, its face does not have v, and the point is
+  /// not the other end of an edge of v.
+  bool is_apart(std::uint32_t v, std::uint32_t e, double at) const;
 
  private:
   bool has(std::uint32_t face, std::uint32_t v) const;
@@ -36,6 +39,18 @@ class Border {
   /// (face, vertex) of the faces at the border, sorted; none where all faces are triangles.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;
   bool one_face_ = false;  ///< all edges are of one face
+};
+
+/// Finds the parts of a border that other parts of it come near to.
+class BorderSearch {
+ public:
+  explicit BorderSearch(const Border& border) : border_(border), tree_(border.segments()) {}
+
+  /// The nearest point of the border that is not next to vertex v. `inside` > 0: at least so far from both ends of its edge.
+  NearestPoint nearest(std::uint32_t v, double distance, double inside = 0) const;
+
+ private:
+  const Border& border_;
   EdgeTree tree_;
 };
 

@@ -11,9 +11,8 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: segments in a leaf, and segments that one search looks at.
+/// Adjustable: segments in a leaf.
 constexpr std::uint32_t kLeaf = 4;
-constexpr int kMostVisits = 256;
 
 /// The point of a segment that is nearest to another point.
 struct Foot {
@@ -33,6 +32,33 @@ Foot foot(const EdgeTree::Segment& s, const Point3& p) {
 constexpr double kSquareSlack = 1 + 8 * std::numeric_limits<double>::epsilon();
 
 double square_limit(double distance) { return kSquareSlack * distance * distance; }
+
+/// The nearest of the segments that were looked at.
+class NearestSearch {
+ public:
+  NearestSearch(const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept)
+      : p_(p), accept_(accept), limit_(square_limit(distance)) {
+    best_.distance = distance;
+  }
+
+  const NearestPoint& best() const { return best_; }
+  bool is_beyond(double square) const { return square > limit_; }
+  void look_at(std::uint32_t number, const EdgeTree::Segment& segment) {
+    const auto [at, square] = foot(segment, p_);
+    if (is_beyond(square)) return;
+    const double d = std::sqrt(square);
+    const bool is_first = best_.segment == NearestPoint{}.segment;
+    if (d > best_.distance || (d == best_.distance && !is_first) || !accept_(number, at)) return;
+    best_ = {number, at, d};
+    limit_ = square_limit(d);
+  }
+
+ private:
+  Point3 p_;
+  FunctionRef<bool(std::uint32_t, double)> accept_;
+  NearestPoint best_;
+  double limit_;
+};
 
 }  // namespace
 
@@ -70,10 +96,8 @@ void EdgeTree::build(std::size_t node, std::uint32_t begin, std::uint32_t end, s
 }
 
 NearestPoint EdgeTree::nearest(const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept) const {
-  NearestPoint best;
-  best.distance = distance;
-  if (segments_.empty()) return best;
-  double limit = square_limit(distance);
+  NearestSearch search(p, distance, accept);
+  if (segments_.empty()) return search.best();
   struct Range {
     std::size_t node;
     std::uint32_t begin, end;
@@ -82,13 +106,13 @@ NearestPoint EdgeTree::nearest(const Point3& p, double distance, FunctionRef<boo
   std::array<Range, 64> stack;  // one entry a level, and the depth is that of a 32-bit count
   std::size_t top = 0;
   const auto push = [&](const Range& range) {
-    if (range.square <= limit) stack[top++] = range;
+    if (!search.is_beyond(range.square)) stack[top++] = range;
   };
   push({0, 0, static_cast<std::uint32_t>(segments_.size()), boxes_[0].square_distance(p)});
-  int visits = 0;
+  std::size_t visits = 0;
   while (top > 0) {
     const Range range = stack[--top];
-    if (range.square > limit) continue;
+    if (search.is_beyond(range.square)) continue;
     const std::size_t first = 2 * range.node + 1;
     if (first + 1 < boxes_.size()) {
       const std::uint32_t half = range.begin + (range.end - range.begin) / 2;
@@ -103,17 +127,18 @@ NearestPoint EdgeTree::nearest(const Point3& p, double distance, FunctionRef<boo
       continue;
     }
     for (std::uint32_t k = range.begin; k < range.end; ++k) {
-      if (++visits > kMostVisits) return best;
-      const std::uint32_t s = order_[k];
-      const auto [at, square] = foot(segments_[s], p);
-      if (square > limit) continue;
-      const double d = std::sqrt(square);
-      if (d > best.distance || (d == best.distance && best.segment != NearestPoint{}.segment) || !accept(s, at)) continue;
-      best = {s, at, d};
-      limit = square_limit(d);
+      if (++visits > kMostVisits) return search.best();
+      search.look_at(order_[k], segments_[order_[k]]);
     }
   }
-  return best;
+  return search.best();
+}
+
+NearestPoint nearest_among(std::span<const EdgeTree::Segment> segments, std::span<const std::uint32_t> listed,
+                           const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept) {
+  NearestSearch search(p, distance, accept);
+  for (const std::uint32_t s : listed) search.look_at(s, segments[s]);
+  return search.best();
 }
 
 NearestPoint EdgeTree::nearest_of(std::uint32_t begin, std::uint32_t end, const Point3& p, double distance,

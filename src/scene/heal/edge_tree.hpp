@@ -2,7 +2,9 @@
 /// The nearest of a set of segments in space.
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/parallel.hpp"
@@ -23,6 +25,9 @@ class EdgeTree {
   struct Segment {
     Point3 a, b;
   };
+  /// Adjustable: segments that one search looks at.
+  static constexpr std::size_t kMostVisits = 256;
+
   explicit EdgeTree(std::vector<Segment> segments);
 
   /// The nearest point within `distance` on a segment that `accept(segment, at)` takes. Of equally near ones the first met,
@@ -57,5 +62,10 @@ class EdgeTree {
   std::vector<std::uint32_t> order_;  ///< of the segments, so that a node is a range
   std::vector<Box> boxes_;            ///< children of node i: 2 i + 1 and 2 i + 2
 };
+
+/// The nearest point within `distance` on those of the segments that are listed, which are all looked at, and that `accept`
+/// takes; of equally near ones the first that is listed.
+NearestPoint nearest_among(std::span<const EdgeTree::Segment> segments, std::span<const std::uint32_t> listed,
+                           const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept);
 
 }  // namespace ligne

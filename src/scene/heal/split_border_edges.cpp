@@ -56,9 +56,10 @@ std::size_t move_onto_edges(Scene& scene, const Object& object, std::span<const 
 /// `inside`: a foot nearer to an end of the edge is that end.
 std::vector<Split> splits_of(const Border& border, double distance, double inside) {
   const std::vector<std::uint32_t>& vertices = border.vertices();
+  const BorderSearch search(border);
   std::vector<NearestPoint> nearest(vertices.size());
   parallel_blocks(vertices.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) nearest[k] = border.nearest(vertices[k], distance, inside);
+    for (std::size_t k = begin; k < end; ++k) nearest[k] = search.nearest(vertices[k], distance, inside);
   });
   std::vector<Split> splits;
   for (std::size_t k = 0; k < vertices.size(); ++k) {

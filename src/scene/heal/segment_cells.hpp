@@ -1,0 +1,48 @@
+#pragma once
+/// Segments by the cells of space that they come near.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "scene/heal/edge_tree.hpp"
+
+namespace ligne {
+
+/// Where most of the segments near a point are its own and their neighbours, a look at one cell costs less than the way down
+/// a tree. Cells are about as large as two segments are long, and kept in a hashed table. O(n).
+class SegmentCells {
+ public:
+  /// For questions about segments within `reach`.
+  SegmentCells(std::span<const EdgeTree::Segment> segments, double reach);
+
+  /// All segments within reach of a point in the box round the segments; others too, and some more than once.
+  std::span<const std::uint32_t> near(const Point3& p) const {
+    const std::size_t slot = slot_of(cell_of(p));
+    return {listed_.data() + begin_[slot], listed_.data() + begin_[slot + 1]};
+  }
+
+ private:
+  struct Cell {
+    std::int64_t x, y, z;
+  };
+  Cell cell_of(const Point3& p) const {
+    const Point3 q = (p - low_) / side_;
+    return {static_cast<std::int64_t>(q.x), static_cast<std::int64_t>(q.y), static_cast<std::int64_t>(q.z)};
+  }
+  std::size_t slot_of(const Cell& cell) const {
+    auto h = static_cast<std::uint64_t>(cell.x << 42 ^ cell.y << 21 ^ cell.z) * 0x9e3779b97f4a7c15u;
+    return (h ^ h >> 32) & (begin_.size() - 2);
+  }
+  void choose_cells(std::span<const EdgeTree::Segment> segments, double reach);
+
+  Point3 low_{0, 0, 0};
+  double side_ = 1, margin_ = 0;
+  std::vector<std::uint32_t> begin_;   ///< by slot, of which there is a power of two, the first segment; and the end
+  std::vector<std::uint32_t> listed_;  ///< segments
+};
+
+}  // namespace ligne
