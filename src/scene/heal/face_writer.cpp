@@ -1,6 +1,7 @@
 #include "scene/heal/face_writer.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -8,9 +9,20 @@
 #include "scene/clean/compact.hpp"
 
 namespace ligne {
+namespace {
+
+/// Adjustable: the share of the faces that is kept free for others.
+constexpr std::size_t kSpare = 16;
+
+}  // namespace
 
 FaceWriter::FaceWriter(Scene& scene) : scene_(scene) {
-  faces_.reserve_corners(scene.faces.corners().size());
+  // Faces are left out, or some are cut: nothing need be copied for want of room.
+  const auto with_some_more = [](std::size_t n) { return n + n / kSpare; };
+  faces_.reserve_corners(with_some_more(scene.faces.corners().size()));
+  flags_.reserve(with_some_more(scene.corner_flags.size()));
+  material_.reserve(with_some_more(scene.face_material.size()));
+  source_.reserve(with_some_more(scene.face_source.size()));
   first_new_.reserve(scene.faces.size() + 1);
 }
 
@@ -73,7 +85,6 @@ void FaceWriter::replace(std::uint32_t f, const CutTriangle& triangle) {
 void FaceWriter::finish(std::vector<std::uint32_t>* faces) {
   begin(static_cast<std::uint32_t>(scene_.faces.size()));
   if (!flags_.empty()) flags_.resize(faces_.corners().size(), 0);
-  faces_.shrink_to_fit();
   scene_.faces = std::move(faces_);
   scene_.corner_flags = std::move(flags_);
   if (!scene_.face_material.empty()) scene_.face_material = std::move(material_);
@@ -91,7 +102,7 @@ void FaceWriter::finish(std::vector<std::uint32_t>* faces) {
 
 /// Flags come into being with the first corner that has one.
 void FaceWriter::add_flags(std::span<const std::uint8_t> flags) {
-  if (flags_.empty() && std::all_of(flags.begin(), flags.end(), [](std::uint8_t f) { return f == 0; })) return;
+  if (flags_.empty() && std::accumulate(flags.begin(), flags.end(), 0u, std::bit_or<>()) == 0) return;
   flags_.resize(faces_.corners().size() - flags.size(), 0);
   flags_.insert(flags_.end(), flags.begin(), flags.end());
 }
