@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "geometry/indices_where.hpp"
+
 namespace ligne {
 namespace {
 
@@ -39,15 +41,16 @@ class ContourTracer {
 
   std::vector<ContourChain> trace() {
     std::vector<ContourChain> chains;
-    const auto n = static_cast<std::uint32_t>(patch_.triangles.size());
-    for (std::uint32_t t = 0; t < n; ++t) {  // from their loose ends
-      if (done_[t] || !is_crossed(t)) continue;
+    const std::vector<std::uint32_t> crossed =
+        indices_where(patch_.triangles.size(), [&](std::size_t t) { return is_crossed(static_cast<std::uint32_t>(t)); });
+    for (const std::uint32_t t : crossed) {  // from their loose ends
+      if (done_[t]) continue;
       for (const std::uint32_t side : crossed_sides(t)) {
         if (!done_[t] && beyond(side) == kNone) chains.push_back(walk(t, side, false));
       }
     }
-    for (std::uint32_t t = 0; t < n; ++t) {
-      if (!done_[t] && is_crossed(t)) chains.push_back(walk(t, crossed_sides(t)[0], true));
+    for (const std::uint32_t t : crossed) {
+      if (!done_[t]) chains.push_back(walk(t, crossed_sides(t)[0], true));
     }
     return chains;
   }
@@ -127,9 +130,11 @@ class ContourTracer {
     const Point3 &p = vertex(a), &q = vertex(b);
     const Point3 &np = patch_.normals[patch_.sector[a]], &nq = patch_.normals[patch_.sector[b]];
     const double ga = patch_.g[patch_.sector[a]], gb = patch_.g[patch_.sector[b]];
-    const bool fitted = patch_.fitted[patch_.sector[a]] && patch_.fitted[patch_.sector[b]];
+    const std::uint32_t fit_a = patch_.fit[patch_.sector[a]], fit_b = patch_.fit[patch_.sector[b]];
+    const bool fitted = fit_a != kNone && fit_b != kNone;
     const Point3 d = q - p;
-    const NormalTurn &wa = patch_.turns[patch_.sector[a]], &wb = patch_.turns[patch_.sector[b]];
+    static constexpr NormalTurn kNoTurn{};
+    const NormalTurn &wa = fitted ? patch_.turns[fit_a] : kNoTurn, &wb = fitted ? patch_.turns[fit_b] : kNoTurn;
     double t = ga == gb ? 0.5 : std::clamp(ga / (ga - gb), 0.0, 1.0);
     if (fitted) {
       const auto slope = [&](const Point3& at, const Point3& n, const NormalTurn& turn) {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/disjoint_sets.hpp"
+#include "geometry/indices_where.hpp"
 
 namespace ligne {
 namespace {
@@ -155,22 +156,24 @@ class Chooser {
 
 std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPatch& patch,
                                        std::span<const std::uint32_t> outline_edges) {
-  std::vector<OutlineSide> found;
   // Where the edges from each vertex to higher ones begin.
   std::vector<std::uint32_t> begin;
   for (std::uint32_t i = 0; i < outline_edges.size(); ++i) {
     begin.resize(std::max<std::size_t>(begin.size(), topology.edges[outline_edges[i]].v0 + 1), i);
   }
-  for (std::uint32_t s = 0; s < patch.across.size(); ++s) {
-    if (patch.across[s] == kNone || patch.across[s] < s) continue;
+  const auto edge_of = [&](std::uint32_t s) {
+    if (patch.across[s] == kNone || patch.across[s] < s) return kNone;
     const auto& v = patch.triangles[s / 3].v;
     const std::uint32_t a = v[s % 3], b = v[(s + 1) % 3], low = std::min(a, b), high = std::max(a, b);
-    if (low >= begin.size()) continue;
+    if (low >= begin.size()) return kNone;
     const auto first = outline_edges.begin() + begin[low];
     const auto last = low + 1 < begin.size() ? outline_edges.begin() + begin[low + 1] : outline_edges.end();
     const auto e = std::partition_point(first, last, [&](std::uint32_t k) { return topology.edges[k].v1 < high; });
-    if (e != last && topology.edges[*e].v1 == high) found.push_back({*e, s});
-  }
+    return e != last && topology.edges[*e].v1 == high ? *e : kNone;
+  };
+  const auto is_outline = [&](std::size_t s) { return edge_of(static_cast<std::uint32_t>(s)) != kNone; };
+  std::vector<OutlineSide> found;
+  for (const std::uint32_t s : indices_where(patch.across.size(), is_outline)) found.push_back({edge_of(s), s});
   return found;
 }
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -20,29 +22,31 @@ constexpr int kRings = 2;
 class Sectors {
  public:
   Sectors(const Scene& scene, const SmoothPatch& patch)
-      : begin_(patch.normals.size() + 1, 0), corners_(patch.sector.size()), places_(patch.normals.size()) {
+      : begin_(patch.normals.size() + 1, 0),
+        corners_(std::make_unique_for_overwrite<std::uint32_t[]>(patch.sector.size())),
+        others_(std::make_unique_for_overwrite<std::array<std::uint32_t, 2>[]>(patch.sector.size())),
+        places_(std::make_unique_for_overwrite<Point3[]>(patch.normals.size())),
+        ways_(patch.normals.size(), 0) {
     for (const std::uint32_t s : patch.sector) ++begin_[s + 1];
     for (std::size_t s = 1; s < begin_.size(); ++s) begin_[s] += begin_[s - 1];
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    others_.resize(corners_.size());
-    ways_.assign(places_.size(), 0);
-    for (std::uint32_t c = 0; c < corners_.size(); ++c) {
+    for (std::uint32_t c = 0; c < patch.sector.size(); ++c) {
       const std::uint32_t at = next[patch.sector[c]]++;
       corners_[at] = c;
       others_[at] = {patch.sector[next_corner(c)], patch.sector[last_corner(c)]};
       ways_[patch.sector[c]] |= way(patch.facing[c / 3] >= 0);
     }
-    for (std::uint32_t s = 0; s < places_.size(); ++s) {
+    for (std::uint32_t s = 0; s < ways_.size(); ++s) {
       const std::uint32_t c = corners_[begin_[s]];
       places_[s] = scene.vertices[patch.triangles[c / 3].v[c % 3]];
     }
   }
   std::span<const std::uint32_t> corners(std::uint32_t sector) const {
-    return {corners_.data() + begin_[sector], corners_.data() + begin_[sector + 1]};
+    return {corners_.get() + begin_[sector], corners_.get() + begin_[sector + 1]};
   }
   /// Of each of its corners those at the next and at the last corner of the triangle.
   std::span<const std::array<std::uint32_t, 2>> others(std::uint32_t sector) const {
-    return {others_.data() + begin_[sector], others_.data() + begin_[sector + 1]};
+    return {others_.get() + begin_[sector], others_.get() + begin_[sector + 1]};
   }
   const Point3& place(std::uint32_t sector) const { return places_[sector]; }
   /// Some faces of the sector look to the side of the viewer, or to the other one.
@@ -51,18 +55,18 @@ class Sectors {
  private:
   static std::uint8_t way(bool towards) { return towards ? 1 : 2; }
 
-  std::vector<std::uint32_t> begin_, corners_;
-  std::vector<std::array<std::uint32_t, 2>> others_;
-  std::vector<Point3> places_;
+  std::vector<std::uint32_t> begin_;
+  std::unique_ptr<std::uint32_t[]> corners_;
+  std::unique_ptr<std::array<std::uint32_t, 2>[]> others_;
+  std::unique_ptr<Point3[]> places_;
   std::vector<std::uint8_t> ways_;
 };
 
 class PatchFits {
  public:
   PatchFits(const Scene& scene, const Camera& camera, SmoothPatch& patch)
-      : camera_(camera), patch_(patch), sectors_(scene, patch) {
-    patch_.turns.assign(patch_.normals.size(), NormalTurn{});
-    patch_.fitted.assign(patch_.normals.size(), 0);
+      : camera_(camera), patch_(patch), sectors_(scene, patch), reached_from_(thread_count()) {
+    patch_.fit.assign(patch_.normals.size(), kNone);
   }
 
   /// First the sectors whose faces do not all look one way: only these may change their labels. Then the other ends of the
@@ -76,8 +80,11 @@ class PatchFits {
       first.push_back(s);
     }
     fit(first);
-    for (std::uint32_t c = 0; c < patch_.sector.size(); ++c) {
-      if (patch_.looks_at_viewer(c) == patch_.looks_at_viewer(next_corner(c))) continue;
+    const auto is_crossed = [&](std::size_t c) {
+      const auto corner = static_cast<std::uint32_t>(c);
+      return patch_.looks_at_viewer(corner) != patch_.looks_at_viewer(next_corner(corner));
+    };
+    for (const std::uint32_t c : indices_where(patch_.sector.size(), is_crossed)) {
       for (const std::uint32_t s : {patch_.sector[c], patch_.sector[next_corner(c)]}) {
         if (!std::exchange(taken[s], 1)) then.push_back(s);
       }
@@ -87,17 +94,25 @@ class PatchFits {
 
  private:
   void fit(const std::vector<std::uint32_t>& sectors) {
+    const auto first_turn = static_cast<std::uint32_t>(patch_.turns.size());
+    patch_.turns.resize(first_turn + sectors.size());
     parallel_blocks(sectors.size(), kSectorsPerTask, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> reached, reached_from(patch_.normals.size(), kNone);
+      // Each sector is fitted once: what a thread has marked for others never counts.
+      std::vector<std::uint32_t>& reached_from = reached_from_[thread_index()];
+      reached_from.resize(patch_.normals.size(), kNone);
+      std::vector<std::uint32_t> reached;
       std::array<std::uint32_t, 2> pair;
       std::array<std::vector<Point3>, 2> points;
       std::size_t count = 0;
       const auto fit_pair = [&] {
         std::array<PointsRound, 2> rounds;
-        for (std::size_t f = 0; f < count; ++f) rounds[f] = {sectors_.place(pair[f]), patch_.normals[pair[f]], points[f]};
+        for (std::size_t f = 0; f < count; ++f) {
+          const std::uint32_t s = sectors[pair[f]];
+          rounds[f] = {sectors_.place(s), patch_.normals[s], points[f]};
+        }
         const auto fits = fit_two_surfaces(rounds);
         for (std::size_t f = 0; f < count; ++f) {
-          if (fits[f]) take(pair[f], *fits[f]);
+          if (fits[f]) take(sectors[pair[f]], first_turn + pair[f], *fits[f]);
         }
         count = 0;
       };
@@ -105,7 +120,7 @@ class PatchFits {
         const std::uint32_t s = sectors[i];
         if (!patch_.complete[sectors_.corners(s)[0]] || patch_.normals[s] == Point3(0.0)) continue;
         reach_rings(s, reached, reached_from);
-        pair[count] = s;
+        pair[count] = static_cast<std::uint32_t>(i);
         points[count].clear();
         for (std::size_t k = 1; k < reached.size(); ++k) points[count].push_back(sectors_.place(reached[k]));
         if (++count == pair.size()) fit_pair();
@@ -114,13 +129,14 @@ class PatchFits {
     });
   }
 
-  void take(std::uint32_t s, const SurfaceFit& fit) {
+  /// `turn`: the place of the surface's turn.
+  void take(std::uint32_t s, std::uint32_t turn, const SurfaceFit& fit) {
     const double g = glm::dot(fit.normal, to_eye(camera_, sectors_.place(s)));
     if (!sectors_.any_faces(s, g >= 0)) return;
     patch_.normals[s] = fit.normal;
-    patch_.turns[s] = fit.turn;
+    patch_.turns[turn] = fit.turn;
     patch_.g[s] = g;
-    patch_.fitted[s] = 1;
+    patch_.fit[s] = turn;
   }
 
   /// The sector, and those within two rings of triangles. `reached_from`: per sector, from which one it was reached last.
@@ -143,6 +159,7 @@ class PatchFits {
   const Camera& camera_;
   SmoothPatch& patch_;
   Sectors sectors_;
+  std::vector<std::vector<std::uint32_t>> reached_from_;  ///< by thread; by sector: from which one it was reached last
 };
 
 }  // namespace

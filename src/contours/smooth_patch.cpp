@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <glm/geometric.hpp>
 
@@ -134,8 +135,8 @@ class PatchBuilder {
 
   void measure_triangles() {
     const std::size_t n = patch_.triangles.size();
-    face_normals_.resize(n);
-    weighted_normals_.resize(3 * n);
+    face_normals_ = std::make_unique_for_overwrite<Point3[]>(n);
+    weighted_normals_ = std::make_unique_for_overwrite<Point3[]>(3 * n);
     patch_.facing.resize(n);
     parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) measure(t);
@@ -171,20 +172,23 @@ class PatchBuilder {
       }
     });
     patch_.across.assign(n, kNone);
-    sides.for_each_pair(0, numbers.size(), [&](std::uint32_t low, std::span<const FiledPairs::Entry> pair) {
-      if (pair.size() != 2) return;
-      const std::uint32_t a = pair[0].thing, b = pair[1].thing;
-      if (!are_smooth(numbers.vertex(low), numbers.vertex(pair[0].high), a, b)) return;
-      patch_.across[a] = b;
-      patch_.across[b] = a;
+    parallel_blocks(numbers.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      CreaseMarks edges = edges_;
+      sides.for_each_pair(begin, end, [&](std::uint32_t low, std::span<const FiledPairs::Entry> pair) {
+        if (pair.size() != 2) return;
+        const std::uint32_t a = pair[0].thing, b = pair[1].thing;
+        if (edges.given() && edges.has(numbers.vertex(low), numbers.vertex(pair[0].high))) return;
+        if (!are_smooth(a, b)) return;
+        patch_.across[a] = b;
+        patch_.across[b] = a;
+      });
     });
   }
 
-  /// Two sides on the edge from `low` to `high`: wound alike, and no crease. A triangle without area has no direction that
-  /// could differ.
-  bool are_smooth(std::uint32_t low, std::uint32_t high, std::uint32_t s, std::uint32_t r) {
+  /// Two sides on one edge: wound alike, and no crease by their angle. A triangle without area has no direction that could
+  /// differ.
+  bool are_smooth(std::uint32_t s, std::uint32_t r) const {
     if (patch_.triangles[s / 3].v[s % 3] == patch_.triangles[r / 3].v[r % 3]) return false;
-    if (edges_.given() && edges_.has(low, high)) return false;
     const Point3 &a = face_normals_[s / 3], &b = face_normals_[r / 3];
     return a == kNoNormal || b == kNoNormal || glm::dot(a, b) >= (edges_.given() ? sharp_cosine_ : crease_cosine_);
   }
@@ -255,8 +259,9 @@ class PatchBuilder {
   CreaseMarks edges_;
   SmoothPatch& patch_;
   double crease_cosine_, sharp_cosine_;
-  std::vector<Point3> face_normals_;
-  std::vector<Point3> weighted_normals_;  ///< per corner
+  // Written by several threads, which also take the memory from the system then.
+  std::unique_ptr<Point3[]> face_normals_;
+  std::unique_ptr<Point3[]> weighted_normals_;  ///< per corner
 };
 
 }  // namespace
@@ -267,11 +272,13 @@ std::vector<std::uint32_t> outlines_inside_regions(const Scene& scene, const Top
                                                    std::span<const std::uint32_t> outline_edges,
                                                    const RegionBorders& borders) {
   const double least_cosine = cosine(borders, borders.creases ? kSharp : 1);
-  std::vector<std::uint32_t> inside;
+  std::vector<std::uint32_t> inside =
+      indices_where(outline_edges.size(), [&](std::size_t i) {  // beside a border what lies on either side looks one way
+        return !is_border(scene, topology, borders, least_cosine, outline_edges[i]);
+      });
+  for (std::uint32_t& e : inside) e = outline_edges[e];
   VertexSet on_outline(scene.vertices.size()), continued(scene.vertices.size());
-  for (const std::uint32_t e : outline_edges) {
-    if (is_border(scene, topology, borders, least_cosine, e)) continue;  // what lies on either side looks one way
-    inside.push_back(e);
+  for (const std::uint32_t e : inside) {
     for (const std::uint32_t v : {topology.edges[e].v0, topology.edges[e].v1}) {
       if (on_outline.has(v)) continued.add(v);
       on_outline.add(v);
@@ -306,11 +313,15 @@ SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Cam
   for (const std::uint32_t t : touching(topology.triangles, on_outline)) {
     for (const std::uint32_t v : topology.triangles[t].v) ring.add(v);
   }
-  for (const std::uint32_t t : touching(topology.triangles, ring)) patch.triangles.push_back(topology.triangles[t]);
-  patch.complete.reserve(3 * patch.triangles.size());
-  for (const Triangle& t : patch.triangles) {
-    for (const std::uint32_t v : t.v) patch.complete.push_back(ring.has(v));
-  }
+  const std::vector<std::uint32_t> inside = touching(topology.triangles, ring);
+  patch.triangles.resize(inside.size());
+  patch.complete.resize(3 * inside.size());
+  parallel_blocks(inside.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      patch.triangles[t] = topology.triangles[inside[t]];
+      for (std::size_t k = 0; k < 3; ++k) patch.complete[3 * t + k] = ring.has(patch.triangles[t].v[k]);
+    }
+  });
   PatchBuilder(scene, topology, camera, borders, patch).build();
   return patch;
 }

@@ -31,8 +31,8 @@ struct SmoothPatch {
   std::vector<std::uint8_t> complete;  ///< per corner: all triangles of its sector are in the patch
   std::vector<Point3> normals;         ///< per sector, unit length; zero where no face round it has an area
   std::vector<double> g;               ///< per sector
-  std::vector<NormalTurn> turns;       ///< per sector, where `fitted`
-  std::vector<std::uint8_t> fitted;    ///< per sector: normal and turn are those of a fitted surface
+  std::vector<std::uint32_t> fit;      ///< per sector: number of the fitted surface whose normal it has, or kNone
+  std::vector<NormalTurn> turns;       ///< by that number
 
   /// Zero counts as looking at the viewer: so g is never zero at a vertex.
   bool looks_at_viewer(std::uint32_t corner) const { return g[sector[corner]] >= 0; }
