@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 
+#include "geometry/parallel.hpp"
 #include "scene/clean/cut_nonplanar.hpp"
 #include "scene/heal/agree_windings.hpp"
 #include "scene/heal/border_edges.hpp"
@@ -42,12 +43,24 @@ void take_border(const Scene& scene, const Object& object, const Border& border,
   }
 }
 
+/// Where borders may be.
+struct NearBorders {
+  std::vector<std::uint8_t> marked;  ///< per vertex: it may be on a border
+  std::vector<std::uint32_t> faces;  ///< that have such a vertex
+};
+
+NearBorders near_borders(const Scene& scene) {
+  NearBorders near{ends_of_odd_edges(scene), {}};
+  near.faces = faces_at(scene, near.marked);
+  return near;
+}
+
 /// The borders of the objects that are sewn, and the distances, and what was seen of them.
-std::vector<std::unique_ptr<Border>> borders_to_sew(const Scene& scene, const HealOptions& options, Sewing& sewing,
-                                                    HealReport& report) {
+std::vector<std::unique_ptr<Border>> borders_to_sew(const Scene& scene, const HealOptions& options, const NearBorders& near,
+                                                    Sewing& sewing, HealReport& report) {
   std::vector<std::unique_ptr<Border>> borders(scene.objects.size());
-  const std::vector<std::uint8_t> marked = ends_of_odd_edges(scene);
-  const std::vector<std::uint32_t> faces = faces_at(scene, marked);
+  const std::vector<std::uint8_t>& marked = near.marked;
+  const std::vector<std::uint32_t>& faces = near.faces;
   if (faces.empty()) return borders;
   const double size = size_of(scene);
   sewing.may_be_on_border.assign(scene.vertices.size(), 0);
@@ -96,10 +109,10 @@ void cut_bent_faces(Scene& scene, std::vector<std::uint32_t>& faces) {
   writer.finish(&faces);
 }
 
-void sew(Scene& scene, const HealOptions& options, HealReport& report) {
+void sew(Scene& scene, const HealOptions& options, const NearBorders& near, HealReport& report) {
   Sewing sewing{std::vector<double>(scene.objects.size(), 0)};
   {
-    const std::vector<std::unique_ptr<Border>> borders = borders_to_sew(scene, options, sewing, report);
+    const std::vector<std::unique_ptr<Border>> borders = borders_to_sew(scene, options, near, sewing, report);
     if (report.sewn.empty()) return;
     report.vertices_moved = join_border_vertices(scene, borders, sewing);
   }
@@ -125,11 +138,22 @@ void count_edges_left(const Scene& scene, const Topology& topology, HealReport& 
 
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
   HealReport report;
-  const DuplicateFaces duplicates = find_duplicate_faces(scene);
+  const bool sews = options.sew_distance != 0.0;
+  // Nearly all files have no duplicates, and the borders that are found beside them are right.
+  DuplicateFaces duplicates;
+  NearBorders near;
+  parallel_tasks(sews ? 2 : 1, [&](std::size_t task) {
+    if (task == 0) {
+      duplicates = find_duplicate_faces(scene);
+    } else {
+      near = near_borders(scene);
+    }
+  });
   report.objects_twice = duplicates.objects;
   report.faces_twice = duplicates.faces;
   drop_duplicate_faces(scene, duplicates);
-  if (options.sew_distance != 0.0) sew(scene, options, report);
+  if (sews && duplicates.faces > 0) near = near_borders(scene);
+  if (sews) sew(scene, options, near, report);
   topology = build_topology(scene);
   count_edges_left(scene, topology, report);
   report.faces_turned = agree_windings(scene, topology);
