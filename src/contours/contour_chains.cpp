@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <glm/geometric.hpp>
 
 #include "geometry/indices_where.hpp"
+#include "geometry/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -40,22 +42,45 @@ class ContourTracer {
       : scene_(scene), camera_(camera), patch_(patch), done_(patch.triangles.size(), 0) {}
 
   std::vector<ContourChain> trace() {
+    const std::vector<Path> paths = find_paths();
+    std::vector<std::uint32_t> sides;
+    for (const Path& path : paths) sides.insert(sides.end(), path.sides.begin(), path.sides.end());
+    std::vector<ContourNode> nodes(sides.size());
+    parallel_blocks(sides.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) nodes[i] = node(sides[i]);
+    });
     std::vector<ContourChain> chains;
-    const std::vector<std::uint32_t> crossed =
-        indices_where(patch_.triangles.size(), [&](std::size_t t) { return is_crossed(static_cast<std::uint32_t>(t)); });
-    for (const std::uint32_t t : crossed) {  // from their loose ends
-      if (done_[t]) continue;
-      for (const std::uint32_t side : crossed_sides(t)) {
-        if (!done_[t] && beyond(side) == kNone) chains.push_back(walk(t, side, false));
-      }
-    }
-    for (const std::uint32_t t : crossed) {
-      if (!done_[t]) chains.push_back(walk(t, crossed_sides(t)[0], true));
+    auto first = nodes.begin();
+    for (const Path& path : paths) {
+      chains.push_back(chain_of(path, {first, path.sides.size()}));
+      first += static_cast<std::ptrdiff_t>(path.sides.size());
     }
     return chains;
   }
 
  private:
+  /// The triangles that a chain runs through, and the sides that it crosses: one more.
+  struct Path {
+    std::vector<std::uint32_t> triangles, sides;
+    bool closed;
+  };
+
+  std::vector<Path> find_paths() {
+    std::vector<Path> paths;
+    const std::vector<std::uint32_t> crossed =
+        indices_where(patch_.triangles.size(), [&](std::size_t t) { return is_crossed(static_cast<std::uint32_t>(t)); });
+    for (const std::uint32_t t : crossed) {  // from their loose ends
+      if (done_[t]) continue;
+      for (const std::uint32_t side : crossed_sides(t)) {
+        if (!done_[t] && beyond(side) == kNone) paths.push_back(walk(t, side, false));
+      }
+    }
+    for (const std::uint32_t t : crossed) {
+      if (!done_[t]) paths.push_back(walk(t, crossed_sides(t)[0], true));
+    }
+    return paths;
+  }
+
   bool crosses(std::uint32_t side) const {
     return patch_.looks_at_viewer(side) != patch_.looks_at_viewer(next_corner(side));
   }
@@ -73,25 +98,35 @@ class ContourTracer {
     return other == kNone || !is_crossed(other / 3) ? kNone : other / 3;
   }
 
-  ContourChain walk(std::uint32_t t, std::uint32_t entry, bool closed) {
-    ContourChain chain;
-    chain.closed = closed;
-    chain.nodes.push_back(node(entry));
+  Path walk(std::uint32_t t, std::uint32_t entry, bool closed) {
+    Path path{{}, {entry}, closed};
     while (t != kNone && !done_[t]) {
       done_[t] = 1;
       const auto sides = crossed_sides(t);
       const std::uint32_t exit = sides[0] == entry ? sides[1] : sides[0];
-      const ContourNode end = node(exit);
-      if (const auto cusp = cusp_between(chain.nodes.back(), end)) {
-        chain.triangles.push_back(t);
-        chain.nodes.push_back(*cusp);
-      }
-      chain.triangles.push_back(t);
-      chain.nodes.push_back(end);
+      path.triangles.push_back(t);
+      path.sides.push_back(exit);
       t = beyond(exit);
       entry = patch_.across[exit];
     }
-    if (closed) chain.nodes.back() = chain.nodes.front();
+    return path;
+  }
+
+  /// `nodes`: of the sides of the path.
+  ContourChain chain_of(const Path& path, std::span<const ContourNode> nodes) const {
+    ContourChain chain;
+    chain.closed = path.closed;
+    chain.nodes.push_back(nodes[0]);
+    for (std::size_t i = 0; i < path.triangles.size(); ++i) {
+      const ContourNode& end = nodes[i + 1];
+      if (const auto cusp = cusp_between(nodes[i], end)) {
+        chain.triangles.push_back(path.triangles[i]);
+        chain.nodes.push_back(*cusp);
+      }
+      chain.triangles.push_back(path.triangles[i]);
+      chain.nodes.push_back(end);
+    }
+    if (path.closed) chain.nodes.back() = chain.nodes.front();
     return chain;
   }
 

@@ -124,7 +124,10 @@ void close_gaps(const std::vector<Change>& changes, const std::vector<std::optio
 }  // namespace
 
 void SegmentFinder::expect(Point2 from, Point2 to) {
-  for_cells(from, to, [&](std::uint64_t key) {
+  const Rectangle cells = cells_round(from, to);
+  if (cells == expected_) return;
+  expected_ = cells;
+  for_cells(cells, [&](std::uint64_t key) {
     std::uint32_t& list = cells_[key];
     if (list != KeyTable::kNone) return;
     list = static_cast<std::uint32_t>(lists_.size());
@@ -135,7 +138,7 @@ void SegmentFinder::expect(Point2 from, Point2 to) {
 void SegmentFinder::add(const PageSegment& segment) {
   const auto number = static_cast<std::uint32_t>(segments_.size());
   bool listed = false;
-  for_cells(segment.from, segment.to, [&](std::uint64_t key) {
+  for_cells(cells_round(segment.from, segment.to), [&](std::uint64_t key) {
     const std::uint32_t cell = cells_.find(key);
     if (cell == KeyTable::kNone) return;
     lists_[cell].push_back(number);

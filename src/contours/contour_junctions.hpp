@@ -33,7 +33,7 @@ class SegmentFinder {
   /// Calls found(segment) for the segments that may cross from-to; some more than once.
   template <class Found>
   void near(Point2 from, Point2 to, Found found) const {
-    for_cells(from, to, [&](std::uint64_t key) {
+    for_cells(cells_round(from, to), [&](std::uint64_t key) {
       const std::uint32_t cell = cells_.find(key);
       if (cell == KeyTable::kNone) return;
       for (const std::uint32_t i : lists_[cell]) found(segments_[i]);
@@ -41,11 +41,19 @@ class SegmentFinder {
   }
 
  private:
+  /// Cells [x0, x1] x [y0, y1].
+  struct Rectangle {
+    std::int32_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
+    friend bool operator==(const Rectangle&, const Rectangle&) = default;
+  };
+  /// Those of the rectangle round the segment; segments are short.
+  Rectangle cells_round(Point2 from, Point2 to) const;
   template <class Visit>
-  void for_cells(Point2 from, Point2 to, Visit visit) const;
+  static void for_cells(const Rectangle& cells, Visit visit);
 
   double cell_mm_;
-  KeyTable cells_;  ///< of each cell that is asked about the list
+  KeyTable cells_;      ///< of each cell that is asked about the list
+  Rectangle expected_;  ///< last: mostly the next one is the same
   std::vector<std::vector<std::uint32_t>> lists_;
   std::vector<PageSegment> segments_;
 };

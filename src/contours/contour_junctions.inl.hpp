@@ -8,16 +8,16 @@
 
 namespace ligne {
 
-/// The cells of the rectangle round the segment; segments are short.
-template <class Visit>
-void SegmentFinder::for_cells(Point2 from, Point2 to, Visit visit) const {
+inline SegmentFinder::Rectangle SegmentFinder::cells_round(Point2 from, Point2 to) const {
   const auto index = [&](double mm) { return static_cast<std::int32_t>(std::floor(mm / cell_mm_)); };
-  const std::int32_t x0 = index(std::min(from.x, to.x)), x1 = index(std::max(from.x, to.x));
-  const std::int32_t y0 = index(std::min(from.y, to.y)), y1 = index(std::max(from.y, to.y));
-  for (std::int32_t y = y0; y <= y1; ++y) {
-    for (std::int32_t x = x0; x <= x1; ++x) {
-      visit(KeyTable::key(x, y));
-    }
+  return {index(std::min(from.x, to.x)), index(std::max(from.x, to.x)), index(std::min(from.y, to.y)),
+          index(std::max(from.y, to.y))};
+}
+
+template <class Visit>
+void SegmentFinder::for_cells(const Rectangle& cells, Visit visit) {
+  for (std::int32_t y = cells.y0; y <= cells.y1; ++y) {
+    for (std::int32_t x = cells.x0; x <= cells.x1; ++x) visit(KeyTable::key(x, y));
   }
 }
 

@@ -97,8 +97,8 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
   const OutlineGraph graph(scene, view, patch, sides);
   const double slack_mm = kSlackSteps * projected.lattice.step_mm + 2 * projected.input_error_mm;
   std::vector<std::vector<ContourSight>> sights(choice.chains.size());
+  std::vector<ReachedSectors> reached(thread_count());
   parallel_blocks(sights.size(), kChainsPerTask, [&](std::size_t begin, std::size_t end) {
-    ReachedSectors reached(patch.normals.size());
     for (std::size_t c = begin; c < end; ++c) {
       sights[c] = contour_sights(scene, view, patch, graph, choice.chains[c], slack_mm, reached);
     }

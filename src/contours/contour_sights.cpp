@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "geometry/parallel.hpp"
+
 namespace ligne {
 namespace {
 
@@ -19,7 +21,7 @@ constexpr double kLeastAcross = 0.5;
 class Sights {
  public:
   Sights(const Scene& scene, const View& view, const SmoothPatch& patch, const OutlineGraph& outline,
-         const ContourChain& chain, double slack_mm, ReachedSectors& reached)
+         const ContourChain& chain, double slack_mm, std::vector<ReachedSectors>& reached)
       : scene_(scene),
         view_(view),
         patch_(patch),
@@ -31,7 +33,9 @@ class Sights {
   std::vector<ContourSight> find() {
     std::vector<ContourSight> sights(chain_.size());
     const std::vector<int> free_side = free_sides();
-    for (std::size_t i = 0; i < sights.size(); ++i) sights[i] = sight(i, free_side[i]);
+    parallel_blocks(sights.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) sights[i] = sight(i, free_side[i]);
+    });
     return sights;
   }
 
@@ -95,7 +99,7 @@ class Sights {
     }
   }
 
-  ContourSight sight(std::size_t i, int side) {
+  ContourSight sight(std::size_t i, int side) const {
     const ContourNode &a = chain_.nodes[i], &b = chain_.nodes[i + 1];
     const Point2 pa = page_direction(view_, a.on_mesh, a.normal), pb = page_direction(view_, b.on_mesh, b.normal);
     const Point2 mean = double(side) * (pa + pb);
@@ -119,7 +123,7 @@ class Sights {
   };
 
   /// Of segment i, on the side of the page to which `out` points.
-  Protrusion protrusion(std::size_t i, Point2 out) {
+  Protrusion protrusion(std::size_t i, Point2 out) const {
     const Point2 q0 = page_point(view_, chain_.nodes[i].on_mesh), q1 = page_point(view_, chain_.nodes[i + 1].on_mesh);
     const double length = glm::length(q1 - q0);
     Point2 along = length > 0 ? (q1 - q0) / length : Point2{-out.y, out.x};
@@ -146,18 +150,19 @@ class Sights {
   /// Calls visit(end) for the edges of the mesh's outline near a triangle, each once: those at its corners and at the
   /// corners of its neighbours, and those that continue them.
   template <class Visit>
-  void for_outline_near(std::uint32_t t, Visit visit) {
-    reached_.clear();
+  void for_outline_near(std::uint32_t t, Visit visit) const {
+    ReachedSectors& reached = reached_[thread_index()];
+    reached.clear(patch_.normals.size());
     for (std::uint32_t k = 3 * t; k < 3 * t + 3; ++k) {
-      reached_.add(patch_.sector[k]);
-      if (patch_.across[k] != kNone) reached_.add(patch_.sector[last_corner(patch_.across[k])]);
+      reached.add(patch_.sector[k]);
+      if (patch_.across[k] != kNone) reached.add(patch_.sector[last_corner(patch_.across[k])]);
     }
     std::size_t begin = 0;
     for (int step = 0; step < kOutlineSteps; ++step) {
-      const std::size_t end = reached_.size();
+      const std::size_t end = reached.size();
       for (std::size_t i = begin; i < end; ++i) {
-        for (const OutlineGraph::End& e : outline_.at(reached_[i])) {
-          if (reached_.add(e.other) >= i) visit(e);
+        for (const OutlineGraph::End& e : outline_.at(reached[i])) {
+          if (reached.add(e.other) >= i) visit(e);
         }
       }
       begin = end;
@@ -170,7 +175,7 @@ class Sights {
   const OutlineGraph& outline_;
   const ContourChain& chain_;
   double slack_mm_;
-  ReachedSectors& reached_;
+  std::vector<ReachedSectors>& reached_;
 };
 
 }  // namespace
@@ -198,7 +203,7 @@ OutlineGraph::OutlineGraph(const Scene& scene, const View& view, const SmoothPat
 
 std::vector<ContourSight> contour_sights(const Scene& scene, const View& view, const SmoothPatch& patch,
                                          const OutlineGraph& outline, const ContourChain& chain, double slack_mm,
-                                         ReachedSectors& reached) {
+                                         std::vector<ReachedSectors>& reached) {
   return Sights(scene, view, patch, outline, chain, slack_mm, reached).find();
 }
 

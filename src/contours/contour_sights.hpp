@@ -38,9 +38,9 @@ class OutlineGraph {
 /// Sectors in the order in which they were reached, each once.
 class ReachedSectors {
  public:
-  explicit ReachedSectors(std::size_t sectors) : place_(sectors, 0) {}
-
-  void clear() {
+  /// `sectors`: how many there are, the same each time.
+  void clear(std::size_t sectors) {
+    place_.resize(sectors, 0);
     first_ += static_cast<std::uint32_t>(reached_.size());
     reached_.clear();
   }
@@ -68,11 +68,11 @@ struct ContourSight {
   int side = 1;  ///< +1 on that of the normals
 };
 
-/// Per segment of the chain. `slack_mm`: how far beyond the outline of the mesh at least. `reached` serves one chain after
-/// the other.
+/// Per segment of the chain. `slack_mm`: how far beyond the outline of the mesh at least. `reached`: for each thread, serves
+/// one chain after the other.
 std::vector<ContourSight> contour_sights(const Scene& scene, const View& view, const SmoothPatch& patch,
                                          const OutlineGraph& outline, const ContourChain& chain, double slack_mm,
-                                         ReachedSectors& reached);
+                                         std::vector<ReachedSectors>& reached);
 
 /// What a step of one unit along `n` from p moves on the page, mm.
 Point2 page_direction(const View& view, const Point3& p, const Point3& n);

@@ -8,6 +8,7 @@
 #include "contours/contour_choice.hpp"
 #include "contours/contour_sights.hpp"
 #include "geometry/disjoint_sets.hpp"
+#include "geometry/parallel.hpp"
 #include "view/clip.hpp"
 
 namespace ligne {
@@ -148,6 +149,28 @@ Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContour
   return c;
 }
 
+/// What no contour stands for.
+struct Missing {
+  std::vector<Candidate> whole, parts;
+};
+
+void look_at(const Candidate& c, const NearContours& near, const SmoothContours& contours, const View& view,
+             const Lattice& lattice, double pen_width_mm, Missing& missing) {
+  if (!near.any_within(c.middle, c.near_mm)) {
+    missing.whole.push_back(c);
+    return;
+  }
+  const Point2 from = lattice.to_mm(c.stroke.from), to = lattice.to_mm(c.stroke.to);
+  for (int k = 0; k < kParts; ++k) {
+    if (near.any_past(middle_of_part(from, to, k), to - from, c.near_mm, pen_width_mm / 2)) continue;
+    Stroke part = c.stroke;
+    const double dt = (c.stroke.t_to - c.stroke.t_from) / kParts;
+    part.t_from = c.stroke.t_from + k * dt;
+    part.t_to = k + 1 == kParts ? c.stroke.t_to : part.t_from + dt;
+    missing.parts.push_back(candidate(part, c.edge, contours, view, lattice, pen_width_mm));
+  }
+}
+
 /// The ends of candidates, in order.
 std::vector<std::pair<LatticePoint, std::uint32_t>> ends_of(const std::vector<Candidate>& candidates) {
   std::vector<std::pair<LatticePoint, std::uint32_t>> ends;
@@ -256,21 +279,15 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
   }
   if (candidates.empty()) return;
   near.prepare();
+  std::vector<Missing> found(block_count(candidates.size(), kSearchBlock));
+  parallel_blocks(candidates.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      look_at(candidates[i], near, contours, view, model.lattice, pen_width_mm, found[begin / kSearchBlock]);
+  });
   std::vector<Candidate> missing, parts;
-  for (const Candidate& c : candidates) {
-    if (!near.any_within(c.middle, c.near_mm)) {
-      missing.push_back(c);
-      continue;
-    }
-    const Point2 from = model.lattice.to_mm(c.stroke.from), to = model.lattice.to_mm(c.stroke.to);
-    for (int k = 0; k < kParts; ++k) {
-      if (near.any_past(middle_of_part(from, to, k), to - from, c.near_mm, pen_width_mm / 2)) continue;
-      Stroke part = c.stroke;
-      const double dt = (c.stroke.t_to - c.stroke.t_from) / kParts;
-      part.t_from = c.stroke.t_from + k * dt;
-      part.t_to = k + 1 == kParts ? c.stroke.t_to : part.t_from + dt;
-      parts.push_back(candidate(part, c.edge, contours, view, model.lattice, pen_width_mm));
-    }
+  for (const Missing& m : found) {
+    missing.insert(missing.end(), m.whole.begin(), m.whole.end());
+    parts.insert(parts.end(), m.parts.begin(), m.parts.end());
   }
   drop_short(missing, model.lattice, reach_mm);
   keep_between_ends(parts, missing, near, model.lattice);
