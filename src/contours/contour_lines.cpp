@@ -53,29 +53,33 @@ void remove_outlines(ProjectedScene& projected, const Topology& topology, const 
   if (!projected.edge_parts.empty()) projected.edge_parts.resize(kept);
 }
 
-/// Diagonals of the boxes round the objects that faces belong to, worked out as they are asked for.
+/// Diagonals of the boxes round the objects that faces belong to.
 class ObjectSizes {
  public:
   explicit ObjectSizes(const Scene& scene) : scene_(scene), sizes_(scene.objects.size(), -1) {}
 
-  double operator()(std::uint32_t face) const {
-    const auto after = std::upper_bound(scene_.objects.begin(), scene_.objects.end(), face,
-                                        [](std::uint32_t f, const Object& o) { return f < o.face_begin; });
-    double& size = sizes_[static_cast<std::size_t>(after - scene_.objects.begin()) - 1];
-    if (size < 0) {
-      Point3 low(1e300), high(-1e300);
-      for (std::uint32_t v = after[-1].vertex_begin; v < after[-1].vertex_end; ++v) {
-        low = glm::min(low, scene_.vertices[v]);
-        high = glm::max(high, scene_.vertices[v]);
-      }
-      size = glm::length(high - low);
+  /// To be called for a face of each object that is asked about.
+  void measure(std::uint32_t face) {
+    const std::size_t number = object_of(face);
+    if (sizes_[number] >= 0) return;
+    const Object& object = scene_.objects[number];
+    Point3 low(1e300), high(-1e300);
+    for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
+      low = glm::min(low, scene_.vertices[v]);
+      high = glm::max(high, scene_.vertices[v]);
     }
-    return size;
+    sizes_[number] = glm::length(high - low);
   }
+  double operator()(std::uint32_t face) const { return sizes_[object_of(face)]; }
 
  private:
+  std::size_t object_of(std::uint32_t face) const {
+    const auto after = std::ranges::upper_bound(scene_.objects, face, {}, &Object::face_begin);
+    return static_cast<std::size_t>(after - scene_.objects.begin()) - 1;
+  }
+
   const Scene& scene_;
-  mutable std::vector<double> sizes_;
+  std::vector<double> sizes_;
 };
 
 }  // namespace
@@ -114,16 +118,24 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
       contours.sides.back().push_back(sights[c][i].side);
     }
   }
-  const ObjectSizes object_size(scene);
   contours.first_probe = projected.source_count + static_cast<std::uint32_t>(lines.size());
-  for (const std::uint32_t i : choice.sides) {
-    const Edge& edge = topology.edges[sides[i].edge];
-    const auto end = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
-    // In the direction of the probe, so that both have the same parameters.
-    contours.replaced.push_back({{end(sides[i].side), end(next_corner(sides[i].side))}, {edge.face0, edge.face1}, false});
-    contours.replaced_size_mm.push_back(size_on_page(scene, view, patch, sides[i].side));
-    lines.push_back(outline_probe(scene, view, patch, sides[i].side, object_size(edge.face0), slack_mm));
-  }
+  const std::size_t first_line = lines.size(), count = choice.sides.size();
+  lines.resize(first_line + count);
+  contours.replaced.resize(count);
+  contours.replaced_size_mm.resize(count);
+  ObjectSizes object_size(scene);
+  for (const std::uint32_t i : choice.sides) object_size.measure(topology.edges[sides[i].edge].face0);
+  parallel_blocks(count, kSearchBlock, [&](std::size_t begin, std::size_t end_of_block) {
+    for (std::size_t k = begin; k < end_of_block; ++k) {
+      const std::uint32_t side = sides[choice.sides[k]].side;
+      const Edge& edge = topology.edges[sides[choice.sides[k]].edge];
+      const auto end = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
+      // In the direction of the probe, so that both have the same parameters.
+      contours.replaced[k] = {{end(side), end(next_corner(side))}, {edge.face0, edge.face1}, false};
+      contours.replaced_size_mm[k] = size_on_page(scene, view, patch, side);
+      lines[first_line + k] = outline_probe(scene, view, patch, side, object_size(edge.face0), slack_mm);
+    }
+  });
   contours.chains = std::move(choice.chains);
   std::vector<std::uint32_t> removed;
   for (const std::uint32_t i : choice.sides) removed.push_back(sides[i].edge);

@@ -27,19 +27,7 @@ class Sectors {
         others_(std::make_unique_for_overwrite<std::array<std::uint32_t, 2>[]>(patch.sector.size())),
         places_(std::make_unique_for_overwrite<Point3[]>(patch.normals.size())),
         ways_(patch.normals.size(), 0) {
-    for (const std::uint32_t s : patch.sector) ++begin_[s + 1];
-    for (std::size_t s = 1; s < begin_.size(); ++s) begin_[s] += begin_[s - 1];
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t c = 0; c < patch.sector.size(); ++c) {
-      const std::uint32_t at = next[patch.sector[c]]++;
-      corners_[at] = c;
-      others_[at] = {patch.sector[next_corner(c)], patch.sector[last_corner(c)]};
-      ways_[patch.sector[c]] |= way(patch.facing[c / 3] >= 0);
-    }
-    for (std::uint32_t s = 0; s < ways_.size(); ++s) {
-      const std::uint32_t c = corners_[begin_[s]];
-      places_[s] = scene.vertices[patch.triangles[c / 3].v[c % 3]];
-    }
+    parallel_tasks(patch.runs.size(), [&](std::size_t r) { add(scene, patch, patch.runs[r]); });
   }
   std::span<const std::uint32_t> corners(std::uint32_t sector) const {
     return {corners_.get() + begin_[sector], corners_.get() + begin_[sector + 1]};
@@ -54,6 +42,26 @@ class Sectors {
 
  private:
   static std::uint8_t way(bool towards) { return towards ? 1 : 2; }
+
+  /// Takes up the sectors of a run; those of others are not looked at.
+  void add(const Scene& scene, const SmoothPatch& patch, const SmoothPatch::Run& run) {
+    const std::uint32_t first = 3 * run.triangle, last = 3 * run.triangle_end;
+    for (std::uint32_t c = first; c < last; ++c) ++begin_[patch.sector[c] + 1];
+    std::vector<std::uint32_t> next(run.sector_end - run.sector);
+    std::uint32_t begin = first;
+    for (std::uint32_t s = run.sector; s < run.sector_end; ++s) {
+      next[s - run.sector] = begin;
+      begin += begin_[s + 1];
+      begin_[s + 1] = begin;
+    }
+    for (std::uint32_t c = first; c < last; ++c) {
+      const std::uint32_t s = patch.sector[c], at = next[s - run.sector]++;
+      corners_[at] = c;
+      others_[at] = {patch.sector[next_corner(c)], patch.sector[last_corner(c)]};
+      if (ways_[s] == 0) places_[s] = scene.vertices[patch.triangles[c / 3].v[c % 3]];
+      ways_[s] |= way(patch.facing[c / 3] >= 0);
+    }
+  }
 
   std::vector<std::uint32_t> begin_;
   std::unique_ptr<std::uint32_t[]> corners_;

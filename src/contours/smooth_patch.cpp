@@ -111,6 +111,21 @@ bool is_border(const Scene& scene, const Topology& topology, const RegionBorders
   return a != kNoNormal && b != kNoNormal && glm::dot(a, b) < least_cosine;
 }
 
+/// Objects share no vertices; small ones are taken together.
+std::vector<SmoothPatch::Run> runs_of(const Scene& scene, const std::vector<Triangle>& triangles) {
+  constexpr std::uint32_t kLeastTriangles = 4096;
+  std::vector<SmoothPatch::Run> runs;
+  std::uint32_t begin = 0;
+  for (const Object& object : scene.objects) {
+    const auto after = std::ranges::lower_bound(triangles, object.face_end, {}, &Triangle::face);
+    const auto end = static_cast<std::uint32_t>(after - triangles.begin());
+    if (end - begin < kLeastTriangles && (end == begin || end < triangles.size())) continue;
+    runs.push_back({begin, end});
+    begin = end;
+  }
+  return runs;
+}
+
 class PatchBuilder {
  public:
   PatchBuilder(const Scene& scene, const Topology& topology, const Camera& camera, const RegionBorders& borders,
@@ -195,23 +210,37 @@ class PatchBuilder {
 
   /// Numbers the sectors in the order of their first corners, and sums their normals in the order of their corners.
   void make_sectors() {
-    const auto corners = static_cast<std::uint32_t>(3 * patch_.triangles.size());
-    patch_.sector.assign(corners, kNone);
-    patch_.normals.clear();
-    std::vector<std::uint32_t> first;  // corner of each sector
-    for (std::uint32_t c = 0; c < corners; ++c) {
-      if (patch_.sector[c] != kNone) continue;
-      number_sector(c, static_cast<std::uint32_t>(first.size()));
-      first.push_back(c);
+    std::vector<SmoothPatch::Run>& runs = patch_.runs;
+    patch_.sector.assign(3 * patch_.triangles.size(), kNone);
+    std::vector<std::vector<std::uint32_t>> first(runs.size());  // by run, the corner of each sector
+    parallel_tasks(runs.size(), [&](std::size_t r) {
+      for (std::uint32_t c = 3 * runs[r].triangle; c < 3 * runs[r].triangle_end; ++c) {
+        if (patch_.sector[c] != kNone) continue;
+        number_sector(c, static_cast<std::uint32_t>(first[r].size()));
+        first[r].push_back(c);
+      }
+    });
+    std::uint32_t count = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      runs[r].sector = count;
+      runs[r].sector_end = count += static_cast<std::uint32_t>(first[r].size());
     }
-    patch_.normals.assign(first.size(), kNoNormal);
-    for (std::uint32_t c = 0; c < corners; ++c) patch_.normals[patch_.sector[c]] += weighted_normals_[c];
-    patch_.g.resize(patch_.normals.size());
-    for (std::size_t s = 0; s < patch_.normals.size(); ++s) {
+    patch_.normals.assign(count, kNoNormal);
+    patch_.g.resize(count);
+    parallel_tasks(runs.size(), [&](std::size_t r) { sum_normals(runs[r], first[r]); });
+  }
+
+  /// Of the sectors of a run, which are numbered from 0 on before. `first`: the corner of each.
+  void sum_normals(const SmoothPatch::Run& run, const std::vector<std::uint32_t>& first) {
+    for (std::uint32_t c = 3 * run.triangle; c < 3 * run.triangle_end; ++c) {
+      patch_.sector[c] += run.sector;
+      patch_.normals[patch_.sector[c]] += weighted_normals_[c];
+    }
+    for (std::uint32_t s = run.sector; s < run.sector_end; ++s) {
       Point3& n = patch_.normals[s];
       const double size = glm::length(n);
       n = size > 0 ? n / size : kNoNormal;
-      patch_.g[s] = glm::dot(n, to_eye(camera_, vertex(first[s])));
+      patch_.g[s] = glm::dot(n, to_eye(camera_, vertex(first[s - run.sector])));
     }
   }
 
@@ -322,6 +351,7 @@ SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Cam
       for (std::size_t k = 0; k < 3; ++k) patch.complete[3 * t + k] = ring.has(patch.triangles[t].v[k]);
     }
   });
+  patch.runs = runs_of(scene, patch.triangles);
   PatchBuilder(scene, topology, camera, borders, patch).build();
   return patch;
 }

@@ -24,7 +24,13 @@ namespace ligne {
 
 /// Side i of a triangle runs from its corner i to the next one; "side 3 t + i" is that of triangle t.
 struct SmoothPatch {
+  /// Triangles that have no vertex in common with others, and the sectors at their corners.
+  struct Run {
+    std::uint32_t triangle, triangle_end, sector = 0, sector_end = 0;
+  };
+
   std::vector<Triangle> triangles;
+  std::vector<Run> runs;
   std::vector<std::int8_t> facing;     ///< per triangle: +1 when it looks at the viewer, -1 away, 0 edge on
   std::vector<std::uint32_t> across;   ///< per side: the same side of the neighbour, kNone at a border of the region
   std::vector<std::uint32_t> sector;   ///< per corner: number of its sector
