@@ -181,6 +181,37 @@ TEST(Creases, SmallRoundingsAreDrawnAsTheEdgesThatTheyRound) {
   EXPECT_EQ(find(read(step_with_chamfer(0.005), ModelFormat::obj)).count(), 3u);
 }
 
+/// A floor and a wall at an angle, with a rounding between them of that radius in two facets, all shaded smoothly; or, as a
+/// channel, facets of the same kind on and on.
+std::string rounded_corner(double degrees, double radius, int facets, bool sides) {
+  std::ostringstream obj;
+  const double turn = degrees / facets * std::numbers::pi / 180;
+  const auto row = [&](double u, double v, double angle) {
+    obj << "v " << u << " 0 " << v << "\nv " << u << " 3 " << v << '\n';
+    for (int k = 0; k < 2; ++k) obj << "vn " << -std::sin(angle) << " 0 " << std::cos(angle) << '\n';
+  };
+  if (sides) row(0, 0, 0);
+  for (int i = 0; i <= facets; ++i) row(1 + radius * std::sin(i * turn), radius * (1 - std::cos(i * turn)), i * turn);
+  const double end = facets * turn;
+  if (sides) row(1 + radius * std::sin(end) + std::cos(end), radius * (1 - std::cos(end)) + std::sin(end), end);
+  for (int i = 1, rows = facets + (sides ? 3 : 1); i < rows; ++i) {
+    const int a = 2 * i - 1;
+    obj << 'f';
+    for (const int v : {a, a + 2, a + 3, a + 1}) obj << ' ' << v << "//" << v;
+    obj << '\n';
+  }
+  return obj.str();
+}
+
+TEST(Creases, ANarrowRoundingBetweenSidesIsDrawnAsTheEdgeInItsMiddle) {
+  const auto count = [](const std::string& obj) { return find(read(obj, ModelFormat::obj)).count(); };
+  EXPECT_EQ(count(rounded_corner(70, 0.025, 2, true)), 1u);
+  EXPECT_EQ(count(rounded_corner(50, 0.04, 2, true)), 1u) << "though no edge of it bends by the angle";
+  EXPECT_EQ(count(rounded_corner(70, 0.1, 2, true)), 0u) << "wide enough to be seen as a surface";
+  EXPECT_EQ(count(rounded_corner(20, 0.04, 2, true)), 0u) << "the sides hardly bend";
+  EXPECT_EQ(count(rounded_corner(210, 0.02, 6, false)), 0u) << "a rod has no sides";
+}
+
 TEST(Creases, AscSmoothingGroups) {
   const auto asc = [](const char* first, const char* second) {
     return std::string(

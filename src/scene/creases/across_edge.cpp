@@ -1,23 +1,98 @@
 #include "scene/creases/across_edge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace ligne {
+namespace {
+
+/// Adjustable: a side is so many times as wide as the faces of the rounding beside it,
+constexpr double kWideTimes = 4;
+/// and behind so many triangles at the most, two for each face of the rounding.
+constexpr int kMostFaces = 8;
+/// Adjustable: edges along a rounding, and the diagonals of its faces, turn from it by less than 45 degrees.
+constexpr double kAlongCosine = 0.70710678;
+
+/// From a line to a point, at a right angle to the line.
+Point3 across_line(const Point3& start, const Point3& along, const Point3& p) {
+  return p - start - glm::dot(p - start, along) * along;
+}
+
+Point3 direction(const Scene& scene, const Edge& edge) {
+  return glm::normalize(scene.vertices[edge.v1] - scene.vertices[edge.v0]);
+}
+
+const Edge* find_edge(const Topology& topology, std::pair<std::uint32_t, std::uint32_t> ends) {
+  if (ends.first > ends.second) std::swap(ends.first, ends.second);
+  const auto ends_of = [](const Edge& e) { return std::pair(e.v0, e.v1); };
+  const auto at = std::ranges::lower_bound(topology.edges, ends, {}, ends_of);
+  return at != topology.edges.end() && ends_of(*at) == ends ? &*at : nullptr;
+}
+
+/// The edge of a face, other than the given one, that runs most along a direction; null where all run across it.
+const Edge* opposite_edge(const Scene& scene, const Topology& topology, const Edge& edge, std::uint32_t f,
+                          const Point3& along) {
+  const auto contour = scene.faces.contour(f, 0);
+  std::pair<std::uint32_t, std::uint32_t> best{kNone, kNone};
+  double most = kAlongCosine;
+  for (std::size_t k = 0; k < contour.size(); ++k) {
+    const std::uint32_t a = contour[k], b = contour[k + 1 == contour.size() ? 0 : k + 1];
+    if (std::min(a, b) == edge.v0 && std::max(a, b) == edge.v1) continue;
+    const Point3 d = scene.vertices[b] - scene.vertices[a];
+    const double cosine = std::abs(glm::dot(d, along)) / glm::length(d);
+    if (cosine <= most) continue;
+    most = cosine;
+    best = {a, b};
+  }
+  return best.first == kNone ? nullptr : find_edge(topology, best);
+}
+
+/// Of the narrower face.
+double width_at(const Scene& scene, const Edge& edge) {
+  return std::min(glm::length(across_face(scene, edge, edge.face0)), glm::length(across_face(scene, edge, edge.face1)));
+}
+
+/// Goes from the edge over one of its faces, and others, to a face that is much wider than `narrow`.
+bool find_wide_side(const Scene& scene, const Topology& topology, const Edge& start, double narrow, double& way,
+                    std::uint32_t& f) {
+  const Point3 along = direction(scene, start);
+  const Edge* edge = &start;
+  for (int faces = 0; faces < kMostFaces; ++faces) {
+    if (glm::length(across_face(scene, *edge, f)) >= kWideTimes * narrow) {
+      const Point3 middle = (scene.vertices[edge->v0] + scene.vertices[edge->v1]) * 0.5;
+      way = glm::length(across_line(scene.vertices[start.v0], along, middle));
+      return true;
+    }
+    edge = opposite_edge(scene, topology, *edge, f, along);
+    if (!edge || edge->face1 == kNone) return false;
+    f = edge->face0 == f ? edge->face1 : edge->face0;
+  }
+  return false;
+}
+
+}  // namespace
+
 Point3 across_face(const Scene& scene, const Edge& edge, std::uint32_t f) {
-  const Point3 a = scene.vertices[edge.v0], along = glm::normalize(scene.vertices[edge.v1] - a);
+  const Point3 along = direction(scene, edge);
   Point3 farthest{0, 0, 0};
   for (const std::uint32_t v : scene.faces.contour(f, 0)) {
-    const Point3 to = scene.vertices[v] - a;
-    const Point3 across = to - glm::dot(to, along) * along;
+    const Point3 across = across_line(scene.vertices[edge.v0], along, scene.vertices[v]);
     if (glm::dot(across, across) > glm::dot(farthest, farthest)) farthest = across;
   }
   return farthest;
 }
 
-double radius_across(const Scene& scene, const Edge& edge, double turn) {
-  const double a = glm::length(across_face(scene, edge, edge.face0)), b = glm::length(across_face(scene, edge, edge.face1));
-  return std::min(a, b) / turn;
+double radius_across(const Scene& scene, const Edge& edge, double turn) { return width_at(scene, edge) / turn; }
+
+std::optional<Rounding> rounding_at(const Scene& scene, const Topology& topology, const Edge& edge) {
+  const double narrow = width_at(scene, edge);
+  Rounding found{{}, {edge.face0, edge.face1}};
+  for (const int k : {0, 1}) {
+    if (!find_wide_side(scene, topology, edge, narrow, found.ways[k], found.sides[k])) return std::nullopt;
+  }
+  return found;
 }
 
 }  // namespace ligne

@@ -1,6 +1,10 @@
 #pragma once
 /// A face as it lies beside one of its edges.
 
+#include <array>
+#include <cstdint>
+#include <optional>
+
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
@@ -12,5 +16,16 @@ Point3 across_face(const Scene& scene, const Edge& edge, std::uint32_t f);
 /// The radius of the arc of which the faces of an edge are chords that turn by an angle, radians. A face may be a flat side
 /// beside the arc: the narrower one counts.
 double radius_across(const Scene& scene, const Edge& edge, double turn);
+
+/// The narrow rounding along which an edge runs: the faces between two that are much wider.
+struct Rounding {
+  std::array<double, 2> ways{};          ///< from the edge to where the wide faces begin
+  std::array<std::uint32_t, 2> sides{};  ///< the wide faces, each beyond that face of the edge
+
+  double width() const { return ways[0] + ways[1]; }
+};
+
+/// None, as at the edge of a rod and of an even mesh, when no wide faces lie on both sides.
+std::optional<Rounding> rounding_at(const Scene& scene, const Topology& topology, const Edge& edge);
 
 }  // namespace ligne

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -25,6 +26,8 @@ constexpr double kLowPart = 0.5;          ///< of the crease angle: down to ther
 constexpr double kFirmDegrees = 20;       ///< above the crease angle: no fleck of a bend
 constexpr double kSurelySharp = 60;       ///< an edge so sharp is a crease whatever the file says of its shading
 constexpr double kRoundPart = 1.0 / 256;  ///< of the object's size: a smaller rounding is drawn as the edge that it rounds
+constexpr double kNarrowPart = 1.0 / 96;  ///< as is one that is narrower, between wide sides
+constexpr double kMiddlePart = 0.5;       ///< an edge in the middle of a rounding has so much of it on either side at least
 constexpr double kShortPart = 1.0 / 16;   ///< of the object's size
 constexpr double kSpurPart = 1.0 / 64;    ///< of the object's size: a longer edge is no spur
 constexpr double kTurnCosine = 0.70710678;  ///< a crease continues over an edge that turns by less than 45 degrees
@@ -136,12 +139,10 @@ class Finder {
     const float cosine = glm::dot(normals[edge.face0], normals[edge.face1]) * turn;
     if (flags & kEdgeSmooth) {
       if (cosine < limits_.sharp) return Bend::firm;
-      if (cosine >= limits_.crease) return Bend::none;
-      const double radius = radius_across(scene_, edge, std::acos(std::max(-1.0f, cosine)));
-      if (radius >= kRoundPart * sizes_[object_of(edge.v0)]) {
-        ++counts.smooth;
-        return Bend::none;
-      }
+      if (cosine >= limits_.low) return Bend::none;
+      const Bend bend = bend_of_smooth(edge, normals, cosine);
+      counts.smooth += bend < Bend::strong && cosine < limits_.crease;
+      return bend;
     }
     if (flags & kEdgeSharp) {
       if (cosine >= limits_.low) return Bend::none;
@@ -151,6 +152,18 @@ class Finder {
     if (cosine < limits_.firm) return Bend::firm;
     if (cosine < limits_.crease) return Bend::strong;
     return cosine < limits_.low ? Bend::weak : Bend::none;
+  }
+
+  /// Of an edge that the file calls smooth: what is too small to be drawn as a surface that bends is drawn as an edge.
+  Bend bend_of_smooth(const Edge& edge, const std::vector<glm::vec3>& normals, float cosine) const {
+    const double size = sizes_[object_of(edge.v0)];
+    if (cosine < limits_.crease && radius_across(scene_, edge, std::acos(std::max(-1.0f, cosine))) < kRoundPart * size)
+      return cosine < limits_.firm ? Bend::firm : Bend::strong;
+    const std::optional<Rounding> rounding = rounding_at(scene_, topology_, edge);
+    if (!rounding || rounding->width() >= kNarrowPart * size) return Bend::none;
+    const auto [nearer, farther] = std::minmax(rounding->ways[0], rounding->ways[1]);
+    const bool bends = glm::dot(normals[rounding->sides[0]], normals[rounding->sides[1]]) < limits_.crease;
+    return bends && nearer > kMiddlePart * farther ? Bend::strong : Bend::none;
   }
 
   /// An edge that bends, at one of its ends.

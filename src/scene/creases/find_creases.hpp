@@ -31,6 +31,7 @@ struct Creases {
 ///   1. Edges of which the file speaks (kEdgeSmooth, kEdgeSharp) are as it says: a smooth one is a crease only when its
 ///   faces
 ///      bend by more than kSurelySharp, a sharp one when they bend by more than half of `crease_degrees`.
+///      The edge in the middle of a narrow rounding is one when the wide sides of the rounding bend by the angle.
 ///   2. Other edges are creases when their faces bend by more than `crease_degrees`. An edge of more than two faces is one
 ///   when
 ///      two of them bend.
