@@ -1,9 +1,17 @@
 #!/usr/bin/env python3
 """open_ends.py LIGNE MODEL... [--views NAME,...] [--from MM] [--to MM] [--where] [-- OPTIONS of ligne draw]
 
-Draws each model in each view (iso, front, right, top) and prints a Markdown table: the strokes of the drawing, the ends of
-outlines and of other strokes that meet no line (none is nearer than 0.1 mm), and how many of both would meet one if they
-went straight on by no more than 3 mm. --where lists those: layer, place on the page, and the way to the line."""
+Draws each model in each view (iso, front, right, top), with hidden lines, and prints a Markdown table: the visible strokes
+of the drawing, the ends of outlines and of other strokes that meet no line (none is nearer than 0.1 mm), and how many of
+both would meet one if they went straight on by no more than 3 mm. These are told apart by what begins where they end:
+
+  cut   a hidden line that goes on: something in front ends the line, and has no line of its own there
+  ink   such a line, beside another one that is less than the width of the pen away
+  cusp  a hidden line that turns back: a fold ends where it runs along the sight
+  end   no hidden line: the crease, or the line of an open sheet, ends there
+
+The first are faults of the drawing; the others lie in the shape, or are not seen. --where lists all of them: layer, place
+on the page, the way to the line, and the kind."""
 
 import collections
 import math
@@ -15,6 +23,9 @@ from short_strokes import argument_parser, distance, parse_arguments, pictures  
 
 DIRECTION_MM = 0.5  # of the stroke before its end, which tells its direction
 CELL_MM = 2
+PEN_MM = 0.35
+SAME_END_MM = 0.2  # a visible line and the hidden one that continues it
+KINDS = ("cut", "ink", "cusp", "end")
 
 
 def before_end(line):
@@ -71,18 +82,38 @@ class Segments:
         return {s for cell in self.box(a, b, margin) for s in self.cells.get(cell, ())}
 
 
+def kind_of(end, back, hidden, nearest):
+    """What ends a line at that point, to which it comes from `back`."""
+    best = None
+    for line in hidden:
+        for way in (line, line[::-1]):
+            mm = math.dist(way[0], end)
+            if mm < SAME_END_MM and (best is None or mm < best[0]):
+                best = mm, way
+    if best is None:
+        return "end"
+    way = best[1]
+    ahead = before_end(way[::-1])
+    cosine = (end[0] - back[0]) * (ahead[0] - way[0][0]) + (end[1] - back[1]) * (ahead[1] - way[0][1])
+    if cosine < 0:
+        return "cusp"
+    return "ink" if nearest < PEN_MM else "cut"
+
+
 def open_ends(picture, least, most):
-    """(layer, point, way to the line ahead or None) of each end that meets no line."""
-    segments = Segments(picture.strokes)
-    for i, (name, line, mm) in enumerate(picture.strokes):
-        if name == "hidden" or line[0] == line[-1]:
+    """(layer, point, way to the line ahead or None, kind) of each end that meets no line."""
+    strokes = [s for s in picture.strokes if s[0] != "hidden"]
+    hidden = [line for name, line, _ in picture.strokes if name == "hidden"]
+    segments = Segments(strokes)
+    for i, (name, line, _) in enumerate(strokes):
+        if line[0] == line[-1]:
             continue
         for way in (line, line[::-1]):
             end, back = way[-1], before_end(way)
             last = last_segments(line, way is line)
-            near = [s for s in segments.near(end, end, least)
-                    if segments.list[s][0] != i or segments.list[s][1] not in last]
-            if any(distance(end, *segments.list[s][2:]) < least for s in near):
+            nearest = min((distance(end, *segments.list[s][2:]) for s in segments.near(end, end, max(least, PEN_MM))
+                           if segments.list[s][0] != i or segments.list[s][1] not in last), default=math.inf)
+            if nearest < least:
                 continue
             unit = math.dist(back, end)
             if unit == 0:
@@ -96,7 +127,7 @@ def open_ends(picture, least, most):
                 t = hit(end, to, a, b)
                 if t is not None and t > 0:
                     hits.append(t * most)
-            yield name, end, min(hits) if hits else None
+            yield name, end, min(hits) if hits else None, kind_of(end, back, hidden, nearest)
 
 
 def main():
@@ -104,21 +135,22 @@ def main():
     parser.add_argument("--from", dest="least", type=float, default=0.1)
     parser.add_argument("--to", dest="most", type=float, default=3)
     args, options = parse_arguments(parser)
-    print("| model | view | strokes | open outlines | short of a line | other open ends | short of a line |")
-    print("|---|---|---:|---:|---:|---:|---:|")
-    sums = [0] * 5
-    for title, picture in pictures(args, options):
+    heads = [f"{what} {kind}" for what in ("outlines:", "others:") for kind in KINDS]
+    print("| model | view | strokes | open ends | short of a line | " + " | ".join(heads) + " |")
+    print("|---|---|" + "---:|" * (3 + len(heads)))
+    sums = [0] * (3 + len(heads))
+    for title, picture in pictures(args, [*options, "--hidden", "dashed"]):
         ends = list(open_ends(picture, args.least, args.most))
-        row = [len(picture.strokes)]
+        short = [e for e in ends if e[2] is not None]
+        row = [sum(name != "hidden" for name, _, _ in picture.strokes), len(ends), len(short)]
         for outline in (True, False):
-            these = [way for name, _, way in ends if (name in ("outline", "profile")) == outline]
-            row += [len(these), sum(way is not None for way in these)]
+            kinds = collections.Counter(kind for name, _, _, kind in short if (name in ("outline", "profile")) == outline)
+            row += [kinds[kind] for kind in KINDS]
         sums = [a + b for a, b in zip(sums, row)]
         print(title + " | ".join(map(str, row)) + " |")
         if args.where:
-            for name, p, way in ends:
-                if way is not None:
-                    print(f"    {name} at {p[0]:.2f} {p[1]:.2f}: {way:.2f} mm")
+            for name, p, way, kind in short:
+                print(f"    {name} at {p[0]:.2f} {p[1]:.2f}: {way:.2f} mm, {kind}")
     print("| all | | " + " | ".join(map(str, sums)) + " |")
 
 
