@@ -207,11 +207,47 @@ void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, doub
   candidates = std::move(kept);
 }
 
-/// Leaves runs that lead from the end of a contour to that of another one, or to an end of `others`.
+/// The visible outlines of the mesh, for questions about places at parts of edges.
+class NearOutlines {
+ public:
+  NearOutlines(const StrokeModel& model, const std::vector<Candidate>& parts, double ink_mm)
+      : finder_(kProbeCellMm), ink_mm_(ink_mm) {
+    if (parts.empty()) return;
+    const auto expect = [&](Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); };
+    for (const Candidate& c : parts) {
+      for (const LatticePoint end : {c.stroke.from, c.stroke.to}) expect(model.lattice.to_mm(end), ink_mm);
+      expect(c.middle, c.near_mm);
+    }
+    finder_.prepare();
+    for (const Stroke& s : model.strokes) {
+      if (s.visible && s.line_class == LineClass::outline)
+        finder_.add({model.lattice.to_mm(s.from), model.lattice.to_mm(s.to), 0, 0});
+    }
+  }
+  /// A line that ends there meets one.
+  bool meet(Point2 p) const { return any_within(p, ink_mm_); }
+  bool beside(const Candidate& part) const { return any_within(part.middle, part.near_mm); }
+
+ private:
+  bool any_within(Point2 p, double reach) const {
+    bool any = false;
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const PageSegment& s) { any |= distance(p, s) <= reach; });
+    return any;
+  }
+
+  SegmentFinder finder_;
+  double ink_mm_;
+};
+
+/// Leaves runs that lead from the end of a contour to that of another one, to an end of `others`, or to a visible outline of
+/// the mesh that does not run beside them.
 void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidate>& others, const NearContours& near,
-                       const Lattice& lattice) {
+                       const StrokeModel& model, double pen_width_mm) {
+  const NearOutlines outlines(model, parts, pen_width_mm / 2);
   const auto ends = ends_of(parts), other_ends = ends_of(others);
   DisjointSets runs = connected(ends, parts.size());
+  std::vector<std::uint8_t> apart(parts.size(), 0);
+  for (std::uint32_t i = 0; i < parts.size(); ++i) apart[runs.find(i)] |= !outlines.beside(parts[i]);
   std::vector<std::uint32_t> open(parts.size(), 0), met(parts.size(), 0);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const LatticePoint p = ends[i].first;
@@ -219,7 +255,8 @@ void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidat
     const std::uint32_t run = runs.find(ends[i].second);
     ++open[run];
     const auto other = std::lower_bound(other_ends.begin(), other_ends.end(), std::pair(p, 0u));
-    met[run] += (other != other_ends.end() && other->first == p) || near.any_tail(lattice.to_mm(p));
+    const Point2 mm = model.lattice.to_mm(p);
+    met[run] += (other != other_ends.end() && other->first == p) || near.any_tail(mm) || (apart[run] && outlines.meet(mm));
   }
   std::vector<Candidate> kept;
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
@@ -290,7 +327,7 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
     parts.insert(parts.end(), m.parts.begin(), m.parts.end());
   }
   drop_short(missing, model.lattice, reach_mm);
-  keep_between_ends(parts, missing, near, model.lattice);
+  keep_between_ends(parts, missing, near, model, pen_width_mm);
   missing.insert(missing.end(), parts.begin(), parts.end());
   std::vector<LatticePoint> ends;
   for (const Candidate& c : missing) ends.insert(ends.end(), {c.stroke.from, c.stroke.to});
