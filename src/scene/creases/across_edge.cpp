@@ -49,11 +49,6 @@ const Edge* opposite_edge(const Scene& scene, const Topology& topology, const Ed
   return best.first == kNone ? nullptr : find_edge(topology, best);
 }
 
-/// Of the narrower face.
-double width_at(const Scene& scene, const Edge& edge) {
-  return std::min(glm::length(across_face(scene, edge, edge.face0)), glm::length(across_face(scene, edge, edge.face1)));
-}
-
 /// Goes from the edge over one of its faces, and others, to a face that is much wider than `narrow`.
 bool find_wide_side(const Scene& scene, const Topology& topology, const Edge& start, double narrow, double& way,
                     std::uint32_t& f) {
@@ -84,10 +79,11 @@ Point3 across_face(const Scene& scene, const Edge& edge, std::uint32_t f) {
   return farthest;
 }
 
-double radius_across(const Scene& scene, const Edge& edge, double turn) { return width_at(scene, edge) / turn; }
+std::array<double, 2> widths_across(const Scene& scene, const Edge& edge) {
+  return {glm::length(across_face(scene, edge, edge.face0)), glm::length(across_face(scene, edge, edge.face1))};
+}
 
-std::optional<Rounding> rounding_at(const Scene& scene, const Topology& topology, const Edge& edge) {
-  const double narrow = width_at(scene, edge);
+std::optional<Rounding> rounding_at(const Scene& scene, const Topology& topology, const Edge& edge, double narrow) {
   Rounding found{{}, {edge.face0, edge.face1}};
   for (const int k : {0, 1}) {
     if (!find_wide_side(scene, topology, edge, narrow, found.ways[k], found.sides[k])) return std::nullopt;

@@ -13,9 +13,8 @@ namespace ligne {
 /// From an edge to the corner of a face that is farthest from it, at a right angle to the edge.
 Point3 across_face(const Scene& scene, const Edge& edge, std::uint32_t f);
 
-/// The radius of the arc of which the faces of an edge are chords that turn by an angle, radians. A face may be a flat side
-/// beside the arc: the narrower one counts.
-double radius_across(const Scene& scene, const Edge& edge, double turn);
+/// How wide the two faces of an edge are beside it.
+std::array<double, 2> widths_across(const Scene& scene, const Edge& edge);
 
 /// The narrow rounding along which an edge runs: the faces between two that are much wider.
 struct Rounding {
@@ -25,7 +24,8 @@ struct Rounding {
   double width() const { return ways[0] + ways[1]; }
 };
 
-/// None, as at the edge of a rod and of an even mesh, when no wide faces lie on both sides.
-std::optional<Rounding> rounding_at(const Scene& scene, const Topology& topology, const Edge& edge);
+/// None, as at the edge of a rod and of an even mesh, when no wide faces lie on both sides. `narrow`: the lesser of the
+/// widths_across().
+std::optional<Rounding> rounding_at(const Scene& scene, const Topology& topology, const Edge& edge, double narrow);
 
 }  // namespace ligne

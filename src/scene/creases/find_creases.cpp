@@ -1,6 +1,7 @@
 #include "scene/creases/find_creases.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -157,9 +158,14 @@ class Finder {
   /// Of an edge that the file calls smooth: what is too small to be drawn as a surface that bends is drawn as an edge.
   Bend bend_of_smooth(const Edge& edge, const std::vector<glm::vec3>& normals, float cosine) const {
     const double size = sizes_[object_of(edge.v0)];
-    if (cosine < limits_.crease && radius_across(scene_, edge, std::acos(std::max(-1.0f, cosine))) < kRoundPart * size)
+    const std::array<double, 2> widths = widths_across(scene_, edge);
+    const double narrow = std::min(widths[0], widths[1]);
+    // The radius of the arc of which the faces are chords. One may be a flat side beside the arc: the narrower one counts.
+    if (cosine < limits_.crease && narrow < kRoundPart * size * std::acos(std::max(-1.0f, cosine)))
       return cosine < limits_.firm ? Bend::firm : Bend::strong;
-    const std::optional<Rounding> rounding = rounding_at(scene_, topology_, edge);
+    // Both faces of the edge in the middle belong to the rounding.
+    if (widths[0] + widths[1] >= kNarrowPart * size) return Bend::none;
+    const std::optional<Rounding> rounding = rounding_at(scene_, topology_, edge, narrow);
     if (!rounding || rounding->width() >= kNarrowPart * size) return Bend::none;
     const auto [nearer, farther] = std::minmax(rounding->ways[0], rounding->ways[1]);
     const bool bends = glm::dot(normals[rounding->sides[0]], normals[rounding->sides[1]]) < limits_.crease;
