@@ -12,6 +12,8 @@ namespace {
 constexpr double kWideTimes = 4;
 /// and behind so many triangles at the most, two for each face of the rounding.
 constexpr int kMostFaces = 8;
+/// Adjustable: of the width, so much lies on either side of an edge in the middle.
+constexpr double kMiddlePart = 1.0 / 3;
 /// Adjustable: edges along a rounding, and the diagonals of its faces, turn from it by less than 45 degrees.
 constexpr double kAlongCosine = 0.70710678;
 
@@ -82,6 +84,8 @@ Point3 across_face(const Scene& scene, const Edge& edge, std::uint32_t f) {
 std::array<double, 2> widths_across(const Scene& scene, const Edge& edge) {
   return {glm::length(across_face(scene, edge, edge.face0)), glm::length(across_face(scene, edge, edge.face1))};
 }
+
+bool Rounding::in_middle() const { return std::ranges::min(ways) > kMiddlePart * width(); }
 
 std::optional<Rounding> rounding_at(const Scene& scene, const Topology& topology, const Edge& edge, double narrow) {
   Rounding found{{}, {edge.face0, edge.face1}};

@@ -22,6 +22,8 @@ struct Rounding {
   std::array<std::uint32_t, 2> sides{};  ///< the wide faces, each beyond that face of the edge
 
   double width() const { return ways[0] + ways[1]; }
+  /// The edge has at least a third of the width on either side.
+  bool in_middle() const;
 };
 
 /// None, as at the edge of a rod and of an even mesh, when no wide faces lie on both sides. `narrow`: the lesser of the

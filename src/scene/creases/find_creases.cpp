@@ -1,13 +1,11 @@
 #include "scene/creases/find_creases.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -28,7 +26,6 @@ constexpr double kFirmDegrees = 20;       ///< above the crease angle: no fleck 
 constexpr double kSurelySharp = 60;       ///< an edge so sharp is a crease whatever the file says of its shading
 constexpr double kRoundPart = 1.0 / 256;  ///< of the object's size: a smaller rounding is drawn as the edge that it rounds
 constexpr double kNarrowPart = 1.0 / 96;  ///< as is one that is narrower, between wide sides
-constexpr double kMiddlePart = 0.5;       ///< an edge in the middle of a rounding has so much of it on either side at least
 constexpr double kShortPart = 1.0 / 16;   ///< of the object's size
 constexpr double kSpurPart = 1.0 / 64;    ///< of the object's size: a longer edge is no spur
 constexpr double kTurnCosine = 0.70710678;  ///< a crease continues over an edge that turns by less than 45 degrees
@@ -158,18 +155,17 @@ class Finder {
   /// Of an edge that the file calls smooth: what is too small to be drawn as a surface that bends is drawn as an edge.
   Bend bend_of_smooth(const Edge& edge, const std::vector<glm::vec3>& normals, float cosine) const {
     const double size = sizes_[object_of(edge.v0)];
-    const std::array<double, 2> widths = widths_across(scene_, edge);
+    const auto widths = widths_across(scene_, edge);
     const double narrow = std::min(widths[0], widths[1]);
     // The radius of the arc of which the faces are chords. One may be a flat side beside the arc: the narrower one counts.
     if (cosine < limits_.crease && narrow < kRoundPart * size * std::acos(std::max(-1.0f, cosine)))
       return cosine < limits_.firm ? Bend::firm : Bend::strong;
     // Both faces of the edge in the middle belong to the rounding.
     if (widths[0] + widths[1] >= kNarrowPart * size) return Bend::none;
-    const std::optional<Rounding> rounding = rounding_at(scene_, topology_, edge, narrow);
+    const auto rounding = rounding_at(scene_, topology_, edge, narrow);
     if (!rounding || rounding->width() >= kNarrowPart * size) return Bend::none;
-    const auto [nearer, farther] = std::minmax(rounding->ways[0], rounding->ways[1]);
-    const bool bends = glm::dot(normals[rounding->sides[0]], normals[rounding->sides[1]]) < limits_.crease;
-    return bends && nearer > kMiddlePart * farther ? Bend::strong : Bend::none;
+    const float bend = glm::dot(normals[rounding->sides[0]], normals[rounding->sides[1]]);
+    return bend < limits_.crease && rounding->in_middle() ? Bend::strong : Bend::none;
   }
 
   /// An edge that bends, at one of its ends.
