@@ -7,6 +7,7 @@
 
 #include "geometry/parallel.hpp"
 #include "scene/model/flat_faces.hpp"
+#include "geometry/prefetch.hpp"
 
 namespace ligne {
 namespace {
@@ -28,8 +29,10 @@ std::int8_t facing_of(const Point3& normal, const Point3& on_face, const Camera&
 
 std::vector<FacePlane> face_planes(const Scene& scene, const Camera& camera) {
   std::vector<FacePlane> planes(scene.faces.size());
+  const bool all_triangles = scene.faces.all_triangles();
   parallel_blocks(planes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
+      if (all_triangles) prefetch_corners(scene.vertices, scene.faces.corners(), f);
       const Point3 normal = face_normal(scene, static_cast<std::uint32_t>(f));
       planes[f].normal = normal;
       planes[f].facing = facing_of(normal, scene.vertices[scene.faces.contour(f, 0)[0]], camera);
@@ -69,6 +72,7 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
   std::vector<LineClass> classes(topology.edges.size());
   parallel_blocks(classes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
+      prefetch_faces(planes, topology.edges, e);
       const Edge& edge = topology.edges[e];
       const std::uint16_t flags = topology.edge_flags[e];
       LineClass& result = classes[e];

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/parallel.hpp"
+#include "geometry/prefetch.hpp"
 
 namespace ligne {
 namespace {
@@ -16,6 +17,9 @@ namespace {
 constexpr double kSightRounding = 0x1p-50;
 /// Roundings of the mixed product: three differences, two products and a difference, and a sum of three products.
 constexpr double kMixedProductRounding = 0x1p-50;
+
+/// The roundings of the bound below, and more.
+constexpr double kBoundRounding = 1 + 0x1p-40;
 
 double sum_of_sizes(const Point3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
@@ -35,14 +39,22 @@ bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Ca
                      double rounding) {
   const Point3 pq = q - p, pr = r - p, normal = glm::cross(pq, pr);
   const Point3 sight = camera.perspective ? p - camera.eye : camera.forward;
-  const double product = std::abs(glm::dot(normal, sight)) - kMixedProductRounding * product_sizes(pq, pr, sight);
+  const double mixed = std::abs(glm::dot(normal, sight));
+  // Nearly all triangles are far from it. Sums of sizes bound every term below: those of the products by the product of
+  // theirs, and r - q, as a side, by the two others.
+  const double a = sum_of_sizes(pq), b = sum_of_sizes(pr), s = sum_of_sizes(sight);
+  if (!camera.perspective && mixed > kBoundRounding * s * (kMixedProductRounding * a * b + 2 * rounding * (a + b))) {
+    return false;
+  }
+  const double product = mixed - kMixedProductRounding * product_sizes(pq, pr, sight);
   if (!camera.perspective) {
     const auto moved = [&](const Point3& side) { return sum_of_sizes(glm::cross(sight, side)); };
     return product <= rounding * (moved(pq) + moved(pr) + moved(r - q));
   }
-  const Point3 b = q - camera.eye, c = r - camera.eye;
+  const Point3 to_q = q - camera.eye, to_r = r - camera.eye;
   const auto moved = [&](const Point3& v, const Point3& w) { return sum_of_sizes(glm::cross(v, w)); };
-  return product <= precision * sum_of_sizes(normal) + rounding * (moved(b, c) + moved(c, sight) + moved(sight, b));
+  return product <=
+         precision * sum_of_sizes(normal) + rounding * (moved(to_q, to_r) + moved(to_r, sight) + moved(sight, to_q));
 }
 
 std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera) {
@@ -60,6 +72,7 @@ std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology&
                                  scene.objects.begin());
     bool found = false;
     for (std::size_t i = begin; i < end; ++i) {
+      if (i + kTurnsAhead < end) prefetch(scene.vertices, triangles[i + kTurnsAhead].v);
       const Triangle& t = triangles[i];
       while (t.face >= scene.objects[object].face_end) ++object;
       const Point3 &p = scene.vertices[t.v[0]], &q = scene.vertices[t.v[1]], &r = scene.vertices[t.v[2]];

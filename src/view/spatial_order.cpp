@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/parallel.hpp"
+#include "geometry/prefetch.hpp"
 
 namespace ligne {
 namespace {
@@ -54,7 +55,10 @@ template <class T>
 std::vector<T> in_order(const std::vector<T>& items, const std::vector<std::uint32_t>& order) {
   std::vector<T> sorted(items.size());
   parallel_blocks(items.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) sorted[i] = items[order[i]];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + kTurnsAhead < end) __builtin_prefetch(items.data() + order[i + kTurnsAhead]);
+      sorted[i] = items[order[i]];
+    }
   });
   return sorted;
 }
@@ -85,6 +89,7 @@ void order_spatially(ProjectedScene& scene) {
     scene.vertices = in_order(scene.vertices, order);
     for_each_index(n, [&](std::size_t k) { number[order[k]] = static_cast<std::uint32_t>(k); });
     for_each_index(scene.triangles.size(), [&](std::size_t i) {
+      if (i + kTurnsAhead < scene.triangles.size()) prefetch(number, scene.triangles[i + kTurnsAhead].v);
       for (std::uint32_t& v : scene.triangles[i].v) v = number[v];
     });
     for_each_index(scene.edges.size(), [&](std::size_t i) {

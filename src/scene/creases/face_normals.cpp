@@ -7,6 +7,7 @@
 
 #include "geometry/parallel.hpp"
 #include "scene/model/flat_faces.hpp"
+#include "geometry/prefetch.hpp"
 #include "scene/model/planarity.hpp"
 
 namespace ligne {
@@ -55,12 +56,14 @@ void take_from_neighbours(const Scene& scene, const Topology& topology, std::vec
 std::vector<glm::vec3> face_normals(const Scene& scene, const Topology& topology) {
   std::vector<glm::vec3> normals(scene.faces.size());
   std::atomic<bool> any_without{false};
+  const bool all_triangles = scene.faces.all_triangles();
   for (const Object& object : scene.objects) {
     const std::size_t count = object.face_end - object.face_begin;
     parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       bool without = false;
       for (std::size_t k = begin; k < end; ++k) {
         const auto f = static_cast<std::uint32_t>(object.face_begin + k);
+        if (all_triangles) prefetch_corners(scene.vertices, scene.faces.corners(), f);
         normals[f] = own_normal(scene, object, f);
         without = without || normals[f] == glm::vec3{0, 0, 0};
       }

@@ -12,6 +12,7 @@
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/prefetch.hpp"
 #include "scene/creases/across_edge.hpp"
 #include "scene/creases/bend.hpp"
 #include "scene/creases/face_normals.hpp"
@@ -110,7 +111,10 @@ class Finder {
     bends_.assign(topology_.edges.size(), Bend::none);
     const Counts counts = parallel_reduce(bends_.size(), kShortWorkBlock, Counts{}, [&](std::size_t begin, std::size_t end) {
       Counts sum;
-      for (std::size_t e = begin; e < end; ++e) bends_[e] = bend_of(e, normals, sum);
+      for (std::size_t e = begin; e < end; ++e) {
+        prefetch_faces(normals, topology_.edges, e);
+        bends_[e] = bend_of(e, normals, sum);
+      }
       return sum;
     });
     found_.smooth_by_file = counts.smooth;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/parallel.hpp"
+#include "geometry/prefetch.hpp"
 
 namespace ligne {
 namespace {
@@ -54,6 +55,7 @@ class Tracer {
     const auto count_edges = [&](std::size_t begin, std::size_t end) {
       Counts sum;
       for (std::size_t e = edge_begin_ + begin; e < edge_begin_ + end && sum.spoken == 0; ++e) {
+        prefetch_faces(normals_, topology_.edges, e);
         const Edge& edge = topology_.edges[e];
         sum.spoken += (topology_.edge_flags[e] & kSpoken) != 0;
         sum.bent += bends_[e] >= Bend::strong;

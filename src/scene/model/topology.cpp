@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/parallel.hpp"
+#include "geometry/prefetch.hpp"
 #include "geometry/triangulate.hpp"
 
 // Edges are found by counting sort: every corner of a contour gives one half-edge, filed under the lower of its two
@@ -24,12 +25,14 @@ struct HalfEdge {
   std::uint32_t face() const { return face_and_direction & ~kReversed; }
 };
 
-/// Calls visit(from, to, face, corner) for every directed edge of every contour.
+/// Calls visit(from, to, face, corner) for every directed edge of every contour. `at_vertex`: what the visit looks up at the
+/// lower of the two.
 template <class Visit>
-void for_each_half_edge(const PolygonFaces& faces, Visit visit) {
+void for_each_half_edge(const PolygonFaces& faces, const std::vector<std::uint32_t>& at_vertex, Visit visit) {
   if (faces.all_triangles()) {
     const auto corners = faces.corners();
     for (std::size_t f = 0, k = 0; k < corners.size(); ++f, k += 3) {
+      prefetch_corners(at_vertex, corners, f);
       visit(corners[k], corners[k + 1], f, k);
       visit(corners[k + 1], corners[k + 2], f, k + 1);
       visit(corners[k + 2], corners[k], f, k + 2);
@@ -61,7 +64,7 @@ Buckets file_half_edges(const Scene& scene, std::size_t ranges) {
   // begin[v + 1] counts, then becomes the end of bucket v while it is filled.
   parallel_for(ranges, [&](std::size_t r) {
     const std::uint32_t low = range_begin(r), count = range_begin(r + 1) - low;
-    for_each_half_edge(scene.faces, [&](std::uint32_t a, std::uint32_t b, std::size_t, std::size_t) {
+    for_each_half_edge(scene.faces, buckets.begin, [&](std::uint32_t a, std::uint32_t b, std::size_t, std::size_t) {
       const std::uint32_t lower = std::min(a, b);
       if (lower - low < count) ++buckets.begin[lower + 1];
     });
@@ -74,7 +77,7 @@ Buckets file_half_edges(const Scene& scene, std::size_t ranges) {
   std::vector<std::uint32_t> next(buckets.begin.begin(), buckets.begin.end() - 1);
   parallel_for(ranges, [&](std::size_t r) {
     const std::uint32_t low = range_begin(r), count = range_begin(r + 1) - low;
-    for_each_half_edge(scene.faces, [&](std::uint32_t a, std::uint32_t b, std::size_t face, std::size_t corner) {
+    for_each_half_edge(scene.faces, next, [&](std::uint32_t a, std::uint32_t b, std::size_t face, std::size_t corner) {
       const std::uint32_t lower = std::min(a, b);
       if (lower - low >= count) return;
       const std::uint32_t slot = next[lower]++;
