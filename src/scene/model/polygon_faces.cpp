@@ -1,5 +1,8 @@
 #include "scene/model/polygon_faces.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace ligne {
 
 void PolygonFaces::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -32,6 +35,14 @@ std::span<std::uint32_t> PolygonFaces::append_triangles(std::size_t n) {
     }
   }
   return {corners_.data() + first, 3 * n};
+}
+
+void PolygonFaces::append_triangles(std::vector<std::uint32_t> corners) {
+  if (corners_.empty()) {
+    corners_ = std::move(corners);
+  } else {
+    std::ranges::copy(corners, append_triangles(corners.size() / 3).begin());
+  }
 }
 
 void PolygonFaces::shrink_to_fit() {

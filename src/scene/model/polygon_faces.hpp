@@ -38,6 +38,8 @@ class PolygonFaces {
   void add_hole(std::span<const std::uint32_t> hole);
   /// Appends n triangles whose corners the caller then fills in: returns the 3 n new corners.
   std::span<std::uint32_t> append_triangles(std::size_t n);
+  /// Appends triangles whose corners are given, three for each.
+  void append_triangles(std::vector<std::uint32_t> corners);
 
   std::span<const std::uint32_t> corners() const { return corners_; }
   std::span<std::uint32_t> corners() { return corners_; }

@@ -4,19 +4,24 @@
 // not packaged.
 //
 // Every element is read through one interface, item by item and value by value, from text lines or from bytes; the counts
-// of the header are believed only as far as the data go.
+// of the header are believed only as far as the data go. Vertices and triangles of binary files are read in blocks
+// (ply_records.hpp), unless there is anything amiss in them, which the other way then finds.
 
 #include "scene/readers/ply_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "geometry/parallel.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/load_bytes.hpp"
 #include "scene/readers/ply_header.hpp"
+#include "scene/readers/ply_records.hpp"
 #include "scene/readers/scene_builder.hpp"
 #include "scene/readers/text_lines.hpp"
 
@@ -65,6 +70,8 @@ class TextData {
     }
   }
   InputError error(const std::string& cause) const { return error_at_line(name_, header_lines_ + lines_.number(), cause); }
+  std::span<const std::byte> rest() const { return {}; }
+  void skip(const PlyRecords&) {}
 
  private:
   LineReader lines_;
@@ -100,6 +107,8 @@ class BinaryData {
     }
   }
   InputError error(const std::string& cause) const { return InputError(name_, of_element(*element_, item_) + ": " + cause); }
+  std::span<const std::byte> rest() const { return rest_; }
+  void skip(const PlyRecords& records) { rest_ = rest_.subspan(records.count * records.size); }
 
  private:
   void need(std::uint64_t n, std::size_t size) const {
@@ -180,20 +189,22 @@ class PlyReader {
   }
 
   void read_vertices(const PlyElement& element) {
-    const std::size_t axes[3] = {element.find({"x"}), element.find({"y"}), element.find({"z"})};
+    const std::array axes{element.find({"x"}), element.find({"y"}), element.find({"z"})};
     const std::size_t none = element.properties.size();
-    std::size_t normal_axes[3] = {element.find({"nx"}), element.find({"ny"}), element.find({"nz"})};
-    const bool with_normals = shading_ && std::all_of(normal_axes, normal_axes + 3, [&](std::size_t p) {
+    const std::array normal_axes{element.find({"nx"}), element.find({"ny"}), element.find({"nz"})};
+    const bool with_normals = shading_ && std::ranges::all_of(normal_axes, [&](std::size_t p) {
                                 return p < none && !element.properties[p].is_list;
                               });
     for (const std::size_t p : axes) is_float32_ = is_float32_ || element.properties[p].type == PlyType::float32;
+    report_.vertices += element.count;
+    if (!with_normals && read_vertex_records(element, axes)) return;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       data_.begin_item(element, i);
       Point3 position, normal(0);
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
-        const std::size_t axis = static_cast<std::size_t>(std::find(axes, axes + 3, p) - axes);
+        const std::size_t axis = static_cast<std::size_t>(std::ranges::find(axes, p) - axes.begin());
         if (axis == 3) {
-          const auto of_normal = static_cast<int>(std::find(normal_axes, normal_axes + 3, p) - normal_axes);
+          const auto of_normal = static_cast<int>(std::ranges::find(normal_axes, p) - normal_axes.begin());
           if (with_normals && of_normal < 3)
             normal[of_normal] = data_.take(element.properties[p].type).number;
           else
@@ -210,11 +221,28 @@ class PlyReader {
       builder_.add_vertex(position);
       if (with_normals) normals_.push_back(packed_direction(normal));
     }
-    report_.vertices += element.count;
+  }
+
+  /// Reads a binary element without lists; false when that can not be, and nothing has been read.
+  bool read_vertex_records(const PlyElement& element, const std::array<std::size_t, 3>& axes) {
+    const std::optional<PlyTriples> triples = ply_triples(data_.rest(), byte_order(), element, axes);
+    std::vector<Point3>& vertices = builder_.scene().vertices;
+    if (!triples || vertices.size() + triples->records.count >= kNone) return false;
+    const std::size_t before = vertices.size();
+    vertices.resize(before + triples->records.count);
+    const std::optional<double> largest = read_coordinates(*triples, std::span(vertices).subspan(before));
+    if (!largest) {
+      vertices.resize(before);
+      return false;
+    }
+    largest_ = std::max(largest_, *largest);
+    data_.skip(triples->records);
+    return true;
   }
 
   void read_faces(const PlyElement& element) {
     const std::size_t indices = element.find({"vertex_indices", "vertex_index"});
+    if (read_triangle_records(element, indices)) return;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       data_.begin_item(element, i);
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
@@ -226,6 +254,21 @@ class PlyReader {
       data_.end_item();
       builder_.add_face(face_);
     }
+  }
+
+  /// Reads a binary element of triangles; false when that can not be, and nothing has been read.
+  bool read_triangle_records(const PlyElement& element, std::size_t indices) {
+    const std::optional<PlyTriangles> triangles = ply_triangles(data_.rest(), byte_order(), element, indices);
+    if (!triangles || triangles->records.count >= kNone / 3) return false;
+    std::vector<std::uint32_t> corners(3 * triangles->records.count);
+    if (!ligne::read_corners(*triangles, corners)) return false;
+    builder_.add_triangles(std::move(corners));
+    data_.skip(triangles->records);
+    return true;
+  }
+
+  std::endian byte_order() const {
+    return header_.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
   }
 
   void read_corners(const PlyProperty& list) {
@@ -244,6 +287,12 @@ class PlyReader {
   void check_indices() const {
     const Scene& scene = builder_.scene();
     const std::size_t n = scene.vertices.size();
+    const auto is_beyond = [&](std::uint32_t v) { return v >= n; };
+    const std::span<const std::uint32_t> corners = scene.faces.corners();
+    const auto any_beyond = [&](std::size_t begin, std::size_t end) {
+      return std::ranges::any_of(corners.subspan(begin, end - begin), is_beyond);
+    };
+    if (!parallel_reduce(corners.size(), kShortWorkBlock, false, any_beyond, std::logical_or<>{})) return;
     for (std::size_t f = 0; f < scene.faces.size(); ++f) {
       for (const std::uint32_t v : scene.faces.contour(f, 0)) {
         if (v >= n) {

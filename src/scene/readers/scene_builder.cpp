@@ -41,11 +41,30 @@ std::uint32_t SceneBuilder::add_face(std::span<const std::uint32_t> outer) {
   checked_index(scene_.faces.corners().size() + outer.size(), name_);
   const auto face = static_cast<std::uint32_t>(scene_.faces.size());
   scene_.faces.add_face(outer);
-  scene_.face_material.push_back(material_);
+  give_material(1);
   if (!scene_.corner_flags.empty()) scene_.corner_flags.resize(scene_.faces.corners().size(), 0);
   ++report_.faces;
   report_.triangles += outer.size() - 2;
   return face;
+}
+
+void SceneBuilder::add_triangles(std::vector<std::uint32_t> corners) {
+  checked_index(scene_.faces.corners().size() + corners.size(), name_);
+  const std::size_t n = corners.size() / 3;
+  scene_.faces.append_triangles(std::move(corners));
+  give_material(n);
+  if (!scene_.corner_flags.empty()) scene_.corner_flags.resize(scene_.faces.corners().size(), 0);
+  report_.faces += n;
+  report_.triangles += n;
+}
+
+void SceneBuilder::give_material(std::size_t count) {
+  std::vector<std::uint32_t>& of_faces = scene_.face_material;
+  const std::size_t faces = scene_.faces.size();
+  if (faces == count) first_material_ = material_;
+  if (of_faces.empty() && material_ == first_material_) return;
+  if (of_faces.empty()) of_faces.assign(faces - count, first_material_);
+  of_faces.resize(faces, material_);
 }
 
 void SceneBuilder::add_hole(std::span<const std::uint32_t> hole) {
@@ -76,6 +95,11 @@ void SceneBuilder::use_material(const std::string& name) {
 Scene SceneBuilder::finish(Axis up_axis) {
   if (scene_.faces.empty()) throw InputError(name_, "holds no faces");
   auto& used = scene_.face_material;
+  if (used.empty() && first_material_ == kNone) {
+    first_material_ = static_cast<std::uint32_t>(scene_.materials.size());
+    scene_.materials.emplace_back();
+  }
+  if (used.empty() && first_material_ != 0) used.assign(scene_.faces.size(), first_material_);
   if (std::find(used.begin(), used.end(), kNone) != used.end()) {
     const auto plain = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.emplace_back();

@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "scene/model/scene.hpp"
 #include "scene/readers/read_report.hpp"
@@ -22,6 +23,8 @@ class SceneBuilder {
   std::uint32_t add_vertex(Point3 position);
   /// Adds a face of the object; corners are indices within the scene. Returns its index.
   std::uint32_t add_face(std::span<const std::uint32_t> outer);
+  /// Adds triangles of the object: three corners for each.
+  void add_triangles(std::vector<std::uint32_t> corners);
   void add_hole(std::span<const std::uint32_t> hole);
   /// Flags of the corners of the face added last.
   void set_corner_flags(std::span<const std::uint8_t> flags);
@@ -37,12 +40,16 @@ class SceneBuilder {
   Scene finish(Axis up_axis);
 
  private:
+  /// Gives the faces that were added last their material; the list is empty while all have one.
+  void give_material(std::size_t count);
+
   const std::string& name_;
   ReadReport& report_;
   Scene scene_;
   Object object_;
   std::map<std::string, std::uint32_t> material_index_;
-  std::uint32_t material_ = kNone;  ///< kNone until one is named: the material of faces that name none
+  std::uint32_t material_ = kNone;        ///< kNone until one is named: the material of faces that name none
+  std::uint32_t first_material_ = kNone;  ///< that of the first face, and of all while the list is empty
 };
 
 }  // namespace ligne

@@ -129,7 +129,6 @@ Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name,
   SceneBuilder builder(name, report);
   builder.begin_object("");
   builder.scene().vertices.reserve(3 * n);
-  builder.scene().face_material.reserve(n);
   double largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const std::byte* p = bytes.data() + kPreambleBytes + kTriangleBytes * i + kNormalBytes;
