@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
 #include "scene/model/flat_faces.hpp"
 #include "geometry/prefetch.hpp"
@@ -28,7 +29,7 @@ std::int8_t facing_of(const Point3& normal, const Point3& on_face, const Camera&
 }
 
 std::vector<FacePlane> face_planes(const Scene& scene, const Camera& camera) {
-  std::vector<FacePlane> planes(scene.faces.size());
+  std::vector<FacePlane> planes = large_vector<FacePlane>(scene.faces.size());
   const bool all_triangles = scene.faces.all_triangles();
   parallel_blocks(planes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {

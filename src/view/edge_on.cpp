@@ -8,6 +8,7 @@
 
 #include "geometry/parallel.hpp"
 #include "geometry/prefetch.hpp"
+#include "scene/model/bounds.hpp"
 
 namespace ligne {
 namespace {
@@ -58,9 +59,7 @@ bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Ca
 }
 
 std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera) {
-  double largest = 0;
-  for (const Point3& v : scene.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const double rounding = sight_rounding(camera, largest);
+  const double rounding = sight_rounding(camera, largest_coordinate(scene));
   // A face is seen edge on when all its triangles are.
   const std::vector<Triangle>& triangles = topology.triangles;
   std::vector<std::uint8_t> edge_on(triangles.size());

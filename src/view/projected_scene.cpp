@@ -6,7 +6,10 @@
 #include <functional>
 #include <unordered_map>
 
+#include "geometry/indices_where.hpp"
+#include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
+#include "scene/model/bounds.hpp"
 #include "view/clip.hpp"
 #include "view/coincident.hpp"
 #include "view/edge_classes.hpp"
@@ -22,9 +25,7 @@ constexpr double kProjectionRounding = 0x1p-50;
 double input_error_mm(const Scene& scene, const View& view) {
   double error = 0;
   for (const Object& object : scene.objects) error = std::max(error, object.precision);
-  double largest = 0;
-  for (const Point3& v : scene.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  return projected_error_mm(view, error, largest);
+  return projected_error_mm(view, error, largest_coordinate(scene));
 }
 
 ProjectedVertex to_vertex(const HomogeneousPoint& p, const Lattice& lattice) {
@@ -44,7 +45,7 @@ Volumes volumes_of(const ProjectedScene& scene) {
 /// not are left for the clipping.
 bool project_vertices(const Scene& scene, const View& view, const Volumes& volumes, ProjectedScene& out) {
   std::atomic<bool> all_inside{true};
-  out.vertices.resize(scene.vertices.size());
+  out.vertices = large_vector<ProjectedVertex>(scene.vertices.size());
   parallel_blocks(out.vertices.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     bool inside = true;
     for (std::size_t i = begin; i < end; ++i) {
@@ -149,14 +150,16 @@ void select_edges(const Scene& scene, const Topology& topology, const Camera& ca
                   ProjectedScene& out) {
   const std::vector<LineClass> classes =
       classify_edges(scene, topology, camera, selection.crease_degrees, selection.creases);
-  std::size_t count = 0;
-  for (const LineClass c : classes) count += selection.classes.has(c);
-  out.edges.reserve(count);
-  for (std::size_t e = 0; e < classes.size(); ++e) {
-    if (!selection.classes.has(classes[e])) continue;
-    const Edge& edge = topology.edges[e];
-    out.edges.push_back({edge.v0, edge.v1, edge.face0, edge.face1, static_cast<std::uint32_t>(e), classes[e]});
-  }
+  const std::vector<std::uint32_t> selected =
+      indices_where(classes.size(), [&](std::size_t e) { return selection.classes.has(classes[e]); });
+  out.edges = large_vector<ProjectedEdge>(selected.size());
+  parallel_blocks(selected.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t e = selected[k];
+      const Edge& edge = topology.edges[e];
+      out.edges[k] = {edge.v0, edge.v1, edge.face0, edge.face1, e, classes[e]};
+    }
+  });
 }
 
 }  // namespace
@@ -191,7 +194,10 @@ ProjectedScene project(const Scene& scene, const Topology& topology, const View&
   select_edges(scene, topology, view.camera, selection, out);
   const Volumes volumes = volumes_of(out);
   if (project_vertices(scene, view, volumes, out)) {
-    out.triangles = topology.triangles;
+    out.triangles = large_vector<Triangle>(topology.triangles.size());
+    parallel_blocks(out.triangles.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      std::copy_n(topology.triangles.data() + begin, end - begin, out.triangles.data() + begin);
+    });
   } else {
     Clipper clipper(scene, view, volumes, out);
     clipper.clip_triangles(topology.triangles);

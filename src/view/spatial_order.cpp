@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
 #include "geometry/prefetch.hpp"
 
@@ -35,7 +36,7 @@ std::vector<std::uint32_t> stable_order(std::size_t n, std::size_t key_count, Ke
   }
   constexpr std::size_t kThingsPerRange = 200'000, kMostRanges = 4;
   const std::size_t ranges = std::clamp<std::size_t>(n / kThingsPerRange, 1, std::min(kMostRanges, thread_count()));
-  std::vector<std::uint32_t> next(key_count + 1, 0), order(n);
+  std::vector<std::uint32_t> next = large_vector<std::uint32_t>(key_count + 1), order = large_vector<std::uint32_t>(n);
   const auto for_ranges = [&](auto visit) {
     parallel_for(ranges, [&](std::size_t r) {
       const std::size_t first = key_count * r / ranges, count = key_count * (r + 1) / ranges - first;
@@ -53,7 +54,7 @@ std::vector<std::uint32_t> stable_order(std::size_t n, std::size_t key_count, Ke
 
 template <class T>
 std::vector<T> in_order(const std::vector<T>& items, const std::vector<std::uint32_t>& order) {
-  std::vector<T> sorted(items.size());
+  std::vector<T> sorted = large_vector<T>(items.size());
   parallel_blocks(items.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (i + kTurnsAhead < end) __builtin_prefetch(items.data() + order[i + kTurnsAhead]);

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/parallel.hpp"
+#include "scene/model/bounds.hpp"
 #include "view/clip.hpp"
 
 namespace ligne {
@@ -69,11 +70,7 @@ bool finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) &
 
 Point3 bounding_box_centre(const Scene& scene) {
   if (scene.vertices.empty()) return {0, 0, 0};
-  Point3 low = scene.vertices[0], high = low;
-  for (const Point3& v : scene.vertices) {
-    low = glm::min(low, v);
-    high = glm::max(high, v);
-  }
+  const auto [low, high] = bounds_of(scene, 0, scene.vertices.size());
   return low + (high - low) * 0.5;
 }
 

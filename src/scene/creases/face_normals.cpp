@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
 #include "scene/model/flat_faces.hpp"
 #include "geometry/prefetch.hpp"
@@ -54,7 +55,7 @@ void take_from_neighbours(const Scene& scene, const Topology& topology, std::vec
 }  // namespace
 
 std::vector<glm::vec3> face_normals(const Scene& scene, const Topology& topology) {
-  std::vector<glm::vec3> normals(scene.faces.size());
+  std::vector<glm::vec3> normals = large_vector<glm::vec3>(scene.faces.size());
   std::atomic<bool> any_without{false};
   const bool all_triangles = scene.faces.all_triangles();
   for (const Object& object : scene.objects) {

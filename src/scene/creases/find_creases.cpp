@@ -17,6 +17,7 @@
 #include "scene/creases/bend.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "scene/creases/trace_creases.hpp"
+#include "scene/model/bounds.hpp"
 
 namespace ligne {
 namespace {
@@ -373,10 +374,7 @@ class Finder {
     parallel_for(sizes.size(), [&](std::size_t i) {
       const Object& object = scene_.objects[i];
       if (object.vertex_begin == object.vertex_end) return;
-      Point3 low = scene_.vertices[object.vertex_begin], high = low;
-      for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
-        low = glm::min(low, scene_.vertices[v]), high = glm::max(high, scene_.vertices[v]);
-      }
+      const auto [low, high] = bounds_of(scene_, object.vertex_begin, object.vertex_end);
       sizes[i] = glm::distance(low, high);
     });
     return sizes;

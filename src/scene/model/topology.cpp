@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
 #include "geometry/prefetch.hpp"
 #include "geometry/triangulate.hpp"
@@ -60,23 +61,30 @@ Buckets file_half_edges(const Scene& scene, std::size_t ranges) {
   const std::size_t vertex_count = scene.vertices.size();
   Buckets buckets;
   buckets.begin.assign(vertex_count + 1, 0);
-  const auto range_begin = [&](std::size_t r) { return static_cast<std::uint32_t>(vertex_count * r / ranges); };
+  std::vector<std::uint32_t> range_begin;
+  for (std::size_t r = 0; r <= ranges; ++r) range_begin.push_back(static_cast<std::uint32_t>(vertex_count * r / ranges));
   // begin[v + 1] counts, then becomes the end of bucket v while it is filled.
   parallel_for(ranges, [&](std::size_t r) {
-    const std::uint32_t low = range_begin(r), count = range_begin(r + 1) - low;
+    const std::uint32_t low = range_begin[r], count = range_begin[r + 1] - low;
     for_each_half_edge(scene.faces, buckets.begin, [&](std::uint32_t a, std::uint32_t b, std::size_t, std::size_t) {
       const std::uint32_t lower = std::min(a, b);
       if (lower - low < count) ++buckets.begin[lower + 1];
     });
   });
   for (std::size_t v = 0; v < vertex_count; ++v) buckets.begin[v + 1] += buckets.begin[v];
+  // Half-edges are many at the vertices that come first in the file: now every range gets as many of them.
+  for (std::size_t r = 1; r < ranges; ++r) {
+    const std::size_t before = buckets.begin[vertex_count] / ranges * r;
+    const auto first = std::lower_bound(buckets.begin.begin(), buckets.begin.end() - 1, before);
+    range_begin[r] = static_cast<std::uint32_t>(first - buckets.begin.begin());
+  }
 
   const bool with_flags = !scene.corner_flags.empty();
-  buckets.half_edges.resize(buckets.begin[vertex_count]);
+  buckets.half_edges = large_vector<HalfEdge>(buckets.begin[vertex_count]);
   if (with_flags) buckets.corner_flags.resize(buckets.half_edges.size());
   std::vector<std::uint32_t> next(buckets.begin.begin(), buckets.begin.end() - 1);
   parallel_for(ranges, [&](std::size_t r) {
-    const std::uint32_t low = range_begin(r), count = range_begin(r + 1) - low;
+    const std::uint32_t low = range_begin[r], count = range_begin[r + 1] - low;
     for_each_half_edge(scene.faces, next, [&](std::uint32_t a, std::uint32_t b, std::size_t face, std::size_t corner) {
       const std::uint32_t lower = std::min(a, b);
       if (lower - low >= count) return;
@@ -191,8 +199,8 @@ void find_edges(const Scene& scene, Topology& topology) {
     first_edge[block + 1] = count;
   });
   for (std::size_t b = 0; b < blocks; ++b) first_edge[b + 1] += first_edge[b];
-  topology.edges.resize(first_edge[blocks]);
-  topology.edge_flags.resize(first_edge[blocks]);
+  topology.edges = large_vector<Edge>(first_edge[blocks]);
+  topology.edge_flags = large_vector<std::uint16_t>(first_edge[blocks]);
   parallel_for(blocks, [&](std::size_t block) {
     std::size_t e = first_edge[block];
     for_each_edge_of_block(block, [&](std::uint32_t v, std::uint32_t begin, std::uint32_t end) {
@@ -251,7 +259,7 @@ std::vector<Triangle> triangulate_faces(const Scene& scene) {
   std::vector<Triangle> triangles;
   const std::size_t n = scene.faces.size();
   if (scene.faces.all_triangles()) {
-    triangles.resize(n);
+    triangles = large_vector<Triangle>(n);
     const auto corners = scene.faces.corners();
     parallel_blocks(n, 65'536, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {

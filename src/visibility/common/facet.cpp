@@ -1,9 +1,11 @@
 #include "visibility/common/facet.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
+#include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -12,16 +14,24 @@ namespace {
 /// Roundings when a depth is interpolated: a dozen double operations.
 constexpr double kDepthRounding = 0x1p-48;
 
+/// As nextafter() towards minus infinity, of what is a number and not minus infinity: floats of one sign are ordered as
+/// their bits are.
+float next_below(float f) {
+  const auto bits = std::bit_cast<std::uint32_t>(f);
+  if (f == 0) return -std::numeric_limits<float>::denorm_min();
+  return std::bit_cast<float>(f > 0 ? bits - 1 : bits + 1);
+}
+
 }  // namespace
 
 float round_down(double v) {
   const float f = static_cast<float>(v);
-  return double(f) > v ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+  return double(f) > v ? next_below(f) : f;
 }
 
 float round_up(double v) {
   const float f = static_cast<float>(v);
-  return double(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+  return double(f) < v ? -next_below(-f) : f;
 }
 
 double depth_tolerance_mm(const ProjectedScene& scene, double gradient, double z_near) {
@@ -36,11 +46,16 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps) {
   constexpr std::size_t kBlock = 32'768;
   const std::size_t blocks = (n + kBlock - 1) / kBlock;
   Facets result;
-  result.facets.resize(n);
+  result.facets = large_vector<Facet>(n);
   std::vector<std::size_t> kept(blocks + 1, 0);
   std::vector<std::vector<std::uint32_t>> thin(blocks);
-  std::uint32_t face_count = 0;
-  for (const Triangle& t : scene.triangles) face_count = std::max(face_count, t.face + 1);
+  const auto faces_in = [&](std::size_t begin, std::size_t end) {
+    std::uint32_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) count = std::max(count, scene.triangles[i].face + 1);
+    return count;
+  };
+  const auto larger = [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); };
+  const std::uint32_t face_count = parallel_reduce(n, kBlock, std::uint32_t{0}, faces_in, larger);
 
   parallel_for(blocks, [&](std::size_t block) {
     std::size_t out = block * kBlock;

@@ -1,0 +1,42 @@
+#pragma once
+/// How far the vertices of a scene reach.
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "geometry/parallel.hpp"
+#include "scene/model/scene.hpp"
+
+namespace ligne {
+
+struct Bounds {
+  Point3 low{0, 0, 0}, high{0, 0, 0};
+};
+
+/// The box round the vertices [begin, end), of which there is at least one.
+inline Bounds bounds_of(const Scene& scene, std::size_t begin, std::size_t end) {
+  const auto of_block = [&](std::size_t first, std::size_t last) {
+    Bounds block{scene.vertices[begin + first], scene.vertices[begin + first]};
+    for (std::size_t v = begin + first; v < begin + last; ++v) {
+      block.low = glm::min(block.low, scene.vertices[v]);
+      block.high = glm::max(block.high, scene.vertices[v]);
+    }
+    return block;
+  };
+  const auto together = [](const Bounds& a, const Bounds& b) {
+    return Bounds{glm::min(a.low, b.low), glm::max(a.high, b.high)};
+  };
+  const Bounds start{scene.vertices[begin], scene.vertices[begin]};
+  return parallel_reduce(end - begin, kShortWorkBlock, start, of_block, together);
+}
+
+/// The largest size of a coordinate; 0 without vertices.
+inline double largest_coordinate(const Scene& scene) {
+  if (scene.vertices.empty()) return 0;
+  const auto [low, high] = bounds_of(scene, 0, scene.vertices.size());
+  const Point3 sizes = glm::max(glm::abs(low), glm::abs(high));
+  return std::max({sizes.x, sizes.y, sizes.z});
+}
+
+}  // namespace ligne
