@@ -69,9 +69,19 @@ std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene) {
   return marked;
 }
 
+std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene, const Topology& topology) {
+  std::vector<std::uint8_t> marked(scene.vertices.size());
+  const auto is_border = [&](std::size_t e) { return topology.edges[e].face1 == kNone; };
+  for (const std::uint32_t e : indices_where(topology.edges.size(), is_border)) {
+    marked[topology.edges[e].v0] = marked[topology.edges[e].v1] = 1;
+  }
+  return marked;
+}
+
 std::vector<std::uint32_t> faces_at(const Scene& scene, const std::vector<std::uint8_t>& marked) {
   const PolygonFaces& faces = scene.faces;
   const std::span<const std::uint32_t> corners = faces.corners();
+  if (std::ranges::find(marked, 1) == marked.end()) return {};
   if (faces.all_triangles()) {
     return indices_where(faces.size(), [&](std::size_t f) {
       return (marked[corners[3 * f]] | marked[corners[3 * f + 1]] | marked[corners[3 * f + 2]]) != 0;

@@ -15,6 +15,9 @@ namespace ligne {
 /// of more than one such edge is missed when the hashes of its neighbours cancel too: one in 2^64.
 std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene);
 
+/// The same of a scene none of whose edges has more than two faces.
+std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene, const Topology& topology);
+
 /// The faces that have a marked vertex, ascending.
 std::vector<std::uint32_t> faces_at(const Scene& scene, const std::vector<std::uint8_t>& marked);
 

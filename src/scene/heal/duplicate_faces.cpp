@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -257,9 +258,34 @@ void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
 
 }  // namespace
 
-DuplicateFaces find_duplicate_faces(const Scene& scene) {
+bool may_repeat_triangles(const Topology& topology) {
+  const std::vector<Edge>& edges = topology.edges;
+  constexpr std::uint32_t kMostLookedBack = 64;  // adjustable
+  // Edges come by their lower vertex: of two faces that have two edges there, the second looks back for the first.
+  const auto repeats = [&](std::size_t e) {
+    if (topology.edge_flags[e] & kEdgeManyFaces) return true;
+    const Edge& edge = edges[e];
+    if (edge.face1 == kNone) return false;
+    const auto [low, high] = std::minmax(edge.face0, edge.face1);
+    for (std::size_t other = e; other > 0 && edges[other - 1].v0 == edge.v0; --other) {
+      if (e - other >= kMostLookedBack) return true;
+      const auto [other_low, other_high] = std::minmax(edges[other - 1].face0, edges[other - 1].face1);
+      if (other_low == low && other_high == high) return true;
+    }
+    return false;
+  };
+  const auto any_repeats = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      if (repeats(e)) return true;
+    }
+    return false;
+  };
+  return parallel_reduce(edges.size(), kShortWorkBlock, false, any_repeats, std::logical_or<>{});
+}
+
+DuplicateFaces find_duplicate_faces(const Scene& scene, bool within_objects) {
   DuplicateFaces found;
-  find_within_objects(scene, found);
+  if (within_objects) find_within_objects(scene, found);
   if (scene.objects.size() > 1) find_equal_objects(scene, found);
   for (std::uint32_t f = 0; f < found.first.size(); ++f) {
     // The first face of a pair within an object may have gone with that object.

@@ -1,7 +1,6 @@
 #include "scene/heal/heal.hpp"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <memory>
 #include <span>
@@ -14,17 +13,19 @@
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/face_writer.hpp"
 #include "scene/heal/sew_borders.hpp"
+#include "scene/model/bounds.hpp"
 
 namespace ligne {
 namespace {
 
 /// Adjustable: how often borders are split that were split before.
 constexpr int kMostRounds = 4;
+/// Adjustable: a mesh of so many triangles that nothing is found wrong with costs less when its topology is built first.
+constexpr std::size_t kLargeMesh = 200'000;
 
 double size_of(const Scene& scene) {
   if (scene.vertices.empty()) return 0;
-  Point3 low = scene.vertices[0], high = low;
-  for (const Point3& p : scene.vertices) low = glm::min(low, p), high = glm::max(high, p);
+  const auto [low, high] = bounds_of(scene, 0, scene.vertices.size());
   return glm::distance(low, high);
 }
 
@@ -49,8 +50,9 @@ struct NearBorders {
   std::vector<std::uint32_t> faces;  ///< that have such a vertex
 };
 
-NearBorders near_borders(const Scene& scene) {
-  NearBorders near{ends_of_odd_edges(scene), {}};
+/// `ends`: of odd edges.
+NearBorders near_borders(const Scene& scene, std::vector<std::uint8_t> ends) {
+  NearBorders near{std::move(ends), {}};
   near.faces = faces_at(scene, near.marked);
   return near;
 }
@@ -109,11 +111,12 @@ void cut_bent_faces(Scene& scene, std::vector<std::uint32_t>& faces) {
   writer.finish(&faces);
 }
 
-void sew(Scene& scene, const HealOptions& options, const NearBorders& near, HealReport& report) {
+/// Whether there was anything to sew.
+bool sew(Scene& scene, const HealOptions& options, const NearBorders& near, HealReport& report) {
   Sewing sewing{std::vector<double>(scene.objects.size(), 0)};
   {
     const std::vector<std::unique_ptr<Border>> borders = borders_to_sew(scene, options, near, sewing, report);
-    if (report.sewn.empty()) return;
+    if (report.sewn.empty()) return false;
     report.vertices_moved = join_border_vertices(scene, borders, sewing);
   }
   if (report.vertices_moved > 0) cut_bent_faces(scene, sewing.faces);
@@ -125,6 +128,7 @@ void sew(Scene& scene, const HealOptions& options, const NearBorders& near, Heal
     report.vertices_moved += split.vertices_moved;
     if (split.vertices_moved > 0) cut_bent_faces(scene, sewing.faces);
   }
+  return true;
 }
 
 void count_edges_left(const Scene& scene, const Topology& topology, HealReport& report) {
@@ -139,22 +143,32 @@ void count_edges_left(const Scene& scene, const Topology& topology, HealReport& 
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
   HealReport report;
   const bool sews = options.sew_distance != 0.0;
+  // Whether the topology is that of the scene, and no triangle stands twice in it.
+  bool known = scene.faces.all_triangles() && scene.faces.size() >= kLargeMesh;
+  if (known) topology = build_topology(scene);
+  known = known && !may_repeat_triangles(topology);
   // Nearly all files have no duplicates, and the borders that are found beside them are right.
   DuplicateFaces duplicates;
   NearBorders near;
   parallel_tasks(sews ? 2 : 1, [&](std::size_t task) {
     if (task == 0) {
-      duplicates = find_duplicate_faces(scene);
+      duplicates = find_duplicate_faces(scene, !known);
     } else {
-      near = near_borders(scene);
+      near = near_borders(scene, known ? ends_of_odd_edges(scene, topology) : ends_of_odd_edges(scene));
     }
   });
   report.objects_twice = duplicates.objects;
   report.faces_twice = duplicates.faces;
   drop_duplicate_faces(scene, duplicates);
-  if (sews && duplicates.faces > 0) near = near_borders(scene);
-  if (sews) sew(scene, options, near, report);
-  topology = build_topology(scene);
+  if (duplicates.faces > 0) {
+    known = false;
+    if (sews) near = near_borders(scene, ends_of_odd_edges(scene));
+  }
+  if (sews && sew(scene, options, near, report)) known = false;
+  if (!known) {
+    topology = {};
+    topology = build_topology(scene);
+  }
   count_edges_left(scene, topology, report);
   report.faces_turned = agree_windings(scene, topology);
   if (report.faces_turned > 0) topology = build_topology(scene);
