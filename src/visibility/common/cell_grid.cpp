@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "geometry/indices_where.hpp"
+#include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
 #include "visibility/common/cell_cover.hpp"
 #include "visibility/common/facet_in_cell.hpp"
@@ -44,8 +46,9 @@ struct CellGrid::Build {
   const std::vector<Facet>& facets;
   const Options& options;
   CellGrid& grid;
-  std::vector<Range> ranges;         ///< per facet, margin included
-  std::vector<std::uint8_t> wanted;  ///< per top-level cell, when only some are filled
+  std::vector<Range> ranges;          ///< per facet, margin included
+  std::vector<std::uint8_t> wanted;   ///< per top-level cell, when only some are filled
+  std::vector<std::uint32_t> listed;  ///< then the facets in whose range one of these is
 
   bool hides(const Facet& f) const {
     return !options.see_through || scene.face_is_transparent.empty() || !scene.face_is_transparent[f.face];
@@ -141,7 +144,7 @@ bool CellGrid::Build::choose_cells() {
 }
 
 void CellGrid::Build::find_ranges() {
-  ranges.resize(facets.size());
+  ranges = large_vector<Range>(facets.size());
   const double inverse = 1 / grid.size_, margin = options.margin_steps;
   const auto clamped = [](double v, int n) { return static_cast<std::uint16_t>(v < 0 ? 0 : v >= n ? n - 1 : v); };
   const std::size_t blocks = (facets.size() + kFacetsPerBlock - 1) / kFacetsPerBlock;
@@ -166,11 +169,21 @@ void CellGrid::Build::mark_wanted() {
       wanted[static_cast<std::size_t>(&cell - grid.cells_.data())] = 1;
     });
   }
+  listed = indices_where(facets.size(), [&](std::size_t i) {
+    const Range r = ranges[i];
+    for (int row = r.row0; row <= r.row1; ++row) {
+      const auto first = wanted.begin() + static_cast<std::ptrdiff_t>(row) * grid.columns_;
+      if (std::find(first + r.column0, first + r.column1 + 1, 1) != first + r.column1 + 1) return true;
+    }
+    return false;
+  });
 }
 
 template <class Visit>
 void CellGrid::Build::for_each_meeting(int row0, int row1, bool large_only, Visit visit) const {
-  for (std::size_t i = 0; i < facets.size(); ++i) {
+  const std::size_t count = wanted.empty() ? facets.size() : listed.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = wanted.empty() ? k : listed[k];
     const Range r = ranges[i];
     if (r.row1 < row0 || r.row0 >= row1) continue;
     const int columns = r.column1 - r.column0 + 1, rows = r.row1 - r.row0 + 1;
@@ -410,7 +423,7 @@ void CellGrid::Build::split(Cell& cell, const CellSquare& square, std::vector<Ce
 
 CellGrid::CellGrid(const ProjectedScene& scene, const std::vector<Facet>& facets, const Options& options) {
   complete_ = !options.drop_hidden && !options.only_along;
-  Build build{scene, facets, options, *this, {}, {}};
+  Build build{scene, facets, options, *this, {}, {}, {}};
   arenas_.resize(1);
   if (!build.choose_cells()) {
     cells_.resize(1);
