@@ -102,6 +102,20 @@ std::vector<std::uint32_t> order_by_place(const ProjectedScene& scene) {
   return order;
 }
 
+/// Whether some of the triangles in [begin, end) may have the same places: then these have the same sum.
+template <class Number>
+bool may_repeat(const ProjectedScene& scene, std::size_t begin, std::size_t end, const Number& number) {
+  if (end - begin > kFew) return true;
+  std::array<std::uint32_t, kFew> sums{};
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto& v = scene.triangles[number(i)].v;
+    const auto last = sums.begin() + static_cast<std::ptrdiff_t>(i - begin);
+    *last = scene.place(v[0]) + scene.place(v[1]) + scene.place(v[2]);
+    if (std::find(sums.begin(), last, *last) != last) return true;
+  }
+  return false;
+}
+
 /// The triangles of places that more than one triangle has, ordered by face.
 std::vector<Repeated> repeated_triangles(const ProjectedScene& scene) {
   const std::size_t n = scene.triangles.size();
@@ -111,6 +125,7 @@ std::vector<Repeated> repeated_triangles(const ProjectedScene& scene) {
   for_each_run(
       n, [&](std::size_t i) { return lowest_place(scene, scene.triangles[number(i)]); },
       [&](std::size_t begin, std::size_t end) {
+        if (!may_repeat(scene, begin, end, number)) return;
         thread_local std::vector<PlacedTriangle> run;
         run.clear();
         for (std::size_t i = begin; i < end; ++i) run.push_back(placed(scene, number(i)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -96,7 +97,7 @@ bool may_crowd(const std::vector<ProjectedVertex>& vertices, std::size_t begin, 
   for (std::size_t i = begin; i < end; ++i) {
     const Cube cube = side.cube(vertices[i]);
     std::uint64_t number = 0;
-    for (const double c : cube) number = number * 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(std::hash<double>()(c));
+    for (const double c : cube) number = (number ^ std::bit_cast<std::uint64_t>(c + 0.0)) * 0x9e3779b97f4a7c15u;
     numbers.push_back(number);
   }
   std::sort(numbers.begin(), numbers.end());

@@ -9,6 +9,7 @@
 #include "geometry/parallel.hpp"
 #include "scene/model/flat_faces.hpp"
 #include "geometry/prefetch.hpp"
+#include "scene/model/triangle_normal.hpp"
 
 namespace ligne {
 namespace {
@@ -21,22 +22,35 @@ struct FacePlane {
   std::int8_t facing = 0;
 };
 
-std::int8_t facing_of(const Point3& normal, const Point3& on_face, const Camera& camera) {
-  const Point3 sight = camera.perspective ? on_face - camera.eye : camera.forward;
+/// `sight`: a line of sight to the face, of the given length.
+std::int8_t facing_of(const Point3& normal, const Point3& sight, double length) {
   const double d = glm::dot(normal, sight);
-  if (std::abs(d) <= kEdgeOnSine * glm::length(sight)) return 0;
+  if (std::abs(d) <= kEdgeOnSine * length) return 0;
   return d < 0 ? 1 : -1;
 }
 
 std::vector<FacePlane> face_planes(const Scene& scene, const Camera& camera) {
   std::vector<FacePlane> planes = large_vector<FacePlane>(scene.faces.size());
+  const auto set_plane = [&, forward_length = glm::length(camera.forward)](FacePlane& plane, const Point3& normal,
+                                                                           const Point3& on_face) {
+    plane.normal = normal;
+    const Point3 sight = on_face - camera.eye;
+    plane.facing = camera.perspective ? facing_of(normal, sight, glm::length(sight))
+                                      : facing_of(normal, camera.forward, forward_length);
+  };
+  const std::span<const std::uint32_t> corners = scene.faces.corners();
   const bool all_triangles = scene.faces.all_triangles();
   parallel_blocks(planes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
-      if (all_triangles) prefetch_corners(scene.vertices, scene.faces.corners(), f);
-      const Point3 normal = face_normal(scene, static_cast<std::uint32_t>(f));
-      planes[f].normal = normal;
-      planes[f].facing = facing_of(normal, scene.vertices[scene.faces.contour(f, 0)[0]], camera);
+      if (all_triangles) {
+        prefetch_corners(scene.vertices, corners, f);
+        const Point3& a = scene.vertices[corners[3 * f]];
+        const Point3 &b = scene.vertices[corners[3 * f + 1]], &c = scene.vertices[corners[3 * f + 2]];
+        set_plane(planes[f], triangle_normal(a, b, c), a);
+      } else {
+        const auto face = static_cast<std::uint32_t>(f);
+        set_plane(planes[f], face_normal(scene, face), scene.vertices[scene.faces.contour(face, 0)[0]]);
+      }
     }
   });
   return planes;

@@ -30,6 +30,14 @@ double product_sizes(const Point3& a, const Point3& b, const Point3& c) {
   return (p.y * q.z + p.z * q.y) * s.x + (p.z * q.x + p.x * q.z) * s.y + (p.x * q.y + p.y * q.x) * s.z;
 }
 
+/// Whether a triangle with the sides pq and pr is certainly not seen edge on along the given sight, as nearly all: sums of
+/// sizes bound every term of the test, those of the products by the product of theirs, and the third side by the two others.
+/// `mixed`: size of the mixed product.
+bool is_surely_broad(const Point3& pq, const Point3& pr, double mixed, double sight_sizes, double rounding) {
+  const double a = sum_of_sizes(pq), b = sum_of_sizes(pr);
+  return mixed > kBoundRounding * sight_sizes * (kMixedProductRounding * a * b + 2 * rounding * (a + b));
+}
+
 }  // namespace
 
 double sight_rounding(const Camera& camera, double largest) {
@@ -41,12 +49,6 @@ bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Ca
   const Point3 pq = q - p, pr = r - p, normal = glm::cross(pq, pr);
   const Point3 sight = camera.perspective ? p - camera.eye : camera.forward;
   const double mixed = std::abs(glm::dot(normal, sight));
-  // Nearly all triangles are far from it. Sums of sizes bound every term below: those of the products by the product of
-  // theirs, and r - q, as a side, by the two others.
-  const double a = sum_of_sizes(pq), b = sum_of_sizes(pr), s = sum_of_sizes(sight);
-  if (!camera.perspective && mixed > kBoundRounding * s * (kMixedProductRounding * a * b + 2 * rounding * (a + b))) {
-    return false;
-  }
   const double product = mixed - kMixedProductRounding * product_sizes(pq, pr, sight);
   if (!camera.perspective) {
     const auto moved = [&](const Point3& side) { return sum_of_sizes(glm::cross(sight, side)); };
@@ -60,6 +62,7 @@ bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Ca
 
 std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera) {
   const double rounding = sight_rounding(camera, largest_coordinate(scene));
+  const double forward_sizes = sum_of_sizes(camera.forward);
   // A face is seen edge on when all its triangles are.
   const std::vector<Triangle>& triangles = topology.triangles;
   std::vector<std::uint8_t> edge_on(triangles.size());
@@ -75,6 +78,11 @@ std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology&
       const Triangle& t = triangles[i];
       while (t.face >= scene.objects[object].face_end) ++object;
       const Point3 &p = scene.vertices[t.v[0]], &q = scene.vertices[t.v[1]], &r = scene.vertices[t.v[2]];
+      if (!camera.perspective) {
+        const Point3 pq = q - p, pr = r - p;
+        const double mixed = std::abs(glm::dot(glm::cross(pq, pr), camera.forward));
+        if (is_surely_broad(pq, pr, mixed, forward_sizes, rounding)) continue;
+      }
       edge_on[i] = is_seen_edge_on(p, q, r, camera, scene.objects[object].precision, rounding);
       found = found || edge_on[i];
     }

@@ -21,17 +21,17 @@ std::uint32_t spread_bits(std::uint32_t v) {
   return (v | (v << 1)) & 0x55555555u;
 }
 
-/// The stable order of n things by key(i) < key_count: order[k] is the k-th. A task owns a range of keys and goes through
-/// all things.
-template <class Key>
-std::vector<std::uint32_t> stable_order(std::size_t n, std::size_t key_count, Key key) {
+/// The stable order of things by their keys, all below key_count: order[k] is the k-th. A task owns a range of keys and goes
+/// through all things.
+std::vector<std::uint32_t> stable_order(const std::vector<std::uint32_t>& keys, std::size_t key_count) {
+  const std::size_t n = keys.size();
   // Few things are sorted sooner than the keys are counted.
   constexpr std::size_t kKeysPerThing = 16;  // adjustable
   if (n * kKeysPerThing < key_count) {
     std::vector<std::uint32_t> order(n);
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+              [&](std::uint32_t a, std::uint32_t b) { return std::pair(keys[a], a) < std::pair(keys[b], b); });
     return order;
   }
   constexpr std::size_t kThingsPerRange = 200'000, kMostRanges = 4;
@@ -41,7 +41,8 @@ std::vector<std::uint32_t> stable_order(std::size_t n, std::size_t key_count, Ke
     parallel_for(ranges, [&](std::size_t r) {
       const std::size_t first = key_count * r / ranges, count = key_count * (r + 1) / ranges - first;
       for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t k = key(i);
+        if (i + kTurnsAhead < n) __builtin_prefetch(next.data() + keys[i + kTurnsAhead]);
+        const std::size_t k = keys[i];
         if (k - first < count) visit(k, static_cast<std::uint32_t>(i));
       }
     });
@@ -83,27 +84,29 @@ std::uint32_t page_square(LatticePoint p) {
 
 void order_spatially(ProjectedScene& scene) {
   const std::size_t n = scene.vertices.size();
+  std::vector<std::uint32_t> key_of_triangle = large_vector<std::uint32_t>(scene.triangles.size());
+  std::vector<std::uint32_t> key_of_edge = large_vector<std::uint32_t>(scene.edges.size());
   {
     std::vector<std::uint32_t> number(n);
     for_each_index(n, [&](std::size_t i) { number[i] = page_square(scene.vertices[i].p); });
-    const auto order = stable_order(n, std::size_t{1} << (2 * kMortonBits), [&](std::size_t i) { return number[i]; });
+    const auto order = stable_order(number, std::size_t{1} << (2 * kMortonBits));
     scene.vertices = in_order(scene.vertices, order);
     for_each_index(n, [&](std::size_t k) { number[order[k]] = static_cast<std::uint32_t>(k); });
     for_each_index(scene.triangles.size(), [&](std::size_t i) {
       if (i + kTurnsAhead < scene.triangles.size()) prefetch(number, scene.triangles[i + kTurnsAhead].v);
-      for (std::uint32_t& v : scene.triangles[i].v) v = number[v];
+      auto& v = scene.triangles[i].v;
+      for (std::uint32_t& corner : v) corner = number[corner];
+      key_of_triangle[i] = std::min({v[0], v[1], v[2]});
     });
     for_each_index(scene.edges.size(), [&](std::size_t i) {
-      scene.edges[i].v0 = number[scene.edges[i].v0];
-      scene.edges[i].v1 = number[scene.edges[i].v1];
+      ProjectedEdge& edge = scene.edges[i];
+      edge.v0 = number[edge.v0];
+      edge.v1 = number[edge.v1];
+      key_of_edge[i] = std::min(edge.v0, edge.v1);
     });
   }
-  scene.triangles = in_order(scene.triangles, stable_order(scene.triangles.size(), n, [&](std::size_t i) {
-                               const auto& v = scene.triangles[i].v;
-                               return std::min({v[0], v[1], v[2]});
-                             }));
-  const auto order =
-      stable_order(scene.edges.size(), n, [&](std::size_t i) { return std::min(scene.edges[i].v0, scene.edges[i].v1); });
+  scene.triangles = in_order(scene.triangles, stable_order(key_of_triangle, n));
+  const auto order = stable_order(key_of_edge, n);
   scene.edges = in_order(scene.edges, order);
   if (!scene.edge_parts.empty()) scene.edge_parts = in_order(scene.edge_parts, order);
 }

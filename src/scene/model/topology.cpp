@@ -9,6 +9,7 @@
 #include "geometry/parallel.hpp"
 #include "geometry/prefetch.hpp"
 #include "geometry/triangulate.hpp"
+#include "scene/model/triangle_normal.hpp"
 
 // Edges are found by counting sort: every corner of a contour gives one half-edge, filed under the lower of its two
 // vertices; a bucket then holds the half-edges of one vertex (six on average) and is sorted by the other vertex.
@@ -247,6 +248,7 @@ void triangulate_face(const Scene& scene, std::uint32_t face, std::vector<Triang
 Point3 face_normal(const Scene& scene, std::uint32_t face) {
   const auto contour = scene.faces.contour(face, 0);
   const Point3 origin = scene.vertices[contour[0]];
+  if (contour.size() == 3) return triangle_normal(origin, scene.vertices[contour[1]], scene.vertices[contour[2]]);
   Point3 sum{0, 0, 0};
   for (std::size_t k = 1; k + 1 < contour.size(); ++k) {
     sum += glm::cross(scene.vertices[contour[k]] - origin, scene.vertices[contour[k + 1]] - origin);
