@@ -2,46 +2,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
-#include "geometry/prefetch.hpp"
 #include "geometry/triangulate.hpp"
 #include "scene/model/triangle_normal.hpp"
 
 // Edges are found by counting sort: every corner of a contour gives one half-edge, filed under the lower of its two
-// vertices; a bucket then holds the half-edges of one vertex (six on average) and is sorted by the other vertex.
-// Vertices are dealt out in ranges, and every range is filed by one thread that scans all corners: the order inside a
-// bucket is the order of the corners, whatever the number of ranges.
+// vertices; a bucket then holds the half-edges of one vertex (six on average) and is sorted by the other vertex. Half-edges
+// go first into parts, of a range of vertices each, whose buckets fit the cache. Blocks of faces write one after the other
+// into a part: the order inside a bucket is the order of the corners, whatever the number of threads.
 
 namespace ligne {
 namespace {
 
 constexpr std::uint32_t kReversed = 0x80000000u;  ///< the half-edge runs from the higher vertex to the lower
 
+/// Adjustable: faces of a block, and vertices of a part.
+constexpr std::size_t kFacesPerBlock = 65'536, kVerticesPerPart = 16'384;
+
 struct HalfEdge {
-  std::uint32_t other = 0;           ///< the higher vertex
+  std::uint32_t other;               ///< the higher vertex
   std::uint32_t face_and_direction;  ///< face, with kReversed where it applies
   std::uint32_t face() const { return face_and_direction & ~kReversed; }
 };
 
-/// Calls visit(from, to, face, corner) for every directed edge of every contour. `at_vertex`: what the visit looks up at the
-/// lower of the two.
+/// Calls visit(from, to, face, corner) for every directed edge of every contour of the faces [begin, end).
 template <class Visit>
-void for_each_half_edge(const PolygonFaces& faces, const std::vector<std::uint32_t>& at_vertex, Visit visit) {
+void for_each_half_edge(const PolygonFaces& faces, std::size_t begin, std::size_t end, Visit visit) {
   if (faces.all_triangles()) {
     const auto corners = faces.corners();
-    for (std::size_t f = 0, k = 0; k < corners.size(); ++f, k += 3) {
-      prefetch_corners(at_vertex, corners, f);
+    for (std::size_t f = begin, k = 3 * begin; f < end; ++f, k += 3) {
       visit(corners[k], corners[k + 1], f, k);
       visit(corners[k + 1], corners[k + 2], f, k + 1);
       visit(corners[k + 2], corners[k], f, k + 2);
     }
     return;
   }
-  for (std::size_t f = 0; f < faces.size(); ++f) {
+  for (std::size_t f = begin; f < end; ++f) {
     for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
       const auto contour = faces.contour(f, c);
       const std::size_t first = faces.corner_index(f, c);
@@ -52,49 +54,81 @@ void for_each_half_edge(const PolygonFaces& faces, const std::vector<std::uint32
   }
 }
 
-struct Buckets {
-  std::vector<std::uint32_t> begin;
-  std::vector<HalfEdge> half_edges;
-  std::vector<std::uint8_t> corner_flags;  ///< parallel to half_edges; empty when the scene has none
+/// An array of so many values, which are to be written before they are read.
+template <class T>
+struct Unwritten {
+  explicit Unwritten(std::size_t n = 0) : values(std::make_unique_for_overwrite<T[]>(n)) {}
+  T& operator[](std::size_t i) { return values[i]; }
+  const T& operator[](std::size_t i) const { return values[i]; }
+  std::unique_ptr<T[]> values;
 };
 
-Buckets file_half_edges(const Scene& scene, std::size_t ranges) {
-  const std::size_t vertex_count = scene.vertices.size();
-  Buckets buckets;
-  buckets.begin.assign(vertex_count + 1, 0);
-  std::vector<std::uint32_t> range_begin;
-  for (std::size_t r = 0; r <= ranges; ++r) range_begin.push_back(static_cast<std::uint32_t>(vertex_count * r / ranges));
-  // begin[v + 1] counts, then becomes the end of bucket v while it is filled.
-  parallel_for(ranges, [&](std::size_t r) {
-    const std::uint32_t low = range_begin[r], count = range_begin[r + 1] - low;
-    for_each_half_edge(scene.faces, buckets.begin, [&](std::uint32_t a, std::uint32_t b, std::size_t, std::size_t) {
-      const std::uint32_t lower = std::min(a, b);
-      if (lower - low < count) ++buckets.begin[lower + 1];
-    });
-  });
-  for (std::size_t v = 0; v < vertex_count; ++v) buckets.begin[v + 1] += buckets.begin[v];
-  // Half-edges are many at the vertices that come first in the file: now every range gets as many of them.
-  for (std::size_t r = 1; r < ranges; ++r) {
-    const std::size_t before = buckets.begin[vertex_count] / ranges * r;
-    const auto first = std::lower_bound(buckets.begin.begin(), buckets.begin.end() - 1, before);
-    range_begin[r] = static_cast<std::uint32_t>(first - buckets.begin.begin());
-  }
+/// The half-edges by parts, inside a part in the order of the corners.
+struct Parts {
+  struct Entry {
+    std::uint32_t lower;
+    HalfEdge half_edge;
+  };
+  std::vector<std::size_t> begin;  ///< first entry of each part, and the end
+  Unwritten<Entry> entries;
+  Unwritten<std::uint8_t> corner_flags;  ///< of each entry, where the scene has any
+};
 
-  const bool with_flags = !scene.corner_flags.empty();
-  buckets.half_edges = large_vector<HalfEdge>(buckets.begin[vertex_count]);
-  if (with_flags) buckets.corner_flags.resize(buckets.half_edges.size());
-  std::vector<std::uint32_t> next(buckets.begin.begin(), buckets.begin.end() - 1);
-  parallel_for(ranges, [&](std::size_t r) {
-    const std::uint32_t low = range_begin[r], count = range_begin[r + 1] - low;
-    for_each_half_edge(scene.faces, next, [&](std::uint32_t a, std::uint32_t b, std::size_t face, std::size_t corner) {
-      const std::uint32_t lower = std::min(a, b);
-      if (lower - low >= count) return;
-      const std::uint32_t slot = next[lower]++;
-      buckets.half_edges[slot] = {std::max(a, b), static_cast<std::uint32_t>(face) | (a > b ? kReversed : 0)};
-      if (with_flags) buckets.corner_flags[slot] = scene.corner_flags[corner];
+Parts sort_into_parts(const Scene& scene) {
+  const std::size_t faces = scene.faces.size(), blocks = block_count(faces, kFacesPerBlock);
+  const std::size_t count = block_count(scene.vertices.size(), kVerticesPerPart);
+  std::vector<std::size_t> place(blocks * count, 0);  // counts, then positions, per block and part
+  parallel_blocks(faces, kFacesPerBlock, [&](std::size_t begin, std::size_t end) {
+    std::size_t* const counts = &place[begin / kFacesPerBlock * count];
+    for_each_half_edge(scene.faces, begin, end, [&](std::uint32_t a, std::uint32_t b, std::size_t, std::size_t) {
+      ++counts[std::min(a, b) / kVerticesPerPart];
     });
   });
-  return buckets;
+  Parts parts;
+  std::size_t sum = 0;
+  for (std::size_t part = 0; part < count; ++part) {
+    parts.begin.push_back(sum);
+    for (std::size_t block = 0; block < blocks; ++block) sum += std::exchange(place[block * count + part], sum);
+  }
+  parts.begin.push_back(sum);
+  parts.entries = Unwritten<Parts::Entry>(sum);
+  const bool with_flags = !scene.corner_flags.empty();
+  if (with_flags) parts.corner_flags = Unwritten<std::uint8_t>(sum);
+  parallel_blocks(faces, kFacesPerBlock, [&](std::size_t begin, std::size_t end) {
+    std::size_t* const next = &place[begin / kFacesPerBlock * count];
+    for_each_half_edge(scene.faces, begin, end, [&](std::uint32_t a, std::uint32_t b, std::size_t face, std::size_t corner) {
+      const auto [lower, higher] = std::minmax(a, b);
+      const std::size_t slot = next[lower / kVerticesPerPart]++;
+      parts.entries[slot] = {lower, {higher, static_cast<std::uint32_t>(face) | (a > b ? kReversed : 0)}};
+      if (with_flags) parts.corner_flags[slot] = scene.corner_flags[corner];
+    });
+  });
+  return parts;
+}
+
+struct Buckets {
+  std::vector<std::uint32_t> begin;  ///< first half-edge of each vertex, and the end
+  Unwritten<HalfEdge> half_edges;
+  bool with_flags = false;
+  Unwritten<std::uint8_t> corner_flags;  ///< parallel to half_edges, when the scene has any
+};
+
+/// Files the half-edges of a part, whose vertices are [first, last). Where the part begins and ends is written already:
+/// other tasks read it.
+void fill_buckets(const Parts& parts, std::size_t part, std::size_t first, std::size_t last, Buckets& buckets) {
+  // Counts, then the places of the next half-edges.
+  std::vector<std::uint32_t> next(last - first, 0);
+  for (std::size_t i = parts.begin[part]; i < parts.begin[part + 1]; ++i) ++next[parts.entries[i].lower - first];
+  auto sum = static_cast<std::uint32_t>(parts.begin[part]);
+  for (std::size_t v = first; v < last; ++v) {
+    sum += std::exchange(next[v - first], sum);
+    if (v + 1 < last) buckets.begin[v + 1] = sum;
+  }
+  for (std::size_t i = parts.begin[part]; i < parts.begin[part + 1]; ++i) {
+    const std::uint32_t slot = next[parts.entries[i].lower - first]++;
+    buckets.half_edges[slot] = parts.entries[i].half_edge;
+    if (buckets.with_flags) buckets.corner_flags[slot] = parts.corner_flags[i];
+  }
 }
 
 /// Sorts the bucket [begin, end) by the other vertex, keeping the order of equals; flags move along.
@@ -104,18 +138,18 @@ void sort_bucket(Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
   if (end - begin > kInsertionSortLimit) {  // the hub of a large fan
     std::vector<std::pair<HalfEdge, std::uint8_t>> bucket;
     for (std::uint32_t k = begin; k < end; ++k) {
-      bucket.emplace_back(h[k], buckets.corner_flags.empty() ? std::uint8_t{0} : buckets.corner_flags[k]);
+      bucket.emplace_back(h[k], buckets.with_flags ? buckets.corner_flags[k] : std::uint8_t{0});
     }
     std::stable_sort(bucket.begin(), bucket.end(),
                      [](const auto& a, const auto& b) { return a.first.other < b.first.other; });
     for (std::uint32_t k = begin; k < end; ++k) {
       h[k] = bucket[k - begin].first;
-      if (!buckets.corner_flags.empty()) buckets.corner_flags[k] = bucket[k - begin].second;
+      if (buckets.with_flags) buckets.corner_flags[k] = bucket[k - begin].second;
     }
     return;
   }
-  HalfEdge* const half_edges = h.data();
-  std::uint8_t* const flags = buckets.corner_flags.empty() ? nullptr : buckets.corner_flags.data();
+  HalfEdge* const half_edges = h.values.get();
+  std::uint8_t* const flags = buckets.with_flags ? buckets.corner_flags.values.get() : nullptr;
   for (std::uint32_t i = begin + 1; i < end; ++i) {
     const HalfEdge moved = half_edges[i];
     if (!(moved.other < half_edges[i - 1].other)) continue;
@@ -156,7 +190,7 @@ std::uint16_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::ui
     if (a.face() == b.face()) return kEdgeInner;
     if ((a.face_and_direction & kReversed) == (b.face_and_direction & kReversed)) flags |= kEdgeUnlikeWound;
   }
-  if (!buckets.corner_flags.empty()) {
+  if (buckets.with_flags) {
     std::uint8_t common = 0xff, any = 0;  // an edge is as the file says only when all faces on it say so
     for (std::uint32_t k = begin; k < end; ++k) {
       common &= buckets.corner_flags[k];
@@ -170,17 +204,12 @@ std::uint16_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::ui
 void find_edges(const Scene& scene, Topology& topology) {
   const std::size_t vertex_count = scene.vertices.size();
   if (vertex_count == 0) return;
-  constexpr std::size_t kCornersPerRange = 200'000, kMostRanges = 4;
-  const std::size_t ranges =
-      std::clamp<std::size_t>(scene.faces.corners().size() / kCornersPerRange, 1, std::min(kMostRanges, thread_count()));
-  Buckets buckets = file_half_edges(scene, ranges);
-
-  // Runs of equal half-edges are edges: sort and count them per block of vertices, then write every block at its place.
-  constexpr std::size_t kVerticesPerBlock = 16'384;
-  const std::size_t blocks = (vertex_count + kVerticesPerBlock - 1) / kVerticesPerBlock;
-  const auto for_each_edge_of_block = [&](std::size_t block, auto visit) {
-    const std::size_t last = std::min(vertex_count, (block + 1) * kVerticesPerBlock);
-    for (std::size_t v = block * kVerticesPerBlock; v < last; ++v) {
+  Buckets buckets;
+  // Runs of equal half-edges are edges: sort and count them per part, then write every part at its place.
+  const std::size_t count = block_count(vertex_count, kVerticesPerPart);
+  const auto for_each_edge_of_part = [&](std::size_t part, auto visit) {
+    const std::size_t last = std::min(vertex_count, (part + 1) * kVerticesPerPart);
+    for (std::size_t v = part * kVerticesPerPart; v < last; ++v) {
       for (std::uint32_t k = buckets.begin[v]; k < buckets.begin[v + 1];) {
         std::uint32_t end = k + 1;
         while (end < buckets.begin[v + 1] && buckets.half_edges[end].other == buckets.half_edges[k].other) ++end;
@@ -189,22 +218,30 @@ void find_edges(const Scene& scene, Topology& topology) {
       }
     }
   };
-  std::vector<std::size_t> first_edge(blocks + 1, 0);
-  parallel_for(blocks, [&](std::size_t block) {
-    const std::size_t last = std::min(vertex_count, (block + 1) * kVerticesPerBlock);
-    for (std::size_t v = block * kVerticesPerBlock; v < last; ++v) {
-      sort_bucket(buckets, buckets.begin[v], buckets.begin[v + 1]);
+  std::vector<std::size_t> first_edge(count + 1, 0);
+  {
+    const Parts parts = sort_into_parts(scene);
+    buckets.begin.resize(vertex_count + 1);
+    for (std::size_t part = 0; part < count; ++part) {
+      buckets.begin[part * kVerticesPerPart] = static_cast<std::uint32_t>(parts.begin[part]);
     }
-    std::size_t count = 0;
-    for_each_edge_of_block(block, [&](std::uint32_t, std::uint32_t, std::uint32_t) { ++count; });
-    first_edge[block + 1] = count;
-  });
-  for (std::size_t b = 0; b < blocks; ++b) first_edge[b + 1] += first_edge[b];
-  topology.edges = large_vector<Edge>(first_edge[blocks]);
-  topology.edge_flags = large_vector<std::uint16_t>(first_edge[blocks]);
-  parallel_for(blocks, [&](std::size_t block) {
-    std::size_t e = first_edge[block];
-    for_each_edge_of_block(block, [&](std::uint32_t v, std::uint32_t begin, std::uint32_t end) {
+    buckets.begin[vertex_count] = static_cast<std::uint32_t>(parts.begin[count]);
+    buckets.half_edges = Unwritten<HalfEdge>(parts.begin[count]);
+    buckets.with_flags = !scene.corner_flags.empty();
+    if (buckets.with_flags) buckets.corner_flags = Unwritten<std::uint8_t>(parts.begin[count]);
+    parallel_for(count, [&](std::size_t part) {
+      const std::size_t first = part * kVerticesPerPart, last = std::min(vertex_count, first + kVerticesPerPart);
+      fill_buckets(parts, part, first, last, buckets);
+      for (std::size_t v = first; v < last; ++v) sort_bucket(buckets, buckets.begin[v], buckets.begin[v + 1]);
+      for_each_edge_of_part(part, [&](std::uint32_t, std::uint32_t, std::uint32_t) { ++first_edge[part + 1]; });
+    });
+  }
+  for (std::size_t part = 0; part < count; ++part) first_edge[part + 1] += first_edge[part];
+  topology.edges = large_vector<Edge>(first_edge[count]);
+  topology.edge_flags = large_vector<std::uint16_t>(first_edge[count]);
+  parallel_for(count, [&](std::size_t part) {
+    std::size_t e = first_edge[part];
+    for_each_edge_of_part(part, [&](std::uint32_t v, std::uint32_t begin, std::uint32_t end) {
       const auto& h = buckets.half_edges;
       topology.edges[e] = {v, h[begin].other, h[begin].face(), end - begin > 1 ? h[begin + 1].face() : kNone};
       topology.edge_flags[e] = flags_of_edge(buckets, begin, end);
