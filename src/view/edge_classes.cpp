@@ -1,14 +1,17 @@
 #include "view/edge_classes.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
-#include "scene/model/flat_faces.hpp"
 #include "geometry/prefetch.hpp"
+#include "scene/model/flat_faces.hpp"
 #include "scene/model/triangle_normal.hpp"
 
 namespace ligne {
@@ -17,9 +20,14 @@ namespace {
 /// Float32 coordinates turn the normals of small faces by about this much; an edge at the crease angle itself is no crease.
 constexpr double kCreaseSlackDegrees = 0.01;
 
-struct FacePlane {
-  glm::vec3 normal{0, 0, 0};  ///< unit length; zero for a face without area
-  std::int8_t facing = 0;
+/// Of a face without area, until it is mended.
+constexpr std::int8_t kFlat = 2;
+
+/// How the faces lie.
+struct FaceSides {
+  std::vector<std::int8_t> facing;  ///< 1 towards the eye, -1 away from it, 0 seen edge on
+  std::vector<glm::vec3> normal;    ///< unit length, zero for a face without area; empty where nobody asks
+  bool any_flat = false;
 };
 
 /// `sight`: a line of sight to the face, of the given length.
@@ -29,65 +37,74 @@ std::int8_t facing_of(const Point3& normal, const Point3& sight, double length) 
   return d < 0 ? 1 : -1;
 }
 
-std::vector<FacePlane> face_planes(const Scene& scene, const Camera& camera) {
-  std::vector<FacePlane> planes = large_vector<FacePlane>(scene.faces.size());
-  const auto set_plane = [&, forward_length = glm::length(camera.forward)](FacePlane& plane, const Point3& normal,
-                                                                           const Point3& on_face) {
-    plane.normal = normal;
+FaceSides face_sides(const Scene& scene, const Camera& camera, bool with_normals) {
+  FaceSides sides;
+  const std::size_t n = scene.faces.size();
+  sides.facing = large_vector<std::int8_t>(n);
+  if (with_normals) sides.normal = large_vector<glm::vec3>(n);
+  std::atomic<bool> any_flat{false};
+  const double forward_length = glm::length(camera.forward);
+  const auto set = [&](std::size_t f, const Point3& normal, const Point3& on_face) {
+    if (with_normals) sides.normal[f] = normal;
     const Point3 sight = on_face - camera.eye;
-    plane.facing = camera.perspective ? facing_of(normal, sight, glm::length(sight))
-                                      : facing_of(normal, camera.forward, forward_length);
+    sides.facing[f] = camera.perspective ? facing_of(normal, sight, glm::length(sight))
+                                         : facing_of(normal, camera.forward, forward_length);
+    if (normal != Point3{0, 0, 0}) return;
+    sides.facing[f] = kFlat;
+    any_flat.store(true, std::memory_order_relaxed);
   };
   const std::span<const std::uint32_t> corners = scene.faces.corners();
   const bool all_triangles = scene.faces.all_triangles();
-  parallel_blocks(planes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       if (all_triangles) {
         prefetch_corners(scene.vertices, corners, f);
         const Point3& a = scene.vertices[corners[3 * f]];
         const Point3 &b = scene.vertices[corners[3 * f + 1]], &c = scene.vertices[corners[3 * f + 2]];
-        set_plane(planes[f], triangle_normal(a, b, c), a);
+        set(f, triangle_normal(a, b, c), a);
       } else {
         const auto face = static_cast<std::uint32_t>(f);
-        set_plane(planes[f], face_normal(scene, face), scene.vertices[scene.faces.contour(face, 0)[0]]);
+        set(f, face_normal(scene, face), scene.vertices[scene.faces.contour(face, 0)[0]]);
       }
     }
   });
-  return planes;
+  sides.any_flat = any_flat;
+  return sides;
 }
 
-/// Gives faces without area the plane of the face across their longest edge.
-void mend_flat_faces(const Scene& scene, const Topology& topology, std::vector<FacePlane>& planes) {
-  const auto is_flat = [](const FacePlane& plane) { return plane.normal == glm::vec3{0, 0, 0}; };
-  if (std::none_of(planes.begin(), planes.end(), is_flat)) return;
-  std::vector<std::uint8_t> flat(planes.size());
-  std::transform(planes.begin(), planes.end(), flat.begin(), is_flat);
-  const auto neighbours = longest_neighbours(scene, topology, flat, FlatNeighbours::passed_over);
-  for (const auto& [face, neighbour] : neighbours) {
-    const FacePlane& plane = planes[neighbour.face];
-    planes[face] = neighbour.turned ? FacePlane{-plane.normal, static_cast<std::int8_t>(-plane.facing)} : plane;
+/// Gives faces without area the side of the face across their longest edge.
+void mend_flat_faces(const Scene& scene, const Topology& topology, FaceSides& sides) {
+  if (!sides.any_flat) return;
+  std::vector<std::uint8_t> flat(sides.facing.size());
+  std::transform(sides.facing.begin(), sides.facing.end(), flat.begin(), [](std::int8_t f) { return f == kFlat; });
+  // None of the neighbours is flat itself, so their order does not matter.
+  for (const auto& [face, neighbour] : longest_neighbours(scene, topology, flat, FlatNeighbours::passed_over)) {
+    const int turn = neighbour.turned ? -1 : 1;
+    sides.facing[face] = static_cast<std::int8_t>(turn * sides.facing[neighbour.face]);
+    if (!sides.normal.empty()) sides.normal[face] = static_cast<float>(turn) * sides.normal[neighbour.face];
   }
+  std::ranges::replace(sides.facing, kFlat, std::int8_t{0});
 }
 
 }  // namespace
 
 std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera) {
-  const auto planes = face_planes(scene, camera);
-  std::vector<std::int8_t> facings(planes.size());
-  for (std::size_t f = 0; f < planes.size(); ++f) facings[f] = planes[f].facing;
-  return facings;
+  FaceSides sides = face_sides(scene, camera, false);
+  if (sides.any_flat) std::ranges::replace(sides.facing, kFlat, std::int8_t{0});
+  return std::move(sides.facing);
 }
 
 std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,
                                       double crease_degrees, const std::vector<std::uint8_t>* creases) {
-  std::vector<FacePlane> planes = face_planes(scene, camera);
-  mend_flat_faces(scene, topology, planes);
+  FaceSides sides = face_sides(scene, camera, creases == nullptr);
+  mend_flat_faces(scene, topology, sides);
   const double degree = 3.14159265358979323846 / 180;
   const float crease_cosine = static_cast<float>(std::cos(std::min(180.0, crease_degrees + kCreaseSlackDegrees) * degree));
   std::vector<LineClass> classes(topology.edges.size());
   parallel_blocks(classes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
-      prefetch_faces(planes, topology.edges, e);
+      prefetch_faces(sides.facing, topology.edges, e);
+      if (!creases) prefetch_faces(sides.normal, topology.edges, e);
       const Edge& edge = topology.edges[e];
       const std::uint16_t flags = topology.edge_flags[e];
       LineClass& result = classes[e];
@@ -103,17 +120,15 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
         // Of its faces two are known, which depend on the order of the file: no outline can be told from them.
         result = !creases || (*creases)[e] ? LineClass::crease : LineClass::mesh;
       } else {
-        const FacePlane& a = planes[edge.face0];
-        const FacePlane& b = planes[edge.face1];
         const int turn = flags & kEdgeUnlikeWound ? -1 : 1;
-        if (a.facing != b.facing * turn) {
+        if (sides.facing[edge.face0] != sides.facing[edge.face1] * turn) {
           result = LineClass::outline;
         } else if (creases) {
           result = (*creases)[e] ? LineClass::crease : LineClass::mesh;
         } else if (flags & (kEdgeFileHidden | kEdgeInner)) {
           result = LineClass::mesh;
         } else {
-          const float cosine = glm::dot(a.normal, b.normal) * static_cast<float>(turn);
+          const float cosine = glm::dot(sides.normal[edge.face0], sides.normal[edge.face1]) * static_cast<float>(turn);
           result = cosine < crease_cosine ? LineClass::crease : LineClass::mesh;
         }
       }

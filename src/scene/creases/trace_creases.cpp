@@ -1,6 +1,7 @@
 #include "scene/creases/trace_creases.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -48,24 +49,29 @@ class Tracer {
     constexpr std::uint16_t kSpoken = kEdgeSmooth | kEdgeSharp | kEdgeInner | kEdgeUnlikeWound | kEdgeManyFaces;
     const auto count = static_cast<double>(edge_end_ - edge_begin_);
     struct Counts {
-      std::size_t spoken = 0, bent = 0, flat = 0;
-      Counts operator+(const Counts& o) const { return {spoken + o.spoken, bent + o.bent, flat + o.flat}; }
+      std::size_t spoken = 0, bent = 0;
+      Counts operator+(const Counts& o) const { return {spoken + o.spoken, bent + o.bent}; }
     };
     const auto least = static_cast<float>(std::cos(radians(kFlatDegrees)));
+    // That there are too many is known before all edges are looked at.
+    std::atomic<std::size_t> all_flat{0};
+    const auto too_flat = [&] { return static_cast<double>(all_flat) > kFlatPart * count; };
     const auto count_edges = [&](std::size_t begin, std::size_t end) {
       Counts sum;
+      if (too_flat()) return sum;
+      std::size_t flat = 0;
       for (std::size_t e = edge_begin_ + begin; e < edge_begin_ + end && sum.spoken == 0; ++e) {
         prefetch_faces(normals_, topology_.edges, e);
         const Edge& edge = topology_.edges[e];
         sum.spoken += (topology_.edge_flags[e] & kSpoken) != 0;
         sum.bent += bends_[e] >= Bend::strong;
-        sum.flat += edge.face1 != kNone && glm::dot(normals_[edge.face0], normals_[edge.face1]) > least;
+        flat += edge.face1 != kNone && glm::dot(normals_[edge.face0], normals_[edge.face1]) > least;
       }
+      all_flat += flat;
       return sum;
     };
     const Counts edges = parallel_reduce(edge_end_ - edge_begin_, kShortWorkBlock, Counts{}, count_edges);
-    if (edges.spoken > 0 || edges.bent == 0 || static_cast<double>(edges.bent) > kBentPart * count ||
-        static_cast<double>(edges.flat) > kFlatPart * count) {
+    if (edges.spoken > 0 || edges.bent == 0 || static_cast<double>(edges.bent) > kBentPart * count || too_flat()) {
       return false;
     }
     for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
