@@ -46,9 +46,9 @@ struct CellGrid::Build {
   const std::vector<Facet>& facets;
   const Options& options;
   CellGrid& grid;
-  std::vector<Range> ranges;          ///< per facet, margin included
   std::vector<std::uint8_t> wanted;   ///< per top-level cell, when only some are filled
   std::vector<std::uint32_t> listed;  ///< then the facets in whose range one of these is
+  std::vector<Range> ranges;          ///< of all facets or of those listed, margin included
 
   bool hides(const Facet& f) const {
     return !options.see_through || scene.face_is_transparent.empty() || !scene.face_is_transparent[f.face];
@@ -58,8 +58,13 @@ struct CellGrid::Build {
     return facets[a].face != facets[b].face ? facets[a].face < facets[b].face : a < b;
   }
   bool choose_cells();
-  void find_ranges();
   void mark_wanted();
+  Range range_of(const Facet& f) const;
+  bool is_wanted(const Range& r) const;
+  void find_ranges();
+  /// Facets that are filed, and the number of the k-th.
+  std::size_t filed() const { return wanted.empty() ? facets.size() : listed.size(); }
+  std::size_t facet_number(std::size_t k) const { return wanted.empty() ? k : listed[k]; }
   void find_occluders();
   void fill();
   bool worth_splitting(const CellFacet* list, std::size_t n, double size) const;
@@ -143,23 +148,6 @@ bool CellGrid::Build::choose_cells() {
   return true;
 }
 
-void CellGrid::Build::find_ranges() {
-  ranges = large_vector<Range>(facets.size());
-  const double inverse = 1 / grid.size_, margin = options.margin_steps;
-  const auto clamped = [](double v, int n) { return static_cast<std::uint16_t>(v < 0 ? 0 : v >= n ? n - 1 : v); };
-  const std::size_t blocks = (facets.size() + kFacetsPerBlock - 1) / kFacetsPerBlock;
-  parallel_for(blocks, [&](std::size_t block) {
-    const std::size_t last = std::min(facets.size(), (block + 1) * kFacetsPerBlock);
-    for (std::size_t i = block * kFacetsPerBlock; i < last; ++i) {
-      const auto [left, right, top, bottom] = page_box(facets[i], scene.vertices.data());
-      ranges[i] = {clamped((left - margin - grid.x_) * inverse, grid.columns_),
-                   clamped((right + margin - grid.x_) * inverse, grid.columns_),
-                   clamped((top - margin - grid.y_) * inverse, grid.rows_),
-                   clamped((bottom + margin - grid.y_) * inverse, grid.rows_)};
-    }
-  });
-}
-
 void CellGrid::Build::mark_wanted() {
   if (!options.only_along) return;
   wanted.assign(grid.cells_.size(), 0);
@@ -169,22 +157,42 @@ void CellGrid::Build::mark_wanted() {
       wanted[static_cast<std::size_t>(&cell - grid.cells_.data())] = 1;
     });
   }
-  listed = indices_where(facets.size(), [&](std::size_t i) {
-    const Range r = ranges[i];
-    for (int row = r.row0; row <= r.row1; ++row) {
-      const auto first = wanted.begin() + static_cast<std::ptrdiff_t>(row) * grid.columns_;
-      if (std::find(first + r.column0, first + r.column1 + 1, 1) != first + r.column1 + 1) return true;
-    }
-    return false;
+}
+
+CellGrid::Build::Range CellGrid::Build::range_of(const Facet& f) const {
+  const double inverse = 1 / grid.size_, margin = options.margin_steps;
+  const auto clamped = [](double v, int n) { return static_cast<std::uint16_t>(v < 0 ? 0 : v >= n ? n - 1 : v); };
+  const auto [left, right, top, bottom] = page_box(f, scene.vertices.data());
+  return {clamped((left - margin - grid.x_) * inverse, grid.columns_),
+          clamped((right + margin - grid.x_) * inverse, grid.columns_),
+          clamped((top - margin - grid.y_) * inverse, grid.rows_),
+          clamped((bottom + margin - grid.y_) * inverse, grid.rows_)};
+}
+
+bool CellGrid::Build::is_wanted(const Range& r) const {
+  for (int row = r.row0; row <= r.row1; ++row) {
+    const auto first = wanted.begin() + static_cast<std::ptrdiff_t>(row) * grid.columns_;
+    const auto last = first + r.column1 + 1;
+    if (std::find(first + r.column0, last, 1) != last) return true;
+  }
+  return false;
+}
+
+void CellGrid::Build::find_ranges() {
+  if (!wanted.empty()) {
+    listed = indices_where(facets.size(), [&](std::size_t i) { return is_wanted(range_of(facets[i])); });
+  }
+  ranges = large_vector<Range>(filed());
+  parallel_blocks(filed(), kFacetsPerBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) ranges[k] = range_of(facets[facet_number(k)]);
   });
 }
 
 template <class Visit>
 void CellGrid::Build::for_each_meeting(int row0, int row1, bool large_only, Visit visit) const {
-  const std::size_t count = wanted.empty() ? facets.size() : listed.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = wanted.empty() ? k : listed[k];
-    const Range r = ranges[i];
+  for (std::size_t k = 0; k < filed(); ++k) {
+    const std::size_t i = facet_number(k);
+    const Range r = ranges[k];
     if (r.row1 < row0 || r.row0 >= row1) continue;
     const int columns = r.column1 - r.column0 + 1, rows = r.row1 - r.row0 + 1;
     if (large_only && (columns < 3 || rows < 3)) continue;
@@ -430,8 +438,8 @@ CellGrid::CellGrid(const ProjectedScene& scene, const std::vector<Facet>& facets
     return;
   }
   cells_.resize(static_cast<std::size_t>(columns_) * rows_);
-  build.find_ranges();
   build.mark_wanted();
+  build.find_ranges();
   build.find_occluders();
   build.fill();
   build.split_overfull();
