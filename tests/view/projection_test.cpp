@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -185,6 +187,41 @@ Scene book() {
   }
   end_object(scene);
   return scene;
+}
+
+/// Most triangles are told by a bound: it must not tell otherwise than the whole test.
+TEST(EdgeOn, TheBoundAgreesWithTheTest) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::uniform_int_distribution<int> bits(-60, 0);
+  const auto point = [&] { return Point3(coordinate(random), coordinate(random), coordinate(random)); };
+  Camera camera;
+  camera.perspective = false;
+  camera.forward = glm::normalize(Point3(1, 2, -0.5));
+  Scene scene;
+  begin_object(scene);
+  for (std::uint32_t i = 0; i < 30'000; ++i) {
+    // Sides along the sight, off it by any power of two.
+    const Point3 p = point() * 100.0, off = point() * std::ldexp(1.0, bits(random));
+    const Point3 q = p + camera.forward * coordinate(random) + off, r = p + camera.forward * coordinate(random) - 2.0 * off;
+    const auto v = static_cast<std::uint32_t>(scene.vertices.size());
+    scene.vertices.insert(scene.vertices.end(), {p, q, r + point() * std::ldexp(1.0, bits(random))});
+    scene.faces.add_triangle(v, v + 1, v + 2);
+  }
+  end_object(scene);
+  double largest = 0;
+  for (const Point3& v : scene.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const std::vector<std::uint8_t> edge_on = faces_seen_edge_on(scene, build_topology(scene), camera);
+  ASSERT_EQ(edge_on.size(), scene.faces.size());
+  std::size_t seen_so = 0;
+  for (std::uint32_t f = 0; f < edge_on.size(); ++f) {
+    const Point3* const t = &scene.vertices[3 * f];
+    const bool whole = is_seen_edge_on(t[0], t[1], t[2], camera, 0, sight_rounding(camera, largest));
+    EXPECT_EQ(edge_on[f] != 0, whole) << f;
+    seen_so += whole;
+  }
+  EXPECT_GT(seen_so, 1000u);
+  EXPECT_LT(seen_so, 29'000u);
 }
 
 TEST(EdgeOn, AFaceWithTheEyeOnItHidesNothing) {
