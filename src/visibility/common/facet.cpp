@@ -22,6 +22,17 @@ float next_below(float f) {
   return std::bit_cast<float>(f > 0 ? bits - 1 : bits + 1);
 }
 
+/// Of faces that have triangles the largest number, and one.
+std::uint32_t count_faces(const std::vector<Triangle>& triangles) {
+  const auto of_block = [&](std::size_t begin, std::size_t end) {
+    std::uint32_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) count = std::max(count, triangles[i].face + 1);
+    return count;
+  };
+  const auto larger = [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); };
+  return parallel_reduce(triangles.size(), kShortWorkBlock, std::uint32_t{0}, of_block, larger);
+}
+
 }  // namespace
 
 float round_down(double v) {
@@ -49,13 +60,7 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps) {
   result.facets = large_vector<Facet>(n);
   std::vector<std::size_t> kept(blocks + 1, 0);
   std::vector<std::vector<std::uint32_t>> thin(blocks);
-  const auto faces_in = [&](std::size_t begin, std::size_t end) {
-    std::uint32_t count = 0;
-    for (std::size_t i = begin; i < end; ++i) count = std::max(count, scene.triangles[i].face + 1);
-    return count;
-  };
-  const auto larger = [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); };
-  const std::uint32_t face_count = parallel_reduce(n, kBlock, std::uint32_t{0}, faces_in, larger);
+  const std::uint32_t face_count = count_faces(scene.triangles);
 
   parallel_for(blocks, [&](std::size_t block) {
     std::size_t out = block * kBlock;
