@@ -218,7 +218,6 @@ class NearOutlines {
       for (const LatticePoint end : {c.stroke.from, c.stroke.to}) expect(model.lattice.to_mm(end), ink_mm);
       expect(c.middle, c.near_mm);
     }
-    finder_.prepare();
     for (const Stroke& s : model.strokes) {
       if (s.visible && s.line_class == LineClass::outline)
         finder_.add({model.lattice.to_mm(s.from), model.lattice.to_mm(s.to), 0, 0});

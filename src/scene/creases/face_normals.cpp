@@ -7,8 +7,8 @@
 
 #include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
-#include "scene/model/flat_faces.hpp"
 #include "geometry/prefetch.hpp"
+#include "scene/model/flat_faces.hpp"
 #include "scene/model/planarity.hpp"
 
 namespace ligne {

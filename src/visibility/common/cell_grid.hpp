@@ -10,6 +10,7 @@
 /// behind the leaf's cover, or coincides there with a listed facet of a lower face and both cover the leaf. Lists are
 /// ordered by z_near. A child's cover is not behind its parent's.
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -47,6 +48,10 @@ class CellGrid {
     bool see_through = false;  ///< transparent faces cover nothing
     /// When not null: only the cells that these lines run through are filled.
     const std::vector<ProjectedEdge>* only_along = nullptr;
+
+    bool hides(const ProjectedScene& scene, const Facet& f) const {
+      return !see_through || scene.face_is_transparent.empty() || !scene.face_is_transparent[f.face];
+    }
   };
 
   CellGrid(const ProjectedScene& scene, const std::vector<Facet>& facets, const Options& options);
@@ -86,7 +91,15 @@ class CellGrid {
     std::vector<CellFacet> list;
     std::vector<LeafPlane> planes;
   };
-  struct Build;
+  struct Filler;
+  struct Splitter;
+
+  // Adjustable parameters.
+  static constexpr double kSmallestCell = 64;  ///< steps; smaller cells are not split
+  /// How many entries the leaves have at the most, about.
+  static double most_entries(std::size_t facets) { return std::max(64 * static_cast<double>(facets), 2.5e5); }
+
+  void split_overfull(const ProjectedScene& scene, const std::vector<Facet>& facets, const Options& options);
 
   template <class Visit>
   void walk(const PageLine& line, double x, double y, double size, int columns, int rows, const Cell* cells, double from,
