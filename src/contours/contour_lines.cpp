@@ -28,15 +28,6 @@ bool has_lines_of_its_own(const Scene& scene) {
   return std::any_of(scene.corner_flags.begin(), scene.corner_flags.end(), [](std::uint8_t f) { return f & kLines; });
 }
 
-/// The outlines of the mesh among the candidate edges, ascending.
-std::vector<std::uint32_t> outline_edges(const Topology& topology, const ProjectedScene& projected) {
-  std::vector<std::uint8_t> is_outline(topology.edges.size(), 0);
-  for (const ProjectedEdge& e : projected.edges) {
-    if (e.line_class == LineClass::outline && e.source < is_outline.size()) is_outline[e.source] = 1;
-  }
-  return indices_where(is_outline.size(), [&](std::size_t e) { return is_outline[e] != 0; });
-}
-
 /// Takes the outlines with these sources out, which are edges of the topology.
 void remove_outlines(ProjectedScene& projected, const Topology& topology, const std::vector<std::uint32_t>& sources) {
   std::vector<std::uint8_t> is_removed(topology.edges.size(), 0);
@@ -84,17 +75,25 @@ class ObjectSizes {
 
 }  // namespace
 
-SmoothContours replace_outlines(const Scene& scene, const Topology& topology, ProjectedScene& projected,
-                                const ContourOptions& options) {
-  SmoothContours contours;
-  if (has_lines_of_its_own(scene)) return contours;
-  const std::vector<std::uint32_t> outlines =
-      outlines_inside_regions(scene, topology, outline_edges(topology, projected), options.borders);
-  if (outlines.empty()) return contours;
+std::vector<std::uint32_t> outline_edges(const Topology& topology, const ProjectedScene& projected) {
+  std::vector<std::uint8_t> is_outline(topology.edges.size(), 0);
+  for (const ProjectedEdge& e : projected.edges) {
+    if (e.line_class == LineClass::outline && e.source < is_outline.size()) is_outline[e.source] = 1;
+  }
+  return indices_where(is_outline.size(), [&](std::size_t e) { return is_outline[e] != 0; });
+}
+
+OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, const ProjectedScene& projected,
+                                  const std::vector<std::uint32_t>& outlines, const ContourOptions& options) {
+  OutlineReplacement replacement;
+  SmoothContours& contours = replacement.contours;
+  if (has_lines_of_its_own(scene)) return replacement;
+  const std::vector<std::uint32_t> inside = outlines_inside_regions(scene, topology, outlines, options.borders);
+  if (inside.empty()) return replacement;
   const View& view = projected.view;
-  SmoothPatch patch = smooth_patch(scene, topology, view.camera, outlines, options.borders);
+  SmoothPatch patch = smooth_patch(scene, topology, view.camera, inside, options.borders);
   level_shallow_islands(patch, scene, view.camera, options.scans);
-  const std::vector<OutlineSide> sides = outline_sides(topology, patch, outlines);
+  const std::vector<OutlineSide> sides = outline_sides(topology, patch, inside);
   ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, view.camera, patch), sides,
                                          kCoarseInPens * options.pen_width_mm);
 
@@ -107,7 +106,7 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
       sights[c] = contour_sights(scene, view, patch, graph, choice.chains[c], slack_mm, reached);
     }
   });
-  std::vector<std::array<Point3, 2>> lines;
+  std::vector<std::array<Point3, 2>>& lines = replacement.lines;
   for (std::size_t c = 0; c < sights.size(); ++c) {
     contours.first_source.push_back(projected.source_count + static_cast<std::uint32_t>(lines.size()));
     contours.faces.emplace_back();
@@ -137,11 +136,14 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
     }
   });
   contours.chains = std::move(choice.chains);
-  std::vector<std::uint32_t> removed;
-  for (const std::uint32_t i : choice.sides) removed.push_back(sides[i].edge);
-  remove_outlines(projected, topology, removed);
-  add_lines(projected, lines, LineClass::outline);
-  return contours;
+  for (const std::uint32_t i : choice.sides) replacement.removed.push_back(sides[i].edge);
+  return replacement;
+}
+
+SmoothContours replace_outlines(const Topology& topology, ProjectedScene& projected, OutlineReplacement replacement) {
+  remove_outlines(projected, topology, replacement.removed);
+  add_lines(projected, replacement.lines, LineClass::outline);
+  return std::move(replacement.contours);
 }
 
 }  // namespace ligne

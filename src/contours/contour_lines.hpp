@@ -1,7 +1,9 @@
 #pragma once
 /// Smooth contours in place of the outlines of a mesh: the way into a study. docs/smooth-contours.md.
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -31,10 +33,24 @@ struct SmoothContours {
   bool empty() const { return replaced.empty() && chains.empty(); }
 };
 
-/// Takes the outlines inside smooth regions out of the candidate edges, and puts lines in their place at which the
-/// visibility of the contours is studied (contour_sights.hpp), with sources from `source_count` on. Scenes that have lines
-/// of their own on their faces (iso-curves, contour lines) stay as they are.
-SmoothContours replace_outlines(const Scene& scene, const Topology& topology, ProjectedScene& projected,
-                                const ContourOptions& options);
+/// What replaces outlines of the mesh, before it is put into a projected scene.
+struct OutlineReplacement {
+  SmoothContours contours;
+  std::vector<std::array<Point3, 2>>
+      lines;                           ///< at which visibility is studied; their sources are those that `contours` names
+  std::vector<std::uint32_t> removed;  ///< edges of the topology
+};
+
+/// The outlines of the mesh among the candidate edges, ascending: edges of the topology.
+std::vector<std::uint32_t> outline_edges(const Topology& topology, const ProjectedScene& projected);
+
+/// Finds the contours that stand for the outlines inside smooth regions, and lines at which the visibility of the contours
+/// is studied (contour_sights.hpp), with sources from that of the last edge on. Scenes that have lines of their own on their
+/// faces (iso-curves, contour lines) have none. Of the projected scene, only what select_candidates() has set is looked at.
+OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, const ProjectedScene& projected,
+                                  const std::vector<std::uint32_t>& outlines, const ContourOptions& options);
+
+/// Takes the outlines out of the candidate edges, and puts the lines in their place. No other lines were added before.
+SmoothContours replace_outlines(const Topology& topology, ProjectedScene& projected, OutlineReplacement replacement);
 
 }  // namespace ligne

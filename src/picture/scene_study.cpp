@@ -128,6 +128,32 @@ void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, 
   }
 }
 
+/// Places the scene on the page, and finds the contours in place of outlines beside that. These depend on the outlines that
+/// are candidates, nearly all of which are still there when the scene has been placed; where some are not, the contours are
+/// found once more.
+SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creases, RunReport& run) {
+  const Scene& scene = prepared.scene;
+  const Topology& topology = prepared.topology;
+  ProjectedScene& projected = prepared.projected;
+  const bool with_contours = draws_contours(prepared.request.lines);
+  std::vector<std::uint32_t> outlines;
+  if (with_contours) outlines = outline_edges(topology, projected);
+  const ContourOptions options = contour_options(prepared.request, creases);
+  OutlineReplacement replacement;
+  parallel_tasks(with_contours ? 2 : 1, [&](std::size_t task) {
+    if (task == 0) {
+      place_on_page(scene, topology, projected);
+    } else {
+      replacement = replacement_of(scene, topology, projected, outlines, options);
+    }
+  });
+  if (prepared.request.lines.cull) prepared.back_faces = cull_back_faces(scene, topology, projected, run);
+  if (!with_contours) return {};
+  if (std::vector<std::uint32_t> left = outline_edges(topology, projected); left != outlines)
+    replacement = replacement_of(scene, topology, projected, left, options);
+  return replace_outlines(topology, projected, std::move(replacement));
+}
+
 }  // namespace
 
 const Method& method_of(const PictureRequest& request) {
@@ -179,14 +205,9 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
         place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
     Creases creases;
     prepared.projected =
-        project(scene, prepared.topology, prepared.view(),
-                select_edges(scene, prepared.topology, request.lines, request.lines.studied(), creases, run));
-    if (request.lines.cull) {
-      prepared.back_faces = cull_back_faces(scene, prepared.topology, prepared.projected, run);
-    }
-    if (draws_contours(request.lines)) {
-      prepared.contours = replace_outlines(scene, prepared.topology, prepared.projected, contour_options(request, creases));
-    }
+        select_candidates(scene, prepared.topology, prepared.view(),
+                          select_edges(scene, prepared.topology, request.lines, request.lines.studied(), creases, run));
+    prepared.contours = place_with_contours(prepared, creases, run);
     if (has_shape_lines(request.lines.classes)) {
       prepared.shape_lines = add_shape_lines(scene, prepared.topology, prepared.projected, request.lines.classes,
                                              contour_options(request, creases));

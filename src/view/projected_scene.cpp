@@ -181,7 +181,8 @@ std::vector<std::uint8_t> transparent_faces(const Scene& scene) {
   return result;
 }
 
-ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection) {
+ProjectedScene select_candidates(const Scene& scene, const Topology& topology, const View& view,
+                                 const EdgeSelection& selection) {
   ProjectedScene out;
   out.model = &scene;
   out.view = view;
@@ -192,20 +193,29 @@ ProjectedScene project(const Scene& scene, const Topology& topology, const View&
   out.face_is_transparent = transparent_faces(scene);
   out.face_is_edge_on = faces_seen_edge_on(scene, topology, view.camera);
   select_edges(scene, topology, view.camera, selection, out);
-  const Volumes volumes = volumes_of(out);
-  if (project_vertices(scene, view, volumes, out)) {
-    out.triangles = large_vector<Triangle>(topology.triangles.size());
-    parallel_blocks(out.triangles.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      std::copy_n(topology.triangles.data() + begin, end - begin, out.triangles.data() + begin);
+  return out;
+}
+
+void place_on_page(const Scene& scene, const Topology& topology, ProjectedScene& projected) {
+  const Volumes volumes = volumes_of(projected);
+  if (project_vertices(scene, projected.view, volumes, projected)) {
+    projected.triangles = large_vector<Triangle>(topology.triangles.size());
+    parallel_blocks(projected.triangles.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      std::copy_n(topology.triangles.data() + begin, end - begin, projected.triangles.data() + begin);
     });
   } else {
-    Clipper clipper(scene, view, volumes, out);
+    Clipper clipper(scene, projected.view, volumes, projected);
     clipper.clip_triangles(topology.triangles);
     clipper.clip_edges();
   }
-  order_spatially(out);
-  merge_coincident(out);
-  return out;
+  order_spatially(projected);
+  merge_coincident(projected);
+}
+
+ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection) {
+  ProjectedScene projected = select_candidates(scene, topology, view, selection);
+  place_on_page(scene, topology, projected);
+  return projected;
 }
 
 void add_lines(ProjectedScene& projected, std::span<const std::array<Point3, 2>> lines, LineClass line_class) {

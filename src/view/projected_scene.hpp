@@ -75,8 +75,16 @@ struct ProjectedScene {
   }
 };
 
-/// Projects, clips lines to the view's window and near plane and faces to a little more (clip.hpp), snaps to the lattice,
-/// and classifies the edges.
+/// The first half of project(): classifies the edges, and selects the candidates by their classes. Vertices and triangles
+/// are not there yet, and edges have the vertices of the scene.
+ProjectedScene select_candidates(const Scene& scene, const Topology& topology, const View& view,
+                                 const EdgeSelection& selection);
+
+/// The second half: projects, clips lines to the view's window and near plane and faces to a little more (clip.hpp), and
+/// snaps to the lattice. Candidates that are out of view or lie on another one are left out.
+void place_on_page(const Scene& scene, const Topology& topology, ProjectedScene& projected);
+
+/// Both.
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection);
 
 /// ProjectedScene::input_error_mm of coordinates of that precision (Object::precision) and size.
