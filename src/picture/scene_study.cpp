@@ -16,6 +16,7 @@
 #include "picture/line_groups.hpp"
 #include "picture/marks/point_marks.hpp"
 #include "picture/stream/streamed_model.hpp"
+#include "view/tolerances.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -111,6 +112,7 @@ StudyOptions study_options(const PreparedScene& prepared, std::optional<SpanLine
   options.earlier = request.earlier.get();
   options.blank = request.blank.get();
   options.coincide_by_sight = coincide_by_sight(request, prepared.scene);
+  options.facets = prepared.facets ? &*prepared.facets : nullptr;
   return options;
 }
 
@@ -139,10 +141,13 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   std::vector<std::uint32_t> outlines;
   if (with_contours) outlines = outline_edges(topology, projected);
   const ContourOptions options = contour_options(prepared.request, creases);
+  // The method begins with them, and they have nothing to do with lines.
+  const bool makes_facets = with_contours && !prepared.request.lines.cull && &prepared.method == &default_method();
   OutlineReplacement replacement;
   parallel_tasks(with_contours ? 2 : 1, [&](std::size_t task) {
     if (task == 0) {
       place_on_page(scene, topology, projected);
+      if (makes_facets) prepared.facets = make_facets(projected, coincidence_mm(projected) / projected.lattice.step_mm);
     } else {
       replacement = replacement_of(scene, topology, projected, outlines, options);
     }
@@ -257,6 +262,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
     run.choices.emplace_back("method", std::move(choice.why));
     return std::move(choice.result);
   });
+  prepared.facets.reset();
   run.method = found.method->traits().name;
   if (!found.result.strokes) {
     throw RequestError("method", std::string(found.method->traits().name) + " does not produce lines");

@@ -17,6 +17,7 @@
 #include "scene/model/topology.hpp"
 #include "view/cull.hpp"
 #include "view/projected_scene.hpp"
+#include "visibility/common/facet.hpp"
 #include "visibility/method.hpp"
 
 namespace ligne {
@@ -29,9 +30,10 @@ struct PreparedScene {
   Topology topology;
   Surroundings around;  ///< with the place of the picture on the page
   ProjectedScene projected;
-  BackFaces back_faces;       ///< left out of `projected`
-  std::vector<Light> lights;  ///< that cast shadows
-  SmoothContours contours{};  ///< in place of outlines of meshes
+  BackFaces back_faces;            ///< left out of `projected`
+  std::vector<Light> lights;       ///< that cast shadows
+  std::optional<Facets> facets{};  ///< of `projected`, where they were made beside something else
+  SmoothContours contours{};       ///< in place of outlines of meshes
   ShapeLines shape_lines{};
   std::vector<ScanObject> scans{};
   std::vector<std::uint32_t> object_edge_ends{};  ///< by object: the end of its edges, which follow those before it

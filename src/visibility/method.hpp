@@ -63,6 +63,8 @@ struct MethodTraits {
   Glass glass = Glass::opaque;
 };
 
+struct Facets;
+
 struct StudyOptions {
   bool hidden_strokes = false;              ///< give the hidden pieces too
   std::function<void(double)> progress{};   ///< called with the fraction done, from one thread at a time; may be empty
@@ -72,6 +74,7 @@ struct StudyOptions {
   const CompiledScene* compiled = nullptr;  ///< by this method's compile(), of the model that is projected; or nullptr
   Keep keep = Keep::nothing;                ///< what VisibilityResult::kept is wanted for
   const KeptStudy* earlier = nullptr;       ///< kept by an earlier study; or nullptr
+  const Facets* facets = nullptr;           ///< make_facets() of the scene, where it is there already; for `appel`
   const BlankSquares* blank = nullptr;      ///< where no line is seen, whatever the scene says; for `appel`; or nullptr
   /// Stroke::may_coincide is told by what is seen alone, whatever is hidden; for `appel`.
   bool coincide_by_sight = false;

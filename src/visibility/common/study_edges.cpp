@@ -80,7 +80,8 @@ VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& op
   Clock clock;
 
   // 1. Facets.
-  const Facets facets = make_facets(scene, coincidence_steps);
+  std::optional<Facets> made;
+  const Facets& facets = options.facets ? *options.facets : made.emplace(make_facets(scene, coincidence_steps));
   statistics.time("facets", clock.lap());
 
   // 2. The screen grid.
