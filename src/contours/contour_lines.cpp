@@ -146,4 +146,10 @@ SmoothContours replace_outlines(const Topology& topology, ProjectedScene& projec
   return std::move(replacement.contours);
 }
 
+SmoothContours replace_outlines(const Scene& scene, const Topology& topology, ProjectedScene& projected,
+                                const ContourOptions& options) {
+  const std::vector<std::uint32_t> outlines = outline_edges(topology, projected);
+  return replace_outlines(topology, projected, replacement_of(scene, topology, projected, outlines, options));
+}
+
 }  // namespace ligne

@@ -52,5 +52,8 @@ OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, 
 
 /// Takes the outlines out of the candidate edges, and puts the lines in their place. No other lines were added before.
 SmoothContours replace_outlines(const Topology& topology, ProjectedScene& projected, OutlineReplacement replacement);
+/// Both, for the outlines that are candidates.
+SmoothContours replace_outlines(const Scene& scene, const Topology& topology, ProjectedScene& projected,
+                                const ContourOptions& options);
 
 }  // namespace ligne

@@ -154,8 +154,7 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   });
   if (prepared.request.lines.cull) prepared.back_faces = cull_back_faces(scene, topology, projected, run);
   if (!with_contours) return {};
-  if (std::vector<std::uint32_t> left = outline_edges(topology, projected); left != outlines)
-    replacement = replacement_of(scene, topology, projected, left, options);
+  if (outline_edges(topology, projected) != outlines) return replace_outlines(scene, topology, projected, options);
   return replace_outlines(topology, projected, std::move(replacement));
 }
 
