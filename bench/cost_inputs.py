@@ -153,6 +153,23 @@ def shells(n, obj):
         obj.add(box((-r, -r, -r), (2 * r, 2 * r, 2 * r)), CUBE)
 
 
+def skins(n, obj):
+    """n closed spheres of 12 x 24 cells, each in the next."""
+    rows, columns = 12, 24
+    for k in range(n):
+        r = 1 + k / n
+        vertices, faces = [(0, 0, r), (0, 0, -r)], []
+        for i in range(1, rows):
+            for j in range(columns):
+                t, p = math.pi * i / rows, 2 * math.pi * j / columns
+                vertices.append((r * math.sin(t) * math.cos(p), r * math.sin(t) * math.sin(p), r * math.cos(t)))
+        ring = lambda i, j: 2 + (i - 1) * columns + j % columns
+        for j in range(columns):
+            faces += [(0, ring(1, j), ring(1, j + 1)), (1, ring(rows - 1, j + 1), ring(rows - 1, j))]
+            faces += [(ring(i, j), ring(i + 1, j), ring(i + 1, j + 1), ring(i, j + 1)) for i in range(1, rows - 1)]
+        obj.add(vertices, faces)
+
+
 def stack(n, obj):
     """n plates above each other, each with a rim of its own."""
     rng = random.Random(5)
@@ -180,6 +197,8 @@ FAMILIES = {
     "star, one face": (star, (10000, 30000, 90000), []),
     "star seen edge on": (star, (20000, 60000, 180000), ["--view", "left"]),
     "comb, one face": (comb, (10000, 30000, 90000), []),
+    "comb, one face, hidden dashed": (comb, (10000, 30000, 90000), ["--hidden", "dashed"]),
+    "spheres in spheres, hidden dashed": (skins, (30, 100, 300), ["--hidden", "dashed"]),
     "boxes in boxes": (shells, (1000, 3000, 9000), []),
     "stack of plates": (stack, (300, 900, 2700), []),
 }

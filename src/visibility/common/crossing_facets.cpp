@@ -1,205 +1,121 @@
 #include "visibility/common/crossing_facets.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
-#include "drawing/key_table.hpp"
 #include "geometry/parallel.hpp"
-#include "visibility/common/facet_functions.hpp"
+#include "visibility/common/facet_tree.hpp"
 
 namespace ligne {
 namespace {
 
-// Adjustable: the side of the smallest cells, in steps, and how many facets or entries are searched by one task.
-constexpr int kSmallestBits = 8;
-constexpr std::size_t kBlock = 1024;
-
-/// A facet's box on the page and in depth.
-struct DepthBox {
-  std::int32_t left, right, top, bottom;
-  float z_near, z_far;
-  std::uint32_t facet;
-};
-
-/// A facet's plane: its depth over the page, as rounded arithmetic has it.
-struct Plane {
-  double z, zx, zy, slack;
-};
-
-/// One grid: its entries by cell, and in each cell by z_near.
-struct Level {
-  int bits = 0;  ///< the side of a cell is 2^bits steps
-  std::vector<std::uint64_t> cells;
-  std::vector<DepthBox> entries;
-  std::vector<std::uint32_t> end;  ///< behind the last entry of its cell, for each entry
-  KeyTable first;                  ///< by cell
-
-  std::uint64_t cell_at(std::int32_t x, std::int32_t y) const { return KeyTable::key(x >> bits, y >> bits); }
+/// Two nodes of the tree, or one with itself.
+struct NodePair {
+  std::uint32_t a, b;
 };
 
 class CrossingSearch {
  public:
-  CrossingSearch(const ProjectedScene& scene, const std::vector<Facet>& facets) : scene_(scene), facets_(facets) {
-    planes_.resize(facets.size());
-    boxes_.resize(facets.size());
-    parallel_blocks(facets.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) prepare(static_cast<std::uint32_t>(i));
-    });
-    fill_levels();
-  }
+  CrossingSearch(const ProjectedScene& scene, const std::vector<Facet>& facets)
+      : scene_(scene), facets_(facets), tree_(scene, facets) {}
 
   PenetrationSearch run() const;
 
  private:
-  void prepare(std::uint32_t i);
-  int bits_of(const DepthBox& box) const;
-  void fill_levels();
-  bool planes_are_apart(const DepthBox& a, const DepthBox& b) const;
-  /// Compares two facets that are listed in the cell; `placed` is the first.
-  void compare(const Level& level, std::uint64_t cell, const DepthBox& a, const DepthBox& b, const PlacedFacet& placed,
-               PenetrationSearch& found) const;
-  void search_level(const Level& level, PenetrationSearch& all) const;
-  void search_coarser(PenetrationSearch& all) const;
+  template <class Visit>
+  void visit_parts(const NodePair& pair, const Visit& visit) const;
+  std::vector<NodePair> tasks() const;
+  void search(const NodePair& pair, PenetrationSearch& found) const;
+  void compare_leaves(const NodePair& pair, PenetrationSearch& found) const;
 
   const ProjectedScene& scene_;
   const std::vector<Facet>& facets_;
-  std::vector<Plane> planes_;
-  std::vector<DepthBox> boxes_;
-  std::vector<Level> levels_;  ///< those that have facets, the finest first
+  FacetTree tree_;
 };
 
-void CrossingSearch::prepare(std::uint32_t i) {
-  const Facet& f = facets_[i];
-  const FacetFunctions g(f, scene_.vertices.data());
-  planes_[i] = {g.z, g.zx, g.zy, g.slack};
-  const LatticePoint a = scene_.vertices[f.v[0]].p, b = scene_.vertices[f.v[1]].p, c = scene_.vertices[f.v[2]].p;
-  const auto [left, right] = std::minmax({a.x, b.x, c.x});
-  const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
-  boxes_[i] = {left, right, top, bottom, f.z_near, f.z_far, i};
-}
-
-/// Of the smallest cells that are as large as the box.
-int CrossingSearch::bits_of(const DepthBox& box) const {
-  const std::int32_t extent = std::max(box.right - box.left, box.bottom - box.top);
-  int bits = kSmallestBits;
-  while ((extent >> bits) != 0) ++bits;
-  return bits;
-}
-
-void CrossingSearch::fill_levels() {
-  constexpr int kMostBits = std::numeric_limits<std::int32_t>::digits;
-  struct Filed {
-    std::uint64_t cell;
-    DepthBox box;
-  };
-  std::vector<std::vector<Filed>> filed(kMostBits + 1);
-  for (const DepthBox& box : boxes_) {
-    const int bits = bits_of(box);
-    for (std::int32_t row = box.top >> bits; row <= box.bottom >> bits; ++row) {
-      for (std::int32_t column = box.left >> bits; column <= box.right >> bits; ++column) {
-        filed[static_cast<std::size_t>(bits)].push_back({KeyTable::key(column, row), box});
-      }
+/// The pairs into which one is divided that may meet: the larger node is.
+template <class Visit>
+void CrossingSearch::visit_parts(const NodePair& pair, const Visit& visit) const {
+  const FacetTree::Node &a = tree_.node(pair.a), &b = tree_.node(pair.b);
+  if (pair.a == pair.b) {
+    if (a.face != kNone) return;
+    visit(NodePair{a.children, a.children});
+    visit(NodePair{a.children + 1, a.children + 1});
+    if (FacetTree::may_meet(tree_.node(a.children), tree_.node(a.children + 1))) {
+      visit(NodePair{a.children, a.children + 1});
     }
+    return;
   }
-  for (int bits = 0; bits <= kMostBits; ++bits) {
-    std::vector<Filed>& here = filed[static_cast<std::size_t>(bits)];
-    if (here.empty()) continue;
-    parallel_sort(here.begin(), here.end(), [](const Filed& a, const Filed& b) {
-      return std::tie(a.cell, a.box.z_near, a.box.facet) < std::tie(b.cell, b.box.z_near, b.box.facet);
-    });
-    Level& level = levels_.emplace_back();
-    level.bits = bits;
-    level.end.resize(here.size());
-    for (std::size_t begin = 0, end = 0; begin < here.size(); begin = end) {
-      while (end < here.size() && here[end].cell == here[begin].cell) ++end;
-      level.first[here[begin].cell] = static_cast<std::uint32_t>(begin);
-      std::fill(level.end.begin() + static_cast<std::ptrdiff_t>(begin), level.end.begin() + static_cast<std::ptrdiff_t>(end),
-                static_cast<std::uint32_t>(end));
-    }
-    for (const Filed& f : here) {
-      level.cells.push_back(f.cell);
-      level.entries.push_back(f.box);
-    }
-    std::vector<Filed>().swap(here);
+  const bool first = a.size() >= b.size();
+  const std::uint32_t children = first ? a.children : b.children, other = first ? pair.b : pair.a;
+  for (const std::uint32_t child : {children, children + 1}) {
+    if (FacetTree::may_meet(tree_.node(child), tree_.node(other))) visit(NodePair{child, other});
   }
 }
 
-/// Whether the planes neither cross nor touch where the boxes meet on the page.
-bool CrossingSearch::planes_are_apart(const DepthBox& a, const DepthBox& b) const {
-  const Plane &p = planes_[a.facet], &q = planes_[b.facet];
-  const double left = std::max(a.left, b.left), right = std::min(a.right, b.right);
-  const double top = std::max(a.top, b.top), bottom = std::min(a.bottom, b.bottom);
-  const double zx = p.zx - q.zx, zy = p.zy - q.zy;
-  const double z = p.z - q.z + (zx * (left + right) + zy * (top + bottom)) / 2;
-  return std::abs(z) > (std::abs(zx) * (right - left) + std::abs(zy) * (bottom - top)) / 2 + 2 * (p.slack + q.slack);
+/// Pairs of nodes that together stand for all.
+std::vector<NodePair> CrossingSearch::tasks() const {
+  constexpr std::size_t kParts = 64, kFewest = 256;  // adjustable
+  const auto& roots = tree_.roots();
+  std::vector<NodePair> here;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    here.push_back({roots[i], roots[i]});
+    for (std::size_t k = i + 1; k < roots.size(); ++k) {
+      if (FacetTree::may_meet(tree_.node(roots[i]), tree_.node(roots[k]))) here.push_back({roots[i], roots[k]});
+    }
+  }
+  const std::size_t most = std::max(kFewest, facets_.size() / kParts);
+  std::vector<NodePair> result;
+  while (!here.empty()) {
+    const NodePair pair = here.back();
+    here.pop_back();
+    if (tree_.node(pair.a).size() + std::size_t{tree_.node(pair.b).size()} <= most) {
+      result.push_back(pair);
+    } else {
+      visit_parts(pair, [&](const NodePair& part) { here.push_back(part); });
+    }
+  }
+  return result;
 }
 
-void CrossingSearch::compare(const Level& level, std::uint64_t cell, const DepthBox& a, const DepthBox& b,
-                             const PlacedFacet& placed, PenetrationSearch& found) const {
-  const std::int32_t left = std::max(a.left, b.left), top = std::max(a.top, b.top);
-  if (left > a.right || left > b.right || top > a.bottom || top > b.bottom) return;
-  if (a.z_near > b.z_far || b.z_near > a.z_far || level.cell_at(left, top) != cell) return;
-  if (placed.face == facets_[b.facet].face || planes_are_apart(a, b)) return;
-  const auto every = [](const PageSegment&) { return true; };
-  const PlacedFacet other = found.place(b.facet);
-  // Always the nearer one first: a side in a plane that goes along the rim of its facet counts in one order only.
-  if (std::tie(a.z_near, a.facet) < std::tie(b.z_near, b.facet)) {
-    found.test(placed, other, every);
+void CrossingSearch::search(const NodePair& pair, PenetrationSearch& found) const {
+  if (tree_.is_leaf(tree_.node(pair.a)) && tree_.is_leaf(tree_.node(pair.b))) {
+    compare_leaves(pair, found);
   } else {
-    found.test(other, placed, every);
+    visit_parts(pair, [&](const NodePair& part) { search(part, found); });
   }
 }
 
-/// Compares the facets of one grid with each other.
-void CrossingSearch::search_level(const Level& level, PenetrationSearch& all) const {
-  std::vector<PenetrationSearch> found(block_count(level.entries.size(), kBlock), all.empty_copy());
-  parallel_blocks(level.entries.size(), kBlock, [&](std::size_t begin, std::size_t last) {
-    PenetrationSearch& own = found[begin / kBlock];
-    for (std::size_t i = begin; i < last; ++i) {
-      const DepthBox& a = level.entries[i];
-      const PlacedFacet placed = own.place(a.facet);
-      for (std::size_t k = i + 1; k < level.end[i] && level.entries[k].z_near <= a.z_far; ++k) {
-        compare(level, level.cells[i], a, level.entries[k], placed, own);
+void CrossingSearch::compare_leaves(const NodePair& pair, PenetrationSearch& found) const {
+  const auto every = [](const PageSegment&) { return true; };
+  const FacetTree::Node &first = tree_.node(pair.a), &second = tree_.node(pair.b);
+  for (std::uint32_t i = first.first; i < first.end; ++i) {
+    const FacetTree::Item& a = tree_.item(i);
+    std::optional<PlacedFacet> placed;
+    for (std::uint32_t k = pair.a == pair.b ? i + 1 : second.first; k < second.end; ++k) {
+      const FacetTree::Item& b = tree_.item(k);
+      if (!FacetTree::may_meet(a, b)) continue;
+      if (!placed) placed = found.place(a.facet);
+      const PlacedFacet other = found.place(b.facet);
+      // Always the nearer one first: a side in a plane that goes along the rim of its facet counts in one order only.
+      if (std::tie(a.z_near, a.facet) < std::tie(b.z_near, b.facet)) {
+        found.test(*placed, other, every);
+      } else {
+        found.test(other, *placed, every);
       }
     }
-  });
-  for (PenetrationSearch& part : found) all.add(std::move(part));
-}
-
-/// Compares all facets with those of the grids that are coarser than their own.
-void CrossingSearch::search_coarser(PenetrationSearch& all) const {
-  std::vector<PenetrationSearch> found(block_count(boxes_.size(), kBlock), all.empty_copy());
-  parallel_blocks(boxes_.size(), kBlock, [&](std::size_t begin, std::size_t last) {
-    PenetrationSearch& own = found[begin / kBlock];
-    for (std::size_t i = begin; i < last; ++i) {
-      const DepthBox& a = boxes_[i];
-      const PlacedFacet placed = own.place(a.facet);
-      const int bits = bits_of(a);
-      for (const Level& level : levels_) {
-        if (level.bits <= bits) continue;
-        for (std::int32_t row = a.top >> level.bits; row <= a.bottom >> level.bits; ++row) {
-          for (std::int32_t column = a.left >> level.bits; column <= a.right >> level.bits; ++column) {
-            const std::uint64_t cell = KeyTable::key(column, row);
-            const std::uint32_t first = level.first.find(cell);
-            if (first == KeyTable::kNone) continue;
-            for (std::uint32_t k = first; k < level.end[first] && level.entries[k].z_near <= a.z_far; ++k) {
-              compare(level, cell, a, level.entries[k], placed, own);
-            }
-          }
-        }
-      }
-    }
-  });
-  for (PenetrationSearch& part : found) all.add(std::move(part));
+  }
 }
 
 PenetrationSearch CrossingSearch::run() const {
   PenetrationSearch all(facets_, scene_.vertices);
-  for (const Level& level : levels_) search_level(level, all);
-  if (levels_.size() > 1) search_coarser(all);
+  if (facets_.empty()) return all;
+  const std::vector<NodePair> pairs = tasks();
+  std::vector<PenetrationSearch> found(pairs.size(), all.empty_copy());
+  parallel_for(pairs.size(), [&](std::size_t i) { search(pairs[i], found[i]); });
+  for (PenetrationSearch& part : found) all.add(std::move(part));
   return all;
 }
 
