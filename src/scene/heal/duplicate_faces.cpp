@@ -310,7 +310,7 @@ void drop_duplicate_faces(Scene& scene, const DuplicateFaces& duplicates) {
     std::uint32_t end = f;
     while (end < n && duplicates.first[end] == end) ++end;
     writer.keep(f, end);
-    for (f = end; f < n && duplicates.first[f] != f; ++f) writer.begin(f);
+    for (f = end; f < n && duplicates.first[f] != f;) ++f;
   }
   writer.finish();
   drop_unused_vertices(scene);

@@ -1,118 +1,146 @@
 #include "scene/heal/face_writer.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
-#include <span>
 #include <utility>
 
+#include "geometry/parallel.hpp"
 #include "scene/clean/compact.hpp"
 
 namespace ligne {
 namespace {
 
-/// Adjustable: the share of the faces that is kept free for others.
-constexpr std::size_t kSpare = 16;
+bool is_zero(std::uint8_t flags) { return flags == 0; }
 
 }  // namespace
 
-FaceWriter::FaceWriter(Scene& scene) : scene_(scene) {
-  // Faces are left out, or some are cut: nothing need be copied for want of room.
-  const auto with_some_more = [](std::size_t n) { return n + n / kSpare; };
-  faces_.reserve_corners(with_some_more(scene.faces.corners().size()));
-  flags_.reserve(with_some_more(scene.corner_flags.size()));
-  material_.reserve(with_some_more(scene.face_material.size()));
-  source_.reserve(with_some_more(scene.face_source.size()));
-  first_new_.reserve(scene.faces.size() + 1);
-}
-
-void FaceWriter::begin(std::uint32_t f) { first_new_.resize(f + 1, static_cast<std::uint32_t>(faces_.size())); }
-
 void FaceWriter::keep(std::uint32_t first, std::uint32_t last) {
   if (first == last) return;
-  if (!scene_.faces.all_triangles() || !faces_.all_triangles()) {
-    for (std::uint32_t f = first; f < last; ++f) keep_polygon(f);
-    return;
-  }
-  begin(first);
-  first_new_.resize(last);
-  std::iota(first_new_.begin() + first, first_new_.end(), static_cast<std::uint32_t>(faces_.size()));
-  const auto own = [&](const auto& of_corners) {
-    return std::span(of_corners).subspan(3 * std::size_t{first}, 3 * std::size_t{last - first});
-  };
-  const auto corners = own(std::as_const(scene_.faces).corners());
-  std::copy(corners.begin(), corners.end(), faces_.append_triangles(last - first).begin());
-  if (!scene_.corner_flags.empty()) add_flags(own(scene_.corner_flags));
-  add_origins(first, last);
-}
-
-void FaceWriter::keep_polygon(std::uint32_t f) {
-  begin(f);
-  const PolygonFaces& faces = scene_.faces;
-  std::size_t count = 0;
-  for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
-    const auto contour = faces.contour(f, c);
-    if (c == 0)
-      faces_.add_face(contour);
-    else
-      faces_.add_hole(contour);
-    count += contour.size();
-  }
-  if (!scene_.corner_flags.empty()) add_flags(std::span(scene_.corner_flags).subspan(faces.corner_index(f, 0), count));
-  add_origins(f, f + 1);
+  parts_.push_back({first, last});
+  count_ += last - first;
 }
 
 void FaceWriter::replace(std::uint32_t f, const LooseFace& face) {
+  parts_.push_back({f, f + 1, static_cast<std::uint32_t>(others_.size())});
+  ++count_;
   std::size_t begin = 0;
   for (const std::uint32_t end : face.contour_end) {
     const auto contour = std::span(face.corners).subspan(begin, end - begin);
     if (begin == 0)
-      faces_.add_face(contour);
+      others_.add_face(contour);
     else
-      faces_.add_hole(contour);
+      others_.add_hole(contour);
     begin = end;
   }
-  add_flags(face.flags);
-  add_origins(f, f + 1);
+  flags_of_others_.insert(flags_of_others_.end(), face.flags.begin(), face.flags.end());
 }
 
 void FaceWriter::replace(std::uint32_t f, const CutTriangle& triangle) {
-  faces_.add_face(triangle.vertices);
-  add_flags(triangle.flags);
-  add_origins(f, f + 1);
+  parts_.push_back({f, f + 1, static_cast<std::uint32_t>(others_.size())});
+  ++count_;
+  others_.add_face(triangle.vertices);
+  flags_of_others_.insert(flags_of_others_.end(), triangle.flags.begin(), triangle.flags.end());
 }
 
 void FaceWriter::finish(std::vector<std::uint32_t>* faces) {
-  begin(static_cast<std::uint32_t>(scene_.faces.size()));
-  if (!flags_.empty()) flags_.resize(faces_.corners().size(), 0);
-  scene_.faces = std::move(faces_);
-  scene_.corner_flags = std::move(flags_);
-  if (!scene_.face_material.empty()) scene_.face_material = std::move(material_);
-  if (!scene_.face_source.empty()) scene_.face_source = std::move(source_);
+  PolygonFaces new_faces;
+  std::vector<std::uint8_t> flags;
+  std::vector<std::uint32_t> material, source, first;
+  constexpr std::size_t kArrays = 5;
+  parallel_tasks(kArrays, [&](std::size_t array) {
+    if (array == 0) new_faces = this->faces();
+    if (array == 1) flags = corner_flags();
+    if (array == 2) material = of_origins(scene_.face_material);
+    if (array == 3) source = of_origins(scene_.face_source);
+    if (array == 4) first = first_new();
+  });
+  scene_.faces = std::move(new_faces);
+  scene_.corner_flags = std::move(flags);
+  scene_.face_material = std::move(material);
+  scene_.face_source = std::move(source);
   Warnings none;  // details stand on faces that stay
-  renumber_faces(scene_, first_new_, none);
+  renumber_faces(scene_, first, none);
   if (!faces) return;
   std::vector<std::uint32_t> come_from;
   come_from.reserve(faces->size());
   for (const std::uint32_t f : *faces) {
-    for (std::uint32_t k = first_new_[f]; k < first_new_[f + 1]; ++k) come_from.push_back(k);
+    for (std::uint32_t k = first[f]; k < first[f + 1]; ++k) come_from.push_back(k);
   }
   *faces = std::move(come_from);
 }
 
-/// Flags come into being with the first corner that has one.
-void FaceWriter::add_flags(std::span<const std::uint8_t> flags) {
-  if (flags_.empty() && std::accumulate(flags.begin(), flags.end(), 0u, std::bit_or<>()) == 0) return;
-  flags_.resize(faces_.corners().size() - flags.size(), 0);
-  flags_.insert(flags_.end(), flags.begin(), flags.end());
+FaceWriter::Row FaceWriter::row_of(const Part& part) const {
+  if (part.other == kNone) return {scene_.faces, scene_.corner_flags, part.first, part.last};
+  return {others_, flags_of_others_, part.other, std::size_t{part.other} + 1};
 }
 
-void FaceWriter::add_origins(std::uint32_t first, std::uint32_t last) {
-  const auto add = [&](std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from) {
-    if (!from.empty()) to.insert(to.end(), from.begin() + first, from.begin() + last);
-  };
-  add(material_, scene_.face_material);
-  add(source_, scene_.face_source);
+PolygonFaces FaceWriter::faces() const {
+  PolygonFaces faces;
+  if (scene_.faces.all_triangles() && others_.all_triangles()) {
+    std::vector<std::uint32_t> corners;
+    corners.reserve(3 * count_);
+    for (const Part& part : parts_) {
+      const Row row = row_of(part);
+      const auto from = row.faces.corners().begin();
+      corners.insert(corners.end(), from + static_cast<std::ptrdiff_t>(row.corner()),
+                     from + static_cast<std::ptrdiff_t>(row.corner_end()));
+    }
+    faces.append_triangles(std::move(corners));
+    return faces;
+  }
+  faces.reserve_corners(scene_.faces.corners().size() + others_.corners().size());
+  for (const Part& part : parts_) {
+    const Row row = row_of(part);
+    for (std::size_t f = row.first; f < row.last; ++f) {
+      faces.add_face(row.faces.contour(f, 0));
+      for (std::size_t c = 1; c < row.faces.contour_count(f); ++c) faces.add_hole(row.faces.contour(f, c));
+    }
+  }
+  return faces;
+}
+
+/// None when no corner has any.
+std::vector<std::uint8_t> FaceWriter::corner_flags() const {
+  std::vector<std::uint8_t> flags;
+  if (scene_.corner_flags.empty() && std::ranges::all_of(flags_of_others_, is_zero)) return flags;
+  flags.reserve(scene_.faces.corners().size() + flags_of_others_.size());
+  for (const Part& part : parts_) {
+    const Row row = row_of(part);
+    if (row.flags.empty()) {
+      flags.resize(flags.size() + row.corner_end() - row.corner(), 0);
+    } else {
+      flags.insert(flags.end(), row.flags.begin() + static_cast<std::ptrdiff_t>(row.corner()),
+                   row.flags.begin() + static_cast<std::ptrdiff_t>(row.corner_end()));
+    }
+  }
+  if (std::ranges::all_of(flags, is_zero)) flags = {};
+  return flags;
+}
+
+/// What each new face has from the face that it is, or in whose place it stands.
+std::vector<std::uint32_t> FaceWriter::of_origins(const std::vector<std::uint32_t>& values) const {
+  std::vector<std::uint32_t> now;
+  if (values.empty()) return now;
+  now.reserve(count_);
+  for (const Part& part : parts_) now.insert(now.end(), values.begin() + part.first, values.begin() + part.last);
+  return now;
+}
+
+/// See renumber_faces().
+std::vector<std::uint32_t> FaceWriter::first_new() const {
+  std::vector<std::uint32_t> first;
+  first.reserve(scene_.faces.size() + 1);
+  std::uint32_t next = 0;
+  for (const Part& part : parts_) {
+    if (part.first >= first.size()) {  // not a further face in the place of one
+      first.resize(part.first, next);
+      first.resize(part.last);
+      std::iota(first.begin() + part.first, first.end(), next);
+    }
+    next += part.last - part.first;
+  }
+  first.resize(scene_.faces.size() + 1, next);
+  return first;
 }
 
 LooseFace loose_face(const Scene& scene, std::uint32_t f) {

@@ -1,7 +1,8 @@
 #pragma once
-/// Writes the faces of a scene anew, one after the other, with their flags and materials.
+/// Writes the faces of a scene anew, with their flags and materials.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/clean/cut_nonplanar.hpp"
@@ -9,31 +10,47 @@
 
 namespace ligne {
 
+/// Takes down what becomes of the faces, in ascending order, and copies at the end, array by array in parallel. Faces of
+/// which nothing is said are left out.
 class FaceWriter {
  public:
-  explicit FaceWriter(Scene& scene);
+  explicit FaceWriter(Scene& scene) : scene_(scene) {}
 
   /// Faces [first, last) of the scene as they stand there.
   void keep(std::uint32_t first, std::uint32_t last);
-  /// Another face or triangle in the place of face f.
+  /// Another face or triangle in the place of face f; several take its place one after the other.
   void replace(std::uint32_t f, const LooseFace& face);
   void replace(std::uint32_t f, const CutTriangle& triangle);
-  /// Tells that what is put in the place of face f follows; faces come in ascending order.
-  void begin(std::uint32_t f);
   /// Puts the new faces into the scene, and objects and details on their new numbers. Vertices stay. In an ascending list of
   /// faces those that came from them take their place.
   void finish(std::vector<std::uint32_t>* faces = nullptr);
 
  private:
-  void keep_polygon(std::uint32_t f);
-  void add_flags(std::span<const std::uint8_t> flags);
-  void add_origins(std::uint32_t first, std::uint32_t last);
+  /// Faces [first, last) of the scene, or one other face in the place of `first`. Each face gives one new one.
+  struct Part {
+    std::uint32_t first, last;
+    std::uint32_t other = kNone;  ///< number among the other faces
+  };
+  /// Faces in a row.
+  struct Row {
+    const PolygonFaces& faces;
+    const std::vector<std::uint8_t>& flags;
+    std::size_t first, last;
+    std::size_t corner() const { return faces.corner_index(first, 0); }
+    std::size_t corner_end() const { return faces.corner_index(last, 0); }
+  };
+  Row row_of(const Part& part) const;
+
+  PolygonFaces faces() const;
+  std::vector<std::uint8_t> corner_flags() const;
+  std::vector<std::uint32_t> of_origins(const std::vector<std::uint32_t>& values) const;
+  std::vector<std::uint32_t> first_new() const;
 
   Scene& scene_;
-  PolygonFaces faces_;
-  std::vector<std::uint8_t> flags_;
-  std::vector<std::uint32_t> material_, source_;
-  std::vector<std::uint32_t> first_new_;
+  std::vector<Part> parts_;
+  PolygonFaces others_;
+  std::vector<std::uint8_t> flags_of_others_;  ///< per corner
+  std::size_t count_ = 0;                      ///< of new faces
 };
 
 /// Face f of the scene by itself.

@@ -104,7 +104,6 @@ void cut_bent_faces(Scene& scene, std::vector<std::uint32_t>& faces) {
         writer.keep(f, f + 1);
         continue;
       }
-      writer.begin(f);
       for (const CutTriangle& triangle : triangles) writer.replace(f, triangle);
     }
   }

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <glm/geometric.hpp>
-#include <utility>
+#include <numeric>
 
+#include "geometry/parallel.hpp"
 #include "scene/clean/compact.hpp"
 #include "scene/clean/near_cells.hpp"
 #include "scene/heal/border_edges.hpp"
@@ -78,35 +79,41 @@ class Joiner {
   std::vector<Link> links_;
 };
 
+/// Leaves the marks of the vertices that stay.
+void keep_marks(std::vector<std::uint8_t>& marks, const std::vector<std::uint32_t>& target) {
+  std::size_t left = 0;
+  for (std::uint32_t v = 0; v < target.size(); ++v) {
+    marks[left] = marks[v];
+    left += target[v] == v;
+  }
+  marks.resize(left);
+}
+
 }  // namespace
 
 std::size_t join_border_vertices(Scene& scene, std::span<const std::unique_ptr<Border>> borders, Sewing& sewing) {
+  sewing.settled.assign(scene.vertices.size(), 0);
   std::vector<std::uint32_t> target(scene.vertices.size());
-  for (std::uint32_t v = 0; v < target.size(); ++v) target[v] = v;
+  std::iota(target.begin(), target.end(), 0u);
   std::vector<std::size_t> moved(scene.objects.size(), 0);
   parallel_tasks(scene.objects.size(), [&](std::size_t i) {
     if (!borders[i]) return;
     const Object& object = scene.objects[i];
     Joiner joiner(scene, object, faces_of(object, sewing.faces), *borders[i], sewing.distances[i], target);
-    for (const std::uint32_t v : borders[i]->vertices()) moved[i] += joiner.take(v);
+    for (const std::uint32_t v : borders[i]->vertices()) {
+      if (!joiner.take(v)) continue;
+      sewing.settled[target[v]] = 1;
+      ++moved[i];
+    }
   });
-  std::size_t sum = 0;
-  for (const std::size_t n : moved) sum += n;
-  std::vector<std::uint8_t>&settled = sewing.settled, &may_be_on_border = sewing.may_be_on_border;
-  settled.assign(scene.vertices.size(), 0);
+  const std::size_t sum = std::accumulate(moved.begin(), moved.end(), std::size_t{0});
   if (sum == 0) return 0;
-  for (std::uint32_t v = 0; v < target.size(); ++v) {
-    if (target[v] != v) settled[target[v]] = 1;
-  }
-  std::size_t left = 0;
-  for (std::uint32_t v = 0; v < target.size(); ++v) {
-    if (target[v] != v) continue;
-    settled[left] = settled[v];
-    may_be_on_border[left++] = may_be_on_border[v];
-  }
-  settled.resize(left);
-  may_be_on_border.resize(left);
-  merge_vertices(scene, std::move(target));
+  constexpr std::size_t kParts = 3;
+  parallel_tasks(kParts, [&](std::size_t part) {
+    if (part == 0) merge_vertices(scene, target);
+    if (part == 1) keep_marks(sewing.settled, target);
+    if (part == 2) keep_marks(sewing.may_be_on_border, target);
+  });
   return sum;
 }
 

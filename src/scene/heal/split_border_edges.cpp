@@ -151,68 +151,89 @@ LooseFace with_vertices(const LooseFace& face, std::span<const Split> splits) {
   return out;
 }
 
-/// Writes face f with its splits; whether it could be done.
-bool write_split(const Scene& scene, std::uint32_t f, double precision, std::span<const Split> splits, FaceWriter& writer) {
-  const LooseFace face = loose_face(scene, f);
+/// What takes the place of a face with splits: a face, or triangles.
+struct SplitFace {
+  std::uint32_t face = 0;
+  std::size_t splits = 0;
+  std::optional<LooseFace> whole{};
+  std::vector<CutTriangle> pieces{};
+};
+
+/// Nothing when it can not be done.
+std::optional<SplitFace> split_face(const Scene& scene, double precision, std::span<const Split> splits) {
+  SplitFace split{splits[0].face, splits.size()};
+  const LooseFace face = loose_face(scene, split.face);
   if (face.corners.size() == 3) {
     const CutTriangle triangle{{face.corners[0], face.corners[1], face.corners[2]},
                                {face.flags[0], face.flags[1], face.flags[2]}};
-    const auto pieces = TriangleSplitter(scene.vertices, splits).run(triangle);
-    if (!pieces) return false;
-    for (const CutTriangle& piece : *pieces) writer.replace(f, piece);
-    return true;
+    auto pieces = TriangleSplitter(scene.vertices, splits).run(triangle);
+    if (!pieces) return std::nullopt;
+    split.pieces = std::move(*pieces);
+    return split;
   }
-  const LooseFace whole = with_vertices(face, splits);
+  LooseFace whole = with_vertices(face, splits);
   if (is_planar(scene.vertices, whole, precision)) {
-    writer.replace(f, whole);
-    return true;
+    split.whole = std::move(whole);
+    return split;
   }
   bool covered = true;
-  const std::vector<CutTriangle> pieces = cut_into_triangles(scene.vertices, whole, covered);
-  if (!covered || pieces.empty()) return false;
-  for (const CutTriangle& piece : pieces) writer.replace(f, piece);
-  return true;
+  split.pieces = cut_into_triangles(scene.vertices, whole, covered);
+  if (!covered || split.pieces.empty()) return std::nullopt;
+  return split;
+}
+
+/// Of sorted splits.
+std::vector<SplitFace> split_faces(const Scene& scene, double precision, std::span<const Split> splits) {
+  std::vector<SplitFace> faces;
+  for (std::size_t k = 0; k < splits.size();) {
+    std::size_t end = k;
+    while (end < splits.size() && splits[end].face == splits[k].face) ++end;
+    std::optional<SplitFace> split = split_face(scene, precision, splits.subspan(k, end - k));
+    if (split) faces.push_back(std::move(*split));
+    k = end;
+  }
+  return faces;
 }
 
 }  // namespace
 
 EdgeSplits split_border_edges(Scene& scene, Sewing& sewing) {
-  std::vector<std::vector<Split>> found(scene.objects.size());
+  struct OfObject {
+    std::size_t moved = 0;
+    std::vector<SplitFace> faces;
+  };
+  std::vector<OfObject> objects(scene.objects.size());
+  // Objects share neither vertices nor faces.
   parallel_tasks(scene.objects.size(), [&](std::size_t i) {
     if (!(sewing.distances[i] > 0)) return;
     const Object& object = scene.objects[i];
-    const Border border(scene, border_edges(scene, object, sewing.may_be_on_border, faces_of(object, sewing.faces)));
+    const std::span<const std::uint32_t> faces = faces_of(object, sewing.faces);
+    const Border border(scene, border_edges(scene, object, sewing.may_be_on_border, faces));
     const double inside = straightness_tolerance(object.precision, border.median_length());
-    found[i] = splits_of(border, sewing.distances[i], inside);
-    std::sort(found[i].begin(), found[i].end());
-    if (found[i].empty()) sewing.distances[i] = 0;
+    std::vector<Split> splits = splits_of(border, sewing.distances[i], inside);
+    if (splits.empty()) {
+      sewing.distances[i] = 0;
+      return;
+    }
+    std::sort(splits.begin(), splits.end());
+    objects[i].moved = move_onto_edges(scene, object, faces, splits, sewing.settled);
+    objects[i].faces = split_faces(scene, object.precision, splits);
   });
-  // Objects own ascending ranges of faces: the lists in a row are one sorted list.
-  std::vector<Split> splits;
-  for (const auto& list : found) splits.insert(splits.end(), list.begin(), list.end());
   EdgeSplits done;
-  if (splits.empty()) return done;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i].empty()) continue;
-    const Object& object = scene.objects[i];
-    done.vertices_moved += move_onto_edges(scene, object, faces_of(object, sewing.faces), found[i], sewing.settled);
+  for (const OfObject& object : objects) {
+    done.vertices_moved += object.moved;
+    for (const SplitFace& split : object.faces) done.splits += split.splits;
   }
+  if (done.splits == 0) return done;
   FaceWriter writer(scene);
   std::uint32_t written = 0;
-  std::size_t object = 0;
-  for (std::size_t k = 0; k < splits.size();) {
-    const std::uint32_t f = splits[k].face;
-    std::size_t end = k;
-    while (end < splits.size() && splits[end].face == f) ++end;
-    while (f >= scene.objects[object].face_end) ++object;
-    writer.keep(written, f);
-    written = f;
-    writer.begin(f);
-    if (write_split(scene, f, scene.objects[object].precision, std::span(splits).subspan(k, end - k), writer)) {
-      done.splits += end - k;
-      ++written;
+  for (const OfObject& object : objects) {  // which own ascending ranges of the faces
+    for (const SplitFace& split : object.faces) {
+      writer.keep(written, split.face);
+      if (split.whole) writer.replace(split.face, *split.whole);
+      for (const CutTriangle& piece : split.pieces) writer.replace(split.face, piece);
+      written = split.face + 1;
     }
-    k = end;
   }
   writer.keep(written, static_cast<std::uint32_t>(scene.faces.size()));
   writer.finish(&sewing.faces);
