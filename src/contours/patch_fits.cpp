@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <span>
 #include <utility>
 
@@ -10,6 +9,7 @@
 
 #include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/unwritten.hpp"
 
 namespace ligne {
 namespace {
@@ -23,18 +23,18 @@ class Sectors {
  public:
   Sectors(const Scene& scene, const SmoothPatch& patch)
       : begin_(patch.normals.size() + 1, 0),
-        corners_(std::make_unique_for_overwrite<std::uint32_t[]>(patch.sector.size())),
-        others_(std::make_unique_for_overwrite<std::array<std::uint32_t, 2>[]>(patch.sector.size())),
-        places_(std::make_unique_for_overwrite<Point3[]>(patch.normals.size())),
+        corners_(patch.sector.size()),
+        others_(patch.sector.size()),
+        places_(patch.normals.size()),
         ways_(patch.normals.size(), 0) {
     parallel_tasks(patch.runs.size(), [&](std::size_t r) { add(scene, patch, patch.runs[r]); });
   }
   std::span<const std::uint32_t> corners(std::uint32_t sector) const {
-    return {corners_.get() + begin_[sector], corners_.get() + begin_[sector + 1]};
+    return {corners_.data() + begin_[sector], corners_.data() + begin_[sector + 1]};
   }
   /// Of each of its corners those at the next and at the last corner of the triangle.
   std::span<const std::array<std::uint32_t, 2>> others(std::uint32_t sector) const {
-    return {others_.get() + begin_[sector], others_.get() + begin_[sector + 1]};
+    return {others_.data() + begin_[sector], others_.data() + begin_[sector + 1]};
   }
   const Point3& place(std::uint32_t sector) const { return places_[sector]; }
   /// Some faces of the sector look to the side of the viewer, or to the other one.
@@ -64,9 +64,9 @@ class Sectors {
   }
 
   std::vector<std::uint32_t> begin_;
-  std::unique_ptr<std::uint32_t[]> corners_;
-  std::unique_ptr<std::array<std::uint32_t, 2>[]> others_;
-  std::unique_ptr<Point3[]> places_;
+  Unwritten<std::uint32_t> corners_;
+  Unwritten<std::array<std::uint32_t, 2>> others_;
+  Unwritten<Point3> places_;
   std::vector<std::uint8_t> ways_;
 };
 

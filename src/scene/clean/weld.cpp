@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numeric>
 #include <span>
-#include <utility>
 
+#include "geometry/file_by_parts.hpp"
 #include "geometry/parallel.hpp"
 
 namespace ligne {
@@ -54,35 +54,23 @@ struct Parts {
 };
 
 Parts sort_into_parts(const std::vector<Point3>& vertices, std::vector<std::uint32_t>& first) {
-  const std::size_t n = vertices.size(), blocks = (n + kBlock - 1) / kBlock;
+  const std::size_t n = vertices.size();
   std::vector<std::uint32_t> hashes(n);
-  std::vector<std::size_t> place(blocks * kParts, 0);  // counts, then positions, per block and part
-  const auto of_block = [&](auto&& work) {
-    parallel_for(blocks, [&](std::size_t b) {
-      for (std::size_t i = b * kBlock, end = std::min(n, i + kBlock); i < end; ++i) work(i, &place[b * kParts]);
-    });
-  };
-  of_block([&](std::size_t i, std::size_t* count) {
-    if (!is_finite(vertices[i])) {
-      first[i] = kNone;
-      return;
+  parallel_blocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      first[i] = is_finite(vertices[i]) ? static_cast<std::uint32_t>(i) : kNone;
+      hashes[i] = hash(vertices[i]);
     }
-    first[i] = static_cast<std::uint32_t>(i);
-    hashes[i] = hash(vertices[i]);
-    ++count[hashes[i] >> (32 - kPartBits)];
   });
   Parts parts;
-  std::size_t sum = 0;
-  for (std::size_t p = 0; p < kParts; ++p) {
-    parts.begin.push_back(sum);
-    for (std::size_t b = 0; b < blocks; ++b) sum += std::exchange(place[b * kParts + p], sum);
-  }
-  parts.begin.push_back(sum);
-  parts.entries.resize(sum);
-  of_block([&](std::size_t i, std::size_t* position) {
-    if (first[i] == kNone) return;
-    parts.entries[position[hashes[i] >> (32 - kPartBits)]++] = {hashes[i], static_cast<std::uint32_t>(i)};
-  });
+  const auto list = [&](std::size_t begin, std::size_t end, const auto& take) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (first[i] != kNone) take(hashes[i] >> (32 - kPartBits), Entry{hashes[i], static_cast<std::uint32_t>(i)});
+    }
+  };
+  parts.begin = file_by_parts(
+      n, kBlock, kParts, list, [&](std::size_t count) { parts.entries.resize(count); },
+      [&](std::size_t place, const Entry& entry) { parts.entries[place] = entry; });
   return parts;
 }
 

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "geometry/file_by_parts.hpp"
 #include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
 #include "geometry/triangulate.hpp"
+#include "geometry/unwritten.hpp"
 #include "scene/model/triangle_normal.hpp"
 
 // Edges are found by counting sort: every corner of a contour gives one half-edge, filed under the lower of its two
@@ -54,15 +55,6 @@ void for_each_half_edge(const PolygonFaces& faces, std::size_t begin, std::size_
   }
 }
 
-/// An array of so many values, which are to be written before they are read.
-template <class T>
-struct Unwritten {
-  explicit Unwritten(std::size_t n = 0) : values(std::make_unique_for_overwrite<T[]>(n)) {}
-  T& operator[](std::size_t i) { return values[i]; }
-  const T& operator[](std::size_t i) const { return values[i]; }
-  std::unique_ptr<T[]> values;
-};
-
 /// The half-edges by parts, inside a part in the order of the corners.
 struct Parts {
   struct Entry {
@@ -75,34 +67,24 @@ struct Parts {
 };
 
 Parts sort_into_parts(const Scene& scene) {
-  const std::size_t faces = scene.faces.size(), blocks = block_count(faces, kFacesPerBlock);
-  const std::size_t count = block_count(scene.vertices.size(), kVerticesPerPart);
-  std::vector<std::size_t> place(blocks * count, 0);  // counts, then positions, per block and part
-  parallel_blocks(faces, kFacesPerBlock, [&](std::size_t begin, std::size_t end) {
-    std::size_t* const counts = &place[begin / kFacesPerBlock * count];
-    for_each_half_edge(scene.faces, begin, end, [&](std::uint32_t a, std::uint32_t b, std::size_t, std::size_t) {
-      ++counts[std::min(a, b) / kVerticesPerPart];
-    });
-  });
   Parts parts;
-  std::size_t sum = 0;
-  for (std::size_t part = 0; part < count; ++part) {
-    parts.begin.push_back(sum);
-    for (std::size_t block = 0; block < blocks; ++block) sum += std::exchange(place[block * count + part], sum);
-  }
-  parts.begin.push_back(sum);
-  parts.entries = Unwritten<Parts::Entry>(sum);
   const bool with_flags = !scene.corner_flags.empty();
-  if (with_flags) parts.corner_flags = Unwritten<std::uint8_t>(sum);
-  parallel_blocks(faces, kFacesPerBlock, [&](std::size_t begin, std::size_t end) {
-    std::size_t* const next = &place[begin / kFacesPerBlock * count];
+  const auto list = [&](std::size_t begin, std::size_t end, const auto& take) {
     for_each_half_edge(scene.faces, begin, end, [&](std::uint32_t a, std::uint32_t b, std::size_t face, std::size_t corner) {
-      const auto [lower, higher] = std::minmax(a, b);
-      const std::size_t slot = next[lower / kVerticesPerPart]++;
-      parts.entries[slot] = {lower, {higher, static_cast<std::uint32_t>(face) | (a > b ? kReversed : 0)}};
-      if (with_flags) parts.corner_flags[slot] = scene.corner_flags[corner];
+      take(std::min(a, b) / kVerticesPerPart, a, b, face, corner);
     });
-  });
+  };
+  const auto allocate = [&](std::size_t n) {
+    parts.entries = Unwritten<Parts::Entry>(n);
+    if (with_flags) parts.corner_flags = Unwritten<std::uint8_t>(n);
+  };
+  const auto put = [&](std::size_t place, std::uint32_t a, std::uint32_t b, std::size_t face, std::size_t corner) {
+    const auto [lower, higher] = std::minmax(a, b);
+    parts.entries[place] = {lower, {higher, static_cast<std::uint32_t>(face) | (a > b ? kReversed : 0)}};
+    if (with_flags) parts.corner_flags[place] = scene.corner_flags[corner];
+  };
+  const std::size_t count = block_count(scene.vertices.size(), kVerticesPerPart);
+  parts.begin = file_by_parts(scene.faces.size(), kFacesPerBlock, count, list, allocate, put);
   return parts;
 }
 
@@ -148,8 +130,8 @@ void sort_bucket(Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
     }
     return;
   }
-  HalfEdge* const half_edges = h.values.get();
-  std::uint8_t* const flags = buckets.with_flags ? buckets.corner_flags.values.get() : nullptr;
+  HalfEdge* const half_edges = h.data();
+  std::uint8_t* const flags = buckets.with_flags ? buckets.corner_flags.data() : nullptr;
   for (std::uint32_t i = begin + 1; i < end; ++i) {
     const HalfEdge moved = half_edges[i];
     if (!(moved.other < half_edges[i - 1].other)) continue;
