@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include <glm/geometric.hpp>
 
@@ -10,6 +9,7 @@
 #include "geometry/filed_pairs.hpp"
 #include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/unwritten.hpp"
 #include "view/edge_classes.hpp"
 
 namespace ligne {
@@ -43,21 +43,29 @@ std::vector<std::uint32_t> touching(const std::vector<Triangle>& triangles, cons
 /// The vertices of some triangles, numbered in ascending order.
 class VertexNumbers {
  public:
-  VertexNumbers(const std::vector<Triangle>& triangles, std::size_t vertices) : number_(vertices, kNone) {
+  explicit VertexNumbers(std::span<const Triangle> triangles) {
+    std::uint32_t highest = 0;
     for (const Triangle& t : triangles) {
-      for (const std::uint32_t v : t.v) number_[v] = 0;
+      const auto [low, high] = std::minmax({t.v[0], t.v[1], t.v[2]});
+      lowest_ = std::min(lowest_, low);
+      highest = std::max(highest, high);
     }
-    for (std::uint32_t v = 0; v < vertices; ++v) {
-      if (number_[v] == kNone) continue;
-      number_[v] = static_cast<std::uint32_t>(vertices_.size());
-      vertices_.push_back(v);
+    if (!triangles.empty()) number_.assign(highest - lowest_ + 1, kNone);
+    for (const Triangle& t : triangles) {
+      for (const std::uint32_t v : t.v) number_[v - lowest_] = 0;
+    }
+    for (std::uint32_t k = 0; k < number_.size(); ++k) {
+      if (number_[k] == kNone) continue;
+      number_[k] = static_cast<std::uint32_t>(vertices_.size());
+      vertices_.push_back(lowest_ + k);
     }
   }
   std::size_t size() const { return vertices_.size(); }
-  std::uint32_t of(std::uint32_t vertex) const { return number_[vertex]; }
+  std::uint32_t of(std::uint32_t vertex) const { return number_[vertex - lowest_]; }
   std::uint32_t vertex(std::uint32_t number) const { return vertices_[number]; }
 
  private:
+  std::uint32_t lowest_ = kNone;
   std::vector<std::uint32_t> number_, vertices_;
 };
 
@@ -150,8 +158,8 @@ class PatchBuilder {
 
   void measure_triangles() {
     const std::size_t n = patch_.triangles.size();
-    face_normals_ = std::make_unique_for_overwrite<Point3[]>(n);
-    weighted_normals_ = std::make_unique_for_overwrite<Point3[]>(3 * n);
+    face_normals_ = Unwritten<Point3>(n);
+    weighted_normals_ = Unwritten<Point3>(3 * n);
     patch_.facing.resize(n);
     parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) measure(t);
@@ -177,16 +185,20 @@ class PatchBuilder {
 
   /// Pairs the sides that two triangles have in common, unless a border runs along them.
   void join_sides() {
-    const auto n = static_cast<std::uint32_t>(3 * patch_.triangles.size());
-    const VertexNumbers numbers(patch_.triangles, scene_.vertices.size());
-    const FiledPairs sides(numbers.size(), n, [&](const auto& add) {
-      for (std::uint32_t t = 0; t < patch_.triangles.size(); ++t) {
+    patch_.across.assign(3 * patch_.triangles.size(), kNone);
+    parallel_tasks(patch_.runs.size(), [&](std::size_t r) { join_sides(patch_.runs[r]); });
+  }
+
+  void join_sides(const SmoothPatch::Run& run) {
+    const std::size_t count = run.triangle_end - run.triangle;
+    const VertexNumbers numbers(std::span(patch_.triangles).subspan(run.triangle, count));
+    const FiledPairs sides(numbers.size(), 3 * count, [&](const auto& add) {
+      for (std::uint32_t t = run.triangle; t < run.triangle_end; ++t) {
         const auto& v = patch_.triangles[t].v;
         const std::array of{numbers.of(v[0]), numbers.of(v[1]), numbers.of(v[2])};
         for (std::uint32_t k = 0; k < 3; ++k) add(of[k], of[(k + 1) % 3], 3 * t + k);
       }
     });
-    patch_.across.assign(n, kNone);
     parallel_blocks(numbers.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       CreaseMarks edges = edges_;
       sides.for_each_pair(begin, end, [&](std::uint32_t low, std::span<const FiledPairs::Entry> pair) {
@@ -264,23 +276,28 @@ class PatchBuilder {
 
   /// Makes borders of all sides at vertices whose faces differ too much from their normal; whether there are any.
   bool cut_at_sharp_vertices() {
-    std::vector<std::uint8_t> sharp(patch_.normals.size(), 0);
+    std::vector<std::uint8_t> any(patch_.runs.size(), 0);
+    parallel_tasks(patch_.runs.size(), [&](std::size_t r) { any[r] = cut_at_sharp_vertices(patch_.runs[r]); });
+    return std::ranges::any_of(any, [](std::uint8_t cut) { return cut != 0; });
+  }
+
+  bool cut_at_sharp_vertices(const SmoothPatch::Run& run) {
+    std::vector<std::uint8_t> sharp(run.sector_end - run.sector, 0);
+    const auto is_sharp = [&](std::uint32_t c) -> std::uint8_t& { return sharp[patch_.sector[c] - run.sector]; };
+    const std::uint32_t first = 3 * run.triangle, last = 3 * run.triangle_end;
     bool any = false;
-    for (std::uint32_t c = 0; c < patch_.sector.size(); ++c) {
+    for (std::uint32_t c = first; c < last; ++c) {
       const Point3& face = face_normals_[c / 3];
       if (face == kNoNormal || glm::dot(face, patch_.normals[patch_.sector[c]]) >= crease_cosine_) continue;
-      sharp[patch_.sector[c]] = 1;
+      is_sharp(c) = 1;
       any = true;
     }
-    if (!any) return false;
-    for (std::uint32_t s = 0; s < patch_.across.size(); ++s) {
-      if (patch_.across[s] == kNone) continue;
-      if (sharp[patch_.sector[s]] || sharp[patch_.sector[next_corner(s)]]) {
-        patch_.across[patch_.across[s]] = kNone;
-        patch_.across[s] = kNone;
-      }
+    for (std::uint32_t s = first; any && s < last; ++s) {
+      if (patch_.across[s] == kNone || !(is_sharp(s) || is_sharp(next_corner(s)))) continue;
+      patch_.across[patch_.across[s]] = kNone;
+      patch_.across[s] = kNone;
     }
-    return true;
+    return any;
   }
 
   const Scene& scene_;
@@ -288,9 +305,8 @@ class PatchBuilder {
   CreaseMarks edges_;
   SmoothPatch& patch_;
   double crease_cosine_, sharp_cosine_;
-  // Written by several threads, which also take the memory from the system then.
-  std::unique_ptr<Point3[]> face_normals_;
-  std::unique_ptr<Point3[]> weighted_normals_;  ///< per corner
+  Unwritten<Point3> face_normals_;
+  Unwritten<Point3> weighted_normals_;  ///< per corner
 };
 
 }  // namespace
