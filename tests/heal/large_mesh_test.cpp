@@ -50,6 +50,12 @@ struct HealedSheet {
   HealReport report;
 };
 
+HealOptions with_topology_first_from(std::size_t triangles) {
+  HealOptions options;
+  options.topology_first_from = triangles;
+  return options;
+}
+
 HealedSheet healed_sheet(Scene scene) {
   test::end_object(scene);
   HealedSheet sheet{std::move(scene), {}, {}};
@@ -108,6 +114,77 @@ TEST(HealLargeMesh, TheTopologyKnowsTheEndsOfBorders) {
   Scene scene = begun_sheet(true);
   test::end_object(scene);
   EXPECT_EQ(ends_of_odd_edges(scene, build_topology(scene)), ends_of_odd_edges(scene));
+}
+
+enum class Faults { none, cracks, all };
+
+/// A sheet with random holes, cracks and T-junctions, and where all faults are asked for third faces on edges and triangles
+/// stored twice.
+Scene faulty_sheet(Faults faults, std::mt19937& random) {
+  constexpr std::uint32_t kCells = 7;
+  const auto happens = [&](Faults least, std::uint32_t one_in) { return faults >= least && random() % one_in == 0; };
+  Scene scene;
+  test::begin_object(scene);
+  const auto add_vertex = [&](const Point3& p) {
+    scene.vertices.push_back(p);
+    return static_cast<std::uint32_t>(scene.vertices.size() - 1);
+  };
+  for (std::uint32_t i = 0; i <= kCells; ++i) {
+    for (std::uint32_t j = 0; j <= kCells; ++j) add_vertex(Point3(i, j, 0.1 * ((i * 3 + j * 5) % 4)));
+  }
+  for (std::uint32_t i = 0; i < kCells; ++i) {
+    for (std::uint32_t j = 0; j < kCells; ++j) {
+      if (happens(Faults::cracks, 12)) continue;
+      const std::uint32_t first = i * (kCells + 1) + j, next = first + kCells + 1;
+      std::array<std::uint32_t, 4> corner{first, next, next + 1, first + 1};
+      for (std::uint32_t& v : corner) {
+        if (happens(Faults::cracks, 6)) v = add_vertex(scene.vertices[v] + Point3(1e-4, -1e-4, 2e-5));
+      }
+      if (happens(Faults::cracks, 4)) {
+        const std::uint32_t middle = add_vertex(0.5 * (scene.vertices[corner[0]] + scene.vertices[corner[1]]));
+        scene.faces.add_triangle(corner[0], middle, corner[3]);
+        scene.faces.add_triangle(middle, corner[2], corner[3]);
+        scene.faces.add_triangle(middle, corner[1], corner[2]);
+      } else {
+        scene.faces.add_triangle(corner[0], corner[1], corner[2]);
+        scene.faces.add_triangle(corner[0], corner[2], corner[3]);
+      }
+      if (happens(Faults::all, 16)) scene.faces.add_triangle(corner[1], corner[2], add_vertex(Point3(i, j, 1.5)));
+      if (happens(Faults::all, 10)) scene.faces.add_triangle(corner[0], corner[3], corner[2]);
+    }
+  }
+  test::end_object(scene);
+  return scene;
+}
+
+/// Large meshes heal as small ones do: on each sheet both ways are forced.
+TEST(HealLargeMesh, HealsAsSmallOnes) {
+  std::mt19937 random(5);
+  std::size_t clean = 0, sewn = 0, split = 0, twice = 0, many = 0;
+  for (int round = 0; round < 300; ++round) {
+    const HealedSheet start{faulty_sheet(static_cast<Faults>(round % 3), random), {}, {}};
+    HealedSheet small = start, large = start;
+    small.report = heal(small.scene, small.topology, with_topology_first_from(small.scene.faces.size() + 1));
+    large.report = heal(large.scene, large.topology, with_topology_first_from(0));
+    EXPECT_EQ(large.scene.vertices, small.scene.vertices) << round;
+    EXPECT_TRUE(std::ranges::equal(std::as_const(large.scene).faces.corners(), std::as_const(small.scene).faces.corners()))
+        << round;
+    EXPECT_EQ(large.scene.corner_flags, small.scene.corner_flags) << round;
+    expect_own_topology(small);
+    expect_own_topology(large);
+    EXPECT_EQ(large.report.faces_twice, small.report.faces_twice) << round;
+    EXPECT_EQ(large.report.vertices_moved, small.report.vertices_moved) << round;
+    EXPECT_EQ(large.report.edges_split, small.report.edges_split) << round;
+    EXPECT_EQ(large.report.faces_turned, small.report.faces_turned) << round;
+    EXPECT_EQ(large.report.border_edges, small.report.border_edges) << round;
+    EXPECT_EQ(large.report.edges_sewn(), small.report.edges_sewn()) << round;
+    clean += small.report.nothing();
+    sewn += small.report.edges_sewn() > 0;
+    split += small.report.edges_split > 0;
+    twice += small.report.faces_twice > 0;
+    many += std::ranges::any_of(small.topology.edge_flags, [](std::uint16_t f) { return (f & kEdgeManyFaces) != 0; });
+  }
+  for (const std::size_t seen : {clean, sewn, split, twice, many}) EXPECT_GE(seen, 20u);
 }
 
 /// Against all pairs of triangles, in meshes so small that they often repeat one.

@@ -20,8 +20,6 @@ namespace {
 
 /// Adjustable: how often borders are split that were split before.
 constexpr int kMostRounds = 4;
-/// Adjustable: a mesh of so many triangles that nothing is found wrong with costs less when its topology is built first.
-constexpr std::size_t kLargeMesh = 200'000;
 
 double size_of(const Scene& scene) {
   if (scene.vertices.empty()) return 0;
@@ -143,7 +141,7 @@ HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
   HealReport report;
   const bool sews = options.sew_distance != 0.0;
   // Whether the topology is that of the scene, and no triangle stands twice in it.
-  bool known = scene.faces.all_triangles() && scene.faces.size() >= kLargeMesh;
+  bool known = scene.faces.all_triangles() && scene.faces.size() >= options.topology_first_from;
   if (known) topology = build_topology(scene);
   known = known && !may_repeat_triangles(topology);
   // Nearly all files have no duplicates, and the borders that are found beside them are right.
