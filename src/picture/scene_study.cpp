@@ -130,6 +130,9 @@ void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, 
   }
 }
 
+/// Adjustable: facets of more triangles wait for the study, when the topology, which takes twice their memory, is gone.
+constexpr std::size_t kMostEarlyFacets = 2'000'000;
+
 /// Places the scene on the page, and finds the contours in place of outlines beside that. These depend on the outlines that
 /// are candidates, nearly all of which are still there when the scene has been placed; where some are not, the contours are
 /// found once more.
@@ -142,7 +145,8 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   if (with_contours) outlines = outline_edges(topology, projected);
   const ContourOptions options = contour_options(prepared.request, creases);
   // The method begins with them, and they have nothing to do with lines.
-  const bool makes_facets = with_contours && !prepared.request.lines.cull && &prepared.method == &default_method();
+  const bool makes_facets = with_contours && !prepared.request.lines.cull && &prepared.method == &default_method() &&
+                            topology.triangles.size() <= kMostEarlyFacets;
   OutlineReplacement replacement;
   parallel_tasks(with_contours ? 2 : 1, [&](std::size_t task) {
     if (task == 0) {
