@@ -83,17 +83,23 @@ std::vector<std::uint32_t> outline_edges(const Topology& topology, const Project
   return indices_where(is_outline.size(), [&](std::size_t e) { return is_outline[e] != 0; });
 }
 
+OutlinePatch patch_of_outlines(const Scene& scene, const Topology& topology, const Camera& camera,
+                               const std::vector<std::uint32_t>& outlines, const RegionBorders& borders) {
+  if (has_lines_of_its_own(scene)) return {};
+  OutlinePatch found{outlines_inside_regions(scene, topology, outlines, borders), {}};
+  if (!found.inside.empty()) found.patch = smooth_patch(scene, topology, camera, found.inside, borders);
+  return found;
+}
+
 OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, const ProjectedScene& projected,
-                                  const std::vector<std::uint32_t>& outlines, const ContourOptions& options) {
+                                  OutlinePatch outlines, const ContourOptions& options) {
   OutlineReplacement replacement;
   SmoothContours& contours = replacement.contours;
-  if (has_lines_of_its_own(scene)) return replacement;
-  const std::vector<std::uint32_t> inside = outlines_inside_regions(scene, topology, outlines, options.borders);
-  if (inside.empty()) return replacement;
+  if (outlines.inside.empty()) return replacement;
   const View& view = projected.view;
-  SmoothPatch patch = smooth_patch(scene, topology, view.camera, inside, options.borders);
+  SmoothPatch& patch = outlines.patch;
   level_shallow_islands(patch, scene, view.camera, options.scans);
-  const std::vector<OutlineSide> sides = outline_sides(topology, patch, inside);
+  const std::vector<OutlineSide> sides = outline_sides(topology, patch, outlines.inside);
   ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, view.camera, patch), sides,
                                          kCoarseInPens * options.pen_width_mm);
 
@@ -148,8 +154,9 @@ SmoothContours replace_outlines(const Topology& topology, ProjectedScene& projec
 
 SmoothContours replace_outlines(const Scene& scene, const Topology& topology, ProjectedScene& projected,
                                 const ContourOptions& options) {
-  const std::vector<std::uint32_t> outlines = outline_edges(topology, projected);
-  return replace_outlines(topology, projected, replacement_of(scene, topology, projected, outlines, options));
+  OutlinePatch outlines =
+      patch_of_outlines(scene, topology, projected.view.camera, outline_edges(topology, projected), options.borders);
+  return replace_outlines(topology, projected, replacement_of(scene, topology, projected, std::move(outlines), options));
 }
 
 }  // namespace ligne

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contours/contour_chains.hpp"
+#include "contours/smooth_patch.hpp"
 #include "scene/creases/trace_creases.hpp"
 #include "view/projected_scene.hpp"
 
@@ -44,11 +45,22 @@ struct OutlineReplacement {
 /// The outlines of the mesh among the candidate edges, ascending: edges of the topology.
 std::vector<std::uint32_t> outline_edges(const Topology& topology, const ProjectedScene& projected);
 
-/// Finds the contours that stand for the outlines inside smooth regions, and lines at which the visibility of the contours
-/// is studied (contour_sights.hpp), with sources from that of the last edge on. Scenes that have lines of their own on their
-/// faces (iso-curves, contour lines) have none. Of the projected scene, only what select_candidates() has set is looked at.
+/// Outlines inside smooth regions, edges of the topology, and the faces round them.
+struct OutlinePatch {
+  std::vector<std::uint32_t> inside;
+  SmoothPatch patch;
+};
+
+/// Those among the outlines of the mesh. Scenes that have lines of their own on their faces (iso-curves, contour lines) have
+/// none. Nearly all of it is done in parallel.
+OutlinePatch patch_of_outlines(const Scene& scene, const Topology& topology, const Camera& camera,
+                               const std::vector<std::uint32_t>& outlines, const RegionBorders& borders);
+
+/// Finds the contours that stand for these outlines, and lines at which the visibility of the contours is studied
+/// (contour_sights.hpp), with sources from that of the last edge on. Of the projected scene, only what select_candidates()
+/// has set is looked at. Half of it is done in one thread.
 OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, const ProjectedScene& projected,
-                                  const std::vector<std::uint32_t>& outlines, const ContourOptions& options);
+                                  OutlinePatch outlines, const ContourOptions& options);
 
 /// Takes the outlines out of the candidate edges, and puts the lines in their place. No other lines were added before.
 SmoothContours replace_outlines(const Topology& topology, ProjectedScene& projected, OutlineReplacement replacement);

@@ -147,13 +147,21 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   // The method begins with them, and they have nothing to do with lines.
   const bool makes_facets = with_contours && !prepared.request.lines.cull && &prepared.method == &default_method() &&
                             topology.triangles.size() <= kMostEarlyFacets;
-  OutlineReplacement replacement;
+  OutlinePatch patch;
   parallel_tasks(with_contours ? 2 : 1, [&](std::size_t task) {
     if (task == 0) {
       place_on_page(scene, topology, projected);
+    } else {
+      patch = patch_of_outlines(scene, topology, projected.view.camera, outlines, options.borders);
+    }
+  });
+  // Facets come second, beside what one thread does: so both threads end the patch.
+  OutlineReplacement replacement;
+  parallel_tasks(with_contours ? 2 : 0, [&](std::size_t task) {
+    if (task == 0) {
       if (makes_facets) prepared.facets = make_facets(projected, coincidence_mm(projected) / projected.lattice.step_mm);
     } else {
-      replacement = replacement_of(scene, topology, projected, outlines, options);
+      replacement = replacement_of(scene, topology, projected, std::move(patch), options);
     }
   });
   if (prepared.request.lines.cull) prepared.back_faces = cull_back_faces(scene, topology, projected, run);
