@@ -25,19 +25,22 @@ std::vector<double> gaps_up_to(const Border& border, double distance) {
   std::vector<double> gaps(vertices.size(), -1);
   const std::vector<EdgeTree::Segment> segments = border.segments();
   const SegmentCells cells(segments, distance);
-  const auto near = [&](std::size_t k) { return cells.near(border.point(vertices[k])); };
-  const auto is_crowded = [&](std::size_t k) { return near(k).size() > EdgeTree::kMostVisits; };
+  std::vector<std::uint8_t> is_crowded(vertices.size(), 0);
   const auto keep = [&](std::size_t k, const NearestPoint& nearest) {
     if (nearest.segment != kNone) gaps[k] = nearest.distance;
   };
   parallel_blocks(vertices.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      if (is_crowded(k)) continue;
+      const Point3& p = border.point(vertices[k]);
+      const std::span<const std::uint32_t> near = cells.near(p);
+      is_crowded[k] = near.size() > EdgeTree::kMostVisits;
+      if (is_crowded[k]) continue;
       const auto is_apart = [&](std::uint32_t e, double at) { return border.is_apart(vertices[k], e, at); };
-      keep(k, nearest_among(segments, near(k), border.point(vertices[k]), distance, is_apart));
+      keep(k, nearest_among(segments, near, p, distance, is_apart));
     }
   });
-  const std::vector<std::uint32_t> crowded = indices_where(vertices.size(), is_crowded);
+  const std::vector<std::uint32_t> crowded =
+      indices_where(vertices.size(), [&](std::size_t k) { return is_crowded[k] != 0; });
   if (!crowded.empty()) {
     const BorderSearch search(border);
     parallel_blocks(crowded.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
