@@ -203,6 +203,8 @@ void Precedence<Index>::try_one(const Trial& trial) {
   } else {
     index_.query(stroke.from, stroke.to, visit);
   }
+  // In the order in which they came to stand, whichever index finds them.
+  std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return a.entry < b.entry; });
 
   for (const auto& [i, entry, common] : hits_) {
     const Stroke& standing = standing_[i].stroke;
