@@ -1,5 +1,7 @@
 #include "drawing/stroke_index.hpp"
 
+#include <algorithm>
+
 #include "drawing/stroke_overlap.hpp"
 
 namespace ligne {
@@ -48,13 +50,11 @@ void StrokeIndex::put_point(std::size_t level, std::uint32_t point) {
     if (!cells_[c].refined) break;
   }
   points_[point].listed = true;
-  points_[point].next = cells_[c].first_point;
-  cells_[c].first_point = point;
-  ++cells_[c].load;
+  ends_.push(cells_[c].ends, {points_[point].p, point});
   refine_if_crowded(level, key, c);
 }
 
-std::uint32_t StrokeIndex::add_end(LatticePoint p, std::uint32_t segment) {
+std::uint32_t StrokeIndex::add_end(LatticePoint p, LatticePoint far, std::uint32_t segment) {
   std::uint32_t& number = point_table_[KeyTable::key(p)];
   const bool is_new = number == kNone;
   if (is_new) {
@@ -62,9 +62,7 @@ std::uint32_t StrokeIndex::add_end(LatticePoint p, std::uint32_t segment) {
     points_.push_back({p});
   }
   const std::uint32_t point = number;
-  arms_.push_back({segment, points_[point].first_arm});
-  points_[point].first_arm = static_cast<std::uint32_t>(arms_.size() - 1);
-  ++points_[point].arms;
+  arms_.push(points_[point].arms, {far, segment});
   if (is_new || !points_[point].listed) put_point(0, point);
   return point;
 }
@@ -83,28 +81,26 @@ void StrokeIndex::pass(std::size_t level, const CellRange& range, std::uint32_t 
     }
     if (key == homes[0] || key == homes[1]) return false;
     const std::uint32_t c = cell(level, key);
-    throughs_.push_back({segment, cells_[c].first_through});
-    cells_[c].first_through = static_cast<std::uint32_t>(throughs_.size() - 1);
-    ++cells_[c].load;
+    throughs_.push(cells_[c].throughs, {from, to, segment});
+    ++through_count_;
     refine_if_crowded(level, key, c);
     return false;
   });
 }
 
 void StrokeIndex::refine_if_crowded(std::size_t level, std::uint64_t key, std::uint32_t c) {
-  if (cells_[c].load <= kCrowd || throughs_.size() > kMostCells * segments_.size() + kFewEntries) return;
+  if (cells_[c].throughs.size + cells_[c].ends.size <= kCrowd) return;
+  if (through_count_ > kMostCells * segments_.size() + kFewEntries) return;
   if (levels_[level].side < kParts * kLeastCellInTolerances * tolerance_) return;
   if (levels_.size() == level + 1) levels_.emplace_back(levels_[level].side / kParts, tolerance_);
-  const Cell old = cells_[c];
-  cells_[c] = {};
-  cells_[c].refined = true;
   std::vector<std::uint32_t> passing;
-  for (std::uint32_t i = old.first_through; i != kNone; i = throughs_[i].next) passing.push_back(throughs_[i].segment);
-  for (std::uint32_t e = old.first_point, next; e != kNone; e = next) {
-    next = points_[e].next;
-    for (std::uint32_t i = points_[e].first_arm; i != kNone; i = arms_[i].next) passing.push_back(arms_[i].segment);
-    points_[e].listed = false;
-    if (points_[e].arms > 0) put_point(level + 1, e);
+  for (const Through& t : throughs_.take(cells_[c].throughs)) passing.push_back(t.segment);
+  const std::vector<PlacedEnd> ends = ends_.take(cells_[c].ends);
+  cells_[c].refined = true;
+  for (const auto& [p, point] : ends) {
+    for (const Arm& arm : arms_.items(points_[point].arms)) passing.push_back(arm.segment);
+    points_[point].listed = false;
+    if (points_[point].arms.size > 0) put_point(level + 1, point);
   }
   std::erase_if(passing, [&](std::uint32_t segment) { return segments_[segment].erased; });
   std::sort(passing.begin(), passing.end());
@@ -115,9 +111,9 @@ void StrokeIndex::refine_if_crowded(std::size_t level, std::uint64_t key, std::u
 
 void StrokeIndex::insert(LatticePoint from, LatticePoint to) {
   const auto segment = static_cast<std::uint32_t>(segments_.size());
-  segments_.push_back({from, to, static_cast<float>(length(from, to)), false, {}});
+  segments_.push_back({from, to, false, {}});
   pass(0, {}, segment);
-  const std::uint32_t a = add_end(from, segment), b = add_end(to, segment);
+  const std::uint32_t a = add_end(from, to, segment), b = add_end(to, from, segment);
   segments_[segment].ends = {a, b};
   pair_table_[pair_key(a, b)] = segment;
 }
@@ -125,7 +121,12 @@ void StrokeIndex::insert(LatticePoint from, LatticePoint to) {
 void StrokeIndex::erase(std::uint32_t segment) {
   if (segments_[segment].erased) return;
   segments_[segment].erased = true;
-  for (const std::uint32_t point : segments_[segment].ends) --points_[point].arms;
+  for (const std::uint32_t point : segments_[segment].ends) {
+    auto& arms = points_[point].arms;
+    const auto all = arms_.items(arms);
+    const auto at = std::find_if(all.begin(), all.end(), [&](const Arm& arm) { return arm.segment == segment; });
+    arms_.remove(arms, static_cast<std::uint32_t>(at - all.begin()));
+  }
 }
 
 double index_cell(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance_steps) {

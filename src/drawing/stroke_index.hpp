@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "drawing/key_table.hpp"
+#include "drawing/span_pool.hpp"
 #include "drawing/stroke.hpp"
 #include "geometry/lattice.hpp"
 
@@ -47,6 +48,11 @@ class SegmentGrid {
   bool near(LatticePoint p, LatticePoint from, LatticePoint to, double segment_length) const {
     return std::abs(orientation(from, to, p)) <= margin_ * segment_length;
   }
+  /// The same where the length is not known.
+  bool near(LatticePoint p, LatticePoint from, LatticePoint to) const {
+    const double dx = double(to.x) - from.x, dy = double(to.y) - from.y, area = orientation(from, to, p);
+    return area * area <= margin_ * margin_ * (dx * dx + dy * dy);
+  }
 
  private:
   static constexpr double kRounding = 2;  ///< steps; more than the rounding of any position worked out here
@@ -60,10 +66,11 @@ class SegmentGrid {
 /// crowd gives what it has to cells of a finer grid.
 ///
 /// Where two segments coincide, each end of their common interval is an end of one of them, and lies on the other. So it
-/// is enough to ask which segments pass an end of the new one, and which ends lie along the new one. A cell therefore
+/// is enough to ask which segments pass both ends of the new one, and which ends lie along the new one. A cell therefore
 /// keeps two lists: the segments that pass through without ending in it, and the points in it at which segments end, each
 /// with its segments. Segments that share an end are met at their other ends, or, when they share both, by a table of the
-/// pairs of ends: a point where thousands of segments meet costs each of them nothing.
+/// pairs of ends: a point where thousands of segments meet costs each of them nothing. Where hundreds are in a cell few of
+/// them are near, so the lists hold the coordinates that tell, side by side.
 class StrokeIndex {
  public:
   /// As for SegmentGrid.
@@ -71,27 +78,40 @@ class StrokeIndex {
 
   void insert(LatticePoint from, LatticePoint to);
 
-  /// Segment number `segment` is no longer to be found; it keeps its number. The lists forget it when they are next gone
-  /// through.
+  /// Segment number `segment` is no longer to be found; it keeps its number.
   void erase(std::uint32_t segment);
 
-  /// Calls found(segment) for every inserted segment that may coincide with from-to; some more than once.
+  /// Calls found(segment) for every inserted segment that may coincide with from-to, for some more than once, until it
+  /// returns true; true when it did.
   template <class Found>
-  void query(LatticePoint from, LatticePoint to, const Found& found);
+  bool query(LatticePoint from, LatticePoint to, const Found& found) const;
 
  private:
   static constexpr std::uint32_t kNone = KeyTable::kNone;
 
   struct Segment {
     LatticePoint from, to;
-    float length;
     bool erased = false;
     std::array<std::uint32_t, 2> ends{};  ///< its points
   };
+  /// A segment that passes through a cell, and a point in it.
+  struct Through {
+    LatticePoint from, to;
+    std::uint32_t segment;
+  };
+  struct PlacedEnd {
+    LatticePoint p;
+    std::uint32_t point;
+  };
+  /// A segment that ends at a point.
+  struct Arm {
+    LatticePoint far;
+    std::uint32_t segment;
+  };
   struct Cell {
-    std::uint32_t first_through = kNone, first_point = kNone;
-    std::uint32_t load = 0;  ///< segments that pass through, and points
-    bool refined = false;    ///< its lists are those of the cells below
+    SpanPool<Through>::List throughs;
+    SpanPool<PlacedEnd>::List ends;
+    bool refined = false;  ///< its lists are those of the cells below
   };
   /// A grid; cells of the next one are kParts times as small.
   struct Level {
@@ -102,12 +122,8 @@ class StrokeIndex {
   };
   struct EndPoint {
     LatticePoint p;
-    std::uint32_t first_arm = kNone, next = kNone;
-    std::uint32_t arms = 0;  ///< segments that are not erased
-    bool listed = true;      ///< in the list of its cell
-  };
-  struct Link {
-    std::uint32_t segment, next;
+    SpanPool<Arm>::List arms{};
+    bool listed = true;  ///< in the list of its cell
   };
 
   static std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
@@ -118,16 +134,16 @@ class StrokeIndex {
   }
   std::uint32_t cell(std::size_t level, std::uint64_t key);
   std::uint32_t leaf_at(LatticePoint p) const;
-  std::uint32_t add_end(LatticePoint p, std::uint32_t segment);
+  std::uint32_t add_end(LatticePoint p, LatticePoint far, std::uint32_t segment);
   void pass(std::size_t level, const CellRange& range, std::uint32_t segment);
   void put_point(std::size_t level, std::uint32_t point);
   void refine_if_crowded(std::size_t level, std::uint64_t key, std::uint32_t cell);
   template <class Visit>
-  void visit_leaves(std::size_t level, const CellRange& range, LatticePoint from, LatticePoint to, const Visit& visit);
-  template <class Visit>
-  void visit_links(std::vector<Link>& links, std::uint32_t& first, const Visit& visit);
-  template <class Visit>
-  void visit_points(Cell& cell, const Visit& visit);
+  bool visit_leaves(std::size_t level, const CellRange& range, LatticePoint from, LatticePoint to, const Visit& visit) const;
+  template <class Found>
+  bool visit_passing(const Cell& cell, LatticePoint p, LatticePoint other, const Found& found) const;
+  template <class Found>
+  bool visit_along(const Cell& cell, LatticePoint from, LatticePoint to, const Found& found) const;
 
   static constexpr std::int32_t kParts = 2;
   double tolerance_;
@@ -136,7 +152,10 @@ class StrokeIndex {
   std::vector<Segment> segments_;
   std::vector<Cell> cells_;
   std::vector<EndPoint> points_;
-  std::vector<Link> arms_, throughs_;
+  SpanPool<Arm> arms_;
+  SpanPool<Through> throughs_;
+  SpanPool<PlacedEnd> ends_;
+  std::size_t through_count_ = 0;  ///< ever listed
 };
 
 /// Side of the cells of an index over the strokes numbered in `of`, in steps: as small as the common stroke, or as the mean

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "drawing/stroke_index.hpp"
 #include "drawing/stroke_overlap.hpp"
@@ -34,79 +35,60 @@ bool SegmentGrid::walk_cells(LatticePoint from, LatticePoint to, const CellRange
   return false;
 }
 
-/// The cells within the tolerance of the segment that are not refined.
+/// The cells within the tolerance of the segment that are not refined, until visit(cell) returns true.
 template <class Visit>
-void StrokeIndex::visit_leaves(std::size_t level, const CellRange& range, LatticePoint from, LatticePoint to,
-                               const Visit& visit) {
-  levels_[level].grid.walk_cells(from, to, range, [&](std::int32_t column, std::int32_t row) {
+bool StrokeIndex::visit_leaves(std::size_t level, const CellRange& range, LatticePoint from, LatticePoint to,
+                               const Visit& visit) const {
+  return levels_[level].grid.walk_cells(from, to, range, [&](std::int32_t column, std::int32_t row) {
     const std::uint32_t c = levels_[level].cells.find(KeyTable::key(column, row));
     if (c == kNone) return false;
-    if (cells_[c].refined) {
-      visit_leaves(level + 1, parts_of(column, row), from, to, visit);
-    } else {
-      visit(cells_[c]);
-    }
-    return false;
+    return cells_[c].refined ? visit_leaves(level + 1, parts_of(column, row), from, to, visit) : visit(cells_[c]);
   });
 }
 
-/// The segments of a list, which forgets those that are erased.
-template <class Visit>
-void StrokeIndex::visit_links(std::vector<Link>& links, std::uint32_t& first, const Visit& visit) {
-  for (std::uint32_t* link = &first; *link != kNone;) {
-    Link& l = links[*link];
-    if (segments_[l.segment].erased) {
-      *link = l.next;
-    } else {
-      visit(l.segment);
-      link = &l.next;
+/// The segments that pass through the cell or end in it, but not at p, and are near p and the other point.
+template <class Found>
+bool StrokeIndex::visit_passing(const Cell& cell, LatticePoint p, LatticePoint other, const Found& found) const {
+  const SegmentGrid& grid = levels_[0].grid;
+  for (const Through& t : throughs_.items(cell.throughs)) {
+    if (!grid.near(p, t.from, t.to) || !grid.near(other, t.from, t.to) || segments_[t.segment].erased) continue;
+    if (found(t.segment)) return true;
+  }
+  for (const PlacedEnd& end : ends_.items(cell.ends)) {
+    if (end.p == p) continue;
+    for (const Arm& arm : arms_.items(points_[end.point].arms)) {
+      if (grid.near(p, end.p, arm.far) && grid.near(other, end.p, arm.far) && found(arm.segment)) return true;
     }
   }
+  return false;
 }
 
-/// The points of a cell, which forgets those at which no segment ends any more.
-template <class Visit>
-void StrokeIndex::visit_points(Cell& cell, const Visit& visit) {
-  for (std::uint32_t* link = &cell.first_point; *link != kNone;) {
-    EndPoint& point = points_[*link];
-    if (point.arms == 0) {
-      point.listed = false;
-      *link = point.next;
-    } else {
-      visit(point);
-      link = &point.next;
+/// The segments with an end in the cell that is near from-to, but not at its ends.
+template <class Found>
+bool StrokeIndex::visit_along(const Cell& cell, LatticePoint from, LatticePoint to, const Found& found) const {
+  const SegmentGrid& grid = levels_[0].grid;
+  for (const PlacedEnd& end : ends_.items(cell.ends)) {
+    if (!grid.near(end.p, from, to) || end.p == from || end.p == to) continue;
+    for (const Arm& arm : arms_.items(points_[end.point].arms)) {
+      // The other end of what the two have in common is the far end, or an end of from-to.
+      const bool may_lie = grid.near(arm.far, from, to) || grid.near(from, end.p, arm.far) || grid.near(to, end.p, arm.far);
+      if (may_lie && found(arm.segment)) return true;
     }
   }
+  return false;
 }
 
 template <class Found>
-void StrokeIndex::query(LatticePoint from, LatticePoint to, const Found& found) {
-  // Segments that pass an end of this one.
-  for (const LatticePoint p : {from, to}) {
-    const std::uint32_t c = leaf_at(p);
-    if (c == kNone) continue;
-    const auto visit_near = [&](std::uint32_t segment) {
-      const Segment& s = segments_[segment];
-      if (levels_[0].grid.near(p, s.from, s.to, s.length)) found(segment);
-    };
-    visit_links(throughs_, cells_[c].first_through, visit_near);
-    visit_points(cells_[c], [&](EndPoint& point) {
-      if (point.p != p) visit_links(arms_, point.first_arm, visit_near);
-    });
+bool StrokeIndex::query(LatticePoint from, LatticePoint to, const Found& found) const {
+  for (const auto& [p, other] : {std::pair(from, to), std::pair(to, from)}) {
+    if (const std::uint32_t c = leaf_at(p); c != kNone && visit_passing(cells_[c], p, other, found)) return true;
   }
-  // Ends along this one.
-  const double segment_length = length(from, to);
-  visit_leaves(0, {}, from, to, [&](Cell& leaf) {
-    visit_points(leaf, [&](EndPoint& point) {
-      if (point.p == from || point.p == to || !levels_[0].grid.near(point.p, from, to, segment_length)) return;
-      visit_links(arms_, point.first_arm, found);
-    });
-  });
+  if (visit_leaves(0, {}, from, to, [&](const Cell& leaf) { return visit_along(leaf, from, to, found); })) return true;
   // The segment with the same ends.
   const std::uint32_t a = point_table_.find(KeyTable::key(from)), b = point_table_.find(KeyTable::key(to));
-  if (a == kNone || b == kNone) return;
+  if (a == kNone || b == kNone) return false;
   const std::uint32_t same = pair_table_.find(pair_key(a, b));
-  if (same != kNone && !segments_[same].erased) found(same);
+  return same != kNone && !segments_[same].erased && found(same);
 }
 
 }  // namespace ligne
