@@ -9,6 +9,10 @@
 /// for good: the work ends. Since a new stroke is only held against what stands, a thousand strokes on one line do not make
 /// a million pairs.
 ///
+/// What is left of a stroke that crosses another at a very small angle may lie within the tolerance of a third, where the
+/// whole did not. Strokes that turn out to coincide with such a piece come in afterwards, and what stands is not decided
+/// anew: it loses to them what it must.
+///
 /// A cut puts the end of the loser onto the end of the winner, so that the two meet in one lattice point and the joining
 /// of make_drawing.cpp sees that they continue each other.
 
@@ -17,6 +21,7 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "drawing/drawing.hpp"
 #include "drawing/stroke_index.hpp"
@@ -59,9 +64,9 @@ class Precedence {
   Precedence(Index index, double tolerance_steps, double tolerance_mm)
       : index_(std::move(index)), tolerance_steps_(tolerance_steps), tolerance_mm_(tolerance_mm) {}
 
-  /// Strokes must come by rank.
-  void add(const Stroke& stroke) {
-    waiting_.push_back({stroke, false});
+  /// Strokes should come in the order of their turns; one that comes later may cut more of what stands.
+  void add(const Stroke& stroke, std::uint32_t turn) {
+    waiting_.push_back({stroke, turn, false});
     while (!waiting_.empty()) {
       const Trial trial = waiting_.back();
       waiting_.pop_back();
@@ -69,22 +74,23 @@ class Precedence {
     }
   }
 
-  /// A stroke that coincides with no other.
-  void add_alone(const Stroke& stroke) { standing_.push_back({stroke, true, false}); }
-
-  /// What stands is appended to `strokes`.
-  void take(std::vector<Stroke>& strokes) const {
-    for (const Standing& s : standing_) {
-      if (s.stands) strokes.push_back(s.stroke);
+  /// What stands of the strokes that were cut since this was asked last.
+  std::vector<Stroke> new_pieces() {
+    std::vector<Stroke> pieces;
+    for (; told_ < standing_.size(); ++told_) {
+      if (standing_[told_].stands && standing_[told_].is_piece) pieces.push_back(standing_[told_].stroke);
     }
+    return pieces;
   }
 
-  /// What stands of strokes that were cut.
-  void take_pieces(std::vector<Stroke>& strokes) const {
-    for (const Standing& s : standing_) {
-      if (s.stands && s.is_piece) strokes.push_back(s.stroke);
-    }
-  }
+  /// A stroke, and the turn at which it came to stand.
+  struct Standing {
+    Stroke stroke;
+    std::uint32_t turn;
+    bool stands;  ///< still
+    bool is_piece;
+  };
+  const std::vector<Standing>& standing() const { return standing_; }
 
  private:
   static constexpr bool kHasRuns = std::is_same_v<Index, StrokeTree>;
@@ -97,11 +103,7 @@ class Precedence {
 
   struct Trial {
     Stroke stroke;
-    bool is_piece;
-  };
-  struct Standing {
-    Stroke stroke;
-    bool stands;  ///< still
+    std::uint32_t turn;
     bool is_piece;
   };
 
@@ -109,11 +111,12 @@ class Precedence {
   bool precedes(const Stroke& stroke, const Stroke& standing, const StrokeOverlap& common) const;
   bool goes_behind(const Stroke& stroke, const StrokeOrder& last, double begin, double end) const;
   bool lose_to_run(const Stroke& stroke, const SegmentRun& run, double begin, double end);
-  void cut(const Stroke& stroke, std::vector<Loss>& losses);
+  void cut(const Stroke& stroke, std::uint32_t turn, std::vector<Loss>& losses);
 
   Index index_;
   double tolerance_steps_, tolerance_mm_;
   std::vector<Standing> standing_;
+  std::size_t told_ = 0;  ///< so many standing ones were looked at for pieces
   std::vector<Trial> waiting_;
   std::vector<std::uint32_t> indexed_;  ///< the strokes that stand or stood, in the order of the index
   std::vector<std::uint32_t> seen_;     ///< for each of them the number of the trial in which it was met last
@@ -134,7 +137,7 @@ bool Precedence<Index>::precedes(const Stroke& stroke, const Stroke& standing, c
 
 /// Puts what the losses leave of the stroke on the list of those to be tried.
 template <class Index>
-void Precedence<Index>::cut(const Stroke& stroke, std::vector<Loss>& losses) {
+void Precedence<Index>::cut(const Stroke& stroke, std::uint32_t turn, std::vector<Loss>& losses) {
   std::sort(losses.begin(), losses.end(), [](const Loss& l, const Loss& r) {
     return std::tie(l.from.fraction, l.to.fraction) < std::tie(r.from.fraction, r.to.fraction);
   });
@@ -143,7 +146,7 @@ void Precedence<Index>::cut(const Stroke& stroke, std::vector<Loss>& losses) {
   const auto keep = [&](const Cut& to) {
     if ((to.fraction - from.fraction) * stroke_length <= tolerance_steps_) return;
     const Stroke part = stroke_piece(stroke, from, to);
-    if (part.from != part.to && part.t_from < part.t_to) waiting_.push_back({part, true});
+    if (part.from != part.to && part.t_from < part.t_to) waiting_.push_back({part, turn, true});
   };
   for (const Loss& loss : losses) {
     keep(loss.from);
@@ -210,7 +213,7 @@ void Precedence<Index>::try_one(const Trial& trial) {
     const Stroke& standing = standing_[i].stroke;
     if (!precedes(stroke, standing, common)) losses_.push_back(loss_to(standing, common));
   }
-  if (!losses_.empty()) return cut(stroke, losses_);
+  if (!losses_.empty()) return cut(stroke, trial.turn, losses_);
 
   for (const auto& [i, entry, common] : hits_) {
     standing_[i].stands = false;
@@ -219,7 +222,7 @@ void Precedence<Index>::try_one(const Trial& trial) {
     Loss loss{{common.b_from, end(common.a_from)}, {common.b_to, end(common.a_to)}};
     if (loss.from.fraction > loss.to.fraction) std::swap(loss.from, loss.to);
     losses_.assign(1, loss);
-    cut(standing_[i].stroke, losses_);
+    cut(standing_[i].stroke, std::max(trial.turn, standing_[i].turn), losses_);
   }
   if constexpr (kHasRuns) {
     const StrokeOrder order{rank(stroke), std::max(stroke.z_from, stroke.z_to), stroke.source};
@@ -229,7 +232,7 @@ void Precedence<Index>::try_one(const Trial& trial) {
   }
   indexed_.push_back(static_cast<std::uint32_t>(standing_.size()));
   seen_.push_back(0);
-  standing_.push_back({stroke, true, trial.is_piece});
+  standing_.push_back({stroke, trial.turn, true, trial.is_piece});
 }
 
 /// A stroke in the order in which they are tried.
@@ -261,30 +264,48 @@ std::vector<Turn> find_turns(const std::vector<Stroke>& strokes, const std::vect
   return turns;
 }
 
-/// What stands, and of it the pieces of strokes that were cut.
-struct Decided {
-  std::vector<Stroke> strokes, pieces;
-};
-
+/// What stands of the strokes that may coincide with others, in the order of their turns.
 template <class Index>
-Decided decide_with(Index index, const std::vector<Stroke>& strokes, const std::vector<Partners>& partners,
-                    const std::vector<Turn>& turns, double tolerance_steps, double tolerance_mm) {
+std::vector<Stroke> decide_with(Index index, const std::vector<Stroke>& strokes, std::vector<Partners>& partners,
+                                const std::vector<Turn>& turns, double tolerance_steps, double tolerance_mm) {
+  constexpr int kRounds = 3;  // the last but one finds partners of pieces of pieces
   Precedence<Index> precedence(std::move(index), tolerance_steps, tolerance_mm);
-  for (const Turn& turn : turns) {
-    if (partners[turn.stroke] == Partners::some) {
-      precedence.add(strokes[turn.stroke]);
-    } else {
-      precedence.add_alone(strokes[turn.stroke]);
-    }
+  std::vector<std::uint32_t> turn_of(strokes.size()), alone;
+  for (std::uint32_t turn = 0; turn < turns.size(); ++turn) {
+    const std::uint32_t i = turns[turn].stroke;
+    turn_of[i] = turn;
+    if (partners[i] == Partners::some) precedence.add(strokes[i], turn);
+    if (partners[i] == Partners::none) alone.push_back(i);
   }
-  Decided decided;
-  precedence.take(decided.strokes);
-  precedence.take_pieces(decided.pieces);
+  for (int round = 1; round < kRounds && !alone.empty(); ++round) {
+    const std::vector<Stroke> pieces = precedence.new_pieces();
+    if (pieces.empty()) break;
+    for (const std::uint32_t i : find_partners_of(pieces, strokes, alone, tolerance_steps)) {
+      partners[i] = Partners::some;
+      precedence.add(strokes[i], turn_of[i]);
+    }
+    std::erase_if(alone, [&](std::uint32_t i) { return partners[i] == Partners::some; });
+  }
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> order;  // turns and what came to stand then
+  const auto& standing = precedence.standing();
+  for (std::uint32_t k = 0; k < standing.size(); ++k) {
+    if (standing[k].stands) order.emplace_back(standing[k].turn, k);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Stroke> decided;
+  decided.reserve(order.size() + alone.size());
+  auto next = order.begin();
+  for (const std::uint32_t i : alone) {
+    for (; next != order.end() && next->first < turn_of[i]; ++next) decided.push_back(standing[next->second].stroke);
+    decided.push_back(strokes[i]);
+  }
+  for (; next != order.end(); ++next) decided.push_back(standing[next->second].stroke);
   return decided;
 }
 
-Decided decide(const std::vector<Stroke>& strokes, const std::vector<Partners>& partners, const std::vector<Turn>& turns,
-               double tolerance_steps, double tolerance_mm) {
+std::vector<Stroke> decide(const std::vector<Stroke>& strokes, std::vector<Partners>& partners,
+                           const std::vector<Turn>& turns, double tolerance_steps, double tolerance_mm) {
   std::vector<std::uint32_t> together;
   for (std::uint32_t i = 0; i < partners.size(); ++i) {
     if (partners[i] == Partners::some) together.push_back(i);
@@ -298,7 +319,7 @@ Decided decide(const std::vector<Stroke>& strokes, const std::vector<Partners>& 
 }
 
 /// In a crowd, where nearly every stroke has a partner, all are compared from the beginning: there pieces find partners
-/// among the few others all the time, and each time all is decided anew.
+/// among the few others all the time.
 void take_all_of_a_crowd(std::vector<Partners>& partners) {
   constexpr std::ptrdiff_t kCrowd = 1024, kOneIn = 4;  // adjustable
   const auto some = std::count(partners.begin(), partners.end(), Partners::some);
@@ -306,34 +327,9 @@ void take_all_of_a_crowd(std::vector<Partners>& partners) {
   std::replace(partners.begin(), partners.end(), Partners::none, Partners::some);
 }
 
-/// What is left of a stroke that crosses another at a very small angle may lie within the tolerance of it, where the whole
-/// did not. Finds such partners; returns whether there are any.
-bool find_partners_of_pieces(const std::vector<Stroke>& strokes, std::vector<Stroke> compared, double tolerance_steps,
-                             std::vector<Partners>& partners) {
-  if (compared.empty() || std::find(partners.begin(), partners.end(), Partners::none) == partners.end()) return false;
-  for (Stroke& s : compared) s.may_coincide = true;
-  const std::size_t pieces = compared.size();
-  std::vector<std::uint32_t> alone;
-  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-    if (partners[i] != Partners::none) continue;
-    alone.push_back(i);
-    compared.push_back(strokes[i]);
-    compared.back().may_coincide = false;
-  }
-  const std::vector<Partners> found = find_partners(compared, tolerance_steps);
-  bool any = false;
-  for (std::size_t k = 0; k < alone.size(); ++k) {
-    if (found[pieces + k] != Partners::some) continue;
-    partners[alone[k]] = Partners::some;
-    any = true;
-  }
-  return any;
-}
-
 }  // namespace
 
 void remove_coincident_strokes(StrokeModel& model, double tolerance_mm) {
-  constexpr int kRounds = 3;  // each finds partners of pieces of pieces
   std::vector<Stroke>& strokes = model.strokes;
   // The lattice knows nothing finer than its step.
   const double tolerance_steps = std::max(tolerance_mm / model.lattice.step_mm, 1.0);
@@ -341,17 +337,13 @@ void remove_coincident_strokes(StrokeModel& model, double tolerance_mm) {
   take_all_of_a_crowd(partners);
   const std::vector<Turn> turns = find_turns(strokes, partners, tolerance_mm);
   if (turns.empty()) return;
-  Decided decided = decide(strokes, partners, turns, tolerance_steps, tolerance_mm);
-  for (int round = 1;
-       round < kRounds && find_partners_of_pieces(strokes, std::move(decided.pieces), tolerance_steps, partners); ++round) {
-    decided = decide(strokes, partners, turns, tolerance_steps, tolerance_mm);
-  }
+  const std::vector<Stroke> decided = decide(strokes, partners, turns, tolerance_steps, tolerance_mm);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     if (partners[i] == Partners::cannot) strokes[kept++] = strokes[i];
   }
   strokes.resize(kept);
-  strokes.insert(strokes.end(), decided.strokes.begin(), decided.strokes.end());
+  strokes.insert(strokes.end(), decided.begin(), decided.end());
 }
 
 }  // namespace ligne

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -329,6 +330,30 @@ std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double t
   search.run();
   mark_same_ends(strokes, candidates, [&](std::uint32_t i) { search.mark(i); });
   return result;
+}
+
+std::vector<std::uint32_t> find_partners_of(const std::vector<Stroke>& others, const std::vector<Stroke>& strokes,
+                                            const std::vector<std::uint32_t>& of, double tolerance_steps) {
+  std::vector<std::uint32_t> all(others.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const MarkedSquares squares(others, all, tolerance_steps);
+  StrokeIndex index(index_cell(others, all, tolerance_steps), tolerance_steps);
+  for (const Stroke& s : others) index.insert(s.from, s.to);
+  std::vector<std::uint8_t> has(of.size(), 0);
+  parallel_blocks(of.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Stroke& s = strokes[of[k]];
+      if (!squares.near(s)) continue;
+      has[k] = index.query(s.from, s.to, [&](std::uint32_t i) {
+        return overlap(s.from, s.to, others[i].from, others[i].to, tolerance_steps).has_value();
+      });
+    }
+  });
+  std::vector<std::uint32_t> found;
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    if (has[k]) found.push_back(of[k]);
+  }
+  return found;
 }
 
 }  // namespace ligne
