@@ -20,6 +20,9 @@ constexpr double kLeastCosine = 0.5, kStraightCosine = 0.94;
 constexpr double kLongInGaps = 2;
 /// Adjustable: a joint that is so many gaps long is far. What is joined by it must be straighter and longer.
 constexpr double kFarPartInGaps = 3, kFarCosine = 0.985, kLongInFar = 4;
+/// Adjustable: pieces that lie in line with each other (4 degrees) may be shorter, where the joint is no longer than so many
+/// gaps: a rim of which every few facets are hidden is a row of such.
+constexpr double kRowInGaps = 6, kRowCosine = 0.9976, kLongInRow = 1.5;
 /// Adjustable: what was joined may be long enough to be joined to more.
 constexpr int kMostRounds = 3;
 /// Ends of lines that continue each other are rounded to the lattice one by one: so many steps apart, the way from one to
@@ -92,9 +95,12 @@ class LooseEnds {
   bool leads_to(const LooseEnd& e, LatticePoint p, double distance) const {
     if (distance <= kRoundedSteps) return true;
     const bool shows = distance >= gap_, far = distance >= kFarPartInGaps * gap_;
-    if (shows && line_length(e) < (far ? kLongInFar : kLongInGaps) * distance) return false;
     if (e.length <= distance && !shows) return true;
-    return along(e, p) >= (far ? kFarCosine : shows ? kStraightCosine : kLeastCosine) * e.length * distance;
+    const double cosine = along(e, p) / (e.length * distance);
+    const bool in_row = distance < kRowInGaps * gap_ && cosine >= kRowCosine;
+    const double least = !far ? kLongInGaps : in_row ? kLongInRow : kLongInFar;
+    if (shows && line_length(e) < least * distance) return false;
+    return cosine >= (far ? kFarCosine : shows ? kStraightCosine : kLeastCosine);
   }
 
   /// leads_to() is false, as can be told in a moment: where thousands of lines end side by side, nearly all others are asked

@@ -13,7 +13,8 @@ using MakeSource = std::function<SourceEdge(const Stroke&)>;
 
 struct JointLimits {
   double gap_mm = 0;    ///< ends less than this apart are joined where the lines go on towards each other, within 60 degrees
-  double wide_mm = 0;   ///< and so are those of long lines, within 20 degrees (of three gaps: 10), where no line is within
+  double wide_mm = 0;   ///< and so are those of long lines, within 20 degrees (of three gaps: 10; where one is not so long:
+                        ///< 4, up to six gaps), where no line is within
   double clear_mm = 0;  ///< this distance of the joint
 };
 

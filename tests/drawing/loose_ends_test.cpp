@@ -85,8 +85,22 @@ TEST(LooseEnds, FarApartAreJoinedWhereLongLinesAreStraight) {
   EXPECT_EQ(join_far(straight), 1u);
   StrokeModel turning = model({left, stroke({2400, 110}, {5000, 300}, kCreaseClass)});
   EXPECT_EQ(join_far(turning), 0u);
-  StrokeModel short_line = model({stroke({600, 0}, {2000, 0}, kCreaseClass), right});
+  StrokeModel short_line = model({stroke({600, 150}, {2000, 0}, kCreaseClass), right});
   EXPECT_EQ(join_far(short_line), 0u);
+  StrokeModel long_line = model({stroke({0, 214}, {2000, 0}, kCreaseClass), right});
+  EXPECT_EQ(join_far(long_line), 1u);
+}
+
+TEST(LooseEnds, OfARowOfPiecesAreJoined) {
+  const Stroke left = stroke({0, 0}, {2000, 0}, kCreaseClass), right = stroke({3400, 0}, {6000, 0}, kCreaseClass);
+  StrokeModel row = model({left, stroke({2400, 0}, {3050, 10}, kCreaseClass), right});
+  EXPECT_EQ(join_far(row), 2u);
+  StrokeModel off_line = model({left, stroke({2400, 40}, {3050, 40}, kCreaseClass), right});
+  EXPECT_EQ(join_far(off_line), 0u);
+  StrokeModel short_piece = model({left, stroke({2400, 0}, {2950, 0}, kCreaseClass), right});
+  EXPECT_EQ(join_far(short_piece), 0u);
+  StrokeModel far_apart = model({left, stroke({2650, 0}, {3700, 0}, kCreaseClass)});
+  EXPECT_EQ(join_far(far_apart), 0u);
 }
 
 TEST(LooseEnds, MakeLinesLongEnoughForMore) {
