@@ -77,8 +77,8 @@ class Precedence {
   /// What stands of the strokes that were cut since this was asked last.
   std::vector<Stroke> new_pieces() {
     std::vector<Stroke> pieces;
-    for (; told_ < standing_.size(); ++told_) {
-      if (standing_[told_].stands && standing_[told_].is_piece) pieces.push_back(standing_[told_].stroke);
+    for (; looked_at_ < standing_.size(); ++looked_at_) {
+      if (standing_[looked_at_].stands && standing_[looked_at_].is_piece) pieces.push_back(standing_[looked_at_].stroke);
     }
     return pieces;
   }
@@ -116,7 +116,7 @@ class Precedence {
   Index index_;
   double tolerance_steps_, tolerance_mm_;
   std::vector<Standing> standing_;
-  std::size_t told_ = 0;  ///< so many standing ones were looked at for pieces
+  std::size_t looked_at_ = 0;  ///< so many standing ones were looked at for pieces
   std::vector<Trial> waiting_;
   std::vector<std::uint32_t> indexed_;  ///< the strokes that stand or stood, in the order of the index
   std::vector<std::uint32_t> seen_;     ///< for each of them the number of the trial in which it was met last

@@ -31,15 +31,6 @@ class SpanPool {
   /// Takes item number i out; the last one takes its place.
   void remove(List& list, std::uint32_t i) { items_[list.begin + i] = items_[list.begin + --list.size]; }
 
-  /// Takes all items out, and gives the place away.
-  std::vector<T> take(List& list) {
-    const std::span<const T> all = items(list);
-    std::vector<T> taken(all.begin(), all.end());
-    release(list);
-    list = {};
-    return taken;
-  }
-
  private:
   void release(const List& list) {
     if (list.capacity > 0) free_[order(list.capacity)].push_back(list.begin);

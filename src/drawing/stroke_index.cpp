@@ -12,7 +12,7 @@ constexpr double kCellsPerStroke = 64;
 constexpr std::uint32_t kCrowd = 256;  ///< segments and points in one cell
 // Cells are refined as long as segments stand in so many on the average, and so many more in all: memory grows with the
 // input.
-constexpr std::size_t kMostCells = 64, kFewEntries = 1 << 20;
+constexpr std::size_t kMostCells = 24, kFewEntries = 1 << 20;
 
 double median(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -54,7 +54,9 @@ void StrokeIndex::put_point(std::size_t level, std::uint32_t point) {
   refine_if_crowded(level, key, c);
 }
 
-std::uint32_t StrokeIndex::add_end(LatticePoint p, LatticePoint far, std::uint32_t segment) {
+void StrokeIndex::add_end(std::uint32_t segment, int side) {
+  Segment& s = segments_[segment];
+  const LatticePoint p = side == 0 ? s.from : s.to, far = side == 0 ? s.to : s.from;
   std::uint32_t& number = point_table_[KeyTable::key(p)];
   const bool is_new = number == kNone;
   if (is_new) {
@@ -62,9 +64,10 @@ std::uint32_t StrokeIndex::add_end(LatticePoint p, LatticePoint far, std::uint32
     points_.push_back({p});
   }
   const std::uint32_t point = number;
+  s.ends[side] = point;
+  s.arms[side] = points_[point].arms.size;
   arms_.push(points_[point].arms, {far, segment});
   if (is_new || !points_[point].listed) put_point(0, point);
-  return point;
 }
 
 /// Lists the segment in the leaves of a range through which it passes, but for those in which it ends.
@@ -113,19 +116,25 @@ void StrokeIndex::insert(LatticePoint from, LatticePoint to) {
   const auto segment = static_cast<std::uint32_t>(segments_.size());
   segments_.push_back({from, to, false, {}});
   pass(0, {}, segment);
-  const std::uint32_t a = add_end(from, to, segment), b = add_end(to, from, segment);
-  segments_[segment].ends = {a, b};
+  add_end(segment, 0);
+  add_end(segment, 1);
+  const auto [a, b] = segments_[segment].ends;
   pair_table_[pair_key(a, b)] = segment;
 }
 
 void StrokeIndex::erase(std::uint32_t segment) {
   if (segments_[segment].erased) return;
   segments_[segment].erased = true;
-  for (const std::uint32_t point : segments_[segment].ends) {
+  for (const int side : {0, 1}) {
+    const std::uint32_t point = segments_[segment].ends[side], place = segments_[segment].arms[side];
     auto& arms = points_[point].arms;
-    const auto all = arms_.items(arms);
-    const auto at = std::find_if(all.begin(), all.end(), [&](const Arm& arm) { return arm.segment == segment; });
-    arms_.remove(arms, static_cast<std::uint32_t>(at - all.begin()));
+    arms_.remove(arms, place);
+    if (place == arms.size) continue;
+    // The last arm has taken the place.
+    Segment& moved = segments_[arms_.items(arms)[place].segment];
+    for (const int k : {0, 1}) {
+      if (moved.ends[k] == point && moved.arms[k] == arms.size) moved.arms[k] = place;
+    }
   }
 }
 

@@ -2,13 +2,13 @@
 /// Finds, among segments of the page, those that may lie on a given one.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <vector>
 
+#include "drawing/chunk_pool.hpp"
 #include "drawing/key_table.hpp"
 #include "drawing/span_pool.hpp"
 #include "drawing/stroke.hpp"
@@ -53,6 +53,13 @@ class SegmentGrid {
     const double dx = double(to.x) - from.x, dy = double(to.y) - from.y, area = orientation(from, to, p);
     return area * area <= margin_ * margin_ * (dx * dx + dy * dy);
   }
+  /// The point is beside the segment, or no farther from it than the margin along its line.
+  bool beside(LatticePoint p, LatticePoint from, LatticePoint to) const {
+    const double dx = double(to.x) - from.x, dy = double(to.y) - from.y, squared = dx * dx + dy * dy;
+    const double along = dx * (double(p.x) - from.x) + dy * (double(p.y) - from.y),
+                 beyond = std::max(-along, along - squared);
+    return beyond <= 0 || beyond * beyond <= margin_ * margin_ * squared;
+  }
 
  private:
   static constexpr double kRounding = 2;  ///< steps; more than the rounding of any position worked out here
@@ -92,7 +99,8 @@ class StrokeIndex {
   struct Segment {
     LatticePoint from, to;
     bool erased = false;
-    std::array<std::uint32_t, 2> ends{};  ///< its points
+    std::uint32_t ends[2] = {};  ///< its points
+    std::uint32_t arms[2] = {};  ///< its places in their lists
   };
   /// A segment that passes through a cell, and a point in it.
   struct Through {
@@ -109,8 +117,8 @@ class StrokeIndex {
     std::uint32_t segment;
   };
   struct Cell {
-    SpanPool<Through>::List throughs;
-    SpanPool<PlacedEnd>::List ends;
+    ChunkPool<Through>::List throughs;
+    ChunkPool<PlacedEnd>::List ends;
     bool refined = false;  ///< its lists are those of the cells below
   };
   /// A grid; cells of the next one are kParts times as small.
@@ -134,7 +142,7 @@ class StrokeIndex {
   }
   std::uint32_t cell(std::size_t level, std::uint64_t key);
   std::uint32_t leaf_at(LatticePoint p) const;
-  std::uint32_t add_end(LatticePoint p, LatticePoint far, std::uint32_t segment);
+  void add_end(std::uint32_t segment, int side);
   void pass(std::size_t level, const CellRange& range, std::uint32_t segment);
   void put_point(std::size_t level, std::uint32_t point);
   void refine_if_crowded(std::size_t level, std::uint64_t key, std::uint32_t cell);
@@ -153,8 +161,8 @@ class StrokeIndex {
   std::vector<Cell> cells_;
   std::vector<EndPoint> points_;
   SpanPool<Arm> arms_;
-  SpanPool<Through> throughs_;
-  SpanPool<PlacedEnd> ends_;
+  ChunkPool<Through> throughs_;
+  ChunkPool<PlacedEnd> ends_;
   std::size_t through_count_ = 0;  ///< ever listed
 };
 

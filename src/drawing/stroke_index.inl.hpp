@@ -46,36 +46,50 @@ bool StrokeIndex::visit_leaves(std::size_t level, const CellRange& range, Lattic
   });
 }
 
+/// The two are farther apart, as far as can be said for certain.
+inline bool is_farther(LatticePoint a, LatticePoint b, double distance) {
+  const double dx = double(b.x) - a.x, dy = double(b.y) - a.y, least = std::max(0.0, distance - 1);
+  return dx * dx + dy * dy > least * least;
+}
+
+/// From p on, q lies on the same side as `towards`.
+inline bool is_ahead(LatticePoint p, LatticePoint towards, LatticePoint q) {
+  return (double(towards.x) - p.x) * (double(q.x) - p.x) + (double(towards.y) - p.y) * (double(q.y) - p.y) > 0;
+}
+
 /// The segments that pass through the cell or end in it, but not at p, and are near p and the other point.
 template <class Found>
 bool StrokeIndex::visit_passing(const Cell& cell, LatticePoint p, LatticePoint other, const Found& found) const {
   const SegmentGrid& grid = levels_[0].grid;
-  for (const Through& t : throughs_.items(cell.throughs)) {
-    if (!grid.near(p, t.from, t.to) || !grid.near(other, t.from, t.to) || segments_[t.segment].erased) continue;
-    if (found(t.segment)) return true;
-  }
-  for (const PlacedEnd& end : ends_.items(cell.ends)) {
-    if (end.p == p) continue;
+  const auto visit_through = [&](const Through& t) {
+    return grid.near(p, t.from, t.to) && grid.near(other, t.from, t.to) && !segments_[t.segment].erased && found(t.segment);
+  };
+  if (throughs_.visit(cell.throughs, visit_through)) return true;
+  return ends_.visit(cell.ends, [&](const PlacedEnd& end) {
+    if (end.p == p) return false;
     for (const Arm& arm : arms_.items(points_[end.point].arms)) {
       if (grid.near(p, end.p, arm.far) && grid.near(other, end.p, arm.far) && found(arm.segment)) return true;
     }
-  }
-  return false;
+    return false;
+  });
 }
 
 /// The segments with an end in the cell that is near from-to, but not at its ends.
 template <class Found>
 bool StrokeIndex::visit_along(const Cell& cell, LatticePoint from, LatticePoint to, const Found& found) const {
   const SegmentGrid& grid = levels_[0].grid;
-  for (const PlacedEnd& end : ends_.items(cell.ends)) {
-    if (!grid.near(end.p, from, to) || end.p == from || end.p == to) continue;
+  return ends_.visit(cell.ends, [&](const PlacedEnd& end) {
+    if (!grid.near(end.p, from, to) || end.p == from || end.p == to) return false;
+    // The other end of what the two have in common is the far end, or an end of from-to, and farther than the tolerance.
+    const bool from_is_far = is_farther(end.p, from, tolerance_), to_is_far = is_farther(end.p, to, tolerance_);
     for (const Arm& arm : arms_.items(points_[end.point].arms)) {
-      // The other end of what the two have in common is the far end, or an end of from-to.
-      const bool may_lie = grid.near(arm.far, from, to) || grid.near(from, end.p, arm.far) || grid.near(to, end.p, arm.far);
+      const bool may_lie = (grid.near(arm.far, from, to) && grid.beside(arm.far, from, to)) ||
+                           (from_is_far && is_ahead(end.p, arm.far, from) && grid.near(from, end.p, arm.far)) ||
+                           (to_is_far && is_ahead(end.p, arm.far, to) && grid.near(to, end.p, arm.far));
       if (may_lie && found(arm.segment)) return true;
     }
-  }
-  return false;
+    return false;
+  });
 }
 
 template <class Found>

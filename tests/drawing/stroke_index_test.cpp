@@ -23,25 +23,25 @@ TEST(StrokeIndex, InACrowdAllThatOverlapAreFound) {
   expect_overlaps_found_in_a_crowd(index, kTolerance);
 }
 
-/// Half of the lines end where all pass: of the thousands near each of them it is told only of those that may lie on it.
-TEST(StrokeIndex, OfACrowdThroughAPointOnlyThoseThatMayLieOnEachOtherAreTold) {
+/// Half of the lines end where all pass: of the thousands near each of them only those are found that may lie on it.
+TEST(StrokeIndex, OfACrowdThroughAPointOnlyThoseThatMayLieOnEachOtherAreFound) {
   constexpr double kTolerance = 20, kRadius = 4e6;
   constexpr std::size_t kLines = 4000;
   std::mt19937 random(5);
   std::uniform_real_distribution<double> direction(-3.1, 3.1);
   std::vector<std::pair<LatticePoint, LatticePoint>> lines;
   StrokeIndex index(1e5, kTolerance);
-  std::size_t told = 0, overlapping = 0;
+  std::size_t found = 0, overlapping = 0;
   for (std::size_t i = 0; i < kLines; ++i) {
     const double a = direction(random);
     const auto x = static_cast<std::int32_t>(kRadius * std::cos(a)), y = static_cast<std::int32_t>(kRadius * std::sin(a));
     const LatticePoint from{x, y}, to = i % 2 == 0 ? LatticePoint{0, 0} : LatticePoint{-x, -y};
-    index.query(from, to, [&](std::uint32_t) { return ++told, false; });
+    index.query(from, to, [&](std::uint32_t) { return ++found, false; });
     for (const auto& [p, q] : lines) overlapping += overlap(from, to, p, q, kTolerance).has_value();
     index.insert(from, to);
     lines.emplace_back(from, to);
   }
-  EXPECT_LE(told, 4 * overlapping + kLines) << overlapping << " pairs overlap";
+  EXPECT_LE(found, 4 * overlapping + kLines) << overlapping << " pairs overlap";
 }
 
 TEST(WalkedCell, IsNoHairWhereStrokesAreLong) {
