@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
-#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <new>
@@ -77,19 +76,6 @@ std::vector<std::string> with_formulas_in_parentheses(int argc, char** argv) {
   return arguments;
 }
 
-/// Has memory that one stage gives back stay for the next one: it would go back to the system, and every page of it would be
-/// brought in and cleared anew.
-void keep_memory_between_stages() {
-#ifdef __GLIBC__
-  // The threshold from which on an array comes from the system by itself follows the largest such array that was given back,
-  // and what is kept at most is twice that. So one that nobody writes to raises both. Fixed ones (mallopt) would not follow
-  // the arrays of a large model, which cost it page faults or memory.
-  constexpr std::size_t kLargestKept = std::size_t{16} << 20;  // adjustable
-  void* volatile array = std::malloc(kLargestKept);            // volatile: the pair of calls is not left out
-  std::free(array);
-#endif
-}
-
 int run(int argc, char** argv) {
   CLI::App app("Draws 3D polygon scenes as clean lines, hidden parts removed.", "ligne");
   app.formatter(std::make_shared<HelpFormatter>());
@@ -141,7 +127,6 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   // A reader that goes away early is an error of the write, not a signal.
   std::signal(SIGPIPE, SIG_IGN);
-  ligne::keep_memory_between_stages();
   try {
     return ligne::run(argc, argv);
   } catch (const ligne::UsageError& e) {
