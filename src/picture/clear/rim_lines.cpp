@@ -22,6 +22,14 @@ bool looks_at(const Scene& scene, std::uint32_t face, const Camera& camera) {
 
 Point3 between(const Point3& a, const Point3& b, double t) { return a + t * (b - a); }
 
+/// Of a point from segment a-b.
+double distance_from(const Point3& p, const Point3& a, const Point3& b) {
+  const Point3 along = b - a;
+  const double square = glm::dot(along, along);
+  const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
+  return glm::distance(p, between(a, b, t));
+}
+
 }  // namespace
 
 std::vector<RimLines::Rim> RimLines::find_rims(const Scene& scene, const FaceNeighbours& neighbours,
@@ -134,6 +142,10 @@ std::vector<Stroke> RimLines::pieces(StrokeModel& model, const Stroke& stroke, c
     const bool at_v0 = r.v0 == s.v0 || r.v0 == s.v1, at_v1 = r.v1 == s.v0 || r.v1 == s.v1;
     if (at_v0 == at_v1) continue;
     const std::uint32_t corner = at_v0 ? r.v0 : r.v1;
+    // At the tip of a narrow face both ends may lie near two rims that meet far away, or turn back there.
+    const Point3 turn = scene_.vertices[corner];
+    const double farthest = distance + std::max(r.distance, s.distance);
+    if (distance_from(turn, from, to) > farthest || glm::dot(from - turn, to - turn) > 0) continue;
     add_piece(model, pieces, stroke, view, p->rim, p->at, at_v0 ? 0 : 1);
     add_piece(model, pieces, stroke, view, q->rim, corner == s.v0 ? 0 : 1, q->at);
     return pieces;
