@@ -368,6 +368,36 @@ TEST(Creases, ARidgeOfAScanIsOneLineWithoutTeeth) {
 
 TEST(Creases, ARidgeRoundOverManyTrianglesHasNone) { EXPECT_EQ(find(rounded_ridge(40, 12, 0.3)).count(), 0u); }
 
+/// A ridge of height 12 and length `along`, rounded over about `round`, that runs out into a plane of triangles with edges
+/// of about 1.
+Scene short_ridge(double along, double round) {
+  std::ostringstream obj;
+  constexpr int kSteps = 100;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int k = 0; k <= kSteps; ++k) {
+      const double x = k - kSteps / 2.0 + (i % 2) * 0.5 + 0.05 * std::sin(5.0 * i * k), y = (i - kSteps / 2.0) * 0.866;
+      const double fall = 1 / (1 + std::pow(2 * x / along, 4));
+      obj << "v " << x << ' ' << y << ' '
+          << 12 * fall * std::exp(-std::sqrt(y * y + round * round) / 12) + 0.05 * std::sin(7.0 * i + 3.0 * k) << '\n';
+    }
+  }
+  for (int i = 0; i < kSteps; ++i) {
+    for (int k = 0; k < kSteps; ++k) {
+      const int v = i * (kSteps + 1) + k + 1, up = v + kSteps + 1;
+      if (i % 2 == 0) obj << "f " << v << ' ' << v + 1 << ' ' << up << "\nf " << v + 1 << ' ' << up + 1 << ' ' << up << '\n';
+      if (i % 2 == 1) obj << "f " << v << ' ' << v + 1 << ' ' << up + 1 << "\nf " << v << ' ' << up + 1 << ' ' << up << '\n';
+    }
+  }
+  return read(obj.str(), ModelFormat::obj);
+}
+
+TEST(Creases, OfAScanAreLongOnARoundingAndMayBeShortOnAnEdge) {
+  // Both are 14 long, the object 130.
+  EXPECT_GT(find(short_ridge(14, 0)).count(), 8u);
+  EXPECT_EQ(find(short_ridge(14, 0.6)).count(), 0u);
+  EXPECT_GT(find(short_ridge(40, 0.6)).count(), 20u);
+}
+
 TEST(Creases, CleanShapesOfTheCorpusAreThoseOfTheAngle) {
   for (const char* name :
        {"cube", "hexagonal_prism", "octahedron", "l_block", "gear", "house", "stair", "letter_e", "pocket", "tunnel",

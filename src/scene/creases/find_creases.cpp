@@ -128,7 +128,7 @@ class Finder {
       found_.straight_sheets += !bent[i];
       ++i;
     }
-    TracedCreases traced = trace_creases(scene_, topology_, normals, degrees_, bends_);
+    TracedCreases traced = trace_creases(scene_, topology_, normals, sizes_, degrees_, bends_);
     found_.scans = std::move(traced.scans);
     found_.untraced = traced.left_out;
     found_.traced = traced.continued;

@@ -1,7 +1,7 @@
 #include "scene/creases/trace_creases.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -9,16 +9,10 @@
 #include <utility>
 
 #include "geometry/parallel.hpp"
-#include "geometry/prefetch.hpp"
+#include "scene/creases/scan_meshes.hpp"
 
 namespace ligne {
 namespace {
-
-// Adjustable: what is a scan or a remeshed surface.
-constexpr double kEvenPart = 3.0 / 4;  ///< of the edges have a length between half and twice the median
-constexpr double kBentPart = 1.0 / 8;  ///< at most of the edges bend by more than the crease angle
-constexpr double kFlatPart = 1.0 / 4;  ///< at most of the edges bend by less than kFlatDegrees: planes are construction
-constexpr double kFlatDegrees = 1;
 
 // Adjustable: what is a clean line on it.
 constexpr double kWidePart = 3.0 / 4;       ///< of the crease angle: where the surface bends less, no line runs on
@@ -28,6 +22,8 @@ constexpr std::size_t kFewestEdges = 6;
 constexpr double kRidgePart = 2.0 / 3;        ///< of its vertices have an edge that bends by more than the crease angle
 constexpr double kZigzagPart = 1.0 / 3;       ///< at most of its vertices turn by more than the angle of kZigzagCosine
 constexpr double kZigzagCosine = 0.64278761;  ///< 50 degrees
+constexpr double kSharpPart = 0.95;           ///< of the bend farther out: a line with less at it lies on a rounding
+constexpr double kLongPart = 1.0 / 8;         ///< of the size of the object: a shorter line on a rounding is none
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -35,58 +31,15 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 class Tracer {
  public:
   Tracer(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals, std::vector<Bend>& bends,
-         const Object& object, std::size_t edge_begin, std::size_t edge_end)
+         const Object& object, std::size_t edge_begin, std::size_t edge_end, double size)
       : scene_(scene),
         topology_(topology),
         normals_(normals),
         bends_(bends),
         object_(object),
         edge_begin_(edge_begin),
-        edge_end_(edge_end) {}
-
-  /// Whether the mesh is that of a scan or a remeshed surface, without planes and without knowledge of its corners.
-  bool is_even() const {
-    constexpr std::uint16_t kSpoken = kEdgeSmooth | kEdgeSharp | kEdgeInner | kEdgeUnlikeWound | kEdgeManyFaces;
-    const auto count = static_cast<double>(edge_end_ - edge_begin_);
-    struct Counts {
-      std::size_t spoken = 0, bent = 0;
-      Counts operator+(const Counts& o) const { return {spoken + o.spoken, bent + o.bent}; }
-    };
-    const auto least = static_cast<float>(std::cos(radians(kFlatDegrees)));
-    // That there are too many is known before all edges are looked at.
-    std::atomic<std::size_t> all_flat{0};
-    const auto too_flat = [&] { return static_cast<double>(all_flat) > kFlatPart * count; };
-    const auto count_edges = [&](std::size_t begin, std::size_t end) {
-      Counts sum;
-      if (too_flat()) return sum;
-      std::size_t flat = 0;
-      for (std::size_t e = edge_begin_ + begin; e < edge_begin_ + end && sum.spoken == 0; ++e) {
-        prefetch_faces(normals_, topology_.edges, e);
-        const Edge& edge = topology_.edges[e];
-        sum.spoken += (topology_.edge_flags[e] & kSpoken) != 0;
-        sum.bent += bends_[e] >= Bend::strong;
-        flat += edge.face1 != kNone && glm::dot(normals_[edge.face0], normals_[edge.face1]) > least;
-      }
-      all_flat += flat;
-      return sum;
-    };
-    const Counts edges = parallel_reduce(edge_end_ - edge_begin_, kShortWorkBlock, Counts{}, count_edges);
-    if (edges.spoken > 0 || edges.bent == 0 || static_cast<double>(edges.bent) > kBentPart * count || too_flat()) {
-      return false;
-    }
-    for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
-      if (scene_.faces.contour_count(f) != 1 || scene_.faces.contour(f, 0).size() != 3) return false;
-    }
-    std::vector<double> lengths;
-    lengths.reserve(edge_end_ - edge_begin_);
-    for (std::size_t e = edge_begin_; e < edge_end_; ++e) lengths.push_back(glm::length(along(e)));
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    const double median = *middle;
-    const auto like = std::count_if(lengths.begin(), lengths.end(),
-                                    [&](double length) { return length >= median / 2 && length <= 2 * median; });
-    return static_cast<double>(like) >= kEvenPart * count;
-  }
+        edge_end_(edge_end),
+        size_(size) {}
 
   TracedCreases run(double crease_degrees) {
     collect();
@@ -172,13 +125,7 @@ class Tracer {
     }
     std::sort(candidates_.begin(), candidates_.end());
     candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
-    std::vector<std::uint8_t> wanted(object_.vertex_end - object_.vertex_begin, 0);
-    for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
-      const Edge& edge = topology_.edges[candidates_[k]];
-      for (const std::uint32_t f : {edge.face0, edge.face1}) {
-        for (const std::uint32_t v : scene_.faces.contour(f, 0)) wanted[v - object_.vertex_begin] = 1;
-      }
-    }
+    const std::vector<std::uint8_t> wanted = near_candidates();
     edges_at_ = AtVertices(object_.vertex_begin, object_.vertex_end, [&](const auto& add) {
       for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
         add(topology_.edges[candidates_[k]].v0, k);
@@ -212,34 +159,64 @@ class Tracer {
     }
   }
 
-  /// The angle between what lies on one side of an edge and what lies on the other, among the faces that share a vertex
-  /// with its own: a triangle that stands out is a small part of either, and an edge that runs across a ridge has both
-  /// slopes on both sides. `round` is memory for those faces.
-  double wide_bend(std::uint32_t e, std::vector<std::uint32_t>& round) const {
-    const Edge& edge = topology_.edges[e];
+  /// By vertex of the object: whether it is one of a face that shares a vertex with a face of a candidate.
+  std::vector<std::uint8_t> near_candidates() const {
+    std::vector<std::uint8_t> at(object_.vertex_end - object_.vertex_begin, 0);
+    for (const std::uint32_t e : candidates_) {
+      for (const std::uint32_t f : {topology_.edges[e].face0, topology_.edges[e].face1}) {
+        for (const std::uint32_t v : scene_.faces.contour(f, 0)) at[v - object_.vertex_begin] = 1;
+      }
+    }
+    std::vector<std::uint8_t> near = at;
+    for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
+      const auto contour = scene_.faces.contour(f, 0);
+      if (std::ranges::none_of(contour, [&](std::uint32_t v) { return at[v - object_.vertex_begin] != 0; })) continue;
+      for (const std::uint32_t v : contour) near[v - object_.vertex_begin] = 1;
+    }
+    return near;
+  }
+
+  /// Of faces, in order, all that share a vertex with one of them.
+  void faces_round(std::span<const std::uint32_t> faces, std::vector<std::uint32_t>& round) const {
     round.clear();
-    const auto add_faces = [&](std::uint32_t v) {
-      const auto faces = faces_at_[v];
-      round.insert(round.end(), faces.begin(), faces.end());
-    };
-    add_faces(edge.v0);
-    add_faces(edge.v1);
-    for (const std::uint32_t f : {edge.face0, edge.face1}) {
+    for (const std::uint32_t f : faces) {
       for (const std::uint32_t v : scene_.faces.contour(f, 0)) {
-        if (v != edge.v0 && v != edge.v1) add_faces(v);
+        const auto more = faces_at_[v];
+        round.insert(round.end(), more.begin(), more.end());
       }
     }
     std::sort(round.begin(), round.end());
     round.erase(std::unique(round.begin(), round.end()), round.end());
+  }
+
+  /// The angle between those of the faces that lie on one side of an edge and those that lie on the other.
+  double bend_between(std::uint32_t e, std::span<const std::uint32_t> faces) const {
+    const Edge& edge = topology_.edges[e];
     const Point3 across = glm::cross(along(e), Point3(normals_[edge.face0] + normals_[edge.face1]));
     Point3 sides[2] = {Point3(0), Point3(0)};
-    for (const std::uint32_t f : round) {
+    for (const std::uint32_t f : faces) {
       const auto contour = scene_.faces.contour(f, 0);
       const Point3 a = scene_.vertices[contour[0]], b = scene_.vertices[contour[1]], c = scene_.vertices[contour[2]];
       const Point3 middle = (a + b + c) / 3.0;
       sides[glm::dot(middle - scene_.vertices[edge.v0], across) > 0] += glm::cross(b - a, c - a);
     }
     return std::atan2(glm::length(glm::cross(sides[0], sides[1])), glm::dot(sides[0], sides[1]));
+  }
+
+  /// bend_between() among the faces that share a vertex with those of an edge: a triangle that stands out is a small part of
+  /// either side, and an edge that runs across a ridge has both slopes on both sides. `round` is memory for those faces.
+  double wide_bend(std::uint32_t e, std::vector<std::uint32_t>& round) const {
+    faces_round(std::array{topology_.edges[e].face0, topology_.edges[e].face1}, round);
+    return bend_between(e, round);
+  }
+
+  /// bend_between() among the faces round those, without them.
+  double far_bend(std::uint32_t e) const {
+    std::vector<std::uint32_t> near, far;
+    faces_round(std::array{topology_.edges[e].face0, topology_.edges[e].face1}, near);
+    faces_round(near, far);
+    std::erase_if(far, [&](std::uint32_t f) { return std::ranges::binary_search(near, f); });
+    return bend_between(e, far);
   }
 
   /// A line in the making: its vertices, and the edges between them.
@@ -267,16 +244,17 @@ class Tracer {
       shorten(line);
       line.turn_round();
     }
-    if (!is_clean(line)) {
-      for (const std::uint32_t k : line.edges) refused_[k] = 1;
-      return;
-    }
-    const auto firm = std::count_if(line.edges.begin(), line.edges.end(),
-                                    [&](std::uint32_t k) { return bends_[candidates_[k]] == Bend::firm; });
+    const auto firm_edges = std::count_if(line.edges.begin(), line.edges.end(),
+                                          [&](std::uint32_t k) { return bends_[candidates_[k]] == Bend::firm; });
+    const bool firm = 2 * static_cast<std::size_t>(firm_edges) >= line.edges.size();
+    const bool is_clean_line = is_clean(line), is_crease = is_clean_line && (firm || !is_short_rounding(line));
     for (const std::uint32_t k : line.edges) {
-      on_line_[k] = 1;
-      firm_[k] = 2 * static_cast<std::size_t>(firm) >= line.edges.size();
+      on_line_[k] = is_crease;
+      firm_[k] = firm;
+      refused_[k] = !is_crease;
     }
+    if (!is_clean_line) return;
+    // Beside a rounding, too: another way along it would be no better.
     for (const std::uint32_t v : line.vertices) {
       for (const std::uint32_t face : faces_at_[v]) {
         for (const std::uint32_t next : scene_.faces.contour(face, 0)) {
@@ -343,12 +321,25 @@ class Tracer {
     return static_cast<double>(on_ridge) >= kRidgePart * count && static_cast<double>(turns) <= kZigzagPart * count;
   }
 
+  /// The surface bends on beside the line, so that it is one of many ways along a rounding; and it is soon over.
+  bool is_short_rounding(const Line& line) const {
+    double length = 0, wide = 0, far = 0;
+    for (const std::uint32_t k : line.edges) length += glm::length(along(candidates_[k]));
+    if (length >= kLongPart * size_) return false;
+    for (const std::uint32_t k : line.edges) {
+      wide += wide_[k];
+      far += far_bend(candidates_[k]);
+    }
+    return wide < kSharpPart * far;
+  }
+
   const Scene& scene_;
   const Topology& topology_;
   const std::vector<glm::vec3>& normals_;
   std::vector<Bend>& bends_;
   const Object& object_;
   std::size_t edge_begin_, edge_end_;
+  double size_;
   std::vector<std::uint32_t> candidates_;
   double least_wide_ = 0;
   std::vector<double> wide_;          ///< per candidate: wide_bend(); where lines do not come, it need not be known
@@ -362,18 +353,19 @@ class Tracer {
 }  // namespace
 
 TracedCreases trace_creases(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
-                            double crease_degrees, std::vector<Bend>& bends) {
+                            std::span<const double> sizes, double crease_degrees, std::vector<Bend>& bends) {
   TracedCreases sum;
   const auto before = [](const Edge& edge, std::uint32_t vertex) { return edge.v0 < vertex; };
   for (const Object& object : scene.objects) {
     const auto& edges = topology.edges;
     const auto begin = std::lower_bound(edges.begin(), edges.end(), object.vertex_begin, before);
     const auto end = std::lower_bound(begin, edges.end(), object.vertex_end, before);
-    Tracer tracer(scene, topology, normals, bends, object, static_cast<std::size_t>(begin - edges.begin()),
-                  static_cast<std::size_t>(end - edges.begin()));
-    if (!tracer.is_even()) continue;
-    sum.scans.push_back({object.face_begin, object.face_end, static_cast<std::uint32_t>(begin - edges.begin()),
-                         static_cast<std::uint32_t>(end - edges.begin())});
+    const ScanObject own{object.face_begin, object.face_end, static_cast<std::uint32_t>(begin - edges.begin()),
+                         static_cast<std::uint32_t>(end - edges.begin())};
+    if (!is_scan(scene, topology, normals, bends, own)) continue;
+    sum.scans.push_back(own);
+    Tracer tracer(scene, topology, normals, bends, object, own.edge_begin, own.edge_end,
+                  sizes[static_cast<std::size_t>(&object - scene.objects.data())]);
     const TracedCreases traced = tracer.run(crease_degrees);
     sum.left_out += traced.left_out;
     sum.continued += traced.continued;

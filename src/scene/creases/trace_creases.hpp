@@ -4,19 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "scene/creases/bend.hpp"
+#include "scene/creases/scan_meshes.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
 namespace ligne {
-
-/// An object that is meshed like a scan, with its edges in the topology.
-struct ScanObject {
-  std::uint32_t face_begin = 0, face_end = 0;
-  std::uint32_t edge_begin = 0, edge_end = 0;
-};
 
 struct TracedCreases {
   std::vector<ScanObject> scans;  ///< in ascending order
@@ -26,8 +22,8 @@ struct TracedCreases {
 
 /// In objects that are evenly meshed all over (docs/clear-lines.md, "Scans"), sets the bends of the edges that lie on no
 /// clean line to none, and those of the edges of a line to strong. Other objects stay as they are. `normals` are those of
-/// face_normals().
+/// face_normals(), `sizes` the extents of the objects.
 TracedCreases trace_creases(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
-                            double crease_degrees, std::vector<Bend>& bends);
+                            std::span<const double> sizes, double crease_degrees, std::vector<Bend>& bends);
 
 }  // namespace ligne

@@ -1,0 +1,69 @@
+#include "scene/creases/scan_meshes.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "geometry/parallel.hpp"
+#include "geometry/prefetch.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable: what is a scan or a remeshed surface.
+constexpr double kEvenPart = 3.0 / 4;  ///< of the edges have a length between half and twice the median
+constexpr double kBentPart = 1.0 / 8;  ///< at most of the edges bend by more than the crease angle
+constexpr double kFlatPart = 1.0 / 4;  ///< at most of the edges bend by less than kFlatDegrees: planes are construction
+constexpr double kFlatDegrees = 1;
+
+}  // namespace
+
+bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
+             const std::vector<Bend>& bends, const ScanObject& object) {
+  constexpr std::uint16_t kSpoken = kEdgeSmooth | kEdgeSharp | kEdgeInner | kEdgeUnlikeWound | kEdgeManyFaces;
+  const auto count = static_cast<double>(object.edge_end - object.edge_begin);
+  struct Counts {
+    std::size_t spoken = 0, bent = 0;
+    Counts operator+(const Counts& o) const { return {spoken + o.spoken, bent + o.bent}; }
+  };
+  const auto least = static_cast<float>(std::cos(kFlatDegrees * std::numbers::pi / 180));
+  // That there are too many is known before all edges are looked at.
+  std::atomic<std::size_t> all_flat{0};
+  const auto too_flat = [&] { return static_cast<double>(all_flat) > kFlatPart * count; };
+  const auto count_edges = [&](std::size_t begin, std::size_t end) {
+    Counts sum;
+    if (too_flat()) return sum;
+    std::size_t flat = 0;
+    for (std::size_t e = object.edge_begin + begin; e < object.edge_begin + end && sum.spoken == 0; ++e) {
+      prefetch_faces(normals, topology.edges, e);
+      const Edge& edge = topology.edges[e];
+      sum.spoken += (topology.edge_flags[e] & kSpoken) != 0;
+      sum.bent += bends[e] >= Bend::strong;
+      flat += edge.face1 != kNone && glm::dot(normals[edge.face0], normals[edge.face1]) > least;
+    }
+    all_flat += flat;
+    return sum;
+  };
+  const Counts edges = parallel_reduce(object.edge_end - object.edge_begin, kShortWorkBlock, Counts{}, count_edges);
+  if (edges.spoken > 0 || edges.bent == 0 || static_cast<double>(edges.bent) > kBentPart * count || too_flat()) {
+    return false;
+  }
+  for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+    if (scene.faces.contour_count(f) != 1 || scene.faces.contour(f, 0).size() != 3) return false;
+  }
+  std::vector<double> lengths;
+  lengths.reserve(object.edge_end - object.edge_begin);
+  for (std::size_t e = object.edge_begin; e < object.edge_end; ++e)
+    lengths.push_back(glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]));
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double median = *middle;
+  const auto like = std::count_if(lengths.begin(), lengths.end(),
+                                  [&](double length) { return length >= median / 2 && length <= 2 * median; });
+  return static_cast<double>(like) >= kEvenPart * count;
+}
+
+}  // namespace ligne
