@@ -11,6 +11,7 @@
 #include "drawing/loose_ends.hpp"
 #include "drawing/short_bits.hpp"
 #include "drawing/short_ends.hpp"
+#include "drawing/smooth_lines.hpp"
 #include "drawing/spurs.hpp"
 #include "view/tolerances.hpp"
 
@@ -143,6 +144,10 @@ void tidy_lines(StrokeModel& strokes, const PreparedScene& prepared, double leas
   const double pen_mm = prepared.request.page.pen_width_mm;
   const bool has_outlines = prepared.request.lines.studied().has(LineClass::outline);
   const auto scan = [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); };
+  if (!prepared.scans.empty()) {
+    count(run, "points of creases smoothed",
+          smooth_lines(strokes, [&](const Stroke& s) { return s.line_class == LineClass::crease && scan(s) != kNoBody; }));
+  }
   JointSources make_source(strokes, prepared.projected);
   // Without outlines nothing tells that a line passes behind something.
   const double wide_mm = (has_outlines ? kFarInGaps : kWideInGaps) * gap_mm;
