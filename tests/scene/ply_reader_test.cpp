@@ -208,7 +208,10 @@ TEST(PlyReader, ErrorsInTheHeader) {
   EXPECT_EQ(
       ply_error(
           "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n"),
-      "M: PLY header names no list vertex_indices of faces");
+      "M: holds no faces");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+                      "element face 1\nproperty int label\nend_header\n"),
+            "M: PLY header names no list vertex_indices of faces");
 }
 
 TEST(PlyReader, ModelOfOthers) {

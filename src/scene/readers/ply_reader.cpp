@@ -164,6 +164,8 @@ class PlyReader {
       if (!has("vertex", {axis}, false))
         throw InputError(name_, "PLY header names no " + std::string(axis) + " of vertices");
     }
+    const auto is_face = [](const PlyElement& e) { return e.name == "face"; };
+    if (std::ranges::none_of(header_.elements, is_face)) throw InputError(name_, "holds no faces");
     if (!has("face", {"vertex_indices", "vertex_index"}, true)) {
       throw InputError(name_, "PLY header names no list vertex_indices of faces");
     }
