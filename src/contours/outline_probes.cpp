@@ -8,6 +8,7 @@
 #include "contours/contour_choice.hpp"
 #include "contours/contour_sights.hpp"
 #include "geometry/disjoint_sets.hpp"
+#include "geometry/nearest_on_segment.hpp"
 #include "geometry/parallel.hpp"
 #include "view/clip.hpp"
 
@@ -33,10 +34,7 @@ constexpr double kAlongCosine = 0.70710678;
 constexpr double kTailInReaches = 2;
 
 double distance(Point2 p, const PageSegment& s) {
-  const Point2 d = s.to - s.from;
-  const double square = glm::dot(d, d);
-  const double t = square > 0 ? std::clamp(glm::dot(p - s.from, d) / square, 0.0, 1.0) : 0;
-  return glm::length(s.from + t * d - p);
+  return glm::length(s.from + nearest_on_segment(p, s.from, s.to) * (s.to - s.from) - p);
 }
 
 /// The visible pieces of contours, for questions about places.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/degrees.hpp"
+#include "geometry/nearest_on_segment.hpp"
 #include "scene/contacts/face_contact.hpp"
 #include "scene/model/topology.hpp"
 
@@ -21,14 +22,6 @@ bool looks_at(const Scene& scene, std::uint32_t face, const Camera& camera) {
 }
 
 Point3 between(const Point3& a, const Point3& b, double t) { return a + t * (b - a); }
-
-/// Of a point from segment a-b.
-double distance_from(const Point3& p, const Point3& a, const Point3& b) {
-  const Point3 along = b - a;
-  const double square = glm::dot(along, along);
-  const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return glm::distance(p, between(a, b, t));
-}
 
 }  // namespace
 
@@ -145,7 +138,8 @@ std::vector<Stroke> RimLines::pieces(StrokeModel& model, const Stroke& stroke, c
     // At the tip of a narrow face both ends may lie near two rims that meet far away, or turn back there.
     const Point3 turn = scene_.vertices[corner];
     const double farthest = distance + std::max(r.distance, s.distance);
-    if (distance_from(turn, from, to) > farthest || glm::dot(from - turn, to - turn) > 0) continue;
+    const Point3 nearest_of_piece = between(from, to, nearest_on_segment(turn, from, to));
+    if (glm::distance(turn, nearest_of_piece) > farthest || glm::dot(from - turn, to - turn) > 0) continue;
     add_piece(model, pieces, stroke, view, p->rim, p->at, at_v0 ? 0 : 1);
     add_piece(model, pieces, stroke, view, q->rim, corner == s.v0 ? 0 : 1, q->at);
     return pieces;

@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "geometry/nearest_on_segment.hpp"
+
 namespace ligne {
 namespace {
 
@@ -12,10 +14,7 @@ namespace {
 constexpr double kTouchMm = 1e-3;
 
 double distance_to(Point2 p, Point2 from, Point2 to) {
-  const Point2 way = to - from;
-  const double square = glm::dot(way, way);
-  const double at = square > 0 ? std::clamp(glm::dot(p - from, way) / square, 0.0, 1.0) : 0;
-  return glm::distance(p, from + way * at);
+  return glm::distance(p, from + (to - from) * nearest_on_segment(p, from, to));
 }
 
 bool contains(const Region& region, Point2 p) {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <numeric>
 
+#include "geometry/nearest_on_segment.hpp"
+
 namespace ligne {
 namespace {
 
@@ -22,8 +24,7 @@ struct Foot {
 
 Foot foot(const EdgeTree::Segment& s, const Point3& p) {
   const Point3 along = s.b - s.a;
-  const double length = glm::dot(along, along);
-  const double at = length > 0 ? std::clamp(glm::dot(p - s.a, along) / length, 0.0, 1.0) : 0;
+  const double at = nearest_on_segment(p, s.a, s.b);
   const Point3 away = p - (s.a + at * along);
   return {at, glm::dot(away, away)};
 }

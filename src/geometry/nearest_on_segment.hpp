@@ -1,0 +1,17 @@
+#pragma once
+/// The place on a segment that is nearest to a point, on the page and in space.
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace ligne {
+
+/// From 0 at `from` to 1 at `to`; 0 where the segment has no length. Rounded.
+template <class Point>
+double nearest_on_segment(const Point& p, const Point& from, const Point& to) {
+  const Point along = to - from;
+  const double square = glm::dot(along, along);
+  return square > 0 ? std::clamp(glm::dot(p - from, along) / square, 0.0, 1.0) : 0;
+}
+
+}  // namespace ligne
