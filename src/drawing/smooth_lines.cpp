@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <utility>
 #include <vector>
 
 #include "drawing/key_table.hpp"
+#include "geometry/point.hpp"
 
 namespace ligne {
 namespace {
@@ -20,17 +22,10 @@ constexpr int kRounds = 2;
 /// Adjustable: a line that turns by more, from kReach points before to as many after, has a corner.
 constexpr double kCornerCosine = 0.70710678;  ///< 45 degrees
 
-struct Place {
-  double x = 0, y = 0;
-};
-Place operator+(const Place& a, const Place& b) { return {a.x + b.x, a.y + b.y}; }
-Place operator-(const Place& a, const Place& b) { return {a.x - b.x, a.y - b.y}; }
-Place operator*(double k, const Place& a) { return {k * a.x, k * a.y}; }
-
 /// Points along a line.
 class Line {
  public:
-  void add(LatticePoint p) { places_.push_back({double(p.x), double(p.y)}); }
+  void add(LatticePoint p) { places_.emplace_back(p.x, p.y); }
   /// The last point leads back to the first one.
   void close() { closed_ = true; }
 
@@ -55,8 +50,8 @@ class Line {
         if (to - from < kReach) continue;
         // Mirrored in the corners, these stay.
         smooth_part(from, to, [&](int i) {
-          if (i < from) return 2 * place(from) - place(2 * from - i);
-          return i > to ? 2 * place(to) - place(2 * to - i) : place(i);
+          if (i < from) return 2.0 * place(from) - place(2 * from - i);
+          return i > to ? 2.0 * place(to) - place(2 * to - i) : place(i);
         });
       }
     }
@@ -67,22 +62,21 @@ class Line {
     const auto n = static_cast<int>(places_.size());
     return static_cast<std::size_t>((i + n) % n);
   }
-  Place place(int i) const { return places_[index(i)]; }
+  Point2 place(int i) const { return places_[index(i)]; }
 
   bool is_corner(int i) const {
     const auto n = static_cast<int>(places_.size());
     if (!closed_ && (i < kReach || i + kReach >= n)) return i == 0 || i == n - 1;
-    const Place before = place(i) - place(i - kReach), after = place(i + kReach) - place(i);
-    const double along = before.x * after.x + before.y * after.y;
-    return along < kCornerCosine * std::hypot(before.x, before.y) * std::hypot(after.x, after.y);
+    const Point2 before = place(i) - place(i - kReach), after = place(i + kReach) - place(i);
+    return glm::dot(before, after) < kCornerCosine * glm::length(before) * glm::length(after);
   }
 
   /// From one place to another, both of them too.
   template <class PlaceAt>
   void smooth_part(int from, int to, const PlaceAt& place_at) {
-    std::vector<Place> smooth;
+    std::vector<Point2> smooth;
     for (int i = from; i <= to; ++i) {
-      Place sum = kParabola[0] * place_at(i);
+      Point2 sum = kParabola[0] * place_at(i);
       for (int k = 1; k <= kReach; ++k) {
         sum = sum + kParabola[static_cast<std::size_t>(k)] * (place_at(i - k) + place_at(i + k));
       }
@@ -91,7 +85,7 @@ class Line {
     for (int i = from; i <= to; ++i) places_[index(i)] = smooth[static_cast<std::size_t>(i - from)];
   }
 
-  std::vector<Place> places_;
+  std::vector<Point2> places_;
   bool closed_ = false;
 };
 

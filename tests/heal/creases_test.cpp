@@ -298,6 +298,17 @@ TEST(Creases, ASliverTakesTheNormalOfItsNeighbour) {
   for (const auto& normal : face_normals(scene, build_topology(scene))) EXPECT_NEAR(normal.z, 1, 1e-6);
 }
 
+/// The faces of rows of n + 1 vertices, of which every other row is shifted by half a step.
+void write_triangles(std::ostream& obj, int n) {
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) {
+      const int v = i * (n + 1) + k + 1, up = v + n + 1;
+      if (i % 2 == 0) obj << "f " << v << ' ' << v + 1 << ' ' << up << "\nf " << v + 1 << ' ' << up + 1 << ' ' << up << '\n';
+      if (i % 2 == 1) obj << "f " << v << ' ' << v + 1 << ' ' << up + 1 << "\nf " << v << ' ' << up + 1 << ' ' << up << '\n';
+    }
+  }
+}
+
 /// A steep ridge, rounded over about `round`, that runs across an uneven mesh of triangles with edges of about 1; `turned`
 /// radians from the direction to which the triangles are perpendicular. Its heights are noisy.
 Scene rounded_ridge(int n, double round, double turned) {
@@ -314,13 +325,7 @@ Scene rounded_ridge(int n, double round, double turned) {
       obj << "v " << x << ' ' << y << ' ' << 0.3 * noise() - 2 * std::sqrt(across * across + round * round) << '\n';
     }
   }
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < n; ++k) {
-      const int v = i * (n + 1) + k + 1, up = v + n + 1;
-      if (i % 2 == 0) obj << "f " << v << ' ' << v + 1 << ' ' << up << "\nf " << v + 1 << ' ' << up + 1 << ' ' << up << '\n';
-      if (i % 2 == 1) obj << "f " << v << ' ' << v + 1 << ' ' << up + 1 << "\nf " << v << ' ' << up + 1 << ' ' << up << '\n';
-    }
-  }
+  write_triangles(obj, n);
   return read(obj.str(), ModelFormat::obj);
 }
 
@@ -381,13 +386,7 @@ Scene short_ridge(double along, double round) {
           << 12 * fall * std::exp(-std::sqrt(y * y + round * round) / 12) + 0.05 * std::sin(7.0 * i + 3.0 * k) << '\n';
     }
   }
-  for (int i = 0; i < kSteps; ++i) {
-    for (int k = 0; k < kSteps; ++k) {
-      const int v = i * (kSteps + 1) + k + 1, up = v + kSteps + 1;
-      if (i % 2 == 0) obj << "f " << v << ' ' << v + 1 << ' ' << up << "\nf " << v + 1 << ' ' << up + 1 << ' ' << up << '\n';
-      if (i % 2 == 1) obj << "f " << v << ' ' << v + 1 << ' ' << up + 1 << "\nf " << v << ' ' << up + 1 << ' ' << up << '\n';
-    }
-  }
+  write_triangles(obj, kSteps);
   return read(obj.str(), ModelFormat::obj);
 }
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <numbers>
 
+#include "geometry/degrees.hpp"
 #include "geometry/parallel.hpp"
 #include "geometry/prefetch.hpp"
 
@@ -29,7 +28,7 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
     std::size_t spoken = 0, bent = 0;
     Counts operator+(const Counts& o) const { return {spoken + o.spoken, bent + o.bent}; }
   };
-  const auto least = static_cast<float>(std::cos(kFlatDegrees * std::numbers::pi / 180));
+  const auto least = static_cast<float>(sine_cosine_degrees(kFlatDegrees).cosine);
   // That there are too many is known before all edges are looked at.
   std::atomic<std::size_t> all_flat{0};
   const auto too_flat = [&] { return static_cast<double>(all_flat) > kFlatPart * count; };
