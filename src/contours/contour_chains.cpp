@@ -184,7 +184,9 @@ class ContourTracer {
     out.normal = size > 0 ? n / size : np;
     // Cubic with tangents in the tangent planes of the ends [Vlachos2001].
     const Point3 rise = (1 - t) * t * (t * glm::dot(d, nq) * nq - (1 - t) * glm::dot(d, np) * np);
-    const double most = kHighestRise * glm::length(d), height = glm::length(rise);
+    const std::uint32_t beyond = patch_.across[side];
+    const double sag = std::max(patch_.sags[side / 3], beyond == kNone ? 0 : patch_.sags[beyond / 3]);
+    const double most = std::min(kHighestRise * glm::length(d), sag), height = glm::length(rise);
     out.on_surface = out.on_mesh + (height > most ? rise * (most / height) : rise);
     if (fitted) {
       NormalTurn turn;

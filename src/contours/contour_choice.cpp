@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "contours/contour_support.hpp"
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/indices_where.hpp"
 
@@ -15,10 +17,12 @@ namespace {
 /// A line that turns by less, in radians, runs straight on: float32 coordinates turn short edges by about this much.
 constexpr double kStraightTurn = 5e-3;
 
-/// Adjustable: edges of surfaces that bend evenly are no more than so many times as long as they are on the average.
-constexpr double kUneven = 4;
-/// Adjustable: of the distance from which on a mesh is coarse, as much as is seen between an area and its outline.
-constexpr double kSeenPart = 0.25;
+/// Adjustable: a mesh is coarse where its contours lie so many widths of the pen beside it; where they have no more than so
+/// many nodes, already where its sag is that large.
+constexpr double kCoarseInPens = 2;
+constexpr std::size_t kFewNodes = 8;
+/// Adjustable: contours of which a larger share strays from the outline of the mesh are those of another shape.
+constexpr double kMostAstray = 0.25;
 
 /// What hangs together.
 struct Group {
@@ -86,23 +90,11 @@ class Chooser {
     return !path.empty() && turns(path) <= 1;
   }
 
-  /// The contours of the group lie farther beside the mesh on the page, on the average: the facets are what is seen. Or they
-  /// are lifted off an edge that is long among the others: there a face is flat, with a narrow rounding along it, and a
-  /// surface that bends evenly is not what the mesh stands for.
-  bool is_coarse(const Group& group, double most_mm) const {
-    double off_sum = 0, length_sum = 0, count = 0, longest = 0;
-    for (const std::uint32_t c : group.chains) {
-      for (const ContourNode& node : chains_[c].nodes) {
-        const double off_mm = glm::length(page_point(view_, node.on_surface) - page_point(view_, node.on_mesh));
-        const double length =
-            glm::length(scene_.vertices[vertex(next_corner(node.side))] - scene_.vertices[vertex(node.side)]);
-        off_sum += off_mm;
-        length_sum += length;
-        ++count;
-        if (off_mm > kSeenPart * most_mm) longest = std::max(longest, length);
-      }
-    }
-    return off_sum > most_mm * count || longest * count > kUneven * length_sum;
+  ContourSupport support(const Group& group, std::vector<ContourChain*>& chains, double pen_width_mm) const {
+    std::vector<std::uint32_t> sides;
+    for (const std::uint32_t i : group.sides) sides.push_back(sides_[i].side);
+    for (const std::uint32_t c : group.chains) chains.push_back(&chains_[c]);
+    return {scene_, view_, patch_, chains, sides, pen_width_mm};
   }
 
   /// A triangle at the group's edges is seen edge on, and its neighbours are not all round a contour.
@@ -178,12 +170,16 @@ std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPat
 }
 
 ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
-                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double most_mm) {
+                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double pen_width_mm) {
   ContourChoice choice;
   Chooser chooser(scene, view, patch, chains, sides);
   for (const Group& group : chooser.groups()) {
-    if (chooser.outline_is_clean(group) || chooser.stands_edge_on(group) || chooser.is_coarse(group, most_mm)) continue;
-    for (const std::uint32_t c : group.chains) choice.chains.push_back(std::move(chains[c]));
+    if (chooser.outline_is_clean(group) || chooser.stands_edge_on(group)) continue;
+    std::vector<ContourChain*> of_group;
+    const ContourSupport support = chooser.support(group, of_group, pen_width_mm);
+    const double beside_mm = support.nodes() > kFewNodes ? support.mean_lift_mm() : support.mean_sag_mm();
+    if (beside_mm > kCoarseInPens * pen_width_mm || support.astray() > kMostAstray) continue;
+    std::ranges::move(support.supported(), std::back_inserter(choice.chains));
     choice.sides.insert(choice.sides.end(), group.sides.begin(), group.sides.end());
   }
   std::sort(choice.sides.begin(), choice.sides.end());

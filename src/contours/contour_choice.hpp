@@ -33,10 +33,12 @@ struct ContourChoice {
 ///   one corner (a cylinder, a cone): the mesh's outline stays;
 /// - a triangle of it is seen exactly edge on (a flat side in the direction of the view), and its contours, if any, end at
 ///   borders: the mesh's outline stays, since a line on the page is all of that triangle;
-/// - the contours lie more than `most_mm` beside the mesh on the average, so that a coarse mesh is drawn as it is, or are
-///   lifted off long edges of flat faces that have narrow roundings: the mesh's outline stays;
-/// - else the contours.
+/// - the contours lie more than two widths of the pen beside the mesh on the average, or have few nodes and the sag of the
+///   mesh is that large: a coarse mesh is drawn as it is;
+/// - more than a quarter of the contours' length lies farther from the mesh's outline on the page than the sag of the mesh
+///   there and half a pen: the mesh's outline stays, since the contours are those of another shape;
+/// - else the contours, moved to within that distance where they leave it; where no outline of the mesh is near they end.
 ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
-                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double most_mm);
+                              std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double pen_width_mm);
 
 }  // namespace ligne

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <glm/geometric.hpp>
 
 #include "contours/contour_sights.hpp"
+#include "geometry/nearest_on_segment.hpp"
 
 namespace ligne {
 namespace {
@@ -95,11 +97,22 @@ int pieces_of(const View& view, const ContourCubic& cubic, double flatness_mm) {
   return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * flatness_mm)))), 1, kMostPieces);
 }
 
+/// Highest distance on the page of a Bezier curve from the chord of its ends, from above.
+double rise_of(const View& view, const ContourCubic& cubic) {
+  std::array<Point2, 4> p;
+  for (std::size_t i = 0; i < 4; ++i) p[i] = place_of(view, cubic.controls[i]).mm;
+  const auto away = [&](Point2 control) {
+    return glm::length(p[0] + nearest_on_segment(control, p[0], p[3]) * (p[3] - p[0]) - control);
+  };
+  return 0.75 * std::max(away(p[1]), away(p[2]));
+}
+
 /// The curve through places with these tangents, unit vectors or zero, in pieces that are straight to `flatness_mm`.
-/// `cubic_of(i)`: the curve in space from place i to the next, where that is known.
-template <class CubicOf>
+/// `cubic_of(i)`: the curve in space from place i to the next, where that is known. `most_of(i)`: largest distance on the
+/// page between the curve and its chord there, mm.
+template <class CubicOf, class MostOf>
 ContourCurve curve_through(const View& view, const std::vector<Place>& places, const std::vector<Point2>& tangents,
-                           bool closed, double flatness_mm, CubicOf cubic_of) {
+                           bool closed, double flatness_mm, CubicOf cubic_of, MostOf most_of) {
   ContourCurve curve;
   curve.closed = closed;
   const auto add = [&](double at, Point2 mm, double depth, double weight) {
@@ -109,7 +122,8 @@ ContourCurve curve_through(const View& view, const std::vector<Place>& places, c
   add(0, places[0].mm, places[0].depth, places[0].weight);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const Place &a = places[i], &b = places[i + 1];
-    if (const std::optional<ContourCubic> cubic = cubic_of(i)) {
+    const std::optional<ContourCubic> cubic = cubic_of(i);
+    if (cubic && rise_of(view, *cubic) <= most_of(i)) {
       const int pieces = pieces_of(view, *cubic, flatness_mm);
       for (int k = 1; k <= pieces; ++k) {
         const double t = double(k) / pieces;
@@ -126,6 +140,8 @@ ContourCurve curve_through(const View& view, const std::vector<Place>& places, c
       const Point2 chord = d / length;
       turn0 = direction(chord, tangents[i]) - chord;
       turn1 = direction(chord, tangents[i + 1]) - chord;
+      const double high = length * rise(turn0, turn1), most = most_of(i);
+      if (high > most) turn0 *= most / high, turn1 *= most / high;
       const double pieces_squared = length * rise(turn0, turn1) / flatness_mm;
       pieces = std::clamp(static_cast<int>(std::ceil(std::sqrt(pieces_squared))), 1, kMostPieces);
     }
@@ -154,11 +170,14 @@ ContourCurve contour_curve(const Scene& scene, const View& view, const ContourCh
     const double size = glm::length(d);
     if (size > 0) tangents[i] = Point2{-d.y, d.x} / size;
   }
-  return curve_through(view, places, tangents, chain.closed, flatness_mm, [&](std::size_t i) -> std::optional<ContourCubic> {
-    const ContourNode &a = chain.nodes[i], &b = chain.nodes[i + 1];
-    if (a.meets != kNone || b.meets != kNone) return std::nullopt;
-    return ContourCubic::between(a, b);
-  });
+  return curve_through(
+      view, places, tangents, chain.closed, flatness_mm,
+      [&](std::size_t i) -> std::optional<ContourCubic> {
+        const ContourNode &a = chain.nodes[i], &b = chain.nodes[i + 1];
+        if (a.meets != kNone || b.meets != kNone) return std::nullopt;
+        return ContourCubic::between(a, b);
+      },
+      [&](std::size_t i) { return std::max(chain.nodes[i].most_mm, chain.nodes[i + 1].most_mm); });
 }
 
 ContourCurve smooth_curve(const View& view, const std::vector<Point3>& points, bool closed, double flatness_mm) {
@@ -173,8 +192,9 @@ ContourCurve smooth_curve(const View& view, const std::vector<Point3>& points, b
     const double size = glm::length(d);
     if (size > 0) tangents[i] = d / size;
   }
-  return curve_through(view, places, tangents, closed, flatness_mm,
-                       [](std::size_t) { return std::optional<ContourCubic>(); });
+  return curve_through(
+      view, places, tangents, closed, flatness_mm, [](std::size_t) { return std::optional<ContourCubic>(); },
+      [](std::size_t) { return std::numeric_limits<double>::infinity(); });
 }
 
 }  // namespace ligne

@@ -22,9 +22,6 @@ constexpr std::size_t kChainsPerTask = 8;
 /// tolerance of a facet, move it by.
 constexpr double kSlackSteps = 8;
 
-/// A mesh is coarse where its contours lie so many widths of the pen beside it.
-constexpr double kCoarseInPens = 2;
-
 bool has_lines_of_its_own(const Scene& scene) {
   constexpr unsigned kLines = kCornerCurve | kCornerCrossing | kCornerContour;
   // All are looked at: many at once, without a question after each.
@@ -77,6 +74,13 @@ class ObjectSizes {
   std::vector<double> sizes_;
 };
 
+/// Whether the angle between the faces at a side is less than 180 degrees inside the solid, by their winding.
+bool bulges(const Scene& scene, const SmoothPatch& patch, std::uint32_t side) {
+  const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
+  const Point3 from = point(side), apex = point(last_corner(side)), other = point(last_corner(patch.across[side]));
+  return glm::dot(glm::cross(point(next_corner(side)) - from, apex - from), other - from) < 0;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> outline_edges(const Topology& topology, const ProjectedScene& projected) {
@@ -104,8 +108,8 @@ OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, 
   SmoothPatch& patch = outlines.patch;
   level_shallow_islands(patch, scene, view.camera, options.scans);
   const std::vector<OutlineSide> sides = outline_sides(topology, patch, outlines.inside);
-  ContourChoice choice = choose_contours(scene, view, patch, trace_contours(scene, view.camera, patch), sides,
-                                         kCoarseInPens * options.pen_width_mm);
+  ContourChoice choice =
+      choose_contours(scene, view, patch, trace_contours(scene, view.camera, patch), sides, options.pen_width_mm);
 
   const OutlineGraph graph(scene, view, patch, sides);
   const double slack_mm = kSlackSteps * projected.lattice.step_mm + 2 * projected.input_error_mm;
@@ -129,8 +133,10 @@ OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, 
   }
   contours.first_probe = projected.source_count + static_cast<std::uint32_t>(lines.size());
   const std::size_t first_line = lines.size(), count = choice.sides.size();
-  lines.resize(first_line + count);
+  contours.first_edge = contours.first_probe + static_cast<std::uint32_t>(count);
+  lines.resize(first_line + 2 * count);
   contours.replaced.resize(count);
+  contours.bulges.resize(count);
   contours.replaced_size_mm.resize(count);
   ObjectSizes object_size(scene);
   for (const std::uint32_t i : choice.sides) object_size.measure(topology.edges[sides[i].edge].face0);
@@ -142,7 +148,9 @@ OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, 
       // In the direction of the probe, so that both have the same parameters.
       contours.replaced[k] = {{end(side), end(next_corner(side))}, {edge.face0, edge.face1}, false};
       contours.replaced_size_mm[k] = size_on_page(scene, view, patch, side);
+      contours.bulges[k] = bulges(scene, patch, side);
       lines[first_line + k] = outline_probe(scene, view, patch, side, object_size(edge.face0), slack_mm);
+      lines[first_line + count + k] = contours.replaced[k].ends;
     }
   });
   contours.chains = std::move(choice.chains);

@@ -29,7 +29,9 @@ struct SmoothContours {
   /// Edges of the mesh that are left out, by their ends and first two faces.
   std::vector<SourceEdge> replaced;
   std::vector<double> replaced_size_mm;  ///< longest side on the page of the triangles at such an edge
+  std::vector<std::uint8_t> bulges;      ///< 1 where the solid bulges at such an edge, by the winding of its faces
   std::uint32_t first_probe = 0;         ///< source of the probe of the first of them; the others follow
+  std::uint32_t first_edge = 0;          ///< source of the first of them itself; the others follow
 
   bool empty() const { return replaced.empty() && chains.empty(); }
 };

@@ -72,6 +72,21 @@ std::vector<ContourRun> runs_of(const std::vector<Stroke>& strokes, std::uint32_
   return runs;
 }
 
+void hide(std::vector<ContourRun>& runs, const std::vector<ContourRun>& hidden) {
+  std::vector<ContourRun> out;
+  auto next = hidden.begin();
+  for (const ContourRun& run : runs) {
+    double from = run.from;
+    for (; next != hidden.end() && next->from < run.to; ++next) {
+      append(out, {from, next->from, run.state});
+      append(out, {std::max(from, next->from), next->to, next->state});
+      from = next->to;
+    }
+    append(out, {from, run.to, run.state});
+  }
+  runs = std::move(out);
+}
+
 void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm) {
   // From the shortest up, so that a crowd of tiny runs does not take a longer one with it.
   for (const double share : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) merge_short(runs, curve, share * shortest_mm);

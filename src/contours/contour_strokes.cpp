@@ -1,6 +1,7 @@
 #include "contours/contour_strokes.hpp"
 
 #include "contours/contour_junctions.hpp"
+#include "contours/outline_evidence.hpp"
 #include "contours/outline_probes.hpp"
 #include "geometry/parallel.hpp"
 
@@ -9,6 +10,10 @@ namespace {
 
 /// Ends are moved to the line that they meet by so many widths of the pen.
 constexpr double kReachInPens = 2;
+
+/// Adjustable: contours are hidden with the mesh's outline beside them where that is hidden for more than so many times as
+/// long. On rough meshes less is hidden by a hair.
+constexpr double kHiddenInReaches = 8;
 
 std::vector<std::uint32_t> cusps_of(const ContourChain& chain) {
   std::vector<std::uint32_t> cusps;
@@ -23,6 +28,7 @@ std::vector<std::uint32_t> cusps_of(const ContourChain& chain) {
 ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View& view, const SmoothContours& contours,
                              bool hidden_too, const ContourOptions& options) {
   if (contours.empty()) return {};
+  const std::vector<Stroke> edges = take_strokes(model, contours.first_edge, contours.replaced.size());
   const std::vector<Stroke> probes = take_strokes(model, contours.first_probe, contours.replaced.size());
   const std::size_t n = contours.chains.size();
   const std::uint32_t first = n > 0 ? contours.first_source.front() : contours.first_probe;
@@ -38,6 +44,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
     }
   });
+  hide_behind_outlines(seen, contours, view, model.lattice, edges, kHiddenInReaches * reach_mm);
   // What a line in front hides ends at it, also where a cusp is near.
   std::vector<std::vector<ContourRun>> found(n);
   for (std::size_t c = 0; c < n; ++c) found[c] = seen[c].runs;

@@ -126,7 +126,7 @@ class PatchFits {
       };
       for (std::size_t i = begin; i < end; ++i) {
         const std::uint32_t s = sectors[i];
-        if (!patch_.complete[sectors_.corners(s)[0]] || patch_.normals[s] == Point3(0.0)) continue;
+        if (!patch_.complete[sectors_.corners(s)[0]] || patch_.normals[s] == Point3(0.0) || patch_.ruled[s]) continue;
         reach_rings(s, reached, reached_from);
         pair[count] = static_cast<std::uint32_t>(i);
         points[count].clear();

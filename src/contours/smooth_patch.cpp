@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "contours/patch_fits.hpp"
+#include "contours/rulings.hpp"
 #include "geometry/filed_pairs.hpp"
 #include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
@@ -150,6 +151,9 @@ class PatchBuilder {
     join_sides();
     make_sectors();
     if (cut_at_sharp_vertices()) make_sectors();
+    const std::span<const Point3> face_normals(face_normals_.data(), patch_.triangles.size());
+    square_to_rulings(scene_, camera_, face_normals, patch_);
+    patch_.sags = sags_of(scene_, face_normals, patch_);
     fit_surfaces(scene_, camera_, patch_);
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,9 @@ constexpr int kReach = 3;
 constexpr int kRounds = 2;
 /// Adjustable: a line that turns by more, from kReach points before to as many after, has a corner.
 constexpr double kCornerCosine = 0.70710678;  ///< 45 degrees
+/// Adjustable: a point moves by so much of the shorter of the strokes that meet there at the most. A zigzag of even strokes
+/// stays below that; where long strokes meet short ones, a parabola overshoots.
+constexpr double kMostShift = 0.5;
 
 /// Points along a line.
 class Line {
@@ -43,6 +47,7 @@ class Line {
     }
     // A ring ends where it begins.
     if (closed_ && !corners.empty()) corners.push_back(corners.front() + n);
+    const std::vector<Point2> given = places_;
     for (int round = 0; round < kRounds; ++round) {
       if (corners.empty()) smooth_part(0, n - 1, [&](int i) { return place(i); });
       for (std::size_t c = 0; c + 1 < corners.size(); ++c) {
@@ -55,6 +60,7 @@ class Line {
         });
       }
     }
+    limit_shifts(given);
   }
 
  private:
@@ -83,6 +89,19 @@ class Line {
       smooth.push_back(sum);
     }
     for (int i = from; i <= to; ++i) places_[index(i)] = smooth[static_cast<std::size_t>(i - from)];
+  }
+
+  /// Takes points back towards where they were.
+  void limit_shifts(const std::vector<Point2>& given) {
+    const auto n = static_cast<int>(places_.size());
+    for (int i = 0; i < n; ++i) {
+      double shorter = std::numeric_limits<double>::infinity();
+      if (closed_ || i > 0) shorter = glm::length(given[index(i)] - given[index(i - 1)]);
+      if (closed_ || i + 1 < n) shorter = std::min(shorter, glm::length(given[index(i + 1)] - given[index(i)]));
+      const Point2 shift = place(i) - given[index(i)];
+      const double by = glm::length(shift), most = kMostShift * shorter;
+      if (by > most) places_[index(i)] = given[index(i)] + (most / by) * shift;
+    }
   }
 
   std::vector<Point2> places_;

@@ -13,9 +13,10 @@ namespace ligne {
 namespace {
 
 // Adjustable: what is a scan or a remeshed surface.
-constexpr double kEvenPart = 3.0 / 4;  ///< of the edges have a length between half and twice the median
-constexpr double kBentPart = 1.0 / 8;  ///< at most of the edges bend by more than the crease angle
-constexpr double kFlatPart = 1.0 / 4;  ///< at most of the edges bend by less than kFlatDegrees: planes are construction
+constexpr double kEvenPart = 3.0 / 4;    ///< of the edges have a length between half and twice the median
+constexpr double kEvenLength = 1.0 / 2;  ///< of the length of all edges is theirs: few long edges are construction
+constexpr double kBentPart = 1.0 / 8;    ///< at most of the edges bend by more than the crease angle
+constexpr double kFlatPart = 1.0 / 4;    ///< at most of the edges bend by less than kFlatDegrees: planes are construction
 constexpr double kFlatDegrees = 1;
 
 }  // namespace
@@ -60,9 +61,14 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   const double median = *middle;
-  const auto like = std::count_if(lengths.begin(), lengths.end(),
-                                  [&](double length) { return length >= median / 2 && length <= 2 * median; });
-  return static_cast<double>(like) >= kEvenPart * count;
+  double even = 0, even_length = 0, all_length = 0;
+  for (const double length : lengths) {
+    all_length += length;
+    if (length < median / 2 || length > 2 * median) continue;
+    ++even;
+    even_length += length;
+  }
+  return even >= kEvenPart * count && even_length >= kEvenLength * all_length;
 }
 
 }  // namespace ligne

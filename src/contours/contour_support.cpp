@@ -1,0 +1,150 @@
+#include "contours/contour_support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "contours/contour_junctions.hpp"
+#include "contours/contour_sights.hpp"
+#include "geometry/nearest_on_segment.hpp"
+#include "view/view.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: outlines are looked for so far from a contour, in widths of the pen, or twice the largest distance that is
+/// right.
+constexpr double kSearchInPens = 6;
+constexpr double kSearchTimes = 2;
+constexpr double kSupportCellMm = 2;
+
+/// The parts of a chain between nodes that are left out.
+std::vector<ContourChain> parts_of(const ContourChain& chain, const std::vector<std::uint8_t>& keeps) {
+  const std::size_t n = chain.size();
+  // A closed chain begins behind a node that is left out.
+  std::size_t first = 0;
+  if (chain.closed) first = static_cast<std::size_t>(std::ranges::find(keeps, std::uint8_t{0}) - keeps.begin()) % n;
+  std::vector<ContourChain> parts;
+  ContourChain part;
+  const auto finish = [&] {
+    if (part.size() > 0) parts.push_back(std::move(part));
+    part = {};
+  };
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = (first + k) % n;
+    if (!keeps[i] || !keeps[i + 1]) {
+      finish();
+      continue;
+    }
+    if (part.nodes.empty()) part.nodes.push_back(chain.nodes[i]);
+    part.nodes.push_back(chain.nodes[i + 1]);
+    part.triangles.push_back(chain.triangles[i]);
+  }
+  finish();
+  return parts;
+}
+
+}  // namespace
+
+ContourSupport::ContourSupport(const Scene& scene, const View& view, const SmoothPatch& patch,
+                               std::span<ContourChain* const> chains, std::span<const std::uint32_t> sides,
+                               double pen_width_mm)
+    : chains_(chains), view_(view), places_(chains.size()), pen_width_mm_(pen_width_mm) {
+  SegmentFinder finder(kSupportCellMm);
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    for (const ContourNode& node : chains[c]->nodes) {
+      Place& place = places_[c].emplace_back();
+      place.mm = page_point(view, node.meets != kNone ? scene.vertices[node.meets] : node.on_surface);
+      const double unit_mm = glm::length(page_direction(view, node.on_mesh, view.camera.right));
+      const std::uint32_t beyond = patch.across[node.side];
+      const double sag = std::max(patch.sags[node.side / 3], beyond == kNone ? 0 : patch.sags[beyond / 3]);
+      place.sag = sag * unit_mm;
+      place.lift = glm::length(page_point(view, node.on_surface) - page_point(view, node.on_mesh));
+      finder.expect(place.mm - Point2(reach(place)), place.mm + Point2(reach(place)));
+    }
+  }
+  for (const std::uint32_t side : sides) {
+    const auto end = [&](std::uint32_t corner) {
+      return page_point(view, scene.vertices[patch.triangles[corner / 3].v[corner % 3]]);
+    };
+    finder.add({end(side), end(next_corner(side)), 0, 0});
+  }
+  for (std::vector<Place>& places : places_) {
+    for (Place& place : places) {
+      place.away = reach(place);
+      finder.near(place.mm - Point2(place.away), place.mm + Point2(place.away), [&](const PageSegment& s) {
+        const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);
+        const double away = glm::length(nearest - place.mm);
+        if (away < place.away) place.away = away, place.outline = nearest;
+      });
+    }
+  }
+}
+
+double ContourSupport::reach(const Place& place) const {
+  return std::max(kSearchInPens * pen_width_mm_, kSearchTimes * most_away(place));
+}
+
+double ContourSupport::mean(double Place::*value) const {
+  double sum = 0;
+  for (const std::vector<Place>& places : places_) {
+    for (const Place& place : places) sum += place.*value;
+  }
+  return sum / std::max(1.0, double(nodes()));
+}
+
+std::size_t ContourSupport::nodes() const {
+  std::size_t count = 0;
+  for (const std::vector<Place>& places : places_) count += places.size();
+  return count;
+}
+
+double ContourSupport::astray() const {
+  double all = 0, astray = 0;
+  for (const std::vector<Place>& places : places_) {
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      const double length = glm::length(places[i + 1].mm - places[i].mm);
+      all += length;
+      for (const Place& end : {places[i], places[i + 1]}) {
+        if (end.away > most_away(end)) astray += length / 2;
+      }
+    }
+  }
+  return all > 0 ? astray / all : 0;
+}
+
+std::vector<ContourChain> ContourSupport::supported() const {
+  std::vector<ContourChain> found;
+  for (std::size_t c = 0; c < chains_.size(); ++c) {
+    ContourChain& chain = *chains_[c];
+    const std::vector<Place>& places = places_[c];
+    std::vector<std::uint8_t> keeps(places.size(), 1);
+    bool all = true;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Place& place = places[i];
+      ContourNode& node = chain.nodes[i];
+      node.most_mm = most_away(place);
+      if (place.away <= node.most_mm) continue;
+      if (place.away >= reach(place)) {
+        all = false;
+        keeps[i] = 0;
+        continue;
+      }
+      const Point2 shift = (1 - node.most_mm / place.away) * (place.outline - place.mm);
+      const double unit_mm = glm::length(page_direction(view_, node.on_surface, view_.camera.right));
+      node.on_surface += (shift.x * view_.camera.right + shift.y * view_.camera.down) / unit_mm;
+      node.tangent = Point3(0.0);
+      node.radial = 0;
+    }
+    if (all) {
+      found.push_back(std::move(chain));
+    } else {
+      std::ranges::move(parts_of(chain, keeps), std::back_inserter(found));
+    }
+  }
+  return found;
+}
+
+}  // namespace ligne

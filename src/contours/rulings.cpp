@@ -1,0 +1,180 @@
+#include "contours/rulings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "geometry/parallel.hpp"
+#include "view/edge_classes.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable parameters.
+/// Least ratio of the length of a ruling and of what lies beyond its end; of the widths of a flat side and of a rounding.
+/// As for chord errors (scene/contacts).
+constexpr double kRulingRatio = 4;
+/// Least sine of the angle between two rulings that span a flat side: 10 degrees.
+constexpr double kLeastSpanSine = 0.17;
+/// The middle of an equilateral triangle lies so many times as far from the surface as its edge's strip would: a third of
+/// its height times the angle, in place of an eighth.
+constexpr double kTriangleSag = 8.0 / 3;
+/// Two triangles of one rectangle or flat side differ by less, as half of the sine of their angle: float32 coordinates turn
+/// small triangles so far. An edge lies in the plane of a face up to that, too.
+constexpr double kInPlaneSine = 2e-4;
+/// Least cosine of the angle by which rulings may turn a mean normal: 45 degrees.
+constexpr double kLeastKeptCosine = 0.707;
+
+/// The corners of a patch by their sectors.
+class CornersOfSectors {
+ public:
+  explicit CornersOfSectors(const SmoothPatch& patch) : begin_(patch.normals.size() + 1, 0), corners_(patch.sector.size()) {
+    for (const std::uint32_t s : patch.sector) ++begin_[s + 1];
+    for (std::size_t s = 1; s < begin_.size(); ++s) begin_[s] += begin_[s - 1];
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t c = 0; c < patch.sector.size(); ++c) corners_[next[patch.sector[c]]++] = c;
+  }
+  std::span<const std::uint32_t> of(std::uint32_t sector) const {
+    return {corners_.data() + begin_[sector], corners_.data() + begin_[sector + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_, corners_;
+};
+
+/// Half of the chord between the normals at a side inside a region, which is the sine of half of their angle; 1 where it is
+/// not known.
+double half_chord(std::span<const Point3> face_normals, const SmoothPatch& patch, std::uint32_t side) {
+  const std::uint32_t r = patch.across[side];
+  if (r == kNone || face_normals[side / 3] == Point3(0.0) || face_normals[r / 3] == Point3(0.0)) return 1;
+  return std::min(1.0, glm::length(face_normals[side / 3] - face_normals[r / 3]) / 2);
+}
+
+/// Whether the triangle is half of a rectangle, or part of a flat side.
+bool has_coplanar_neighbour(std::span<const Point3> face_normals, const SmoothPatch& patch, std::uint32_t t) {
+  for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
+    if (half_chord(face_normals, patch, side) <= kInPlaneSine) return true;
+  }
+  return false;
+}
+
+class RulingFinder {
+ public:
+  RulingFinder(const Scene& scene, std::span<const Point3> face_normals, const SmoothPatch& patch)
+      : scene_(scene), face_normals_(face_normals), patch_(patch) {}
+
+  const Point3& point(std::uint32_t corner) const { return scene_.vertices[patch_.triangles[corner / 3].v[corner % 3]]; }
+
+  /// The normal nearest to the mean one that is square to the rulings of the sector with these corners; nothing where there
+  /// are none.
+  std::optional<Point3> normal(std::span<const std::uint32_t> corners, const Point3& mean) const {
+    std::optional<Point3> first;
+    Point3 normal = mean;
+    for (const std::uint32_t c : corners) {
+      if (face_normals_[c / 3] == Point3(0.0) || !has_coplanar_neighbour(face_normals_, patch_, c / 3)) continue;
+      for (const std::uint32_t end : {next_corner(c), last_corner(c)}) {
+        const Point3 edge = point(end) - point(c);
+        const double length = glm::length(edge);
+        if (!(length > 0)) continue;
+        const double beyond = reach_beyond(corners, c, edge / length);
+        if (!(beyond > 0) || length <= kRulingRatio * beyond) continue;
+        if (!first) {
+          first = edge / length;
+          const std::optional<Point3> square = turned(mean - glm::dot(mean, *first) * *first, mean);
+          if (!square) return std::nullopt;
+          normal = *square;
+          continue;
+        }
+        const Point3 across = glm::cross(*first, edge / length);
+        if (glm::length(across) < kLeastSpanSine) continue;
+        return turned(glm::dot(across, mean) < 0 ? -across : across, mean);
+      }
+    }
+    if (!first) return std::nullopt;
+    return normal;
+  }
+
+ private:
+  /// Unit length, unless it differs too much from the mean normal: then the edges are no rulings of one surface.
+  static std::optional<Point3> turned(const Point3& to, const Point3& mean) {
+    const double size = glm::length(to);
+    if (!(size > 0) || glm::dot(to, mean) < kLeastKeptCosine * size) return std::nullopt;
+    return to / size;
+  }
+
+  /// How far the faces of the sector that bend away from the triangle of corner c reach against the direction of its edge.
+  double reach_beyond(std::span<const std::uint32_t> corners, std::uint32_t c, const Point3& direction) const {
+    double reach = 0;
+    for (const std::uint32_t other : corners) {
+      for (const std::uint32_t end : {next_corner(other), last_corner(other)}) {
+        const Point3 edge = point(end) - point(other);
+        const double against = -glm::dot(edge, direction);
+        if (against > reach && std::abs(glm::dot(edge, face_normals_[c / 3])) > kInPlaneSine * glm::length(edge)) {
+          reach = against;
+        }
+      }
+    }
+    return reach;
+  }
+
+  const Scene& scene_;
+  std::span<const Point3> face_normals_;
+  const SmoothPatch& patch_;
+};
+
+}  // namespace
+
+void square_to_rulings(const Scene& scene, const Camera& camera, std::span<const Point3> face_normals, SmoothPatch& patch) {
+  const std::size_t sectors = patch.normals.size();
+  patch.ruled.assign(sectors, 0);
+  const CornersOfSectors corners(patch);
+  const RulingFinder finder(scene, face_normals, patch);
+  parallel_blocks(sectors, kSearchBlock, [&](std::size_t begin, std::size_t end) {
+    for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s) {
+      const auto around = corners.of(s);
+      if (!patch.complete[around[0]] || patch.normals[s] == Point3(0.0)) continue;
+      const std::optional<Point3> normal = finder.normal(around, patch.normals[s]);
+      if (!normal) continue;
+      patch.ruled[s] = 1;
+      patch.normals[s] = *normal;
+      const Point3 eye = to_eye(camera, finder.point(around[0]));
+      const double g = glm::dot(*normal, eye);
+      // A side that is seen edge on has one sign: rounding must not change it from vertex to vertex.
+      patch.g[s] = std::abs(g) <= kEdgeOnSine * glm::length(eye) ? 0 : g;
+    }
+  });
+}
+
+std::vector<double> sags_of(const Scene& scene, std::span<const Point3> face_normals, const SmoothPatch& patch) {
+  const std::size_t n = patch.triangles.size();
+  std::vector<double> sags(n, 0);
+  const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
+  const auto width_from = [&](std::uint32_t side) {
+    const Point3 along = point(next_corner(side)) - point(side);
+    const double length = glm::length(along);
+    return length > 0 ? glm::length(glm::cross(along, point(last_corner(side)) - point(side))) / length : 0;
+  };
+  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
+      double highest = 0, sum = 0;
+      for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
+        const double sine = half_chord(face_normals, patch, side);
+        if (sine == 1) continue;
+        double width = width_from(side);
+        const double beside = width_from(patch.across[side]);
+        if (width > kRulingRatio * beside) width = beside;
+        // tan(t/4) = sin(t/2) / (1 + cos(t/2))
+        const double sag = width / 2 * sine / (1 + std::sqrt(1 - sine * sine));
+        highest = std::max(highest, sag);
+        sum += sag;
+      }
+      sags[t] = has_coplanar_neighbour(face_normals, patch, t) ? sum : kTriangleSag * highest;
+    }
+  });
+  return sags;
+}
+
+}  // namespace ligne
