@@ -35,7 +35,6 @@ const std::map<std::string, Words, std::less<>>& words_by_name() {
         {"--format", words(kOutputFormatNames)},
         {"--optimize", words(kOptimizeNames)},
         {"--curves", words(kSwitchNames)},
-        {"--svg", words(kSvgWriterNames)},
         {"--group", {"none", "object"}},
         {"--progress", {"auto", "always", "never"}},
         {"--page", {"A0", "A1", "A2", "A3", "A4", "A5", "A6", "letter", "legal", "tabloid"}},

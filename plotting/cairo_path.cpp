@@ -14,7 +14,7 @@ namespace ligne {
 namespace {
 
 /// Arcs go into Cairo as Bezier curves: so near to them, a small part of the tolerance that found the arcs.
-constexpr double kBezierPart = 0.02;
+constexpr double kBezierPart = 0.1;
 
 Point2 in_parts(Point2 p, double parts_per_mm) {
   return parts_per_mm > 0
@@ -53,6 +53,29 @@ void add_curves(cairo_t* cairo, const Polylines& lines, const PathForm& form) {
   }
 }
 
+/// A closed polyline becomes a closed path.
+void add_polylines(cairo_t* cairo, const Polylines& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto line = lines[i];
+    if (line.size() < 2) continue;
+    const bool closed = line.size() > 3 && line.front() == line.back();
+    cairo_move_to(cairo, line[0].x, line[0].y);
+    for (const Point2 p : line.subspan(1, line.size() - (closed ? 2 : 1))) cairo_line_to(cairo, p.x, p.y);
+    if (closed) cairo_close_path(cairo);
+  }
+}
+
+/// Solid lines have round ends; dashes have flat ones, so that dash and gap keep their lengths.
+void set_line_style(cairo_t* cairo, const LineStyle& style, double units_per_mm) {
+  cairo_set_source_rgb(cairo, style.color[0], style.color[1], style.color[2]);
+  cairo_set_line_width(cairo, style.width_mm * units_per_mm);
+  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_cap(cairo, style.dashes_mm.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+  std::vector<double> dashes = style.dashes_mm;
+  for (double& d : dashes) d *= units_per_mm;
+  cairo_set_dash(cairo, dashes.data(), static_cast<int>(dashes.size()), 0);
+}
+
 }  // namespace
 
 void check_cairo(cairo_status_t status) {
@@ -73,27 +96,6 @@ double largest_coordinate(const Drawing& drawing, const Page& page) {
   return largest;
 }
 
-void add_polylines(cairo_t* cairo, const Polylines& lines, std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
-    const auto line = lines[i];
-    if (line.size() < 2) continue;
-    const bool closed = line.size() > 3 && line.front() == line.back();
-    cairo_move_to(cairo, line[0].x, line[0].y);
-    for (const Point2 p : line.subspan(1, line.size() - (closed ? 2 : 1))) cairo_line_to(cairo, p.x, p.y);
-    if (closed) cairo_close_path(cairo);
-  }
-}
-
-void set_line_style(cairo_t* cairo, const LineStyle& style, double units_per_mm) {
-  cairo_set_source_rgb(cairo, style.color[0], style.color[1], style.color[2]);
-  cairo_set_line_width(cairo, style.width_mm * units_per_mm);
-  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-  cairo_set_line_cap(cairo, style.dashes_mm.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
-  std::vector<double> dashes = style.dashes_mm;
-  for (double& d : dashes) d *= units_per_mm;
-  cairo_set_dash(cairo, dashes.data(), static_cast<int>(dashes.size()), 0);
-}
-
 void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& style, const PathForm& form) {
   set_line_style(cairo, style, form.units_per_mm);
   cairo_save(cairo);
@@ -101,13 +103,22 @@ void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& s
   if (form.curves) {
     add_curves(cairo, lines, form);
   } else if (form.parts_per_mm > 0) {
-    add_polylines(cairo, in_parts(lines, form.parts_per_mm), 0, lines.size());
+    add_polylines(cairo, in_parts(lines, form.parts_per_mm));
   } else {
-    add_polylines(cairo, lines, 0, lines.size());
+    add_polylines(cairo, lines);
   }
   cairo_restore(cairo);
   cairo_stroke(cairo);
   check_cairo(cairo_status(cairo));
+}
+
+std::size_t end_of_area(const std::vector<Fill>& fills, std::size_t first) {
+  const Fill& fill = fills[first];
+  std::size_t last = first + 1;
+  // Areas that may lie on each other one by one: where two do, that would be an even number.
+  if (fill.opacity < 1 || fill.overlaps) return last;
+  while (last < fills.size() && fills[last].color == fill.color && fills[last].opacity == fill.opacity) ++last;
+  return last;
 }
 
 void paint_fills(cairo_t* cairo, const std::vector<Fill>& fills, double units_per_mm) {
@@ -118,16 +129,11 @@ void paint_fills(cairo_t* cairo, const std::vector<Fill>& fills, double units_pe
   for (std::size_t i = 0; i < fills.size();) {
     const Fill& first = fills[i];
     cairo_set_source_rgba(cairo, first.color[0], first.color[1], first.color[2], first.opacity);
-    for (; i < fills.size() && fills[i].color == first.color && fills[i].opacity == first.opacity; ++i) {
+    for (const std::size_t last = end_of_area(fills, i); i < last; ++i) {
       for (const std::vector<Point2>& contour : fills[i].contours) {
         cairo_new_sub_path(cairo);
         for (const Point2& p : contour) cairo_line_to(cairo, p.x * units_per_mm, p.y * units_per_mm);
         cairo_close_path(cairo);
-      }
-      // Areas that may lie on each other one by one: where two do, that would be an even number.
-      if (first.opacity < 1 || first.overlaps) {
-        ++i;
-        break;
       }
     }
     if (first.opacity < 1) {

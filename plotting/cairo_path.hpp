@@ -1,5 +1,6 @@
 #pragma once
-/// The one way in which polylines come into Cairo, and how Cairo's objects are held. Private to plotting.
+/// The one way in which lines and areas come onto any surface of Cairo, and how Cairo's objects are held. Private to
+/// plotting.
 
 #include <cstddef>
 #include <memory>
@@ -16,11 +17,9 @@ namespace ligne {
 struct CairoFree {
   void operator()(cairo_t* c) const { cairo_destroy(c); }
   void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
-  void operator()(cairo_path_t* p) const { cairo_path_destroy(p); }
 };
 using CairoContext = std::unique_ptr<cairo_t, CairoFree>;
 using CairoSurface = std::unique_ptr<cairo_surface_t, CairoFree>;
-using CairoPath = std::unique_ptr<cairo_path_t, CairoFree>;
 
 /// Throws std::runtime_error with Cairo's own words when `status` is an error, std::bad_alloc when it is no memory.
 void check_cairo(cairo_status_t status);
@@ -30,14 +29,6 @@ inline constexpr double kCairoLimit = 1 << 23;
 
 /// Largest distance from zero of any coordinate of the drawing or of the page, in mm.
 double largest_coordinate(const Drawing& drawing, const Page& page);
-
-/// Adds polylines [first, last) to the current path of the context, in its user space. A closed polyline becomes a closed
-/// path.
-void add_polylines(cairo_t* cairo, const Polylines& lines, std::size_t first, std::size_t last);
-
-/// Pen of a layer: width, colour, dashes, caps and joins, `units_per_mm` to a millimetre in the context's user space.
-/// Solid lines have round ends; dashes have flat ones, so that dash and gap keep their lengths.
-void set_line_style(cairo_t* cairo, const LineStyle& style, double units_per_mm);
 
 /// How coordinates and curves come into a path.
 struct PathForm {
@@ -49,6 +40,10 @@ struct PathForm {
 /// Strokes the polylines (mm) with that style as one path: Cairo's vector surfaces take time with the square of the number
 /// of strokes.
 void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& style, const PathForm& form);
+
+/// End of the areas from `first` on that are painted as one path: opaque ones of one colour. Between two paths the paper
+/// would shine through.
+std::size_t end_of_area(const std::vector<Fill>& fills, std::size_t first);
 
 /// Fills the areas in their order; those of one colour that follow each other as one path, since Cairo's vector surfaces
 /// take time with the square of the number of calls. Opaque ones get a rim (fill_rim.hpp).

@@ -1,7 +1,5 @@
 #pragma once
-/// Gray pixels in vector files, at their own resolution. Private to plotting.
-
-#include <string>
+/// Gray pixels on Cairo's surfaces. Private to plotting.
 
 #include <cairo.h>
 
@@ -9,13 +7,10 @@
 
 namespace ligne {
 
+/// Puts the pixels of the picture onto an image surface of four bytes a pixel, which has at least as many.
+void put_pixels(cairo_surface_t* surface, const GrayPicture& picture);
+
 /// Paints the picture where it lies on the page. Its pixels stay sharp.
 void paint_gray(cairo_t* cairo, const GrayPicture& picture, double units_per_mm);
-
-/// The picture as the bytes of a gray PNG.
-std::string gray_png(const GrayPicture& picture);
-
-/// Bytes as text of 64 letters, as data URIs have them.
-std::string base64(const std::string& bytes);
 
 }  // namespace ligne

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <new>
 #include <numbers>
 #include <stdexcept>
@@ -8,6 +7,7 @@
 #include "files/message_text.hpp"
 #include "plotting/cairo_path.hpp"
 #include "plotting/cairo_text.hpp"
+#include "plotting/gray_image.hpp"
 #include "plotting/writers.hpp"
 
 namespace ligne {
@@ -67,21 +67,6 @@ void check_room_to_paint(const Drawing& drawing, const PlotOptions& options, dou
   }
   // Called by their names the two are not left out as a pair.
   ::operator delete(::operator new(static_cast<std::size_t>(kPaintBytes + kEdgeBytes * edges)));
-}
-
-void put_pixels(cairo_surface_t* surface, const GrayPicture& picture) {
-  cairo_surface_flush(surface);
-  unsigned char* const data = cairo_image_surface_get_data(surface);
-  if (!data) return;  // the surface is in error, which is told later
-  const int stride = cairo_image_surface_get_stride(surface);
-  for (std::uint32_t y = 0; y < picture.height; ++y) {
-    const std::uint8_t* const row = picture.gray.data() + std::size_t{y} * picture.width;
-    for (std::uint32_t x = 0; x < picture.width; ++x) {
-      const std::uint32_t pixel = row[x] * 0x010101u;
-      std::memcpy(data + std::size_t{y} * static_cast<std::size_t>(stride) + 4 * std::size_t{x}, &pixel, sizeof pixel);
-    }
-  }
-  cairo_surface_mark_dirty(surface);
 }
 
 }  // namespace

@@ -1,13 +1,11 @@
-/// SVG. Cairo's own SVG surface knows no layers, repeats the style on every path and writes clip paths, so it is not used:
-/// the polylines go into Cairo paths, as for every other format, and these are read back and written down here. Chunks of
-/// polylines are worked on in parallel and put together in their order. With curves the lines go straight into paths, since
-/// Cairo has no arcs.
+/// SVG. Cairo's SVG surface draws the lines, areas and gray pixels. It knows no layers, repeats the style on every path, and
+/// makes one path of all that is stroked at once, so each layer, or a chunk of a large one, is a document of its own. These
+/// are taken apart (svg_canvas.hpp) and put together as layers with one path for each polyline. Chunks are worked on in
+/// parallel and put together in their order.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <numbers>
 #include <set>
 #include <span>
 #include <string_view>
@@ -18,10 +16,8 @@
 #include "plotting/cairo_path.hpp"
 #include "plotting/cairo_text.hpp"
 #include "plotting/fill_rim.hpp"
-#include "plotting/gray_image.hpp"
-#include "plotting/number_text.hpp"
-#include "plotting/paths/fit_curves.hpp"
 #include "plotting/pens.hpp"
+#include "plotting/svg_canvas.hpp"
 #include "plotting/utf8.hpp"
 #include "plotting/writers.hpp"
 #include "plotting/xml_text.hpp"
@@ -29,204 +25,43 @@
 namespace ligne {
 namespace {
 
-/// Coordinates are written to a tenth of a micrometre.
-constexpr int kDecimals = 4;
-constexpr double kUnitsPerMm = 10000;
+/// Adjustable: points to a chunk. A call of an area counts as so many: Cairo takes time with the square of the number of
+/// calls on a surface.
+constexpr std::size_t kChunkPoints = 8192, kCallPoints = 64;
 
-/// Attributes: lengths of pages, pens and dashes.
-constexpr int kAttributeDecimals = 6;
-
-/// Finest device unit for Cairo's fixed point: 1/256 of it is a nanometre.
-constexpr double kFinestDevice = 4096;
-
-/// Adjustable: points to a chunk; and where curves are found, which is a hundred times the work.
-constexpr std::size_t kChunkPoints = 8192, kCurvedChunkPoints = 256;
-
-/// Device units to a millimetre: a power of two that keeps the largest coordinate within Cairo's range.
-double device_units(double largest_mm) {
-  double units = kFinestDevice;
-  while (largest_mm * units > kCairoLimit - 1) units /= 2;
-  return units;
+/// Appends what text_of(first, last) gives for all of [0, count), in chunks that are worked on in parallel. `skip` moves an
+/// index over what stays together, and returns how many points that has.
+template <typename Skip, typename TextOf>
+void append_chunks(std::string& svg, std::size_t count, Skip skip, TextOf text_of) {
+  std::vector<std::size_t> ends{0};
+  for (std::size_t i = 0; i < count; ends.push_back(i)) {
+    for (std::size_t points = 0; i < count && points < kChunkPoints;) points += skip(i);
+  }
+  std::vector<std::string> texts(ends.size() - 1);
+  parallel_for(texts.size(), [&](std::size_t i) { texts[i] = text_of(ends[i], ends[i + 1]); });
+  std::size_t size = svg.size();
+  for (const std::string& text : texts) size += text.size();
+  svg.reserve(size);
+  for (const std::string& text : texts) svg += text;
 }
 
-// ---- Text -----------------------------------------------------------------------------------------------------------
-
-std::string number(double value) {
-  std::string text;
-  append_rounded(text, value, kAttributeDecimals);
-  return text;
-}
-
-std::string short_color_code(const std::array<double, 3>& color) {
-  const std::string code = color_code(color);
-  const bool is_double = code[1] == code[2] && code[3] == code[4] && code[5] == code[6];
-  return is_double ? std::string{code[0], code[1], code[3], code[5]} : code;
-}
-
-// ---- Paths ----------------------------------------------------------------------------------------------------------
-
-/// A point in units of 10^-kDecimals mm.
-struct UnitPoint {
-  std::int64_t x, y;
-  friend bool operator==(UnitPoint, UnitPoint) = default;
-};
-
-/// Writes paths, each in the shorter of the two ways: with absolute points, or relative ones. The relative moves are
-/// differences of the rounded absolute points, so that no rounding adds up.
-class PathWriter {
- public:
-  void begin(Point2 mm) {
-    points_.assign(1, units(mm));
-    arcs_.assign(1, nullptr);
-    start_ = mm;
-    stays_ = moves_ = false;
-  }
-  void line_to(Point2 mm) {
-    const UnitPoint p = units(mm);
-    (mm == start_ ? stays_ : moves_) = true;
-    if (p != points_.back()) add(p, nullptr);
-  }
-  /// `arc` must live until the end of the path.
-  void arc_to(Point2 mm, const EllipticArc& arc) {
-    moves_ = true;
-    if (units(mm) != points_.back()) add(units(mm), &arc);
-  }
-  /// A line shorter than a unit is none, but one of no length at all is a dot.
-  void end(bool closed) {
-    if (closed && points_.size() > 1 && points_.front() == points_.back() && !arcs_.back()) points_.pop_back();
-    if (points_.size() > 1) {
-      const std::string_view absolute = write(absolute_, false), relative = write(relative_, true);
-      out_ += "<path d=\"";
-      out_ += absolute.size() <= relative.size() ? absolute : relative;
-      out_ += closed ? "Z\"/>\n" : "\"/>\n";
-    } else if (stays_ && !moves_) {
-      out_ += "<path d=\"";
-      out_ += write(absolute_, false);
-      out_ += "h0\"/>\n";
-    }
-    points_.clear();
-  }
-  std::string take() { return std::move(out_); }
-
- private:
-  static UnitPoint units(Point2 mm) { return {std::llround(mm.x * kUnitsPerMm), std::llround(mm.y * kUnitsPerMm)}; }
-
-  void add(UnitPoint p, const EllipticArc* arc) {
-    points_.push_back(p);
-    arcs_.push_back(arc);
-  }
-
-  /// "rx ry rotation 0 sweep ": an arc of less than half a turn.
-  static char* write_arc(char* p, const EllipticArc& arc) {
-    const auto decimal = [&p](double value) {
-      p = write_fixed(p, std::llround(value * static_cast<double>(power_of_ten(kArcDecimals))), kArcDecimals, true);
-      *p++ = ' ';
-    };
-    decimal(arc.ellipse.radii.x);
-    decimal(arc.ellipse.radii.y);
-    decimal(arc.ellipse.rotation * 180 / std::numbers::pi);
-    *p++ = '0';
-    *p++ = ' ';
-    *p++ = arc.sweep > 0 ? '1' : '0';
-    *p++ = ' ';
-    return p;
-  }
-
-  /// The path as text in `buffer`, which only grows: to clear it for every path would take longer than to write it.
-  std::string_view write(std::vector<char>& buffer, bool relative) {
-    const bool is_straight = std::all_of(arcs_.begin(), arcs_.end(), [](const EllipticArc* arc) { return !arc; });
-    const std::size_t pairs = is_straight ? 1 : 3;  // of numbers: the point; radii, rotation and flags
-    buffer.resize(std::max(buffer.size(), points_.size() * 2 * pairs * kNumberBytes));
-    char* p = buffer.data();
-    const auto pair = [&p](UnitPoint v) {
-      p = write_fixed(p, v.x, kDecimals, true);
-      *p++ = ' ';
-      p = write_fixed(p, v.y, kDecimals, true);
-    };
-    *p++ = 'M';
-    pair(points_[0]);
-    for (std::size_t i = 1; i < points_.size(); ++i) {
-      const bool same = i > 1 && !arcs_[i] == !arcs_[i - 1];
-      *p++ = same ? ' ' : arcs_[i] ? (relative ? 'a' : 'A') : (relative ? 'l' : 'L');
-      if (arcs_[i]) p = write_arc(p, *arcs_[i]);
-      const UnitPoint origin = relative ? points_[i - 1] : UnitPoint{0, 0};
-      pair({points_[i].x - origin.x, points_[i].y - origin.y});
-    }
-    return {buffer.data(), static_cast<std::size_t>(p - buffer.data())};
-  }
-
-  std::vector<UnitPoint> points_;
-  std::vector<const EllipticArc*> arcs_;  ///< that leads to the point of the same index; null: a straight line
-  Point2 start_{0, 0};
-  bool stays_ = false, moves_ = false;     ///< there are lines to the first point, to others
-  std::vector<char> absolute_, relative_;  ///< scratch
-  std::string out_;
-};
-
-struct Chunk {
-  std::size_t first, last;
-};
-
-std::vector<Chunk> chunks_of(const Polylines& lines, std::size_t points) {
-  std::vector<Chunk> chunks;
-  for (std::size_t i = 0; i < lines.size();) {
-    const std::size_t first = i;
-    while (i < lines.size() && (i == first || lines.begin[i + 1] - lines.begin[first] <= points)) ++i;
-    chunks.push_back({first, i});
-  }
-  return chunks;
-}
-
-std::string chunk_text(const Polylines& lines, Chunk chunk, double device) {
-  // The surface is never drawn on: only the path is of interest.
-  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
-  const CairoContext cairo(cairo_create(surface.get()));
-  cairo_scale(cairo.get(), device, device);
-  add_polylines(cairo.get(), lines, chunk.first, chunk.last);
-  const CairoPath path(cairo_copy_path(cairo.get()));
-  check_cairo(path->status);
-
-  PathWriter writer;
-  bool open = false;
-  for (int i = 0; i < path->num_data; i += path->data[i].header.length) {
-    const cairo_path_data_t* const data = path->data + i;
-    switch (data->header.type) {
-      case CAIRO_PATH_MOVE_TO:
-        if (open) writer.end(false);
-        writer.begin({data[1].point.x, data[1].point.y});
-        open = true;
-        break;
-      case CAIRO_PATH_LINE_TO:
-        writer.line_to({data[1].point.x, data[1].point.y});
-        break;
-      case CAIRO_PATH_CLOSE_PATH:
-        writer.end(true);
-        open = false;
-        break;
-      case CAIRO_PATH_CURVE_TO:
-        break;  // there is none
-    }
-  }
-  if (open) writer.end(false);
-  return writer.take();
-}
-
-/// The same with arcs, found for the points as they are written.
-std::string curved_text(const Polylines& lines, Chunk chunk, const CurveLimits& limits) {
-  PathWriter writer;
+/// A line shorter than a unit is left out, but one of no length at all is a dot.
+std::string lines_text(const Polylines& lines, std::size_t first, std::size_t last, const LineStyle& style,
+                       const std::optional<CurveLimits>& curves, const SvgCanvas& canvas) {
+  const auto is_point = [](std::span<const Point2> line) { return std::ranges::count(line, line[0]) == std::ssize(line); };
+  const auto rounded = [](double mm) { return std::round(mm * kSvgUnitsPerMm) / kSvgUnitsPerMm; };
+  Polylines chunk;
   std::vector<Point2> points;
-  for (std::size_t i = chunk.first; i < chunk.last; ++i) {
-    if (lines[i].size() < 2) continue;
+  for (std::size_t i = first; i < last; ++i) {
     points.clear();
-    for (const Point2 p : lines[i]) {
-      points.push_back({std::round(p.x * kUnitsPerMm) / kUnitsPerMm, std::round(p.y * kUnitsPerMm) / kUnitsPerMm});
-    }
-    const CurvedPath path = fit_curves(points, limits);
-    writer.begin(path.start);
-    for (const PathPiece& piece : path.pieces) piece.arc ? writer.arc_to(piece.to, *piece.arc) : writer.line_to(piece.to);
-    writer.end(path.closed);
+    for (const Point2 p : lines[i]) points.push_back({rounded(p.x), rounded(p.y)});
+    if (points.size() > 1 && (!is_point(points) || is_point(lines[i]))) chunk.add(points);
   }
-  return writer.take();
+  return canvas.paths(
+      [&](cairo_t* cairo, double units_per_mm) {
+        stroke_polylines(cairo, chunk, style, {units_per_mm, 0, curves});
+      },
+      style.width_mm);
 }
 
 /// An id has no blanks and does not begin with a digit or a sign.
@@ -244,61 +79,34 @@ std::string group_start(std::string_view layer) {
   return "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + xml_text(layer) + "\" id=\"" + xml_text(id_of(layer)) + "\"";
 }
 
-/// Appends the contours of an area to the path at hand.
-void add_fill(const Fill& fill, std::string& text) {
-  char buffer[2 * kNumberBytes];
-  for (const std::vector<Point2>& contour : fill.contours) {
-    UnitPoint last{0, 0};
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const UnitPoint p{std::llround(contour[i].x * kUnitsPerMm), std::llround(contour[i].y * kUnitsPerMm)};
-      if (i > 0 && p == last) continue;
-      text += i == 0 ? "M" : "L";
-      char* end = write_fixed(buffer, p.x, kDecimals, true);
-      *end++ = ' ';
-      end = write_fixed(end, p.y, kDecimals, true);
-      text.append(buffer, end);
-      last = p;
+/// All areas, in a layer of their own.
+void append_fills(std::string& svg, const std::vector<Fill>& fills, const SvgCanvas& canvas) {
+  if (fills.empty()) return;
+  svg += group_start("fill") + " fill-rule=\"evenodd\" stroke-width=\"" + svg_number(kFillRimMm) +
+         "\" stroke-linejoin=\"round\">\n";
+  const auto skip_area = [&](std::size_t& i) {
+    std::size_t points = kCallPoints;
+    for (const std::size_t last = end_of_area(fills, i); i < last; ++i) {
+      for (const auto& contour : fills[i].contours) points += contour.size();
     }
-    text += 'Z';
-  }
-}
-
-/// One layer. Opaque areas of one colour that follow each other are one path: between two paths the paper would shine
-/// through.
-std::string fills_text(const std::vector<Fill>& fills) {
-  if (fills.empty()) return {};
-  std::string text = group_start("fill") + " fill-rule=\"evenodd\" stroke-width=\"" + number(kFillRimMm) +
-                     "\" stroke-linejoin=\"round\">\n";
-  for (std::size_t i = 0; i < fills.size();) {
-    const Fill& first = fills[i];
-    const std::string color = short_color_code(first.color);
-    text += "<path fill=\"" + color + "\"";
-    text += first.opacity < 1 ? " fill-opacity=\"" + number(first.opacity) + "\" d=\"" : " stroke=\"" + color + "\" d=\"";
-    do {
-      add_fill(fills[i++], text);
-    } while (i < fills.size() && first.opacity >= 1 && !first.overlaps && fills[i].color == first.color &&
-             fills[i].opacity == first.opacity);
-    text += "\"/>\n";
-  }
-  return text + "</g>\n";
-}
-
-/// Gray pixels, in a layer of their own.
-std::string gray_text(const GrayPicture& picture) {
-  return group_start("shade") + ">\n<image x=\"" + number(picture.corner_mm.x) + "\" y=\"" + number(picture.corner_mm.y) +
-         "\" width=\"" + number(picture.width * picture.pixel_mm) + "\" height=\"" +
-         number(picture.height * picture.pixel_mm) + "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
-         base64(gray_png(picture)) + "\"/>\n</g>\n";
+    return points;
+  };
+  append_chunks(svg, fills.size(), skip_area, [&](std::size_t first, std::size_t last) {
+    const auto at = [&](std::size_t i) { return fills.begin() + static_cast<std::ptrdiff_t>(i); };
+    const std::vector<Fill> chunk{at(first), at(last)};
+    return canvas.paths([&](cairo_t* cairo, double units_per_mm) { paint_fills(cairo, chunk, units_per_mm); }, kFillRimMm);
+  });
+  svg += "</g>\n";
 }
 
 std::string layer_start(const Layer& layer, const LineStyle& style) {
   const bool dashed = !style.dashes_mm.empty();
-  std::string text = group_start(layer.name) + " fill=\"none\" stroke=\"" + short_color_code(style.color) +
-                     "\" stroke-width=\"" + number(style.width_mm) + "\" stroke-linecap=\"" + (dashed ? "butt" : "round") +
-                     "\" stroke-linejoin=\"round\"";
+  std::string text = group_start(layer.name) + " fill=\"none\" stroke=\"" + short_color(color_code(style.color)) +
+                     "\" stroke-width=\"" + svg_number(style.width_mm) + "\" stroke-linecap=\"" +
+                     (dashed ? "butt" : "round") + "\" stroke-linejoin=\"round\"";
   for (std::size_t i = 0; i < style.dashes_mm.size(); ++i) {
     text += i == 0 ? " stroke-dasharray=\"" : " ";
-    text += number(style.dashes_mm[i]);
+    text += svg_number(style.dashes_mm[i]);
   }
   return text + (dashed ? "\">\n" : ">\n");
 }
@@ -332,8 +140,8 @@ std::string part_start(const Layer& layer, const LineStyle& style, ObjectIds& id
   if (!layer.object.empty()) {
     text += " inkscape:label=\"" + xml_text(layer.object) + "\" id=\"" + xml_text(ids.id(layer)) + "\"";
   }
-  if (layer.color) text += " stroke=\"" + short_color_code(*layer.color) + "\"";
-  if (layer.width_mm) text += " stroke-width=\"" + number(style.width_mm) + "\"";
+  if (layer.color) text += " stroke=\"" + short_color(color_code(*layer.color)) + "\"";
+  if (layer.width_mm) text += " stroke-width=\"" + svg_number(style.width_mm) + "\"";
   return text + ">\n";
 }
 
@@ -343,12 +151,12 @@ std::string text_layer(std::span<const TextItem> items) {
                      "', Verdana, Arial, sans-serif\">\n";
   for (const TextItem& item : items) {
     const Point2 base = base_point(item);
-    const std::string x = number(base.x), y = number(base.y);
-    text += "<text x=\"" + x + "\" y=\"" + y + "\" font-size=\"" + number(item.height_mm / kCapitalsOfSize) + "\"";
+    const std::string x = svg_number(base.x), y = svg_number(base.y);
+    text += "<text x=\"" + x + "\" y=\"" + y + "\" font-size=\"" + svg_number(item.height_mm / kCapitalsOfSize) + "\"";
     if (item.across == TextAcross::center) text += " text-anchor=\"middle\"";
     if (item.across == TextAcross::right) text += " text-anchor=\"end\"";
     if (item.rotation_degrees != 0)
-      text += " transform=\"rotate(" + number(-item.rotation_degrees) + " " + x + " " + y + ")\"";
+      text += " transform=\"rotate(" + svg_number(-item.rotation_degrees) + " " + x + " " + y + ")\"";
     text += ">" + xml_text(clean_utf8(item.text)) + "</text>\n";
   }
   return text + "</g>\n";
@@ -357,7 +165,7 @@ std::string text_layer(std::span<const TextItem> items) {
 }  // namespace
 
 std::string write_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
-  const std::string width = number(options.page.width_mm), height = number(options.page.height_mm);
+  const std::string width = svg_number(options.page.width_mm), height = svg_number(options.page.height_mm);
   std::string svg =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
@@ -365,9 +173,9 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options, const 
       width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
   if (!options.title.empty()) svg += "<title>" + xml_text(options.title) + "</title>\n";
 
-  const double device = device_units(largest_coordinate(drawing, options.page));
-  if (under && !under->gray.empty()) svg += gray_text(*under);
-  svg += fills_text(drawing.fills);
+  const SvgCanvas canvas(largest_coordinate(drawing, options.page));
+  if (under && !under->gray.empty()) svg += group_start("shade") + ">\n" + canvas.image(*under) + "</g>\n";
+  append_fills(svg, drawing.fills, canvas);
   ObjectIds ids(drawing);
   for (std::size_t l = 0; l < drawing.layers.size(); ++l) {
     const Layer& layer = drawing.layers[l];
@@ -380,18 +188,13 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options, const 
     const bool begins = l == 0 || !continues(l - 1, l), ends = !continues(l, l + 1);
     // The look of a part that is alone in its layer is that of the layer.
     const bool alone = layer.object.empty() && begins && ends;
+    const LineStyle style = options.style_of(layer);
     const std::optional<CurveLimits> curves = options.curves_of(layer);
-    const std::vector<Chunk> chunks = chunks_of(layer.lines, curves ? kCurvedChunkPoints : kChunkPoints);
-    std::vector<std::string> texts(chunks.size());
-    parallel_for(chunks.size(), [&](std::size_t i) {
-      texts[i] = curves ? curved_text(layer.lines, chunks[i], *curves) : chunk_text(layer.lines, chunks[i], device);
-    });
-    std::size_t size = svg.size();
-    for (const std::string& text : texts) size += text.size();
-    svg.reserve(size);
-    if (begins) svg += layer_start(layer, alone ? options.style_of(layer) : options.style_of(layer.name));
-    if (is_part(layer) && !alone) svg += part_start(layer, options.style_of(layer), ids);
-    for (const std::string& text : texts) svg += text;
+    if (begins) svg += layer_start(layer, alone ? style : options.style_of(layer.name));
+    if (is_part(layer) && !alone) svg += part_start(layer, style, ids);
+    append_chunks(
+        svg, layer.lines.size(), [&](std::size_t& i) { return layer.lines[i++].size(); },
+        [&](std::size_t first, std::size_t last) { return lines_text(layer.lines, first, last, style, curves, canvas); });
     if (is_part(layer) && !alone) svg += "</g>\n";
     if (ends) svg += "</g>\n";
   }

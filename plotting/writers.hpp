@@ -28,7 +28,6 @@ struct PlotOptions {
   bool hidden_solid = false;
   std::string title;                                     ///< document title, may be empty
   double dpi = 150;                                      ///< PNG
-  bool svg_by_cairo = false;                             ///< SVG: as Cairo's own SVG surface writes it
   bool curves = false;                                   ///< arcs where lines are tessellated ones (paths/fit_curves.hpp)
   std::optional<double> curve_rise_mm{};                 ///< CurveLimits::most_rise_mm; nothing: the width of the pen
   bool starts_stay = false;                              ///< with `curves`: the strokes begin where they do in the plot
@@ -56,8 +55,6 @@ struct PlotOptions {
 /// SVG: width, height and viewBox in mm, one Inkscape layer group per layer with the style on it, one path per polyline.
 /// Here and below `under` lies below fills and lines, or is null.
 std::string write_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
-/// SVG through Cairo's SVG surface: width and height in mm, no layers, on white paper.
-std::string write_cairo_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
 /// A PDF of true size, page by page.
 class PdfDocument {
  public:

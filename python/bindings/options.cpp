@@ -97,8 +97,6 @@ const std::map<std::string, Setter, std::less<>>& setters() {
       {"dpi", text(parse_dpi, LIGNE_FIELD(picture.output.dpi))},
       {"curves", text([](const std::string& t) { return parse_choice(t, kSwitchNames) == 1; },
                       LIGNE_FIELD(picture.output.curves))},
-      {"svg", text([](const std::string& t) { return static_cast<SvgWriter>(parse_choice(t, kSvgWriterNames)); },
-                   LIGNE_FIELD(picture.output.svg))},
       {"title", text(as_written, LIGNE_FIELD(picture.output.title))},
       {"shade", flag(LIGNE_FIELD(picture.gray_faces))},
       {"hatch", text(parse_hatch, LIGNE_FIELD(picture.hatch.kind))},

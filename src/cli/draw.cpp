@@ -209,7 +209,6 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_page_options(draw, picture.page);
   add_output_options(draw, options.output);
   add_dpi_option(draw, picture.output.dpi);
-  add_svg_option(draw, picture.output.svg);
   add_curves_option(draw, picture.output.curves, "on; off with --quality exact");
   add_title_option(draw, picture.output.title, "title of an SVG or PDF");
   OptionGroup(draw, "Faces")

@@ -20,17 +20,8 @@ void add_curves_option(CLI::App& app, std::optional<bool>& curves, const std::st
   OptionGroup(app, "Output")
       .add(
           "--curves", "HOW", curves, [](const std::string& text) { return parse_choice(text, kSwitchNames) == 1; },
-          "SVG, PDF, PNG: circles and ellipses as arcs where lines are tessellated ones: on off")
+          "SVG, PDF, PNG: circles and ellipses as curves where lines are tessellated ones: on off")
       .standard(standard);
-}
-
-void add_svg_option(CLI::App& app, SvgWriter& writer) {
-  OptionGroup(app, "Output")
-      .add(
-          "--svg", "layers|cairo", writer,
-          [](const std::string& text) { return static_cast<SvgWriter>(parse_choice(text, kSvgWriterNames)); },
-          "SVG: in layers with a path for each line, or as Cairo's own SVG surface writes it")
-      .standard("layers");
 }
 
 void add_title_option(CLI::App& app, std::string& title, const std::string& help) {

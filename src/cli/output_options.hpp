@@ -27,9 +27,6 @@ void add_dpi_option(CLI::App& app, double& dpi);
 /// Adds --curves. `standard` is the help text of the default.
 void add_curves_option(CLI::App& app, std::optional<bool>& curves, const std::string& standard);
 
-/// Adds --svg.
-void add_svg_option(CLI::App& app, SvgWriter& writer);
-
 /// Adds --title.
 void add_title_option(CLI::App& app, std::string& title, const std::string& help);
 

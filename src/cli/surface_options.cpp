@@ -231,7 +231,6 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   OptionGroup(*surface, "Output")
       .add_flag("--as-mesh", options.as_mesh, "write the surface as a mesh file, .json (ligne-scene) or .obj");
   add_dpi_option(*surface, picture.output.dpi);
-  add_svg_option(*surface, picture.output.svg);
   add_curves_option(*surface, picture.output.curves, "off");
   add_title_option(*surface, picture.output.title, "title above the picture, and of the document");
   add_plotter_options(*surface, options.plotter);

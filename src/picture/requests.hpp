@@ -198,13 +198,8 @@ enum class OutputFormat { svg, pdf, png, json, hpgl, gcode };
 inline constexpr std::string_view kOutputFormatNames[] = {"svg", "pdf", "png", "json", "hpgl", "gcode"};
 
 /// The file.
-/// How an SVG is written: in layers with a path for each line, or by Cairo's own SVG surface.
-enum class SvgWriter : std::uint8_t { layers, cairo };
-inline constexpr std::string_view kSvgWriterNames[] = {"layers", "cairo"};
-
 struct OutputRequest {
   OutputFormat format = OutputFormat::svg;
-  SvgWriter svg = SvgWriter::layers;
   double dpi = 150;                   ///< PNG
   std::string title;                  ///< of the document, may be empty
   bool group_objects = false;         ///< SVG: a group for each object in every layer; JSON: strokes say their object

@@ -26,7 +26,6 @@ std::string written_as(OutputFormat format, const Drawing& drawing, const PlotOp
   }
   return format == OutputFormat::pdf   ? write_pdf(drawing, style, under)
          : format == OutputFormat::png ? write_png(drawing, style, under)
-         : style.svg_by_cairo          ? write_cairo_svg(drawing, style, under)
                                        : write_svg(drawing, style, under);
 }
 
@@ -284,7 +283,6 @@ PlotOptions plot_options(const PictureRequest& request, const Page& page) {
   plot.hidden_solid = request.lines.hidden == HiddenLines::solid;
   plot.title = request.output.title;
   plot.dpi = request.output.dpi;
-  plot.svg_by_cairo = request.output.svg == SvgWriter::cairo;
   plot.curves = request.output.curves.value_or(request.lines.quality == Quality::clear);
   return plot;
 }

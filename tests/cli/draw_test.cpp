@@ -290,18 +290,18 @@ TEST_F(DrawTest, CurvesWhereLinesAreClear) {
     face += " " + std::to_string(i + 1);
   }
   write("disc.obj", disc + face + "\n");
-  const auto arcs = [&](std::vector<std::string> options) {
+  const auto curves = [&](std::vector<std::string> options) {
     options.insert(options.begin(), {"draw", "disc.obj", "--view", "iso", "-o", "-", "--format", "svg"});
     const Outcome outcome = run(options);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     const std::string path = outcome.out.substr(outcome.out.find("<path d=\"M") + 9);
-    return path.substr(0, path.find('"')).find_first_of("Aa") != std::string::npos;
+    return path.substr(0, path.find('"')).find_first_of("Cc") != std::string::npos;
   };
-  EXPECT_TRUE(arcs({}));
-  EXPECT_FALSE(arcs({"--curves", "off"}));
-  EXPECT_FALSE(arcs({"--quality", "exact"}));
-  EXPECT_TRUE(arcs({"--quality", "exact", "--curves", "on"}));
-  EXPECT_FALSE(arcs({"--pen", "rest=1"})) << "pens keep the points";
+  EXPECT_TRUE(curves({}));
+  EXPECT_FALSE(curves({"--curves", "off"}));
+  EXPECT_FALSE(curves({"--quality", "exact"}));
+  EXPECT_TRUE(curves({"--quality", "exact", "--curves", "on"}));
+  EXPECT_FALSE(curves({"--pen", "rest=1"})) << "pens keep the points";
   EXPECT_EQ(drawn({"disc.obj", "--curves", "on"})["strokes"], drawn({"disc.obj", "--curves", "off"})["strokes"]);
   EXPECT_EQ(run({"draw", "disc.obj", "--curves", "maybe", "-o", "x.svg"}).status, 2);
 }
