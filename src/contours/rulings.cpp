@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -71,8 +72,30 @@ class RulingFinder {
   /// The normal nearest to the mean one that is square to the rulings of the sector with these corners; nothing where there
   /// are none.
   std::optional<Point3> normal(std::span<const std::uint32_t> corners, const Point3& mean) const {
-    std::optional<Point3> first;
-    Point3 normal = mean;
+    const std::vector<Ruling> rulings = find(corners);
+    if (rulings.empty()) return std::nullopt;
+    const Point3& first = rulings[0].direction;
+    for (const Ruling& other : rulings) {
+      const Point3 across = glm::cross(first, other.direction);
+      if (glm::length(across) >= kLeastSpanSine) return turned(glm::dot(across, mean) < 0 ? -across : across, mean);
+    }
+    return turned(mean - glm::dot(mean, first) * first, mean);
+  }
+
+ private:
+  struct Ruling {
+    double ratio;  ///< of its length to what lies beyond its end
+    Point3 direction;
+
+    bool operator<(const Ruling& o) const {
+      const auto key = [](const Ruling& r) { return std::tuple(-r.ratio, r.direction.x, r.direction.y, r.direction.z); };
+      return key(*this) < key(o);
+    }
+  };
+
+  /// Those of the sector, in an order that does not depend on that of its corners: the clearest first.
+  std::vector<Ruling> find(std::span<const std::uint32_t> corners) const {
+    std::vector<Ruling> rulings;
     for (const std::uint32_t c : corners) {
       if (face_normals_[c / 3] == Point3(0.0) || !has_coplanar_neighbour(face_normals_, patch_, c / 3)) continue;
       for (const std::uint32_t end : {next_corner(c), last_corner(c)}) {
@@ -80,24 +103,13 @@ class RulingFinder {
         const double length = glm::length(edge);
         if (!(length > 0)) continue;
         const double beyond = reach_beyond(corners, c, edge / length);
-        if (!(beyond > 0) || length <= kRulingRatio * beyond) continue;
-        if (!first) {
-          first = edge / length;
-          const std::optional<Point3> square = turned(mean - glm::dot(mean, *first) * *first, mean);
-          if (!square) return std::nullopt;
-          normal = *square;
-          continue;
-        }
-        const Point3 across = glm::cross(*first, edge / length);
-        if (glm::length(across) < kLeastSpanSine) continue;
-        return turned(glm::dot(across, mean) < 0 ? -across : across, mean);
+        if (beyond > 0 && length > kRulingRatio * beyond) rulings.push_back({length / beyond, edge / length});
       }
     }
-    if (!first) return std::nullopt;
-    return normal;
+    std::sort(rulings.begin(), rulings.end());
+    return rulings;
   }
 
- private:
   /// Unit length, unless it differs too much from the mean normal: then the edges are no rulings of one surface.
   static std::optional<Point3> turned(const Point3& to, const Point3& mean) {
     const double size = glm::length(to);
