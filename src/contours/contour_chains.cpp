@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "contours/rulings.hpp"
 #include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
 
@@ -146,6 +147,7 @@ class ContourTracer {
     ContourNode cusp;
     const double t = (low + high) / 2;
     cusp.side = a.side;
+    cusp.sag = std::max(a.sag, b.sag);
     cusp.on_mesh = (1 - t) * a.on_mesh + t * b.on_mesh;
     cusp.on_surface = curve->point(t);
     cusp.normal = glm::normalize((1 - t) * a.normal + t * b.normal);
@@ -184,9 +186,8 @@ class ContourTracer {
     out.normal = size > 0 ? n / size : np;
     // Cubic with tangents in the tangent planes of the ends [Vlachos2001].
     const Point3 rise = (1 - t) * t * (t * glm::dot(d, nq) * nq - (1 - t) * glm::dot(d, np) * np);
-    const std::uint32_t beyond = patch_.across[side];
-    const double sag = std::max(patch_.sags[side / 3], beyond == kNone ? 0 : patch_.sags[beyond / 3]);
-    const double most = std::min(kHighestRise * glm::length(d), sag), height = glm::length(rise);
+    out.sag = sag_at(scene_, patch_, side);
+    const double most = std::min(kHighestRise * glm::length(d), out.sag), height = glm::length(rise);
     out.on_surface = out.on_mesh + (height > most ? rise * (most / height) : rise);
     if (fitted) {
       NormalTurn turn;

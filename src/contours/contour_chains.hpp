@@ -22,6 +22,7 @@ struct ContourNode {
   Point3 normal{0, 0, 1};       ///< of the smooth surface, unit length
   Point3 tangent{0, 0, 0};      ///< of the contour on the surface, g grows to its right; zero when not known
   double radial = 0;            ///< where there is a tangent: its product with normal x sight, of unit length; 0 at a cusp
+  double sag = 0;               ///< how far the mesh may lie from the surface there, model units
   double most_mm = 0;           ///< largest distance from the mesh's outline on the page (contour_support.hpp)
   std::uint32_t meets = kNone;  ///< at a border of the region: the vertex of the scene through which the mesh's outline runs
 

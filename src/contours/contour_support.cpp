@@ -58,9 +58,7 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
       Place& place = places_[c].emplace_back();
       place.mm = page_point(view, node.meets != kNone ? scene.vertices[node.meets] : node.on_surface);
       const double unit_mm = glm::length(page_direction(view, node.on_mesh, view.camera.right));
-      const std::uint32_t beyond = patch.across[node.side];
-      const double sag = std::max(patch.sags[node.side / 3], beyond == kNone ? 0 : patch.sags[beyond / 3]);
-      place.sag = sag * unit_mm;
+      place.sag = node.sag * unit_mm;
       place.lift = glm::length(page_point(view, node.on_surface) - page_point(view, node.on_mesh));
       finder.expect(place.mm - Point2(reach(place)), place.mm + Point2(reach(place)));
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -46,20 +47,10 @@ class CornersOfSectors {
   std::vector<std::uint32_t> begin_, corners_;
 };
 
-/// Half of the chord between the normals at a side inside a region, which is the sine of half of their angle; 1 where it is
-/// not known.
-double half_chord(std::span<const Point3> face_normals, const SmoothPatch& patch, std::uint32_t side) {
-  const std::uint32_t r = patch.across[side];
-  if (r == kNone || face_normals[side / 3] == Point3(0.0) || face_normals[r / 3] == Point3(0.0)) return 1;
-  return std::min(1.0, glm::length(face_normals[side / 3] - face_normals[r / 3]) / 2);
-}
-
-/// Whether the triangle is half of a rectangle, or part of a flat side.
-bool has_coplanar_neighbour(std::span<const Point3> face_normals, const SmoothPatch& patch, std::uint32_t t) {
-  for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
-    if (half_chord(face_normals, patch, side) <= kInPlaneSine) return true;
-  }
-  return false;
+/// Half of the chord between unit normals, which is the sine of half of their angle; 1 where one of them is zero.
+double half_chord(const Point3& n, const Point3& m) {
+  if (n == Point3(0.0) || m == Point3(0.0)) return 1;
+  return std::min(1.0, glm::length(n - m) / 2);
 }
 
 class RulingFinder {
@@ -93,11 +84,35 @@ class RulingFinder {
     }
   };
 
+  /// Whether the triangle is half of a rectangle, or part of a flat side.
+  bool has_coplanar_neighbour(std::uint32_t t) const {
+    for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
+      const std::uint32_t r = patch_.across[side];
+      if (r != kNone && half_chord(face_normals_[t], face_normals_[r / 3]) <= kInPlaneSine) return true;
+    }
+    return false;
+  }
+
+  /// Whether any edge is so long among the others that it may be a ruling: few sectors have one.
+  bool has_long_edge(std::span<const std::uint32_t> corners) const {
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+    for (const std::uint32_t c : corners) {
+      for (const std::uint32_t end : {next_corner(c), last_corner(c)}) {
+        const Point3 edge = point(end) - point(c);
+        const double square = glm::dot(edge, edge);
+        shortest = std::min(shortest, square);
+        longest = std::max(longest, square);
+      }
+    }
+    return longest > kRulingRatio * kRulingRatio * shortest;
+  }
+
   /// Those of the sector, in an order that does not depend on that of its corners: the clearest first.
   std::vector<Ruling> find(std::span<const std::uint32_t> corners) const {
     std::vector<Ruling> rulings;
+    if (!has_long_edge(corners)) return rulings;
     for (const std::uint32_t c : corners) {
-      if (face_normals_[c / 3] == Point3(0.0) || !has_coplanar_neighbour(face_normals_, patch_, c / 3)) continue;
+      if (face_normals_[c / 3] == Point3(0.0) || !has_coplanar_neighbour(c / 3)) continue;
       for (const std::uint32_t end : {next_corner(c), last_corner(c)}) {
         const Point3 edge = point(end) - point(c);
         const double length = glm::length(edge);
@@ -137,6 +152,38 @@ class RulingFinder {
   const SmoothPatch& patch_;
 };
 
+/// The sag of one triangle.
+double sag_of(const Scene& scene, const SmoothPatch& patch, std::uint32_t t) {
+  const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
+  const auto normal = [&](std::uint32_t triangle) {
+    const Point3 a = point(3 * triangle);
+    const Point3 area = glm::cross(point(3 * triangle + 1) - a, point(3 * triangle + 2) - a);
+    const double size = glm::length(area);
+    return size > 0 ? area / size : Point3(0.0);
+  };
+  const auto width_from = [&](std::uint32_t side) {
+    const Point3 along = point(next_corner(side)) - point(side);
+    const double length = glm::length(along);
+    return length > 0 ? glm::length(glm::cross(along, point(last_corner(side)) - point(side))) / length : 0;
+  };
+  const Point3 n = normal(t);
+  double highest = 0, sum = 0;
+  bool is_half = false;  // of a rectangle
+  for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
+    const std::uint32_t r = patch.across[side];
+    const double sine = r == kNone ? 1 : half_chord(n, normal(r / 3));
+    if (sine == 1) continue;
+    is_half |= sine <= kInPlaneSine;
+    double width = width_from(side);
+    const double beside = width_from(r);
+    if (width > kRulingRatio * beside) width = beside;
+    const double sag = width / 2 * sine / (1 + std::sqrt(1 - sine * sine));  // tan(t/4) = sin(t/2) / (1 + cos(t/2))
+    highest = std::max(highest, sag);
+    sum += sag;
+  }
+  return is_half ? sum : kTriangleSag * highest;
+}
+
 }  // namespace
 
 void square_to_rulings(const Scene& scene, const Camera& camera, std::span<const Point3> face_normals, SmoothPatch& patch) {
@@ -160,33 +207,9 @@ void square_to_rulings(const Scene& scene, const Camera& camera, std::span<const
   });
 }
 
-std::vector<double> sags_of(const Scene& scene, std::span<const Point3> face_normals, const SmoothPatch& patch) {
-  const std::size_t n = patch.triangles.size();
-  std::vector<double> sags(n, 0);
-  const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
-  const auto width_from = [&](std::uint32_t side) {
-    const Point3 along = point(next_corner(side)) - point(side);
-    const double length = glm::length(along);
-    return length > 0 ? glm::length(glm::cross(along, point(last_corner(side)) - point(side))) / length : 0;
-  };
-  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
-      double highest = 0, sum = 0;
-      for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
-        const double sine = half_chord(face_normals, patch, side);
-        if (sine == 1) continue;
-        double width = width_from(side);
-        const double beside = width_from(patch.across[side]);
-        if (width > kRulingRatio * beside) width = beside;
-        // tan(t/4) = sin(t/2) / (1 + cos(t/2))
-        const double sag = width / 2 * sine / (1 + std::sqrt(1 - sine * sine));
-        highest = std::max(highest, sag);
-        sum += sag;
-      }
-      sags[t] = has_coplanar_neighbour(face_normals, patch, t) ? sum : kTriangleSag * highest;
-    }
-  });
-  return sags;
+double sag_at(const Scene& scene, const SmoothPatch& patch, std::uint32_t side) {
+  const double sag = sag_of(scene, patch, side / 3);
+  return patch.across[side] == kNone ? sag : std::max(sag, sag_of(scene, patch, patch.across[side] / 3));
 }
 
 }  // namespace ligne

@@ -5,8 +5,8 @@
 /// into a rounding, the long edges that end there lie on the surface: they are its rulings, and its normal is square to
 /// them. A mean tilts it towards the rounding, by half of the angle between the faces.
 
+#include <cstdint>
 #include <span>
-#include <vector>
 
 #include "contours/smooth_patch.hpp"
 
@@ -17,10 +17,10 @@ namespace ligne {
 /// triangles, unit length or zero. Sets SmoothPatch::ruled, and g of the sectors that change.
 void square_to_rulings(const Scene& scene, const Camera& camera, std::span<const Point3> face_normals, SmoothPatch& patch);
 
-/// Per triangle: how far it may lie from the smooth surface, model units. A face of width w (from an edge to its farthest
-/// vertex) that bends by the angle t against its neighbour is the chord of an arc of height w/2 tan(t/4); beside a much
-/// narrower neighbour the width of that one counts. Half of a rectangle has the sum of those at its edges, which is that of
-/// a surface that bends both ways; of a triangle among triangles the middle lies farther off than any edge.
-std::vector<double> sags_of(const Scene& scene, std::span<const Point3> face_normals, const SmoothPatch& patch);
+/// How far the triangles at a side may lie from the smooth surface, model units. A face of width w (from an edge to its
+/// farthest vertex) that bends by the angle t against its neighbour is the chord of an arc of height w/2 tan(t/4); beside a
+/// much narrower neighbour the width of that one counts. Half of a rectangle has the sum of those at its edges, which is
+/// that of a surface that bends both ways; of a triangle among triangles the middle lies farther off than any edge.
+double sag_at(const Scene& scene, const SmoothPatch& patch, std::uint32_t side);
 
 }  // namespace ligne

@@ -151,9 +151,7 @@ class PatchBuilder {
     join_sides();
     make_sectors();
     if (cut_at_sharp_vertices()) make_sectors();
-    const std::span<const Point3> face_normals(face_normals_.data(), patch_.triangles.size());
-    square_to_rulings(scene_, camera_, face_normals, patch_);
-    patch_.sags = sags_of(scene_, face_normals, patch_);
+    square_to_rulings(scene_, camera_, {face_normals_.data(), patch_.triangles.size()}, patch_);
     fit_surfaces(scene_, camera_, patch_);
   }
 

@@ -38,7 +38,6 @@ struct SmoothPatch {
   std::vector<Point3> normals;         ///< per sector, unit length; zero where no face round it has an area
   std::vector<double> g;               ///< per sector
   std::vector<std::uint8_t> ruled;     ///< per sector: 1 where its normal is square to rulings (rulings.hpp)
-  std::vector<double> sags;            ///< per triangle: how far it may lie from the smooth surface, model units
   std::vector<std::uint32_t> fit;      ///< per sector: number of the fitted surface whose normal it has, or kNone
   std::vector<NormalTurn> turns;       ///< by that number
 
