@@ -14,6 +14,26 @@ constexpr double kMostOblique = 4;
 /// Segments of a chain over which the length of those of its mesh is averaged, before and behind a place.
 constexpr int kSizeWindow = 3;
 
+/// Segments are listed in pieces of at most so many cells.
+constexpr double kPieceInCells = 4;
+
+/// Cuts the parameters [begin, end] of a segment down to what lies in the box (Liang and Barsky). False where nothing does,
+/// or a coordinate is not finite.
+bool clip_to_box(Point2 from, Point2 to, Point2 low, Point2 high, double& begin, double& end) {
+  for (int axis = 0; axis < 2; ++axis) {
+    const double d = to[axis] - from[axis];
+    if (!std::isfinite(d)) return false;
+    if (d == 0) {
+      if (from[axis] < low[axis] || from[axis] > high[axis]) return false;
+      continue;
+    }
+    const double a = (low[axis] - from[axis]) / d, b = (high[axis] - from[axis]) / d;
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  }
+  return begin <= end;
+}
+
 bool may_hide(const Stroke& s) {
   return s.visible && s.level == 0 &&
          (s.line_class == LineClass::outline || s.line_class == LineClass::border ||
@@ -124,6 +144,8 @@ void close_gaps(const std::vector<Change>& changes, const std::vector<std::optio
 }  // namespace
 
 void SegmentFinder::expect(Point2 from, Point2 to) {
+  low_ = glm::min(low_, glm::min(from, to));
+  high_ = glm::max(high_, glm::max(from, to));
   const Rectangle cells = cells_round(from, to);
   if (cells == expected_) return;
   expected_ = cells;
@@ -136,14 +158,25 @@ void SegmentFinder::expect(Point2 from, Point2 to) {
 }
 
 void SegmentFinder::add(const PageSegment& segment) {
+  double begin = 0, end = 1;
+  const Point2 margin(cell_mm_);
+  if (!clip_to_box(segment.from, segment.to, low_ - margin, high_ + margin, begin, end)) return;
+  const Point2 d = segment.to - segment.from;
+  const auto at = [&](double t) { return segment.from + t * d; };
+  // In pieces: the rectangle round a long slanted segment has far more cells than the segment passes.
+  const auto pieces =
+      static_cast<int>(std::ceil(std::max(1.0, (end - begin) * glm::length(d) / (kPieceInCells * cell_mm_))));
   const auto number = static_cast<std::uint32_t>(segments_.size());
   bool listed = false;
-  for_cells(cells_round(segment.from, segment.to), [&](std::uint64_t key) {
-    const std::uint32_t cell = cells_.find(key);
-    if (cell == KeyTable::kNone) return;
-    lists_[cell].push_back(number);
-    listed = true;
-  });
+  for (int k = 0; k < pieces; ++k) {
+    const auto place = [&](int i) { return begin + double(i) / pieces * (end - begin); };
+    for_cells(cells_round(at(place(k)), at(place(k + 1))), [&](std::uint64_t key) {
+      const std::uint32_t cell = cells_.find(key);
+      if (cell == KeyTable::kNone) return;
+      if (lists_[cell].empty() || lists_[cell].back() != number) lists_[cell].push_back(number);
+      listed = true;
+    });
+  }
   if (listed) segments_.push_back(segment);
 }
 

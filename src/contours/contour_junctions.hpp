@@ -28,7 +28,7 @@ class SegmentFinder {
 
   /// A segment will be asked about. To be called before the first add().
   void expect(Point2 from, Point2 to);
-  /// Segments that nothing expected passes are left out.
+  /// Segments that nothing expected passes are left out. They may be long, and lie far away.
   void add(const PageSegment& segment);
   /// Calls found(segment) for the segments that may cross from-to; some more than once.
   template <class Found>
@@ -46,14 +46,15 @@ class SegmentFinder {
     std::int32_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
     friend bool operator==(const Rectangle&, const Rectangle&) = default;
   };
-  /// Those of the rectangle round the segment; segments are short.
+  /// Those of the rectangle round the segment.
   Rectangle cells_round(Point2 from, Point2 to) const;
   template <class Visit>
   static void for_cells(const Rectangle& cells, Visit visit);
 
   double cell_mm_;
-  KeyTable cells_;      ///< of each cell that is asked about the list
-  Rectangle expected_;  ///< last: mostly the next one is the same
+  Point2 low_{1e300, 1e300}, high_{-1e300, -1e300};  ///< of all that is expected
+  KeyTable cells_;                                   ///< of each cell that is asked about the list
+  Rectangle expected_;                               ///< last: mostly the next one is the same
   std::vector<std::vector<std::uint32_t>> lists_;
   std::vector<PageSegment> segments_;
 };

@@ -72,12 +72,12 @@ std::vector<ContourRun> runs_of(const std::vector<Stroke>& strokes, std::uint32_
   return runs;
 }
 
-void hide(std::vector<ContourRun>& runs, const std::vector<ContourRun>& hidden) {
+void put_in(std::vector<ContourRun>& runs, const std::vector<ContourRun>& changed) {
   std::vector<ContourRun> out;
-  auto next = hidden.begin();
+  auto next = changed.begin();
   for (const ContourRun& run : runs) {
     double from = run.from;
-    for (; next != hidden.end() && next->from < run.to; ++next) {
+    for (; next != changed.end() && next->from < run.to; ++next) {
       append(out, {from, next->from, run.state});
       append(out, {std::max(from, next->from), next->to, next->state});
       from = next->to;

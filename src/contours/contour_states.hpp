@@ -23,8 +23,8 @@ struct ContourRun {
 std::vector<ContourRun> runs_of(const std::vector<Stroke>& strokes, std::uint32_t first_source, std::size_t segments,
                                 bool hidden_too);
 
-/// Gives the parts of runs that lie in `hidden`, ascending, the state of these.
-void hide(std::vector<ContourRun>& runs, const std::vector<ContourRun>& hidden);
+/// Gives the parts of runs that lie in `changed`, ascending, the state of these.
+void put_in(std::vector<ContourRun>& runs, const std::vector<ContourRun>& changed);
 
 /// Takes out runs that are shorter than `shortest_mm` on the page: they get the state of what is beside them.
 void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm);

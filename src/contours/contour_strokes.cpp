@@ -11,9 +11,9 @@ namespace {
 /// Ends are moved to the line that they meet by so many widths of the pen.
 constexpr double kReachInPens = 2;
 
-/// Adjustable: contours are hidden with the mesh's outline beside them where that is hidden for more than so many times as
-/// long. On rough meshes less is hidden by a hair.
-constexpr double kHiddenInReaches = 8;
+/// Adjustable: contours are hidden or seen with the mesh's outline beside them where that is so for more than so many times
+/// as long. On rough meshes less is hidden by a hair.
+constexpr double kTestifiedInReaches = 8;
 
 std::vector<std::uint32_t> cusps_of(const ContourChain& chain) {
   std::vector<std::uint32_t> cusps;
@@ -44,7 +44,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
     }
   });
-  hide_behind_outlines(seen, contours, view, model.lattice, edges, kHiddenInReaches * reach_mm);
+  hold_against_outlines(seen, contours, view, model.lattice, edges, kTestifiedInReaches * reach_mm);
   // What a line in front hides ends at it, also where a cusp is near.
   std::vector<std::vector<ContourRun>> found(n);
   for (std::size_t c = 0; c < n; ++c) found[c] = seen[c].runs;

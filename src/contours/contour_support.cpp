@@ -19,6 +19,8 @@ namespace {
 constexpr double kSearchInPens = 6;
 constexpr double kSearchTimes = 2;
 constexpr double kSupportCellMm = 2;
+/// Where the sag on the page is larger, as beside the eye, nothing is said of contours, mm.
+constexpr double kLargestSagMm = 10;
 
 /// The parts of a chain between nodes that are left out.
 std::vector<ContourChain> parts_of(const ContourChain& chain, const std::vector<std::uint8_t>& keeps) {
@@ -48,6 +50,10 @@ std::vector<ContourChain> parts_of(const ContourChain& chain, const std::vector<
 
 }  // namespace
 
+bool in_window(const View& view, Point2 p) {
+  return p.x >= view.window.min.x && p.x <= view.window.max.x && p.y >= view.window.min.y && p.y <= view.window.max.y;
+}
+
 ContourSupport::ContourSupport(const Scene& scene, const View& view, const SmoothPatch& patch,
                                std::span<ContourChain* const> chains, std::span<const std::uint32_t> sides,
                                double pen_width_mm)
@@ -60,7 +66,8 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
       const double unit_mm = glm::length(page_direction(view, node.on_mesh, view.camera.right));
       place.sag = node.sag * unit_mm;
       place.lift = glm::length(page_point(view, node.on_surface) - page_point(view, node.on_mesh));
-      finder.expect(place.mm - Point2(reach(place)), place.mm + Point2(reach(place)));
+      place.counts = place.sag <= kLargestSagMm && in_window(view, place.mm);
+      if (place.counts) finder.expect(place.mm - Point2(reach(place)), place.mm + Point2(reach(place)));
     }
   }
   for (const std::uint32_t side : sides) {
@@ -71,6 +78,7 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
   }
   for (std::vector<Place>& places : places_) {
     for (Place& place : places) {
+      if (!place.counts) continue;
       place.away = reach(place);
       finder.near(place.mm - Point2(place.away), place.mm + Point2(place.away), [&](const PageSegment& s) {
         const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);

@@ -11,6 +11,9 @@
 
 namespace ligne {
 
+/// Whether a point of the page lies in the window of the view.
+bool in_window(const View& view, Point2 p);
+
 /// The contours of one group beside the mesh's outline.
 class ContourSupport {
  public:
@@ -32,7 +35,8 @@ class ContourSupport {
  private:
   /// Of a node on the page.
   struct Place {
-    Point2 mm{0, 0}, outline{0, 0};      ///< outline: its nearest place
+    Point2 mm{0, 0}, outline{0, 0};  ///< outline: its nearest place
+    bool counts = true;              ///< it lies in the window, and not right before the eye; others are taken as they are
     double away = 0, sag = 0, lift = 0;  ///< distance from that; sag of the mesh; way from the mesh to the surface; mm
   };
 
