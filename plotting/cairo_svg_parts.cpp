@@ -87,7 +87,7 @@ void add_parts(const pugi::xml_node& group, const pugi::xml_node& definitions, s
       attributes_of(node, {"id"});
       add_parts(node, definitions, parts);
     } else if (name != "defs") {
-      // What is defined matters where an element refers to it, by an attribute that is unknown here but for images.
+      // Definitions say nothing by themselves. References to them are unknown attributes here, except those to images.
       fail(name);
     }
   }

@@ -26,8 +26,8 @@ class SvgCanvas {
   /// Nothing that is drawn may lie farther from the corner of the page, on either axis.
   explicit SvgCanvas(double largest_mm);
 
-  /// What `draw` paints with a context that has so many units to a millimetre: areas as one path each, strokes as one path
-  /// for each line. `pen_mm` is the width of its strokes.
+  /// Gives `draw` a context and the number of its units to a millimetre, and returns the SVG of all that it paints: one path
+  /// for each area, and one for each line of a stroke. `pen_mm` is the width of its strokes.
   std::string paths(FunctionRef<void(cairo_t*, double)> draw, double pen_mm) const;
   std::string image(const GrayPicture& picture) const;
 

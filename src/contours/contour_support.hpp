@@ -33,7 +33,7 @@ class ContourSupport {
   std::vector<ContourChain> supported() const;
 
  private:
-  /// Of a node on the page.
+  /// A node on the page.
   struct Place {
     Point2 mm{0, 0}, outline{0, 0};  ///< outline: its nearest place
     bool counts = true;              ///< it lies in the window, and not right before the eye; others are taken as they are

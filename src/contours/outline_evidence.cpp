@@ -21,7 +21,7 @@ constexpr double kMostReachMm = 10;
 /// A segment of a contour is asked about at so many places at the most: longer ones lie before the eye.
 constexpr double kMostSteps = 1000;
 
-/// What an outline beside a contour says: it is seen; hidden; hidden in a hollow, which says little.
+/// Visibility of the outline beside a contour, the weakest testimony first. An outline in a hollow is hidden by a hair.
 enum class Evidence : std::uint8_t { none, hollow, hidden, seen };
 
 /// Lines on the page, each with what it says.

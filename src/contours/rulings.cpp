@@ -1,7 +1,6 @@
 #include "contours/rulings.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -27,6 +26,9 @@ constexpr double kTriangleSag = 8.0 / 3;
 /// Two triangles of one rectangle or flat side differ by less, as half of the sine of their angle: float32 coordinates turn
 /// small triangles so far. An edge lies in the plane of a face up to that, too.
 constexpr double kInPlaneSine = 2e-4;
+/// Largest number of pairs of edges that are compared at one vertex, the longest edges first. So a fan of many triangles
+/// costs no more than its length; rulings of fewer than 50 triangles are all looked at.
+constexpr std::size_t kMostPairs = 10'000;
 /// Least cosine of the angle by which rulings may turn a mean normal: 45 degrees.
 constexpr double kLeastKeptCosine = 0.707;
 
@@ -53,6 +55,7 @@ double half_chord(const Point3& n, const Point3& m) {
   return std::min(1.0, glm::length(n - m) / 2);
 }
 
+/// Finds the rulings that end at the vertex of a sector.
 class RulingFinder {
  public:
   RulingFinder(const Scene& scene, std::span<const Point3> face_normals, const SmoothPatch& patch)
@@ -84,6 +87,13 @@ class RulingFinder {
     }
   };
 
+  /// An edge that leaves the vertex.
+  struct Candidate {
+    double length;
+    Point3 direction;
+    std::uint32_t corner;  ///< of a triangle at the edge
+  };
+
   /// Whether the triangle is half of a rectangle, or part of a flat side.
   bool has_coplanar_neighbour(std::uint32_t t) const {
     for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
@@ -109,17 +119,30 @@ class RulingFinder {
 
   /// Those of the sector, in an order that does not depend on that of its corners: the clearest first.
   std::vector<Ruling> find(std::span<const std::uint32_t> corners) const {
-    std::vector<Ruling> rulings;
-    if (!has_long_edge(corners)) return rulings;
+    if (!has_long_edge(corners)) return {};
+    std::vector<Candidate> candidates;
     for (const std::uint32_t c : corners) {
       if (face_normals_[c / 3] == Point3(0.0) || !has_coplanar_neighbour(c / 3)) continue;
       for (const std::uint32_t end : {next_corner(c), last_corner(c)}) {
         const Point3 edge = point(end) - point(c);
-        const double length = glm::length(edge);
-        if (!(length > 0)) continue;
-        const double beyond = reach_beyond(corners, c, edge / length);
-        if (beyond > 0 && length > kRulingRatio * beyond) rulings.push_back({length / beyond, edge / length});
+        if (const double length = glm::length(edge); length > 0) candidates.push_back({length, edge / length, c});
       }
+    }
+    const std::size_t most = kMostPairs / (2 * corners.size()) + 1;
+    if (candidates.size() > most) {
+      const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(most);
+      std::nth_element(candidates.begin(), last, candidates.end(), [](const Candidate& l, const Candidate& r) {
+        const auto key = [](const Candidate& e) {
+          return std::tuple(-e.length, e.direction.x, e.direction.y, e.direction.z);
+        };
+        return key(l) < key(r);
+      });
+      candidates.erase(last, candidates.end());
+    }
+    std::vector<Ruling> rulings;
+    for (const Candidate& edge : candidates) {
+      const double beyond = reach_beyond(corners, edge.corner, edge.direction);
+      if (beyond > 0 && edge.length > kRulingRatio * beyond) rulings.push_back({edge.length / beyond, edge.direction});
     }
     std::sort(rulings.begin(), rulings.end());
     return rulings;
