@@ -19,11 +19,7 @@ constexpr double kUnitSlack = 1e-3;
 
 bool same(double a, double b) { return std::abs(a - b) <= kSameSizeMm; }
 
-std::string mm(double value) {
-  std::string text;
-  append_rounded(text, value, 2);
-  return text + " mm";
-}
+std::string mm(double value) { return decimal_text(value, 2) + " mm"; }
 
 /// The paper of the page's size, else the smallest that holds it; with `fit` the largest when none does.
 const DevicePaper* paper_for(const Device& device, const Page& page, bool fit) {

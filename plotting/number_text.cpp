@@ -56,6 +56,12 @@ void append_rounded(std::string& out, double value, int decimals) {
   out.append(text, write_fixed(text, std::llround(scaled), decimals, false));
 }
 
+std::string decimal_text(double value, int decimals) {
+  std::string text;
+  append_rounded(text, value, decimals);
+  return text;
+}
+
 /// The largest double has 309 digits before the point; fixed() is asked for some twenty decimals at the most.
 constexpr std::size_t kLongestFixed = 352;
 

@@ -22,7 +22,8 @@ void append_shortest(std::string& out, double value);
 /// The number with exactly so many decimals.
 std::string fixed(double value, int decimals);
 
-/// Appends the number rounded to so many decimals, with the leading zero.
+/// The number rounded to so many decimals, without trailing zeros but with the leading one.
 void append_rounded(std::string& out, double value, int decimals);
+std::string decimal_text(double value, int decimals);
 
 }  // namespace ligne

@@ -62,14 +62,6 @@ double in_mm(double value, std::string_view unit, std::string_view text) {
   throw std::invalid_argument("unknown unit " + shown(unit) + " in length " + shown(text) + " (mm, cm, in, pt)");
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return result;
-}
-
 }  // namespace
 
 double parse_length_mm(std::string_view text) {
@@ -79,7 +71,7 @@ double parse_length_mm(std::string_view text) {
 
 Page parse_page(std::string_view text) {
   Page page;
-  const std::string name = lower(text);
+  const std::string name = lower_case(text);
   for (const NamedPage& named : kPages) {
     if (name != named.name) continue;
     page.width_mm = named.width_mm;

@@ -42,12 +42,6 @@ std::string filled(std::string_view text, std::initializer_list<Replacement> rep
   return out;
 }
 
-std::string number(double value, int decimals) {
-  std::string text;
-  append_rounded(text, value, decimals);
-  return text;
-}
-
 /// What stands in a comment of G-code must not end it.
 std::string comment(const std::string& name) {
   std::string text;
@@ -91,7 +85,7 @@ class PlotWriter {
   }
   std::string coordinate(std::int64_t units) const {
     if (device_.language == DeviceLanguage::hpgl) return std::to_string(units);
-    return number(static_cast<double>(units) * device_.step_mm, kDecimals);
+    return decimal_text(static_cast<double>(units) * device_.step_mm, kDecimals);
   }
   Unit unit(Point2 page) const { return unit_of(frame_.to_device(page)); }
   Unit unit_of(Point2 mm) const { return {std::llround(mm.x / device_.step_mm), std::llround(mm.y / device_.step_mm)}; }
@@ -116,7 +110,7 @@ class PlotWriter {
   const Device& device_;
   const DeviceFrame& frame_;
   const PlotStops stops_;
-  std::string out_, feed_, z_feed_;
+  std::string out_, feed_;
   std::vector<Unit> units_;
 };
 
@@ -128,14 +122,14 @@ void PlotWriter::begin_pen(const Pen& pen, const Pen* held) {
   }
   constexpr double kSecondsPerMinute = 60, kMmPerCm = 10, kPercent = 100;
   const double speed = device_.down_mm_s * pen.speed.value_or(100) / kPercent;
-  feed_ = number(std::max(1.0, speed * kSecondsPerMinute), 0);  // a feed of 0 stops the machine
+  feed_ = decimal_text(std::max(1.0, speed * kSecondsPerMinute), 0);  // a feed of 0 stops the machine
   const std::string pen_number = std::to_string(pen.number), name = comment(pen.name),
-                    width = number(pen.width_mm.value_or(0), 2);
+                    width = decimal_text(pen.width_mm.value_or(0), 2);
   const bool changes = !held || held->number != pen.number;
   if (held && changes) go_to(stops_.park);
   if ((held && changes) || pen.pause) lines(device_.pen_change, {{"pen", pen_number}, {"name", name}});
   if (changes) line(device_.pen_select, {{"pen", pen_number}, {"width", width}});
-  if (pen.delay_ms) line(device_.delay, {{"seconds", number(*pen.delay_ms / 1000.0, kDecimals)}});
+  if (pen.delay_ms) line(device_.delay, {{"seconds", decimal_text(*pen.delay_ms / 1000.0, kDecimals)}});
   if (pen.speed || (held && held->speed))
     line(device_.velocity, {{"cm_per_s", std::to_string(std::max(1ll, std::llround(speed / kMmPerCm)))}});
 }

@@ -20,7 +20,6 @@
 #include "plotting/svg_canvas.hpp"
 #include "plotting/utf8.hpp"
 #include "plotting/writers.hpp"
-#include "plotting/xml_text.hpp"
 
 namespace ligne {
 namespace {
@@ -64,15 +63,16 @@ std::string lines_text(const Polylines& lines, std::size_t first, std::size_t la
       style.width_mm);
 }
 
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
 /// An id has no blanks and does not begin with a digit or a sign.
 std::string id_of(std::string_view layer) {
   std::string id(layer);
   std::replace_if(
       id.begin(), id.end(), [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }, '-');
-  const auto letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-  };
-  return id.empty() || letter(id[0]) ? id : "pen-" + id;
+  return id.empty() || is_letter(id[0]) ? id : "pen-" + id;
 }
 
 std::string group_start(std::string_view layer) {
@@ -121,9 +121,7 @@ class ObjectIds {
   std::string id(const Layer& layer) {
     std::string plain = id_of(layer.name) + "-" + layer.object;
     for (char& c : plain) {
-      const auto byte = static_cast<unsigned char>(c);
-      const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-      if (!letter && c != '-' && c != '_' && c != '.' && byte < 0x80) c = '_';
+      if (!is_letter(c) && !(c >= '0' && c <= '9') && c != '-' && c != '.') c = '_';
     }
     std::string id = plain;
     for (std::size_t n = 2; !used_.insert(id).second; ++n) id = plain + "-" + std::to_string(n);

@@ -68,4 +68,25 @@ std::string clean_utf8(std::string_view text) {
   return out;
 }
 
+std::string xml_text(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const auto [c, bytes] = first_character(text);
+    text.remove_prefix(bytes);
+    if (c == U'&') {
+      out += "&amp;";
+    } else if (c == U'<') {
+      out += "&lt;";
+    } else if (c == U'>') {
+      out += "&gt;";
+    } else if (c == U'"') {
+      out += "&quot;";
+    } else {
+      const bool is_known = c >= 0x20 ? c != 0xfffe && c != 0xffff : c == U'\t' || c == U'\n' || c == U'\r';
+      append(out, is_known ? c : kReplacement);
+    }
+  }
+  return out;
+}
+
 }  // namespace ligne

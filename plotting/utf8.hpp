@@ -13,4 +13,7 @@ std::u32string decode_utf8(std::string_view text);
 /// The same as well-formed UTF-8.
 std::string clean_utf8(std::string_view text);
 
+/// Text as it can stand in XML: escaped; what is not an XML character becomes U+FFFD.
+std::string xml_text(std::string_view text);
+
 }  // namespace ligne

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <tuple>
 
-#include <glm/geometric.hpp>
-
 #include "geometry/parallel.hpp"
 #include "plotting/paths/end_tree.hpp"
+#include "plotting/paths/path_length.hpp"
 
 namespace ligne {
 namespace {
@@ -23,12 +22,6 @@ struct Pair {
 };
 
 bool closed(std::span<const Point2> line) { return line.size() > 2 && line.front() == line.back(); }
-
-double length(std::span<const Point2> line) {
-  double sum = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) sum += glm::distance(line[i - 1], line[i]);
-  return sum;
-}
 
 /// The loose ends: 2 i is the first point of line i, 2 i + 1 its last.
 std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
@@ -68,7 +61,7 @@ Polylines join_near_ends(const Polylines& lines, double tolerance_mm) {
   std::vector<std::uint32_t> partner(2 * lines.size(), kNone);
   for (const Pair& pair : near_pairs(lines, tolerance_mm)) {
     if (partner[pair.a] != kNone || partner[pair.b] != kNone) continue;
-    if (pair.a / 2 == pair.b / 2 && length(lines[pair.a / 2]) <= kLoopLengths * std::sqrt(pair.squared)) continue;
+    if (pair.a / 2 == pair.b / 2 && path_length(lines[pair.a / 2]) <= kLoopLengths * std::sqrt(pair.squared)) continue;
     partner[pair.a] = pair.b;
     partner[pair.b] = pair.a;
   }

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "plotting/paths/path_length.hpp"
 #include "plotting/paths/segment_distance.hpp"
 
 namespace ligne {
@@ -23,8 +24,7 @@ using Line = std::span<const Point2>;
 constexpr double kShortSegment = 2;
 
 bool is_small(Line line, double tolerance) {
-  double length = 0;
-  for (std::size_t k = 1; k < line.size(); ++k) length += glm::distance(line[k - 1], line[k]);
+  const double length = path_length(line);
   return length <= kSmallLength * tolerance && length <= static_cast<double>(line.size() - 1) * kShortSegment * tolerance;
 }
 

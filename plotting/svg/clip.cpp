@@ -28,10 +28,7 @@ bool near_edge(Point2 p, Point2 a, Point2 b) {
 }
 
 void add(Polylines& out, std::vector<Point2>& line) {
-  if (line.size() > 1) {
-    out.points.insert(out.points.end(), line.begin(), line.end());
-    out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
-  }
+  if (line.size() > 1) out.add(line);
   line.clear();
 }
 

@@ -44,9 +44,7 @@ Polylines without_dots(const Polylines& lines) {
   Polylines kept;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto line = lines[i];
-    if (std::all_of(line.begin(), line.end(), [&](Point2 p) { return p == line[0]; })) continue;
-    kept.points.insert(kept.points.end(), line.begin(), line.end());
-    kept.begin.push_back(static_cast<std::uint32_t>(kept.points.size()));
+    if (std::any_of(line.begin(), line.end(), [&](Point2 p) { return p != line[0]; })) kept.add(line);
   }
   return kept;
 }

@@ -8,14 +8,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "plotting/cairo_text.hpp"
 #include "plotting/stroke_text.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne::svg {
 namespace {
-
-/// Height of capitals by size of the font, as our own SVG writes it.
-constexpr double kCapitals = 1493.0 / 2048;
 
 struct Character {
   std::string utf8;
@@ -75,7 +73,7 @@ void TextReader::add(std::string_view text, const Style& style) {
       Character character;
       character.utf8 = blank ? " " : std::string(text.substr(i, n));
       character.style = style;
-      const double height = style.font_size * kCapitals;
+      const double height = style.font_size * kCapitalsOfSize;
       character.advance = text_extent(character.utf8, height, TextStyle::stroke).width + style.letter_spacing +
                           (blank ? style.word_spacing : 0);
       characters.push_back(std::move(character));
@@ -87,7 +85,7 @@ void TextReader::add(std::string_view text, const Style& style) {
 /// x, y, dx, dy and rotate of an element, as far as those inside it say nothing.
 void TextReader::place(const pugi::xml_node& node, const Style& style, std::size_t first) {
   const auto each = [&](const char* name, double whole, auto&& set) {
-    const std::vector<double> values = lengths(node.attribute(name).value(), whole, style.font_size);
+    std::vector<double> values = lengths(node.attribute(name).value(), whole, style.font_size);
     for (std::size_t i = 0; i < values.size() && first + i < characters.size(); ++i) set(characters[first + i], values[i]);
     return values;
   };
@@ -179,7 +177,7 @@ void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
     if (!c.blank() && paint && style.visible && style.font_size > 0) {
       TextItem item;
       item.text = c.utf8;
-      item.height_mm = style.font_size * kCapitals;
+      item.height_mm = style.font_size * kCapitalsOfSize;
       item.rotation_degrees = -c.rotate.value_or(0);
       Polylines lines;
       result_.boxes += append_stroke_text(item, lines);

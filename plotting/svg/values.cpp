@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -209,13 +208,7 @@ std::optional<std::string> hsl(std::string_view text) {
     const double k = std::fmod(n + hue / 30, 12), a = full * std::min(light, 1 - light);
     return light - a * std::max(-1.0, std::min({k - 3, 9 - k, 1.0}));
   };
-  std::string code = "#";
-  for (const double n : {0.0, 8.0, 4.0}) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    const auto whole = static_cast<unsigned>(std::lround(level(n) * 255));
-    code += {digits[whole / 16], digits[whole % 16]};
-  }
-  return code;
+  return color_code({level(0), level(8), level(4)});
 }
 
 }  // namespace
@@ -233,28 +226,22 @@ std::optional<std::string> paint(std::string_view text) {
   if (clean.starts_with("hsl(") || clean.starts_with("hsla(")) return hsl(clean);
   const bool alpha = clean.starts_with("rgba(");
   if ((clean.starts_with("rgb(") || alpha) && clean.ends_with(")")) {
-    std::string code = "#";
     const std::size_t head = alpha ? 5 : 4;
     Scanner scanner(clean.substr(head, clean.size() - head - 1));
-    for (int i = 0; i < 3; ++i) {
+    std::array<double, 3> levels{};
+    for (double& level : levels) {
       scanner.skip_separator();
-      double level = scanner.number();
-      if (scanner.peek() == '%') {
-        scanner.take();
-        level *= 2.55;
-      }
-      constexpr std::string_view digits = "0123456789abcdef";
-      const auto whole = static_cast<unsigned>(std::lround(std::clamp(level, 0.0, 255.0)));
-      code += {digits[whole / 16], digits[whole % 16]};
+      level = scanner.number();
+      const bool percent = scanner.peek() == '%';
+      if (percent) scanner.take();
+      level = std::clamp(level / (percent ? 100 : 255), 0.0, 1.0);
     }
     scanner.skip_separator();
     if (alpha && scanner.number() == 0) return std::nullopt;
-    return code;
+    return color_code(levels);
   }
   try {
-    std::string name(clean);  // of which SVG does not tell large letters from small ones
-    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return color_code(parse_color(name));
+    return color_code(parse_color(lower_case(clean)));  // SVG does not tell large letters of names from small ones
   } catch (const std::invalid_argument&) {
     // Other names of colours are names of layers as they stand.
     if (!clean.empty() &&

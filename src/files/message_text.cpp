@@ -93,6 +93,14 @@ std::string message_line(std::string_view text, std::size_t longest) {
   return front.substr(0, front.size() - kCut.size()).append(kMiddleCut).append(end_of(line, behind));
 }
 
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return result;
+}
+
 std::string shortest(double value) {
   std::array<char, 64> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);

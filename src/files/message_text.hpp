@@ -28,6 +28,9 @@ std::string shown(std::string_view text, char quote = '\'');
 /// with the cause. White space at its end is left out.
 std::string message_line(std::string_view text, std::size_t longest = kLongestMessage);
 
+/// The text with the letters A to Z made small.
+std::string lower_case(std::string_view text);
+
 /// The shortest decimal number that reads back as the same double.
 std::string shortest(double value);
 

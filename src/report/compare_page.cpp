@@ -9,7 +9,7 @@
 #include "files/message_text.hpp"
 #include "picture/memory.hpp"
 #include "plotting/number_text.hpp"
-#include "plotting/xml_text.hpp"
+#include "plotting/utf8.hpp"
 #include "report/compare_style.hpp"
 
 namespace ligne {

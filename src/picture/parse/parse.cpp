@@ -220,10 +220,7 @@ OutputFormat parse_format(std::string_view text) {
 }
 
 OutputFormat format_of_suffix(const std::filesystem::path& file) {
-  std::string suffix = file.extension().string();
-  for (char& c : suffix) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string suffix = lower_case(file.extension().string());
   for (std::size_t i = 0; i < std::size(kOutputFormatNames); ++i) {
     if (suffix == "." + std::string(kOutputFormatNames[i])) return static_cast<OutputFormat>(i);
   }

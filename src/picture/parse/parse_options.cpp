@@ -220,8 +220,7 @@ MemoryLimit parse_memory(const std::string& text) {
   double number = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
-  std::string suffix(rest, end);
-  for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::string suffix = lower_case({rest, end});
   constexpr std::string_view kUnits = "kmgt";
   const std::size_t unit = suffix.empty() ? std::string_view::npos : kUnits.find(suffix[0]);
   if (unit != std::string_view::npos) {

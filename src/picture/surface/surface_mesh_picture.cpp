@@ -1,7 +1,6 @@
 #include "picture/surface/surface_mesh_picture.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -333,8 +332,7 @@ Scene surface_objects(SurfaceRequest request, const std::array<Point3, 2>& groun
 }
 
 MeshFormat mesh_format_of_suffix(const std::string& file) {
-  std::string suffix = std::filesystem::path(file).extension().string();
-  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string suffix = lower_case(std::filesystem::path(file).extension().string());
   if (suffix == ".json") return MeshFormat::ligne_scene;
   if (suffix == ".obj") return MeshFormat::obj;
   throw std::invalid_argument(printable(file, kLongestPath) + " does not end in .json or .obj, which --as-mesh writes");

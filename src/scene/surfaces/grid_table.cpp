@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "files/message_text.hpp"
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grid_formats.hpp"
 #include "scene/surfaces/held_heights.hpp"
@@ -91,13 +92,6 @@ std::unique_ptr<HeightSource> grid_with_holes(const std::vector<Point3>& points,
   for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = given[k] ? sum[k] / given[k] : kNoHeight;
   if (repeated > 0) warnings.add("points at the place of another one: heights averaged", repeated);
   return held_heights(std::move(x), std::move(y), std::move(sum), SampleOrder::first_row_lowest(columns), name);
-}
-
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
 }
 
 }  // namespace
