@@ -98,22 +98,24 @@ DeviceAction read_action(const TomlTable& table, const Device& device) {
   return action;
 }
 
-/// A command of a device file, and what may stand in braces in it; plot_writer.cpp replaces it.
+/// A command of a device file, one line or several, and what may stand in braces in it; plot_writer.cpp replaces it.
 struct DeviceCommand {
   std::string_view key;
+  std::string Device::*line;
+  std::vector<std::string> Device::*lines;
   std::array<std::string_view, 3> names{};
 };
-constexpr DeviceCommand kDeviceCommands[] = {{"begin", {"paper"}},
-                                             {"end"},
-                                             {"up"},
-                                             {"down", {"feed", "z_feed"}},
-                                             {"dot"},
-                                             {"pen_change", {"pen", "name"}},
-                                             {"travel", {"x", "y"}},
-                                             {"pen_select", {"pen", "width"}},
-                                             {"velocity", {"cm_per_s"}},
-                                             {"delay", {"seconds"}},
-                                             {"draw", {"x", "y", "feed"}}};
+constexpr DeviceCommand kDeviceCommands[] = {{"begin", nullptr, &Device::begin, {"paper"}},
+                                             {"end", nullptr, &Device::end},
+                                             {"up", nullptr, &Device::up},
+                                             {"down", nullptr, &Device::down, {"feed", "z_feed"}},
+                                             {"dot", &Device::dot, nullptr},
+                                             {"pen_change", nullptr, &Device::pen_change, {"pen", "name"}},
+                                             {"travel", &Device::travel, nullptr, {"x", "y"}},
+                                             {"pen_select", &Device::pen_select, nullptr, {"pen", "width"}},
+                                             {"velocity", &Device::velocity, nullptr, {"cm_per_s"}},
+                                             {"delay", &Device::delay, nullptr, {"seconds"}},
+                                             {"draw", &Device::draw, nullptr, {"x", "y", "feed"}}};
 
 std::span<const std::string_view> placeholders(const DeviceCommand& command, DeviceLanguage language) {
   static constexpr std::string_view kPoints[] = {"points"};
@@ -144,37 +146,31 @@ void read_speeds(const TomlTable& table, Device& device) {
 }
 
 void read_commands(const TomlTable& table, Device& device) {
-  device.begin = table.texts("begin");
-  device.end = table.texts("end");
-  device.up = table.texts("up");
-  device.down = table.texts("down");
-  device.pen_change = table.texts("pen_change");
-  device.pen_select = table.text("pen_select").value_or("");
-  device.travel = table.text("travel").value_or("");
-  device.draw = table.text("draw").value_or("");
-  device.dot = table.text("dot").value_or("");
-  device.velocity = table.text("velocity").value_or("");
-  device.delay = table.text("delay").value_or("");
   device.points_per_command = table.count("points_per_command", 0, kMostPoints).value_or(0);
   for (const DeviceCommand& command : kDeviceCommands) {
     const std::span<const std::string_view> known = placeholders(command, device.language);
-    if (const toml::node* node = table.find(command.key); node && node->is_array()) {
-      for (const std::string& line : table.texts(command.key)) check_placeholders(table, command.key, line, known);
+    const std::vector<std::string> lines =
+        command.lines ? table.texts(command.key) : std::vector{table.text(command.key).value_or("")};
+    for (const std::string& line : lines) check_placeholders(table, command.key, line, known);
+    if (command.lines) {
+      device.*command.lines = lines;
     } else {
-      check_placeholders(table, command.key, table.text(command.key).value_or(""), known);
+      device.*command.line = lines.front();
     }
   }
   if (device.language == DeviceLanguage::svg) return;
   for (const std::string_view key : {"travel", "draw"}) required_text(table, key);
+  const auto check_point = [&](std::string_view key, std::string_view command) {
+    if (command.find("{x}") == command.npos || command.find("{y}") == command.npos)
+      table.fail(std::string(key) + " has no {x} and {y}", table.find(key));
+  };
   if (device.language == DeviceLanguage::hpgl) {
     required_text(table, "dot");
     if (device.draw.find("{points}") == std::string::npos) table.fail("draw has no {points}", table.find("draw"));
-  } else if (device.draw.find("{x}") == std::string::npos || device.draw.find("{y}") == std::string::npos) {
-    table.fail("draw has no {x} and {y}", table.find("draw"));
+  } else {
+    check_point("draw", device.draw);
   }
-  if (device.travel.find("{x}") == std::string::npos || device.travel.find("{y}") == std::string::npos) {
-    table.fail("travel has no {x} and {y}", table.find("travel"));
-  }
+  check_point("travel", device.travel);
 }
 
 }  // namespace

@@ -306,16 +306,12 @@ double hatch_line_mm(const HatchOptions& options) {
 
 void add_runs(std::span<const std::vector<Point2>> contours, std::uint32_t surface, const HatchFrame& frame, double line_mm,
               std::vector<SurfaceRun>& runs, bool even_odd) {
-  double low = 1e300, high = -1e300;
+  Rect box;
   std::vector<std::vector<Point2>> turned(contours.size());
   for (std::size_t c = 0; c < contours.size(); ++c) {
-    for (const Point2 p : contours[c]) {
-      turned[c].push_back(frame.to_frame(p));
-      low = std::min(low, turned[c].back().y);
-      high = std::max(high, turned[c].back().y);
-    }
+    for (const Point2 p : contours[c]) box.extend(turned[c].emplace_back(frame.to_frame(p)));
   }
-  const double first = std::ceil(low / line_mm), last = std::floor(high / line_mm);
+  const double first = std::ceil(box.min.y / line_mm), last = std::floor(box.max.y / line_mm);
   if (!(first <= last)) return;
   if (!(std::abs(first) < 2e9 && std::abs(last) < 2e9)) throw std::invalid_argument("a hatch has too many lines");
   // The contours' crossings with the lines, by line.
@@ -380,14 +376,11 @@ Polylines hatch(std::span<const std::vector<Point2>> contours, const HatchOption
   for (const double turn : {0.0, 90.0}) {
     if (turn > 0 && !options.cross) break;
     const HatchFrame frame(options.origin, options.angle_degrees + turn);
-    double low = 1e300, high = -1e300;
+    Rect box;
     for (const std::vector<Point2>& contour : contours) {
-      for (const Point2 p : contour) {
-        low = std::min(low, frame.to_frame(p).y);
-        high = std::max(high, frame.to_frame(p).y);
-      }
+      for (const Point2 p : contour) box.extend(frame.to_frame(p));
     }
-    if (high - low > kMostHatchRows * options.spacing_mm)
+    if (box.height() > kMostHatchRows * options.spacing_mm)
       throw std::invalid_argument("a hatch has more than a million rows");
     std::vector<SurfaceRun> runs;
     add_runs(contours, 0, frame, line_mm, runs, options.even_odd);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files/input_error.hpp"
+#include "geometry/parallel.hpp"
 #include "plotting/drawing_reader.hpp"
 
 namespace ligne {
@@ -69,6 +70,15 @@ class DrawingReader {
     return true;
   }
 
+  /// `fail_with` throws an error that tells where the point stands.
+  static Point2 point_of(const json& p, FunctionRef<void(const std::string&)> fail_with) {
+    if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) fail_with("a point is not two numbers");
+    const Point2 point{p[0].get<double>(), p[1].get<double>()};
+    if (!(std::abs(point.x) <= kFarthestMm && std::abs(point.y) <= kFarthestMm))
+      fail_with("a point is farther than a kilometre away");
+    return point;
+  }
+
   void add(const json& stroke) {
     const auto line_class = stroke.find("class"), visible = stroke.find("visible"), points = stroke.find("points");
     if (line_class == stroke.end() || !line_class->is_string()) fail_stroke("has no class");
@@ -79,12 +89,7 @@ class DrawingReader {
     const bool through_transparent = level != stroke.end() && level->get<std::uint64_t>() > 0;
     Polylines& lines = layer_of(line_class->get_ref<const std::string&>(), visible->get<bool>(), through_transparent);
     for (const json& p : *points) {
-      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
-        fail_stroke("a point is not two numbers");
-      const Point2 point{p[0].get<double>(), p[1].get<double>()};
-      if (!(std::abs(point.x) <= kFarthestMm && std::abs(point.y) <= kFarthestMm))
-        fail_stroke("a point is farther than a kilometre away");
-      lines.points.push_back(point);
+      lines.points.push_back(point_of(p, [&](const std::string& cause) { fail_stroke(cause); }));
     }
     lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
     ++count_;
@@ -98,11 +103,7 @@ class DrawingReader {
     if (!contour.is_array() || contour.size() < 3) fail_region("a contour has no three points");
     std::vector<Point2>& points = region.contours.emplace_back();
     for (const json& p : contour) {
-      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
-        fail_region("a point is not two numbers");
-      points.push_back({p[0].get<double>(), p[1].get<double>()});
-      if (!(std::abs(points.back().x) <= kFarthestMm && std::abs(points.back().y) <= kFarthestMm))
-        fail_region("a point is farther than a kilometre away");
+      points.push_back(point_of(p, [&](const std::string& cause) { fail_region(cause); }));
     }
   }
 

@@ -2,9 +2,12 @@
 /// formatted in parallel, a batch of chunks at a time, and put together in their order.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
+#include <glm/gtc/type_ptr.hpp>
 #include <nlohmann/json.hpp>
 
 #include "geometry/parallel.hpp"
@@ -42,12 +45,20 @@ void append_point(std::string& out, Point2 p, int decimals) {
   out += ']';
 }
 
-void append_point(std::string& out, const Point3& p) {
-  for (int i = 0; i < 3; ++i) {
-    out += i == 0 ? '[' : ',';
-    append_shortest(out, p[i]);
+/// Appends "[item,item,...]": append_item(item) for each item.
+template <class Items, class AppendItem>
+void append_list(std::string& out, const Items& items, const AppendItem& append_item) {
+  out += '[';
+  bool is_first = true;
+  for (const auto& item : items) {
+    if (!std::exchange(is_first, false)) out += ',';
+    append_item(item);
   }
   out += ']';
+}
+
+void append_numbers(std::string& out, std::span<const double> numbers) {
+  append_list(out, numbers, [&](double number) { append_shortest(out, number); });
 }
 
 void append_face(std::string& out, std::uint32_t face) {
@@ -83,25 +94,16 @@ void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, 
   }
   if (document.source) {
     const SourceEdge edge = document.source(s.source);
-    out += ",\"ends\":[";
-    append_point(out, edge.ends[0]);
-    out += ',';
-    append_point(out, edge.ends[1]);
-    out += "],\"faces\":[";
-    append_face(out, edge.faces[0]);
-    out += ',';
-    append_face(out, edge.faces[1]);
-    out += ']';
+    out += ",\"ends\":";
+    append_list(out, edge.ends, [&](const Point3& end) { append_numbers(out, std::array{end.x, end.y, end.z}); });
+    out += ",\"faces\":";
+    append_list(out, edge.faces, [&](std::uint32_t face) { append_face(out, face); });
   }
-  out += "},\"interval\":[";
-  append_shortest(out, s.t_from);
-  out += ',';
-  append_shortest(out, s.t_to);
-  out += "],\"points\":[";
-  append_point(out, model.lattice.to_mm(s.from), decimals);
-  out += ',';
-  append_point(out, model.lattice.to_mm(s.to), decimals);
-  out += "]}";
+  out += "},\"interval\":";
+  append_numbers(out, std::array{s.t_from, s.t_to});
+  out += ",\"points\":";
+  append_list(out, std::array{s.from, s.to}, [&](auto end) { append_point(out, model.lattice.to_mm(end), decimals); });
+  out += '}';
 }
 
 /// Appends "[item,\nitem,...]": append_item(text, i) for every i below n, called from several threads.
@@ -125,26 +127,17 @@ void append_array(std::string& out, std::size_t n, const AppendItem& append_item
 }
 
 void append_contour(std::string& out, const std::vector<Point2>& contour) {
-  out += '[';
-  for (std::size_t i = 0; i < contour.size(); ++i) {
-    if (i > 0) out += ',';
-    append_point(out, contour[i], kPageDecimals);
-  }
-  out += ']';
+  append_list(out, contour, [&](Point2 p) { append_point(out, p, kPageDecimals); });
 }
 
 /// The beginning of an object: a face and an area of it.
-void append_area(std::string& out, std::uint32_t face, const std::vector<std::vector<Point2>>& contours) {
+void append_area(std::string& out, std::uint32_t face, std::span<const std::vector<Point2>> contours) {
   out += "{\"face\":";
   append_face(out, face);
   out += ",\"outer\":";
   append_contour(out, contours.empty() ? std::vector<Point2>{} : contours[0]);
-  out += ",\"holes\":[";
-  for (std::size_t i = 1; i < contours.size(); ++i) {
-    if (i > 1) out += ',';
-    append_contour(out, contours[i]);
-  }
-  out += ']';
+  out += ",\"holes\":";
+  append_list(out, contours.subspan(contours.empty() ? 0 : 1), [&](const auto& hole) { append_contour(out, hole); });
 }
 
 void append_region(std::string& out, const Region& region, const RegionLook* look,
@@ -152,46 +145,31 @@ void append_region(std::string& out, const Region& region, const RegionLook* loo
   append_area(out, region.face, region.contours);
   if (region.level > 0) out += ",\"level\":" + std::to_string(region.level);
   if (region.lights != 0xffffffffu) {
-    out += ",\"lights\":[";
-    bool first = true;
+    out += ",\"lights\":";
+    std::vector<unsigned> lights;
     for (unsigned i = 0; i < 32; ++i) {
-      if (!(region.lights >> i & 1u)) continue;
-      if (!first) out += ',';
-      out += std::to_string(i);
-      first = false;
+      if (region.lights >> i & 1u) lights.push_back(i);
     }
-    out += ']';
+    append_list(out, lights, [&](unsigned light) { append_integer(out, light); });
   }
   if (!region.light_shares.empty()) {
-    out += ",\"light_shares\":[";
-    for (std::size_t i = 0; i < region.light_shares.size(); ++i) {
-      if (i > 0) out += ',';
-      append_shortest(out, region.light_shares[i]);
-    }
-    out += ']';
+    out += ",\"light_shares\":";
+    append_numbers(out, region.light_shares);
   }
   if (region.material != 0xffffffffu) out += ",\"material\":" + std::to_string(region.material);
   if (look) {
     out += ",\"patch\":" + std::to_string(look->patch) + ",\"light\":";
     append_shortest(out, look->light);
-    out += ",\"color\":[";
-    for (std::size_t i = 0; i < look->color.size(); ++i) {
-      if (i > 0) out += ',';
-      append_shortest(out, look->color[i]);
-    }
-    out += ']';
+    out += ",\"color\":";
+    append_numbers(out, look->color);
     if (!look->material.empty()) {
       out += ",\"material_name\":";
       out += json_string(look->material);
     }
   }
   if (through && !through->empty()) {
-    out += ",\"through\":[";
-    for (std::size_t i = 0; i < through->size(); ++i) {
-      if (i > 0) out += ',';
-      append_integer(out, (*through)[i]);
-    }
-    out += ']';
+    out += ",\"through\":";
+    append_list(out, *through, [&](std::uint32_t face) { append_integer(out, face); });
   }
   out += '}';
 }
@@ -199,13 +177,8 @@ void append_region(std::string& out, const Region& region, const RegionLook* loo
 void append_piece(std::string& out, const PaintPiece& piece) {
   append_area(out, piece.face, piece.contours);
   out += ",\"plane\":";
-  char separator = '[';
-  for (const double c : piece.plane) {
-    out += separator;
-    append_shortest(out, c);
-    separator = ',';
-  }
-  out += "]}";
+  append_numbers(out, piece.plane);
+  out += '}';
 }
 
 /// The spans of one line, [begin, end).
@@ -214,17 +187,17 @@ void append_line_of_spans(std::string& out, const SpanModel& model, std::size_t 
   append_integer(out, model.spans[begin].line);
   out += ",\"y\":";
   append_shortest(out, model.lines.y_mm(model.spans[begin].line));
-  out += ",\"spans\":[";
-  for (std::size_t i = begin; i < end; ++i) {
-    out += i == begin ? "[" : ",[";
-    append_rounded(out, model.spans[i].x_from, kPageDecimals);
+  out += ",\"spans\":";
+  append_list(out, std::span(model.spans).subspan(begin, end - begin), [&](const auto& span) {
+    out += '[';
+    append_rounded(out, span.x_from, kPageDecimals);
     out += ',';
-    append_rounded(out, model.spans[i].x_to, kPageDecimals);
+    append_rounded(out, span.x_to, kPageDecimals);
     out += ',';
-    append_face(out, model.spans[i].face);
+    append_face(out, span.face);
     out += ']';
-  }
-  out += "]}";
+  });
+  out += '}';
 }
 
 void append_spans(std::string& out, const SpanModel& model) {
@@ -248,21 +221,11 @@ void append_head(std::string& out, const DrawingDocument& document, const Page& 
   out += "},\n\"view\":{\"perspective\":";
   out += document.perspective ? "true" : "false";
   out += ",\"matrix\":";
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      out += row + column == 0 ? '[' : ',';
-      append_shortest(out, document.model_to_page[column][row]);
-    }
-  }
-  out += "],\"window\":";
+  const glm::dmat4 rows = glm::transpose(document.model_to_page);
+  append_numbers(out, std::span(glm::value_ptr(rows), 16));
+  out += ",\"window\":";
   const Rect& window = document.window;
-  char separator = '[';
-  for (const double bound : {window.min.x, window.min.y, window.max.x, window.max.y}) {
-    out += separator;
-    append_shortest(out, bound);
-    separator = ',';
-  }
-  out += ']';
+  append_numbers(out, std::array{window.min.x, window.min.y, window.max.x, window.max.y});
   if (document.perspective) {
     out += ",\"near\":";
     append_shortest(out, document.near_distance);
@@ -273,10 +236,9 @@ void append_head(std::string& out, const DrawingDocument& document, const Page& 
 /// Counts only: times differ from run to run, and the same input gives the same bytes.
 void append_stats(std::string& out, const Statistics& statistics) {
   out += ",\n\"stats\":{\"counts\":{";
-  bool first = true;
+  bool is_first = true;
   for (const auto& [name, count] : statistics.counts) {
-    if (!first) out += ',';
-    first = false;
+    if (!std::exchange(is_first, false)) out += ',';
     out += json_string(name) + ':';
     append_integer(out, count);
   }
@@ -294,11 +256,9 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
                  [&](std::string& text, std::size_t i) { text += json_string(document.objects[i]); });
   }
   if (const StrokeModel* const model = document.strokes) {
-    out += ",\n\"lattice\":{\"origin_mm\":[";
-    append_shortest(out, model->lattice.origin_mm.x);
-    out += ',';
-    append_shortest(out, model->lattice.origin_mm.y);
-    out += "],\"step_mm\":";
+    out += ",\n\"lattice\":{\"origin_mm\":";
+    append_numbers(out, std::array{model->lattice.origin_mm.x, model->lattice.origin_mm.y});
+    out += ",\"step_mm\":";
     append_shortest(out, model->lattice.step_mm);
     out += "},\n\"strokes\":";
     const int decimals = lattice_decimals(model->lattice);

@@ -35,32 +35,18 @@ class TomlTable {
   bool has(std::string_view key) const { return find(key) != nullptr; }
 
   std::optional<std::string> text(std::string_view key) const {
-    const toml::node* node = find(key);
-    if (!node) return std::nullopt;
-    auto value = node->value_exact<std::string>();
-    if (!value) fail(std::string(key) + " is not a text", node);
-    return value;
+    return value<std::string>(key, std::string(key) + " is not a text", text_of);
   }
   std::optional<double> number(std::string_view key) const {
-    const toml::node* node = find(key);
-    if (!node) return std::nullopt;
-    return number_of(*node, key);
+    return value<double>(key, std::string(key) + " is not a number", number_of);
   }
   std::optional<unsigned> count(std::string_view key, unsigned low, unsigned high) const {
-    const toml::node* node = find(key);
-    if (!node) return std::nullopt;
-    const auto value = node->value_exact<std::int64_t>();
-    if (!value || *value < low || *value > high) {
-      fail(std::string(key) + " is not a whole number from " + std::to_string(low) + " to " + std::to_string(high), node);
-    }
-    return static_cast<unsigned>(*value);
+    return value<unsigned>(key, std::string(key) + " is not a whole number" + range(low, high),
+                           [=](const toml::node& node) { return count_of(node, low, high); });
   }
   std::optional<bool> flag(std::string_view key) const {
-    const toml::node* node = find(key);
-    if (!node) return std::nullopt;
-    const auto value = node->value_exact<bool>();
-    if (!value) fail(std::string(key).append(" is neither true nor false"), node);
-    return value;
+    return value<bool>(key, std::string(key) + " is neither true nor false",
+                       [](const toml::node& node) { return node.value_exact<bool>(); });
   }
   /// Exactly `n` numbers.
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t n) const {
@@ -68,60 +54,61 @@ class TomlTable {
     if (!node) return std::nullopt;
     const toml::array* array = node->as_array();
     if (!array || array->size() != n) fail(std::string(key) + " is not a list of " + std::to_string(n) + " numbers", node);
-    std::vector<double> values;
-    for (const toml::node& element : *array) values.push_back(number_of(element, key));
-    return values;
+    return list<double>(key, std::string(key) + " is not a number", number_of);
   }
   /// A list of whole numbers; nothing: an empty one.
   std::vector<unsigned> counts(std::string_view key, unsigned low, unsigned high) const {
-    const toml::node* node = find(key);
-    if (!node) return {};
-    const std::string cause =
-        std::string(key) + " is not a list of whole numbers from " + std::to_string(low) + " to " + std::to_string(high);
-    std::vector<unsigned> values;
-    const toml::array* array = node->as_array();
-    if (!array) fail(cause, node);
-    for (const toml::node& element : *array) {
-      const auto value = element.value_exact<std::int64_t>();
-      if (!value || *value < low || *value > high) fail(cause, &element);
-      values.push_back(static_cast<unsigned>(*value));
-    }
-    return values;
+    return list<unsigned>(key, std::string(key) + " is not a list of whole numbers" + range(low, high),
+                          [=](const toml::node& node) { return count_of(node, low, high); });
   }
   /// A list of texts; nothing: an empty one.
   std::vector<std::string> texts(std::string_view key) const {
-    const toml::node* node = find(key);
-    if (!node) return {};
-    std::vector<std::string> values;
-    const toml::array* array = node->as_array();
-    if (!array) fail(std::string(key) + " is not a list of texts", node);
-    for (const toml::node& element : *array) {
-      const auto value = element.value_exact<std::string>();
-      if (!value) fail(std::string(key) + " is not a list of texts", &element);
-      values.push_back(*value);
-    }
-    return values;
+    return list<std::string>(key, std::string(key) + " is not a list of texts", text_of);
   }
   /// The tables of [[key]].
   std::vector<TomlTable> tables(std::string_view key) const {
-    const toml::node* node = find(key);
-    if (!node) return {};
-    std::vector<TomlTable> found;
-    const toml::array* array = node->as_array();
-    if (!array) fail("[[" + std::string(key) + "]] is not a list of tables", node);
-    for (const toml::node& element : *array) {
-      if (!element.is_table()) fail("[[" + std::string(key) + "]] is not a list of tables", &element);
-      found.emplace_back(*element.as_table(), file_);
-    }
-    return found;
+    return list<TomlTable>(key, "[[" + std::string(key) + "]] is not a list of tables", [this](const toml::node& node) {
+      const toml::table* table = node.as_table();
+      return table ? std::optional<TomlTable>(std::in_place, *table, file_) : std::nullopt;
+    });
   }
 
  private:
-  double number_of(const toml::node& node, std::string_view key) const {
+  static std::optional<std::string> text_of(const toml::node& node) { return node.value_exact<std::string>(); }
+  static std::optional<double> number_of(const toml::node& node) {
     if (const auto whole = node.value_exact<std::int64_t>()) return static_cast<double>(*whole);
     const auto value = node.value_exact<double>();
-    if (!value || *value != *value) fail(std::string(key) + " is not a number", &node);
-    return *value;
+    return value && *value == *value ? value : std::nullopt;
+  }
+  static std::optional<unsigned> count_of(const toml::node& node, unsigned low, unsigned high) {
+    const auto value = node.value_exact<std::int64_t>();
+    return value && *value >= low && *value <= high ? std::optional(static_cast<unsigned>(*value)) : std::nullopt;
+  }
+  static std::string range(unsigned low, unsigned high) {
+    return " from " + std::to_string(low) + " to " + std::to_string(high);
+  }
+
+  /// What `read` makes of a node, which is nothing where the node is of another kind: then this fails with `cause`.
+  template <class T, class Read>
+  T read_or_fail(const toml::node& node, const std::string& cause, const Read& read) const {
+    std::optional<T> value = read(node);
+    if (!value) fail(cause, &node);
+    return *std::move(value);
+  }
+  template <class T, class Read>
+  std::optional<T> value(std::string_view key, const std::string& cause, const Read& read) const {
+    const toml::node* node = find(key);
+    return node ? std::optional<T>(read_or_fail<T>(*node, cause, read)) : std::nullopt;
+  }
+  template <class T, class Read>
+  std::vector<T> list(std::string_view key, const std::string& cause, const Read& read) const {
+    const toml::node* node = find(key);
+    if (!node) return {};
+    const toml::array* array = node->as_array();
+    if (!array) fail(cause, node);
+    std::vector<T> values;
+    for (const toml::node& element : *array) values.push_back(read_or_fail<T>(element, cause, read));
+    return values;
   }
 
   const toml::table* table_;
