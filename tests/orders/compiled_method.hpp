@@ -11,7 +11,7 @@ class CompiledMethod final : public Method {
   explicit CompiledMethod(const Tree& tree) : tree_(tree) {}
   const MethodTraits& traits() const override { return method_.traits(); }
   VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override {
-    return TreeMethod::study(tree_, scene, options);
+    return method_.study(tree_, scene, options);
   }
 
  private:

@@ -5,19 +5,16 @@
 /// docs/methods/bsp.md.
 
 #include "visibility/bsp/bsp_tree.hpp"
-#include "visibility/method.hpp"
+#include "visibility/common/study_tree.hpp"
 
 namespace ligne {
 
-class BspMethod final : public Method {
+class BspMethod final : public TreeMethod<BspTree> {
  public:
   const MethodTraits& traits() const override;
-  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override;
-  std::shared_ptr<const CompiledScene> compile(const Scene& scene, const MethodSettings& settings) const override;
-  std::shared_ptr<const CompiledScene> read_compiled(ByteReader& bytes, const Scene& scene) const override;
 
-  /// The same with a tree that was built from the scene's model before, for this view or another one.
-  static VisibilityResult study(const BspTree& tree, const ProjectedScene& scene, const StudyOptions& options);
+ private:
+  void count(const BspTree::Counts& counts, Statistics& statistics) const override;
 };
 
 }  // namespace ligne

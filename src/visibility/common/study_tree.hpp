@@ -2,6 +2,7 @@
 /// From a tree that gives the pieces of a scene from the front to the back for any viewpoint to strokes and an order of
 /// painting.
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "visibility/common/paint_pieces.hpp"
 #include "visibility/common/partition_lines.hpp"
 #include "visibility/common/study_edges.hpp"
+#include "visibility/method.hpp"
 
 namespace ligne {
 
@@ -41,19 +43,6 @@ inline PlaneChoice plane_choice(const MethodSettings& settings) {
   choice.candidates = settings.count("candidates").value_or(choice.candidates);
   choice.free_planes = settings.choice("partition", PartitionPlanes::mixed) == PartitionPlanes::mixed;
   return choice;
-}
-
-/// Studies by study(tree) with the tree that is there, or compiles one and puts the time of that before those of the study.
-template <class Tree, class Study>
-VisibilityResult compile_and_study(const ProjectedScene& scene, const StudyOptions& options, Study study) {
-  if (options.compiled) return study(dynamic_cast<const Tree&>(*options.compiled));
-  Clock clock;
-  const Tree tree(*scene.model, plane_choice(options.settings));
-  const double seconds = clock.lap();
-  VisibilityResult result = study(tree);
-  auto& times = result.statistics.seconds;
-  times.insert(times.begin(), {"tree", seconds});
-  return result;
 }
 
 /// `Tree` has pieces(), partition() and front_to_back(viewpoint, visit(piece, rank)), where pieces of one rank do not hide
@@ -91,5 +80,42 @@ VisibilityResult study_tree(const Tree& tree, const ProjectedScene& scene, const
   times.insert(times.begin(), {"order", seconds});
   return result;
 }
+
+/// A method that compiles a tree from a scene's model, once for any view of it.
+template <class Tree>
+class TreeMethod : public Method {
+ public:
+  /// Studies by the tree that is there, or compiles one and puts the time of that before those of the study.
+  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const final {
+    if (options.compiled) return study(dynamic_cast<const Tree&>(*options.compiled), scene, options);
+    Clock clock;
+    const Tree tree(*scene.model, plane_choice(options.settings));
+    const double seconds = clock.lap();
+    VisibilityResult result = study(tree, scene, options);
+    auto& times = result.statistics.seconds;
+    times.insert(times.begin(), {"tree", seconds});
+    return result;
+  }
+  std::shared_ptr<const CompiledScene> compile(const Scene& scene, const MethodSettings& settings) const final {
+    return std::make_shared<Tree>(scene, plane_choice(settings));
+  }
+  std::shared_ptr<const CompiledScene> read_compiled(ByteReader& bytes, const Scene& scene) const final {
+    return std::make_shared<Tree>(bytes, scene);
+  }
+
+  /// The same with a tree that was built from the scene's model before, for this view or another one.
+  VisibilityResult study(const Tree& tree, const ProjectedScene& scene, const StudyOptions& options) const {
+    VisibilityResult result = study_tree(tree, scene, options);
+    count(tree.counts(), result.statistics);
+    result.statistics.count("splits", tree.counts().splits);
+    result.statistics.count("pieces", tree.pieces().pieces().size());
+    result.statistics.count("depth of the tree", tree.counts().depth);
+    return result;
+  }
+
+ private:
+  /// Reports the counts that only this kind of tree has.
+  virtual void count(const typename Tree::Counts& counts, Statistics& statistics) const = 0;
+};
 
 }  // namespace ligne
