@@ -22,12 +22,6 @@ Point2 in_parts(Point2 p, double parts_per_mm) {
              : p;
 }
 
-/// The polylines with coordinates that are whole numbers of parts.
-Polylines in_parts(Polylines lines, double parts_per_mm) {
-  for (Point2& p : lines.points) p = in_parts(p, parts_per_mm);
-  return lines;
-}
-
 void add_curves(cairo_t* cairo, const Polylines& lines, const PathForm& form) {
   std::vector<CurvedPath> paths(lines.size());
   parallel_for(lines.size(), [&](std::size_t i) { paths[i] = fit_curves(lines[i], *form.curves); });
@@ -54,13 +48,16 @@ void add_curves(cairo_t* cairo, const Polylines& lines, const PathForm& form) {
 }
 
 /// A closed polyline becomes a closed path.
-void add_polylines(cairo_t* cairo, const Polylines& lines) {
+void add_polylines(cairo_t* cairo, const Polylines& lines, double parts_per_mm) {
+  const auto at = [&](Point2 p) { return in_parts(p, parts_per_mm); };
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto line = lines[i];
     if (line.size() < 2) continue;
-    const bool closed = line.size() > 3 && line.front() == line.back();
-    cairo_move_to(cairo, line[0].x, line[0].y);
-    for (const Point2 p : line.subspan(1, line.size() - (closed ? 2 : 1))) cairo_line_to(cairo, p.x, p.y);
+    const bool closed = line.size() > 3 && at(line.front()) == at(line.back());
+    for (std::size_t k = 0; k < line.size() - (closed ? 1 : 0); ++k) {
+      const Point2 p = at(line[k]);
+      k == 0 ? cairo_move_to(cairo, p.x, p.y) : cairo_line_to(cairo, p.x, p.y);
+    }
     if (closed) cairo_close_path(cairo);
   }
 }
@@ -83,15 +80,17 @@ void check_cairo(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(std::string("cairo: ") + cairo_status_to_string(status));
 }
 
+double largest_coordinate(std::span<const Point2> points) {
+  double largest = 0;
+  for (const Point2 p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  return largest;
+}
+
 double largest_coordinate(const Drawing& drawing, const Page& page) {
   double largest = std::max(page.width_mm, page.height_mm);
-  for (const Layer& layer : drawing.layers) {
-    for (const Point2 p : layer.lines.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  }
+  for (const Layer& layer : drawing.layers) largest = std::max(largest, largest_coordinate(layer.lines.points));
   for (const Fill& fill : drawing.fills) {
-    for (const auto& contour : fill.contours) {
-      for (const Point2 p : contour) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-    }
+    for (const auto& contour : fill.contours) largest = std::max(largest, largest_coordinate(contour));
   }
   return largest;
 }
@@ -100,13 +99,7 @@ void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& s
   set_line_style(cairo, style, form.units_per_mm);
   cairo_save(cairo);
   cairo_scale(cairo, form.units_per_mm, form.units_per_mm);
-  if (form.curves) {
-    add_curves(cairo, lines, form);
-  } else if (form.parts_per_mm > 0) {
-    add_polylines(cairo, in_parts(lines, form.parts_per_mm));
-  } else {
-    add_polylines(cairo, lines);
-  }
+  form.curves ? add_curves(cairo, lines, form) : add_polylines(cairo, lines, form.parts_per_mm);
   cairo_restore(cairo);
   cairo_stroke(cairo);
   check_cairo(cairo_status(cairo));

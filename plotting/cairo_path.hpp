@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include <cairo.h>
 
@@ -27,7 +28,8 @@ void check_cairo(cairo_status_t status);
 /// Cairo keeps path coordinates as 24.8 fixed point of the device unit: below 2^23 units, to 1/256 of a unit.
 inline constexpr double kCairoLimit = 1 << 23;
 
-/// Largest distance from zero of any coordinate of the drawing or of the page, in mm.
+/// Largest distance from zero of any coordinate of the points, or of the drawing and its page, in mm.
+double largest_coordinate(std::span<const Point2> points);
 double largest_coordinate(const Drawing& drawing, const Page& page);
 
 /// How coordinates and curves come into a path.

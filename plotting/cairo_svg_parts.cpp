@@ -8,7 +8,7 @@
 
 #include <pugixml.hpp>
 
-#include "plotting/pens.hpp"
+#include "plotting/number_text.hpp"
 
 namespace ligne {
 namespace {
@@ -47,10 +47,7 @@ double number(Attributes& attributes, std::string_view name, double otherwise = 
 std::optional<std::string> color(std::string_view text) {
   if (text.empty() || text == "none") return {};
   if (!text.starts_with("rgb(") || !text.ends_with("%)")) fail(text);
-  std::string levels(text.substr(4, text.size() - 5));
-  std::ranges::replace(levels, '%', ' ');
-  const std::vector<double> v = svg::numbers(levels);
-  return v.size() == 3 ? color_code({v[0] / 100, v[1] / 100, v[2] / 100}) : (fail(text), "");
+  return svg::paint(text);
 }
 
 /// The pen is not read: whoever drew knows it.
@@ -93,6 +90,33 @@ void add_parts(const pugi::xml_node& group, const pugi::xml_node& definitions, s
   }
 }
 
+/// Reads a number as Cairo prints it: a sign or none, digits, decimals or none.
+double printed_number(const char*& text, const char* end) {
+  constexpr std::ptrdiff_t kExactDigits = 15;  // so many, and powers of ten up to so many, are doubles without rounding
+  const char *const start = text, *point = nullptr;
+  if (text != end && *text == '-') ++text;
+  const char* const first = text;
+  std::int64_t digits = 0;
+  for (; text != end && text - first <= kExactDigits; ++text) {
+    if (*text >= '0' && *text <= '9') {
+      digits = 10 * digits + (*text - '0');
+    } else if (*text == '.' && !point) {
+      point = text;
+    } else {
+      break;
+    }
+  }
+  if (text - first == (point ? 1 : 0) || text - first > kExactDigits) {  // no number, or a long one
+    double value = 0;
+    const auto [rest, error] = std::from_chars(start, end, value);
+    if (error != std::errc{}) fail({start, end});
+    text = rest;
+    return value;
+  }
+  const double value = static_cast<double>(digits) / static_cast<double>(power_of_ten(point ? text - point - 1 : 0));
+  return first == start ? value : -value;
+}
+
 }  // namespace
 
 std::vector<CairoSvgPart> cairo_svg_parts(std::string& document, double size) try {
@@ -115,11 +139,7 @@ void for_each_command(const CairoSvgPart& part, FunctionRef<void(char, const Poi
   };
   const auto coordinate = [&] {
     skip_blanks();
-    double value = 0;
-    const auto [rest, error] = std::from_chars(text, end, value);
-    if (error != std::errc{}) fail({text, end});
-    text = rest;
-    return value;
+    return printed_number(text, end);
   };
   char before = 'Z';
   for (skip_blanks(); text != end; skip_blanks()) {

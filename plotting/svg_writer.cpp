@@ -26,7 +26,7 @@ namespace {
 
 /// Adjustable: points to a chunk. A call of an area counts as so many: Cairo takes time with the square of the number of
 /// calls on a surface.
-constexpr std::size_t kChunkPoints = 8192, kCallPoints = 64;
+constexpr std::size_t kChunkPoints = 2048, kCallPoints = 16;
 
 /// Appends what text_of(first, last) gives for all of [0, count), in chunks that are worked on in parallel. `skip` moves an
 /// index over what stays together, and returns how many points that has.
@@ -47,7 +47,9 @@ void append_chunks(std::string& svg, std::size_t count, Skip skip, TextOf text_o
 /// A line shorter than a unit is left out, but one of no length at all is a dot.
 std::string lines_text(const Polylines& lines, std::size_t first, std::size_t last, const LineStyle& style,
                        const std::optional<CurveLimits>& curves, const SvgCanvas& canvas) {
-  const auto is_point = [](std::span<const Point2> line) { return std::ranges::count(line, line[0]) == std::ssize(line); };
+  const auto is_point = [](std::span<const Point2> line) {
+    return std::ranges::all_of(line, [&](Point2 p) { return p == line[0]; });
+  };
   const auto rounded = [](double mm) { return std::round(mm * kSvgUnitsPerMm) / kSvgUnitsPerMm; };
   Polylines chunk;
   std::vector<Point2> points;
@@ -63,9 +65,14 @@ std::string lines_text(const Polylines& lines, std::size_t first, std::size_t la
       style.width_mm);
 }
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+void append_lines(std::string& svg, const Polylines& lines, const LineStyle& style, const std::optional<CurveLimits>& curves,
+                  const SvgCanvas& canvas) {
+  append_chunks(
+      svg, lines.size(), [&](std::size_t& i) { return lines[i++].size(); },
+      [&](std::size_t first, std::size_t last) { return lines_text(lines, first, last, style, curves, canvas); });
 }
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80; }
 
 /// An id has no blanks and does not begin with a digit or a sign.
 std::string id_of(std::string_view layer) {
@@ -187,12 +194,9 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options, const 
     // The look of a part that is alone in its layer is that of the layer.
     const bool alone = layer.object.empty() && begins && ends;
     const LineStyle style = options.style_of(layer);
-    const std::optional<CurveLimits> curves = options.curves_of(layer);
     if (begins) svg += layer_start(layer, alone ? style : options.style_of(layer.name));
     if (is_part(layer) && !alone) svg += part_start(layer, style, ids);
-    append_chunks(
-        svg, layer.lines.size(), [&](std::size_t& i) { return layer.lines[i++].size(); },
-        [&](std::size_t first, std::size_t last) { return lines_text(layer.lines, first, last, style, curves, canvas); });
+    append_lines(svg, layer.lines, style, options.curves_of(layer), canvas);
     if (is_part(layer) && !alone) svg += "</g>\n";
     if (ends) svg += "</g>\n";
   }
