@@ -169,6 +169,12 @@ std::string text_layer(std::span<const TextItem> items) {
 
 }  // namespace
 
+std::string svg_paths(const Polylines& lines) {
+  std::string paths;
+  append_lines(paths, lines, {}, {}, SvgCanvas(std::max(1.0, largest_coordinate(lines.points))));
+  return paths;
+}
+
 std::string write_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
   const std::string width = svg_number(options.page.width_mm), height = svg_number(options.page.height_mm);
   std::string svg =

@@ -55,6 +55,10 @@ struct PlotOptions {
 /// SVG: width, height and viewBox in mm, one Inkscape layer group per layer with the style on it, one path per polyline.
 /// Here and below `under` lies below fills and lines, or is null.
 std::string write_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
+/// The polylines as write_svg() writes them, for an SVG inside another document: its unit is the mm, and the style stands
+/// about them.
+std::string svg_paths(const Polylines& lines);
+
 /// A PDF of true size, page by page.
 class PdfDocument {
  public:

@@ -1,15 +1,19 @@
 #include "report/compare_page.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "files/message_text.hpp"
 #include "picture/memory.hpp"
 #include "plotting/number_text.hpp"
 #include "plotting/utf8.hpp"
+#include "plotting/writers.hpp"
 #include "report/compare_style.hpp"
 
 namespace ligne {
@@ -17,6 +21,7 @@ namespace {
 
 /// Drawings are written to a hundredth of a millimetre: they are for looking.
 constexpr int kDecimals = 2;
+constexpr double kPartsPerMm = 100;
 
 /// 1234567 as "1 234 567", with narrow spaces that do not break.
 std::string grouped(std::uint64_t n) {
@@ -35,26 +40,13 @@ double study_seconds(const MethodOutcome& m) {
   return sum;
 }
 
-void append_point(std::string& out, Point2 p) {
-  append_rounded(out, p.x, kDecimals);
-  out += ' ';
-  append_rounded(out, p.y, kDecimals);
-}
-
-/// One path for all lines of a layer.
+/// The lines of the layers, whose styles go by the names.
 std::string paths_of(const Drawing& drawing) {
   std::string svg;
   for (const Layer& layer : drawing.layers) {
-    svg += "<g class=\"" + xml_text(layer.name) + "\"><path d=\"";
-    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
-      char command = 'M';
-      for (const Point2& p : layer.lines[i]) {
-        svg += command;
-        append_point(svg, p);
-        command = command == 'M' ? 'L' : ' ';
-      }
-    }
-    svg += "\"/></g>";
+    Polylines lines = layer.lines;
+    for (Point2& p : lines.points) p = glm::round(p * kPartsPerMm) / kPartsPerMm;
+    svg += "<g class=\"" + xml_text(layer.name) + "\">" + svg_paths(lines) + "</g>";
   }
   return svg;
 }
@@ -63,25 +55,22 @@ std::string paths_of(const Drawing& drawing) {
 std::string differences_of(const StrokeDifference& difference) {
   constexpr double kShortMm = 2, kRingMm = 2.4;
   constexpr std::size_t kMostRings = 120;
-  std::string svg, rings;
+  Drawing drawing;
+  std::string rings;
   std::size_t ring_count = 0;
   for (const auto& [kind, parts] : {std::pair{"lost", &difference.only_first}, {"more", &difference.only_second}}) {
     if (parts->empty()) continue;
-    svg += std::string("<g class=\"") + kind + "\"><path d=\"";
+    Layer& layer = drawing.layers.emplace_back(Layer{kind, {}});
     for (const paper::Segment& part : *parts) {
-      svg += 'M';
-      append_point(svg, part.from);
-      svg += 'L';
-      append_point(svg, part.to);
+      layer.lines.add(std::array{part.from, part.to});
       if (part.length() > kShortMm || ring_count == kMostRings) continue;
       ++ring_count;
       const Point2 middle = (part.from + part.to) / 2.0;
       rings += "<circle cx=\"" + fixed(middle.x, kDecimals) + "\" cy=\"" + fixed(middle.y, kDecimals) + "\" r=\"" +
                fixed(kRingMm, 1) + "\"/>";
     }
-    svg += "\"/></g>";
   }
-  return rings.empty() ? svg : svg + "<g class=\"spots\">" + rings + "</g>";
+  return paths_of(drawing) + (rings.empty() ? "" : "<g class=\"spots\">" + rings + "</g>");
 }
 
 class ComparisonPage {

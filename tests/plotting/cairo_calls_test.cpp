@@ -72,6 +72,17 @@ TEST(CairoCalls, EveryLineIsStrokedInEveryFormat) {
   }
 }
 
+TEST(CairoCalls, PathsForAnotherDocumentAreStrokedToo) {
+  Polylines lines;
+  lines.add(std::vector<Point2>{{-3, 4}, {10, 4.00004}, {10, 20}});
+  lines.add(std::vector<Point2>{{0, 0}, {0, 0}});
+  stroked_lines = stroke_calls = 0;
+  EXPECT_EQ(svg_paths(lines), "<path d=\"M-3 4l13 0 0 16\"/>\n<path d=\"M0 0h0\"/>\n");
+  EXPECT_EQ(stroked_lines, 2);
+  EXPECT_EQ(stroke_calls, 1);
+  EXPECT_EQ(svg_paths({}), "");
+}
+
 TEST(CairoCalls, ALargeLayerIsStrokedInParts) {
   Drawing drawing;
   for (int i = 0; i < 20000; ++i) add_line(drawing, "mesh", {{i * 0.01, 1}, {i * 0.01, 2 + i % 7}});
