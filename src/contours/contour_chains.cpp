@@ -17,6 +17,8 @@ namespace {
 /// between them, which below the crease angle of 30 degrees is less than this share. More comes of normals that have gone
 /// astray.
 constexpr double kHighestRise = 0.07;
+/// A curve rises over its edge by at most this many sags: the sag of uneven triangles falls short of the surface's rise.
+constexpr double kHighestRiseInSags = 2;
 /// A fraction of an edge is found to 2^-20: a micrometre of a metre.
 constexpr int kHalvings = 20;
 /// Tangents of a contour and the chord between its nodes differ by less than the angle of this cosine (60 degrees);
@@ -187,7 +189,7 @@ class ContourTracer {
     // Cubic with tangents in the tangent planes of the ends [Vlachos2001].
     const Point3 rise = (1 - t) * t * (t * glm::dot(d, nq) * nq - (1 - t) * glm::dot(d, np) * np);
     out.sag = sag_at(scene_, patch_, side);
-    const double most = std::min(kHighestRise * glm::length(d), out.sag), height = glm::length(rise);
+    const double most = std::min(kHighestRise * glm::length(d), kHighestRiseInSags * out.sag), height = glm::length(rise);
     out.on_surface = out.on_mesh + (height > most ? rise * (most / height) : rise);
     if (fitted) {
       NormalTurn turn;

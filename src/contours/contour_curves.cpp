@@ -177,7 +177,7 @@ ContourCurve contour_curve(const Scene& scene, const View& view, const ContourCh
         if (a.meets != kNone || b.meets != kNone) return std::nullopt;
         return ContourCubic::between(a, b);
       },
-      [&](std::size_t i) { return std::max(chain.nodes[i].most_mm, chain.nodes[i + 1].most_mm); });
+      [&](std::size_t i) { return chain.nodes[i].bulge_mm; });
 }
 
 ContourCurve smooth_curve(const View& view, const std::vector<Point3>& points, bool closed, double flatness_mm) {

@@ -44,7 +44,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
     }
   });
-  hold_against_outlines(seen, contours, view, model.lattice, edges, kTestifiedInReaches * reach_mm);
+  hold_against_outlines(seen, contours, view, model.lattice, edges, kTestifiedInReaches * reach_mm, options.pen_width_mm);
   // What a line in front hides ends at it, also where a cusp is near.
   std::vector<std::vector<ContourRun>> found(n);
   for (std::size_t c = 0; c < n; ++c) found[c] = seen[c].runs;

@@ -8,6 +8,7 @@
 
 #include "contours/contour_junctions.hpp"
 #include "contours/contour_sights.hpp"
+#include "contours/rulings.hpp"
 #include "geometry/nearest_on_segment.hpp"
 #include "view/view.hpp"
 
@@ -18,14 +19,17 @@ namespace {
 /// right.
 constexpr double kSearchInPens = 6;
 constexpr double kSearchTimes = 2;
+/// Adjustable: on uneven triangles a surface lies farther from the mesh than their sag says, by up to this factor. Contours
+/// whose normals come from a fitted surface may do so; means of normals on coarse meshes go astray by as much.
+constexpr double kFittedSag = 1.6;
 constexpr double kSupportCellMm = 2;
 /// Where the sag on the page is larger, as beside the eye, nothing is said of contours, mm.
 constexpr double kLargestSagMm = 10;
 
-/// The parts of a chain between nodes that are left out.
+/// The parts of a chain between segments that are left out.
 std::vector<ContourChain> parts_of(const ContourChain& chain, const std::vector<std::uint8_t>& keeps) {
   const std::size_t n = chain.size();
-  // A closed chain begins behind a node that is left out.
+  // A closed chain begins at a segment that is left out.
   std::size_t first = 0;
   if (chain.closed) first = static_cast<std::size_t>(std::ranges::find(keeps, std::uint8_t{0}) - keeps.begin()) % n;
   std::vector<ContourChain> parts;
@@ -36,7 +40,7 @@ std::vector<ContourChain> parts_of(const ContourChain& chain, const std::vector<
   };
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t i = (first + k) % n;
-    if (!keeps[i] || !keeps[i + 1]) {
+    if (!keeps[i]) {
       finish();
       continue;
     }
@@ -57,17 +61,22 @@ bool in_window(const View& view, Point2 p) {
 ContourSupport::ContourSupport(const Scene& scene, const View& view, const SmoothPatch& patch,
                                std::span<ContourChain* const> chains, std::span<const std::uint32_t> sides,
                                double pen_width_mm)
-    : chains_(chains), view_(view), places_(chains.size()), pen_width_mm_(pen_width_mm) {
+    : chains_(chains), view_(view), places_(chains.size()), middles_(chains.size()), pen_width_mm_(pen_width_mm) {
   SegmentFinder finder(kSupportCellMm);
   for (std::size_t c = 0; c < chains.size(); ++c) {
     for (const ContourNode& node : chains[c]->nodes) {
       Place& place = places_[c].emplace_back();
       place.mm = page_point(view, node.meets != kNone ? scene.vertices[node.meets] : node.on_surface);
       const double unit_mm = glm::length(page_direction(view, node.on_mesh, view.camera.right));
-      place.sag = node.sag * unit_mm;
+      place.sag = (node.tangent != Point3(0.0) ? kFittedSag : 1) * node.sag * unit_mm;
       place.lift = glm::length(page_point(view, node.on_surface) - page_point(view, node.on_mesh));
       place.counts = place.sag <= kLargestSagMm && in_window(view, place.mm);
-      if (place.counts) finder.expect(place.mm - Point2(reach(place)), place.mm + Point2(reach(place)));
+    }
+    middles_[c] = middles_of(scene, patch, *chains[c], places_[c]);
+    for (const std::vector<Place>* places : {&places_[c], &middles_[c]}) {
+      for (const Place& place : *places) {
+        if (place.counts) finder.expect(place.mm - Point2(reach(place)), place.mm + Point2(reach(place)));
+      }
     }
   }
   for (const std::uint32_t side : sides) {
@@ -76,17 +85,34 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
     };
     finder.add({end(side), end(next_corner(side)), 0, 0});
   }
-  for (std::vector<Place>& places : places_) {
-    for (Place& place : places) {
-      if (!place.counts) continue;
-      place.away = reach(place);
-      finder.near(place.mm - Point2(place.away), place.mm + Point2(place.away), [&](const PageSegment& s) {
-        const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);
-        const double away = glm::length(nearest - place.mm);
-        if (away < place.away) place.away = away, place.outline = nearest;
-      });
-    }
+  const auto measure = [&](Place& place) {
+    if (!place.counts) return;
+    place.away = reach(place);
+    finder.near(place.mm - Point2(place.away), place.mm + Point2(place.away), [&](const PageSegment& s) {
+      const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);
+      const double away = glm::length(nearest - place.mm);
+      if (away < place.away) place.away = away, place.outline = nearest;
+    });
+  };
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    std::ranges::for_each(places_[c], measure);
+    std::ranges::for_each(middles_[c], measure);
   }
+}
+
+std::vector<ContourSupport::Place> ContourSupport::middles_of(const Scene& scene, const SmoothPatch& patch,
+                                                              const ContourChain& chain,
+                                                              const std::vector<Place>& places) const {
+  std::vector<Place> middles(chain.size());
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    const Place &a = places[i], &b = places[i + 1];
+    Place& middle = middles[i];
+    middle.mm = (a.mm + b.mm) / 2.0;
+    middle.sag = sag_of(scene, patch, chain.triangles[i]) *
+                 glm::length(page_direction(view_, chain.nodes[i].on_mesh, view_.camera.right));
+    middle.counts = a.counts && b.counts;
+  }
+  return middles;
 }
 
 double ContourSupport::reach(const Place& place) const {
@@ -126,16 +152,21 @@ std::vector<ContourChain> ContourSupport::supported() const {
   for (std::size_t c = 0; c < chains_.size(); ++c) {
     ContourChain& chain = *chains_[c];
     const std::vector<Place>& places = places_[c];
-    std::vector<std::uint8_t> keeps(places.size(), 1);
-    bool all = true;
+    std::vector<std::uint8_t> keeps(chain.size(), 1);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Place& place = places[i];
       ContourNode& node = chain.nodes[i];
       node.most_mm = most_away(place);
+      if (i < keeps.size()) {
+        const Place& middle = middles_[c][i];
+        keeps[i] = middle.away <= std::max(node.most_mm, most_away(places[i + 1]));
+        const double rest = std::min(most_away(place) - place.away, most_away(places[i + 1]) - places[i + 1].away);
+        node.bulge_mm = std::clamp(rest, 0.0, most_away(middle));
+      }
       if (place.away <= node.most_mm) continue;
       if (place.away >= reach(place)) {
-        all = false;
-        keeps[i] = 0;
+        if (i < keeps.size()) keeps[i] = 0;
+        if (i > 0) keeps[i - 1] = 0;
         continue;
       }
       const Point2 shift = (1 - node.most_mm / place.away) * (place.outline - place.mm);
@@ -144,7 +175,7 @@ std::vector<ContourChain> ContourSupport::supported() const {
       node.tangent = Point3(0.0);
       node.radial = 0;
     }
-    if (all) {
+    if (std::ranges::find(keeps, 0) == keeps.end()) {
       found.push_back(std::move(chain));
     } else {
       std::ranges::move(parts_of(chain, keeps), std::back_inserter(found));

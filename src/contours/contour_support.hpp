@@ -29,7 +29,7 @@ class ContourSupport {
   /// The share of the contours' length on the page that lies too far from the outline, 0 to 1.
   double astray() const;
   /// The contours, moved to within the sag and half a pen of the outline. They end where no outline is within some widths
-  /// of the pen. Sets ContourNode::most_mm.
+  /// of the pen, or where the middle of a segment lies too far from them. Sets ContourNode::most_mm and bulge_mm.
   std::vector<ContourChain> supported() const;
 
  private:
@@ -40,13 +40,16 @@ class ContourSupport {
     double away = 0, sag = 0, lift = 0;  ///< distance from that; sag of the mesh; way from the mesh to the surface; mm
   };
 
+  /// The middles of the chords between places, with the sags of their triangles.
+  std::vector<Place> middles_of(const Scene& scene, const SmoothPatch& patch, const ContourChain& chain,
+                                const std::vector<Place>& places) const;
   double most_away(const Place& place) const { return place.sag + pen_width_mm_ / 2; }
   double reach(const Place& place) const;
   double mean(double Place::*value) const;
 
   std::span<ContourChain* const> chains_;
   const View& view_;
-  std::vector<std::vector<Place>> places_;
+  std::vector<std::vector<Place>> places_, middles_;  ///< of the nodes, and between them
   double pen_width_mm_;
 };
 

@@ -101,8 +101,10 @@ std::vector<ContourRun> rows(std::span<const Part> parts, double shortest_mm, in
   return found;
 }
 
-/// The parts of a visible run that are hidden.
-std::vector<ContourRun> hidden_parts(std::span<const Part> parts, const PagePieces& outlines, double shortest_mm) {
+/// The parts of a visible run that are hidden: longer than `shortest_mm`, or than `clear_mm` where no outline is seen within
+/// so much more of the contour either.
+std::vector<ContourRun> hidden_parts(std::span<const Part> parts, const PagePieces& outlines, double shortest_mm,
+                                     double clear_mm) {
   double all = 0, unseen = 0;
   bool any_seen = false;
   for (const Part& part : parts) {
@@ -113,8 +115,14 @@ std::vector<ContourRun> hidden_parts(std::span<const Part> parts, const PagePiec
   }
   // Where nothing of the outline is seen all along, hollows hide it too.
   if (!any_seen && 2 * unseen > all) return {{parts.front().from, parts.back().to, kHiddenState}};
-  return rows(parts, shortest_mm, kHiddenState,
-              [&](const Part& part) { return outlines.at(part.middle, part.reach) == Evidence::hidden; });
+  const std::vector<ContourRun> found = rows(parts, shortest_mm, kHiddenState, [&](const Part& part) {
+    return outlines.at(part.middle, part.reach) == Evidence::hidden;
+  });
+  if (!found.empty()) return found;
+  return rows(parts, clear_mm, kHiddenState, [&](const Part& part) {
+    return outlines.at(part.middle, part.reach) != Evidence::none &&
+           outlines.at(part.middle, part.reach + clear_mm) < Evidence::seen;
+  });
 }
 
 /// By contour and run, the parts of its runs that are seen, or that are hidden.
@@ -147,14 +155,14 @@ void change_runs(std::vector<SeenContour>& seen, const PartsOfRuns& parts, const
 }  // namespace
 
 void hold_against_outlines(std::vector<SeenContour>& seen, const SmoothContours& contours, const View& view,
-                           const Lattice& lattice, const std::vector<Stroke>& edges, double shortest_mm) {
+                           const Lattice& lattice, const std::vector<Stroke>& edges, double shortest_mm, double clear_mm) {
   const PartsOfRuns visible = parts_of_runs(seen, contours, true), hidden = parts_of_runs(seen, contours, false);
   PagePieces outlines, drawn;
   const auto expect = [&](const PartsOfRuns& parts, PagePieces& pieces) {
     for (const auto& of_contour : parts) {
       for (const std::vector<Part>& of_run : of_contour) {
         for (const Part& part : of_run) {
-          if (in_window(view, part.middle)) pieces.expect(part.middle, part.reach);
+          if (in_window(view, part.middle)) pieces.expect(part.middle, part.reach + clear_mm);
         }
       }
     }
@@ -176,7 +184,8 @@ void hold_against_outlines(std::vector<SeenContour>& seen, const SmoothContours&
     }
     if (hidden_from < 1) outlines.add(place(hidden_from), place(1), unseen);
   }
-  change_runs(seen, visible, [&](std::span<const Part> parts) { return hidden_parts(parts, outlines, shortest_mm); });
+  change_runs(seen, visible,
+              [&](std::span<const Part> parts) { return hidden_parts(parts, outlines, shortest_mm, clear_mm); });
   for (const SeenContour& contour : seen) {
     for (const ContourRun& run : contour.runs) {
       if (run.state < 0) continue;

@@ -20,9 +20,6 @@ namespace {
 constexpr double kRulingRatio = 4;
 /// Least sine of the angle between two rulings that span a flat side: 10 degrees.
 constexpr double kLeastSpanSine = 0.17;
-/// The middle of an equilateral triangle lies so many times as far from the surface as its edge's strip would: a third of
-/// its height times the angle, in place of an eighth.
-constexpr double kTriangleSag = 8.0 / 3;
 /// Two triangles of one rectangle or flat side differ by less, as half of the sine of their angle: float32 coordinates turn
 /// small triangles so far. An edge lies in the plane of a face up to that, too.
 constexpr double kInPlaneSine = 2e-4;
@@ -175,38 +172,6 @@ class RulingFinder {
   const SmoothPatch& patch_;
 };
 
-/// The sag of one triangle.
-double sag_of(const Scene& scene, const SmoothPatch& patch, std::uint32_t t) {
-  const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
-  const auto normal = [&](std::uint32_t triangle) {
-    const Point3 a = point(3 * triangle);
-    const Point3 area = glm::cross(point(3 * triangle + 1) - a, point(3 * triangle + 2) - a);
-    const double size = glm::length(area);
-    return size > 0 ? area / size : Point3(0.0);
-  };
-  const auto width_from = [&](std::uint32_t side) {
-    const Point3 along = point(next_corner(side)) - point(side);
-    const double length = glm::length(along);
-    return length > 0 ? glm::length(glm::cross(along, point(last_corner(side)) - point(side))) / length : 0;
-  };
-  const Point3 n = normal(t);
-  double highest = 0, sum = 0;
-  bool is_half = false;  // of a rectangle
-  for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
-    const std::uint32_t r = patch.across[side];
-    const double sine = r == kNone ? 1 : half_chord(n, normal(r / 3));
-    if (sine == 1) continue;
-    is_half |= sine <= kInPlaneSine;
-    double width = width_from(side);
-    const double beside = width_from(r);
-    if (width > kRulingRatio * beside) width = beside;
-    const double sag = width / 2 * sine / (1 + std::sqrt(1 - sine * sine));  // tan(t/4) = sin(t/2) / (1 + cos(t/2))
-    highest = std::max(highest, sag);
-    sum += sag;
-  }
-  return is_half ? sum : kTriangleSag * highest;
-}
-
 }  // namespace
 
 void square_to_rulings(const Scene& scene, const Camera& camera, std::span<const Point3> face_normals, SmoothPatch& patch) {
@@ -228,6 +193,33 @@ void square_to_rulings(const Scene& scene, const Camera& camera, std::span<const
       patch.g[s] = std::abs(g) <= kEdgeOnSine * glm::length(eye) ? 0 : g;
     }
   });
+}
+
+double sag_of(const Scene& scene, const SmoothPatch& patch, std::uint32_t t) {
+  const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
+  const auto normal = [&](std::uint32_t triangle) {
+    const Point3 a = point(3 * triangle);
+    const Point3 area = glm::cross(point(3 * triangle + 1) - a, point(3 * triangle + 2) - a);
+    const double size = glm::length(area);
+    return size > 0 ? area / size : Point3(0.0);
+  };
+  const auto width_from = [&](std::uint32_t side) {
+    const Point3 along = point(next_corner(side)) - point(side);
+    const double length = glm::length(along);
+    return length > 0 ? glm::length(glm::cross(along, point(last_corner(side)) - point(side))) / length : 0;
+  };
+  const Point3 n = normal(t);
+  double sum = 0;
+  for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
+    const std::uint32_t r = patch.across[side];
+    const double sine = r == kNone ? 1 : half_chord(n, normal(r / 3));
+    if (sine == 1) continue;
+    double width = width_from(side);
+    const double beside = width_from(r);
+    if (width > kRulingRatio * beside) width = beside;
+    sum += width / 2 * sine / (1 + std::sqrt(1 - sine * sine));  // tan(t/4) = sin(t/2) / (1 + cos(t/2))
+  }
+  return sum;
 }
 
 double sag_at(const Scene& scene, const SmoothPatch& patch, std::uint32_t side) {

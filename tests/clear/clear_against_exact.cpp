@@ -1,0 +1,156 @@
+#include "clear/clear_against_exact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <glm/geometric.hpp>
+
+#include "clear/mesh_sags.hpp"
+#include "clear/page_lines.hpp"
+#include "picture/drawn_scene.hpp"
+#include "picture/models.hpp"
+
+namespace ligne::test {
+namespace {
+
+constexpr double kStepMm = 0.1;
+constexpr double kCellMm = 1;
+/// Edges of roundings bend by no more: creases begin at 30 degrees, or at twice as much where a rounding goes on.
+constexpr double kMostBendDegrees = 60;
+/// Rounding to the lattice and of the page's coordinates.
+constexpr double kRoundingMm = 0.002;
+
+struct Drawn {
+  Drawing drawing;
+  View view;
+};
+
+Drawn draw(const Scene& scene, std::string_view view, Quality quality, bool draws_mesh) {
+  PictureRequest request;
+  request.lines.quality = quality;
+  request.view.named_view = view;
+  request.page.pen_width_mm = kPenMm;
+  if (draws_mesh) request.lines.classes.add(LineClass::mesh);
+  RunReport run;
+  const DrawnScene drawn(scene, request, run);
+  return {drawn.drawing(run), drawn.prepared().view()};
+}
+
+LoadedModels load(const std::filesystem::path& file, Quality quality) {
+  ModelRequest models{.files = {file.string()}};
+  models.quality = quality;
+  return load_models(models);
+}
+
+bool is_feature(std::string_view layer) {
+  return layer == "outline" || layer == "border" || layer == "intersection" || layer == "crease";
+}
+
+template <class Visit>
+void each_segment(const Drawing& drawing, const Visit& visit) {
+  for (const Layer& layer : drawing.layers) {
+    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
+      const std::span<const Point2> line = layer.lines[i];
+      for (std::size_t k = 1; k < line.size(); ++k) visit(layer.name, line[k - 1], line[k], k == 1);
+    }
+  }
+}
+
+/// Whether no face lies a little beside a point, in some direction.
+bool at_rim(const MeshSags& sags, Point2 p) {
+  constexpr int kDirections = 16;
+  constexpr double kBesideMm = 0.05;
+  for (int k = 0; k < kDirections; ++k) {
+    const double turn = 2 * 3.14159265358979323846 * k / kDirections;
+    if (!sags.at(p + kBesideMm * Point2(std::cos(turn), std::sin(turn)), kRoundingMm)) return true;
+  }
+  return false;
+}
+
+/// The runs of the drawing's lines at whose points `away` is more than `bound`, both functions of the layer and the point.
+template <class Away, class Bound>
+std::vector<Run> runs_beyond(const Drawing& drawing, const MeshSags& sags, const Away& away, const Bound& bound) {
+  std::vector<Run> runs;
+  bool open = false;
+  each_segment(drawing, [&](const std::string& layer, Point2 a, Point2 b, bool begins) {
+    if (begins) open = false;
+    if (open) ++runs.back().segments;
+    const double length = glm::length(b - a);
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / kStepMm)));
+    for (int k = 0; k < steps; ++k) {
+      const Point2 from = a + (b - a) * (double(k) / steps), to = a + (b - a) * (double(k + 1) / steps);
+      const Point2 p = (from + to) / 2.0;
+      const double distance = away(layer, p);
+      if (distance <= kPenMm / 2 || distance <= bound(p)) {
+        open = false;
+        continue;
+      }
+      if (!open) runs.push_back({layer, 0, 1, false, 0, from, to});
+      open = true;
+      Run& run = runs.back();
+      run.length_mm += length / steps;
+      run.before_the_sheet = run.before_the_sheet || at_rim(sags, p);
+      run.farthest_mm = std::max(run.farthest_mm, distance);
+      run.to = to;
+    }
+  });
+  return runs;
+}
+
+double length_of(const Drawing& drawing) {
+  double sum = 0;
+  each_segment(drawing, [&](const std::string& layer, Point2 a, Point2 b, bool) {
+    if (is_feature(layer)) sum += glm::length(b - a);
+  });
+  return sum;
+}
+
+}  // namespace
+
+ClearDifferences compare_clear(const std::filesystem::path& file, std::string_view view) {
+  const LoadedModels stored = load(file, Quality::exact), repaired = load(file, Quality::clear);
+  const Drawn edges = draw(stored.scene, view, Quality::exact, true),
+              exact = draw(repaired.scene, view, Quality::exact, false),
+              clear = draw(repaired.scene, view, Quality::clear, false);
+  const Rect sheet{{0, 0}, {297, 297}};
+  PageLines features(sheet, kCellMm), all(sheet, kCellMm), drawn(sheet, kCellMm);
+  each_segment(edges.drawing, [&](const std::string& layer, Point2 a, Point2 b, bool) {
+    all.add(a, b);
+    if (is_feature(layer)) features.add(a, b);
+  });
+  each_segment(clear.drawing, [&](const std::string&, Point2 a, Point2 b, bool) { drawn.add(a, b); });
+  const MeshSags sags(repaired.scene, build_topology(repaired.scene), clear.view, kMostBendDegrees);
+  const auto bound = [&](Point2 p) { return sags.at(p, kPenMm / 2).value_or(0) + kPenMm / 2 + kRoundingMm; };
+
+  ClearDifferences found;
+  found.clear_mm = length_of(clear.drawing);
+  found.exact_mm = length_of(exact.drawing);
+  found.added = runs_beyond(
+      clear.drawing, sags,
+      [&](const std::string& layer, Point2 p) { return (layer == "outline" ? features : all).distance(p, kFarthestMm); },
+      bound);
+  found.outside = runs_beyond(
+      clear.drawing, sags,
+      [&](const std::string&, Point2 p) { return sags.at(p, kPenMm / 2 + kRoundingMm) ? 0 : all.distance(p, kFarthestMm); },
+      bound);
+  found.left_out = runs_beyond(
+      exact.drawing, sags,
+      [&](const std::string& layer, Point2 p) {
+        return is_feature(layer) && layer != "crease" ? drawn.distance(p, kFarthestMm) : 0;
+      },
+      bound);
+  return found;
+}
+
+std::string text_of(const std::vector<Run>& runs) {
+  std::ostringstream out;
+  for (const Run& run : runs) {
+    out << "  " << run.layer << " " << run.length_mm << " mm long, " << run.farthest_mm << " mm off, on " << run.segments
+        << " segments, " << (run.before_the_sheet ? "before the sheet, " : "") << "from " << run.from.x << "," << run.from.y
+        << " to " << run.to.x << "," << run.to.y << "\n";
+  }
+  return out.str();
+}
+
+}  // namespace ligne::test

@@ -1,0 +1,44 @@
+#pragma once
+/// A clear drawing against the exact one of the same model.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawing/stroke.hpp"
+#include "geometry/point.hpp"
+
+namespace ligne::test {
+
+/// A maximal run of points of one line for which something does not hold.
+struct Run {
+  std::string layer;
+  double length_mm = 0;
+  int segments = 0;               ///< of the line, that the run touches
+  bool before_the_sheet = false;  ///< a point of it lies at the body's own outline
+  double farthest_mm = 0;         ///< the largest distance from the other drawing, no more than kFarthestMm
+  Point2 from{0, 0}, to{0, 0};
+};
+
+inline constexpr double kPenMm = 0.35;
+/// Distances are not told apart beyond this.
+inline constexpr double kFarthestMm = 3;
+
+struct ClearDifferences {
+  double clear_mm = 0, exact_mm = 0;  ///< drawn lengths
+  std::vector<Run> added;             ///< clear ink with no exact line within the sag of the mesh there and half a pen
+  std::vector<Run> outside;           ///< clear ink that lies so far outside all faces
+  /// Outlines, borders and intersections of the exact drawing of the repaired mesh without clear ink so near.
+  std::vector<Run> left_out;
+};
+
+/// Draws a model file in a named view on A4 by both qualities. Clear outlines are compared with the exact drawing's
+/// features, all other clear lines with its visible edges of every class: hysteresis, contacts and cracks draw creases of
+/// the mesh that exact features leave out. Throws what loading and drawing throw.
+ClearDifferences compare_clear(const std::filesystem::path& file, std::string_view view);
+
+/// One line for each run, for messages.
+std::string text_of(const std::vector<Run>& runs);
+
+}  // namespace ligne::test
