@@ -29,6 +29,6 @@ for folder in src/visibility/*/; do
 done
 for folder in src plotting tests bench; do
   forbid "$folder" '(oneapi/)?tbb/' 'src/geometry/parallel\.cpp'
-  forbid "$folder" 'CLI/' 'src/cli/(options\.cpp|main\.cpp|help\.hpp)'
+  forbid "$folder" 'CLI/' 'src/cli/(options\.cpp|command_line\.cpp|help\.hpp)'
 done
 exit "$broken"

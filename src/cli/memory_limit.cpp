@@ -100,22 +100,45 @@ std::string with_limit(const char* text, const MemoryLimit& limit) {
   return std::isfinite(limit.bytes) ? text + (" (--max-memory is " + bytes_text(limit.bytes)) + ")" : text;
 }
 
-/// From here on allocations past the limit fail.
-void set_limit(const MemoryLimit& limit) {
+/// While it lives, allocations past the limit fail.
+class LimitInForce {
+ public:
+  explicit LimitInForce(const MemoryLimit& limit);
+  ~LimitInForce();
+  LimitInForce(const LimitInForce&) = delete;
+  LimitInForce& operator=(const LimitInForce&) = delete;
+
+ private:
+  bool is_set_ = false;
+  rlimit before_{};
+  std::new_handler new_handler_ = nullptr;
+  std::terminate_handler terminate_handler_ = nullptr;
+};
+
+LimitInForce::LimitInForce(const MemoryLimit& limit) {
   const std::optional<std::uint64_t> in_use = data_in_use();
-  rlimit now{};
-  if (!std::isfinite(limit.bytes) || !in_use || ::getrlimit(RLIMIT_DATA, &now) != 0) return;
   Shortage& state = shortage();
+  state.happened = false;
+  if (!std::isfinite(limit.bytes) || !in_use || ::getrlimit(RLIMIT_DATA, &before_) != 0) return;
+  is_set_ = true;
   const std::string line = "ligne: " + with_limit("not enough memory", limit) + "\n";
   std::memcpy(state.line.data(), line.data(), std::min(line.size(), state.line.size() - 1));
   state.reserve = kReserve + static_cast<rlim_t>(limit.bytes * kReservePart);
   state.reserves_left = kReserves;
-  std::set_new_handler(on_no_memory);
-  std::set_terminate(on_no_way_out);
+  new_handler_ = std::set_new_handler(on_no_memory);
+  terminate_handler_ = std::set_terminate(on_no_way_out);
   const double wanted = static_cast<double>(*in_use) + limit.bytes;
-  if (wanted >= static_cast<double>(now.rlim_cur)) return;
-  now.rlim_cur = static_cast<rlim_t>(wanted);
-  static_cast<void>(::setrlimit(RLIMIT_DATA, &now));
+  if (wanted >= static_cast<double>(before_.rlim_cur)) return;
+  rlimit lower = before_;
+  lower.rlim_cur = static_cast<rlim_t>(wanted);
+  static_cast<void>(::setrlimit(RLIMIT_DATA, &lower));
+}
+
+LimitInForce::~LimitInForce() {
+  if (!is_set_) return;
+  static_cast<void>(::setrlimit(RLIMIT_DATA, &before_));
+  std::set_new_handler(new_handler_);
+  std::set_terminate(terminate_handler_);
 }
 
 /// The number in a file of a control group; "max" is none.
@@ -171,7 +194,7 @@ void run_within(const MemoryLimit& limit, unsigned threads, FunctionRef<void()> 
   run_with_threads(threads, [&] {
     try {
       start_threads();
-      set_limit(limit);
+      const LimitInForce in_force(limit);
       work();
     } catch (const MemoryError& error) {
       throw MemoryError(with_limit(error.what(), limit));

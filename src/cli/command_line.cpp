@@ -1,0 +1,146 @@
+#include "cli/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/closest_name.hpp"
+#include "cli/commands.hpp"
+#include "cli/errors.hpp"
+#include "cli/help.hpp"
+#include "cli/messages.hpp"
+#include "picture/errors.hpp"
+#include "picture/memory.hpp"
+#include "plotting/output_file.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr int kDone = 0, kFailed = 1, kUsage = 2;
+
+constexpr const char* kFooter = R"help(ligne COMMAND --help tells the options of a command.
+
+Examples:
+  ligne draw gearbox.obj -o gearbox.svg
+  ligne surface "sin(r)/r" -x -12:12 -y -12:12 -o sombrero.svg
+  ligne plot sombrero.svg --device hp7475a -o sombrero.hpgl
+  ligne info gearbox.obj
+  ligne compare gearbox.obj --html gearbox.html
+  ligne methods
+  ligne study --list)help";
+
+/// What the command line has too much, and what was probably meant.
+std::string complaint_about_extras(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  std::vector<std::string> commands;
+  for (const CLI::App* subcommand : command.get_subcommands(nullptr)) commands.push_back(subcommand->get_name());
+  std::string text;
+  for (const std::string& extra : app.remaining(true)) {
+    const bool is_option = extra.size() > 1 && extra.front() == '-';
+    const auto meant = closest_name(extra, is_option ? names : commands);
+    text += ' ' + extra + (meant ? " (" + *meant + "?)" : "");
+  }
+  return "not known:" + text + "; see " + (chosen.empty() ? "ligne" : "ligne " + command.get_name()) + " --help";
+}
+
+/// CLI11's own complaint in our words.
+std::string complaint(const CLI::ParseError& e, const CLI::App& app) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&e)) return complaint_about_extras(app);
+  std::string text = e.what();
+  const std::size_t colon = text.find(": ");
+  if (colon == std::string::npos) return text;
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&e)) {
+    const bool repeated = text.find("At Most") != std::string::npos;
+    return text.substr(0, colon) + (repeated ? ": given more than once" : ": its value is missing");
+  }
+  return text;
+}
+
+/// The arguments behind the command's name, last first as CLI11 takes them.
+std::vector<std::string> with_formulas_in_parentheses(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (!arguments.empty() && arguments.front() == "surface") protect_formulas(arguments);
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Draws 3D polygon scenes as clean lines, hidden parts removed.", "ligne");
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_version_flag("--version", "ligne " LIGNE_VERSION);
+  app.footer(kFooter);
+  app.require_subcommand(0, 1);
+
+  Commands commands;
+  setup_commands(app, commands);
+
+  try {
+    app.parse(with_formulas_in_parentheses(argc, argv));
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0) throw UsageError(complaint(e, app));
+    std::ostringstream text;
+    app.exit(e, text, text);
+    write_output("-", text.str());
+    return kDone;
+  }
+
+  if (app.got_subcommand("draw")) {
+    run_draw(commands.draw);
+  } else if (app.got_subcommand("surface")) {
+    run_surface(commands.surface);
+  } else if (app.got_subcommand("compile")) {
+    run_compile(commands.compile);
+  } else if (app.got_subcommand("info")) {
+    run_info(commands.info);
+  } else if (app.got_subcommand("compare")) {
+    run_compare(commands.compare);
+  } else if (app.got_subcommand("methods")) {
+    run_methods(commands.methods);
+  } else if (app.got_subcommand("plot")) {
+    run_plot(commands.plot);
+  } else if (app.got_subcommand("devices")) {
+    run_devices(commands.devices);
+  } else if (app.got_subcommand("study")) {
+    run_study(commands.study);
+  } else {
+    throw UsageError(
+        "there is no command: draw, surface, plot, compile, info, compare, methods, devices or study; see ligne --help");
+  }
+  return kDone;
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& e) {
+    say(e.what());
+    return kUsage;
+  } catch (const RequestError& e) {
+    say((e.field().empty() ? "" : "--") + std::string(e.what()));
+    return kUsage;
+  } catch (const MemoryError& e) {
+    say(e.what());
+  } catch (const std::bad_alloc&) {
+    say("not enough memory");
+  } catch (const std::exception& e) {
+    say(e.what());
+  } catch (...) {
+    say("the work failed for an unknown reason");
+  }
+  return kFailed;
+}
+
+}  // namespace ligne
