@@ -29,11 +29,14 @@ if ! is_built; then
     fi
     source "$root/scripts/setup.sh"
     if ! is_built; then
-      # What is edited while the build runs is newer than this mark, and is built the next time.
-      touch "$folder/.ligne-started"
       install_packages "$build_packages"
-      build "$folder" -DCMAKE_BUILD_TYPE=Release -DLIGNE_TESTS=OFF -DLIGNE_BENCH=OFF -DLIGNE_INSTALL=OFF
-      mv "$folder/.ligne-started" "$stamp"
+      forget_moved_folder "$folder"
+      # Where test.sh has configured the folder, it stays as it is: the objects are the same.
+      options=()
+      if [[ ! -e $folder/CMakeCache.txt ]]; then
+        options=(-DLIGNE_TESTS=OFF -DLIGNE_PYTHON=OFF -DLIGNE_BENCH=OFF -DLIGNE_INSTALL=OFF)
+      fi
+      build "$folder" ligne ${options[@]+"${options[@]}"}
     fi
   )
 fi

@@ -4,7 +4,7 @@ file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/headers.cpp CONTENT "")
 add_library(ligne_headers STATIC ${CMAKE_BINARY_DIR}/headers.cpp)
 target_include_directories(ligne_headers SYSTEM PRIVATE ${GLM_INCLUDE_DIR})
 target_link_libraries(ligne_headers PRIVATE ligne_flags)
-set_target_properties(ligne_headers PROPERTIES POSITION_INDEPENDENT_CODE ${ligne_position_independent})
+set_target_properties(ligne_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_precompile_headers(ligne_headers PRIVATE
   <algorithm> <array> <cmath> <cstdint> <functional> <glm/geometric.hpp> <map> <memory> <numeric> <optional> <span> <stdexcept>
   <string> <string_view> <tuple> <unordered_map> <utility> <vector>)

@@ -108,17 +108,35 @@ install_packages() {
 # A word to whoever watches; standard output belongs to the program.
 tell() { if [[ -t 2 ]]; then echo "$* ..." >&2; fi; }
 
-# build FOLDER CMAKE-ARGUMENT...: configures and builds; the log is shown only when that fails.
+# The set of flags with which ligne.sh and test.sh build, so that both use the same objects. Warnings are errors with the
+# compiler of Debian 12, with which the project is made; another one may warn of more.
+build_options() {
+  local warnings_are_errors=OFF
+  if [[ $(c++ -dumpfullversion -dumpversion 2>/dev/null) == 12.* ]]; then warnings_are_errors=ON; fi
+  printf '%s\n' -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O3 -DLIGNE_UNITY=ON "-DLIGNE_WERROR=$warnings_are_errors"
+  if command -v ccache >/dev/null 2>&1; then echo -DCMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+}
+
+# A folder that was moved is configured anew.
+forget_moved_folder() {
+  if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt"; then rm -f "$1/CMakeCache.txt"; fi
+}
+
+# build FOLDER TARGET CMAKE-ARGUMENT...: configures and builds; the log is shown only when that fails. Afterwards the file
+# .ligne-built in the folder is as old as the beginning of the build: sources edited while it ran are newer.
 build() {
-  local folder=$1 log=$1/build.log
-  shift
+  local folder=$1 target=$2 log=$1/build.log options
+  shift 2
   mkdir -p "$folder"
   tell "building ligne"
-  # A folder that was moved is configured anew.
-  if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then rm -f "$folder/CMakeCache.txt"; fi
-  if ! { cmake -S "$root" -B "$folder" -G Ninja -DLIGNE_UNITY=ON "$@" && cmake --build "$folder"; } >"$log" 2>&1 </dev/null; then
+  touch "$folder/.ligne-started"
+  mapfile -t options < <(build_options)
+  # Headers compiled in advance, and the macros of dates that nobody uses, keep nothing from the cache.
+  export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
+  if ! { cmake -S "$root" -B "$folder" -G Ninja "${options[@]}" "$@" && cmake --build "$folder" --target "$target"; } >"$log" 2>&1 </dev/null; then
     cat "$log" >&2
     echo "ligne: the build failed; its log is $log" >&2
     return 1
   fi
+  mv "$folder/.ligne-started" "$folder/.ligne-built"
 }

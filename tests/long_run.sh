@@ -27,5 +27,5 @@ done
 
 cmake --preset default
 cmake --build --preset default
-LIGNE_RANDOM_SCENES=${LIGNE_RANDOM_SCENES:-1000000} LIGNE_CHECK_ALL=1 ctest --preset default --parallel "$(nproc)" || status=1
+LIGNE_RANDOM_SCENES=${LIGNE_RANDOM_SCENES:-1000000} LIGNE_CHECK_ALL=1 LIGNE_TEST_TIER=all ctest --preset default --parallel "$(nproc)" || status=1
 exit $status

@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# planted_faults.sh [FAULT...]: which tests notice a fault of the program? In a copy of the tree every patch of tests/planted_faults/ is
-# planted by itself, the tests that concern it are built and run, and a line of a table is printed: fault, and the programs that
-# fail with the number of their failing tests. Fails when a fault is noticed by fewer than two programs. Not a part of
-# ctest, since it compiles for many minutes. ccache is used where it is installed.
+# planted_faults.sh [FAULT...]: which tests of the first tier notice a fault of the program? In a copy of the tree every patch of
+# tests/planted_faults/ is planted by itself, the programs of tests that concern it are built, a part of their first tier is
+# run, and a line of a table is printed: fault, and the programs that fail with the number of their failing tests. Fails when a
+# fault is noticed by fewer than two programs. Not a part of ctest, since it compiles for many minutes. ccache is used where it
+# is installed.
 #
 #   LIGNE_BUILD_WITH   put before every build, for example "nice" or "flock FILE nice"
 #   LIGNE_BUILD_JOBS   compilers at a time; all processors
 #   LIGNE_CONFIGURE    more options for cmake
 #   LIGNE_WORK         folder for the copy and its build, kept; otherwise a temporary one
 #   LIGNE_LEVEL        level of optimization, -O1
+#   LIGNE_TEST_SEED    turns the rotation of the first tier; 0
 set -euo pipefail
 
 root=$(cd -P "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -23,20 +25,13 @@ tree=$work/tree build=$work/tree/build/faults logs=$work/logs
 # programs_of FAULT: the programs that are run, by what the name of the fault begins with.
 programs_of() {
   case $1 in
-    warnock_*) echo visibility_test known_answers_test all_methods_test random_scenes_test warnock_corpus_test ;;
-    watkins_*) echo visibility_test known_answers_test all_methods_test random_scenes_test limited_methods_test ;;
-    zbuffer_*) echo visibility_test random_scenes_test limited_methods_test cli_program_test ;;
-    painter_*) echo visibility_test all_methods_test random_scenes_test ;;
-    weiler_*) echo known_answers_test all_methods_test random_scenes_test regions_test polygon_study_test light_test transparent_lines_test ;;
-    clip_*) echo clip_test clip_clipper_test "$(programs_of weiler_)" ;;
-    horizon_*) echo visibility_test cli_program_test ;;
-    plot_*) echo plotting_test cli_program_test ;;
-    bsp_*) echo bsp_test orders_test all_methods_test random_scenes_test ;;
-    newell_*) echo newell_test orders_test regions_test all_methods_test random_scenes_test ;;
-    convex_tree_*) echo convex_tree_test orders_test regions_test all_methods_test random_scenes_test ;;
-    view_*) echo view_test all_methods_test random_scenes_test ;;
-    *) echo visibility_test known_answers_test all_methods_test geometry_replay_test random_scenes_test relations_test picture_test \
-         embree_models_test ;;
+    warnock_* | watkins_* | painter_* | bsp_* | newell_* | convex_tree_* | view_*) echo visibility_test methods_test relations_test ;;
+    zbuffer_*) echo visibility_test methods_test cli_test ;;
+    weiler_*) echo visibility_test methods_test relations_test picture_test ;;
+    clip_*) echo geometry_test "$(programs_of weiler_)" ;;
+    horizon_*) echo visibility_test cli_test ;;
+    plot_*) echo plotting_test cli_test ;;
+    *) echo visibility_test relations_test methods_test fuzz_test picture_test rays_test ;;
   esac
 }
 
@@ -45,38 +40,23 @@ scenes=(cube cube_on_table plate_one_hole holes_behind_holes cyclic_3_solid cros
         same_outline_two_depths peg_in_hole pyramid_in_cube penetrating_plates_with_holes edge_on_face ramp_against_block stair
         thesis_2_73 thesis_2_81c mutual_combs nested_cubes bricks)
 each=$(printf ':*/%s' "${scenes[@]}") each_view=$(printf ':*/%s_*' "${scenes[@]}")
-# Tests of whole drawings that are run of visibility_test when the fault is in no method of its own.
-common_visibility='BruteForce*:*Touching*:PenetratingPlanes*:LinesOfNoFace*:*Determinism*'
 # filter_of PROGRAM FAULT: the tests that are run, all where nothing else is said.
 filter_of() {
+  local general="${each_view#:}${each}:*RandomScenes*:*Crowds*:*Resolution*"
   case $1 in
-    all_methods_test) echo "${each_view#:}" ;;
-    limited_methods_test | orders_test | regions_test) echo "${each#:}" ;;
-    warnock_corpus_test) echo "$each:*Crowds*:*Resolution*" | cut -c2- ;;
-    visibility_test)
-      case $2 in
-        warnock_*) echo "$common_visibility:*Warnock*" ;;
-        watkins_*) echo "$common_visibility:*Watkins*" ;;
-        horizon_*) echo '*Horizon*:*Envelope*' ;;
-        zbuffer_*) echo '*ZBuffer*:*Painter*' ;;
-        painter_*) echo '*Painter*' ;;
-        none) echo '*' ;;
-        *) echo "$common_visibility" ;;
-      esac ;;
-    cli_program_test)
+    methods_test) echo "$general" ;;
+    cli_test)
       case $2 in
         horizon_*) echo '*Surface*' ;;
         plot_*) echo '*Plot*' ;;
         zbuffer_*) echo 'ZBufferFile*' ;;
-        *) echo '*Surface*:*Plot*' ;;
+        *) echo '*Surface*:*Plot*:ZBufferFile*' ;;
       esac ;;
-    embree_models_test) echo '*teapot*:*featuretype*:*CITY*' ;;
-    picture_test) echo 'Files*' ;;
+    rays_test) echo '*teapot*:*featuretype*:*CITY*' ;;
     *) echo '*' ;;
   esac
 }
-# Two random scenes of each kind and share: 320, of 3000.
-export LIGNE_RANDOM_SCENES=160
+export LIGNE_TEST_TIER=first LIGNE_TEST_SEED=${LIGNE_TEST_SEED:-0}
 
 # The copy is brought up to date without touching what has not changed, so that it is not compiled again.
 mkdir -p "$tree" "$logs"
@@ -94,12 +74,13 @@ if [[ -d $root/../shared/models ]]; then
   ln -sfn "$(cd "$root/../shared/models" && pwd)" "$work/shared/models"
 fi
 
-options=(-DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=${LIGNE_LEVEL:--O1}")
+options=(-DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=${LIGNE_LEVEL:--O1}" -DLIGNE_UNITY=ON -DLIGNE_PYTHON=OFF -DLIGNE_INSTALL=OFF)
 if command -v ccache >/dev/null; then
-  # Headers compiled in advance would keep most from the cache, and so would paths that start at the root.
-  options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
-  export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
+  options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 fi
+# Answers of the oracle are the same with every fault.
+export LIGNE_ORACLE_CACHE=$work/oracle_answers
 # shellcheck disable=SC2086  # several options
 cmake -S "$tree" -B "$build" -G Ninja "${options[@]}" ${LIGNE_CONFIGURE:-} >"$logs/configure" 2>&1 || { cat "$logs/configure" >&2; exit 1; }
 

@@ -1,14 +1,15 @@
 // Every method of the registry on every scene of the corpus, in every standard view and with vertices on the border of what
-// is drawn, against the oracle: nothing hidden is
-// drawn, nothing visible is missing, nothing is drawn twice. The scenes are found when the program starts: a new one is a
-// new test.
+// is drawn, against the oracle: nothing hidden is drawn, nothing visible is missing, nothing is drawn twice. The scenes are
+// found when the program starts: a new one is a new test.
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <iostream>
+#include <map>
 
-#include "scene/readers/reader.hpp"
+#include "main/tier.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
 #include "support/variants.hpp"
 
@@ -21,29 +22,15 @@ namespace {
 /// On a sheet that is cut through a scene one such line may be half of what is left.
 double largest_undecided_share(std::string_view view) { return view == "front" || view.starts_with("sheet") ? 0.9 : 0.4; }
 
-std::vector<std::filesystem::path> corpus() {
-  std::vector<std::filesystem::path> files;
-  const std::filesystem::path folder = std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus";
-  if (!std::filesystem::is_directory(folder)) return files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-using Case = std::tuple<std::filesystem::path, const char*>;
+using Case = std::tuple<std::filesystem::path, std::string>;
 
 /// The oracle and the judge hold everything against everything: a scene of thousands of faces takes seconds for each method.
 /// It gets two views, and methods as they are by default.
-bool is_large(const std::filesystem::path& file) {
-  constexpr std::uintmax_t kLargeBytes = 100'000;
-  return std::filesystem::file_size(file) > kLargeBytes;
-}
+bool is_large(const std::filesystem::path& file) { return std::filesystem::file_size(file) > kLargeSceneBytes; }
 
 std::vector<Case> cases() {
   std::vector<Case> result;
-  for (const std::filesystem::path& file : corpus()) {
+  for (const std::filesystem::path& file : corpus_files()) {
     for (const char* view : {"odd", "near"}) result.emplace_back(file, view);
     if (is_large(file)) continue;
     for (const char* view : {"iso", "dimetric", "front", "far", "inside", "sheet_front", "sheet_iso", "fov_border"}) {
@@ -53,13 +40,37 @@ std::vector<Case> cases() {
   return result;
 }
 
+/// The place of the case among those of its family of scenes.
+std::size_t place_in_family(const Case& wanted) {
+  static const std::map<Case, std::size_t> places = [] {
+    std::map<Case, std::size_t> result;
+    std::map<std::string, std::size_t> counts;
+    for (const Case& each : cases()) result[each] = counts[family_of(std::get<0>(each))]++;
+    return result;
+  }();
+  return places.at(wanted);
+}
+
+/// The sets of edges with which the variant is judged. The first tier takes one of the two for methods as they are by
+/// default, in turns; for their other variants one in every tenth case, so that each variant meets each family of scenes:
+/// the smallest family has more than forty cases. It leaves out what shows a debug layer and draws the same lines.
+std::vector<const char*> edge_sets(const Case& judged, const Variant& variant) {
+  if (runs_all()) return {"all", "feature"};
+  if (variant.is_show) return {};
+  constexpr std::size_t kOneIn = 10;
+  const std::string key = family_of(std::get<0>(judged)) + ", " + variant.name;
+  const std::size_t turn = place_in_family(judged) + rotation_of(key) % (2 * kOneIn);
+  if (!variant.is_default && turn % kOneIn != 0) return {};
+  const std::size_t set = variant.is_default ? turn % 2 : turn / kOneIn % 2;
+  return {set == 0 ? "all" : "feature"};
+}
+
 class AllMethods : public testing::TestWithParam<Case> {};
 
 TEST_P(AllMethods, AgreeWithTheOracle) {
   const std::filesystem::path& file = std::get<0>(GetParam());
-  const char* const view_name = std::get<1>(GetParam());
-  Warnings warnings;
-  const Scene scene = read_scene(file, {}, warnings);
+  const std::string& view_name = std::get<1>(GetParam());
+  const Scene scene = scene_of_file(file);
   std::vector<StandardView> views = standard_views(scene);
   for (StandardView& v : border_views(scene)) views.push_back(std::move(v));
   const auto view = std::find_if(views.begin(), views.end(), [&](const StandardView& v) { return v.name == view_name; });
@@ -68,7 +79,7 @@ TEST_P(AllMethods, AgreeWithTheOracle) {
   int skipped = 0;
   for (const Variant& variant : variants()) {
     if (is_large(file) && !variant.is_default) continue;
-    for (const char* edges : {"all", "feature"}) {
+    for (const char* edges : edge_sets(GetParam(), variant)) {
       const Verdict verdict = judged.judge(*variant.method, edges, variant.settings);
       if (!verdict.skipped.empty()) {
         std::cout << variant.name << " skipped: " << verdict.skipped << '\n';
@@ -89,6 +100,21 @@ TEST_P(AllMethods, AgreeWithTheOracle) {
     }
   }
   RecordProperty("methods_skipped", skipped);
+}
+
+TEST(AllMethodsRotation, BringsEachVariantToEachFamily) {
+  std::map<std::string, std::map<std::string, int>> judged;
+  for (const Case& each : cases()) {
+    for (const Variant& variant : variants()) {
+      if (variant.is_show || (is_large(std::get<0>(each)) && !variant.is_default)) continue;
+      judged[variant.name][family_of(std::get<0>(each))] += static_cast<int>(edge_sets(each, variant).size());
+    }
+  }
+  EXPECT_GT(judged.size(), 10u);
+  for (const auto& [variant, families] : judged) {
+    EXPECT_EQ(families.size(), 7u) << variant;
+    for (const auto& [family, count] : families) EXPECT_GT(count, 0) << variant << ", " << family;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, AllMethods, testing::ValuesIn(cases()), [](const auto& info) {

@@ -10,8 +10,8 @@
 
 #include "drawing/stroke_difference.hpp"
 #include "scene/clean/clean.hpp"
-#include "scene/readers/reader.hpp"
 #include "support/comparison.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "view/cull.hpp"
 
@@ -57,14 +57,12 @@ std::string differences(const Drawings& d) {
 
 TEST(CullDrawing, ChangesNoSceneOfTheCorpus) {
   std::size_t faces = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    if (entry.path().extension() != ".json") continue;
-    Warnings warnings;
-    const Scene scene = read_scene(entry.path(), {}, warnings);
+  for (const std::filesystem::path& file : corpus_files()) {
+    const Scene scene = scene_of_file(file);
     for (const StandardView& view : standard_views(scene)) {
       const Drawings d = drawings(scene, view.camera);
       faces += d.faces;
-      EXPECT_EQ(differences(d), "") << entry.path().stem() << ", view " << view.name;
+      EXPECT_EQ(differences(d), "") << file.stem() << ", view " << view.name;
     }
   }
   EXPECT_GT(faces, 1000u);
@@ -121,8 +119,7 @@ TEST(CullDrawing, ChangesNoBall) {
 /// All edges of the inner cube that it does not hide itself are seen through the outer one, whose own back edges are seen as
 /// well; by every method that sees through glass.
 TEST(CullDrawing, ACubeInACubeOfGlass) {
-  Warnings warnings;
-  const Scene scene = read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus/cube_in_glass.json", {}, warnings);
+  const Scene scene = corpus_scene("cube_in_glass");
   std::size_t methods = 0;
   for (const Method* each : all_methods()) {
     if (each->traits().glass != Glass::seen_through) continue;
@@ -142,8 +139,7 @@ TEST(CullDrawing, ACubeInACubeOfGlass) {
 TEST(CullDrawing, ChangesNoSceneWithGlass) {
   const std::filesystem::path folder = std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/atherton_weiler/scenes";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    Warnings warnings;
-    const Scene scene = read_scene(entry.path(), {}, warnings);
+    const Scene scene = scene_of_file(entry.path());
     for (const StandardView& view : standard_views(scene)) {
       const Drawings d = drawings(scene, view.camera, "atherton-weiler");
       EXPECT_EQ(differences(d), "") << entry.path().stem() << ", view " << view.name;

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "scene/readers/reader.hpp"
+#include "main/tier.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
 #include "visibility/registry.hpp"
 
@@ -17,15 +18,7 @@ constexpr double kPageHeightMm = 210;
 /// What a drawing by lines may be off, in distances of lines: what lies between two lines is seen by neither.
 constexpr double kLines = 2;
 
-std::vector<std::filesystem::path> small_scenes() {
-  constexpr std::uintmax_t kLargeBytes = 20'000;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    if (entry.path().extension() == ".json" && entry.file_size() < kLargeBytes) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
+constexpr std::uintmax_t kMostBytes = 20'000;
 
 /// A method with no tolerance of its own: that of the lines alone counts.
 class ByLines final : public Method {
@@ -49,13 +42,16 @@ bool shows_fine_pixels(const std::filesystem::path& file) {
 class LimitedMethods : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(LimitedMethods, AgreeWithTheOracleWithinTheirLines) {
-  Warnings warnings;
-  const Scene scene = read_scene(GetParam(), {}, warnings);
+  const Scene scene = scene_of_file(GetParam());
+  const std::string scene_name = GetParam().stem().string();
+  std::size_t turn = 0;
   for (const unsigned lines : {512u, 2048u, 8192u}) {
     for (const StandardView& view : standard_views(scene)) {
       const std::string name = view.name;
       if (name != "odd" && name != "iso" && name != "near") continue;
-      const JudgedView judged(scene, GetParam().stem().string(), view, kLines * kPageHeightMm / lines);
+      // Nine pairs of a number of lines and a view, of which the first tier takes one for each scene.
+      if (!is_chosen("limited, " + scene_name, turn++, 9)) continue;
+      const JudgedView judged(scene, scene_name, view, kLines * kPageHeightMm / lines);
       for (const Method* method : all_methods()) {
         const auto own = method->traits().parameters;
         if (std::none_of(own.begin(), own.end(), [](const MethodParameter& p) { return p.name == "lines"; })) continue;
@@ -83,7 +79,7 @@ TEST_P(LimitedMethods, AgreeWithTheOracleWithinTheirLines) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, LimitedMethods, testing::ValuesIn(small_scenes()),
+INSTANTIATE_TEST_SUITE_P(Corpus, LimitedMethods, testing::ValuesIn(corpus_files(kMostBytes)),
                          [](const auto& info) { return info.param.stem().string(); });
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "geometry/clip_contour_by_contour.hpp"
-#include "scene/readers/reader.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
@@ -128,24 +128,13 @@ int ask_oracle(const Scene& scene, const std::vector<Region>& regions, const ora
   return asked;
 }
 
-std::vector<std::filesystem::path> corpus() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    constexpr std::uintmax_t kLargeBytes = 100'000;
-    if (entry.path().extension() == ".json" && entry.file_size() <= kLargeBytes) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 class Regions : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(Regions, AreWhatIsInFront) {
-  Warnings warnings;
-  const Scene scene = read_scene(GetParam(), {}, warnings);
+  const Scene scene = scene_of_file(GetParam());
   const Topology topology = build_topology(scene);
   std::mt19937 random(1);
-  for (const StandardView& standard : standard_views(scene)) {
+  for (const StandardView& standard : rotated_views(scene, "regions in front, " + GetParam().stem().string(), 1)) {
     SCOPED_TRACE(standard.name);
     const JudgedView judged(scene, GetParam().stem().string(), standard);
     EdgeSelection all;
@@ -178,10 +167,9 @@ std::map<std::uint32_t, double> areas_of(const std::vector<Region>& regions) {
 }
 
 TEST_P(Regions, AreTheSameByTheClassicalStudy) {
-  Warnings warnings;
-  const Scene scene = read_scene(GetParam(), {}, warnings);
+  const Scene scene = scene_of_file(GetParam());
   const Topology topology = build_topology(scene);
-  for (const StandardView& standard : standard_views(scene)) {
+  for (const StandardView& standard : rotated_views(scene, "regions classical, " + GetParam().stem().string(), 1)) {
     const JudgedView judged(scene, GetParam().stem().string(), standard);
     const ProjectedScene projected = project(scene, topology, judged.view(), {});
     const std::map<std::uint32_t, double> wanted = areas_of(*AthertonWeilerMethod().study(projected, {}).regions);
@@ -208,11 +196,10 @@ TEST_P(Regions, AreTheSameByTheClassicalStudy) {
 
 /// Where faces touch, the order may give the place to another one of them than their numbers do.
 TEST_P(Regions, AreWhatIsInFrontByAnOrder) {
-  Warnings warnings;
-  const Scene scene = read_scene(GetParam(), {}, warnings);
+  const Scene scene = scene_of_file(GetParam());
   const Topology topology = build_topology(scene);
   std::mt19937 random(2);
-  for (const StandardView& standard : standard_views(scene)) {
+  for (const StandardView& standard : rotated_views(scene, "regions by an order, " + GetParam().stem().string(), 1)) {
     const JudgedView judged(scene, GetParam().stem().string(), standard);
     const ProjectedScene projected = project(scene, topology, judged.view(), {});
     for (const char* method : {"newell", "bsp", "convex-tree"}) {
@@ -233,7 +220,7 @@ TEST_P(Regions, AreWhatIsInFrontByAnOrder) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, Regions, testing::ValuesIn(corpus()),
+INSTANTIATE_TEST_SUITE_P(Corpus, Regions, testing::ValuesIn(corpus_files(kLargeSceneBytes)),
                          [](const auto& info) { return info.param.stem().string(); });
 
 }  // namespace

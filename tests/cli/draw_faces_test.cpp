@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "draw_program.hpp"
+#include "main/tier.hpp"
 
 namespace ligne::test {
 namespace {
@@ -35,9 +36,11 @@ TEST_F(DrawTest, GlassAndLightGiveTheSameBytesForAnyNumberOfThreads) {
   for (const std::string& model :
        {scenes + "shadow_glass.json", scenes + "transparent_three.json", models + "stair-tower.obj"}) {
     for (const char* study : {"faces", "polygons", "silhouettes"}) {
+      std::size_t form = 0;
       for (const std::vector<std::string>& more : {std::vector<std::string>{"--format", "json"},
                                                    {"--format", "svg", "--fill", "shade"},
                                                    {"--format", "svg", "--fill", "material", "--hatch", "shade"}}) {
+        if (!is_chosen("threads, " + model + study, form++, 3)) continue;
         const auto bytes = [&](const char* threads) {
           std::vector<std::string> arguments{
               "draw", model, "-q", "-o", "-", "--study", study, "--light=1,1,-2", "--light=-1,2,-2", "--threads", threads};
@@ -87,7 +90,9 @@ TEST_F(DrawTest, ScanLines) {
   for (const char* kind : {"merge", "stack", "box", "point"})
     EXPECT_EQ(bytes({"--span-method", kind}, "svg"), exact) << kind;
   EXPECT_EQ(bytes({"--lines", "exact"}, "svg"), exact);
+  std::size_t number = 0;
   for (const char* threads : {"1", "2", "7"}) {
+    if (!is_chosen("scan lines", number++, 3)) continue;
     EXPECT_EQ(bytes({"--threads", threads}, "svg"), exact);
     EXPECT_EQ(bytes({"--threads", threads, "--lines", "600"}, "json"), bytes({"--lines", "600"}, "json"));
     EXPECT_EQ(bytes({"--threads", threads, "--shade"}, "png"), bytes({"--shade"}, "png"));

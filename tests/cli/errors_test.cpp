@@ -1,7 +1,11 @@
 /// Every way to get the command line wrong: exit status, one line on standard error, no file left behind.
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
+
+#include <exception>
+#include <new>
 
 #include "program.hpp"
 
@@ -183,7 +187,7 @@ TEST_F(ProgramTest, FullDeviceIsAFailure) {
   for (const std::vector<std::string>& arguments : kWritersToStandardOutput) {
     const int full = open("/dev/full", O_WRONLY | O_CLOEXEC);
     if (full < 0) return;  // not every system has one
-    const Outcome outcome = run_ligne(folder_, arguments, full);
+    const Outcome outcome = run_program(folder_, arguments, full);
     EXPECT_EQ(outcome.status, kFailed) << arguments[0];
     EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
   }
@@ -194,11 +198,47 @@ TEST_F(ProgramTest, ReaderThatWentAwayIsAFailureWithoutASignal) {
     int ends[2];
     ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
     close(ends[0]);
-    const Outcome outcome = run_ligne(folder_, arguments, ends[1]);
+    const Outcome outcome = run_program(folder_, arguments, ends[1]);
     EXPECT_EQ(outcome.status, kFailed) << arguments[0];
     EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
     EXPECT_EQ(outcome.err.rfind("ligne: ", 0), 0u) << outcome.err;
   }
+}
+
+/// The other tests call the command in their own process.
+TEST_F(ProgramTest, TheProgramDoesWhatTheCommandDoes) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"draw", "cube.obj", "-o", "-", "--format", "json"},
+        {"draw", "broken.obj", "-o", "x.svg"},
+        {"draw", "cube.obj", "--crease", "much", "-o", "x.svg"},
+        {"info", "square.obj"},
+        {"surface", "x*y", "-o", "-", "--format", "svg", "--stats"},
+        {"plot", "none.svg", "-o", "x.svg"},
+        {"--version"},
+        {}}) {
+    const Outcome here = run(arguments), there = run_program(folder_, arguments);
+    const std::string what = arguments.empty() ? "no command" : arguments.back();
+    EXPECT_EQ(here.status, there.status) << what;
+    EXPECT_EQ(here.out, there.out) << what;
+    if (what != "--stats") {  // times
+      EXPECT_EQ(here.err, there.err) << what;
+    }
+  }
+}
+
+TEST_F(ProgramTest, TheCommandLeavesNoLimitAndNoHandlerBehind) {
+  rlimit before{}, after{};
+  ASSERT_EQ(getrlimit(RLIMIT_DATA, &before), 0);
+  const std::new_handler new_handler = std::get_new_handler();
+  const std::terminate_handler terminate_handler = std::get_terminate();
+  EXPECT_EQ(run({"draw", "cube.obj", "--dpi", "1200", "--max-memory", "64M", "-o", "x.png"}).status, kFailed);
+  EXPECT_EQ(run({"draw", "cube.obj", "--max-memory", "500M", "--threads", "3", "-o", "x.svg"}).status, kDone);
+  ASSERT_EQ(getrlimit(RLIMIT_DATA, &after), 0);
+  EXPECT_EQ(after.rlim_cur, before.rlim_cur);
+  EXPECT_EQ(after.rlim_max, before.rlim_max);
+  EXPECT_EQ(std::get_new_handler(), new_handler);
+  EXPECT_EQ(std::get_terminate(), terminate_handler);
+  EXPECT_EQ(run({"draw", "cube.obj", "-o", "x.svg"}).err, "");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "main/tier.hpp"
 #include "program.hpp"
 
 namespace ligne::test {
@@ -46,20 +47,23 @@ struct Hungry {
 
 void PrintTo(const Hungry& hungry, std::ostream* out) { *out << hungry.name; }
 
+/// As programs: memory that a process has kept from earlier runs would not count.
 class LittleMemory : public ProgramTest, public testing::WithParamInterface<Hungry> {};
 
 TEST_P(LittleMemory, IsEnoughOrIsOneLineWithoutAFile) {
   if (kOwnAllocator) GTEST_SKIP();
   write("sheet.obj", sheet(50));
-  ASSERT_EQ(run({"draw", "sheet.obj", "--edges", "all", "-o", "sheet.svg"}).status, kDone);
+  ASSERT_EQ(run_program(folder_, {"draw", "sheet.obj", "--edges", "all", "-o", "sheet.svg"}).status, kDone);
   const std::vector<std::string> before = new_files();
   int done = 0, failed = 0;
   constexpr double kFirst = 40, kLast = 300'000, kStep = 1.3;  // kilobytes
+  std::size_t limits = 0;
   for (double kilobytes = kFirst; kilobytes < kLast; kilobytes *= kStep) {
+    if (!is_chosen(std::string("memory, ") + GetParam().name, limits++, 3)) continue;
     std::vector<std::string> arguments = GetParam().arguments;
     const std::string limit = std::to_string(std::lround(kilobytes)) + "K";
     arguments.insert(arguments.end(), {"-o", GetParam().output, "--max-memory", limit});
-    const Outcome outcome = run(arguments);
+    const Outcome outcome = run_program(folder_, arguments);
     EXPECT_EQ(outcome.out, "");
     if (outcome.status == kDone) {
       ++done;
@@ -97,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
 class Memory : public ProgramTest {};
 
 TEST_F(Memory, ErrorNamesTheStageWhatAsksAndWhatHelps) {
-  const Outcome outcome = run({"draw", "cube.obj", "-o", "a.png", "--dpi", "1200", "--max-memory", "64M"});
+  const Outcome outcome = run_program(folder_, {"draw", "cube.obj", "-o", "a.png", "--dpi", "1200", "--max-memory", "64M"});
   EXPECT_EQ(outcome.status, kFailed);
   EXPECT_EQ(outcome.err,
             "ligne: not enough memory to write the picture: 9921 x 14031 pixels, 531M at least; fewer lines take less, and "
@@ -109,11 +113,11 @@ TEST_F(Memory, ErrorNamesTheStageWhatAsksAndWhatHelps) {
 TEST_F(Memory, PixelsWithoutRoomToPaintThemAreRefused) {
   if (kOwnAllocator) GTEST_SKIP();
   write("sheet.obj", sheet(50));
-  ASSERT_EQ(run({"draw", "sheet.obj", "-o", "sheet.svg"}).status, kDone);
+  ASSERT_EQ(run_program(folder_, {"draw", "sheet.obj", "-o", "sheet.svg"}).status, kDone);
   constexpr int kPixels = 8500, kEnough = 16'000;  // kilobytes
   for (int kilobytes = kPixels; kilobytes < kEnough; kilobytes += 250) {
     const std::string limit = std::to_string(kilobytes) + "K";
-    const Outcome outcome = run({"plot", "sheet.svg", "-o", "a.png", "--max-memory", limit});
+    const Outcome outcome = run_program(folder_, {"plot", "sheet.svg", "-o", "a.png", "--max-memory", limit});
     EXPECT_EQ(outcome.status, exists("a.png") ? kDone : kFailed) << limit;
     EXPECT_EQ(outcome.error_lines(), exists("a.png") ? 0u : 1u) << limit << ": " << outcome.err;
     std::filesystem::remove(file("a.png"));
@@ -124,7 +128,7 @@ TEST_F(Memory, FailureKeepsTheEarlierDrawing) {
   if (kOwnAllocator) GTEST_SKIP();
   write("sheet.obj", sheet(50));
   write("a.svg", "earlier");
-  EXPECT_EQ(run({"draw", "sheet.obj", "-o", "a.svg", "--max-memory", "600K"}).status, kFailed);
+  EXPECT_EQ(run_program(folder_, {"draw", "sheet.obj", "-o", "a.svg", "--max-memory", "600K"}).status, kFailed);
   EXPECT_EQ(contents(file("a.svg")), "earlier");
 }
 

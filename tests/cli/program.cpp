@@ -1,13 +1,17 @@
 #include "program.hpp"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <iterator>
+
+#include "cli/command_line.hpp"
 
 namespace ligne::test {
 namespace {
@@ -44,10 +48,6 @@ std::vector<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-int open_for_writing(const std::filesystem::path& file) {
-  return open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-}
-
 }  // namespace
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -63,37 +63,100 @@ std::string contents(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments, int out_fd) {
-  static std::atomic<int> counter = 0;
-  const std::string stem =
-      (std::filesystem::temp_directory_path() / ("ligne-" + std::to_string(getpid()) + "-" + std::to_string(counter++)))
-          .string();
-  const std::string out = stem + ".out", err = stem + ".err";
-  const bool captured = out_fd < 0;
+namespace {
 
+/// A file without a name, closed at the end of its life.
+class NamelessFile {
+ public:
+  explicit NamelessFile(const char* about) : descriptor_(memfd_create(about, MFD_CLOEXEC)) {}
+  ~NamelessFile() { close(descriptor_); }
+  NamelessFile(const NamelessFile&) = delete;
+  NamelessFile& operator=(const NamelessFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+  std::string contents() const {
+    std::string text(static_cast<std::size_t>(lseek(descriptor_, 0, SEEK_END)), 0);
+    for (std::size_t at = 0; at < text.size();) {
+      const ssize_t got = pread(descriptor_, text.data() + at, text.size() - at, static_cast<off_t>(at));
+      if (got <= 0) break;
+      at += static_cast<std::size_t>(got);
+    }
+    return text;
+  }
+
+ private:
+  int descriptor_;
+};
+
+/// The arguments as main() gets them.
+std::vector<char*> argument_list(const std::vector<std::string>& arguments) {
   std::vector<char*> argv{const_cast<char*>("ligne")};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  if (captured) out_fd = open_for_writing(out);
-  const int err_fd = open_for_writing(err);
+  return argv;
+}
+
+/// While it lives, another descriptor stands in the place of standard output or standard error.
+class Redirection {
+ public:
+  Redirection(int place, int by) : place_(place), before_(fcntl(place, F_DUPFD_CLOEXEC, 3)) { dup2(by, place); }
+  ~Redirection() {
+    dup2(before_, place_);
+    close(before_);
+  }
+  Redirection(const Redirection&) = delete;
+  Redirection& operator=(const Redirection&) = delete;
+
+ private:
+  int place_, before_;
+};
+
+void flush_all() {
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+}
+
+}  // namespace
+
+Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+  const NamelessFile out("out"), err("err");
+  std::vector<char*> argv = argument_list(arguments);
+  Outcome outcome;
+  flush_all();
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder);
+  {
+    const Redirection output(STDOUT_FILENO, out.descriptor()), errors(STDERR_FILENO, err.descriptor());
+    outcome.status = run_command_line(static_cast<int>(argv.size()) - 1, argv.data());
+    flush_all();
+  }
+  std::filesystem::current_path(before);
+  outcome.out = out.contents();
+  outcome.err = err.contents();
+  return outcome;
+}
+
+Outcome run_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments, int out_fd) {
+  const NamelessFile out("out"), err("err");
+  std::vector<char*> argv = argument_list(arguments);
+  const int output = out_fd < 0 ? out.descriptor() : out_fd;
   const pid_t child = fork();
   if (child == 0) {
-    if (chdir(folder.c_str()) == 0 && dup2(out_fd, 1) == 1 && dup2(err_fd, 2) == 2) execv(LIGNE_PROGRAM, argv.data());
+    if (chdir(folder.c_str()) == 0 && dup2(output, STDOUT_FILENO) == STDOUT_FILENO &&
+        dup2(err.descriptor(), STDERR_FILENO) == STDERR_FILENO) {
+      execv(LIGNE_PROGRAM, argv.data());
+    }
     _exit(127);
   }
-  close(out_fd);
-  close(err_fd);
+  if (out_fd >= 0) close(out_fd);
   int status = 0;
   waitpid(child, &status, 0);
 
   Outcome outcome;
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  outcome.err = contents(err);
-  std::filesystem::remove(err);
-  if (captured) {
-    outcome.out = contents(out);
-    std::filesystem::remove(out);
-  }
+  outcome.err = err.contents();
+  outcome.out = out.contents();
   return outcome;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs the built program in a folder of its own.
+/// Runs the command in a folder of its own: in this process, or as a program where processes matter.
 
 #include <gtest/gtest.h>
 
@@ -23,9 +23,11 @@ inline constexpr double kMicrometre = 1e-3;               ///< in mm
 /// How often `part` occurs in `text`.
 std::size_t count_of(const std::string& text, const std::string& part);
 
-/// Runs the program with these arguments; the folder is its current one. Standard output goes to the descriptor `out_fd`,
-/// which is closed, or else into the outcome.
-Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments, int out_fd = -1);
+/// Runs the command with these arguments in this process; the folder is its current one.
+Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+
+/// Runs the built program. Standard output goes to the descriptor `out_fd`, which is closed, or else into the outcome.
+Outcome run_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments, int out_fd = -1);
 
 /// The bytes of a file.
 std::string contents(const std::filesystem::path& file);

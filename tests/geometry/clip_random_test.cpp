@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "clip_support.hpp"
+#include "main/tier.hpp"
 
 namespace ligne::test {
 namespace {
@@ -105,7 +106,8 @@ void expect_cells(const Faces& faces, const Cells& cells, const Placing& place) 
 
 class ClipRandom : public testing::TestWithParam<unsigned> {};
 
-constexpr int kScenesByTest = 10'000;
+/// In the first tier the first quarter of them.
+const int kScenesByTest = runs_all() ? 10'000 : 2'500;
 
 /// All corners of the results are corners of cells, so areas are compared exactly.
 TEST_P(ClipRandom, CellsOfOneGrid) {

@@ -1,11 +1,17 @@
 // The oracle on scenes whose answers are worked out by hand. Page and model units are the same here (scale 1).
 
-#include "oracle/oracle.hpp"
+#include "oracle/answers.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <set>
 
 #include "support/scene_parts.hpp"
 
@@ -288,6 +294,108 @@ TEST(Oracle, NearlyBehindIsUndecided) {
   ASSERT_EQ(open.size(), 1u);
   EXPECT_EQ(open[0].answer, Answer::undecided);
   expect_part(oracle.visible_intervals(edge_between(oracle, {2, 5, 0.002}, {8, 5, 0.002})), 0, 1, Answer::hidden, 6);
+}
+
+/// Answers that are kept between runs.
+class KeptAnswers : public testing::Test {
+ protected:
+  KeptAnswers() {
+    add_box(scene_, {0, 0, 0}, {10, 10, 10});
+    add_box(scene_, {5, -3, 4}, {10, 10, 10});  // penetrates the other
+  }
+  ~KeptAnswers() override { std::filesystem::remove_all(folder_); }
+
+  std::string bytes() const {
+    std::ifstream in(file_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  std::string name(const View& view, double crease = 30, Glass glass = Glass::hides) const {
+    return answers_name(scene_, view, crease, glass);
+  }
+
+  const std::filesystem::path folder_ = testing::TempDir() + "ligne-kept-" + std::to_string(getpid()), file_ = folder_ / "a";
+  Scene scene_;
+  const View view_ = along({-0.37, 0.83, -0.41});
+};
+
+TEST_F(KeptAnswers, AreReadAsTheyWereGiven) {
+  const Answers answers = answers_of(Oracle(scene_, view_));
+  ASSERT_GT(answers.intersections.size(), 0u);
+  write_answers(file_, answers);
+  Answers read;
+  ASSERT_TRUE(read_answers(file_, read));
+  ASSERT_EQ(read.edges.size(), answers.edges.size());
+  ASSERT_EQ(read.intersections.size(), answers.intersections.size());
+  const auto expect_same = [](const std::vector<Interval>& a, const std::vector<Interval>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_TRUE(a[i].t0 == b[i].t0 && a[i].t1 == b[i].t1 && a[i].from == b[i].from && a[i].to == b[i].to);
+      EXPECT_TRUE(a[i].answer == b[i].answer && a[i].exactly_hidden == b[i].exactly_hidden &&
+                  a[i].at_border == b[i].at_border);
+    }
+  };
+  for (std::size_t i = 0; i < read.edges.size(); ++i) {
+    const Edge &a = read.edges[i], &b = answers.edges[i];
+    EXPECT_TRUE(a.object == b.object && a.a == b.a && a.b == b.b && a.faces == b.faces && a.edge_class == b.edge_class);
+    expect_same(read.edge_intervals[i], answers.edge_intervals[i]);
+  }
+  for (std::size_t i = 0; i < read.intersections.size(); ++i) {
+    const Intersection &a = read.intersections[i], &b = answers.intersections[i];
+    EXPECT_TRUE(a.face0 == b.face0 && a.face1 == b.face1 && a.a == b.a && a.b == b.b && a.page_a == b.page_a &&
+                a.page_b == b.page_b && a.proper == b.proper && a.vague == b.vague);
+    expect_same(read.intersection_intervals[i], answers.intersection_intervals[i]);
+  }
+}
+
+TEST_F(KeptAnswers, AreNotReadFromAFileThatIsNotWhole) {
+  write_answers(file_, answers_of(Oracle(scene_, view_)));
+  const std::string whole = bytes();
+  Answers read;
+  for (const std::size_t length : {std::size_t{0}, std::size_t{7}, whole.size() / 2, whole.size() - 1}) {
+    std::ofstream(file_, std::ios::binary) << whole.substr(0, length);
+    EXPECT_FALSE(read_answers(file_, read)) << length;
+  }
+  std::string changed = whole;
+  changed[whole.size() / 3] ^= 1;
+  std::ofstream(file_, std::ios::binary) << changed;
+  EXPECT_FALSE(read_answers(file_, read));
+  std::filesystem::remove(file_);
+  EXPECT_FALSE(read_answers(file_, read));
+}
+
+TEST_F(KeptAnswers, HaveAnotherNameForWhateverIsAsked) {
+  std::set<std::string> names{name(view_), name(view_, 31), name(view_, 30, Glass::is_clear)};
+  const double next = std::nextafter(1.0, 2.0);
+  std::vector<View> views(9, view_);
+  views[0].perspective = true;
+  views[1].direction.x *= next;
+  views[2].eye.y = 1e-300;
+  views[3].target.z = 1e-300;
+  views[4].up.z = next;
+  views[5].scale = next;
+  views[6].offset.x *= next;
+  views[7].window.min.y = 1e-300;
+  views[8].window.max.x *= next;
+  for (const View& view : views) names.insert(name(view));
+  EXPECT_EQ(names.size(), 12u);
+  const Scene scene = scene_;
+  scene_.vertices[3].x = std::nextafter(scene_.vertices[3].x, 100.0);
+  names.insert(name(view_));
+  scene_ = scene;
+  scene_.objects[1].precision = 1e-9;
+  names.insert(name(view_));
+  scene_ = scene;
+  scene_.corner_flags.assign(scene_.faces.corners().size(), 0);
+  scene_.corner_flags[5] = ligne::kCornerInner;
+  names.insert(name(view_));
+  scene_ = scene;
+  scene_.materials = {{"glass", {1, 1, 1}, 0.5}};
+  scene_.face_material.assign(scene_.faces.size(), 0);
+  names.insert(name(view_));
+  scene_ = scene;
+  add_face(scene_, {{{0, 0, 20}, {1, 0, 20}, {0, 1, 20}}});
+  names.insert(name(view_));
+  EXPECT_EQ(names.size(), 17u);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 #include "compiled_method.hpp"
 #include "order_check.hpp"
-#include "scene/readers/reader.hpp"
 #include "study/generators.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "visibility/convex_tree/convex_tree_method.hpp"
 
@@ -81,14 +81,12 @@ TEST(ConvexTree, TwoBoxesBesideEachOther) {
 // 3.3: the number of supporting planes falls, in the whole corpus, whatever planes are chosen.
 TEST(ConvexTree, TheMeasureFalls) {
   int scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    if (entry.path().extension() != ".json") continue;
-    SCOPED_TRACE(entry.path().stem());
-    Warnings warnings;
-    const Scene scene = read_scene(entry.path(), {}, warnings);
+  for (const std::filesystem::path& file : corpus_files()) {
+    SCOPED_TRACE(file.stem());
+    const Scene scene = scene_of_file(file);
     counts_of(scene, {1, true});
     counts_of(scene, {5, true});
-    if (entry.file_size() < 100'000) counts_of(scene, {5, false});
+    if (std::filesystem::file_size(file) < kLargeSceneBytes) counts_of(scene, {5, false});
     ++scenes;
   }
   EXPECT_GT(scenes, 150);

@@ -5,8 +5,9 @@
 
 #include <filesystem>
 
+#include "main/tier.hpp"
 #include "order_check.hpp"
-#include "scene/readers/reader.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/variants.hpp"
 
 namespace ligne::test {
@@ -14,30 +15,20 @@ namespace {
 
 constexpr int kPoints = 60;
 
-std::vector<std::filesystem::path> corpus() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    constexpr std::uintmax_t kLargeBytes = 100'000;
-    if (entry.path().extension() == ".json" && entry.file_size() <= kLargeBytes) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 class Orders : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(Orders, PaintNothingOverWhatIsNearer) {
-  Warnings warnings;
-  const Scene scene = read_scene(GetParam(), {}, warnings);
+  const Scene scene = scene_of_file(GetParam());
+  const std::string name = GetParam().stem().string();
   const Topology topology = build_topology(scene);
   int covered = 0;
-  for (const StandardView& standard : standard_views(scene)) {
-    const JudgedView judged(scene, GetParam().stem().string(), standard);
+  for (const StandardView& standard : rotated_views(scene, "orders, " + name, 1)) {
+    const JudgedView judged(scene, name, standard);
     EdgeSelection all;
     all.classes.bits = 0xff;
     const ProjectedScene projected = project(scene, topology, judged.view(), all);
     for (const Variant& variant : variants()) {
-      if (!(variant.method->traits().products & kOrder)) continue;
+      if (!(variant.method->traits().products & kOrder) || (variant.is_show && !runs_all())) continue;
       SCOPED_TRACE(standard.name + ", " + variant.name);
       StudyOptions options;
       options.settings = variant.settings;
@@ -52,7 +43,7 @@ TEST_P(Orders, PaintNothingOverWhatIsNearer) {
   RecordProperty("points_with_an_order", covered);
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, Orders, testing::ValuesIn(corpus()),
+INSTANTIATE_TEST_SUITE_P(Corpus, Orders, testing::ValuesIn(corpus_files(kLargeSceneBytes)),
                          [](const auto& info) { return info.param.stem().string(); });
 
 }  // namespace

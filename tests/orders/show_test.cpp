@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 
 #include "study/generators.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
+#include "support/standard_views.hpp"
+#include "support/variants.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne::test {
@@ -132,6 +136,65 @@ TEST(Show, ClipsAreTheContoursOfWhatIsLeft) {
   add_plate(scene, 0, 9, 0, 9, 5, 5);
   add_plate(scene, 3, 6, 3, 6, 2, 2);
   EXPECT_EQ(shown(scene, "atherton-weiler", "clips").debug.size(), 3u) << "a plate with a hole, and the other plate";
+}
+
+/// All that a study found but for the debug layer, member by member: padding has no value.
+std::string bytes_of(const VisibilityResult& result) {
+  std::string bytes;
+  const auto add = [&](const auto&... values) {
+    (bytes.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
+  };
+  const auto add_contours = [&](const std::vector<std::vector<Point2>>& contours) {
+    for (const auto& contour : contours) {
+      add(contour.size());
+      for (const Point2 p : contour) add(p.x, p.y);
+    }
+  };
+  if (result.strokes) {
+    for (const Stroke& s : result.strokes->strokes) {
+      add(s.t_from, s.t_to, s.from.x, s.from.y, s.to.x, s.to.y, s.z_from, s.z_to, s.w_from, s.w_to, s.source, s.line_class,
+          s.visible, s.may_coincide, s.level);
+    }
+    for (const SourceEdge& e : result.strokes->intersections) add(e.faces[0], e.faces[1], e.intersection);
+  }
+  for (const Region& r : result.regions ? *result.regions : std::vector<Region>{}) {
+    add(r.face, r.level);
+    add_contours(r.contours);
+  }
+  for (const PaintPiece& p : result.order ? result.order->pieces : std::vector<PaintPiece>{}) {
+    add(p.face, p.plane[0], p.plane[1], p.plane[2]);
+    add_contours(p.contours);
+  }
+  for (const Span& s : result.spans ? result.spans->spans : std::vector<Span>{}) add(s.line, s.x_from, s.x_to, s.face);
+  if (result.pixels) {
+    for (const std::uint32_t face : result.pixels->face) add(face);
+  }
+  return bytes + result.beyond + result.left_out;
+}
+
+/// All methods are judged without their debug layers (all_methods_test.cpp): these add to a drawing and change nothing of
+/// it.
+TEST(Show, ChangesNothingElse) {
+  std::map<std::string, int> shown;
+  for (const char* name : {"bricks", "cyclic_3", "penetrating_plates_with_holes", "cube_in_glass", "thesis_2_64", "gear"}) {
+    const Scene scene = corpus_scene(name);
+    for (const StandardView& view : rotated_views(scene, std::string("show, ") + name, 2)) {
+      const Picture picture = draw(scene, {view.camera, "all", false, 0, "appel"});
+      for (const Variant& variant : variants()) {
+        if (!variant.is_show) continue;
+        StudyOptions options;
+        options.hidden_strokes = true;
+        const VisibilityResult plain = variant.method->study(picture.projected, options);
+        options.settings = variant.settings;
+        const VisibilityResult with_layer = variant.method->study(picture.projected, options);
+        EXPECT_TRUE(bytes_of(plain) == bytes_of(with_layer)) << variant.name << ", " << name << ", view " << view.name;
+        EXPECT_TRUE(plain.debug.empty() && plain.debug_numbers.empty()) << variant.name;
+        shown[variant.name] += !with_layer.debug.empty() || !with_layer.debug_numbers.empty();
+      }
+    }
+  }
+  EXPECT_GT(shown.size(), 10u);
+  for (const auto& [variant, count] : shown) EXPECT_GT(count, 0) << variant << " shows nothing";
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "drawing/stroke_difference.hpp"
 #include "picture/scene_study.hpp"
 #include "scene/clean/clean.hpp"
-#include "scene/readers/reader.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "visibility/registry.hpp"
 
@@ -61,14 +61,12 @@ const Point3 kObliqueView{-0.37, 0.83, -0.41};
 
 TEST(MethodChoice, IsNeverBeyondItsMethod) {
   std::size_t scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    if (entry.path().extension() != ".json") continue;
-    Warnings warnings;
-    const Scene scene = read_scene(entry.path(), {}, warnings);
+  for (const std::filesystem::path& file : corpus_files()) {
+    const Scene scene = scene_of_file(file);
     for (const Point3& direction : {kObliqueView, Point3{0, 0, -1}}) {
       const Studied s = studied(scene, direction);
-      EXPECT_EQ(s.by_choice.result.beyond, "") << entry.path().stem();
-      EXPECT_LT(s.difference.length_mm, kSameLineMm) << entry.path().stem();
+      EXPECT_EQ(s.by_choice.result.beyond, "") << file.stem();
+      EXPECT_LT(s.difference.length_mm, kSameLineMm) << file.stem();
       ++scenes;
     }
   }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
+#include "main/tier.hpp"
 #include "picture/hidden_pieces.hpp"
 
 namespace ligne::test {
@@ -94,7 +95,9 @@ class Painting : public testing::TestWithParam<std::tuple<const char*, const cha
 
 TEST_P(Painting, ShowsWhatIsSeen) {
   const auto [file, method] = GetParam();
+  std::size_t number = 0;
   for (const char* fill : {"shade", "material"}) {
+    if (!is_chosen(std::string("painting, ") + file + method, number++, 2)) continue;
     const Colors painted = drawn(file, method, fill), seen = drawn(file, "atherton-weiler", fill);
     ASSERT_EQ(painted.pixels.size(), seen.pixels.size());
     std::size_t looked_at = 0, others = 0, white = 0;

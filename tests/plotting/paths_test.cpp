@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/parallel.hpp"
+#include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "polylines_of.hpp"
 
@@ -129,6 +130,7 @@ Polylines random_drawing(unsigned seed) {
 
 TEST(OptimizePaths, ADrawingIsTheSameSetOfPoints) {
   for (unsigned seed = 0; seed < 60; ++seed) {
+    if (!is_chosen("paths", seed, 2)) continue;
     const Polylines lines = random_drawing(seed);
     PathOptions options;
     const Polylines better = optimize_paths(lines, options);

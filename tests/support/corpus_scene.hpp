@@ -1,17 +1,28 @@
 #pragma once
-/// A scene of tests/corpus.
+/// The scenes of tests/corpus.
 
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
+#include <vector>
 
-#include "scene/readers/reader.hpp"
+#include "scene/model/scene.hpp"
 
 namespace ligne::test {
 
+/// Files of more bytes hold thousands of faces: a plain check of everything against everything takes seconds.
+inline constexpr std::uintmax_t kLargeSceneBytes = 100'000;
+
+/// The scenes of at most that many bytes, by name.
+std::vector<std::filesystem::path> corpus_files(std::uintmax_t most_bytes = std::numeric_limits<std::uintmax_t>::max());
+
+/// The module of tests/corpus/maker that makes the scene: "solids", "touching" and so on.
+std::string family_of(const std::filesystem::path& file);
+
+Scene scene_of_file(const std::filesystem::path& file);
+
 /// By the name of its file without ".json".
-inline Scene corpus_scene(const std::string& name) {
-  Warnings warnings;
-  return read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (name + ".json"), {}, warnings);
-}
+Scene corpus_scene(const std::string& name);
 
 }  // namespace ligne::test

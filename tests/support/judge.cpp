@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "drawing/drawing.hpp"
+#include "main/checks.hpp"
 #include "support/comparison.hpp"
 #include "support/stroke_places.hpp"
 #include "view/cull.hpp"
@@ -63,6 +64,8 @@ struct JudgedView::Lines {
   std::vector<Candidate> candidates;
   std::map<std::uint32_t, std::size_t> of_edge;  ///< edge of the topology -> candidate, for those in view
   std::map<std::array<std::uint32_t, 2>, std::vector<Crossing>> of_faces;  ///< intersections by their faces
+  bool has_proper_intersections = false;
+  std::size_t intervals = 0;  ///< of all candidates
 };
 
 namespace {
@@ -107,17 +110,37 @@ JudgedView::JudgedView(const Scene& scene, std::string name, const StandardView&
       accuracy_mm_(accuracy_mm),
       topology_(build_topology(scene)),
       view_(make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
-                      standard.sheet.scale)) {
-  const oracle::View view = smaller(oracle_view(standard.camera, view_), accuracy_mm / kOracleMm);
-  oracle_ = std::make_unique<oracle::Oracle>(scene, view, kCreaseDegrees);
-  lines_ = std::make_unique<Lines>(lines_of(*oracle_, Edges::all));
-  if (!has_glass(scene)) return;
-  clear_ = std::make_unique<oracle::Oracle>(scene, view, kCreaseDegrees, oracle::Glass::is_clear);
-  behind_ = std::make_unique<Lines>(lines_of(*clear_, Edges::all));
-  opaque_ = std::make_unique<Lines>(lines_of(*clear_, Edges::without_glass));
+                      standard.sheet.scale)),
+      has_glass_(has_glass(scene)) {}
+
+namespace {
+
+oracle::View view_of(const StandardView& standard, const View& view, double accuracy_mm) {
+  return smaller(oracle_view(standard.camera, view), accuracy_mm / kOracleMm);
 }
 
-JudgedView::Lines JudgedView::lines_of(const oracle::Oracle& oracle, Edges edges) const {
+}  // namespace
+
+const oracle::Oracle& JudgedView::oracle() const {
+  if (!oracle_) {
+    oracle_ = std::make_unique<oracle::Oracle>(scene_, view_of(standard_, view_, accuracy_mm_), kCreaseDegrees);
+  }
+  return *oracle_;
+}
+
+void JudgedView::ask() const {
+  if (lines_) return;
+  const auto answers = [&](oracle::Glass glass) {
+    return oracle::answers_of(scene_, view_of(standard_, view_, accuracy_mm_), kCreaseDegrees, glass);
+  };
+  lines_ = std::make_unique<Lines>(lines_of(answers(oracle::Glass::hides), Edges::all));
+  if (!has_glass_) return;
+  const oracle::Answers clear = answers(oracle::Glass::is_clear);
+  behind_ = std::make_unique<Lines>(lines_of(clear, Edges::all));
+  opaque_ = std::make_unique<Lines>(lines_of(clear, Edges::without_glass));
+}
+
+JudgedView::Lines JudgedView::lines_of(const oracle::Answers& answers, Edges edges) const {
   Lines lines;
   const double by = accuracy_mm_ / kOracleMm;
   const auto is_out = [&](auto... faces) { return edges == Edges::without_glass && (is_glass(scene_, faces) || ...); };
@@ -130,6 +153,7 @@ JudgedView::Lines JudgedView::lines_of(const oracle::Oracle& oracle, Edges edges
   }
   const auto add_candidate = [&](Candidate candidate) {
     if (candidate.intervals.empty()) return false;
+    lines.intervals += candidate.intervals.size();
     candidate.whole = {candidate.intervals.front().from, candidate.intervals.back().to};
     bool first = true;
     for (const oracle::Interval& i : candidate.intervals) {
@@ -140,16 +164,16 @@ JudgedView::Lines JudgedView::lines_of(const oracle::Oracle& oracle, Edges edges
     lines.candidates.push_back(std::move(candidate));
     return true;
   };
-  for (std::size_t i = 0; i < oracle.edges().size(); ++i) {
-    const oracle::Edge& edge = oracle.edges()[i];
+  for (std::size_t i = 0; i < answers.edges.size(); ++i) {
+    const oracle::Edge& edge = answers.edges[i];
     if (!edge.faces.empty() && std::ranges::all_of(edge.faces, [&](std::uint32_t f) { return is_out(f); })) continue;
     const std::string what = words(("object " + std::to_string(edge.object) + " edge").c_str(), edge.a, edge.b);
-    if (!add_candidate({false, true, edge.edge_class, {}, larger(oracle.visible_intervals(i), by), what})) continue;
+    if (!add_candidate({false, true, edge.edge_class, {}, larger(answers.edge_intervals[i], by), what})) continue;
     const auto number = numbers.find(key_of(edge.object, edge.a, edge.b));
     if (number != numbers.end()) lines.of_edge[number->second] = lines.candidates.size() - 1;
   }
-  for (std::size_t i = 0; i < oracle.intersections().size(); ++i) {
-    const oracle::Intersection& x = oracle.intersections()[i];
+  for (std::size_t i = 0; i < answers.intersections.size(); ++i) {
+    const oracle::Intersection& x = answers.intersections[i];
     if (is_out(x.face0, x.face1)) continue;
     const std::string faces = "intersection of faces " + std::to_string(x.face0) + " and " + std::to_string(x.face1);
     const Segment page{x.page_a * by, x.page_b * by};
@@ -157,9 +181,10 @@ JudgedView::Lines JudgedView::lines_of(const oracle::Oracle& oracle, Edges edges
                         x.proper,
                         EdgeClass::intersection,
                         {},
-                        larger(oracle.intersection_intervals(i), by),
+                        larger(answers.intersection_intervals[i], by),
                         words(faces.c_str(), x.a, x.b)};
     lines.of_faces[{x.face0, x.face1}].push_back({page, x.vague, candidate});
+    lines.has_proper_intersections |= x.proper;
     add_candidate(std::move(candidate));
   }
   return lines;
@@ -168,8 +193,8 @@ JudgedView::Lines JudgedView::lines_of(const oracle::Oracle& oracle, Edges edges
 JudgedView::~JudgedView() = default;
 
 bool JudgedView::has_intersections() const {
-  const auto all = oracle_->intersections();
-  return std::any_of(all.begin(), all.end(), [](const auto& x) { return x.proper; });
+  ask();
+  return lines_->has_proper_intersections;
 }
 
 namespace {
@@ -221,6 +246,8 @@ void JudgedView::compare(StrokeModel model, const Lines& lines, const MethodTrai
   }
   comparison.missing();
   comparison.twice();
+  count_checks(Check::drawings);
+  count_checks(Check::intervals, lines.intervals);
   if (hidden) comparison.uncovered();
   keep_worse(verdict.drawn_hidden, drawing.drawn_hidden);
   keep_worse(verdict.missing, drawing.missing);
@@ -248,9 +275,10 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
   }
   ProjectedScene projected = project(scene_, topology_, view_, selection);
   if (cull == Cull::on) ligne::cull(projected, find_back_faces(scene_, topology_, view_));
-  const Lines& lines = !clear_ || traits.glass == Glass::opaque ? *lines_
-                       : traits.glass == Glass::left_out        ? *opaque_
-                                                                : *behind_;
+  ask();
+  const Lines& lines = !has_glass_ || traits.glass == Glass::opaque ? *lines_
+                       : traits.glass == Glass::left_out            ? *opaque_
+                                                                    : *behind_;
   for (const bool hidden : {false, true}) {
     if (hidden && cull == Cull::on) break;  // the lines of back faces are gone
     StudyOptions options;
@@ -266,12 +294,12 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
       verdict.faults = "  gives no strokes, although its traits say so\n";
       return verdict;
     }
-    if (clear_ && traits.glass == Glass::left_out && result.left_out.empty()) {
+    if (has_glass_ && traits.glass == Glass::left_out && result.left_out.empty()) {
       verdict.faults = "  leaves transparent faces out and does not say so\n";
       return verdict;
     }
     compare(*result.strokes, lines, traits, projected, all, hidden, verdict);
-    if (!clear_ || traits.glass != Glass::seen_through) continue;
+    if (!has_glass_ || traits.glass != Glass::seen_through) continue;
     for (Stroke& s : result.strokes->strokes) s.visible = s.visible && s.level == 0;
     compare(std::move(*result.strokes), *lines_, traits, projected, all, hidden, verdict);
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/oracle.hpp"
+#include "oracle/answers.hpp"
 #include "support/standard_views.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/method.hpp"
@@ -39,7 +39,8 @@ struct Verdict {
 /// Whether what is judged is drawn without the back faces of solids.
 enum class Cull : std::uint8_t { off, on };
 
-/// A scene in one view on a sheet, with the oracle's answers. These are found once, for all methods.
+/// A scene in one view on a sheet, with the oracle's answers. These are found once, when they are first needed, for all
+/// methods.
 ///
 /// Where faces are transparent a method is held to what its traits say of them: as opaque faces they hide; else nothing does
 /// that is behind them alone, and for methods that tell what is behind glass, what they say is seen directly is moreover
@@ -58,14 +59,15 @@ class JudgedView {
                 Cull cull = Cull::off) const;
 
   const View& view() const { return view_; }
-  const oracle::Oracle& oracle() const { return *oracle_; }  ///< for which transparent faces hide
-  bool has_intersections() const;                            ///< proper ones
+  const oracle::Oracle& oracle() const;  ///< for which transparent faces hide
+  bool has_intersections() const;        ///< proper ones
 
  private:
   struct Lines;
   enum class Edges : std::uint8_t { all, without_glass };
 
-  Lines lines_of(const oracle::Oracle& oracle, Edges edges) const;
+  void ask() const;
+  Lines lines_of(const oracle::Answers& answers, Edges edges) const;
   void compare(StrokeModel model, const Lines& lines, const MethodTraits& traits, const ProjectedScene& projected, bool all,
                bool hidden, Verdict& verdict) const;
 
@@ -75,9 +77,11 @@ class JudgedView {
   double accuracy_mm_;
   Topology topology_;
   View view_;
-  std::unique_ptr<oracle::Oracle> oracle_;
-  std::unique_ptr<oracle::Oracle> clear_;           ///< for which they hide nothing; where there are none, nullptr
-  std::unique_ptr<Lines> lines_, behind_, opaque_;  ///< by the one oracle, by the other, and of that without glass edges
+  bool has_glass_;
+  mutable std::unique_ptr<oracle::Oracle> oracle_;
+  /// Where transparent faces hide; where they hide nothing; and of that without their edges. The latter two with glass
+  /// alone.
+  mutable std::unique_ptr<Lines> lines_, behind_, opaque_;
 };
 
 /// Whether the face is transparent; whether any is.

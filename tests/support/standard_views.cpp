@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "main/tier.hpp"
+
 namespace ligne::test {
 namespace {
 
@@ -109,6 +111,15 @@ std::vector<StandardView> standard_views(const Scene& scene) {
       perspective_view("inside", scene, rounded(low + size * Point3{0.63, 0.36, 0.57}),
                        rounded(low + size * Point3{0.09, 0.94, 0.21}), 90),
   };
+}
+
+std::vector<StandardView> rotated_views(const Scene& scene, std::string_view key, std::size_t count) {
+  std::vector<StandardView> views = standard_views(scene);
+  if (runs_all()) return views;
+  const auto first = static_cast<std::ptrdiff_t>(rotation_of(key) % views.size());
+  std::rotate(views.begin(), views.begin() + first, views.end());
+  views.resize(count);
+  return views;
 }
 
 StandardView perspective_view(const std::string& name, const Scene& scene, const Point3& eye, const Point3& target,

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "view/view.hpp"
@@ -27,6 +28,9 @@ struct StandardView {
 /// Four parallel views (isometric, an odd direction, a dimetric-like one, along an axis), two perspectives from outside the
 /// scene's bounding sphere, at 2.2 and 1.4 radii from its centre, and one from inside its bounding box.
 std::vector<StandardView> standard_views(const Scene& scene);
+
+/// These views; in the first tier `count` of them that follow each other, beginning where the seed and the key choose.
+std::vector<StandardView> rotated_views(const Scene& scene, std::string_view key, std::size_t count);
 
 /// Views in which vertices, and edges with them, lie on the border of what is drawn, and more lies outside: the sheet cut
 /// through the scene from the front and in the isometric view, and a field of view of 90 degrees whose border goes through a

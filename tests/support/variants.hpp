@@ -12,6 +12,7 @@ struct Variant {
   const Method* method;
   MethodSettings settings;
   bool is_default;
+  bool is_show;      ///< draws a debug layer beside the lines, which stay as they are (orders/show_test.cpp)
   std::string name;  ///< as on the command line, "watkins --span-method box"
 };
 
@@ -22,12 +23,12 @@ inline std::vector<Variant> variants() {
   for (const Method* method : all_methods()) {
     if (!method->traits().exact) continue;  // held to their limits in limited_methods_test.cpp
     const std::string name(method->traits().name);
-    list.push_back({method, {}, true, name});
+    list.push_back({method, {}, true, false, name});
     for (const MethodParameter& p : method->traits().parameters) {
       if (p.high > 0) continue;  // a number, or a word in its place
       for (unsigned i = 0; i < p.words.size(); ++i) {
         if (p.words[i] == p.standard) continue;
-        Variant v{method, {}, false, name + " --" + std::string(p.name) + " " + std::string(p.words[i])};
+        Variant v{method, {}, false, p.name == "show", name + " --" + std::string(p.name) + " " + std::string(p.words[i])};
         v.settings.set(p.name, ParameterWord{i});
         list.push_back(std::move(v));
       }

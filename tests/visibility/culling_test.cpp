@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "scene/readers/reader.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 #include "visibility/culling/convex_body.hpp"
@@ -61,16 +61,14 @@ bool is_one_convex_body(const Scene& scene, const Topology& topology) {
 }
 
 TEST(Culling, TakesTheConvexBodiesOfTheCorpusAndNoOthers) {
-  constexpr std::uintmax_t kLargeBytes = 20'000;
+  constexpr std::uintmax_t kMostBytes = 20'000;
   int convex = 0, others = 0;
-  for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    if (file.path().extension() != ".json" || file.file_size() > kLargeBytes) continue;
-    Warnings warnings;
-    const Scene scene = read_scene(file.path(), {}, warnings);
-    const bool expected = has_copies(file.path()) || is_one_convex_body(scene, build_topology(scene));
+  for (const std::filesystem::path& file : corpus_files(kMostBytes)) {
+    const Scene scene = scene_of_file(file);
+    const bool expected = has_copies(file) || is_one_convex_body(scene, build_topology(scene));
     for (const Point3& direction : {Point3{-1, 2, -1}, Point3{0, 1, 0}, Point3{-0.37, 0.83, -0.41}}) {
       const std::string why = beyond(projected(scene, along(direction)));
-      EXPECT_EQ(why.empty(), expected) << file.path().stem() << ": " << why;
+      EXPECT_EQ(why.empty(), expected) << file.stem() << ": " << why;
     }
     ++(expected ? convex : others);
   }

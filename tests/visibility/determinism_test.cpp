@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/parallel.hpp"
+#include "main/tier.hpp"
 #include "support/scenes.hpp"
 
 namespace ligne::test {
@@ -31,7 +32,8 @@ class Determinism : public testing::TestWithParam<const Method*> {};
 
 TEST_P(Determinism, OneThreadAndManyGiveTheSameStrokes) {
   // Hidden lines and intersections cost a method the more, the more boxes hide each other.
-  for (const auto& [boxes, hidden] : {std::pair(1500, false), std::pair(500, true)}) {
+  const int part = runs_all() ? 1 : 2;
+  for (const auto& [boxes, hidden] : {std::pair(1500 / part, false), std::pair(500 / part, true)}) {
     Scene scene;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> u(-1, 1);

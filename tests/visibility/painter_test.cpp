@@ -149,11 +149,10 @@ TEST(Painter, WithTheEyeOnACornerItSaysThatItMayBeWrong) {
 
 /// Where the painter says nothing against its order, it paints what the depth buffer shows.
 TEST(Painter, PaintsWhatIsSeenUnlessItSaysOtherwise) {
-  constexpr std::uintmax_t kLargeBytes = 20'000;
+  constexpr std::uintmax_t kMostBytes = 20'000;
   int right = 0, beyond = 0;
-  for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    if (file.path().extension() != ".json" || file.file_size() > kLargeBytes) continue;
-    const Scene scene = corpus_scene(file.path().stem().string());
+  for (const std::filesystem::path& file : corpus_files(kMostBytes)) {
+    const Scene scene = scene_of_file(file);
     if (!scene.face_material.empty()) continue;  // of glass, which the buffer does not hold
     for (const StandardView& standard : standard_views(scene)) {
       if (std::string_view(standard.name) != "odd" && std::string_view(standard.name) != "near") continue;
@@ -184,7 +183,7 @@ TEST(Painter, PaintsWhatIsSeenUnlessItSaysOtherwise) {
           const Point2 p = (mm - page.lattice.origin_mm) / page.lattice.step_mm;
           unlike += !(std::abs(depth_of(page, painted.pixels->face[i], p) - pixels.depth[i]) < kTouchMm);
         }
-        EXPECT_EQ(unlike, 0u) << file.path().stem() << ", " << standard.name << ", " << sort;
+        EXPECT_EQ(unlike, 0u) << file.stem() << ", " << standard.name << ", " << sort;
       }
     }
   }

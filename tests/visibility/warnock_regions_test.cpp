@@ -7,7 +7,7 @@
 #include <map>
 
 #include "geometry/point.hpp"
-#include "scene/readers/reader.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 
@@ -81,21 +81,10 @@ std::map<std::uint32_t, double> depths_of_faces_at(const ProjectedScene& scene, 
   return depths;
 }
 
-std::vector<std::filesystem::path> corpus() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& e : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    constexpr std::uintmax_t kLargeBytes = 100'000;
-    if (e.path().extension() == ".json" && e.file_size() <= kLargeBytes) files.push_back(e.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 class WarnockRegions : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(WarnockRegions, ShowTheFaceInFrontEverywhereOnce) {
-  Warnings warnings;
-  const Scene scene = read_scene(GetParam(), {}, warnings);
+  const Scene scene = scene_of_file(GetParam());
   for (const StandardView& view : standard_views(scene)) {
     if (view.name != "odd" && view.name != "near" && view.name != "front") continue;
     const Areas areas = areas_of(scene, view.camera);
@@ -145,7 +134,7 @@ TEST_P(WarnockRegions, ShowTheFaceInFrontEverywhereOnce) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, WarnockRegions, testing::ValuesIn(corpus()),
+INSTANTIATE_TEST_SUITE_P(Corpus, WarnockRegions, testing::ValuesIn(corpus_files(kLargeSceneBytes)),
                          [](const auto& info) { return info.param.stem().string(); });
 
 /// A plate of 4 x 3 behind a cube: what is seen of both together is the plate, seen from above.

@@ -63,14 +63,13 @@ INSTANTIATE_TEST_SUITE_P(Corpus, WatkinsCoherence,
 /// The same for all scenes that are not large, also along an axis, where vertices, edges and lines of intersection lie on
 /// each other and are horizontal.
 TEST(WatkinsScan, LinesPassedOverHaveTheSpansOfAStudyOnAllScenes) {
-  constexpr std::uintmax_t kLargeBytes = 20'000;
+  constexpr std::uintmax_t kMostBytes = 20'000;
   constexpr double kSameShare =
       1e-6;  // of the length of all spans: ends that follow an edge are off by the roundings of its accumulator
   constexpr double kAccuracyMm = 1e-3;  // scenes seen edge on are no wider
   std::size_t scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    if (entry.path().extension() != ".json" || entry.file_size() > kLargeBytes) continue;
-    const std::string name = entry.path().stem().string();
+  for (const std::filesystem::path& file : corpus_files(kMostBytes)) {
+    const std::string name = file.stem().string();
     const Scene scene = corpus_scene(name);
     for (const Point3 direction : {Point3{-0.31, 0.87, -0.39}, Point3{0, 1, 0}, Point3{-1, 1, -1}, Point3{0, 0, -1}}) {
       SCOPED_TRACE(name + " along " + std::to_string(direction.x) + ' ' + std::to_string(direction.y));

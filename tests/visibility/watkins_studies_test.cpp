@@ -30,12 +30,11 @@ TEST(WatkinsStudies, TwiceTheLinesAreNoMoreStudies) {
 /// On every scene without penetration, faces that touch, coincide, lie on each other or not. Changes at one height but for a
 /// step of the lattice fall on one line or on two.
 TEST(WatkinsStudies, TwiceTheLinesAreNoMoreStudiesOnAllScenes) {
-  constexpr std::uintmax_t kLargeBytes = 20'000;
+  constexpr std::uintmax_t kMostBytes = 20'000;
   constexpr std::uint32_t kLines = 1u << 16;
   std::size_t scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    if (entry.path().extension() != ".json" || entry.file_size() > kLargeBytes) continue;
-    const std::string name = entry.path().stem().string();
+  for (const std::filesystem::path& file : corpus_files(kMostBytes)) {
+    const std::string name = file.stem().string();
     const PreparedScan p(corpus_scene(name), kOdd);
     if (p.lines.size() > p.projected.edges.size()) continue;
     const std::uint64_t once = studied(p, kLines), twice = studied(p, 2 * kLines);
@@ -50,8 +49,7 @@ TEST(WatkinsStudies, TwiceTheLinesAreNoMoreStudiesOnAllScenes) {
 TEST(WatkinsStudies, FacesThatTouchAreNoChanges) {
   const std::filesystem::path file = std::filesystem::path(LIGNE_MODELS_DIR) / "CITY.ASC";
   if (!std::filesystem::exists(LIGNE_MODELS_DIR)) GTEST_SKIP() << "shared models are absent";
-  Warnings warnings;
-  const PreparedScan p(read_scene(file, {}, warnings), CameraRequest{});
+  const PreparedScan p(scene_of_file(file), CameraRequest{});
   const std::uint64_t many = studied(p, 32000);
   EXPECT_LT(many, 600u);
   EXPECT_NEAR(double(studied(p, 16000)), double(many), 0.02 * double(many));

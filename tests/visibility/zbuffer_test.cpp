@@ -9,7 +9,7 @@
 
 #include "geometry/parallel.hpp"
 #include "scene/clean/clean.hpp"
-#include "scene/readers/reader.hpp"
+#include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 #include "visibility/common/depth_buffer.hpp"
@@ -156,14 +156,7 @@ TEST(ZBuffer, NeighboursShareNothingAndLeaveNothingOut) {
   }
 }
 
-std::vector<std::filesystem::path> small_scenes() {
-  constexpr std::uintmax_t kLargeBytes = 20'000;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
-    if (entry.path().extension() == ".json" && entry.file_size() < kLargeBytes) files.push_back(entry.path());
-  }
-  return files;
-}
+constexpr std::uintmax_t kMostBytes = 20'000;
 
 /// The nearest depth of the triangles that surely hold the point, and that of those that may hold it.
 std::array<double, 2> depths_at(const ProjectedScene& scene, Point2 p) {
@@ -191,9 +184,8 @@ std::array<double, 2> depths_at(const ProjectedScene& scene, Point2 p) {
 TEST(ZBuffer, AgreesWithAPlainSearchOnTheCorpus) {
   constexpr double kDepthMm = 0.01;
   std::size_t compared = 0;
-  for (const auto& file : small_scenes()) {
-    Warnings warnings;
-    const Scene scene = read_scene(file, {}, warnings);
+  for (const std::filesystem::path& file : corpus_files(kMostBytes)) {
+    const Scene scene = scene_of_file(file);
     for (const StandardView& standard : standard_views(scene)) {
       if (std::string_view(standard.name) != "odd" && std::string_view(standard.name) != "near") continue;
       const View view = make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
@@ -327,10 +319,8 @@ TEST(ZBuffer, LinesEndWithinAPixelOfARim) {
 
 /// Visible outlines and edges between visible faces of convex bodies are whole, however steep their faces.
 TEST(ZBuffer, LinesOfConvexBodiesDoNotBreak) {
-  Warnings warnings;
   for (const char* name : {"low_sphere", "star_prism", "octahedron", "hexagonal_prism", "needle_pyramids"}) {
-    const Scene scene =
-        read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (std::string(name) + ".json"), {}, warnings);
+    const Scene scene = corpus_scene(name);
     for (const StandardView& standard : standard_views(scene)) {
       const View view = make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
                                   standard.sheet.scale);

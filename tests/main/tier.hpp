@@ -1,0 +1,24 @@
+#pragma once
+/// The two tiers of tests. The first makes every kind of check. Where scenes, views and variants of methods multiply, it
+/// takes a part of the products, which the seed chooses; the second tier takes all of them.
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace ligne::test {
+
+/// True with LIGNE_TEST_TIER=all in the environment, which is what ./test.sh --all sets.
+bool runs_all();
+
+/// LIGNE_TEST_SEED of the environment, or 0. The rotation turns with it.
+std::uint64_t rotation_seed();
+
+/// A number that depends on the seed and the key alone, the same on every machine.
+std::uint64_t rotation_of(std::string_view key);
+
+/// Whether the first tier takes item `number` of `key`: every `one_in`-th one, beginning at a place that the seed and the
+/// key choose. The second tier takes every item.
+bool is_chosen(std::string_view key, std::size_t number, std::size_t one_in);
+
+}  // namespace ligne::test
