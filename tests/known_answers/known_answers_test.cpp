@@ -10,6 +10,7 @@
 
 #include "compare.hpp"
 #include "known_answer.hpp"
+#include "main/checks.hpp"
 #include "support/scenes.hpp"
 
 namespace ligne::test {
@@ -90,6 +91,7 @@ TEST_P(KnownAnswers, AreDrawn) {
     for (const std::string& difference : differences(expected, drawn_segments(picture), tolerance)) {
       ADD_FAILURE() << (with_hidden ? "with hidden lines: " : "") << difference;
     }
+    count_checks(Check::pairs);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "main/checks.hpp"
 #include "support/scenes.hpp"
 
 namespace ligne::test {
@@ -58,6 +59,7 @@ LineDrawing mirror_image(LineDrawing drawing) {
 }
 
 std::string differences(const LineDrawing& expected, const LineDrawing& found, double shortest_mm) {
+  count_checks(Check::pairs);
   const double tolerance = std::max(expected.tolerance_mm, found.tolerance_mm);
   std::string text;
   const std::string missing = not_covered(expected, found, tolerance, shortest_mm);
