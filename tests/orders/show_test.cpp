@@ -178,7 +178,9 @@ TEST(Show, ChangesNothingElse) {
   std::map<std::string, int> shown;
   for (const char* name : {"bricks", "cyclic_3", "penetrating_plates_with_holes", "cube_in_glass", "thesis_2_64", "gear"}) {
     const Scene scene = corpus_scene(name);
-    for (const StandardView& view : rotated_views(scene, std::string("show, ") + name, 2)) {
+    for (const StandardView& view : standard_views(scene)) {
+      // Seen from the front some scenes have zones beside each other, which newell shows.
+      if (view.name != "front" && view.name != "odd" && view.name != "near") continue;
       const Picture picture = draw(scene, {view.camera, "all", false, 0, "appel"});
       for (const Variant& variant : variants()) {
         if (!variant.is_show) continue;
