@@ -47,16 +47,32 @@ class ContourTracer {
   std::vector<ContourChain> trace() {
     const std::vector<Path> paths = find_paths();
     std::vector<std::uint32_t> sides;
-    for (const Path& path : paths) sides.insert(sides.end(), path.sides.begin(), path.sides.end());
+    std::vector<std::uint8_t> is_end;
+    for (const Path& path : paths) {
+      sides.insert(sides.end(), path.sides.begin(), path.sides.end());
+      is_end.resize(sides.size(), 0);
+      is_end[sides.size() - path.sides.size()] = is_end.back() = 1;
+    }
+    // The triangle of a side is the one before it on the path, so each is asked once, but for those at the ends.
+    std::vector<double> sags(sides.size());
     std::vector<ContourNode> nodes(sides.size());
     parallel_blocks(sides.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) nodes[i] = node(sides[i]);
+      for (std::size_t i = begin; i < end; ++i) sags[i] = sag_of(scene_, patch_, sides[i] / 3);
+    });
+    parallel_blocks(sides.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::uint32_t across = patch_.across[sides[i]];
+        const double beyond = !is_end[i] ? sags[i + 1] : across != kNone ? sag_of(scene_, patch_, across / 3) : 0;
+        nodes[i] = node(sides[i], std::max(sags[i], beyond));
+      }
     });
     std::vector<ContourChain> chains;
-    auto first = nodes.begin();
+    std::size_t first = 0;
     for (const Path& path : paths) {
-      chains.push_back(chain_of(path, {first, path.sides.size()}));
-      first += static_cast<std::ptrdiff_t>(path.sides.size());
+      const std::size_t count = path.sides.size();
+      for (std::size_t i = first; i + 1 < first + count; ++i) nodes[i].sag_ahead = sags[i + 1];
+      chains.push_back(chain_of(path, {nodes.data() + first, count}));
+      first += count;
     }
     return chains;
   }
@@ -125,6 +141,7 @@ class ContourTracer {
       if (const auto cusp = cusp_between(nodes[i], end)) {
         chain.triangles.push_back(path.triangles[i]);
         chain.nodes.push_back(*cusp);
+        chain.nodes.back().sag_ahead = nodes[i].sag_ahead;
       }
       chain.triangles.push_back(path.triangles[i]);
       chain.nodes.push_back(end);
@@ -160,7 +177,7 @@ class ContourTracer {
 
   const Point3& vertex(std::uint32_t corner) const { return scene_.vertices[patch_.triangles[corner / 3].v[corner % 3]]; }
 
-  ContourNode node(std::uint32_t side) const {
+  ContourNode node(std::uint32_t side, double sag) const {
     ContourNode out;
     out.side = side;
     // The same end first from both triangles, so that both get the same point.
@@ -188,7 +205,7 @@ class ContourTracer {
     out.normal = size > 0 ? n / size : np;
     // Cubic with tangents in the tangent planes of the ends [Vlachos2001].
     const Point3 rise = (1 - t) * t * (t * glm::dot(d, nq) * nq - (1 - t) * glm::dot(d, np) * np);
-    out.sag = sag_at(scene_, patch_, side);
+    out.sag = sag;
     const double most = std::min(kHighestRise * glm::length(d), kHighestRiseInSags * out.sag), height = glm::length(rise);
     out.on_surface = out.on_mesh + (height > most ? rise * (most / height) : rise);
     if (fitted) {

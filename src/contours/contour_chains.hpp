@@ -23,6 +23,7 @@ struct ContourNode {
   Point3 tangent{0, 0, 0};      ///< of the contour on the surface, g grows to its right; zero when not known
   double radial = 0;            ///< where there is a tangent: its product with normal x sight, of unit length; 0 at a cusp
   double sag = 0;               ///< how far the mesh may lie from the surface there, model units
+  double sag_ahead = 0;         ///< that of the triangle of the segment that leaves the node
   double most_mm = 0;           ///< largest distance from the mesh's outline on the page (contour_support.hpp)
   double bulge_mm = 0;          ///< largest rise over its chord of the segment that leaves the node, on the page
   std::uint32_t meets = kNone;  ///< at a border of the region: the vertex of the scene through which the mesh's outline runs

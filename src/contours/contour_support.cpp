@@ -8,7 +8,6 @@
 
 #include "contours/contour_junctions.hpp"
 #include "contours/contour_sights.hpp"
-#include "contours/rulings.hpp"
 #include "geometry/nearest_on_segment.hpp"
 #include "view/view.hpp"
 
@@ -72,7 +71,7 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
       place.lift = glm::length(page_point(view, node.on_surface) - page_point(view, node.on_mesh));
       place.counts = place.sag <= kLargestSagMm && in_window(view, place.mm);
     }
-    middles_[c] = middles_of(scene, patch, *chains[c], places_[c]);
+    middles_[c] = middles_of(*chains[c], places_[c]);
     for (const std::vector<Place>* places : {&places_[c], &middles_[c]}) {
       for (const Place& place : *places) {
         if (place.counts) finder.expect(place.mm - Point2(reach(place)), place.mm + Point2(reach(place)));
@@ -87,12 +86,16 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
   }
   const auto measure = [&](Place& place) {
     if (!place.counts) return;
-    place.away = reach(place);
-    finder.near(place.mm - Point2(place.away), place.mm + Point2(place.away), [&](const PageSegment& s) {
-      const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);
-      const double away = glm::length(nearest - place.mm);
-      if (away < place.away) place.away = away, place.outline = nearest;
-    });
+    // Most places have an outline as near as is right: the wide search is for the others.
+    for (const double radius : {most_away(place), reach(place)}) {
+      place.away = radius;
+      finder.near(place.mm - Point2(radius), place.mm + Point2(radius), [&](const PageSegment& s) {
+        const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);
+        const double away = glm::length(nearest - place.mm);
+        if (away < place.away) place.away = away, place.outline = nearest;
+      });
+      if (place.away < radius) break;
+    }
   };
   for (std::size_t c = 0; c < chains.size(); ++c) {
     std::ranges::for_each(places_[c], measure);
@@ -100,16 +103,15 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
   }
 }
 
-std::vector<ContourSupport::Place> ContourSupport::middles_of(const Scene& scene, const SmoothPatch& patch,
-                                                              const ContourChain& chain,
+std::vector<ContourSupport::Place> ContourSupport::middles_of(const ContourChain& chain,
                                                               const std::vector<Place>& places) const {
   std::vector<Place> middles(chain.size());
   for (std::size_t i = 0; i < middles.size(); ++i) {
     const Place &a = places[i], &b = places[i + 1];
     Place& middle = middles[i];
     middle.mm = (a.mm + b.mm) / 2.0;
-    middle.sag = sag_of(scene, patch, chain.triangles[i]) *
-                 glm::length(page_direction(view_, chain.nodes[i].on_mesh, view_.camera.right));
+    const ContourNode& node = chain.nodes[i];
+    middle.sag = node.sag_ahead * glm::length(page_direction(view_, node.on_mesh, view_.camera.right));
     middle.counts = a.counts && b.counts;
   }
   return middles;

@@ -41,8 +41,7 @@ class ContourSupport {
   };
 
   /// The middles of the chords between places, with the sags of their triangles.
-  std::vector<Place> middles_of(const Scene& scene, const SmoothPatch& patch, const ContourChain& chain,
-                                const std::vector<Place>& places) const;
+  std::vector<Place> middles_of(const ContourChain& chain, const std::vector<Place>& places) const;
   double most_away(const Place& place) const { return place.sag + pen_width_mm_ / 2; }
   double reach(const Place& place) const;
   double mean(double Place::*value) const;

@@ -222,9 +222,4 @@ double sag_of(const Scene& scene, const SmoothPatch& patch, std::uint32_t t) {
   return sum;
 }
 
-double sag_at(const Scene& scene, const SmoothPatch& patch, std::uint32_t side) {
-  const double sag = sag_of(scene, patch, side / 3);
-  return patch.across[side] == kNone ? sag : std::max(sag, sag_of(scene, patch, patch.across[side] / 3));
-}
-
 }  // namespace ligne

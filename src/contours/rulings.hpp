@@ -17,13 +17,10 @@ namespace ligne {
 /// triangles, unit length or zero. Sets SmoothPatch::ruled, and g of the sectors that change.
 void square_to_rulings(const Scene& scene, const Camera& camera, std::span<const Point3> face_normals, SmoothPatch& patch);
 
-/// How far a triangle may lie from the smooth surface, model units: the sum over its edges. A face of width w (from an edge
-/// to its farthest vertex) that bends by the angle t against its neighbour is the chord of an arc of height w/2 tan(t/4);
-/// beside a much narrower neighbour the width of that one counts. Half of a rectangle has the sum of two such arcs, and the
-/// middle of an equilateral triangle lies 8/9 of the sum of three from the surface.
+/// The sag of a triangle: how far it may lie from the smooth surface, model units. A face of width w (from an edge to its
+/// farthest vertex) that bends by the angle t against its neighbour is the chord of an arc of height w/2 tan(t/4); beside a
+/// much narrower neighbour the width of that one counts. The sag is the sum over the edges: half of a rectangle has the sum
+/// of two such arcs, and the middle of an equilateral triangle lies 8/9 of the sum of three from the surface.
 double sag_of(const Scene& scene, const SmoothPatch& patch, std::uint32_t triangle);
-
-/// The larger one of the sags of the triangles at a side.
-double sag_at(const Scene& scene, const SmoothPatch& patch, std::uint32_t side);
 
 }  // namespace ligne
