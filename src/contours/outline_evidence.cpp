@@ -115,7 +115,7 @@ std::vector<ContourRun> hidden_parts(std::span<const Part> parts, const PagePiec
   }
   // Where nothing of the outline is seen all along, hollows hide it too.
   if (!any_seen && 2 * unseen > all) return {{parts.front().from, parts.back().to, kHiddenState}};
-  const std::vector<ContourRun> found = rows(parts, shortest_mm, kHiddenState, [&](const Part& part) {
+  std::vector<ContourRun> found = rows(parts, shortest_mm, kHiddenState, [&](const Part& part) {
     return outlines.at(part.middle, part.reach) == Evidence::hidden;
   });
   if (!found.empty()) return found;
