@@ -88,7 +88,7 @@ class TomlTable {
     return " from " + std::to_string(low) + " to " + std::to_string(high);
   }
 
-  /// What `read` makes of a node, which is nothing where the node is of another kind: then this fails with `cause`.
+  /// Returns the value that `read` finds in a node. Fails with `cause` if the node is of another kind.
   template <class T, class Read>
   T read_or_fail(const toml::node& node, const std::string& cause, const Read& read) const {
     std::optional<T> value = read(node);

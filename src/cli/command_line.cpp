@@ -34,7 +34,7 @@ Examples:
   ligne methods
   ligne study --list)help";
 
-/// What the command line has too much, and what was probably meant.
+/// Names the words of the command line that no option takes, and suggests what was probably meant.
 std::string complaint_about_extras(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();

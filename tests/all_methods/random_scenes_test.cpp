@@ -37,8 +37,8 @@ ViewOf standard_view(std::size_t number) {
   };
 }
 
-/// What the methods do wrong in the view, in words; empty when nothing. Of their other variants one is asked. In the first
-/// tier a method draws all edges of one scene and the features of the next.
+/// Describes the faults of all methods in the view; empty if there are none. One further variant of each is asked, too. In
+/// the first tier a method draws all edges of one scene and the features of the next.
 std::string faults_in(Scene scene, const std::string& name, const ViewOf& view, std::size_t number) {
   Warnings warnings;
   finish_scene(scene, warnings);

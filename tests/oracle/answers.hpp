@@ -20,8 +20,8 @@ struct Answers {
 /// Asks the oracle.
 Answers answers_of(const Oracle& oracle);
 
-/// The same answers, read from the folder that LIGNE_ORACLE_CACHE names, or asked and written there. Without that variable
-/// the oracle is asked each time.
+/// Reads the answers from the folder that LIGNE_ORACLE_CACHE names, or asks the oracle and writes them there. Without that
+/// variable it asks each time.
 Answers answers_of(const ligne::Scene& scene, const View& view, double crease_degrees, Glass glass);
 
 /// The name of the file of these answers: a hash of all that the oracle reads of the scene and the view, and of its source.

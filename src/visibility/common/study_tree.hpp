@@ -103,7 +103,7 @@ class TreeMethod : public Method {
     return std::make_shared<Tree>(bytes, scene);
   }
 
-  /// The same with a tree that was built from the scene's model before, for this view or another one.
+  /// Takes a tree that was built from the scene's model before, for this view or another one.
   VisibilityResult study(const Tree& tree, const ProjectedScene& scene, const StudyOptions& options) const {
     VisibilityResult result = study_tree(tree, scene, options);
     count(tree.counts(), result.statistics);
