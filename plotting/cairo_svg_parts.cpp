@@ -1,13 +1,13 @@
 #include "plotting/cairo_svg_parts.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <initializer_list>
 #include <map>
 #include <stdexcept>
 
 #include <pugixml.hpp>
 
+#include "geometry/portable.hpp"
 #include "plotting/number_text.hpp"
 
 namespace ligne {
@@ -108,7 +108,7 @@ double printed_number(const char*& text, const char* end) {
   }
   if (text - first == (point ? 1 : 0) || text - first > kExactDigits) {  // no number, or a long one
     double value = 0;
-    const auto [rest, error] = std::from_chars(start, end, value);
+    const auto [rest, error] = from_chars(start, end, value);
     if (error != std::errc{}) fail({start, end});
     text = rest;
     return value;

@@ -1,12 +1,12 @@
 #include "plotting/page.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "files/message_text.hpp"
+#include "geometry/portable.hpp"
 
 namespace ligne {
 namespace {
@@ -44,7 +44,7 @@ constexpr std::array<double, 3> kDebugColor{0.8, 0, 0}, kTransparentColor{0.5, 0
 std::pair<double, std::string_view> split_unit(std::string_view text) {
   double value = 0;
   const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  const auto [rest, error] = from_chars(text.data(), end, value);
   if (error == std::errc::result_out_of_range) throw std::invalid_argument("length out of range: " + shown(text));
   if (error != std::errc{}) throw std::invalid_argument("not a length: " + shown(text));
   if (!std::isfinite(value)) throw std::invalid_argument("length is not finite: " + shown(text));

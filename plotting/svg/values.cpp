@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "files/message_text.hpp"
+#include "geometry/portable.hpp"
 #include "plotting/pens.hpp"
 
 namespace ligne::svg {
@@ -87,7 +87,7 @@ double Scanner::number() {
   // from_chars knows "inf" and "nan", SVG does not.
   const bool starts = !rest.empty() && ((rest[0] >= '0' && rest[0] <= '9') || rest[0] == '.' ||
                                         (rest[0] == '-' && rest.data() == text_.data()));
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  const auto [end, error] = from_chars(rest.data(), rest.data() + rest.size(), value);
   if (!starts || error != std::errc() || !std::isfinite(value)) fail(text_, "does not begin with a number");
   text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
   return value;

@@ -1,11 +1,13 @@
 #include "drawing/end_grid.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
 #include "drawing/stroke_overlap.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/portable.hpp"
 
 namespace ligne {
 namespace {
@@ -104,7 +106,7 @@ void EndGrid::refine_if_crowded(std::size_t c, const Cells& cells) {
 void EndGrid::settle_end(LatticePoint p) {
   if (ends_.empty()) return;
   const std::size_t c = cell_of(p);
-  std::atomic_ref(open_[c]).fetch_sub(1, std::memory_order_relaxed);
+  AtomicRef<std::uint32_t>(open_[c]).fetch_sub(1, std::memory_order_relaxed);
   if (EndGrid* const finer = finer_in(c)) finer->settle_end(p);
 }
 

@@ -10,6 +10,7 @@
 
 #include "drawing/key_table.hpp"
 #include "drawing/stroke_directions.hpp"
+#include "geometry/portable.hpp"
 
 namespace ligne {
 
@@ -89,7 +90,8 @@ class EndGrid {
   void walk(LatticePoint from, LatticePoint to, double margin, const Settled& settled, const Visit& visit);
   template <class Settled>
   bool passed_over(std::size_t c, const Settled& settled) {
-    return first_[c] == first_[c + 1] || (settled() && std::atomic_ref(open_[c]).load(std::memory_order_relaxed) == 0);
+    return first_[c] == first_[c + 1] ||
+           (settled() && AtomicRef<const std::uint32_t>(open_[c]).load(std::memory_order_relaxed) == 0);
   }
 
   DirectionFrame frame_;

@@ -14,6 +14,7 @@
 #include "drawing/stroke_overlap.hpp"
 #include "drawing/stroke_tree.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/portable.hpp"
 
 namespace ligne {
 namespace {
@@ -165,7 +166,7 @@ class PartnerSearch {
     search_near_ends();
   }
 
-  void mark(std::uint32_t i) { std::atomic_ref(result_[i]).store(Partners::some, std::memory_order_relaxed); }
+  void mark(std::uint32_t i) { AtomicRef<Partners>(result_[i]).store(Partners::some, std::memory_order_relaxed); }
 
  private:
   using End = EndGrid::End;
@@ -177,7 +178,7 @@ class PartnerSearch {
     return static_cast<std::size_t>(stroke_directions::range_of(stroke_directions::direction(from, to)));
   }
   bool has_partner(std::uint32_t i) const {
-    return std::atomic_ref(result_[i]).load(std::memory_order_relaxed) == Partners::some;
+    return AtomicRef<Partners>(result_[i]).load(std::memory_order_relaxed) == Partners::some;
   }
   void file(const std::vector<std::uint32_t>& candidates);
   void search_along();
@@ -214,7 +215,7 @@ void PartnerSearch::file(const std::vector<std::uint32_t>& candidates) {
 }
 
 void PartnerSearch::settle(const End& end) {
-  if (std::atomic_ref(result_[end.stroke]).exchange(Partners::some, std::memory_order_relaxed) == Partners::some) return;
+  if (AtomicRef<Partners>(result_[end.stroke]).exchange(Partners::some, std::memory_order_relaxed) == Partners::some) return;
   EndGrid& grid = grids_[group_of(end.p, end.far)];
   grid.settle_end(end.p);
   grid.settle_end(end.far);

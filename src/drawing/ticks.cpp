@@ -8,6 +8,8 @@
 #include <limits>
 #include <string_view>
 
+#include "geometry/portable.hpp"
+
 namespace ligne {
 namespace {
 
@@ -39,7 +41,7 @@ Decimal shortened(Decimal d) {
 double value_of(Decimal d) {
   const std::string text = std::to_string(d.n) + "e" + std::to_string(d.exponent);
   double value = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto result = from_chars(text.data(), text.data() + text.size(), value);
   if (result.ec == std::errc{}) return value;
   return d.exponent < 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), static_cast<double>(d.n));
 }

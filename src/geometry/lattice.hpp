@@ -6,6 +6,7 @@
 /// is exact in plain double arithmetic, with no filter and no fallback. The step is a power of two in millimetres, about
 /// 8 nm on A4 and 31 nm on A0, far below the micrometre that a drawing owes. See docs/numerics.md.
 
+#include <compare>
 #include <cstdint>
 
 #include "geometry/point.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <compare>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -168,18 +169,16 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated_faces(const Projec
     if (end - begin == triangles_of_face[face] && !transparent) faces.push_back({face, begin, end});
     begin = end;
   }
-  const auto compare = [&](const Face& a, const Face& b) {
-    return std::lexicographical_compare_three_way(
-        repeated.begin() + static_cast<std::ptrdiff_t>(a.begin), repeated.begin() + static_cast<std::ptrdiff_t>(a.end),
-        repeated.begin() + static_cast<std::ptrdiff_t>(b.begin), repeated.begin() + static_cast<std::ptrdiff_t>(b.end),
-        [](const Repeated& l, const Repeated& r) { return l.first <=> r.first; });
+  const auto run = [&](const Face& face) { return std::span(repeated).subspan(face.begin, face.end - face.begin); };
+  const auto equal = [&](const Face& a, const Face& b) {
+    return std::ranges::equal(run(a), run(b), {}, &Repeated::first, &Repeated::first);
   };
   std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
   for_each_equal(
-      std::span(faces), [&](const Face& a, const Face& b) { return compare(a, b) == 0; },
+      std::span(faces), equal,
       [&](const Face& a, const Face& b) {
-        const auto order = compare(a, b);
-        return order != 0 ? order < 0 : a.face < b.face;
+        if (equal(a, b)) return a.face < b.face;
+        return std::ranges::lexicographical_compare(run(a), run(b), {}, &Repeated::first, &Repeated::first);
       },
       [&](const Face& first, const Face& other) { result.emplace_back(other.face, first.face); });
   std::sort(result.begin(), result.end());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "files/message_text.hpp"
+#include "geometry/portable.hpp"
 #include "plotting/page.hpp"
 #include "plotting/pens.hpp"
 
@@ -32,7 +33,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 std::optional<double> number(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "drawing/drawing.hpp"
 #include "files/input_error.hpp"
 #include "files/message_text.hpp"
+#include "geometry/portable.hpp"
 #include "picture/errors.hpp"
 #include "picture/parse/parse.hpp"
 #include "plotting/page.hpp"
@@ -219,7 +219,7 @@ MemoryLimit parse_memory(const std::string& text) {
   if (text == "none") return {};
   double number = 0;
   const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  const auto [rest, error] = from_chars(text.data(), end, number);
   std::string suffix = lower_case({rest, end});
   constexpr std::string_view kUnits = "kmgt";
   const std::size_t unit = suffix.empty() ? std::string_view::npos : kUnits.find(suffix[0]);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/parallel.hpp"
+#include "geometry/portable.hpp"
 #include "picture/stream/stream_passes.hpp"
 #include "picture/stream/streamed_crowds.hpp"
 
@@ -94,7 +95,7 @@ std::vector<std::uint32_t> first_vertices(const TriangleFile& file, const PlaceT
       const std::uint32_t place = table.find(positions[i - begin]);
       crowds.count(positions[i - begin], place != kNone);
       if (place == kNone) continue;
-      std::atomic_ref<std::uint32_t> lowest(first[place]);
+      AtomicRef<std::uint32_t> lowest(first[place]);
       std::uint32_t known = lowest.load(std::memory_order_relaxed);
       while (i < known && !lowest.compare_exchange_weak(known, static_cast<std::uint32_t>(i), std::memory_order_relaxed)) {
       }

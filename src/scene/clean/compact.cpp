@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "geometry/parallel.hpp"
+#include "geometry/portable.hpp"
 
 namespace ligne {
 namespace {
@@ -36,7 +37,7 @@ void drop_unused_vertices(Scene& scene) {
   // Several threads may mark one vertex; all of them write the same.
   std::vector<std::uint8_t> used(n, 0);
   for_blocks(corners.size(), [&](std::size_t k) {
-    std::atomic_ref<std::uint8_t> mark(used[corners[k]]);
+    AtomicRef<std::uint8_t> mark(used[corners[k]]);
     if (!mark.load(std::memory_order_relaxed)) mark.store(1, std::memory_order_relaxed);
   });
   std::vector<std::uint32_t> new_index(n + 1);

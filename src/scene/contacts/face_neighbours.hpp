@@ -1,6 +1,7 @@
 #pragma once
 /// The faces beside some faces of a scene.
 
+#include <compare>
 #include <cstdint>
 #include <tuple>
 #include <vector>

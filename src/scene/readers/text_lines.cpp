@@ -5,6 +5,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "geometry/portable.hpp"
+
 namespace ligne {
 namespace {
 
@@ -73,7 +75,7 @@ bool starts_with_ignoring_case(std::string_view text, std::string_view beginning
 std::optional<double> number_in(std::string_view word) {
   word = without_plus(word);
   double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [end, error] = from_chars(word.data(), word.data() + word.size(), value);
   if (word.empty() || end != word.data() + word.size()) return {};
   if (error == std::errc::result_out_of_range) {
     // Out of range upwards needs a positive exponent or hundreds of digits before the point.

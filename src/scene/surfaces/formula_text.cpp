@@ -1,13 +1,13 @@
 #include "scene/surfaces/formula_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <system_error>
 #include <utility>
 
+#include "geometry/portable.hpp"
 #include "scene/readers/text_lines.hpp"
 
 namespace ligne {
@@ -164,7 +164,7 @@ class Preparation {
   void take_number() {
     const char* const begin = formula_.data() + at_;
     double value = 0;
-    const auto [end, failure] = std::from_chars(begin, formula_.data() + formula_.size(), value);
+    const auto [end, failure] = from_chars(begin, formula_.data() + formula_.size(), value);
     const std::string_view token(begin, static_cast<std::size_t>(end - begin));
     if (failure == std::errc::invalid_argument) throw error("'.' is not a number");
     if (failure != std::errc{} || !std::isfinite(value)) throw error(shown(token) + " is out of the range of numbers");

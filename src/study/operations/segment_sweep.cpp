@@ -1,6 +1,7 @@
 #include "study/operations/segment_sweep.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <numeric>
 #include <optional>

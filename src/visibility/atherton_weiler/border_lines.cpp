@@ -1,6 +1,7 @@
 #include "visibility/atherton_weiler/border_lines.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <utility>
 
 #include "geometry/parallel.hpp"

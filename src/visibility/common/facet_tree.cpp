@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <compare>
 
 #include "geometry/parallel.hpp"
 #include "visibility/common/facet_functions.hpp"

@@ -5,6 +5,7 @@
 /// "On" counts as above, so that a segment through a common corner of two facets is found once.
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <mutex>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <compare>
 #include <numeric>
 
 #include "geometry/parallel.hpp"
