@@ -61,9 +61,11 @@ MatrixView<T> matrix(const py::array& array) {
   return m;
 }
 
-/// What the conversion reads, with the interpreter's lock given up.
+/// What the conversion reads, with the interpreter's lock given up: no reference is taken there, so that what asks numpy for
+/// an object (the kind of values) is asked before.
 struct MeshArrays {
   py::array vertices, corners;
+  bool corners_are_signed = true;
   FaceLists lists;
   FaceLabels labels;
   std::optional<double> precision;
@@ -74,10 +76,10 @@ Scene scene_of(MeshArrays& arrays) {
   std::vector<Point3> points =
       single ? read_vertices(matrix<float>(arrays.vertices)) : read_vertices(matrix<double>(arrays.vertices));
   PolygonFaces faces;
-  const bool is_signed = arrays.corners.dtype().kind() == 'i', wide = arrays.corners.itemsize() == 8;
-  if (is_signed && wide) {
+  const bool wide = arrays.corners.itemsize() == 8;
+  if (arrays.corners_are_signed && wide) {
     read_faces(matrix<std::int64_t>(arrays.corners), arrays.lists, points.size(), faces);
-  } else if (is_signed) {
+  } else if (arrays.corners_are_signed) {
     read_faces(matrix<std::int32_t>(arrays.corners), arrays.lists, points.size(), faces);
   } else if (wide) {
     read_faces(matrix<std::uint64_t>(arrays.corners), arrays.lists, points.size(), faces);
@@ -100,7 +102,13 @@ std::shared_ptr<SceneHolder> make_mesh(py::array vertices, py::array corners, st
                                        std::optional<double> precision, const std::string& up_axis, const py::dict& options,
                                        py::handle threads) {
   ModelRequest request = model_request(options);
-  MeshArrays arrays{std::move(vertices), std::move(corners), {std::move(contour_end), std::move(face_end)}, {}, precision};
+  const bool corners_are_signed = corners.dtype().kind() == 'i';
+  MeshArrays arrays{std::move(vertices),
+                    std::move(corners),
+                    corners_are_signed,
+                    {std::move(contour_end), std::move(face_end)},
+                    {},
+                    precision};
   arrays.labels = {std::move(object), std::move(object_names), std::move(material), {}};
   for (const auto& [name, red, green, blue, opacity] : materials) {
     arrays.labels.materials.push_back({name, {red, green, blue}, opacity});
