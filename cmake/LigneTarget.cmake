@@ -5,8 +5,9 @@
 add_library(ligne_flags INTERFACE)
 # No flag here changes a value: errno and floating-point traps are never looked at.
 target_compile_options(ligne_flags INTERFACE -Wall -Wextra -ffp-contract=off -fno-math-errno -fno-trapping-math)
-# GCC 12 sees copies that overlap or leave their bounds in "literal" + std::string where there are none (GCC bug 105651).
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+# GCC 12 to 14 see copies that overlap or leave their bounds in "literal" + std::string and in copies of vectors where there are none
+# (GCC bug 105651 and others).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15)
   target_compile_options(ligne_flags INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
 endif()
 # Functions of a shared library call each other directly, as in a program.
@@ -44,7 +45,7 @@ endfunction()
 # ligne_library(NAME SOURCES file... LINKS target... PRIVATE_LINKS target...)
 function(ligne_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
-  set(gate ${CMAKE_BINARY_DIR}/include/${name})
+  set(gate ${PROJECT_BINARY_DIR}/include/${name})
   file(MAKE_DIRECTORY ${gate})
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${gate}/${name} SYMBOLIC)
   add_library(ligne_${name} STATIC ${ARG_SOURCES})
