@@ -1,13 +1,18 @@
 #!/usr/bin/env bash
 # check.sh [BASE]: the rules that no compiler keeps: format, links and names in the documentation, includes, planted faults
-# that still apply; and clang-tidy on the sources changed since BASE (default: the parent commit).
+# that still apply; and clang-tidy on the sources changed since BASE (default: the parent commit). LIGNE_CHECK_BASE is another way to
+# name BASE; where it is no commit of this clone, as on the first push of a branch, the parent commit is taken.
 set -euo pipefail
 
 root=$(cd -P "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 cd "$root"
 source scripts/setup.sh
 install_packages "$check_packages"
-base=${1:-HEAD~1}
+base=${1:-}
+if [[ -z $base ]]; then
+  base=${LIGNE_CHECK_BASE:-HEAD~1}
+  git rev-parse --verify -q "$base^{commit}" >/dev/null || base=HEAD~1
+fi
 failed=0
 fail() {
   echo "check: $1" >&2
@@ -24,9 +29,14 @@ for patch in tests/planted_faults/*.patch; do
   patch --dry-run -s -p1 <"$patch" >/dev/null || fail "$patch does not apply any more"
 done
 
+# Without the commit to compare with, clang-tidy would be left out and nobody told.
+git rev-parse --verify -q "$base^{commit}" >/dev/null ||
+  { echo "check: $base is not in this clone; fetch more of its history (git fetch --unshallow, or fetch-depth: 2)" >&2 && exit 1; }
+
 # The compile commands are those of a release without tests. Headers precompiled by one compiler are of no use to another.
 build=build/check
-mapfile -t changed < <(git diff --name-only --diff-filter=d "$base" -- 'src/*.cpp' 'plotting/*.cpp' 2>/dev/null)
+mapfile -t changed < <(git diff --name-only --diff-filter=d "$base" -- 'src/*.cpp' 'plotting/*.cpp')
+echo "check: clang-tidy on ${#changed[@]} sources changed since $(git rev-parse --short "$base")"
 if ((${#changed[@]} > 0)); then
   install_packages "$build_packages"
   cmake -S . -B "$build" -G Ninja -DLIGNE_TESTS=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null

@@ -41,6 +41,7 @@ python3-matplotlib   python:matplotlib               recipes of docs/python.md
 python3-shapely      python:shapely                  the same
 '
 readonly check_packages='
+git                  cmd:git                         names of the sources, and which have changed
 clang-format         cmd:clang-format                format of the sources
 clang-tidy           cmd:clang-tidy                  mistakes and needless copies
 python3              cmd:python3                     checks of the documentation
