@@ -18,3 +18,25 @@ function(collect_headers variable file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${found})
   set(${variable} ${found} PARENT_SCOPE)
 endfunction()
+
+# write_public_headers(FOLDER UMBRELLA): the umbrella header and all headers of ours that it includes, written to FOLDER/ligne as
+# others include them. The sources say "view/view.hpp"; there they say "ligne/view/view.hpp", so that one include folder serves and a
+# project's own "view/view.hpp" stays its own.
+function(write_public_headers folder umbrella)
+  collect_headers(headers ${umbrella})
+  set(names "")
+  foreach(header IN LISTS headers)
+    string(REGEX REPLACE "^${PROJECT_SOURCE_DIR}/(src/|package/)?" "" name ${header})
+    list(APPEND names ${name})
+    file(READ ${header} text)
+    string(REGEX REPLACE "(^|\n)#include \"" "\\1#include \"ligne/" text "${text}")
+    file(CONFIGURE OUTPUT ${folder}/ligne/${name} CONTENT "${text}" @ONLY)
+  endforeach()
+  # Headers that are public no longer.
+  file(GLOB_RECURSE written RELATIVE ${folder}/ligne ${folder}/ligne/*)
+  foreach(name IN LISTS written)
+    if(NOT name IN_LIST names)
+      file(REMOVE ${folder}/ligne/${name})
+    endif()
+  endforeach()
+endfunction()

@@ -25,7 +25,7 @@ for fuzzer in geometry gltf glb obj stl ply asc scene tree zbuf svg drawing; do
   [[ -z $(find "$found" -maxdepth 1 -name "$fuzzer-*" -print -quit) ]] || status=1
 done
 
-cmake --preset default
-cmake --build --preset default
-LIGNE_RANDOM_SCENES=${LIGNE_RANDOM_SCENES:-1000000} LIGNE_CHECK_ALL=1 LIGNE_TEST_TIER=all ctest --preset default --parallel "$(nproc)" || status=1
+cmake --preset test
+cmake --build --preset test
+LIGNE_RANDOM_SCENES=${LIGNE_RANDOM_SCENES:-1000000} LIGNE_CHECK_ALL=1 LIGNE_TEST_TIER=all ctest --preset test --parallel "$(nproc)" || status=1
 exit $status

@@ -74,7 +74,7 @@ if [[ -d $root/../shared/models ]]; then
   ln -sfn "$(cd "$root/../shared/models" && pwd)" "$work/shared/models"
 fi
 
-options=(-DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=${LIGNE_LEVEL:--O1}" -DLIGNE_UNITY=ON -DLIGNE_PYTHON=OFF -DLIGNE_INSTALL=OFF)
+options=(-DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=${LIGNE_LEVEL:--O1}" -DLIGNE_UNITY=ON -DLIGNE_TESTS=ON -DLIGNE_INSTALL=OFF)
 if command -v ccache >/dev/null; then
   options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros

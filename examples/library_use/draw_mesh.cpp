@@ -3,9 +3,7 @@
 #include <exception>
 #include <iostream>
 
-#include "picture/draw_scene.hpp"
-#include "picture/models.hpp"
-#include "plotting/output_file.hpp"
+#include <ligne/ligne.hpp>
 
 int main(int argc, char** argv) {
   using namespace ligne;

@@ -3,8 +3,7 @@
 #include <exception>
 #include <iostream>
 
-#include "picture/surface/surface_picture.hpp"
-#include "plotting/output_file.hpp"
+#include <ligne/ligne.hpp>
 
 int main(int argc, char** argv) {
   using namespace ligne;

@@ -6,8 +6,7 @@
 #include <iostream>
 #include <optional>
 
-#include "picture/models.hpp"
-#include "picture/scene_study.hpp"
+#include <ligne/ligne.hpp>
 
 namespace {
 

@@ -1,0 +1,28 @@
+# Builds a project outside that adds the source of the library: by add_subdirectory with a static library, then by FetchContent with a
+# shared one, which is installed and used from there as well. Both builds have the same folders below their own, for ccache.
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+if(NOT "$ENV{LIGNE_TEST_TIER}" STREQUAL all)
+  message("skipped: builds the library twice, which is for ./test.sh --all")
+  return()
+endif()
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER})
+run(${LIGNE} draw ${MODEL} -q -o ${FOLDER}/command.svg)
+set(common -S ${CMAKE_CURRENT_LIST_DIR}/added_project -G ${GENERATOR} -D LIGNE_SOURCE=${SOURCE} -D CMAKE_CXX_COMPILER=${COMPILER}
+           -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_INSTALL_LIBDIR=${LIBDIR})
+function(build_and_draw name)
+  run(${CMAKE_COMMAND} ${common} -B ${FOLDER}/${name} -D FETCHCONTENT_BASE_DIR=${FOLDER}/${name} ${ARGN})
+  run(${CMAKE_COMMAND} --build ${FOLDER}/${name})
+  foreach(program draw clash)
+    run(${FOLDER}/${name}/${program} ${MODEL} ${FOLDER}/${name}-${program}.svg)
+    compare(${name}-${program}.svg)
+  endforeach()
+endfunction()
+build_and_draw(added)
+build_and_draw(fetched -D FETCH=ON -D BUILD_SHARED_LIBS=ON -D LIGNE_INSTALL=ON)
+
+set(BUILD ${FOLDER}/fetched)
+set(SHARED ON)
+set(FOLDER ${FOLDER}/installed)
+file(MAKE_DIRECTORY ${FOLDER})
+include(${CMAKE_CURRENT_LIST_DIR}/use_installed.cmake)

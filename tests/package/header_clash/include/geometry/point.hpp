@@ -1,0 +1,7 @@
+#pragma once
+
+namespace outside {
+struct Point {
+  int x, y;
+};
+}  // namespace outside

@@ -1,0 +1,10 @@
+# run(COMMAND ARGUMENT...): fails with what the command says. compare(FILE): FILE in FOLDER has the bytes of command.svg.
+function(run)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE failed)
+  if(failed)
+    message(FATAL_ERROR "${ARGN}\n${output}")
+  endif()
+endfunction()
+function(compare file)
+  run(${CMAKE_COMMAND} -E compare_files ${FOLDER}/${file} ${FOLDER}/command.svg)
+endfunction()
