@@ -1,6 +1,5 @@
-# Debian packages by cpack: ligne, libligne-dev and, where it is built, python3-ligne. Made from a build of its own:
-#   cmake -S . -B build/deb -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DLIGNE_TESTS=OFF -DLIGNE_PYTHON=ON
-#   cmake --build build/deb && (cd build/deb && cpack)
+# Debian packages by cpack: ligne, libligne-dev, with a shared library libligne0.2 (named by its soname), and, where it is built,
+# python3-ligne. The README has the commands; they need a build of their own with the prefix /usr.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ligne)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -14,6 +13,8 @@ set(CPACK_COMPONENTS_ALL ligne libligne-dev)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_DEBIAN_LIGNE_PACKAGE_NAME ligne)
@@ -26,16 +27,27 @@ and G-code for pen plotters.")
 
 set(CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_NAME libligne-dev)
 set(CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS
-    "libglm-dev, libcairo2-dev, libmuparser-dev, libpng-dev, libpugixml-dev, libtbb-dev")
-if(TARGET TIFF::TIFF)
-  string(APPEND CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS ", libtiff-dev")
-endif()
-if(TARGET GDAL::GDAL)
-  string(APPEND CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS ", libgdal-dev")
-endif()
-if(DRACO_INCLUDE_DIR AND DRACO_LIBRARY)
-  string(APPEND CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS ", libdraco-dev")
+if(BUILD_SHARED_LIBS)
+  list(APPEND CPACK_COMPONENTS_ALL ${runtime_component})
+  string(TOUPPER ${runtime_component} runtime_key)
+  set(CPACK_DEBIAN_${runtime_key}_PACKAGE_NAME ${runtime_component})
+  set(CPACK_DEBIAN_${runtime_key}_PACKAGE_SECTION libs)
+  set(CPACK_DEBIAN_${runtime_key}_PACKAGE_DEPENDS fonts-dejavu-core)
+  set(CPACK_COMPONENT_${runtime_key}_DESCRIPTION "exact hidden-line drawings of 3D meshes, shared library
+The library that programs made with libligne-dev run with.")
+  set(CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS "${runtime_component} (= ${PROJECT_VERSION}-1), libglm-dev")
+else()
+  set(CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS
+      "libglm-dev, libcairo2-dev, libmuparser-dev, libpng-dev, libpugixml-dev, libtbb-dev")
+  if(TARGET TIFF::TIFF)
+    string(APPEND CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS ", libtiff-dev")
+  endif()
+  if(TARGET GDAL::GDAL)
+    string(APPEND CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS ", libgdal-dev")
+  endif()
+  if(DRACO_INCLUDE_DIR AND DRACO_LIBRARY)
+    string(APPEND CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS ", libdraco-dev")
+  endif()
 endif()
 set(CPACK_COMPONENT_LIBLIGNE-DEV_DESCRIPTION "exact hidden-line drawings of 3D meshes, C++ library
 Headers and library for programs of one's own, found by CMake and by
@@ -53,29 +65,9 @@ if(LIGNE_PYTHON)
 Meshes as numpy arrays in, visible strokes as numpy arrays or files out.")
 endif()
 
-# What every package has of documentation.
+# Files of Debian alone (copyright and changelog in share/doc, its folder of completions) come into the packages when cpack makes them
+# (debian_files.cmake), and are not installed by cmake --install.
 string(TIMESTAMP changelog_date "%a, %d %b %Y 00:00:00 +0000" UTC)
-file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/copyright
-     "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/\nUpstream-Name: ligne\n\nFiles: *\n")
-file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
-string(REGEX MATCH "Copyright[^\n]*" copyright_line "${license}")
-string(REGEX REPLACE "^Copyright *(\\([cC]\\))? *" "" copyright_line "${copyright_line}")
-string(REGEX REPLACE "\n\n" "\n.\n" license "${license}")
-string(STRIP "${license}" license)
-string(REGEX REPLACE "\n" "\n " license "${license}")
-file(APPEND ${CMAKE_CURRENT_BINARY_DIR}/copyright "Copyright: ${copyright_line}\nLicense: Expat\n ${license}\n")
-file(READ ${PROJECT_SOURCE_DIR}/plotting/fonts/LICENCE font_license)
-string(REGEX REPLACE "\n\n+" "\n.\n" font_license "${font_license}")
-string(STRIP "${font_license}" font_license)
-string(REGEX REPLACE "\n" "\n " font_license "${font_license}")
-file(APPEND ${CMAKE_CURRENT_BINARY_DIR}/copyright
-     "\nFiles: plotting/fonts/*\nCopyright: see the text of the licence\nLicense: Hershey\n ${font_license}\n")
-foreach(component IN LISTS CPACK_COMPONENTS_ALL)
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${component})
-  file(WRITE ${folder}/changelog.Debian
-       "${component} (${PROJECT_VERSION}-1) unstable; urgency=low\n\n  * Packages of version ${PROJECT_VERSION}; CHANGELOG.md tells what is new.\n\n -- ${CPACK_PACKAGE_CONTACT}  ${changelog_date}\n")
-  execute_process(COMMAND gzip -9nf ${folder}/changelog.Debian)
-  install(FILES ${folder}/changelog.Debian.gz ${CMAKE_CURRENT_BINARY_DIR}/copyright
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${component} COMPONENT ${component})
-endforeach()
+configure_file(debian_files.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/debian_files.cmake @ONLY)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_BINARY_DIR}/debian_files.cmake)
 include(CPack)
