@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -20,12 +21,15 @@ class CMakeBuild(build_ext):
         build = pathlib.Path(self.build_temp).resolve()
         options = [
             "-DCMAKE_BUILD_TYPE=Release",
+            "-DLIGNE_UNITY=ON",
             "-DLIGNE_PYTHON=ON",
-            "-DLIGNE_TESTS=OFF",
+            "-DLIGNE_PROGRAM=OFF",
             "-DLIGNE_INSTALL=OFF",
             f"-DPython_EXECUTABLE={sys.executable}",
             f"-DLIGNE_PYTHON_MODULE_FOLDER={target}",
         ]
+        if shutil.which("ninja"):
+            options += ["-G", "Ninja"]
         try:
             import pybind11
 
