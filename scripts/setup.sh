@@ -39,6 +39,7 @@ python3-pytest       python:pytest                   tests of the Python module
 python3-hypothesis   python:hypothesis               the same with made up arrays
 python3-matplotlib   python:matplotlib               recipes of docs/python.md
 python3-shapely      python:shapely                  the same
+python3-markdown     python:markdown                 the pages as a web site
 '
 readonly check_packages='
 git                  cmd:git                         names of the sources, and which have changed
