@@ -1,12 +1,12 @@
 #include "sight.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
+
+#include "rays_of_embree.hpp"
 
 namespace ligne::check {
 
@@ -23,7 +23,7 @@ constexpr float kBoxPad = 0x1p-20f;
 constexpr double kStartBehind = 0x1p-19;
 
 struct Query {
-  RTCIntersectContext context;
+  RayContext context;
   Point3 origin, direction, u, v;  ///< u, v: a frame of the plane at right angles to the ray
   double length;
   double tolerance;
@@ -41,7 +41,7 @@ void set_direction(Query& query, const Point3& direction) {
 Query query_to_viewer(const PageMap& map, const Point3& q, double tolerance, Touching touching) {
   const Sightline line = map.to_viewer(q);
   Query query{};
-  rtcInitIntersectContext(&query.context);
+  init_context(query.context);
   query.origin = q;
   query.length = line.length;
   query.tolerance = tolerance;
@@ -160,7 +160,7 @@ Sight::~Sight() {
 bool Sight::blocked(const Point3& q, double tolerance, Touching touching) const {
   Query query = query_to_viewer(rays_->map, q, tolerance, touching);
   RTCRay ray = float_ray(query, true);
-  rtcOccluded1(rays_->boxes, &query.context, &ray);
+  shoot(rays_->boxes, query.context, ray);
   return ray.tfar < 0;
 }
 
@@ -174,7 +174,7 @@ std::optional<Point3> Sight::in_front(const Point3& q, std::uint32_t face) const
 std::optional<Hit> Sight::seen_at(Point2 mm) const {
   const auto [origin, direction] = rays_->map.sight_through(mm);
   Query query{};
-  rtcInitIntersectContext(&query.context);
+  init_context(query.context);
   query.origin = origin;
   query.length = std::numeric_limits<double>::infinity();
   query.touching = Touching::strict;
@@ -183,7 +183,7 @@ std::optional<Hit> Sight::seen_at(Point2 mm) const {
   RTCRayHit hit{};
   hit.ray = float_ray(query, false);
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(rays_->boxes, &query.context, &hit);
+  shoot(rays_->boxes, query.context, hit);
   if (std::isinf(query.nearest.distance)) return std::nullopt;
   return query.nearest;
 }
