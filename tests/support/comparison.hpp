@@ -1,15 +1,11 @@
 #pragma once
 /// One drawing held against what the oracle says of its lines.
 
-#include <algorithm>
-#include <cstdio>
-#include <string>
-#include <vector>
-
 #include "drawing/drawing.hpp"
 #include "oracle/oracle.hpp"
 #include "support/judge.hpp"
 #include "support/page_segments.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 

@@ -1,10 +1,7 @@
 #include "support/corpus_scene.hpp"
 
-#include <algorithm>
-#include <fstream>
-#include <map>
-
 #include "scene/readers/reader.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

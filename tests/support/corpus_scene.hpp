@@ -1,13 +1,8 @@
 #pragma once
 /// The scenes of tests/corpus.
 
-#include <cstdint>
-#include <filesystem>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "scene/model/scene.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 

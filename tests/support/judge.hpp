@@ -1,12 +1,8 @@
 #pragma once
 /// The judge: any method's drawing of a scene against the oracle.
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "oracle/answers.hpp"
+#include "support/standard.hpp"
 #include "support/standard_views.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/method.hpp"

@@ -1,12 +1,9 @@
 #pragma once
 /// Scenes as a scan by lines takes them.
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
+#include "support/standard.hpp"
 #include "visibility/watkins/line_study.hpp"
 
 namespace ligne::test {
@@ -24,9 +21,7 @@ struct PreparedScan {
   std::vector<SweepLine> lines;
 
   PreparedScan(const Scene& scene, const CameraRequest& camera) {
-    const Topology topology = build_topology(scene);
-    const View view = make_view(scene, make_camera(camera, scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
-    projected = project(scene, topology, view, {classes("all"), 30});
+    projected = project_on_a4(scene, camera);
     const double coincidence = coincidence_mm(projected) / projected.lattice.step_mm;
     facets = make_facets(projected, coincidence);
     for (const ProjectedEdge& e : projected.edges)

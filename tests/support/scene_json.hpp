@@ -1,11 +1,8 @@
 #pragma once
 /// A scene as text that `ligne` reads: what a failing test shows.
 
-#include <span>
-#include <sstream>
-#include <string>
-
 #include "scene/model/scene.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 

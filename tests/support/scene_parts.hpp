@@ -13,4 +13,11 @@ using ligne::end_object;
 using ligne::kUpright;
 using ligne::rotation;
 
+/// A scene of faces without holes, each an object of its own.
+inline Scene scene_of_faces(const std::vector<std::vector<Point3>>& faces) {
+  Scene scene;
+  for (const auto& face : faces) add_face(scene, {face});
+  return scene;
+}
+
 }  // namespace ligne::test

@@ -1,16 +1,10 @@
 #pragma once
 /// The shortest way from a scene to its strokes.
 
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
 #include "drawing/drawing.hpp"
 #include "scene/model/topology.hpp"
 #include "support/scene_parts.hpp"
+#include "support/test.hpp"
 #include "view/projected_scene.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/registry.hpp"
@@ -33,16 +27,16 @@ struct Picture {
 
   /// Page length in mm of the strokes of that visibility.
   double length(bool visible = true) const {
-    double sum = 0;
-    for (const Stroke& s : model.strokes) {
-      if (s.visible == visible) sum += glm::length(model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from));
-    }
-    return sum;
+    return length_if([=](const Stroke& s) { return s.visible == visible; });
   }
   double length_of(LineClass c) const {
+    return length_if([=](const Stroke& s) { return s.visible && s.line_class == c; });
+  }
+  template <class Counts>
+  double length_if(const Counts& counts) const {
     double sum = 0;
     for (const Stroke& s : model.strokes) {
-      if (s.visible && s.line_class == c) sum += glm::length(model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from));
+      if (counts(s)) sum += glm::length(model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from));
     }
     return sum;
   }
@@ -58,19 +52,84 @@ struct PictureRequest {
 
 inline constexpr double kPageWidth = 297, kPageHeight = 210;
 
-/// The picture on an A4 sheet in landscape, the scene's centre in the middle.
+/// The view on an A4 sheet in landscape with a margin of 10 mm, as large as it fits, unless a scale is given.
+inline View view_on_a4(const Scene& scene, const CameraRequest& camera, std::optional<double> scale = {}) {
+  return make_view(scene, make_camera(camera, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
+                   {{0, 0}, {kPageWidth, kPageHeight}}, scale);
+}
+
+/// What the methods study, with its faces and edges projected onto that sheet.
+inline ProjectedScene project_on_a4(const Scene& scene, const CameraRequest& camera, const std::string& edges = "all",
+                                    std::optional<double> scale = {}) {
+  return project(scene, build_topology(scene), view_on_a4(scene, camera, scale), {classes(edges), 30});
+}
+
+/// The picture on that sheet, the scene's centre in the middle.
 inline Picture draw(const Scene& scene, const PictureRequest& request) {
-  const Topology topology = build_topology(scene);
-  const Camera camera = make_camera(request.camera, scene);
-  const View view =
-      make_view(scene, camera, {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}}, {{0, 0}, {kPageWidth, kPageHeight}},
-                request.scale > 0 ? std::optional(request.scale) : std::nullopt);
-  Picture picture{project(scene, topology, view, {classes(request.edges), 30}), {}};
+  const auto scale = request.scale > 0 ? std::optional(request.scale) : std::nullopt;
+  Picture picture{project_on_a4(scene, request.camera, request.edges, scale), {}};
   StudyOptions options;
   options.hidden_strokes = request.hidden;
   picture.model = *find_method(request.method)->study(picture.projected, options).strokes;
   remove_coincident_strokes(picture.model, coincidence_mm(picture.projected));
   return picture;
+}
+
+/// What the method counted under that name; 0 when it knows no such count.
+inline std::uint64_t count_of(const Statistics& statistics, std::string_view name) {
+  for (const auto& [known, count] : statistics.counts) {
+    if (known == name) return count;
+  }
+  return 0;
+}
+
+/// The strokes are the same to the last bit, in the same order.
+inline void expect_same_strokes(const StrokeModel& a, const StrokeModel& b) {
+  ASSERT_EQ(a.strokes.size(), b.strokes.size());
+  for (std::size_t i = 0; i < a.strokes.size(); ++i) {
+    const Stroke &s = a.strokes[i], &t = b.strokes[i];
+    ASSERT_TRUE(s.from == t.from && s.to == t.to && s.t_from == t.t_from && s.t_to == t.t_to && s.source == t.source &&
+                s.line_class == t.line_class && s.visible == t.visible && s.may_coincide == t.may_coincide)
+        << "stroke " << i;
+  }
+}
+
+/// Boxes turned at random, their corners in a cube that reaches from -`spread` to `spread` before they are turned.
+inline Scene random_boxes(int count, unsigned seed, double spread, const Point3& size) {
+  Scene scene;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < count; ++i) {
+    add_box(scene, Point3{u(random), u(random), u(random)} * spread, size,
+            rotation(u(random) * 3, u(random) * 3, u(random) * 3));
+  }
+  return scene;
+}
+
+/// Calls visit(triangle, depth, least) for the triangles that are not edge on, with the depth of their planes at a point of
+/// the lattice and the least of its three barycentric weights there: negative when the point lies outside.
+template <class Visit>
+void for_triangles_at(const ProjectedScene& scene, Point2 p, const Visit& visit) {
+  for (const Triangle& t : scene.triangles) {
+    const ProjectedVertex* v[3] = {&scene.vertices[t.v[0]], &scene.vertices[t.v[1]], &scene.vertices[t.v[2]]};
+    const double area = orientation(v[0]->p, v[1]->p, v[2]->p);
+    if (area == 0) continue;
+    double z = 0, least = 1;
+    for (int k = 0; k < 3; ++k) {
+      const LatticePoint a = v[(k + 1) % 3]->p, b = v[(k + 2) % 3]->p;
+      const double weight = ((double(b.x) - a.x) * (p.y - a.y) - (double(b.y) - a.y) * (p.x - a.x)) / area;
+      least = std::min(least, weight);
+      z += weight * v[k]->z;
+    }
+    visit(t, z, least);
+  }
+}
+
+/// Names of tests have no hyphens.
+inline std::string as_test_name(std::string_view name) {
+  std::string text(name);
+  std::replace(text.begin(), text.end(), '-', '_');
+  return text;
 }
 
 inline CameraRequest along(const Point3& direction) {

@@ -1,12 +1,7 @@
 #include "support/standard_views.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include "main/tier.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

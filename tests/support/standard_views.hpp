@@ -1,11 +1,7 @@
 #pragma once
 /// The views from which every scene of the corpus is drawn.
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
+#include "support/standard.hpp"
 #include "view/view.hpp"
 
 namespace ligne::test {

@@ -21,7 +21,7 @@ struct Variant {
 inline std::vector<Variant> variants() {
   std::vector<Variant> list;
   for (const Method* method : all_methods()) {
-    if (!method->traits().exact) continue;  // held to their limits in limited_methods_test.cpp
+    if (!method->traits().exact) continue;  // held to their limits in all_methods_test.cpp
     const std::string name(method->traits().name);
     list.push_back({method, {}, true, false, name});
     for (const MethodParameter& p : method->traits().parameters) {
