@@ -1,17 +1,13 @@
 /// Pieces of lines that do not show beside others, and pieces of another class than their line.
+
 #include "drawing/inked_bits.hpp"
-
-#include <cmath>
-#include <random>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "drawing/near_part.hpp"
+#include "drawing/smooth_lines.hpp"
 #include "drawing/stroke_chains.hpp"
 #include "drawing/stroke_lines.hpp"
 #include "geometry/disjoint_sets.hpp"
 #include "stroke_builder.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -19,70 +15,45 @@ namespace {
 constexpr auto kCrease = LineClass::crease, kOutline = LineClass::outline;
 constexpr InkLimits kLimits{50, 17, 17};  // steps; a pen of about a third of a millimetre with steps of 0.01 mm
 
+StrokeModel outlines(const std::string& text) { return sketch(text, kOutline); }
+
 TEST(ShortClasses, BecomeThoseOfTheirLine) {
-  StrokeModel m = model(
-      {stroke({0, 0}, {300, 0}, kOutline), stroke({300, 0}, {320, 5}, kCrease), stroke({320, 5}, {800, 20}, kOutline)});
+  StrokeModel m = outlines("0,0 300,0; crease 300,0 320,5; 320,5 800,20");
   EXPECT_EQ(join_short_classes(m, 50), 1u);
   ASSERT_EQ(make_drawing(m).layers.size(), 1u);
   EXPECT_EQ(make_drawing(m).layers[0].lines.size(), 1u);
 }
 
 TEST(ShortClasses, GoOnThroughOtherShortOnes) {
-  StrokeModel m = model({stroke({0, 0}, {300, 0}, kOutline), stroke({300, 0}, {320, 5}, kCrease),
-                         stroke({320, 5}, {330, 9}, LineClass::intersection)});
+  StrokeModel m = outlines("0,0 300,0; crease 300,0 320,5; intersection 320,5 330,9");
   EXPECT_EQ(join_short_classes(m, 50), 2u);
   for (const Stroke& s : m.strokes) EXPECT_EQ(s.line_class, kOutline);
 }
 
 TEST(ShortClasses, OfARunOfTheClassStay) {
-  StrokeModel long_run = model({stroke({0, 0}, {300, 0}, kOutline), stroke({300, 0}, {330, 0}, kCrease),
-                                stroke({330, 0}, {360, 0}, kCrease), stroke({360, 0}, {800, 0}, kOutline)});
-  EXPECT_EQ(join_short_classes(long_run, 50), 0u) << "together they are long enough";
-  StrokeModel branch = model(
-      {stroke({0, 0}, {300, 0}, kOutline), stroke({300, 0}, {600, 0}, kOutline), stroke({300, 0}, {300, 40}, kCrease)});
-  EXPECT_EQ(join_short_classes(branch, 50), 0u) << "the outline goes on by itself";
-  StrokeModel mesh = model({stroke({0, 0}, {300, 0}), stroke({300, 0}, {340, 0}, kCrease)});
-  EXPECT_EQ(join_short_classes(mesh, 50), 0u);
+  expect_changes(
+      {{"together they are long enough", "0,0 300,0; crease 300,0 330,0 360,0; 360,0 800,0", 0},
+       {"the outline goes on by itself", "0,0 300,0 600,0; crease 300,0 300,40", 0},
+       {"mesh", "mesh 0,0 300,0; crease 300,0 340,0", 0}},
+      [](StrokeModel& m) { return join_short_classes(m, 50); }, outlines);
 }
 
-TEST(InkedBits, SpursBesideALineGo) {
-  StrokeModel m = model(
-      {stroke({0, 0}, {300, 0}, kOutline), stroke({300, 0}, {600, 0}, kOutline), stroke({300, 0}, {330, 12}, kOutline)});
-  EXPECT_EQ(drop_inked_bits(m, kLimits), 1u);
-  EXPECT_EQ(m.strokes.size(), 2u);
-}
-
-TEST(InkedBits, RungsBetweenLinesThatNearlyTouchGo) {
-  StrokeModel m = model(
-      {stroke({0, 0}, {300, 0}, kOutline), stroke({0, 45}, {300, 45}, kOutline), stroke({100, 0}, {100, 45}, kCrease)});
-  EXPECT_EQ(drop_inked_bits(m, kLimits), 1u);
-}
-
-TEST(InkedBits, EdgesSeenEndOnGo) {
-  StrokeModel m =
-      model({stroke({0, 0}, {300, 0}, kOutline), stroke({300, 0}, {600, 0}, kOutline), stroke({300, 0}, {300, 1}, kCrease)});
-  EXPECT_EQ(drop_inked_bits(m, kLimits), 1u);
-}
-
-TEST(InkedBits, WhatShowsStays) {
-  StrokeModel stub = model({stroke({0, 0}, {600, 0}, kOutline), stroke({300, 0}, {300, 40}, kCrease)});
-  EXPECT_EQ(drop_inked_bits(stub, kLimits), 0u) << "23 steps of it show";
-  StrokeModel alone = model({stroke({0, 0}, {600, 0}, kOutline), stroke({300, 90}, {300, 100}, kCrease)});
-  EXPECT_EQ(drop_inked_bits(alone, kLimits), 0u);
-  StrokeModel ring =
-      model({stroke({0, 0}, {15, 0}, kOutline), stroke({15, 0}, {0, 12}, kOutline), stroke({0, 12}, {0, 0}, kOutline)});
-  EXPECT_EQ(drop_inked_bits(ring, kLimits), 0u) << "a small thing by itself: bits have no ink that hides bits";
-}
-
-TEST(InkedBits, ThatMeetCountTogether) {
-  StrokeModel m = model({stroke({0, 0}, {600, 0}, kOutline), stroke({300, 0}, {300, 30}, kCrease),
-                         stroke({300, 30}, {302, 60}, LineClass::intersection)});
-  EXPECT_EQ(drop_inked_bits(m, kLimits), 0u);
+TEST(InkedBits, AreWhatTheInkOfOtherLinesHides) {
+  expect_changes(
+      {{"rungs between lines that nearly touch go", "0,0 300,0; 0,45 300,45; crease 100,0 100,45", 1},
+       {"edges seen end on go", "0,0 300,0 600,0; crease 300,0 300,1", 1},
+       {"23 steps of it show", "0,0 600,0; crease 300,0 300,40", 0},
+       {"alone", "0,0 600,0; crease 300,90 300,100", 0},
+       {"a small thing by itself: bits have no ink that hides bits", "0,0 15,0 0,12 0,0", 0},
+       {"bits that meet count together", "0,0 600,0; crease 300,0 300,30; intersection 300,30 302,60", 0}},
+      [](StrokeModel& m) { return drop_inked_bits(m, kLimits); }, outlines);
+  StrokeModel spur = outlines("0,0 300,0 600,0; 300,0 330,12");
+  EXPECT_EQ(drop_inked_bits(spur, kLimits), 1u);
+  EXPECT_EQ(spur.strokes.size(), 2u);
 }
 
 TEST(InkedBits, BecomeHiddenWhereHiddenLinesAreDrawn) {
-  StrokeModel m = model({stroke({0, 0}, {600, 0}, kOutline), stroke({300, 0}, {300, 20}, kCrease),
-                         hidden(stroke({0, 80}, {600, 80}, kCrease))});
+  StrokeModel m = outlines("0,0 600,0; crease 300,0 300,20; hidden crease 0,80 600,80");
   EXPECT_EQ(drop_inked_bits(m, kLimits), 1u);
   ASSERT_EQ(m.strokes.size(), 3u);
   EXPECT_FALSE(m.strokes[1].visible);
@@ -155,6 +126,130 @@ TEST(InkedBits, AreThoseOfAllPairs) {
   }
   EXPECT_GT(dropped, 100u);
   EXPECT_GT(kept, 1000u);
+}
+
+/// Lines along the edges of scans, drawn as one smooth line.
+
+constexpr std::uint32_t kScan = 1, kOther = 2;
+
+std::size_t smooth(StrokeModel& drawing) {
+  return smooth_lines(drawing, [](const Stroke& s) { return s.source == kScan; });
+}
+
+/// From one point to the next, every other stroke backwards.
+std::vector<Stroke> strokes_along(const std::vector<LatticePoint>& points, std::uint32_t source = kScan) {
+  std::vector<Stroke> strokes;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    strokes.push_back(stroke(points[i], points[i + 1], LineClass::crease, source));
+    if (i % 2 == 1) std::swap(strokes.back().from, strokes.back().to);
+  }
+  return strokes;
+}
+
+/// Along x in steps of 1000, 200 to either side.
+std::vector<LatticePoint> zigzag(std::int32_t count) {
+  std::vector<LatticePoint> points;
+  for (std::int32_t i = 0; i < count; ++i) points.push_back({1000 * i, i % 2 == 0 ? 200 : -200});
+  return points;
+}
+
+std::int32_t widest(const StrokeModel& drawing, std::int32_t x_from, std::int32_t x_to) {
+  std::int32_t most = 0;
+  for (const Stroke& s : drawing.strokes) {
+    for (const LatticePoint p : {s.from, s.to}) {
+      if (p.x > x_from && p.x < x_to) most = std::max(most, std::abs(p.y));
+    }
+  }
+  return most;
+}
+
+TEST(SmoothLines, DoNotZigzag) {
+  StrokeModel drawing = model(strokes_along(zigzag(21)));
+  EXPECT_EQ(smooth(drawing), 19u);
+  EXPECT_LT(widest(drawing, 4500, 15500), 20);
+  EXPECT_LT(widest(drawing, 500, 19500), 120) << "beside the ends";
+}
+
+TEST(SmoothLines, StayConnectedAndKeepTheirEnds) {
+  const std::vector<LatticePoint> points = zigzag(12);
+  StrokeModel drawing = model(strokes_along(points));
+  smooth(drawing);
+  EXPECT_EQ(drawing.strokes.front().from, points.front());
+  const Stroke& last = drawing.strokes.back();
+  EXPECT_EQ(last.to, points.back());
+  for (std::size_t i = 0; i + 1 < drawing.strokes.size(); ++i) {
+    const Stroke &a = drawing.strokes[i], &b = drawing.strokes[i + 1];
+    EXPECT_EQ(i % 2 == 0 ? a.to : a.from, i % 2 == 0 ? b.to : b.from) << i;
+  }
+}
+
+TEST(SmoothLines, OfOtherThingsStay) {
+  const std::vector<Stroke> strokes = strokes_along(zigzag(12), kOther);
+  StrokeModel drawing = model(strokes);
+  EXPECT_EQ(smooth(drawing), 0u);
+  EXPECT_EQ(drawing.strokes[5].from, strokes[5].from);
+}
+
+TEST(SmoothLines, StayWhereOthersMeetThem) {
+  const std::vector<LatticePoint> points = zigzag(21);
+  std::vector<Stroke> strokes = strokes_along(points);
+  strokes.push_back(stroke(points[10], {10000, 9000}, LineClass::outline, kOther));
+  StrokeModel drawing = model(strokes);
+  EXPECT_EQ(smooth(drawing), 18u);
+  EXPECT_EQ(drawing.strokes[9].from, points[10]);
+}
+
+TEST(SmoothLines, StayWhereTheyBecomeHidden) {
+  const std::vector<LatticePoint> points = zigzag(21);
+  std::vector<Stroke> strokes = strokes_along(points);
+  for (std::size_t i = 10; i < strokes.size(); ++i) strokes[i] = hidden(strokes[i]);
+  StrokeModel drawing = model(strokes);
+  EXPECT_EQ(smooth(drawing), 18u);
+  EXPECT_EQ(drawing.strokes[10].from, points[10]);
+}
+
+TEST(SmoothLines, KeepCorners) {
+  std::vector<LatticePoint> points;
+  for (std::int32_t i = 0; i <= 10; ++i) points.push_back({1000 * i, 0});
+  for (std::int32_t i = 1; i <= 10; ++i) points.push_back({10000, 1000 * i});
+  StrokeModel drawing = model(strokes_along(points));
+  smooth(drawing);
+  EXPECT_EQ(drawing.strokes[9].from, points[10]);
+  EXPECT_EQ(widest(drawing, 0, 9900), 0);
+}
+
+TEST(SmoothLines, KeepTheCornersOfARing) {
+  std::vector<LatticePoint> points;  // a square that begins in the middle of a side
+  for (std::int32_t i = 5; i < 10; ++i) points.push_back({1000 * i, 0});
+  for (std::int32_t i = 0; i < 10; ++i) points.push_back({10000, 1000 * i});
+  for (std::int32_t i = 10; i > 0; --i) points.push_back({1000 * i, 10000});
+  for (std::int32_t i = 10; i > 0; --i) points.push_back({0, 1000 * i});
+  for (std::int32_t i = 0; i < 5; ++i) points.push_back({1000 * i, 0});
+  points[2].y = points.back().y = 300;
+  points.push_back(points.front());
+  StrokeModel drawing = model(strokes_along(points));
+  smooth(drawing);
+  for (const LatticePoint corner : {LatticePoint{10000, 0}, {10000, 10000}, {0, 10000}, {0, 0}}) {
+    EXPECT_TRUE(std::ranges::any_of(drawing.strokes, [&](const Stroke& s) { return s.from == corner || s.to == corner; }));
+  }
+  EXPECT_LT(std::abs(drawing.strokes[1].to.y), 150);
+  EXPECT_LT(std::abs(drawing.strokes.back().from.y), 150) << "before the place where it begins";
+}
+
+TEST(SmoothLines, KeepTheRadiusOfARing) {
+  constexpr std::size_t kPoints = 20;
+  constexpr double kRadius = 10000;
+  std::vector<LatticePoint> points;
+  for (std::size_t i = 0; i <= kPoints; ++i) {
+    const double a = 2 * std::numbers::pi * double(i % kPoints) / kPoints;
+    points.push_back({std::int32_t(std::lround(kRadius * std::cos(a))), std::int32_t(std::lround(kRadius * std::sin(a)))});
+  }
+  StrokeModel drawing = model(strokes_along(points));
+  smooth(drawing);
+  for (const Stroke& s : drawing.strokes) {
+    EXPECT_NEAR(std::hypot(s.from.x, s.from.y), kRadius, 0.01 * kRadius);
+    EXPECT_NEAR(std::hypot(s.to.x, s.to.y), kRadius, 0.01 * kRadius);
+  }
 }
 
 }  // namespace

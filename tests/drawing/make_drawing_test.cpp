@@ -1,12 +1,6 @@
-#include <cmath>
-#include <map>
-#include <random>
-#include <utility>
-
-#include <gtest/gtest.h>
-
 #include "geometry/parallel.hpp"
 #include "stroke_builder.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -23,7 +17,8 @@ Lines lines_of(const Drawing& drawing, std::string_view layer) {
   return lines;
 }
 
-Lines mesh_lines(std::vector<Stroke> strokes) { return lines_of(make_drawing(model(std::move(strokes))), "mesh"); }
+Lines mesh_lines(const StrokeModel& m) { return lines_of(make_drawing(m), "mesh"); }
+Lines mesh_lines(const std::string& text) { return mesh_lines(sketch(text)); }
 
 double total_length(const Lines& lines) {
   double sum = 0;
@@ -35,9 +30,33 @@ double total_length(const Lines& lines) {
 
 TEST(MakeDrawing, NothingGivesNothing) { EXPECT_TRUE(make_drawing(model({})).layers.empty()); }
 
-TEST(MakeDrawing, ZeroLengthStrokesGiveNothing) {
-  EXPECT_TRUE(make_drawing(model({stroke({3, 4}, {3, 4})})).layers.empty());
-  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 0}), stroke({5, 0}, {5, 0})}), (Lines{{{0, 0}, {5, 0}}}));
+TEST(MakeDrawing, JoinsStrokesToLines) {
+  const struct {
+    const char *name, *strokes, *lines;
+  } cases[] = {
+      {"no length", "3,4 3,4", ""},
+      {"a stroke without length", "0,0 5,0 5,0", "0,0 5,0"},
+      {"whatever the direction of the strokes", "0,0 5,1; 9,0 5,1; 9,0 12,7", "0,0 5,1 9,0 12,7"},
+      {"two at any angle", "0,0 5,0 0,1", "0,0 5,0 0,1"},
+      {"closed lines repeat their first point", "0,0 5,0 5,5; 0,0 5,5", "0,0 5,0 5,5 0,0"},
+      {"points that lie exactly on the line go", "0,0 3,1 9,3 12,4", "0,0 12,4"},
+      {"one step off the line is off it, even at the far side of the lattice", "-33554432,0 0,1 33554432,1",
+       "-33554432,0 0,1 33554432,1"},
+      {"the point stays where a line turns back", "0,0 9,0 4,0", "0,0 9,0 4,0"},
+      {"a seam in the middle of a side goes", "3,0 6,0 6,6 0,6 0,0 3,0", "6,0 6,6 0,6 0,0 6,0"},
+      {"the straightest continue each other at a crossing", "-9,-1 0,0; -9,1 0,0 9,-1; 0,0 9,1", "-9,-1 9,1; -9,1 9,-1"},
+      {"a third one ends at a T-junction", "0,0 5,0 5,5; 5,0 9,1", "0,0 5,0 9,1; 5,0 5,5"},
+      {"doubled strokes make a ring", "0,0 5,0; 0,0 5,0", "0,0 5,0 0,0"},
+  };
+  for (const auto& c : cases) {
+    std::ostringstream text;
+    text.precision(17);
+    for (const Line& line : mesh_lines(c.strokes)) {
+      for (const Point2& p : line) text << (&p == &line[0] ? "" : " ") << p.x << ',' << p.y;
+      text << "; ";
+    }
+    EXPECT_EQ(text.str(), *c.lines == 0 ? "" : c.lines + std::string("; ")) << c.name << ": " << c.strokes;
+  }
 }
 
 TEST(MakeDrawing, LayersArePaintedWeakestFirst) {
@@ -59,59 +78,11 @@ TEST(MakeDrawing, PointsAreInPageMillimetres) {
   EXPECT_EQ(lines_of(make_drawing(m), "mesh"), (Lines{{{11, 22}, {13, 24}}}));
 }
 
-TEST(MakeDrawing, JoinsWhateverTheDirectionOfTheStrokes) {
-  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 1}), stroke({9, 0}, {5, 1}), stroke({9, 0}, {12, 7})}),
-            (Lines{{{0, 0}, {5, 1}, {9, 0}, {12, 7}}}));
-}
-
-TEST(MakeDrawing, JoinsTwoStrokesAtAnyAngle) {
-  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 0}), stroke({5, 0}, {0, 1})}), (Lines{{{0, 0}, {5, 0}, {0, 1}}}));
-}
-
 TEST(MakeDrawing, DoesNotJoinAcrossLayersOrAcrossTheSmallestGap) {
   const Drawing drawing =
       make_drawing(model({stroke({0, 0}, {5, 0}), stroke({5, 0}, {9, 0}, LineClass::crease), stroke({5, 1}, {5, 9})}));
   EXPECT_EQ(lines_of(drawing, "mesh"), (Lines{{{0, 0}, {5, 0}}, {{5, 1}, {5, 9}}}));
   EXPECT_EQ(lines_of(drawing, "crease"), (Lines{{{5, 0}, {9, 0}}}));
-}
-
-TEST(MakeDrawing, ClosedLinesRepeatTheirFirstPoint) {
-  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 0}), stroke({5, 0}, {5, 5}), stroke({0, 0}, {5, 5})}),
-            (Lines{{{0, 0}, {5, 0}, {5, 5}, {0, 0}}}));
-}
-
-TEST(MakeDrawing, DropsPointsThatLieExactlyOnTheLine) {
-  EXPECT_EQ(mesh_lines({stroke({0, 0}, {3, 1}), stroke({3, 1}, {9, 3}), stroke({9, 3}, {12, 4})}),
-            (Lines{{{0, 0}, {12, 4}}}));
-  // One step off the line is off the line, even at the far side of the lattice.
-  EXPECT_EQ(mesh_lines({stroke({-33554432, 0}, {0, 1}), stroke({0, 1}, {33554432, 1})}),
-            (Lines{{{-33554432, 0}, {0, 1}, {33554432, 1}}}));
-}
-
-TEST(MakeDrawing, KeepsThePointWhereALineTurnsBack) {
-  EXPECT_EQ(mesh_lines({stroke({0, 0}, {9, 0}), stroke({9, 0}, {4, 0})}), (Lines{{{0, 0}, {9, 0}, {4, 0}}}));
-}
-
-TEST(MakeDrawing, DropsASeamInTheMiddleOfASide) {
-  EXPECT_EQ(mesh_lines({stroke({3, 0}, {6, 0}), stroke({6, 0}, {6, 6}), stroke({6, 6}, {0, 6}), stroke({0, 6}, {0, 0}),
-                        stroke({0, 0}, {3, 0})}),
-            (Lines{{{6, 0}, {6, 6}, {0, 6}, {0, 0}, {6, 0}}}));
-}
-
-TEST(MakeDrawing, StraightestContinueEachOtherAtACrossing) {
-  // Two slanted lines cross in (0, 0).
-  const Lines lines =
-      mesh_lines({stroke({-9, -1}, {0, 0}), stroke({-9, 1}, {0, 0}), stroke({0, 0}, {9, -1}), stroke({0, 0}, {9, 1})});
-  EXPECT_EQ(lines, (Lines{{{-9, -1}, {9, 1}}, {{-9, 1}, {9, -1}}}));
-}
-
-TEST(MakeDrawing, AThirdStrokeEndsAtATJunction) {
-  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 0}), stroke({5, 0}, {5, 5}), stroke({5, 0}, {9, 1})}),
-            (Lines{{{0, 0}, {5, 0}, {9, 1}}, {{5, 0}, {5, 5}}}));
-}
-
-TEST(MakeDrawing, DoubledStrokesMakeARing) {
-  EXPECT_EQ(mesh_lines({stroke({0, 0}, {5, 0}), stroke({0, 0}, {5, 0})}), (Lines{{{0, 0}, {5, 0}, {0, 0}}}));
 }
 
 /// A triangle mesh of n x n jittered squares: `strokes`, shuffled and turned at random.
@@ -154,7 +125,7 @@ TEST(MakeDrawing, KeepsEveryStrokeOfAMeshOnce) {
       ++balance[key({s.from.x, s.from.y}, {s.to.x, s.to.y})];
       length += std::hypot(s.to.x - s.from.x, s.to.y - s.from.y);
     }
-    const Lines lines = mesh_lines(strokes);
+    const Lines lines = mesh_lines(model(strokes));
     EXPECT_LT(lines.size(), strokes.size() / 6) << "hardly anything was joined";
     EXPECT_NEAR(total_length(lines), length, 1e-9 * length);
     for (const Line& line : lines) {
@@ -183,7 +154,7 @@ TEST(MakeDrawing, KeepsTheLengthOfCollinearChains) {
   std::shuffle(strokes.begin(), strokes.end(), random);
   double length = 0;
   for (const Stroke& s : strokes) length += std::hypot(s.to.x - s.from.x, s.to.y - s.from.y);
-  const Lines lines = mesh_lines(strokes);
+  const Lines lines = mesh_lines(model(strokes));
   EXPECT_EQ(lines.size(), 50u);
   for (const Line& line : lines) EXPECT_EQ(line.size(), 2u);
   EXPECT_NEAR(total_length(lines), length, 1e-9 * length);
@@ -192,8 +163,8 @@ TEST(MakeDrawing, KeepsTheLengthOfCollinearChains) {
 TEST(MakeDrawing, DoesNotDependOnTheNumberOfThreads) {
   const std::vector<Stroke> strokes = random_mesh(60, 3);
   const auto with_threads = [&](std::size_t n) {
-    decltype(mesh_lines(strokes)) lines;
-    run_with_threads(n, [&] { lines = mesh_lines(strokes); });
+    decltype(mesh_lines(model(strokes))) lines;
+    run_with_threads(n, [&] { lines = mesh_lines(model(strokes)); });
     return lines;
   };
   EXPECT_EQ(with_threads(1), with_threads(4));
