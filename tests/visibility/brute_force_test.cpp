@@ -1,12 +1,9 @@
 // The method against a plain search: every line against every triangle, with no grid, no covers and no early outs, in long
 // double arithmetic on the projected scene. What is compared is the visible length of every edge.
 
-#include <gtest/gtest.h>
-
-#include <map>
-#include <random>
-
 #include "support/scenes.hpp"
+#include "support/test.hpp"
+#include "visibility/common/nearest_along.hpp"
 
 namespace ligne::test {
 namespace {
@@ -23,12 +20,25 @@ std::pair<double, double> shares(const ProjectedScene& scene, const ProjectedEdg
   struct Corner {
     Real x, y, z;
   };
-  const auto corner = [&](std::uint32_t v) {
-    return Corner{Real(scene.vertices[v].p.x), Real(scene.vertices[v].p.y), Real(scene.vertices[v].z)};
+  struct Plane {
+    Corner c[3];
+    Real area, gx, gy;  // of the depth
+  };
+  const auto plane = [&](const Triangle& t) {
+    Plane p;
+    for (int i = 0; i < 3; ++i) {
+      const ProjectedVertex& v = scene.vertices[t.v[i]];
+      p.c[i] = {Real(v.p.x), Real(v.p.y), Real(v.z)};
+    }
+    const auto& c = p.c;
+    p.area = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
+    p.gx = ((c[1].z - c[0].z) * (c[2].y - c[0].y) - (c[2].z - c[0].z) * (c[1].y - c[0].y)) / p.area;
+    p.gy = ((c[2].z - c[0].z) * (c[1].x - c[0].x) - (c[1].z - c[0].z) * (c[2].x - c[0].x)) / p.area;
+    return p;
   };
   const Real dx = Real(b.p.x) - a.p.x, dy = Real(b.p.y) - a.p.y, dz = Real(b.z) - a.z;
   for (const Triangle& t : scene.triangles) {
-    const Corner c[3] = {corner(t.v[0]), corner(t.v[1]), corner(t.v[2])};
+    const auto [c, area, gx, gy] = plane(t);
     for (int i = 0; i < 3; ++i) {
       const Corner &p = c[i], &q = c[(i + 1) % 3];
       const Real e0 = (q.x - p.x) * (a.p.y - p.y) - (q.y - p.y) * (a.p.x - p.x);
@@ -44,10 +54,7 @@ std::pair<double, double> shares(const ProjectedScene& scene, const ProjectedEdg
         }
       }
     }
-    const Real area = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
     if (area == 0) continue;
-    const Real gx = ((c[1].z - c[0].z) * (c[2].y - c[0].y) - (c[2].z - c[0].z) * (c[1].y - c[0].y)) / area;
-    const Real gy = ((c[2].z - c[0].z) * (c[1].x - c[0].x) - (c[1].z - c[0].z) * (c[2].x - c[0].x)) / area;
     const Real d0 = a.z - (c[0].z + gx * (a.p.x - c[0].x) + gy * (a.p.y - c[0].y));
     const Real d1 = d0 + dz - gx * dx - gy * dy;
     if (d0 != d1 && d0 / (d0 - d1) > 0 && d0 / (d0 - d1) < 1) cuts.push_back(d0 / (d0 - d1));
@@ -65,8 +72,7 @@ std::pair<double, double> shares(const ProjectedScene& scene, const ProjectedEdg
       const Real x = a.p.x + t * dx - off * dy / step, y = a.p.y + t * dy + off * dx / step, z = a.z + t * dz;
       for (const Triangle& tri : scene.triangles) {
         if (tri.face == edge.face0 || tri.face == edge.face1) continue;
-        const Corner c[3] = {corner(tri.v[0]), corner(tri.v[1]), corner(tri.v[2])};
-        const Real area = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
+        const auto [c, area, gx, gy] = plane(tri);
         if (area == 0) continue;
         Real w[3];
         bool inside = true;
@@ -76,8 +82,6 @@ std::pair<double, double> shares(const ProjectedScene& scene, const ProjectedEdg
           if (w[k] < 0) inside = false;
         }
         if (!inside) continue;
-        const Real gx = ((c[1].z - c[0].z) * (c[2].y - c[0].y) - (c[2].z - c[0].z) * (c[1].y - c[0].y)) / area;
-        const Real gy = ((c[2].z - c[0].z) * (c[1].x - c[0].x) - (c[1].z - c[0].z) * (c[2].x - c[0].x)) / area;
         const Real behind = z - (w[0] * c[0].z + w[1] * c[1].z + w[2] * c[2].z);
         const Real touch = 32 * (std::abs(gx) + std::abs(gy)) + 4 * scene.input_error_mm;
         if (behind > touch) covered[side] = true;
@@ -92,11 +96,8 @@ std::pair<double, double> shares(const ProjectedScene& scene, const ProjectedEdg
 }
 
 void compare(const Scene& scene, const PictureRequest& request, const std::string& name) {
-  const Topology topology = build_topology(scene);
-  const Camera camera = make_camera(request.camera, scene);
-  const View view = make_view(scene, camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}},
-                              request.scale > 0 ? std::optional(request.scale) : std::nullopt);
-  const ProjectedScene projected = project(scene, topology, view, {classes("all"), 30});
+  const auto scale = request.scale > 0 ? std::optional(request.scale) : std::nullopt;
+  const ProjectedScene projected = project_on_a4(scene, request.camera, "all", scale);
   const StrokeModel model = *find_method(request.method)->study(projected, {}).strokes;
   std::map<std::uint32_t, double> drawn;
   for (const Stroke& s : model.strokes) {
@@ -156,16 +157,93 @@ TEST(BruteForce, TrianglesOnASmallIntegerGrid) {
 
 TEST(BruteForce, PenetratingBoxes) {
   for (unsigned seed = 0; seed < 12; ++seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> u(-1, 1);
-    Scene scene;
-    for (int i = 0; i < 9; ++i) {
-      add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {3, 2, 2.5},
-              rotation(u(random) * 3, u(random) * 3, u(random) * 3));
-    }
+    const Scene scene = random_boxes(9, seed, 4, {3, 2, 2.5});
     compare(scene, {along({-1, 2, -1})}, "boxes, seed " + std::to_string(seed));
     compare(scene, {from_eye({3, -14, 9}, {0, 0, 0}, 50)}, "boxes in perspective, seed " + std::to_string(seed));
   }
+}
+
+/// What is seen along lines, against every facet at many places.
+
+struct Facing {
+  std::vector<ProjectedVertex> vertices;
+  std::vector<Facet> facets;
+
+  void add(LatticePoint a, LatticePoint b, LatticePoint c, double z) {
+    if (orientation(a, b, c) == 0) return;
+    if (orientation(a, b, c) < 0) std::swap(b, c);
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    for (const LatticePoint p : {a, b, c}) vertices.push_back({p, z});
+    facets.push_back({{first, first + 1, first + 2},
+                      static_cast<std::uint32_t>(facets.size()),
+                      static_cast<float>(z),
+                      static_cast<float>(z),
+                      0,
+                      0});
+  }
+  std::uint32_t nearest(double x, double y) const {
+    std::uint32_t found = kNone;
+    for (std::uint32_t f = 0; f < facets.size(); ++f) {
+      bool inside = true;
+      for (int i = 0; i < 3; ++i) {
+        const LatticePoint a = vertices[facets[f].v[i]].p, b = vertices[facets[f].v[(i + 1) % 3]].p;
+        inside = inside && (double(b.x) - a.x) * (y - a.y) - (double(b.y) - a.y) * (x - a.x) >= 0;
+      }
+      if (inside && (found == kNone || facets[f].z_near < facets[found].z_near)) found = f;
+    }
+    return found;
+  }
+};
+
+TEST(NearestAlong, IsWhatAPlainSearchFinds) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    const auto number = [&](int most) { return static_cast<std::int32_t>(random() % static_cast<unsigned>(most)); };
+    Facing scene;
+    for (int i = 0; i < 60; ++i) {
+      const int size = i % 10 == 0 ? 60'000 : 9'000;  // a few cover whole lines
+      const LatticePoint at{number(40'000) - 20'000, number(40'000) - 20'000};
+      const auto corner = [&] { return LatticePoint{at.x + number(size) - size / 2, at.y + number(size) - size / 2}; };
+      scene.add(corner(), corner(), corner(), i);
+    }
+    std::vector<LineOnPage> lines;
+    for (int i = 0; i < 40; ++i) {
+      const LatticePoint from{number(40'000) - 20'000, number(40'000) - 20'000};
+      lines.push_back({from, {from.x + number(12'000) - 6'000, from.y + number(12'000) - 6'000}});
+    }
+    const auto all = nearest_along(scene.vertices, scene.facets, lines, false);
+    const auto any = nearest_along(scene.vertices, scene.facets, lines, true);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (const auto* seen : {&all[i], &any[i]}) {
+        double end = 0;
+        for (const SeenStretch& s : *seen) {
+          EXPECT_EQ(s.from, end);
+          end = s.to;
+          const double t = (s.from + s.to) / 2;
+          const std::uint32_t nearest = scene.nearest(lines[i][0].x + t * (double(lines[i][1].x) - lines[i][0].x),
+                                                      lines[i][0].y + t * (double(lines[i][1].y) - lines[i][0].y));
+          if (seen == &all[i])
+            EXPECT_EQ(s.facet, nearest) << seed << ' ' << i;
+          else
+            EXPECT_EQ(s.facet == kNone, nearest == kNone) << seed << ' ' << i;
+        }
+        EXPECT_EQ(end, 1);
+      }
+    }
+  }
+}
+
+TEST(NearestAlong, ShowsNoSheetBetweenNeighbours) {
+  Facing scene;
+  scene.add({0, 0}, {1000, 7}, {333, 1000}, 1);
+  scene.add({1000, 7}, {333, 1000}, {1200, 1300}, 1);
+  const auto seen = nearest_along(scene.vertices, scene.facets, {{LatticePoint{300, 300}, LatticePoint{1000, 1000}}}, true);
+  ASSERT_EQ(seen[0].size(), 1u);
+  EXPECT_NE(seen[0][0].facet, kNone);
+  EXPECT_TRUE(nearest_along(scene.vertices, scene.facets, {}, true).empty());
+  const auto none = nearest_along(scene.vertices, {}, {{LatticePoint{0, 0}, LatticePoint{5, 5}}}, true);
+  ASSERT_EQ(none[0].size(), 1u);
+  EXPECT_EQ(none[0][0].facet, kNone);
 }
 
 }  // namespace

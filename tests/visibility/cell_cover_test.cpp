@@ -1,10 +1,6 @@
 // What covers a cell of the screen grid: patches of facets against points of the cell.
 #include "visibility/common/cell_cover.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <random>
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -1,14 +1,10 @@
 // Culling as a method: which scenes it takes for one convex body, against the plain rule in model space; front faces and
 // faces seen edge on; lines of no face.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
+#include "support/test.hpp"
 #include "visibility/culling/convex_body.hpp"
 
 namespace ligne::test {
@@ -16,21 +12,7 @@ namespace {
 
 using namespace culling;
 
-ProjectedScene projected(const Scene& scene, const CameraRequest& request, std::optional<double> scale = {}) {
-  const Topology topology = build_topology(scene);
-  const View view = make_view(scene, make_camera(request, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
-                              {{0, 0}, {kPageWidth, kPageHeight}}, scale);
-  return project(scene, topology, view, {classes("all"), 30});
-}
-
 std::string beyond(const ProjectedScene& scene) { return why_not_one_convex_body(scene, face_the_viewer(scene)); }
-
-std::uint64_t count_of(const VisibilityResult& result, std::string_view name) {
-  for (const auto& [known, count] : result.statistics.counts) {
-    if (known == name) return count;
-  }
-  return 0;
-}
 
 /// Copies are left out before the method sees them.
 bool has_copies(const std::filesystem::path& file) {
@@ -67,7 +49,7 @@ TEST(Culling, TakesTheConvexBodiesOfTheCorpusAndNoOthers) {
     const Scene scene = scene_of_file(file);
     const bool expected = has_copies(file) || is_one_convex_body(scene, build_topology(scene));
     for (const Point3& direction : {Point3{-1, 2, -1}, Point3{0, 1, 0}, Point3{-0.37, 0.83, -0.41}}) {
-      const std::string why = beyond(projected(scene, along(direction)));
+      const std::string why = beyond(project_on_a4(scene, along(direction)));
       EXPECT_EQ(why.empty(), expected) << file.stem() << ": " << why;
     }
     ++(expected ? convex : others);
@@ -76,41 +58,43 @@ TEST(Culling, TakesTheConvexBodiesOfTheCorpusAndNoOthers) {
   EXPECT_GE(others, 100);
 }
 
+Scene a_box() {
+  Scene scene;
+  add_box(scene, {0, 0, 0}, {10, 10, 10});
+  return scene;
+}
+
 TEST(Culling, DrawsTheEdgesOfFrontFaces) {
-  Scene box;
-  add_box(box, {0, 0, 0}, {10, 10, 10});
-  const VisibilityResult oblique = find_method("culling")->study(projected(box, along({-1, 2, -1})), {});
+  const Scene box = a_box();
+  const VisibilityResult oblique = find_method("culling")->study(project_on_a4(box, along({-1, 2, -1})), {});
   EXPECT_EQ(oblique.beyond, "");
   EXPECT_EQ(oblique.strokes->strokes.size(), 9u);
-  EXPECT_EQ(count_of(oblique, "front faces"), 3u);
-  EXPECT_EQ(count_of(oblique, "back faces, left out"), 3u);
-  const VisibilityResult front = find_method("culling")->study(projected(box, along({0, 1, 0})), {});
+  EXPECT_EQ(count_of(oblique.statistics, "front faces"), 3u);
+  EXPECT_EQ(count_of(oblique.statistics, "back faces, left out"), 3u);
+  const VisibilityResult front = find_method("culling")->study(project_on_a4(box, along({0, 1, 0})), {});
   EXPECT_EQ(front.strokes->strokes.size(), 4u);
-  EXPECT_EQ(count_of(front, "front faces"), 1u);
-  EXPECT_EQ(count_of(front, "faces seen edge on, left out"), 4u);
+  EXPECT_EQ(count_of(front.statistics, "front faces"), 1u);
+  EXPECT_EQ(count_of(front.statistics, "faces seen edge on, left out"), 4u);
 }
 
 TEST(Culling, SaysWhyASceneIsBeyondIt) {
-  Scene box;
-  add_box(box, {0, 0, 0}, {10, 10, 10});
-  EXPECT_EQ(beyond(projected(box, along({-1, 2, -1}))), "");
-  EXPECT_EQ(beyond(projected(box, along({-1, 2, -1}), 50.0)), "it is not a closed body that is wholly in view");
-  EXPECT_EQ(beyond(projected(box, from_eye({5, 5, 5}, {9, 5, 5}))), "it is not a closed body that is wholly in view");
+  const Scene box = a_box();
+  EXPECT_EQ(beyond(project_on_a4(box, along({-1, 2, -1}))), "");
+  EXPECT_EQ(beyond(project_on_a4(box, along({-1, 2, -1}), "all", 50.0)), "it is not a closed body that is wholly in view");
+  EXPECT_EQ(beyond(project_on_a4(box, from_eye({5, 5, 5}, {9, 5, 5}))), "it is not a closed body that is wholly in view");
   Scene glass = box;
   glass.materials = {{"glass", {0.5, 0.7, 0.9}, 0.4}};
   glass.face_material.assign(6, 0);
-  EXPECT_EQ(beyond(projected(glass, along({-1, 2, -1}))), "faces are transparent");
+  EXPECT_EQ(beyond(project_on_a4(glass, along({-1, 2, -1}))), "faces are transparent");
   Scene two = box;
   add_box(two, {20, 0, 0}, {10, 10, 10});
-  EXPECT_EQ(beyond(projected(two, along({-1, 2, -1}))), "it is more than one body");
-  EXPECT_EQ(beyond(projected({}, along({-1, 2, -1}))), "it has no faces in view");
+  EXPECT_EQ(beyond(project_on_a4(two, along({-1, 2, -1}))), "it is more than one body");
+  EXPECT_EQ(beyond(project_on_a4({}, along({-1, 2, -1}))), "it has no faces in view");
 }
 
 /// Of the line of an axis only what the body does not hide is drawn.
 TEST(Culling, LinesOfNoFace) {
-  Scene box;
-  add_box(box, {0, 0, 0}, {10, 10, 10});
-  ProjectedScene scene = projected(box, along({0, 1, 0}), 5.0);
+  ProjectedScene scene = project_on_a4(a_box(), along({0, 1, 0}), "all", 5.0);
   const std::vector<std::array<Point3, 2>> behind{{Point3{-5, 20, 5}, Point3{15, 20, 5}}};
   add_lines(scene, behind, LineClass::axes);
   double visible = 0;

@@ -1,11 +1,5 @@
 #include "visibility/horizon/envelope.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <vector>
+#include "support/test.hpp"
 
 namespace ligne::horizon {
 namespace {

@@ -2,21 +2,11 @@
 // line of the page: random surfaces, each line of one drawing looked up in the other, and no line
 // drawn twice.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
 #include "height_functions.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 #include "support/page_segments.hpp"
+#include "support/test.hpp"
 #include "view/projected_scene.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/horizon/horizon.hpp"
@@ -30,8 +20,6 @@ constexpr double kAccuracyMm = 0.001;
 /// Lines on each other are apart by roundings to a lattice of 8 nm. (A mesh takes lines for one that come as near as a
 /// quarter of a micrometre by chance, where they meet at a small angle.)
 constexpr double kOnLineMm = 0.00001;
-constexpr double kDegree = 3.14159265358979323846 / 180;
-
 class SampledHeights : public HeightSource {
  public:
   SampledHeights(std::vector<double> x, std::vector<double> y, std::vector<double> z)
@@ -43,12 +31,6 @@ class SampledHeights : public HeightSource {
  private:
   std::vector<double> z_;
 };
-
-std::vector<double> positions(std::size_t n, double half) {
-  std::vector<double> at;
-  for (std::size_t i = 0; i < n; ++i) at.push_back(half * (2 * static_cast<double>(i) / static_cast<double>(n - 1) - 1));
-  return at;
-}
 
 enum class Kind { smooth, stepped, random, holed };
 constexpr const char* kKindNames[] = {"smooth", "stepped", "random", "holed"};
@@ -183,8 +165,7 @@ double missing(const Segments& segments, const Segments& others, std::string& wo
 
 void compare(const HeightSource& heights, const CameraRequest& request, const HorizonOptions& options,
              const std::string& where) {
-  const Camera camera = make_camera(request, box_of(heights, survey(heights), 1));
-  const View view = make_view(extent_scene(heights, 1, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+  const View view = view_of(heights, request);
   const Segments horizon = by_horizon(heights, view, options), mesh = by_mesh(heights, view, options);
   std::string worst;
   EXPECT_LT(missing(mesh, horizon, worst), 0.01) << where << ": the horizon leaves out " << worst;
@@ -218,20 +199,13 @@ void for_surfaces(unsigned seed, Test test) {
   }
 }
 
-CameraRequest camera_along(double azimuth, double elevation) {
-  const double a = azimuth * kDegree, e = elevation * kDegree;
-  CameraRequest request;
-  request.direction = Point3{-std::cos(a) * std::cos(e), -std::sin(a) * std::cos(e), -std::sin(e)};
-  return request;
-}
-
 // The cosine of 90 degrees is 6e-17 in doubles: these views are along an axis but for a rounding.
 TEST(HorizonAlongAxes, AgreesWithTheMesh) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     for_surfaces(seed, [](const HeightSource& heights, const HorizonOptions& options, const std::string& what) {
       for (const double azimuth : {-180.0, -90.0, 0.0, 90.0, 180.0, 270.0}) {
         for (const double elevation : {0.0, 10.0, 30.0, 90.0, -30.0}) {
-          compare(heights, camera_along(azimuth, elevation), options,
+          compare(heights, along_angles(azimuth, elevation), options,
                   what + ", azimuth " + std::to_string(azimuth) + ", elevation " + std::to_string(elevation));
         }
       }
@@ -243,9 +217,7 @@ TEST(HorizonAlongAxes, AgreesWhenTheViewIsAlongAnAxisExactly) {
   for_surfaces(11, [](const HeightSource& heights, const HorizonOptions& options, const std::string& what) {
     for (const Point3& direction :
          {Point3{0, 1, -0.4}, Point3{-1, 0, -0.4}, Point3{0, -1, 0.3}, Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, -1}}) {
-      CameraRequest request;
-      request.direction = direction;
-      compare(heights, request, options,
+      compare(heights, along(direction), options,
               what + ", direction " + std::to_string(direction.x) + ", " + std::to_string(direction.y) + ", " +
                   std::to_string(direction.z));
     }
@@ -257,9 +229,7 @@ TEST(HorizonAlongAxes, AgreesWhenTheViewIsNearlyAlongAnAxis) {
   for_surfaces(21, [](const HeightSource& heights, const HorizonOptions& options, const std::string& what) {
     for (const double off : {1e-15, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, -1e-12, -1e-9, 1e-3}) {
       for (const Point3& direction : {Point3{-1, off, -0.4}, Point3{off, 1, -0.5}, Point3{1, off, 0.3}}) {
-        CameraRequest request;
-        request.direction = direction;
-        compare(heights, request, options,
+        compare(heights, along(direction), options,
                 what + ", direction " + std::to_string(direction.x) + ", " + std::to_string(direction.y) + ", off by " +
                     std::to_string(std::log10(std::abs(off))) + " digits");
       }
@@ -274,11 +244,8 @@ TEST(HorizonAlongAxes, AgreesInPerspective) {
       const double x = heights.x()[heights.x().size() / 2 - 1], y = heights.y()[heights.y().size() / 2];
       for (const Point3& eye :
            {Point3{x, -3, 1}, Point3{x, 3, 0.3}, Point3{-3.5, y, 1.2}, Point3{3, y, -1}, Point3{3, y, 0}}) {
-        CameraRequest request;
-        request.eye = eye;
-        request.target = std::abs(eye.x) > 2 ? Point3{0, y, 0} : Point3{x, 0, 0};
-        request.fov_degrees = 100;
-        compare(heights, request, options,
+        const Point3 target = std::abs(eye.x) > 2 ? Point3{0, y, 0} : Point3{x, 0, 0};
+        compare(heights, from_eye(eye, target, 100), options,
                 what + ", eye " + std::to_string(eye.x) + ", " + std::to_string(eye.y) + ", " + std::to_string(eye.z));
       }
     });

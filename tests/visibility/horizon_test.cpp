@@ -2,46 +2,22 @@
 // double.
 
 #include "visibility/horizon/horizon.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "geometry/parallel.hpp"
 #include "height_functions.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
 
-FunctionHeights heights(const Function& f, int n, double half = 1) {
-  std::vector<double> at;
-  for (int i = 0; i < n; ++i) at.push_back(half * (2.0 * i / (n - 1) - 1));
-  return {f, at, at};
+FunctionHeights heights(const Function& f, std::size_t n, double half = 1) {
+  return {f, positions(n, half), positions(n, half)};
 }
 
 struct Drawn {
   Polylines lines;
   View view;
-  double length() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const auto line = lines[i];
-      for (std::size_t k = 1; k < line.size(); ++k) sum += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
-    }
-    return sum;
-  }
+  double length() const { return length_of(lines); }
 };
-
-View view_of(const HeightSource& source, const CameraRequest& request, double z_scale) {
-  const Camera camera = make_camera(request, box_of(source, survey(source), z_scale));
-  return make_view(extent_scene(source, z_scale, camera), camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
-}
 
 Drawn drawn(const HeightSource& source, const CameraRequest& request, HorizonOptions options = {}) {
   const View view = view_of(source, request, options.z_scale);
@@ -55,19 +31,7 @@ HorizonOptions by_curves() {
   return options;
 }
 
-CameraRequest camera_along(const Point3& direction) {
-  CameraRequest request;
-  request.direction = direction;
-  return request;
-}
-
-CameraRequest from(const Point3& eye, const Point3& target = {0, 0, 0}) {
-  CameraRequest request;
-  request.eye = eye;
-  request.target = target;
-  request.fov_degrees = 100;
-  return request;
-}
+CameraRequest from(const Point3& eye, const Point3& target = {0, 0, 0}) { return from_eye(eye, target, 100); }
 
 using Real = long double;
 
@@ -152,7 +116,7 @@ TEST(Horizon, IsWhatAllPairsSay) {
   for (const Function& f : {Function(waves), Function(sombrero), Function(ridges)}) {
     const FunctionHeights source = heights(f, 21);
     for (const Point3& direction : {Point3{1, 0.7, -0.5}, Point3{0.3, 1, -0.2}, Point3{1, 0.2, 0.4}, Point3{0.6, 0.8, -3}}) {
-      const Drawn picture = drawn(source, camera_along(direction), by_curves());
+      const Drawn picture = drawn(source, along(direction), by_curves());
       EXPECT_NEAR(picture.length(), brute_force(source, picture), 0.01) << direction.x;
     }
     for (const Point3& eye : {Point3{-3, -2.5, 2}, Point3{-1.2, -1.4, 0.6}}) {
@@ -164,17 +128,17 @@ TEST(Horizon, IsWhatAllPairsSay) {
 
 TEST(Horizon, SidesAreAlike) {
   // The same surface turned by quarters, seen from directions turned with it.
-  const double full = drawn(heights(waves, 25), camera_along({1, 0.7, -0.5})).length();
-  const double full_by_curves = drawn(heights(waves, 25), camera_along({1, 0.7, -0.5}), by_curves()).length();
+  const double full = drawn(heights(waves, 25), along({1, 0.7, -0.5})).length();
+  const double full_by_curves = drawn(heights(waves, 25), along({1, 0.7, -0.5}), by_curves()).length();
   const auto turned = [](double x, double y) { return waves(y, -x); };  // a quarter: the cells' diagonals are others
-  EXPECT_NEAR(drawn(heights(turned, 25), camera_along({-0.7, 1, -0.5}), by_curves()).length(), full_by_curves, 1e-3);
+  EXPECT_NEAR(drawn(heights(turned, 25), along({-0.7, 1, -0.5}), by_curves()).length(), full_by_curves, 1e-3);
   const auto half = [](double x, double y) { return waves(-x, -y); };
-  EXPECT_NEAR(drawn(heights(half, 25), camera_along({-1, -0.7, -0.5})).length(), full, 1e-3);
+  EXPECT_NEAR(drawn(heights(half, 25), along({-1, -0.7, -0.5})).length(), full, 1e-3);
 }
 
 TEST(Horizon, FromAboveAllIsSeen) {
   const FunctionHeights source = heights(waves, 15);
-  const Drawn picture = drawn(source, camera_along({0, 0, -1}));
+  const Drawn picture = drawn(source, along({0, 0, -1}));
   EXPECT_EQ(picture.lines.size(), 30u);
   EXPECT_NEAR(picture.length(), 30 * 190, 1e-6);  // a square as high as the frame
 }
@@ -182,7 +146,7 @@ TEST(Horizon, FromAboveAllIsSeen) {
 TEST(Horizon, AlongAnAxisCurvesAreUprightLines) {
   // A ramp that rises away from the viewer: its far half is seen as its near half is.
   const FunctionHeights source = heights([](double, double y) { return 0.5 * y; }, 9);
-  const Drawn picture = drawn(source, camera_along({0, 1, 0}));
+  const Drawn picture = drawn(source, along({0, 1, 0}));
   // 9 level lines of width 2 and 9 upright ones of height 1, fitted to a width of 277 mm.
   EXPECT_NEAR(picture.length(), 277 * (9 + 9 * 0.5), 1e-6);
 }
@@ -210,12 +174,12 @@ TEST(Horizon, TheEyeOverTheGroundSeesAllOfAFlatOne) {
 
 TEST(Horizon, PixelsTendToExact) {
   const FunctionHeights source = heights(sombrero, 41);
-  const double exact = drawn(source, camera_along({1, 0.7, -0.5})).length();
+  const double exact = drawn(source, along({1, 0.7, -0.5})).length();
   double before = 1e300;
   for (const std::size_t resolution : {200, 2000, 20'000}) {
     HorizonOptions options;
     options.resolution = resolution;
-    const double off = std::abs(drawn(source, camera_along({1, 0.7, -0.5}), options).length() - exact);
+    const double off = std::abs(drawn(source, along({1, 0.7, -0.5}), options).length() - exact);
     EXPECT_LT(off, before) << resolution;
     before = off;
   }
@@ -226,8 +190,8 @@ TEST(Horizon, PixelsTendToExact) {
 // here.
 TEST(Horizon, NoSurfaceIsLostWhereCurvesAreDense) {
   const auto wide = [](double x, double y) { return sombrero(x * 2 / 3, y * 2 / 3); };  // sin(r)/r up to 8
-  const auto length_by_curve = [&](int n) {
-    return drawn(heights(wide, n), camera_along({1, 0.7, -0.5})).length() / (2 * n);
+  const auto length_by_curve = [&](std::size_t n) {
+    return drawn(heights(wide, n), along({1, 0.7, -0.5})).length() / (2 * n);
   };
   const double coarse = length_by_curve(100);
   EXPECT_NEAR(length_by_curve(400), coarse, 0.01 * coarse);
@@ -235,18 +199,14 @@ TEST(Horizon, NoSurfaceIsLostWhereCurvesAreDense) {
 
 TEST(Horizon, IsTheSameForAnyNumberOfThreads) {
   const Function hills = [](double x, double y) { return std::sin(3 * x) * std::cos(4 * y) + 0.2 * x; };
-  const Function pierced = [&](double x, double y) {
-    return std::hypot(x, y) < 0.8 ? std::numeric_limits<double>::quiet_NaN() : hills(x, y);
-  };
+  const Function pierced = [&](double x, double y) { return std::hypot(x, y) < 0.8 ? kNaN : hills(x, y); };
   // Along an axis every column is an upright line, and the lines that two bands meet at are among them.
   for (const Point3& sight : {Point3{1, 2, -1}, Point3{0, 1, -0.5}, Point3{-1, 0.01, -0.2}}) {
     for (const Function& f : {hills, pierced}) {
       const FunctionHeights source = heights(f, 120, 2);
       std::vector<Polylines> lines;
-      CameraRequest request;
-      request.direction = sight;
       for (const unsigned threads : {1u, 2u, 7u}) {
-        run_with_threads(threads, [&] { lines.push_back(drawn(source, request).lines); });
+        run_with_threads(threads, [&] { lines.push_back(drawn(source, along(sight)).lines); });
       }
       ASSERT_GT(lines[0].points.size(), 1000u);
       for (const Polylines& other : lines) {
@@ -258,26 +218,24 @@ TEST(Horizon, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Horizon, HolesEndCurves) {
-  const auto with_hole = [](double x, double y) {
-    return std::abs(x) < 0.25 && std::abs(y) < 0.25 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
-  };
+  const auto with_hole = [](double x, double y) { return std::abs(x) < 0.25 && std::abs(y) < 0.25 ? kNaN : 0.0; };
   const FunctionHeights source =
       heights(with_hole, 9);  // positions in steps of a quarter; the hole is the sample in the middle
-  const Drawn picture = drawn(source, camera_along({0, 0, -1}));
+  const Drawn picture = drawn(source, along({0, 0, -1}));
   EXPECT_EQ(picture.lines.size(), 20u);
   EXPECT_NEAR(picture.length(), 18 * 190 - 4 * 190 / 8.0, 1e-6);
 }
 
 TEST(Horizon, NothingToSee) {
-  const FunctionHeights source = heights([](double, double) { return std::numeric_limits<double>::quiet_NaN(); }, 5);
-  EXPECT_EQ(drawn(source, camera_along({1, 1, -1})).lines.size(), 0u);
+  const FunctionHeights source = heights([](double, double) { return kNaN; }, 5);
+  EXPECT_EQ(drawn(source, along({1, 1, -1})).lines.size(), 0u);
 }
 
 TEST(Horizon, StridesLeaveOutCurvesNotSamples) {
   HorizonOptions options;
   options.x_stride = 0;
   options.y_stride = 4;
-  EXPECT_EQ(drawn(heights(waves, 10), camera_along({0, 0, -1}), options).lines.size(), 4u);  // rows 0, 4, 8 and the last
+  EXPECT_EQ(drawn(heights(waves, 10), along({0, 0, -1}), options).lines.size(), 4u);  // rows 0, 4, 8 and the last
 }
 
 }  // namespace

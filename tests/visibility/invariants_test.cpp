@@ -1,9 +1,8 @@
 // What the studies promise each other is asserted: a planted breach ends the program.
 
-#include <gtest/gtest.h>
-
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 #include "visibility/common/line_strokes.hpp"
 #include "visibility/common/model_pieces.hpp"
 #include "visibility/watkins/crossing_queue.hpp"
@@ -37,8 +36,7 @@ TEST_F(Invariants, PartsOfALineAscend) {
   add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}}});
   Warnings warnings;
   finish_scene(scene, warnings);
-  const View view = make_view(scene, make_camera(along({0, 1, 0}), scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
-  const ProjectedScene projected = project(scene, build_topology(scene), view, {classes("all"), 30});
+  const ProjectedScene projected = project_on_a4(scene, along({0, 1, 0}));
   const Facets facets = make_facets(projected, 1);
   const auto add = [&](const Parts& found) {
     LineStrokes strokes(projected, facets, false, 1);

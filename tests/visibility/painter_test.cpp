@@ -1,17 +1,11 @@
 // The painter: orders by hand, the cases that planes decide, rings and penetration, faces of one depth each; what it paints
 // against the depth buffer wherever it says that its order is right.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <limits>
-
 #include "drawing/stroke_difference.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
+#include "support/test.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/painter/paint_sequence.hpp"
 
@@ -19,12 +13,6 @@ namespace ligne::test {
 namespace {
 
 using namespace painter;
-
-ProjectedScene whole_page(const Scene& scene, const CameraRequest& request) {
-  const View view = make_view(scene, make_camera(request, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
-                              {{0, 0}, {kPageWidth, kPageHeight}});
-  return project(scene, build_topology(scene), view, {classes("all"), 30});
-}
 
 PaintSequence sequence_of(const ProjectedScene& scene, DepthSort sort) {
   const double coincidence = coincidence_mm(scene) / scene.lattice.step_mm;
@@ -43,11 +31,11 @@ using Faces = std::vector<std::uint32_t>;
 /// Face 0 is a slope, face 1 a plate behind it and nearer than its far end, face 2 a plate before it and farther than its
 /// mean.
 TEST(Painter, APlaneTellsWhatDepthsDoNot) {
-  Scene scene;
-  add_face(scene, {{{0, 0, 0}, {100, 0, 0}, {100, 100, 50}, {0, 100, 50}}});    // a slope, z = y / 2
-  add_face(scene, {{{20, 30, 0}, {40, 30, 0}, {40, 30, 10}, {20, 30, 10}}});    // below it: behind
-  add_face(scene, {{{60, 60, 40}, {80, 60, 40}, {80, 60, 50}, {60, 60, 50}}});  // above it: in front
-  const ProjectedScene page = whole_page(scene, front());
+  // A slope, z = y / 2; below it, so behind; above it, so in front.
+  const Scene scene = scene_of_faces({{{0, 0, 0}, {100, 0, 0}, {100, 100, 50}, {0, 100, 50}},
+                                      {{20, 30, 0}, {40, 30, 0}, {40, 30, 10}, {20, 30, 10}},
+                                      {{60, 60, 40}, {80, 60, 40}, {80, 60, 50}, {60, 60, 50}}});
+  const ProjectedScene page = project_on_a4(scene, front());
   // Means 50, 30, 60; farthest 100, 30, 60.
   EXPECT_EQ(sequence_of(page, DepthSort::mean).faces, (Faces{2, 0, 1}));
   EXPECT_EQ(sequence_of(page, DepthSort::mean).wrong, 2u);
@@ -63,9 +51,8 @@ TEST(Painter, APlaneTellsWhatDepthsDoNot) {
 /// Lines are hidden by what is painted later, and by nothing else. By hand: the near plate, 4 wide, stands over the right
 /// side of the far one, 10 wide. All 16 of the near one are seen, and of the 40 of the far one all but 4.
 TEST(Painter, WhatIsPaintedLaterCovers) {
-  Scene scene;
-  add_face(scene, {{{0, 5, 0}, {10, 5, 0}, {10, 5, 10}, {0, 5, 10}}});
-  add_face(scene, {{{8, 0, 3}, {12, 0, 3}, {12, 0, 7}, {8, 0, 7}}});
+  const Scene scene =
+      scene_of_faces({{{0, 5, 0}, {10, 5, 0}, {10, 5, 10}, {0, 5, 10}}, {{8, 0, 3}, {12, 0, 3}, {12, 0, 7}, {8, 0, 7}}});
   EXPECT_NEAR(draw(scene, {front(), "all", false, 1, "painter"}).length(), 16 + 36, 1e-3);
   EXPECT_NEAR(draw(scene, {front(), "all", true, 1, "painter"}).length(false), 4, 1e-3) << "what is hidden";
 }
@@ -77,7 +64,7 @@ TEST(Painter, FacesOfOneDepthEach) {
     const double x = 7 * i % 30, y = (11 * i) % 20;
     add_face(scene, {{{x, y, x}, {x + 40, y, x}, {x + 40, y, x + 30}, {x, y, x + 30}}});
   }
-  const PaintSequence sequence = sequence_of(whole_page(scene, front()), DepthSort::resolved);
+  const PaintSequence sequence = sequence_of(project_on_a4(scene, front()), DepthSort::resolved);
   EXPECT_TRUE(sequence.level);
   EXPECT_EQ(sequence.overlapping, 0u);
   ASSERT_EQ(sequence.faces.size(), 20u);
@@ -89,7 +76,7 @@ TEST(Painter, FacesOfOneDepthEach) {
 /// Figure 2.81 of the thesis: a, b are resolved, c penetrates, d overlaps mutually, e in a ring.
 TEST(Painter, FiguresOfTheThesis) {
   const auto sequence = [](const char* name) {
-    return sequence_of(whole_page(corpus_scene(name), front()), DepthSort::resolved);
+    return sequence_of(project_on_a4(corpus_scene(name), front()), DepthSort::resolved);
   };
   for (const char* name : {"thesis_2_72", "thesis_2_81a", "thesis_2_81b"}) {
     EXPECT_EQ(sequence(name).wrong + sequence(name).penetrating + sequence(name).left, 0u) << name;
@@ -107,31 +94,17 @@ TEST(Painter, FiguresOfTheThesis) {
 
 /// The nearest depth of a face at a point of the lattice, within a little of its triangles.
 double depth_of(const ProjectedScene& scene, std::uint32_t face, Point2 p) {
+  constexpr double kInside = -1e-3;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Triangle& t : scene.triangles) {
-    if (t.face != face) continue;
-    const ProjectedVertex* v[3] = {&scene.vertices[t.v[0]], &scene.vertices[t.v[1]], &scene.vertices[t.v[2]]};
-    const double area = orientation(v[0]->p, v[1]->p, v[2]->p);
-    double z = 0, least = 1;
-    for (int k = 0; k < 3; ++k) {
-      const LatticePoint a = v[(k + 1) % 3]->p, b = v[(k + 2) % 3]->p;
-      const double weight = ((double(b.x) - a.x) * (p.y - a.y) - (double(b.y) - a.y) * (p.x - a.x)) / area;
-      least = std::min(least, weight);
-      z += weight * v[k]->z;
-    }
-    constexpr double kInside = -1e-3;
-    if (least > kInside) nearest = std::min(nearest, z);
-  }
+  for_triangles_at(scene, p, [&](const Triangle& t, double z, double least) {
+    if (t.face == face && least > kInside) nearest = std::min(nearest, z);
+  });
   return nearest;
 }
 
 /// The viewer stands in the room: faces reach from before the eye to behind it.
 TEST(Painter, FromAmongTheFacesWhatIsBehindTheViewerIsCutOff) {
-  CameraRequest inside;
-  inside.eye = Point3{1.5, 3.25, 6.5};
-  inside.target = Point3{9, 11, 2};
-  inside.fov_degrees = 80;
-  const ProjectedScene page = whole_page(corpus_scene("room"), inside);
+  const ProjectedScene page = project_on_a4(corpus_scene("room"), from_eye({1.5, 3.25, 6.5}, {9, 11, 2}, 80));
   ASSERT_FALSE(page.edge_parts.empty()) << "nothing is cut off";
   const VisibilityResult painted = find_method("painter")->study(page, {}), truth = find_method("appel")->study(page, {});
   EXPECT_EQ(painted.beyond, "");
@@ -141,10 +114,8 @@ TEST(Painter, FromAmongTheFacesWhatIsBehindTheViewerIsCutOff) {
 }
 
 TEST(Painter, WithTheEyeOnACornerItSaysThatItMayBeWrong) {
-  CameraRequest corner;
-  corner.eye = Point3{0, 0, 0};
-  corner.target = Point3{9, 11, 2};
-  EXPECT_NE(find_method("painter")->study(whole_page(corpus_scene("room"), corner), {}).beyond, "");
+  const CameraRequest corner = from_eye({0, 0, 0}, {9, 11, 2});
+  EXPECT_NE(find_method("painter")->study(project_on_a4(corpus_scene("room"), corner), {}).beyond, "");
 }
 
 /// Where the painter says nothing against its order, it paints what the depth buffer shows.

@@ -1,8 +1,7 @@
 // Solids that touch: every line once, and all of it.
 
-#include <gtest/gtest.h>
-
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
@@ -84,17 +83,11 @@ TEST(Touching, BoxOnAPlateShowsItsFoot) {
 }
 
 TEST(Touching, CoplanarPlatesHideNothingOfEachOther) {
-  Scene scene;
-  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}});
-  add_face(scene, {{{5, 5, 0}, {15, 5, 0}, {15, 15, 0}, {5, 15, 0}}});
+  const Scene scene =
+      scene_of_faces({{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}, {{5, 5, 0}, {15, 5, 0}, {15, 15, 0}, {5, 15, 0}}});
   const Picture p = draw(scene, {along({0.1, 0.3, -1}), "feature", false, 1});
-  const Picture first = draw(
-      [] {
-        Scene s;
-        add_face(s, {{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}});
-        return s;
-      }(),
-      {along({0.1, 0.3, -1}), "feature", false, 1});
+  const Scene one = scene_of_faces({{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}});
+  const Picture first = draw(one, {along({0.1, 0.3, -1}), "feature", false, 1});
   EXPECT_NEAR(p.length(), 2 * first.length(), 0.01);
 }
 
@@ -111,15 +104,173 @@ TEST(Touching, DuplicateFacesAreDrawnOnce) {
 
 // A corner beside a facet sees the errors of the facet's corners enlarged: the fourth corner of a parallelogram three times.
 TEST(Touching, OnePlateCutByEitherDiagonalDoesNotPenetrateItself) {
-  Scene scene;
-  add_face(scene, {{{0, 0, 0}, {4, 0, 0}, {4, 0, 4}}});
-  add_face(scene, {{{0, 0, 0}, {4, 0, 4}, {0, 0, 4}}});
-  add_face(scene, {{{0, 0, 0}, {4, 0, 0}, {0, 0, 4}}});
-  add_face(scene, {{{4, 0, 0}, {4, 0, 4}, {0, 0, 4}}});
+  const Scene scene = scene_of_faces({{{0, 0, 0}, {4, 0, 0}, {4, 0, 4}},
+                                      {{0, 0, 0}, {4, 0, 4}, {0, 0, 4}},
+                                      {{0, 0, 0}, {4, 0, 0}, {0, 0, 4}},
+                                      {{4, 0, 0}, {4, 0, 4}, {0, 0, 4}}});
   for (int i = 0; i < 64; ++i) {
     const Point3 eye{5.4375 + i / 16.0, -4.59375, 4.40625 + i / 32.0};
     EXPECT_EQ(draw(scene, {from_eye(eye, {2, 0, 2})}).length_of(LineClass::intersection), 0) << "from " << eye.x;
   }
+}
+
+// Heaps of sheets in one plane: so many that cells of the grid know their plane, and ask none of them.
+
+constexpr double kScale = 20;  ///< page mm by unit
+constexpr int kSheets = 150;
+
+/// Rectangles of all sizes in the square from -4 to 4, in a plane turned by `turn`, `above` it.
+void add_heap(Scene& scene, const Basis& turn, double above, double size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-4, 4 - size), side(0.3 * size, size);
+  for (int i = 0; i < kSheets; ++i) {
+    const double x = place(random), y = place(random), w = side(random), h = side(random);
+    const auto at = [&](double u, double v) { return turn[0] * u + turn[1] * v + turn[2] * above; };
+    add_face(scene, {{at(x, y), at(x + w, y), at(x + w, y + h), at(x, y + h)}});
+  }
+}
+
+PictureRequest request(const std::string& method, const Basis& turn, bool hidden) {
+  return {along(-turn[2] + turn[0] * 0.7 + turn[1] * 0.4), "all", hidden, kScale, method};
+}
+
+/// Page length of the sides of all faces.
+double length_of_sides(const Picture& picture) {
+  double sum = 0;
+  const ProjectedScene& scene = picture.projected;
+  for (const ProjectedEdge& e : scene.edges) {
+    if (e.line_class != LineClass::mesh)
+      sum += glm::length(scene.lattice.to_mm(scene.vertices[e.v1].p) - scene.lattice.to_mm(scene.vertices[e.v0].p));
+  }
+  return sum;
+}
+
+class HeapsOfSheets : public testing::TestWithParam<const char*> {};
+
+TEST_P(HeapsOfSheets, HideNothingOfEachOtherAndDoNotPenetrate) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Basis turn = rotation(0.3 * seed, 0.2, 0.5);
+    Scene scene;
+    add_heap(scene, turn, 0, 3, seed);
+    const Picture picture = draw(scene, request(GetParam(), turn, true));
+    EXPECT_EQ(picture.length(false), 0) << seed;
+    EXPECT_EQ(picture.length_of(LineClass::intersection), 0) << seed;
+    EXPECT_NEAR(picture.length(), length_of_sides(picture), 0.01) << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, HeapsOfSheets, testing::Values("appel", "watkins", "atherton-weiler", "warnock"),
+                         [](const auto& info) { return as_test_name(info.param); });
+
+// Ten times as far apart as what touches. The method warnock asks no plane of a cell.
+TEST(HeapOfSheets, HidesWhatIsHardlyBehindIt) {
+  const Basis turn = rotation(0.3, 0.2, 0.5);
+  Scene scene;
+  add_heap(scene, turn, 0, 1, 1);
+  const double alone = draw(scene, request("appel", turn, true)).length();
+  add_heap(scene, turn, -2e-5, 1, 2);
+  const Picture picture = draw(scene, request("appel", turn, true)), other = draw(scene, request("warnock", turn, true));
+  EXPECT_NEAR(picture.length(), other.length(), 0.01);
+  EXPECT_NEAR(picture.length(false), other.length(false), 0.01);
+  EXPECT_GT(picture.length(), 1.05 * alone) << "what is seen between the sheets";
+  EXPECT_GT(picture.length(false), 0.5 * alone);
+}
+
+// The cells of the heap know its plane, and lines that leave it are held against every sheet all the same.
+TEST(HeapOfSheets, IsPenetratedByABox) {
+  const Basis turn = rotation(0.3, 0.2, 0.5);
+  Scene heap;
+  add_heap(heap, turn, 0, 3, 1);
+  Scene plate;
+  const Point3 x = turn[0] * 4.0, y = turn[1] * 4.0;
+  add_face(plate, {{-x - y, x - y, x + y, -x + y}});
+  add_face(heap, {{-x - y, x - y, x + y, -x + y}});
+  double lengths[2];
+  int k = 0;
+  for (Scene* scene : {&plate, &heap}) {
+    add_box(*scene, {-0.5, -0.5, -0.5}, {1, 1, 1}, turn);
+    lengths[k++] = draw(*scene, request("appel", turn, false)).length_of(LineClass::intersection);
+  }
+  EXPECT_GT(lengths[0], kScale);
+  EXPECT_NEAR(lengths[1], lengths[0], 0.01) << "the same line, whatever the plate is made of";
+}
+
+// Planes that cross where rims or sides of triangles lie. Scenes with all coordinates worked out: tests/known_answers.
+
+constexpr double kMicrometre = 0.001;
+
+TEST(PenetratingPlanes, CrossInALineThoughTheirRimsCoincide) {
+  // Two 10 x 10 squares that cross at right angles along x, seen along (0, 1, -1): both are seen at 45 degrees.
+  const Scene scene =
+      scene_of_faces({{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}, {{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}}});
+  const Picture p = draw(scene, {along({0, 1, -1}), "all", false, 1});
+  EXPECT_NEAR(p.length_of(LineClass::intersection), 10, kMicrometre);
+  // Both project to the same rectangle 10 x 10/sqrt(2): of each the far half is behind the near half of the other, and both
+  // rectangles' rims coincide. Drawn: the rim once, and the line of intersection.
+  EXPECT_NEAR(p.length(), 20 + 2 * 10 / std::sqrt(2.0) + 10, 5 * kMicrometre);
+}
+
+TEST(PenetratingPlanes, CrossInASideOfTriangles) {
+  // The upright square is cut into triangles along the very line in which it crosses the other one, and the lower half
+  // hangs on the upper one by that side.
+  Scene scene;
+  add_face(scene, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
+  begin_object(scene);
+  const auto base = static_cast<std::uint32_t>(scene.vertices.size());
+  for (const Point3& p : {Point3{-5, 0, 0}, Point3{5, 0, 0}, Point3{0, 0, 5}, Point3{0, 0, -5}}) scene.vertices.push_back(p);
+  scene.faces.add_triangle(base, base + 1, base + 2);
+  scene.faces.add_triangle(base + 1, base, base + 3);
+  end_object(scene);
+  for (const bool hidden : {false, true}) {
+    const Picture p = draw(scene, {along({0, 1, -1}), "intersection", hidden, 1});
+    EXPECT_NEAR(p.length_of(LineClass::intersection), 10, kMicrometre) << "with hidden lines: " << hidden;
+  }
+  // Without the lower half the upper one stands on the square: they touch.
+  Scene standing = scene;
+  standing.faces = {};
+  add_face(standing, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
+  add_face(standing, {{{-5, 0, 0}, {5, 0, 0}, {0, 0, 5}}});
+  EXPECT_NEAR(draw(standing, {along({0, 1, -1}), "intersection", false, 1}).length(), 0, kMicrometre);
+}
+
+// Clipping gives the two halves corners of their own, and still they are known to go on in each other.
+TEST(PenetratingPlanes, SurfaceThroughAPlateAlongAnEdgeThatIsClipped) {
+  Scene scene;
+  add_face(scene, {{{-200, -5, 0}, {200, -5, 0}, {200, 5, 0}, {-200, 5, 0}}});
+  begin_object(scene);
+  scene.vertices.insert(scene.vertices.end(),
+                        {{-200, 0, 0}, {200, 0, 0}, {200, 0, 4}, {-200, 0, 4}, {200, 0, -4}, {-200, 0, -4}});
+  const std::uint32_t upper[] = {4, 5, 6, 7}, lower[] = {5, 4, 9, 8};
+  scene.faces.add_face(upper);
+  scene.faces.add_face(lower);
+  end_object(scene);
+  const Picture p = draw(scene, {along({0, 1, -1}), "intersection", false, 1});
+  EXPECT_NEAR(p.length_of(LineClass::intersection), kPageWidth, kMicrometre);
+}
+
+// Two squares that cross in the diagonal along which both are cut into triangles; and two roofs that only touch along their
+// ridges.
+TEST(PenetratingPlanes, CrossInADiagonalOfBoth) {
+  for (const int turn : {0, 1}) {
+    const auto turned = [turn](std::vector<Point3> p) {
+      std::rotate(p.begin(), p.begin() + turn, p.end());
+      return p;
+    };
+    Scene scene;
+    add_face(scene, {turned({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}})});
+    add_face(scene, {turned({{0, 0, 0}, {4, 0, 4}, {4, 4, 0}, {0, 4, -4}})});
+    const Picture p = draw(scene, {along({0, 0, -1}), "intersection", false, 1});
+    EXPECT_NEAR(p.length_of(LineClass::intersection), 4 * std::sqrt(2.0), kMicrometre) << turn;
+  }
+}
+
+TEST(PenetratingPlanes, RoofsThatTouchAlongTheirRidgesDoNotCross) {
+  Scene scene;
+  for (const double z : {-1, 1}) {
+    add_face(scene, {{{0, 0, 0}, {4, 0, 0}, {4, 2, z}, {0, 2, z}}});
+    add_face(scene, {{{4, 0, 0}, {0, 0, 0}, {0, -2, z}, {4, -2, z}}});
+  }
+  EXPECT_NEAR(draw(scene, {along({0, 0, -1}), "intersection", false, 1}).length_of(LineClass::intersection), 0, kMicrometre);
 }
 
 }  // namespace

@@ -1,9 +1,6 @@
 // Windows and the module of analysis of the method warnock.
 
-#include <gtest/gtest.h>
-
-#include <random>
-
+#include "support/test.hpp"
 #include "visibility/warnock_tools.hpp"
 
 namespace ligne::test {
@@ -155,6 +152,117 @@ TEST(WarnockAnalysis, SurroundersAreInheritedAndWhatTheyHideIsNotStudied) {
   EXPECT_EQ(children[0].elements[0].relation, Relation::surrounder);
   // Hidden intersections need all faces.
   EXPECT_EQ(Analysis(table, 1, false).begin({-100, 100, -100, 100}, counts).elements.size(), 3u);
+}
+
+// The module of understanding of the method warnock: each case by itself, and what must not be taken for it.
+
+constexpr Window kWindow{-1000, 1000, -1000, 1000};
+
+/// The situation in kWindow.
+struct StudiedWindow {
+  explicit StudiedWindow(const std::string& faces)
+      : stage(faces),
+        table(stage.table()),
+        lists(Analysis(table, 1, true).begin(kWindow, analysis)),
+        situation(table, lists, kWindow.grown(-1), 64, analysis, depth),
+        covers(study_surrounders(situation)) {}
+
+  std::vector<const Placed*> intersectors() const {
+    const auto seen = seen_intersectors(situation, covers.front);
+    return seen ? *seen : std::vector<const Placed*>{};
+  }
+
+  Stage stage;
+  const FaceTable& table;
+  AnalysisCounts analysis;
+  DepthCounts depth;
+  Lists lists;
+  Situation situation;
+  Covers covers;
+};
+
+/// What may be asked of a window, by the names of the table below.
+const std::map<std::string, bool (*)(const StudiedWindow&)> kQuestions{
+    {"surrounder", [](const auto& s) { return surrounder_before_everything(s.situation, s.covers); }},
+    {"penetrating", [](const auto& s) { return penetrating_surrounders_before_everything(s.situation, s.covers); }},
+    {"failed", [](const auto& s) { return s.covers.failed; }},
+    {"seen", [](const auto& s) { return seen_intersectors(s.situation, s.covers.front).has_value(); }},
+    {"two", [](const auto& s) { return s.intersectors().size() == 2; }},
+    {"single", [](const auto& s) { return single_intersector(s.intersectors()); }},
+    {"line", [](const auto& s) { return seen_edges_in_one_line(s.situation, s.intersectors()); }},
+    {"vertex", [](const auto& s) { return seen_edges_meet_in_one_vertex(s.situation, s.intersectors()); }},
+    {"apart", [](const auto& s) { return seen_intersectors_apart(s.situation, s.intersectors()); }}};
+
+struct WindowCase {
+  const char *name, *faces, *answers;  // "!line vertex": no to the one question, yes to the other
+  std::optional<Understood> understood;
+};
+
+TEST(WarnockUnderstanding, KnowsEachCaseAndWhatIsNone) {
+  const WindowCase cases[] = {
+      {"a surrounder before one whose depths overlap its own, and before a face that is behind it where it is",
+       "cover 1 3; cover 2 4; face -500,0,3 500,0,3.5 0,500,3", "surrounder", Understood::surrounder},
+      {"the rim of what lies on it is drawn", "cover 1; rectangle -100 -100 100 100 1", "!surrounder",
+       Understood::single_intersector},
+      {"a surrounder whose rim runs along the window", "rectangle -1000 -1000 1000 1000 1; face -500,0,3 500,0,3.5 0,500,3",
+       "surrounder", std::nullopt},
+      {"two that penetrate before everything", "cover 1 3; cover 3 1; cover 4; face -500,0,3 500,0,3.5 0,500,3",
+       "!surrounder penetrating", Understood::penetrating_surrounders},
+      {"two that penetrate, with something before them", "cover 1 3; cover 3 1; face -100,0,1.5 100,0,1.5 0,100,1.5",
+       "!penetrating", Understood::no},
+      {"three that penetrate", "cover 1 3; cover 3 1; cover 1.99", "failed", Understood::no},
+      {"two faces of a solid with a common edge, and one behind the cover",
+       "cover 5; face -5000,100,1 5000,100,1 5000,5000,2 -5000,5000,2; face -5000,100,1 5000,100,1 5000,5000,1.5 -5000,5000,1.5;"
+       "rectangle -100 -100 100 100 6",
+       "two line", Understood::one_line},
+      {"edges in two lines",
+       "face -5000,100,1 5000,100,1 5000,5000,2 -5000,5000,2; face -5000,101,1 5000,101,1 5000,5000,1.5 -5000,5000,1.5",
+       "!line", std::nullopt},
+      {"edges in one line, of faces that cross",
+       "face -5000,100,1 5000,100,3 5000,5000,3 -5000,5000,1; face -5000,100,3 5000,100,1 5000,5000,1 -5000,5000,3",
+       "two !line", Understood::no},
+      {"a single intersector, and a hidden one", "cover 5; face -500,0,3 500,0,3.5 0,500,3; rectangle -100 -100 100 100 6",
+       "single", Understood::single_intersector},
+      {"through the cover", "cover 3; face -500,0,2 500,0,4 0,500,2", "!seen", Understood::no},
+      {"the corner of a solid: three faces round a vertex",
+       "cover 9; face 10,20,1 5000,0,4 -5000,5000,4; face 10,20,1 -5000,5000,4 -5000,-5000,4; face 10,20,1 -5000,-5000,4 5000,0,4",
+       "!line vertex", Understood::one_vertex},
+      {"two vertices", "face 0,0,1 5000,0,4 -5000,5000,4; face 0,1,2 5000,1,4 -5000,5000,4", "!vertex", std::nullopt},
+      {"a vertex outside the window", "face 1500,0,1 -5000,100,4 -5000,300,4; face 1500,0,1 -5000,-100,4 -5000,-300,4",
+       "!vertex", std::nullopt},
+      {"apart, two of them with a common side",
+       "cover 9; rectangle -500 -500 -100 500 1; rectangle 100 -300 400 500 2; rectangle 400 -300 600 500 3", "apart",
+       Understood::apart},
+      {"over each other", "rectangle -500 -500 101 500 1; rectangle 100 -300 400 500 2", "!apart", Understood::no},
+  };
+  for (const WindowCase& c : cases) {
+    StudiedWindow s(c.faces);
+    std::istringstream answers(c.answers);
+    for (std::string answer; answers >> answer;) {
+      const bool expected = answer[0] != '!';
+      EXPECT_EQ(kQuestions.at(answer.substr(expected ? 0 : 1))(s), expected) << c.name << ", " << answer << ": " << c.faces;
+    }
+    if (c.understood) {
+      EXPECT_EQ(understand(s.situation), *c.understood) << c.name << ": " << c.faces;
+    }
+    if (&c == cases) {
+      EXPECT_EQ(s.covers.front->face->face, 0u) << "the first face is the front one";
+    }
+  }
+}
+
+// [Boulle1980]'s case 3: the planes change places at the corners of the window, the faces do not where the intersector is.
+TEST(WarnockUnderstanding, DepthIsComparedWhereTheIntersectorIs) {
+  // At x = 1000 the plane of the second is at 6.6.
+  StudiedWindow s("cover 3; face -500,-500,1 -100,-500,2.5 -100,500,2.5 -500,500,1");
+  ASSERT_EQ(s.intersectors().size(), 1u);
+  EXPECT_EQ(s.situation.compare(*s.intersectors()[0], *s.covers.front).order, DepthOrder::first);
+  EXPECT_EQ(understand(s.situation), Understood::single_intersector);
+  // Where the window round the intersector is wrong too, only its contour tells: the fourth corner of its box is at 4.8.
+  StudiedWindow t("cover 3; face -500,-500,1 500,-500,2.9 -500,500,2.9");
+  ASSERT_EQ(t.intersectors().size(), 1u);
+  EXPECT_EQ(t.situation.compare(*t.intersectors()[0], *t.covers.front).order, DepthOrder::first);
+  EXPECT_GT(t.depth.clipped, 0u);
 }
 
 }  // namespace

@@ -1,14 +1,9 @@
 // The module of control of the method warnock: the first window, divisions, and the findings of [Boulle1980].
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "geometry/parallel.hpp"
 #include "study/generators.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 #include "visibility/warnock_tools.hpp"
 
 namespace ligne::test {
@@ -132,10 +127,7 @@ std::uint64_t windows_of_square(double shift_x, double shift_z, unsigned window,
   if (resolution > 0) options.settings.set("resolution", resolution);
   const VisibilityResult result = find_method("warnock")->study(projected, options);
   EXPECT_EQ(result.strokes->strokes.size(), 4u) << "the sides of the square, in one piece each";
-  for (const auto& [name, n] : result.statistics.counts) {
-    if (name == "windows studied") return n;
-  }
-  return 0;
+  return count_of(result.statistics, "windows studied");
 }
 
 TEST(WarnockFindings, FewerWindowsFromTheScreenToTheBoundingSquareToThePrincipalDirection) {
@@ -166,7 +158,7 @@ TEST(WarnockFindings, KnowledgeAndRoughTestsSaveWindows) {
     if (option) options.settings.set(option, value);
     const VisibilityResult result = find_method("warnock")->study(projected, options);
     EXPECT_EQ(result.strokes->strokes.size(), 4u);
-    return std::ranges::find(result.statistics.counts, "windows studied", [](const auto& c) { return c.first; })->second;
+    return count_of(result.statistics, "windows studied");
   };
   constexpr ParameterWord kNothing{0}, kTwo{1}, kFour{2}, kAll{3};
   EXPECT_GT(windows("understanding", kNothing), windows("understanding", kTwo));
@@ -180,16 +172,7 @@ TEST(WarnockFindings, FewEdgesAreSolvedInOneWindow) {
 }
 
 TEST(WarnockControl, OneThreadAndManyFindTheSame) {
-  Scene scene;
-  std::mt19937 random(9);
-  std::uniform_real_distribution<double> u(-1, 1);
-  for (int i = 0; i < 600; ++i) {
-    add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {2, 2, 2},
-            rotation(u(random) * 3, u(random) * 3, u(random) * 3));
-  }
-  const Camera camera = make_camera(along({-1, 2, -1}), scene);
-  const View view = make_view(scene, camera, {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
-  const ProjectedScene projected = project(scene, build_topology(scene), view, {classes("all"), 30});
+  const ProjectedScene projected = project_on_a4(random_boxes(600, 9, 10, {2, 2, 2}), along({-1, 2, -1}));
   const auto with_threads = [&](int n) {
     VisibilityResult result;
     run_with_threads(n, [&] {
@@ -200,12 +183,7 @@ TEST(WarnockControl, OneThreadAndManyFindTheSame) {
     return result;
   };
   const VisibilityResult one = with_threads(1), four = with_threads(4);
-  ASSERT_EQ(one.strokes->strokes.size(), four.strokes->strokes.size());
-  for (std::size_t i = 0; i < one.strokes->strokes.size(); ++i) {
-    const Stroke &a = one.strokes->strokes[i], &b = four.strokes->strokes[i];
-    ASSERT_TRUE(a.from == b.from && a.to == b.to && a.t_from == b.t_from && a.t_to == b.t_to && a.source == b.source &&
-                a.may_coincide == b.may_coincide);
-  }
+  expect_same_strokes(*one.strokes, *four.strokes);
   EXPECT_EQ(one.debug, four.debug);
   EXPECT_EQ(one.statistics.counts, four.statistics.counts);
   ASSERT_EQ(one.regions->size(), four.regions->size());

@@ -1,15 +1,10 @@
 // Areas of the method warnock: no overlap, no gap, and each shows the face that is in front.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <map>
-
 #include "geometry/point.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
@@ -20,10 +15,7 @@ struct Areas {
 };
 
 Areas areas_of(const Scene& scene, const CameraRequest& camera, const MethodSettings& settings = {}) {
-  const Topology topology = build_topology(scene);
-  const View view = make_view(scene, make_camera(camera, scene), {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}},
-                              {{0, 0}, {kPageWidth, kPageHeight}});
-  Areas result{project(scene, topology, view, {classes("all"), 30}), {}};
+  Areas result{project_on_a4(scene, camera), {}};
   StudyOptions options;
   options.settings = settings;
   result.regions = *find_method("warnock")->study(result.projected, options).regions;
@@ -64,20 +56,11 @@ bool holds(const Region& r, Point2 p, double distance, bool& near) {
 std::map<std::uint32_t, double> depths_of_faces_at(const ProjectedScene& scene, Point2 mm) {
   std::map<std::uint32_t, double> depths;
   const Point2 p = (mm - scene.lattice.origin_mm) / scene.lattice.step_mm;
-  for (const Triangle& t : scene.triangles) {
-    if (!scene.face_is_transparent.empty() && scene.face_is_transparent[t.face]) continue;
-    const ProjectedVertex &a = scene.vertices[t.v[0]], &b = scene.vertices[t.v[1]], &c = scene.vertices[t.v[2]];
-    const double area = orientation(a.p, b.p, c.p);
-    if (area == 0) continue;
-    const auto cross = [&](const LatticePoint& s, const LatticePoint& e) {
-      return ((double(e.x) - s.x) * (p.y - s.y) - (double(e.y) - s.y) * (p.x - s.x)) / area;
-    };
-    const double wc = cross(a.p, b.p), wa = cross(b.p, c.p), wb = cross(c.p, a.p);
-    if (wa < 0 || wb < 0 || wc < 0) continue;
-    const double z = wa * a.z + wb * b.z + wc * c.z;
+  for_triangles_at(scene, p, [&](const Triangle& t, double z, double least) {
+    if (least < 0 || (!scene.face_is_transparent.empty() && scene.face_is_transparent[t.face])) return;
     const auto found = depths.try_emplace(t.face, z).first;
     found->second = std::min(found->second, z);
-  }
+  });
   return depths;
 }
 
@@ -166,9 +149,8 @@ TEST(WarnockAreas, AddUpToThePlateBehind) {
 
 /// A bar before a plate cuts it in two; a plate with a hole shows what is behind.
 TEST(WarnockAreas, OneRegionForEachPieceWithItsHoles) {
-  Scene scene;
-  add_face(scene, {{{-4, -3, 0}, {4, -3, 0}, {4, 3, 0}, {-4, 3, 0}}});
-  add_face(scene, {{{-1, -5, 1}, {1, -5, 1}, {1, 5, 1}, {-1, 5, 1}}});
+  const Scene scene =
+      scene_of_faces({{{-4, -3, 0}, {4, -3, 0}, {4, 3, 0}, {-4, 3, 0}}, {{-1, -5, 1}, {1, -5, 1}, {1, 5, 1}, {-1, 5, 1}}});
   const Areas cut = areas_of(scene, along({0, 0, -1}));
   ASSERT_EQ(cut.regions.size(), 3u);
   EXPECT_EQ(cut.regions[0].face, 0u);

@@ -20,6 +20,30 @@ class Stage {
  public:
   Stage() { scene_.lattice.step_mm = 0x1p-17; }
 
+  /// Faces in words, in the order of their numbers: "face 0,0,1 500,0,2 0,500,2; rectangle -9 -9 9 9 6; cover 1 3" are a
+  /// triangle, an upright rectangle at depth 6, and a face that covers the steps from -5000 to 5000, its depth 1 at the left
+  /// and 3 at the right.
+  explicit Stage(const std::string& text) : Stage() {
+    std::istringstream faces(text);
+    for (std::string words; std::getline(faces, words, ';');) {
+      std::replace(words.begin(), words.end(), ',', ' ');
+      std::istringstream in(words);
+      std::string kind;
+      in >> kind;
+      const std::vector<double> n{std::istream_iterator<double>(in), {}};
+      const auto at = [&](std::size_t i) { return static_cast<std::int32_t>(n.at(i)); };
+      if (kind == "rectangle") {
+        add_rectangle(at(0), at(1), at(2), at(3), n.at(4));
+      } else if (kind == "cover") {
+        add({{-5000, -5000, n.at(0)}, {5000, -5000, n.back()}, {5000, 5000, n.back()}, {-5000, 5000, n.at(0)}});
+      } else {
+        std::vector<Corner> corners;
+        for (std::size_t i = 0; i < n.size(); i += 3) corners.push_back({at(i), at(i + 1), n.at(i + 2)});
+        add(corners);
+      }
+    }
+  }
+
   /// A convex face (or a fan from its first corner that covers it); returns its number.
   std::uint32_t add(const std::vector<Corner>& corners) {
     const std::uint32_t face = faces_++;

@@ -1,11 +1,7 @@
 // The four span methods against a plain search, and against each other: random segments, whole and real, that overlap,
 // touch, coincide and penetrate.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <random>
-
+#include "support/test.hpp"
 #include "visibility/watkins/span_method.hpp"
 
 namespace ligne::watkins {

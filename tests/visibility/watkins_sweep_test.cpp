@@ -1,17 +1,10 @@
 // The exact scan: its list, its stops, its bands.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
-#include <string_view>
-
 #include "drawing/drawing.hpp"
 #include "drawing/stroke_overlap.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 #include "visibility/watkins/exact_study.hpp"
 
 namespace ligne::watkins {
@@ -88,9 +81,7 @@ struct Prepared {
 Prepared prepare(Scene scene, const CameraRequest& camera) {
   Warnings warnings;
   finish_scene(scene, warnings);
-  const Topology topology = build_topology(scene);
-  const View view = make_view(scene, make_camera(camera, scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
-  Prepared p{project(scene, topology, view, {classes("all"), 30}), {}, {}};
+  Prepared p{project_on_a4(scene, camera), {}, {}};
   p.facets = make_facets(p.projected, 1);
   for (const ProjectedEdge& e : p.projected.edges)
     p.lines.push_back({p.projected.vertices[e.v0], p.projected.vertices[e.v1], e.face0, e.face1});
@@ -108,9 +99,8 @@ ExactResult study(const Prepared& p, SpanMethodKind kind = SpanMethodKind::stack
 /// Two plates, one before the other, turned: ten stops for the eight corners and two diagonals' ends, crossings where sides
 /// and diagonals cross.
 TEST(WatkinsSweep, StopsOfTwoPlates) {
-  Scene scene;
-  add_face(scene, {{{0, 0, 0}, {10, 0, 1}, {11, 0, 11}, {1, 0, 10}}});
-  add_face(scene, {{{3, 5, 2}, {20, 5, 3}, {21, 5, 8}, {4, 5, 7}}});
+  const Scene scene =
+      scene_of_faces({{{0, 0, 0}, {10, 0, 1}, {11, 0, 11}, {1, 0, 10}}, {{3, 5, 2}, {20, 5, 3}, {21, 5, 8}, {4, 5, 7}}});
   const Prepared p = prepare(scene, along({0, 1, 0}));
   const ExactResult r = study(p);
   EXPECT_EQ(r.counts.sweep.points, 8u);
@@ -131,14 +121,7 @@ TEST(WatkinsSweep, StopsOfTwoPlates) {
 
 /// The same intervals whatever span method proposes the facets, and none missing against a test of every facet.
 TEST(WatkinsSweep, FindingsAreThoseOfAllFacets) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> u(-1, 1);
-  Scene scene;
-  for (int i = 0; i < 40; ++i) {
-    add_box(scene, Point3{u(random), u(random), u(random)} * 6.0, {3, 2, 2.5},
-            rotation(u(random) * 3, u(random) * 3, u(random) * 3));
-  }
-  const Prepared p = prepare(scene, along({-1, 2, -1}));
+  const Prepared p = prepare(random_boxes(40, 11, 6, {3, 2, 2.5}), along({-1, 2, -1}));
   OpenParts open, all;
   for (const SpanMethodKind kind :
        {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box, SpanMethodKind::point}) {
@@ -199,11 +182,7 @@ TEST(WatkinsSweep, LeavesOutWhatConnectedFacetsHideTogether) {
   }
   const Prepared p = prepare(scene, along({-1, 1, -1}));
   const Statistics counts = find_method("watkins")->study(p.projected, {}).statistics;
-  const auto count = [&](std::string_view name) {
-    const auto found =
-        std::ranges::find(counts.counts, name, [](const auto& named) { return std::string_view(named.first); });
-    return found == counts.counts.end() ? 0 : found->second;
-  };
+  const auto count = [&](std::string_view name) { return count_of(counts, name); };
   EXPECT_EQ(count("facets"), 12u * kBoxes);
   EXPECT_GT(count("facets before all covers"), 0u);
   EXPECT_LT(count("facets before all covers"), 12u * kBoxes / 8);
@@ -211,9 +190,8 @@ TEST(WatkinsSweep, LeavesOutWhatConnectedFacetsHideTogether) {
 
 /// Pairs that penetrate: every crossing of two plates, found where they begin to overlap on the page.
 TEST(WatkinsSweep, FindsWhatPenetrates) {
-  Scene scene;
-  add_face(scene, {{{0, -5, 0}, {10, 5, 0}, {10, 5, 10}, {0, -5, 10}}});
-  add_face(scene, {{{0, 5, 2}, {10, -5, 2}, {10, -5, 8}, {0, 5, 8}}});
+  const Scene scene =
+      scene_of_faces({{{0, -5, 0}, {10, 5, 0}, {10, 5, 10}, {0, -5, 10}}, {{0, 5, 2}, {10, -5, 2}, {10, -5, 8}, {0, 5, 8}}});
   const Prepared p = prepare(scene, along({0, 1, 0}));
   ExactResult r = study(p, SpanMethodKind::stack, true);
   double sum = 0;

@@ -1,17 +1,11 @@
 // The depth buffer: depths worked out by hand, against a plain search, without gaps; objects added later; lines sampled.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <random>
-
 #include "geometry/parallel.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
+#include "support/test.hpp"
 #include "visibility/common/depth_buffer.hpp"
 #include "visibility/zbuffer/edge_sampling.hpp"
 
@@ -160,24 +154,14 @@ constexpr std::uintmax_t kMostBytes = 20'000;
 
 /// The nearest depth of the triangles that surely hold the point, and that of those that may hold it.
 std::array<double, 2> depths_at(const ProjectedScene& scene, Point2 p) {
+  constexpr double kInside = 1e-3;
   std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  for (const Triangle& t : scene.triangles) {
-    if (!scene.face_is_transparent.empty() && scene.face_is_transparent[t.face]) continue;  // not in the buffer
-    if (scene.is_edge_on(t)) continue;
-    const ProjectedVertex* v[3] = {&scene.vertices[t.v[0]], &scene.vertices[t.v[1]], &scene.vertices[t.v[2]]};
-    const double area = orientation(v[0]->p, v[1]->p, v[2]->p);
-    if (area == 0) continue;
-    double z = 0, least = 1;
-    for (int k = 0; k < 3; ++k) {
-      const LatticePoint a = v[(k + 1) % 3]->p, b = v[(k + 2) % 3]->p;
-      const double weight = ((double(b.x) - a.x) * (p.y - a.y) - (double(b.y) - a.y) * (p.x - a.x)) / area;
-      least = std::min(least, weight);
-      z += weight * v[k]->z;
-    }
-    constexpr double kInside = 1e-3;
+  for_triangles_at(scene, p, [&](const Triangle& t, double z, double least) {
+    if (!scene.face_is_transparent.empty() && scene.face_is_transparent[t.face]) return;  // not in the buffer
+    if (scene.is_edge_on(t)) return;
     if (least > kInside) nearest[0] = std::min(nearest[0], z);
     if (least > -kInside) nearest[1] = std::min(nearest[1], z);
-  }
+  });
   return nearest;
 }
 
@@ -214,17 +198,6 @@ TEST(ZBuffer, AgreesWithAPlainSearchOnTheCorpus) {
   EXPECT_GT(compared, 500'000u);
 }
 
-Scene random_boxes(int count, unsigned seed) {
-  Scene scene;
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> u(-1, 1);
-  for (int i = 0; i < count; ++i) {
-    add_box(scene, Point3{u(random), u(random), u(random)} * 10.0, {4, 4, 4},
-            rotation(u(random) * 3, u(random) * 3, u(random) * 3));
-  }
-  return scene;
-}
-
 void expect_same(DepthBuffer& a, DepthBuffer& b) {
   const PixelModel p = a.take_pixels(), q = b.take_pixels();
   EXPECT_EQ(p.face, q.face);
@@ -232,7 +205,7 @@ void expect_same(DepthBuffer& a, DepthBuffer& b) {
 }
 
 TEST(ZBuffer, ObjectsAddedLaterGiveTheSameBuffer) {
-  const Scene first = random_boxes(20, 1), second = random_boxes(15, 2);
+  const Scene first = random_boxes(20, 1, 10, {4, 4, 4}), second = random_boxes(15, 2, 10, {4, 4, 4});
   Scene both = first;
   for (std::size_t o = 0; o < second.objects.size(); ++o) {
     begin_object(both);
@@ -258,7 +231,7 @@ TEST(ZBuffer, ObjectsAddedLaterGiveTheSameBuffer) {
 }
 
 TEST(ZBuffer, OneThreadAndManyPaintTheSame) {
-  const Scene scene = random_boxes(300, 9);
+  const Scene scene = random_boxes(300, 9, 10, {4, 4, 4});
   const ProjectedScene page = projected(scene, view_at(along({-1, 2, -1}), scene, 4));
   for (const Filling filling : kFillings) {
     std::vector<DepthBuffer> buffers;
@@ -272,9 +245,8 @@ TEST(ZBuffer, OneThreadAndManyPaintTheSame) {
 /// Plates one step of depth apart are told apart, plates half a step apart are not: of those the first stays.
 TEST(ZBuffer, WholeDepths) {
   for (const double distance : {1.0, 0.5}) {
-    Scene scene;
-    add_face(scene, {{{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}}});
-    add_face(scene, {{{20, 20, distance}, {60, 20, distance}, {60, 60, distance}, {20, 60, distance}}});
+    const Scene scene = scene_of_faces({{{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}},
+                                        {{20, 20, distance}, {60, 20, distance}, {60, 60, distance}, {20, 60, distance}}});
     const ProjectedScene page = projected(scene, view_at(from_above(), scene));
     const double nearest = -distance / 2;  // the middle of the scene has depth 0
     EXPECT_EQ(painted(page, 100, Filling::table, {nearest - 1, 1}).face(50, 50), distance == 1 ? 1u : 0u);
@@ -283,9 +255,8 @@ TEST(ZBuffer, WholeDepths) {
 }
 
 TEST(ZBuffer, TransparentFacesAreNotInTheWay) {
-  Scene scene;
-  add_face(scene, {{{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}}});
-  add_face(scene, {{{20, 20, 9}, {60, 20, 9}, {60, 60, 9}, {20, 60, 9}}});
+  Scene scene = scene_of_faces(
+      {{{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}}, {{20, 20, 9}, {60, 20, 9}, {60, 60, 9}, {20, 60, 9}}});
   scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
   scene.face_material = {0, 1};
   EXPECT_EQ(painted(projected(scene, view_at(from_above(), scene)), 100).face(50, 50), 0u);
@@ -293,9 +264,8 @@ TEST(ZBuffer, TransparentFacesAreNotInTheWay) {
 
 /// A line that crosses a plate: hidden behind it but for a pixel at each rim.
 TEST(ZBuffer, LinesEndWithinAPixelOfARim) {
-  Scene scene;
-  add_face(scene, {{{30, 0, 5}, {50, 0, 5}, {50, 80, 5}, {30, 80, 5}}});
-  add_face(scene, {{{0, 40, 0}, {80, 40, 0}, {80, 41, 0}, {0, 41, 0}}});
+  const Scene scene = scene_of_faces(
+      {{{30, 0, 5}, {50, 0, 5}, {50, 80, 5}, {30, 80, 5}}, {{0, 40, 0}, {80, 40, 0}, {80, 41, 0}, {0, 41, 0}}});
   const ProjectedScene page = projected(scene, view_at(from_above(), scene));
   const DepthBuffer buffer = painted(page, 100);
   const EdgeSampling sampling(buffer, page.lattice, page.view.window);

@@ -1,17 +1,12 @@
 // The tree of facets reaches all pairs that may meet, and few others.
 
+#include "support/test.hpp"
+#include "visibility/common/facet.hpp"
 #include "visibility/common/facet_tree.hpp"
+#include "visibility/common/hidden_interval.hpp"
+#include "visibility/common/penetration.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <random>
-#include <utility>
-
-namespace ligne {
+namespace ligne::test {
 namespace {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -147,5 +142,96 @@ TEST(FacetTree, ComparesNoFacetsOfOneFace) {
   EXPECT_TRUE(reached_pairs(FacetTree(s.scene, s.facets)).empty());
 }
 
+// Rounding of depths to float.
+
+void expect_rounded(double v) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const float nearest = static_cast<float>(v);
+  const float down = double(nearest) > v ? std::nextafter(nearest, -kInfinity) : nearest;
+  const float up = double(nearest) < v ? std::nextafter(nearest, kInfinity) : nearest;
+  EXPECT_EQ(std::bit_cast<std::uint32_t>(round_down(v)), std::bit_cast<std::uint32_t>(down)) << v;
+  EXPECT_EQ(std::bit_cast<std::uint32_t>(round_up(v)), std::bit_cast<std::uint32_t>(up)) << v;
+}
+
+TEST(Facet, DepthsAreRoundedOutwards) {
+  for (const double v : {0.0, 1.0, 1.1, 1e-40, 1e-50, 1.4e-45, 3.5e38, 1e300, 0x1p-126, 0x1.fffffffp-127}) {
+    expect_rounded(v);
+    expect_rounded(-v);
+  }
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> exponent(-50, 40);
+  for (int i = 0; i < 20'000; ++i) expect_rounded((i % 2 ? 1 : -1) * std::pow(10, exponent(random)));
+}
+
+Facet triangle_of(std::uint32_t face, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  return {{a, b, c}, face, 0, 0, 0, 1};
+}
+
+TEST(CutSides, AreThoseOfTwoFacetsOfOneFace) {
+  // A square of two facets, a triangle of another face on its side 0-1, and a square cut into four.
+  const std::vector<Facet> facets{triangle_of(3, 0, 1, 2), triangle_of(5, 1, 0, 4), triangle_of(3, 2, 3, 0),
+                                  triangle_of(7, 5, 6, 9), triangle_of(7, 6, 7, 9), triangle_of(7, 7, 8, 9),
+                                  triangle_of(7, 8, 5, 9)};
+  const CutSides sides(facets);
+  EXPECT_TRUE(sides.has(3, 0, 2));
+  EXPECT_TRUE(sides.has(3, 2, 0));
+  EXPECT_FALSE(sides.has(3, 0, 1));
+  EXPECT_FALSE(sides.has(5, 0, 1));
+  EXPECT_FALSE(sides.has(5, 0, 2));
+  for (std::uint32_t v = 5; v < 9; ++v) EXPECT_TRUE(sides.has(7, 9, v)) << v;
+  EXPECT_FALSE(sides.has(7, 5, 6));
+}
+
+// The elementary operation: what one facet hides of one line.
+
+/// A facet 100 steps wide at depth 0 that touches whatever is less than 1 behind it.
+constexpr std::array<ProjectedVertex, 3> kCorners{ProjectedVertex{{0, -100}, 0}, {{100, 0}, 0}, {{0, 100}, 0}};
+constexpr Facet kFacet{{0, 1, 2}, 7, 0, 0, 1, 200};
+
+HiddenInterval hidden(const PageLine& line, double from, double to) {
+  bool near_side = false;
+  return hidden_interval(line, kFacet, kCorners.data(), from, to, 0, near_side);
+}
+
+PageLine line_of_depths(double z0, double z1) { return {{{0, 0}, z0}, {{100, 0}, z1}, kNone, kNone}; }
+
+TEST(HiddenInterval, OfALineInPiecesIsThatOfTheLine) {
+  // Touching at both ends; behind at the far end, touching at the near one; passing through.
+  for (const auto& [z0, z1] : {std::pair(0.25, 0.75), std::pair(0.0, 2.0), std::pair(2.0, 0.0), std::pair(-3.0, 1.5)}) {
+    const PageLine line = line_of_depths(z0, z1);
+    const HiddenInterval whole = hidden(line, 0, 1);
+    for (const double middle : {0.125, 0.5, 0.875}) {
+      for (const auto& [from, to] : {std::pair(0.0, middle), std::pair(middle, 1.0)}) {
+        const HiddenInterval piece = hidden(line, from, to);
+        const double expected_from = std::max(from, whole.from), expected_to = std::min(to, whole.to);
+        if (whole.sides == HiddenSides::none || expected_from >= expected_to) {
+          EXPECT_EQ(piece.sides, HiddenSides::none) << z0 << ' ' << z1 << ' ' << from << ' ' << to;
+          continue;
+        }
+        EXPECT_EQ(piece.sides, whole.sides) << z0 << ' ' << z1 << ' ' << from << ' ' << to;
+        EXPECT_EQ(piece.from, expected_from);
+        EXPECT_EQ(piece.to, expected_to);
+      }
+    }
+  }
+}
+
+TEST(HiddenInterval, ReachesWhereTheLineTouches) {
+  const HiddenInterval i = hidden(line_of_depths(0, 2), 0, 1);
+  EXPECT_EQ(i.sides, HiddenSides::both);
+  EXPECT_EQ(i.from, 0);
+  EXPECT_EQ(i.to, 1);
+}
+
+TEST(HiddenInterval, IsNoneWhereTheLineTouchesAllAlong) {
+  EXPECT_EQ(hidden(line_of_depths(0.25, 0.75), 0, 1).sides, HiddenSides::none);
+}
+
+TEST(HiddenInterval, BeginsWhereTheLinePassesThrough) {
+  const HiddenInterval i = hidden(line_of_depths(-2, 2), 0, 1);
+  EXPECT_EQ(i.from, 0.5);
+  EXPECT_EQ(i.to, 1);
+}
+
 }  // namespace
-}  // namespace ligne
+}  // namespace ligne::test

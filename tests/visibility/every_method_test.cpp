@@ -1,11 +1,46 @@
-/// Lines beside a scene that are edges of no face, by every method.
+// The same strokes whatever the number of threads.
 
-#include <gtest/gtest.h>
-
+#include "geometry/parallel.hpp"
+#include "main/tier.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
+
+/// A method of another product has its own test of it.
+std::vector<const Method*> methods_of_strokes() {
+  std::vector<const Method*> methods;
+  for (const Method* method : all_methods()) {
+    if (method->traits().products & kStrokes) methods.push_back(method);
+  }
+  return methods;
+}
+
+class Determinism : public testing::TestWithParam<const Method*> {};
+
+TEST_P(Determinism, OneThreadAndManyGiveTheSameStrokes) {
+  // Hidden lines and intersections cost a method the more, the more boxes hide each other.
+  const int part = runs_all() ? 1 : 2;
+  for (const auto& [boxes, hidden] : {std::pair(1500 / part, false), std::pair(500 / part, true)}) {
+    const Scene scene = random_boxes(boxes, 7, 10, {2, 2, 2});
+    const auto with_threads = [&, hidden = hidden](int n) {
+      Picture picture;
+      run_with_threads(n, [&] {
+        picture = draw(scene, {along({-1, 2, -1}), "all", hidden, 0, std::string(GetParam()->traits().name)});
+      });
+      return picture;
+    };
+    const Picture one = with_threads(1), four = with_threads(4);
+    ASSERT_GT(one.model.strokes.size(), 1000u);
+    expect_same_strokes(one.model, four.model);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Determinism, testing::ValuesIn(methods_of_strokes()),
+                         [](const auto& info) { return as_test_name(info.param->traits().name); });
+
+/// Lines beside a scene that are edges of no face, by every method.
 
 /// The strokes of class axes of lines beside a plate of 2 x 2 at z = 0, seen from above at 10 mm by unit.
 std::vector<Stroke> seen(const Method& method, const std::vector<std::array<Point3, 2>>& lines, bool hidden,
