@@ -1,13 +1,11 @@
 /// Cairo draws the lines and areas of every picture: its functions are taken over here, counted, and called.
 
-#include <dlfcn.h>
-
 #include <cairo.h>
-#include <gtest/gtest.h>
-
+#include <dlfcn.h>
 #include <atomic>
 
 #include "sample_drawing.hpp"
+#include "support/test.hpp"
 
 namespace {
 

@@ -1,16 +1,8 @@
 /// What becomes an arc and what does not, how far curves are from points.
 
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-#include <glm/geometric.hpp>
-
 #include "plotting/paths/fit_curves.hpp"
-#include "tessellated.hpp"
+#include "sample_drawing.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -49,7 +41,8 @@ double off(std::span<const Point2> line, const CurvedPath& path) {
   double largest = 0;
   for (const Point2 p : line) {
     double least = glm::length(p - curve[0]);
-    for (std::size_t i = 1; i < curve.size(); ++i) least = std::min(least, to_segment(p, curve[i - 1], curve[i]));
+    for (std::size_t i = 1; i < curve.size(); ++i)
+      least = std::min(least, test::distance_to_segment(p, curve[i - 1], curve[i]));
     largest = std::max(largest, least);
   }
   return largest;

@@ -1,8 +1,6 @@
-#include "gcode_interpreter.hpp"
+#include "plotted.hpp"
 
-#include <cstdlib>
-#include <map>
-#include <sstream>
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

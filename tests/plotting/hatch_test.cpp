@@ -1,15 +1,8 @@
 /// Regions filled with strokes.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
-#include <glm/geometric.hpp>
-
 #include "plotting/hatch.hpp"
 #include "plotting/paths/optimize.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

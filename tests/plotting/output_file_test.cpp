@@ -1,54 +1,34 @@
 #include <sys/wait.h>
 #include <unistd.h>
-
 #include <csignal>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
-
-#include <gtest/gtest.h>
 
 #include "plotting/output_file.hpp"
+#include "support/test.hpp"
 
-namespace ligne {
+namespace ligne::test {
 namespace {
 
 namespace fs = std::filesystem;
 
 class OutputFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "output-file-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(fs::path(folder_)), {}));
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  static std::string read(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  std::size_t files() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {})); }
   static std::string failure(const fs::path& file) {
-    try {
-      write_output(file, "bytes");
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
+    return failure_of([&] { write_output(file, "bytes"); });
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(OutputFile, WritesAndReplaces) {
   const fs::path file = folder_ / "drawing.svg";
   write_output(file, std::string("one\0two", 7));
-  EXPECT_EQ(read(file), std::string("one\0two", 7));
+  EXPECT_EQ(bytes_of_file(file), std::string("one\0two", 7));
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
   write_output(file, "");
-  EXPECT_EQ(read(file), "");
+  EXPECT_EQ(bytes_of_file(file), "");
   EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write) << "permissions are kept";
   EXPECT_EQ(files(), 1u) << "something was left over";
 }
@@ -56,7 +36,7 @@ TEST_F(OutputFile, WritesAndReplaces) {
 TEST_F(OutputFile, KeepsALongName) {
   const fs::path file = folder_ / std::string(255, 'n');
   write_output(file, "bytes");
-  EXPECT_EQ(read(file), "bytes");
+  EXPECT_EQ(bytes_of_file(file), "bytes");
 }
 
 TEST_F(OutputFile, WritesThroughASymbolicLink) {
@@ -64,7 +44,7 @@ TEST_F(OutputFile, WritesThroughASymbolicLink) {
   fs::create_symlink("real", folder_ / "link");
   write_output(folder_ / "link", "new");
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
-  EXPECT_EQ(read(folder_ / "real"), "new");
+  EXPECT_EQ(bytes_of_file(folder_ / "real"), "new");
 }
 
 TEST_F(OutputFile, WritesToADevice) {
@@ -95,13 +75,13 @@ TEST_F(OutputFile, SeveralFilesComeTogether) {
   outputs.add(folder_ / "a", "new");
   outputs.add("/dev/full", "bytes");
   EXPECT_THROW(outputs.commit(), std::runtime_error);
-  EXPECT_EQ(read(folder_ / "a"), "old");
+  EXPECT_EQ(bytes_of_file(folder_ / "a"), "old");
   OutputFiles both;
   both.add(folder_ / "a", "new a");
   both.add(folder_ / "b", "new b");
   both.commit();
-  EXPECT_EQ(read(folder_ / "a") + read(folder_ / "b"), "new anew b");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
+  EXPECT_EQ(bytes_of_file(folder_ / "a") + bytes_of_file(folder_ / "b"), "new anew b");
+  EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(folder_)), {}), 2);
 }
 
 /// Sends the signal to a process that has files beside their places, set up by `before`; its status.
@@ -144,7 +124,7 @@ TEST_F(OutputFile, ASignalRemovesWhatStandsBesideItsPlaceAndEndsTheProcess) {
 TEST_F(OutputFile, HandlersOfTheProgramAroundStay) {
   const int status = status_after(SIGTERM, folder_, [](int s) { std::signal(s, [](int) {}); });
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
-  EXPECT_EQ(read(folder_ / "b"), "bytes");
+  EXPECT_EQ(bytes_of_file(folder_ / "b"), "bytes");
   write_output(folder_ / "c", "bytes");
   struct sigaction now {};
   ASSERT_EQ(::sigaction(SIGTERM, nullptr, &now), 0);
@@ -152,4 +132,4 @@ TEST_F(OutputFile, HandlersOfTheProgramAroundStay) {
 }
 
 }  // namespace
-}  // namespace ligne
+}  // namespace ligne::test

@@ -1,38 +1,24 @@
 /// Ordering strokes, and that a drawing never changes by it.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <random>
-#include <vector>
-
-#include <glm/geometric.hpp>
 
 #include "geometry/parallel.hpp"
 #include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
-#include "polylines_of.hpp"
+#include "sample_drawing.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
 
 using namespace test;
 
-double distance(Point2 p, Point2 a, Point2 b) {
-  const Point2 along = b - a;
-  const double squared = glm::dot(along, along);
-  const double t = squared > 0 ? std::clamp(glm::dot(p - a, along) / squared, 0.0, 1.0) : 0;
-  return glm::distance(p, a + along * t);
-}
-
 double distance(Point2 p, const Polylines& lines) {
   double least = 1e300;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto line = lines[i];
     for (std::size_t k = 0; k < line.size(); ++k)
-      least = std::min(least, distance(p, line[k], line[std::min(k + 1, line.size() - 1)]));
+      least = std::min(least, distance_to_segment(p, line[k], line[std::min(k + 1, line.size() - 1)]));
   }
   return least;
 }

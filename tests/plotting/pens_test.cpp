@@ -1,17 +1,11 @@
 /// Pens, their labels and looks, and dashes.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
 #include "plotted.hpp"
 #include "plotting/dashes.hpp"
+#include "plotting/device.hpp"
+#include "plotting/plot.hpp"
+#include "plotting/plot_writers.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -91,13 +85,13 @@ TEST(Pens, WhatLayersSayOfPensIsDone) {
   const Device& grbl = *find_device("grbl-servo");
   const std::string gcode = write_plot(plot, grbl, place_on_device(grbl, {}, ink_of(plot), false));
   EXPECT_EQ(gcode.find("pen 3"), std::string::npos) << "not plotted";
-  EXPECT_NE(gcode.find("M0 (pen 2: slow)\nG4 P0.25\n"), std::string::npos) << gcode;
+  expect_parts(gcode, {"M0 (pen 2: slow)\nG4 P0.25\n"});
   EXPECT_NE(gcode.find("G1 F1200"), std::string::npos) << "half its speed";
   EXPECT_NE(gcode.find("M0 (pen 2: again)\n"), std::string::npos) << "a pause";
   const Device& hp = *find_device("cutter");
   const std::string hpgl = write_plot(plot, hp, place_on_device(hp, {}, ink_of(plot), false));
-  EXPECT_EQ(hpgl.find("SP3"), std::string::npos);
-  EXPECT_NE(hpgl.find("SP2;\nVS5;"), std::string::npos) << hpgl;
+  expect_no_parts(hpgl, {"SP3"});
+  expect_parts(hpgl, {"SP2;\nVS5;"});
   EXPECT_EQ(hpgl.find("SP2", hpgl.find("SP2") + 1), std::string::npos) << "it is held already";
   EXPECT_NE(hpgl.find("VS10;"), std::string::npos) << "as fast as usual again";
   EXPECT_EQ(measure(plot, {0, 0}, false).strokes, 3u);
@@ -182,8 +176,7 @@ TEST(Plots, StrokesOfOnePenKeepTheirLooks) {
   PlotOptions options;
   options.style = styles_of(plot);
   const std::string svg = write_svg(pictured, options);
-  EXPECT_NE(svg.find("<g stroke=\"#00f\""), std::string::npos) << svg;
-  EXPECT_NE(svg.find("stroke-width=\"0.7\""), std::string::npos) << svg;
+  expect_parts(svg, {"<g stroke=\"#00f\"", "stroke-width=\"0.7\""});
 }
 
 TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
@@ -253,6 +246,129 @@ TEST(Dashes, PatternsOfSvgAreCutAsTheyAre) {
   EXPECT_EQ(cut[1][0], Point2(3, 0));
   EXPECT_EQ(cut[2][1], Point2(9, 0));
   EXPECT_EQ(cut_pattern(line, std::vector<double>{0, 0}, 1).points, line.points);
+}
+
+/// Device files: numbers within their bounds, and nothing in braces that would reach the machine.
+
+/// A right file with one key given another value, or added.
+std::string device_with(const std::string& language, const std::string& key, const std::string& value) {
+  const bool hpgl = language == "hpgl";
+  std::vector<std::pair<std::string, std::string>> keys{{"name", "\"own\""},
+                                                        {"title", "\"Own\""},
+                                                        {"language", "\"" + language + "\""},
+                                                        {"step", "0.025"},
+                                                        {"limits", "[0, 0, 500, 500]"},
+                                                        {"travel", hpgl ? "\"U{x},{y};\"" : "\"G0 X{x} Y{y}\""},
+                                                        {"draw", hpgl ? "\"D{points};\"" : "\"G1 X{x} Y{y}\""},
+                                                        {"dot", "\"D;\""},
+                                                        {"speed_down", "10"},
+                                                        {"speed_up", "20"},
+                                                        {"lift_seconds", "0.5"},
+                                                        {"pen_change_seconds", "30"}};
+  bool found = false;
+  std::string text;
+  for (auto& [name, own] : keys) {
+    if (name == key) own = value, found = true;
+    text += name + " = " + own + "\n";
+  }
+  return found || key.empty() ? text : text + key + " = " + value + "\n";
+}
+
+std::string device_error(const std::string& toml) {
+  const std::string error = test::failure_of([&] { read_device(toml, "F"); });
+  return error.empty() ? "no error" : error;
+}
+
+TEST(DeviceFile, SpeedsAndTimesHaveBounds) {
+  const struct {
+    const char *key, *least, *most;
+    std::vector<const char*> bad;
+    const char* range;
+  } cases[] = {
+      {"speed_down", "0.01", "10000", {"0", "-1", "0.009", "10001", "1e-300", "1e300", "inf", "-inf"}, "0.01 to 10000 mm/s"},
+      {"speed_up", "0.01", "10000", {"0", "-1", "0.009", "10001", "1e-300", "1e300", "inf", "-inf"}, "0.01 to 10000 mm/s"},
+      {"lift_seconds", "0", "600", {"-0.1", "601", "1e300", "inf"}, "0 to 600 s"},
+      {"pen_change_seconds", "0", "86400", {"-0.1", "86401", "1e300", "inf"}, "0 to 86400 s"}};
+  for (const auto& c : cases) {
+    for (const char* good : {c.least, c.most})
+      EXPECT_EQ(device_error(device_with("hpgl", c.key, good)), "no error") << c.key;
+    for (const char* bad : c.bad) {
+      const std::string line = device_error(device_with("hpgl", c.key, bad));
+      EXPECT_TRUE(line.ends_with(std::string(": ") + c.key + " is not from " + c.range)) << bad << ": " << line;
+    }
+    EXPECT_TRUE(device_error(device_with("hpgl", c.key, "nan")).ends_with(" is not a number"));
+  }
+}
+
+TEST(DeviceFile, NoTimeWithinTheBoundsOverflows) {
+  Device device = read_device(device_with("hpgl", "speed_down", "0.01"), "F");
+  device.up_mm_s = 0.01;
+  device.lift_s = 600;
+  device.pen_change_s = 86400;
+  const std::size_t strokes = std::size_t{1} << 32;
+  const double farthest = static_cast<double>(strokes) * 2e6 * std::sqrt(2);
+  EXPECT_LT(plot_seconds(device, {strokes, farthest, farthest}, 1000), 9e18);
+}
+
+TEST(DeviceFile, PapersHaveBounds) {
+  const auto with_paper = [](const std::string& paper) {
+    std::string text = device_with("hpgl", "", "");
+    text.erase(text.find("limits"), text.find('\n', text.find("limits")) + 1 - text.find("limits"));
+    return device_error(text + "[[paper]]\nname = \"p\"\n" + paper);
+  };
+  EXPECT_EQ(with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1, 1]\n"), "no error");
+  EXPECT_NE(with_paper("width = 1e300\nheight = 297\nlimits = [0, 0, 1, 1]\n").find("at most 100000 mm"), std::string::npos);
+  EXPECT_NE(with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1e300, 1]\n").find("1e10 units"), std::string::npos);
+  EXPECT_NE(
+      with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1, 1]\norigin = [inf, 0]\n").find("the origin is farther"),
+      std::string::npos);
+  EXPECT_NE(with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1, 1]\nselect = \"PS{x};\"\n").find("select: {x} is not"),
+            std::string::npos);
+}
+
+TEST(DeviceFile, WhatIsNotKnownInBracesIsAnErrorThatListsWhatIs) {
+  const auto error = [](const char* key, const char* value, const char* language = "hpgl") {
+    const std::string line = device_error(device_with(language, key, value));
+    const std::size_t cause = line.find(": ");
+    return cause == std::string::npos ? line : line.substr(cause + 2);
+  };
+  EXPECT_EQ(error("travel", "\"U{x},{y}{nonsense};\""), "travel: {nonsense} is not known here; there is {x}, {y}");
+  EXPECT_EQ(error("draw", "\"D{points}{x};\""), "draw: {x} is not known here; there is {points}");
+  EXPECT_EQ(error("draw", "\"G1 X{x} Y{y} F{speed}\"", "gcode"),
+            "draw: {speed} is not known here; there is {x}, {y}, {feed}");
+  EXPECT_EQ(error("begin", "[\"IN;\", \"{Paper}\"]"), "begin: {Paper} is not known here; there is {paper}");
+  EXPECT_EQ(error("up", "[\"{x}\"]"), "up: {x} is not known here; there is nothing in braces");
+  EXPECT_EQ(error("velocity", "\"VS{cm_per_s\""), "velocity: {cm_per_s is not known here; there is {cm_per_s}");
+  EXPECT_EQ(error("dot", "\"{}\""), "dot: {} is not known here; there is nothing in braces");
+  EXPECT_EQ(error("pen_select", "\"SP{pen};PW{width},{pen};\""), "no error");
+}
+
+/// What the reader lets pass the writer replaces.
+TEST(DeviceFile, EveryKnownPlaceholderIsReplaced) {
+  for (const std::string language : {"hpgl", "gcode"}) {
+    const bool hpgl = language == "hpgl";
+    std::string text = device_with(language, "travel", "\"a{x}{y}\"");
+    text.erase(text.find("draw"), text.find('\n', text.find("draw")) + 1 - text.find("draw"));
+    text += hpgl ? "draw = \"b{points}\"\n" : "draw = \"b{x}{y}{feed}\"\n";
+    text +=
+        "begin = [\"c{paper}\"]\ndown = [\"d{feed}{z_feed}\"]\npen_change = [\"e{pen}{name}\"]\npen_select = \"f{pen}{width}\"\n"
+        "velocity = \"g{cm_per_s}\"\npens = 0\n";
+    const Device device = read_device(text, "F");
+    Plot plot;
+    PenLines lines;
+    lines.pen.number = 1;
+    lines.pen.speed = 50;
+    lines.pen.pause = true;
+    lines.lines.points = {{10, 10}, {20, 20}};
+    lines.lines.begin.push_back(2);
+    plot.pens.push_back(lines);
+    const Page page{100, 100, 0};
+    const std::string commands = write_plot(plot, device, place_on_device(device, page, Rect{{10, 10}, {20, 20}}, false));
+    EXPECT_EQ(commands.find_first_of("{}"), std::string::npos) << commands;
+    for (const char* begin : {"a", "b", "c", "d", "e", "f", "g"}) {
+      EXPECT_NE(("\n" + commands).find(std::string("\n") + begin), std::string::npos) << begin << " in " << commands;
+    }
+  }
 }
 
 }  // namespace

@@ -1,15 +1,9 @@
 /// Long plots: what is cut off, split and done between strokes; sheets of large drawings.
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <random>
-
-#include <glm/geometric.hpp>
-
 #include "plotting/plot_parts.hpp"
 #include "plotting/plot_writers.hpp"
 #include "plotting/tiles.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

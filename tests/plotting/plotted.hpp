@@ -1,13 +1,29 @@
 #pragma once
-/// A drawing for plotters, and what a device is sent for it.
+/// A drawing for plotters, what a device is sent for it, and machines that replay that.
 
 #include <string>
-
-#include "gcode_interpreter.hpp"
+#include "geometry/point.hpp"
 #include "plotting/plot_writers.hpp"
 #include "sample_drawing.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
+
+struct Replay {
+  std::vector<std::vector<Point2>> strokes;  ///< mm for G-code, units for HPGL
+  std::vector<std::string> faults;           ///< moves with the pen half down, unknown commands and the like
+  std::vector<int> pens;                     ///< selected, in order; G-code: pauses
+  Rect reach;                                ///< of all moves, raised ones too
+  bool ends_up = false;
+};
+
+/// How the pen of a G-code device goes down.
+enum class PenKind { servo, servo_reversed, z };
+
+Replay replay_gcode(std::string_view text, PenKind kind);
+Replay replay_hpgl(std::string_view text);
+
+// A drawing for plotters, and what a device is sent for it.
 
 /// A frame, a diagonal, a dot, and a dashed line, on A4 with room for every device.
 inline Drawing plotter_drawing() {

@@ -1,13 +1,14 @@
 /// Coordinates are right to a micrometre up to A0: they are read back from the files.
 
-#include <cmath>
-#include <random>
-#include <sstream>
-
-#include <gtest/gtest.h>
 #include <zlib.h>
 
+#include "plotting/number_text.hpp"
+#include "plotting/page.hpp"
+#include "plotting/stroke_text.hpp"
 #include "sample_drawing.hpp"
+#include "support/test.hpp"
+#include "view/axes_layout.hpp"
+#include "view/axis_lines.hpp"
 
 namespace ligne {
 namespace {
@@ -136,6 +137,172 @@ TEST(PrecisionOfLongLines, ClosedLinesComeBack) {
   Drawing drawing;
   add_line(drawing, "mesh", {{0, 0}, {10.1235, 0}, {10, 10.00005}, {0, 0}});
   EXPECT_EQ(svg_lines(write_svg(drawing, {})).at(0).size(), 4u);
+}
+
+std::string fixed(std::int64_t value, int decimals, bool bare_point = true) {
+  char text[kNumberBytes];
+  return {text, write_fixed(text, value, decimals, bare_point)};
+}
+std::string rounded(double value, int decimals) {
+  std::string text;
+  append_rounded(text, value, decimals);
+  return text;
+}
+
+TEST(NumberText, Fixed) {
+  EXPECT_EQ(fixed(0, 4), "0");
+  EXPECT_EQ(fixed(1, 4), ".0001");
+  EXPECT_EQ(fixed(-5000, 4), "-.5");
+  EXPECT_EQ(fixed(-5000, 4, false), "-0.5");
+  EXPECT_EQ(fixed(10000, 4), "1");
+  EXPECT_EQ(fixed(-1234567, 4), "-123.4567");
+  EXPECT_EQ(fixed(1230000, 4), "123");
+  EXPECT_EQ(fixed(1230400, 4), "123.04");
+  EXPECT_EQ(fixed(42, 0), "42");
+  EXPECT_EQ(fixed(std::numeric_limits<std::int64_t>::min(), 4), "-922337203685477.5808");
+}
+
+TEST(NumberText, FixedAgreesWithTheLibrary) {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 20000; ++i) {
+    const auto value = static_cast<std::int64_t>(random() % 100000000) - 50000000;
+    EXPECT_EQ(std::llround(std::strtod(fixed(value, 4, i % 2).c_str(), nullptr) * 1e4), value);
+  }
+}
+
+TEST(NumberText, Rounded) {
+  EXPECT_EQ(rounded(0.245, 6), "0.245");
+  EXPECT_EQ(rounded(0.7 * 0.35, 6), "0.245");
+  EXPECT_EQ(rounded(-1e-9, 6), "0");
+  EXPECT_EQ(rounded(1e300, 6), "1e+300");
+  EXPECT_EQ(rounded(std::nan(""), 6), "null");
+}
+
+TEST(Length, Units) {
+  EXPECT_EQ(parse_length_mm("12"), 12);
+  EXPECT_EQ(parse_length_mm("12mm"), 12);
+  EXPECT_EQ(parse_length_mm("1.5cm"), 15);
+  EXPECT_EQ(parse_length_mm("0.5in"), 12.7);
+  EXPECT_DOUBLE_EQ(parse_length_mm("72pt"), 25.4);
+  EXPECT_EQ(parse_length_mm(".25"), 0.25);
+  EXPECT_EQ(parse_length_mm("1e2mm"), 100);
+  EXPECT_EQ(parse_length_mm("0"), 0);
+}
+
+TEST(Length, MalformedLengthsAreNamedInOneLine) {
+  for (const std::string text :
+       {"",   "mm",     "a",  "1 mm", " 1",  "1mmm", "1m",    "1MM",   "1,5",  "1.5.2",   "--1", "+1",
+        "-1", "-0.1mm", "-0", "nan",  "inf", "-inf", "infmm", "1e999", "0x10", "1e308in", "1mm2"}) {
+    try {
+      parse_length_mm(text);
+      ADD_FAILURE() << "accepted: " << text;
+    } catch (const std::invalid_argument& error) {
+      const std::string what = error.what();
+      test::expect_parts(what, {text});
+      EXPECT_EQ(what.find('\n'), std::string::npos);
+    }
+  }
+}
+
+TEST(Pages, EveryNameInAnyCase) {
+  const struct {
+    const char* name;
+    double width, height;
+  } pages[] = {{"A0", 841, 1189},       {"A1", 594, 841},           {"A2", 420, 594},         {"A3", 297, 420},
+               {"A4", 210, 297},        {"A5", 148, 210},           {"A6", 105, 148},         {"letter", 215.9, 279.4},
+               {"legal", 215.9, 355.6}, {"tabloid", 279.4, 431.8},  {"a3", 297, 420},         {"LETTER", 215.9, 279.4},
+               {"100x150", 100, 150},   {"10cmx15cm", 100, 150},    {"10cmx150mm", 100, 150}, {"8inx10in", 203.2, 254},
+               {"8x10in", 203.2, 254},  {"72ptx144pt", 25.4, 50.8}, {"100X150", 100, 150}};
+  for (const auto& page : pages) {
+    EXPECT_DOUBLE_EQ(parse_page(page.name).width_mm, page.width) << page.name;
+    EXPECT_DOUBLE_EQ(parse_page(page.name).height_mm, page.height) << page.name;
+    EXPECT_EQ(parse_page(page.name).margin_mm, Page{}.margin_mm);
+  }
+}
+
+TEST(Pages, MalformedPages) {
+  for (const char* text : {"", "A7", "A", "A44", "x", "10x", "x10", "10x10x10", "-10x10", "0x10", "10x0", "10 x 10",
+                           "nanx10", "1e9x10", "10kmx10", "letters", "A4 "}) {
+    EXPECT_THROW(parse_page(text), std::invalid_argument) << text;
+  }
+}
+
+TEST(LayerStyles, Widths) {
+  for (const char* layer : {"outline", "border"}) EXPECT_DOUBLE_EQ(layer_style(layer, 0.5, false).width_mm, 0.5);
+  for (const char* layer : {"intersection", "crease"}) EXPECT_DOUBLE_EQ(layer_style(layer, 0.5, false).width_mm, 0.35);
+  for (const char* layer : {"mesh", "hidden", "behind-glass", "shadow"})
+    EXPECT_DOUBLE_EQ(layer_style(layer, 0.5, false).width_mm, 0.25);
+  EXPECT_EQ(layer_style("hidden", 0.5, false).dashes_mm, (std::vector<double>{3, 0.75}));
+  EXPECT_TRUE(layer_style("hidden", 0.5, true).dashes_mm.empty());
+  EXPECT_TRUE(layer_style("outline", 0.5, false).dashes_mm.empty());
+}
+
+/// Files compared byte by byte with tests/golden/. Run with LIGNE_UPDATE_GOLDENS=1 to write them anew.
+
+std::string sample_svg() {
+  PlotOptions options;
+  options.title = "A < B & \"C\"";
+  return write_svg(sample_drawing(), options);
+}
+
+std::string sample_json() {
+  const StrokeModel strokes = sample_strokes();
+  const std::vector<Region> regions{{3, {{{0, 0}, {10, 0}, {5.0000004, 7.5}}, {{4, 1}, {6, 1}, {5, 2}}}}};
+  const PaintOrder order{{{2, {{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{2, 2}, {2, 4}, {4, 4}}}, {0, 0, 12.5}},
+                          {0, {{{1, 1}, {5, 1}, {3.25, 4}}}, {0.5, -0.25, 3}},
+                          {2, {{{8, 0}, {9, 0}, {8, 8}}}, {0, 0, 12.5}}}};
+  DrawingDocument document;
+  document.strokes = &strokes;
+  document.regions = &regions;
+  document.order = &order;
+  document.source = [&](std::uint32_t source) { return sample_source(strokes, source); };
+  document.model_to_page[3][0] = 105;
+  document.window = {{0, 0}, {210, 297}};
+  document.method = "appel";
+  document.statistics.count("edges", 2);
+  document.statistics.time("total", 1.25);
+  return write_json(document, {});
+}
+
+/// The axes of a box, as `ligne surface --axes=grid` would draw them, without a surface.
+Drawing axes_drawing() {
+  AxesRequest request;
+  request.style = AxesStyle::grid;
+  request.axes[0] = {-12, 12, 1, "x", TickScale::linear};
+  request.axes[1] = {0, 20, 1, "Distance (km)", TickScale::linear};
+  request.axes[2] = {-0.2, 1, 10, "z", TickScale::linear};
+  CameraRequest camera;
+  camera.direction = Point3{-0.43, 0.75, -0.5};
+  const Scene scene = box_scene(request.box());
+  const Rect sheet{{0, 0}, {210, 297}}, area{{30, 30}, {180, 267}};
+  const View view = make_view(scene, make_camera(camera, scene), {area}, sheet);
+  const AxesPicture axes = lay_out_axes(
+      request, view, [](std::string_view text, double height) { return text_extent(text, height, TextStyle::font); });
+  Drawing drawing;
+  constexpr double kCoincidence = 0.00025;
+  drawing.layers.push_back({"axes", axis_lines(axes.lines, view, {}, kCoincidence)});
+  for (const auto& mark : axes.marks) add_line(drawing, "axes", {mark[0], mark[1]});
+  drawing.texts = axes.texts;
+  return drawing;
+}
+
+TEST(Golden, Axes) { expect_golden("axes.svg", write_svg(axes_drawing(), {})); }
+TEST(Golden, AxesWithTextAsStrokes) {
+  Drawing drawing = axes_drawing();
+  EXPECT_EQ(draw_texts_as_strokes(drawing), 0u);
+  expect_golden("axes-strokes.svg", write_svg(drawing, {}));
+}
+
+TEST(Golden, Svg) { expect_golden("sample.svg", sample_svg()); }
+TEST(Golden, Json) { expect_golden("sample.json", sample_json()); }
+
+TEST(Golden, TheComparisonCanFail) {
+  std::string svg = sample_svg();
+  ++svg[svg.size() / 2];
+  EXPECT_NE(difference("sample.svg", svg), "");
+  EXPECT_NE(difference("sample.svg", sample_svg() + " "), "");
+  EXPECT_NE(difference("sample.svg", sample_svg().substr(1)), "");
+  EXPECT_NE(difference("no-such-golden.svg", ""), "");
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 #pragma once
-/// A small drawing with everything in it.
+/// Drawings, lines and texts that several tests of plotting share.
 
+#include "plotting/paths/elliptic_arc.hpp"
+#include "plotting/paths/optimize.hpp"
 #include "plotting/writers.hpp"
+#include "support/page_lines.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 
@@ -12,6 +16,7 @@ inline void add_line(Drawing& drawing, std::string_view layer, const std::vector
   lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
 }
 
+/// A small drawing with everything in it.
 inline Drawing sample_drawing() {
   Drawing drawing;
   add_line(drawing, "hidden", {{20, 20}, {100, 150}, {190, 20}});
@@ -45,6 +50,61 @@ inline StrokeModel sample_strokes() {
 inline SourceEdge sample_source(const StrokeModel& model, std::uint32_t source) {
   if (source >= model.edge_count) return model.intersections[source - model.edge_count];
   return {{Point3{0.1, 0, 0}, Point3{1e-7, 2.5, -3}}, {7, 0xffffffffu}, false};
+}
+
+inline Polylines polylines_of(const std::vector<std::vector<Point2>>& lists) {
+  Polylines lines;
+  for (const auto& list : lists) {
+    lines.points.insert(lines.points.end(), list.begin(), list.end());
+    lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
+  }
+  return lines;
+}
+
+inline double total_length(const Polylines& lines) { return measure(lines, {0, 0}, false).down_mm; }
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kDegree = kPi / 180;
+
+/// Corners of an ellipse from one eccentric angle to another.
+inline std::vector<Point2> tessellated(const Ellipse& ellipse, double from, double sweep, int steps) {
+  std::vector<Point2> points;
+  for (int i = 0; i <= steps; ++i) points.push_back(point_at(ellipse, from + sweep * i / steps));
+  return points;
+}
+
+inline std::vector<Point2> closed(const Ellipse& ellipse, int steps) {
+  std::vector<Point2> points = tessellated(ellipse, 0.1, 2 * kPi, steps);
+  points.back() = points.front();
+  return points;
+}
+
+/// A circle about (50, 50), its first corner again at the end.
+inline std::vector<Point2> circle_line(double radius_mm, int points) {
+  std::vector<Point2> line;
+  for (int i = 0; i < points; ++i)
+    line.push_back({50 + radius_mm * std::cos(i * 2 * M_PI / points), 50 + radius_mm * std::sin(i * 2 * M_PI / points)});
+  line.push_back(line.front());
+  return line;
+}
+
+// Texts held against files of tests/golden/. Run with LIGNE_UPDATE_GOLDENS=1 to write them anew.
+
+inline std::string golden_file(const std::string& name) { return LIGNE_SOURCE_DIR "/tests/golden/" + name; }
+
+/// An empty text, or what is different.
+inline std::string difference(const std::string& name, const std::string& text) {
+  if (!std::filesystem::exists(golden_file(name))) return name + " is missing";
+  const std::string wanted = test::bytes_of_file(golden_file(name));
+  if (wanted == text) return "";
+  const auto at =
+      static_cast<std::size_t>(std::mismatch(wanted.begin(), wanted.end(), text.begin(), text.end()).first - wanted.begin());
+  return name + " differs at byte " + std::to_string(at) + ": " + text.substr(at, 60);
+}
+
+inline void expect_golden(const std::string& name, const std::string& text) {
+  if (std::getenv("LIGNE_UPDATE_GOLDENS")) std::ofstream(golden_file(name), std::ios::binary) << text;
+  EXPECT_EQ(difference(name, text), "");
 }
 
 }  // namespace ligne

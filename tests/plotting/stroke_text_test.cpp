@@ -1,12 +1,8 @@
 /// Text as single strokes.
 
 #include "plotting/stroke_text.hpp"
-
-#include <gtest/gtest.h>
-
-#include <random>
-
 #include "plotting/utf8.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

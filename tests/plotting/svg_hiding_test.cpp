@@ -1,14 +1,11 @@
 /// What clip paths, masks and filled areas of an SVG drawing hide.
 
-#include <gtest/gtest.h>
+#include <chrono>
 
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
+#include "plotting/paths/optimize.hpp"
+#include "plotting/writers.hpp"
+#include "sample_drawing.hpp"
+#include "support/test.hpp"
 #include "svg_text.hpp"
 
 namespace ligne {
@@ -18,40 +15,33 @@ using namespace test;
 
 TEST(SvgReader, ClipPathsCutWhatTheyHide) {
   const std::string box = "<defs><clipPath id='c'><rect x='10' y='10' width='20' height='20'/></clipPath></defs>";
-  EXPECT_EQ(lines_of(read(box + "<line y1='20' x2='100' y2='20' clip-path='url(#c)'/>")), Lines{"1000,2000 3000,2000 "});
-  EXPECT_EQ(lines_of(read(box + "<g clip-path=\"url('#c')\"><polyline points='0,20 20,20 20,0 25,0 25,50'/></g>")),
-            (Lines{"1000,2000 2000,2000 2000,1000 ", "2500,1000 2500,3000 "}));
-  EXPECT_EQ(
-      lines_of(read(box + "<g transform='translate(50 0)'><line y1='20' x2='100' y2='20' style='clip-path: url(#c)'/></g>")),
-      Lines{"6000,2000 8000,2000 "})
-      << "in the units of the element that is cut";
-  EXPECT_EQ(
-      lines_of(read(
-          box +
-          "<g clip-path='url(#c)'><g transform='translate(10 0)'><line y1='20' x2='100' y2='20' clip-path='url(#c)'/></g></g>")),
-      Lines{"2000,2000 3000,2000 "})
-      << "one inside the other";
-  EXPECT_EQ(lines_of(read(box + "<line x1='10' y1='5' x2='10' y2='50' clip-path='url(#c)'/>")),
-            Lines{"1000,1000 1000,3000 "})
-      << "half of its width shows";
-  EXPECT_EQ(lines_of(read("<clipPath id='c'/><line x2='9' clip-path='url(#c)'/>")), Lines{})
-      << "nothing shows through an empty one";
-  EXPECT_EQ(lines_of(read("<line x2='9' clip-path='url(#none)'/>")), Lines{"0,0 900,0 "});
+  expect_lines(box + "<line y1='20' x2='100' y2='20' clip-path='url(#c)'/>", {"1000,2000 3000,2000 "});
+  expect_lines(box + "<g clip-path=\"url('#c')\"><polyline points='0,20 20,20 20,0 25,0 25,50'/></g>",
+               {"1000,2000 2000,2000 2000,1000 ", "2500,1000 2500,3000 "});
+  expect_lines(box + "<g transform='translate(50 0)'><line y1='20' x2='100' y2='20' style='clip-path: url(#c)'/></g>",
+               {"6000,2000 8000,2000 "}, "in the units of the element that is cut");
+  expect_lines(
+      box +
+          "<g clip-path='url(#c)'><g transform='translate(10 0)'><line y1='20' x2='100' y2='20' clip-path='url(#c)'/></g></g>",
+      {"2000,2000 3000,2000 "}, "one inside the other");
+  expect_lines(box + "<line x1='10' y1='5' x2='10' y2='50' clip-path='url(#c)'/>", {"1000,1000 1000,3000 "},
+               "half of its width shows");
+  expect_lines("<clipPath id='c'/><line x2='9' clip-path='url(#c)'/>", {}, "nothing shows through an empty one");
+  expect_lines("<line x2='9' clip-path='url(#none)'/>", {"0,0 900,0 "});
 }
 
 TEST(SvgReader, ClipPathsOfAnyShape) {
   // Two squares, wound alike, that overlap from 20 to 30.
   const std::string path = "<path d='M10 10h20v20h-20zM20 10h20v20h-20z' ";
   const std::string line = "<line y1='20' x2='100' y2='20' clip-path='url(#c)'/>";
-  EXPECT_EQ(lines_of(read("<clipPath id='c'>" + path + "/></clipPath>" + line)), Lines{"1000,2000 4000,2000 "});
-  EXPECT_EQ(lines_of(read("<clipPath id='c'>" + path + "clip-rule='evenodd'/></clipPath>" + line)),
-            (Lines{"1000,2000 2000,2000 ", "3000,2000 4000,2000 "}));
-  EXPECT_EQ(
-      lines_of(read(
-          "<clipPath id='c'><rect x='10' width='5' height='50'/><rect x='12' width='8' height='50'/><use xlink:href='#r' x='30'/></clipPath>"
-          "<defs><rect id='r' width='3' height='50'/></defs>" +
-          line)),
-      (Lines{"1000,2000 2000,2000 ", "3000,2000 3300,2000 "}));
+  expect_lines("<clipPath id='c'>" + path + "/></clipPath>" + line, {"1000,2000 4000,2000 "});
+  expect_lines("<clipPath id='c'>" + path + "clip-rule='evenodd'/></clipPath>" + line,
+               {"1000,2000 2000,2000 ", "3000,2000 4000,2000 "});
+  expect_lines(
+      "<clipPath id='c'><rect x='10' width='5' height='50'/><rect x='12' width='8' height='50'/><use xlink:href='#r' x='30'/></clipPath>"
+      "<defs><rect id='r' width='3' height='50'/></defs>" +
+          line,
+      {"1000,2000 2000,2000 ", "3000,2000 3300,2000 "});
   const ReadDrawing round = read(
       "<clipPath id='c'><circle cx='50' cy='50' r='30'/></clipPath><g clip-path='url(#c)'><path d='M0 50H100M50 0V100M0 0L100 100'/></g>");
   for (const Point2 p : round.drawing.layers.at(0).lines.points) EXPECT_NEAR(glm::distance(p, Point2(50, 50)), 30, 0.006);
@@ -75,41 +65,32 @@ TEST(SvgReader, ClipPathsOfAnyShape) {
 }
 
 TEST(SvgReader, MasksOfShapesAndClipPathsInUnitsOfABox) {
-  EXPECT_EQ(
-      lines_of(read(
-          "<mask id='m'><rect width='50' height='50' fill='white'/><rect x='10' width='10' height='50' fill='black'/></mask>"
-          "<line y1='20' x2='100' y2='20' mask='url(#m)'/>")),
-      (Lines{"0,2000 1000,2000 ", "2000,2000 5000,2000 "}))
-      << "the last one painted decides";
-  EXPECT_EQ(lines_of(read("<line y1='20' x2='100' y2='20' mask='url(#none)'/>")), Lines{"0,2000 10000,2000 "});
-  EXPECT_EQ(
-      lines_of(read("<clipPath id='c' clipPathUnits='objectBoundingBox'><rect x='0.25' width='0.5' height='1'/></clipPath>"
-                    "<polyline points='10,10 30,10 50,30' clip-path='url(#c)'/>")),
-      Lines{"2000,1000 3000,1000 4000,2000 "});
+  expect_lines(
+      "<mask id='m'><rect width='50' height='50' fill='white'/><rect x='10' width='10' height='50' fill='black'/></mask>"
+      "<line y1='20' x2='100' y2='20' mask='url(#m)'/>",
+      {"0,2000 1000,2000 ", "2000,2000 5000,2000 "}, "the last one painted decides");
+  expect_lines("<line y1='20' x2='100' y2='20' mask='url(#none)'/>", {"0,2000 10000,2000 "});
+  expect_lines(
+      "<clipPath id='c' clipPathUnits='objectBoundingBox'><rect x='0.25' width='0.5' height='1'/></clipPath>"
+      "<polyline points='10,10 30,10 50,30' clip-path='url(#c)'/>",
+      {"2000,1000 3000,1000 4000,2000 "});
 }
 
 TEST(SvgReader, WhiteAreasAreLaidOverWhatIsUnderThem) {
   const std::string line = "<line y1='20' x2='100' y2='20'/>";
-  EXPECT_EQ(lines_of(read(line + "<rect x='10' y='10' width='20' height='20' fill='white' stroke='none'/>")),
-            (Lines{"0,2000 1000,2000 ", "3000,2000 10000,2000 "}));
-  EXPECT_EQ(lines_of(read("<rect x='10' y='10' width='20' height='20' fill='white' stroke='none'/>" + line)),
-            Lines{"0,2000 10000,2000 "})
-      << "below is paper";
-  EXPECT_EQ(lines_of(read(line + "<rect x='10' y='20' width='20' height='20' fill='white' stroke='none'/>")),
-            Lines{"0,2000 10000,2000 "})
-      << "a line on the rim is seen";
-  EXPECT_EQ(
-      lines_of(read(line + "<path d='M10 10h40v20h-40zM20 15h20v10h-20z' fill='white' fill-rule='evenodd' stroke='none'/>")),
-      (Lines{"0,2000 1000,2000 ", "2000,2000 4000,2000 ", "5000,2000 10000,2000 "}))
-      << "through a hole";
-  EXPECT_EQ(
-      lines_of(read(line + "<rect x='10' y='10' width='20' height='20' fill='white' fill-opacity='0.5' stroke='none'/>")),
-      Lines{"0,2000 10000,2000 "})
-      << "one shines through";
-  EXPECT_EQ(lines_of(read("<clipPath id='c'><rect x='15' width='100' height='100'/></clipPath>" + line +
-                          "<rect clip-path='url(#c)' x='10' y='10' width='20' height='20' fill='white' stroke='none'/>")),
-            (Lines{"0,2000 1500,2000 ", "3000,2000 10000,2000 "}))
-      << "only what is seen hides";
+  expect_lines(line + "<rect x='10' y='10' width='20' height='20' fill='white' stroke='none'/>",
+               {"0,2000 1000,2000 ", "3000,2000 10000,2000 "});
+  expect_lines("<rect x='10' y='10' width='20' height='20' fill='white' stroke='none'/>" + line, {"0,2000 10000,2000 "},
+               "below is paper");
+  expect_lines(line + "<rect x='10' y='20' width='20' height='20' fill='white' stroke='none'/>", {"0,2000 10000,2000 "},
+               "a line on the rim is seen");
+  expect_lines(line + "<path d='M10 10h40v20h-40zM20 15h20v10h-20z' fill='white' fill-rule='evenodd' stroke='none'/>",
+               {"0,2000 1000,2000 ", "2000,2000 4000,2000 ", "5000,2000 10000,2000 "}, "through a hole");
+  expect_lines(line + "<rect x='10' y='10' width='20' height='20' fill='white' fill-opacity='0.5' stroke='none'/>",
+               {"0,2000 10000,2000 "}, "one shines through");
+  expect_lines("<clipPath id='c'><rect x='15' width='100' height='100'/></clipPath>" + line +
+                   "<rect clip-path='url(#c)' x='10' y='10' width='20' height='20' fill='white' stroke='none'/>",
+               {"0,2000 1500,2000 ", "3000,2000 10000,2000 "}, "only what is seen hides");
 }
 
 TEST(SvgReader, AreasHideOnlyTheirLayerWhenAsked) {
@@ -184,6 +165,133 @@ TEST(SvgReader, TextShowsThroughClipPathsInPart) {
   const Rect half = text_box("<clipPath id='c'><rect width='100' height='16'/></clipPath>" + text);
   EXPECT_NEAR(half.max.y, 16, 1e-9);
   EXPECT_LT(half.min.y, 16);
+}
+
+/// Drawings as files: of other programs, hostile ones, our own, and in JSON.
+
+TEST(SvgReader, RealFilesGoIn) {
+  const ReadDrawing notes = read("<WCB><path d='M0 0H9'/></WCB><plotdata/><plotdata/><line x2='5' font-size='medium'/>");
+  EXPECT_EQ(lines_of(notes), Lines{"0,0 500,0 "}) << "nothing in an element that SVG does not know is shown";
+  EXPECT_EQ(notes.unknown.at("<WCB>"), 1u);
+  EXPECT_EQ(notes.unknown.at("<plotdata>"), 2u);
+  expect_lines(
+      "<switch><foreignObject/><g requiredExtensions='x'><line x2='1'/></g><g systemLanguage='fr'>"
+      "<line x2='2'/></g><g><line x2='3'/></g><line x2='4'/></switch>",
+      {"0,0 300,0 "}, "the first that is for everybody");
+  EXPECT_EQ(lines_of(read("<line x2='5' stroke-opacity='null' stroke-dasharray='null'/>")).size(), 1u);
+  const ReadDrawing gradient = read(
+      "<defs><linearGradient id='a'><stop stop-color='white'/><stop style='stop-color:#00ff00'/></linearGradient><linearGradient id='b' href='#a'/></defs>"
+      "<line x2='5' stroke='url(#b)'/><line x2='6' stroke='url(#none) red'/><line x2='7' filter='url(#f)'/>");
+  ASSERT_EQ(gradient.drawing.layers.size(), 3u);
+  EXPECT_EQ(gradient.drawing.layers[0].name, "#00ff00") << "its first colour that is seen on paper";
+  EXPECT_EQ(gradient.drawing.layers[1].name, "#ff0000");
+  EXPECT_EQ(gradient.simplified_paints, 2u);
+  EXPECT_EQ(gradient.filters, 1u);
+  EXPECT_EQ(read("<line x2='5' stroke='hsl(120, 100%, 25%)'/>").drawing.layers.at(0).name, "#008000");
+  EXPECT_EQ(read("<line x2='5' stroke='hsla(-120deg 100% 50% / 0.5)'/>").drawing.layers.at(0).name, "#0000ff");
+  EXPECT_EQ(read("<line x2='5' stroke='#ff000080'/>").drawing.layers.at(0).name, "#ff0000");
+  EXPECT_EQ(read("<line x2='5' stroke='#f000'/>").drawing.layers.size(), 0u) << "clear";
+  const ReadDrawing unsized = read_svg_drawing("<svg><line stroke='red' x2='96'/></svg>", "a.svg", {});
+  EXPECT_TRUE(unsized.size_assumed);
+  EXPECT_NEAR(unsized.page.width_mm, 1000 * 25.4 / 96, 1e-9);
+}
+
+Lines lines_without_text(ReadDrawing drawing) {
+  std::erase_if(drawing.drawing.layers, [](const Layer& layer) { return layer.name == "text"; });
+  return lines_of(drawing);
+}
+
+ReadDrawing read_file(const char* name) {
+  return read_svg_drawing(bytes_of_file(std::string(LIGNE_SOURCE_DIR "/tests/plotting/drawings/") + name), name, {});
+}
+
+/// In the manner of other programs: a point is 25.4 / 72 mm, a pixel 25.4 / 96.
+TEST(SvgReader, DrawingsOfOtherPrograms) {
+  const ReadDrawing matplotlib = read_file("matplotlib.svg");
+  EXPECT_NEAR(matplotlib.page.width_mm, 50.8, 1e-9);
+  EXPECT_EQ(lines_without_text(matplotlib),
+            (Lines{"1270,1270 2117,423 ", "3810,423 4657,1270 ", "1270,2117 1270,2240 ", "1270,2117 1270,423 "}));
+  EXPECT_GE(box_of(matplotlib, "text").height(), 10 * 25.4 / 72 * 0.729 - 0.001);
+  const ReadDrawing gnuplot = read_file("gnuplot.svg");
+  EXPECT_NEAR(gnuplot.page.width_mm, 50.8, 1e-9);
+  EXPECT_EQ(lines_without_text(gnuplot),
+            (Lines{"1270,1905 1508,1905 ", "3810,1905 3572,1905 ", "1270,635 2540,1270 3810,635 ", "2421,635 2659,635 ",
+                   "2540,516 2540,754 "}));
+  ASSERT_EQ(gnuplot.drawing.layers.size(), 4u);
+  EXPECT_EQ(gnuplot.drawing.layers[3].name, "#009e73") << "the colour of the use";
+  const ReadDrawing svglite = read_file("svglite.svg");
+  EXPECT_EQ(lines_without_text(svglite), (Lines{"1270,2117 3810,2117 ", "1270,1270 2540,1270 2540,2117 "}));
+  EXPECT_EQ(svglite.drawing.layers.at(1).name, "#df536b");
+}
+
+TEST(SvgReader, BombsDoNoHarm) {
+  const auto start = std::chrono::steady_clock::now();
+  std::string entities = "<!DOCTYPE svg [<!ENTITY a \"aaaaaaaaaa\">";
+  for (char c = 'b'; c < 'z'; ++c)
+    entities += std::string("<!ENTITY ") + c + " \"" + std::string(10, '&') + static_cast<char>(c - 1) + ";\">";
+  EXPECT_NE(error_of(entities + "]>" + page("<text>&y;</text>")).find("entity"), std::string::npos);
+  EXPECT_NE(error_of(entities + "]>" + page("<line x2='&y;'/>")), "");
+
+  std::string links = "<g id='a0'><line x2='1'/></g>";
+  for (int i = 1; i < 12; ++i) {
+    links += "<g id='a" + std::to_string(i) + "'>";
+    for (int k = 0; k < 10; ++k) links += "<use xlink:href='#a" + std::to_string(i - 1) + "'/>";
+    links += "</g>";
+  }
+  EXPECT_NE(error_of(page(links)), "");
+
+  // Clip paths and fills of many edges from top to bottom, and many lines through them.
+  std::string comb = "M0 0", across;
+  for (int i = 0; i < 50'000; ++i) comb += "L" + std::to_string(i * 0.002) + (i % 2 ? " 0" : " 100");
+  for (int i = 0; i < 50'000; ++i) across += "M0 " + std::to_string(i * 0.002) + "H100";
+  EXPECT_NE(
+      error_of(page("<clipPath id='c'><path d='" + comb + "z'/></clipPath><path clip-path='url(#c)' d='" + across + "'/>"))
+          .find("endless work"),
+      std::string::npos);
+  std::string areas;
+  for (int i = 0; i < 5'000; ++i) areas += "<path d='M0 0H1000000V1000000H0z' fill='red' stroke='none'/>";
+  EXPECT_THROW(read_svg_drawing(page(areas), "a.svg", {}, {FillReading::How::hatch, 0.01}), std::runtime_error);
+
+  std::string deep, ends;
+  for (int i = 0; i < 100'000; ++i) deep += "<g>", ends += "</g>";
+  EXPECT_NE(error_of(page(deep + ends)).find("nested deeper"), std::string::npos);
+  EXPECT_NE(error_of(page("<line x2='" + std::string(30'000'000, '1') + "'/>")), "");
+  EXPECT_NE(error_of(page("<path d='" + std::string(30'000'000, 'z') + "'/>")), "");
+  EXPECT_EQ(error_of(page("<line x2='1' data-x='" + std::string(30'000'000, 'z') + "'/>")), "");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+}
+
+TEST(JsonDrawingReader, ReadsWhatWeWrite) {
+  const StrokeModel strokes = sample_strokes();
+  DrawingDocument document;
+  document.strokes = &strokes;
+  document.source = [&](std::uint32_t source) { return sample_source(strokes, source); };
+  const ReadDrawing back = read_json_drawing(write_json(document, {}), "a.json");
+  EXPECT_EQ(back.page.height_mm, 297);
+  ASSERT_EQ(back.drawing.layers.size(), 2u);
+  EXPECT_EQ(back.drawing.layers[0].name, "hidden");
+  EXPECT_EQ(back.drawing.layers[1].name, "outline");
+  EXPECT_NEAR(glm::distance(back.drawing.layers[1].lines[0][1], Point2(110, 100.125)), 0, 1e-9);
+}
+
+TEST(JsonDrawingReader, RefusesWhatIsWrong) {
+  const std::string head =
+      "{\"format\":\"ligne-drawing\",\"version\":2,\"page\":{\"width_mm\":210,\"height_mm\":297,\"margin_mm\":10},";
+  const std::string stroke = "{\"class\":\"outline\",\"visible\":true,\"points\":[[1,2],[3,4]]}";
+  EXPECT_EQ(read_json_drawing(head + "\"strokes\":[" + stroke + "]}", "a.json").drawing.layers.size(), 1u);
+  const std::string version_1 = "{\"format\":\"ligne-drawing\",\"version\":1," + head.substr(head.find("\"page\""));
+  EXPECT_EQ(read_json_drawing(version_1 + "\"strokes\":[" + stroke + "]}", "a.json").drawing.layers.size(), 1u);
+  std::string deep(200'000, '[');
+  for (const std::string& wrong :
+       {std::string("{"), std::string("[]"), std::string("{}"), head + "\"order\":[]}", head + "\"strokes\":[{}]}",
+        head + "\"strokes\":[{\"class\":\"ink\",\"visible\":true,\"points\":[[1,2],[3,4]]}]}",
+        head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":1,\"points\":[[1,2],[3,4]]}]}",
+        head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":true,\"points\":[[1,2]]}]}",
+        head + "\"strokes\":[{\"class\":\"mesh\",\"visible\":true,\"points\":[[1,2],[3,1e9]]}]}",
+        head + "\"strokes\":[],\"strokes\":[]}", std::string("{\"format\":\"ligne-drawing\",\"version\":3,\"strokes\":[]}"),
+        deep, std::string("{\"format\":\"ligne-drawing\",\"version\":1,\"page\":{\"width_mm\":0},\"strokes\":[]}")}) {
+    EXPECT_THROW(read_json_drawing(wrong, "a.json"), std::runtime_error) << wrong.substr(0, 200);
+  }
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 /// Lines and areas as the SVG has them after Cairo drew them.
 
-#include <gtest/gtest.h>
+#include <cctype>
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
+#include "geometry/parallel.hpp"
+#include "plotting/cairo_svg_parts.hpp"
 #include "plotting/drawing_reader.hpp"
+#include "plotting/writers.hpp"
 #include "sample_drawing.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -70,8 +70,8 @@ TEST(SvgPaths, AnEmptyLayerStaysALayer) {
   Drawing drawing;
   drawing.layers.push_back({"mesh", {}});
   const std::string svg = write_svg(drawing, {});
-  EXPECT_NE(svg.find("id=\"mesh\""), std::string::npos);
-  EXPECT_EQ(svg.find("<path"), std::string::npos);
+  test::expect_parts(svg, {"id=\"mesh\""});
+  test::expect_no_parts(svg, {"<path"});
 }
 
 TEST(SvgPaths, DashesStayDashesHoweverShort) {
@@ -81,7 +81,7 @@ TEST(SvgPaths, DashesStayDashesHoweverShort) {
     PlotOptions options;
     options.pen_width_mm = width;
     EXPECT_EQ(paths_of(drawing, options), "<path d=\"M10 10l90 0\"/>\n");
-    EXPECT_NE(write_svg(drawing, options).find("stroke-dasharray=\""), std::string::npos);
+    test::expect_parts(write_svg(drawing, options), {"stroke-dasharray=\""});
   }
 }
 
@@ -95,7 +95,7 @@ TEST(SvgPaths, AreasKeepHolesRimsAndOpacity) {
       paths_of(drawing),
       "<path fill=\"#f00\" stroke=\"#f00\" d=\"M10 10l30 0 0 30 -30 0ZM20 20l10 0 0 10 -10 0ZM20 20l10 0 0 10 -10 0Z\"/>\n"
       "<path fill=\"#804000\" fill-opacity=\"0.4\" d=\"M10 10l30 0 0 30 -30 0Z\"/>\n");
-  EXPECT_NE(write_svg(drawing, {}).find("id=\"fill\" fill-rule=\"evenodd\" stroke-width=\"0.15\""), std::string::npos);
+  test::expect_parts(write_svg(drawing, {}), {"id=\"fill\" fill-rule=\"evenodd\" stroke-width=\"0.15\""});
 }
 
 TEST(SvgPaths, ManyAreasTakeNoTimeWithTheSquareOfTheirNumber) {
@@ -113,6 +113,7 @@ TEST(SvgPaths, ReadBackTheyAreTheLinesThatWereDrawn) {
   PlotOptions options;
   options.hidden_solid = true;  // dashes are read as lines of their own
   const ReadDrawing back = read_svg_drawing(write_svg(drawing, options), "a.svg", {});
+  EXPECT_NEAR(back.page.width_mm, 210, 1e-9);
   ASSERT_EQ(back.drawing.layers.size(), drawing.layers.size());
   for (std::size_t l = 0; l < drawing.layers.size(); ++l) {
     const Polylines &drawn = drawing.layers[l].lines, &read = back.drawing.layers[l].lines;
@@ -123,6 +124,213 @@ TEST(SvgPaths, ReadBackTheyAreTheLinesThatWereDrawn) {
       EXPECT_NEAR(read.points[i].y, drawn.points[i].y, 1e-4);
     }
   }
+}
+
+/// Documents of Cairo 1.16 and 1.18 taken apart, and what is refused. tests/plotting/cairo/make_sample.py wrote the samples.
+
+std::string sample(const std::string& version) {
+  return test::bytes_of_file(LIGNE_SOURCE_DIR "/tests/plotting/cairo/cairo-" + version + ".svg");
+}
+
+std::string commands_of(const CairoSvgPart& part) {
+  std::string text;
+  for_each_command(part, [&](char command, const Point2* points) {
+    text += command;
+    for (int i = 0; i < (command == 'Z' ? 0 : command == 'C' ? 3 : 1); ++i) {
+      text += std::to_string(std::lround(points[i].x * 10)) + "," + std::to_string(std::lround(points[i].y * 10)) + " ";
+    }
+  });
+  return text;
+}
+
+class CairoSvgParts : public testing::TestWithParam<const char*> {};
+
+TEST_P(CairoSvgParts, TheSampleHasItsPartsInOrder) {
+  std::string document = sample(GetParam());
+  const std::vector<CairoSvgPart> parts = cairo_svg_parts(document, 2000);
+  ASSERT_EQ(parts.size(), 5u);
+  EXPECT_EQ(parts[0].image.substr(0, 33), "data:image/png;base64,iVBORw0KGgo");
+  EXPECT_EQ(parts[0].to_document({0, 0}), (Point2{100, 200}));
+  EXPECT_EQ(parts[0].to_document(parts[0].pixels), (Point2{250, 250}));
+
+  EXPECT_EQ(parts[1].fill, "#804000");
+  EXPECT_EQ(parts[1].stroke, "#804000") << "its rim";
+  EXPECT_EQ(parts[1].fill_opacity, 1);
+  EXPECT_EQ(commands_of(parts[1]),
+            "M12500,12500 L17500,12500 L17500,17500 L12500,17500 ZM13750,13750 L16250,13750 L16250,16250 L13750,16250 "
+            "ZM13750,13750 ");
+
+  EXPECT_EQ(parts[2].fill, "#ff0000");
+  EXPECT_FALSE(parts[2].stroke);
+  EXPECT_EQ(parts[2].fill_opacity, 0.3);
+  EXPECT_EQ(commands_of(parts[2]), "M5000,5000 L7500,5000 L7500,7500 L5000,7500 ZM5000,5000 ");
+
+  EXPECT_FALSE(parts[3].fill);
+  EXPECT_EQ(parts[3].stroke, "#000000");
+  EXPECT_EQ(commands_of(parts[3]),
+            "M11250,12500 L7500,15000 L7000,11235 M15000,15000 L15000,15000 M10000,10000 L12500,10000 L12500,12500 "
+            "ZM15000,10000 C15000,12500 12500,15000 10000,15000 ");
+  EXPECT_EQ(commands_of(parts[4]), "M100,200 L305,400 ") << "without a transform, and dashed";
+}
+
+INSTANTIATE_TEST_SUITE_P(Versions, CairoSvgParts, testing::Values("1.16", "1.18"),
+                         [](const auto& info) { return info.index == 0 ? "Cairo116" : "Cairo118"; });
+
+std::string cairo_error(std::string document) {
+  return test::failure_of([&] {
+    for (const CairoSvgPart& part : cairo_svg_parts(document, 2000)) commands_of(part);
+  });
+}
+
+std::string cairo_page(const std::string& body) {
+  return "<svg width='2000pt' height='2000pt' viewBox='0 0 2000 2000'>" + body + "</svg>";
+}
+
+const std::string kLook = "fill='none' stroke='rgb(0%, 0%, 0%)' ";
+
+TEST(CairoSvgForms, GroupsMayStandInGroups) {
+  std::string document = cairo_page("<g id='a'><g><path " + kLook + "d='M 1 2 L 3 4 '/></g></g>");
+  const std::vector<CairoSvgPart> parts = cairo_svg_parts(document, 2000);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(commands_of(parts[0]), "M10,20 L30,40 ");
+}
+
+TEST(CairoSvgForms, TheUnitOfTheWidthDoesNotMatter) {
+  for (const std::string unit : {"", "pt", "mm"}) {
+    EXPECT_EQ(cairo_error("<svg width='2000" + unit + "' viewBox='0 0 2000 2000'/>"), "") << unit;
+  }
+}
+
+TEST(CairoSvgForms, AFormThatIsUnknownIsAnError) {
+  const std::string line = "d='M 1 2 L 3 4 '/>",
+                    image = "<defs><image id='i' width='1' height='1' xlink:href='data:'/></defs>";
+  const std::string unknown[] = {
+      cairo_page("<g clip-path='url(#clip-0)'><path " + kLook + line + "</g>"),
+      cairo_page("<g opacity='0.5'><path " + kLook + line + "</g>"),
+      cairo_page("<use xlink:href='#image-1'/>"),
+      cairo_page(image + "<use xlink:href='#i' mask='url(#m)'/>"),
+      cairo_page(image + "<use xlink:href='#i' transform='rotate(9)'/>"),
+      cairo_page("<defs><image id='i' x='3' xlink:href='data:'/></defs><use xlink:href='#i'/>"),
+      cairo_page("<rect x='0' y='0' width='1' height='1'/>"),
+      cairo_page("<text>a</text>"),
+      cairo_page("letters"),
+      cairo_page("<path fill='url(#pattern-0)' " + line),
+      cairo_page("<path fill='red' " + line),
+      cairo_page("<path fill='rgb(1%, 2%)' " + line),
+      cairo_page("<path fill='rgb(1, 2, 3)' " + line),
+      cairo_page("<path fill-rule='nonzero' fill='rgb(0%, 0%, 0%)' " + line),
+      cairo_page("<path stroke-dashoffset='3' " + kLook + line),
+      cairo_page("<path style='fill:none;colour:none;' " + line),
+      cairo_page("<path style='fill;' " + line),
+      cairo_page("<path transform='turn(3)' " + kLook + line),
+      cairo_page("<path " + kLook + "d='M 1 2 l 3 4 '/>"),
+      cairo_page("<path " + kLook + "d='L 1 2 '/>"),
+      cairo_page("<path " + kLook + "d='M 1 2 L 3 4 Z L 5 6 '/>"),
+      cairo_page("<path " + kLook + "d='M 1 2 L 3 '/>"),
+      cairo_page("<path " + kLook + "d='M 1 2 A 3 3 0 0 0 5 6 '/>"),
+      "<svg width='2000pt' viewBox='0 0 1000 2000'/>",
+      "<svg width='2000pt'/>",
+      "<svg viewBox='0 0 2000 2000'><path",
+      "",
+  };
+  for (const std::string& document : unknown) EXPECT_EQ(cairo_error(document).substr(0, 7), "cairo: ") << document;
+}
+
+/// Arcs in files: Bezier curves.
+
+Drawing circle_drawing(const Ellipse& ellipse) {
+  Drawing drawing;
+  drawing.layers.push_back({"outline", {}});
+  drawing.layers.back().lines.add(closed(ellipse, 60));
+  return drawing;
+}
+
+/// The points of the only path, curves followed in steps: M, L, C, S, their relative forms, and Z.
+std::vector<Point2> followed(const std::string& svg, int& curves) {
+  const std::size_t begin = svg.find("<path d=\"") + 9;
+  std::string spaced;
+  for (const char c : svg.substr(begin, svg.find('"', begin) - begin)) {
+    spaced += std::isalpha(static_cast<unsigned char>(c)) ? std::string{' ', c, ' '} : c == '-' ? " -" : std::string{c};
+  }
+  std::istringstream in(spaced);
+  std::vector<Point2> points;
+  char command = 0;
+  Point2 at{0, 0}, handle{0, 0};
+  while (in >> std::ws && !in.eof()) {
+    if (std::isalpha(in.peek())) in >> command;
+    if (command == 'Z') break;
+    const char kind = static_cast<char>(std::toupper(command));
+    const auto point = [&] {
+      Point2 p{0, 0};
+      in >> p.x >> p.y;
+      return std::islower(command) ? at + p : p;
+    };
+    if (kind == 'C' || kind == 'S') {
+      ++curves;
+      const Point2 a = kind == 'C' ? point() : at + (at - handle), b = point(), to = point();
+      for (int i = 0; i < 1000; ++i) {
+        const double t = i / 1000.0, u = 1 - t;
+        points.push_back(u * u * u * at + 3 * u * u * t * a + 3 * u * t * t * b + t * t * t * to);
+      }
+      handle = b;
+      at = to;
+    } else {
+      EXPECT_TRUE(kind == 'M' || kind == 'L') << command;
+      at = point();
+    }
+    points.push_back(at);
+  }
+  return points;
+}
+
+TEST(CurvesInFiles, SvgCurvesAreTheEllipse) {
+  PlotOptions options;
+  options.curves = true;
+  for (const double turn : {0.0, 25.0, 90.0, 140.0}) {
+    for (const double slender : {1.0, 0.6, 0.05}) {
+      const Ellipse ellipse{{101, 90}, {20, 20 * slender}, turn * kDegree};
+      int curves = 0;
+      const std::string svg = write_svg(circle_drawing(ellipse), options);
+      const std::vector<Point2> points = followed(svg, curves);
+      EXPECT_GE(curves, 6) << svg;
+      EXPECT_LE(curves, 12) << svg;
+      for (const Point2 p : points) EXPECT_LE(distance(ellipse, p), kCurveToleranceMm);
+      for (const Point2 p : closed(ellipse, 60)) {
+        double least = 1;
+        for (std::size_t i = 1; i < points.size(); ++i)
+          least = std::min(least, test::distance_to_segment(p, points[i - 1], points[i]));
+        EXPECT_LE(least, kCurveToleranceMm);
+      }
+    }
+  }
+}
+
+TEST(CurvesInFiles, OffUnlessAskedForAndNotForLetters) {
+  Drawing drawing = circle_drawing({{100, 90}, {20, 20}});
+  int count = 0;
+  followed(write_svg(drawing, {}), count);
+  EXPECT_EQ(count, 0);
+  PlotOptions curves;
+  curves.curves = true;
+  EXPECT_LT(write_svg(drawing, curves).size(), write_svg(drawing, {}).size());
+  EXPECT_NE(write_pdf(drawing, curves), write_pdf(drawing, {}));
+  EXPECT_NE(write_png(drawing, curves), write_png(drawing, {}));
+  drawing.layers[0].name = "text";
+  EXPECT_EQ(write_svg(drawing, curves), write_svg(drawing, {}));
+  EXPECT_EQ(write_pdf(drawing, curves), write_pdf(drawing, {}));
+}
+
+TEST(CurvesInFiles, TheSameForAnyNumberOfThreads) {
+  Drawing drawing = circle_drawing({{100, 90}, {20, 9}, 0.3});
+  for (int i = 0; i < 400; ++i)
+    drawing.layers[0].lines.add(closed({{100, 90}, {0.2 + i * 0.1, 0.2 + i * 0.07}, i * 0.1}, 60));
+  PlotOptions options;
+  options.curves = true;
+  std::string one, four, pdf_one, pdf_four;
+  run_with_threads(1, [&] { one = write_svg(drawing, options), pdf_one = write_pdf(drawing, options); });
+  run_with_threads(4, [&] { four = write_svg(drawing, options), pdf_four = write_pdf(drawing, options); });
+  EXPECT_EQ(one, four);
+  EXPECT_EQ(pdf_one, pdf_four);
 }
 
 }  // namespace

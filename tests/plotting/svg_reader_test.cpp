@@ -1,18 +1,9 @@
 /// SVG drawings read back: drawn right, or refused by name.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
 #include "plotting/paths/optimize.hpp"
 #include "plotting/writers.hpp"
 #include "sample_drawing.hpp"
+#include "support/test.hpp"
 #include "svg_text.hpp"
 
 namespace ligne {
@@ -259,17 +250,16 @@ TEST(SvgReader, RefusesByName) {
 }
 
 TEST(SvgReader, StyleSheets) {
-  EXPECT_EQ(
-      lines_of(read("<style>line[id]{stroke:none} [x2='2']{stroke:none} line[class~=b]{stroke:none} "
-                    "line[class^=\"pre\"]{stroke:none} line[class$=fix]{stroke:none} line[class*=mid]{stroke:none}</style>"
-                    "<line id='a' x2='1'/><line x2='2'/><line class='a b' x2='3'/><line class='prefer' x2='4'/>"
-                    "<line class='suffix' x2='5'/><line class='amidst' x2='6'/><line class='c' x2='7'/>")),
-      Lines{"0,0 700,0 "});
-  EXPECT_EQ(
-      lines_of(read(
-          "<style>.no{stroke:none} #seen{stroke:red} g.in > line{display:none} g path { stroke-dasharray: 2 1 } *{stroke-linejoin:round}</style>"
-          "<line class='a no b' x2='1'/><line class='no' id='seen' x2='2'/><g class='in'><line x2='3'/><g><line x2='4'/></g></g><g><path d='M0 9h4'/></g>")),
-      (Lines{"0,0 200,0 ", "0,0 400,0 ", "0,900 200,900 ", "300,900 400,900 "}));
+  expect_lines(
+      "<style>line[id]{stroke:none} [x2='2']{stroke:none} line[class~=b]{stroke:none} "
+      "line[class^=\"pre\"]{stroke:none} line[class$=fix]{stroke:none} line[class*=mid]{stroke:none}</style>"
+      "<line id='a' x2='1'/><line x2='2'/><line class='a b' x2='3'/><line class='prefer' x2='4'/>"
+      "<line class='suffix' x2='5'/><line class='amidst' x2='6'/><line class='c' x2='7'/>",
+      {"0,0 700,0 "});
+  expect_lines(
+      "<style>.no{stroke:none} #seen{stroke:red} g.in > line{display:none} g path { stroke-dasharray: 2 1 } *{stroke-linejoin:round}</style>"
+      "<line class='a no b' x2='1'/><line class='no' id='seen' x2='2'/><g class='in'><line x2='3'/><g><line x2='4'/></g></g><g><path d='M0 9h4'/></g>",
+      {"0,0 200,0 ", "0,0 400,0 ", "0,900 200,900 ", "300,900 400,900 "});
   const ReadDrawing colors = read(
       "<style type='text/css'><![CDATA[ /* black */ line, polyline.x { stroke: blue } line { stroke: #00ff00 !important; } ]]></style>"
       "<line x2='1' style='stroke:red'/><polyline class='x' points='0 1 2 1' stroke='red'/><polyline class='x' points='0 2 2 2' style='stroke:red'/>");
@@ -290,25 +280,21 @@ TEST(SvgReader, StyleSheets) {
 }
 
 TEST(SvgReader, SymbolsAndNestedDrawings) {
-  EXPECT_EQ(lines_of(read(
-                "<svg x='10' y='20' width='30' height='30' viewBox='0 0 3 3'><line x1='-1' y1='1' x2='2' y2='1'/></svg>")),
-            Lines{"1000,3000 3000,3000 "})
-      << "scaled, and cut at its frame";
-  EXPECT_EQ(
-      lines_of(read(
-          "<svg x='10' y='20' width='30' height='30' viewBox='0 0 3 3' overflow='visible'><line x1='-1' y1='1' x2='2' y2='1'/></svg>")),
-      Lines{"0,3000 3000,3000 "});
-  EXPECT_EQ(lines_of(read("<svg width='50%' height='10'><line x2='100%'/></svg>")), Lines{"0,0 5000,0 "});
+  expect_lines("<svg x='10' y='20' width='30' height='30' viewBox='0 0 3 3'><line x1='-1' y1='1' x2='2' y2='1'/></svg>",
+               {"1000,3000 3000,3000 "}, "scaled, and cut at its frame");
+  expect_lines(
+      "<svg x='10' y='20' width='30' height='30' viewBox='0 0 3 3' overflow='visible'><line x1='-1' y1='1' x2='2' y2='1'/></svg>",
+      {"0,3000 3000,3000 "});
+  expect_lines("<svg width='50%' height='10'><line x2='100%'/></svg>", {"0,0 5000,0 "});
   const std::string symbol = "<symbol id='s' viewBox='0 0 10 10'><line x2='10' y2='10'/></symbol>";
-  EXPECT_EQ(lines_of(read(symbol + "<use xlink:href='#s' x='5' y='6' width='20' height='20'/>")),
-            Lines{"500,600 2500,2600 "});
-  EXPECT_EQ(lines_of(read(symbol + "<use href='#s' x='5' width='0' height='20'/>")), Lines{});
-  EXPECT_EQ(lines_of(read("<symbol id='r' viewBox='0 0 10 10' refX='5' refY='10'><line x2='10' y2='10'/></symbol>"
-                          "<use href='#r' x='50' y='60' width='20' height='20'/>")),
-            Lines{"4000,4000 6000,6000 "});
-  EXPECT_EQ(
-      lines_of(read("<symbol id='g' overflow='visible'><path d='M1 1L-4 1'/></symbol><use xlink:href='#g' x='50' y='50'/>")),
-      Lines{"5100,5100 4600,5100 "});
+  expect_lines(symbol + "<use xlink:href='#s' x='5' y='6' width='20' height='20'/>", {"500,600 2500,2600 "});
+  expect_lines(symbol + "<use href='#s' x='5' width='0' height='20'/>", {});
+  expect_lines(
+      "<symbol id='r' viewBox='0 0 10 10' refX='5' refY='10'><line x2='10' y2='10'/></symbol>"
+      "<use href='#r' x='50' y='60' width='20' height='20'/>",
+      {"4000,4000 6000,6000 "});
+  expect_lines("<symbol id='g' overflow='visible'><path d='M1 1L-4 1'/></symbol><use xlink:href='#g' x='50' y='50'/>",
+               {"5100,5100 4600,5100 "});
 }
 
 TEST(SvgReader, StrokesKeepTheirColoursAndWidths) {
@@ -329,8 +315,8 @@ TEST(SvgReader, StrokesKeepTheirColoursAndWidths) {
 }
 
 TEST(SvgReader, DotsAndFills) {
-  EXPECT_EQ(lines_of(read("<path d='M5 5h0' stroke-linecap='round'/>")), Lines{"500,500 500,500 "});
-  EXPECT_EQ(lines_of(read("<path d='M5 5h0'/>")), Lines{}) << "butt ends";
+  expect_lines("<path d='M5 5h0' stroke-linecap='round'/>", {"500,500 500,500 "});
+  expect_lines("<path d='M5 5h0'/>", {}, "butt ends");
   Drawing dots;
   add_line(dots, "outline", {{5, 5}, {5, 5}});
   EXPECT_EQ(lines_of(read_svg_drawing(write_svg(dots, {}), "a.svg", {})), Lines{"500,500 500,500 "}) << "ours come back";

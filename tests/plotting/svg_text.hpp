@@ -1,17 +1,8 @@
 #pragma once
 /// Short SVG texts, read, and what is in them.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
 #include "plotting/drawing_reader.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 
@@ -50,14 +41,10 @@ inline double length_of(const std::string& body) {
 }
 
 inline std::string error_of(const std::string& svg) {
-  try {
-    read_svg_drawing(svg, "a.svg", {});
-  } catch (const std::runtime_error& e) {
-    EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
-    EXPECT_LT(std::string(e.what()).size(), 400u);
-    return e.what();
-  }
-  return "";
+  const std::string error = failure_of([&] { read_svg_drawing(svg, "a.svg", {}); });
+  EXPECT_EQ(error.find('\n'), std::string::npos);
+  EXPECT_LT(error.size(), 400u);
+  return error;
 }
 
 /// What the strokes of the layer take up.
@@ -86,5 +73,9 @@ inline std::multiset<std::string> lines_of(const ReadDrawing& drawing) {
 }
 
 using Lines = std::multiset<std::string>;
+
+inline void expect_lines(const std::string& body, const Lines& wanted, const char* why = "") {
+  EXPECT_EQ(lines_of(read(body)), wanted) << why << ": " << body;
+}
 
 }  // namespace ligne::test
