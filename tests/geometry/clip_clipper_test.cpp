@@ -1,11 +1,10 @@
 // The clip against an independent library: Clipper 6, which works on whole numbers too. Its corners are rounded to its
 // lattice, which is made 2^16 times finer than ours.
 
-#include <gtest/gtest.h>
-
 #include <polyclipping/clipper.hpp>
 
 #include "clip_support.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

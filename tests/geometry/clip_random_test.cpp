@@ -1,10 +1,9 @@
 // The clip on faces at random. Faces made of quarter cells of a small grid have everything singular at once, and their
 // common points can be counted; stars over the whole lattice try the arithmetic at its limits.
 
-#include <gtest/gtest.h>
-
 #include "clip_support.hpp"
 #include "main/tier.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

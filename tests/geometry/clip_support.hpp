@@ -1,15 +1,8 @@
 #pragma once
 /// What the tests of the clip share: faces at random, and checks that every result must pass.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include "geometry/clip_contour_by_contour.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 

@@ -1,11 +1,4 @@
 #include "geometry/contour_sweep.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
-#include <random>
-
 #include "geometry/contour_edges.hpp"
 #include "geometry/contour_links.hpp"
 #include "geometry/ear_cutter.hpp"
@@ -13,6 +6,7 @@
 #include "geometry/predicates.hpp"
 #include "geometry/triangulate.hpp"
 #include "polygon_shapes.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

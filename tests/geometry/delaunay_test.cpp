@@ -1,14 +1,8 @@
 // Triangulations of points strewn evenly, in crowds, on grids, on circles and on lines.
 
 #include "geometry/delaunay.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "geometry/morton.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

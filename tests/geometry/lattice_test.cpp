@@ -1,12 +1,14 @@
+#include <atomic>
+#include <chrono>
+
+#include "geometry/connected_boxes.hpp"
+#include "geometry/degrees.hpp"
 #include "geometry/lattice.hpp"
+#include "geometry/predicates.hpp"
+#include "geometry/stop.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <random>
-
-namespace ligne {
+namespace ligne::test {
 namespace {
 
 Rect rect(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y1}}; }
@@ -77,5 +79,187 @@ TEST(LatticeOrientation, IdentitiesAndExactnessAtTheLimit) {
   }
 }
 
+TEST(Degrees, WholeQuartersAreExact) {
+  const double sines[] = {0, 1, 0, -1};
+  for (int quarters = -9; quarters <= 9; ++quarters) {
+    const SineCosine at = sine_cosine_degrees(90.0 * quarters);
+    EXPECT_EQ(at.sine, sines[quarters & 3]) << quarters;
+    EXPECT_EQ(at.cosine, sines[(quarters + 1) & 3]) << quarters;
+  }
+}
+
+TEST(Degrees, OthersAreThoseOfRadians) {
+  for (double degrees = -400; degrees <= 400; degrees += 7.3) {
+    const SineCosine at = sine_cosine_degrees(degrees), opposite = sine_cosine_degrees(-degrees);
+    EXPECT_NEAR(at.sine, std::sin(degrees * std::acos(-1.0) / 180), 1e-14) << degrees;
+    EXPECT_NEAR(at.cosine, std::cos(degrees * std::acos(-1.0) / 180), 1e-14) << degrees;
+    EXPECT_EQ(opposite.sine, -at.sine) << degrees;
+    EXPECT_EQ(opposite.cosine, at.cosine) << degrees;
+  }
+}
+
+TEST(Degrees, NoAngleHasNone) {
+  EXPECT_TRUE(std::isnan(sine_cosine_degrees(HUGE_VAL).sine));
+  EXPECT_TRUE(std::isnan(sine_cosine_degrees(std::nan("")).cosine));
+}
+
+void expect_identities(Point2 a, Point2 b, Point2 c) {
+  const int sign = orientation_sign(a, b, c);
+  EXPECT_EQ(sign, orientation_sign(b, c, a));
+  EXPECT_EQ(sign, orientation_sign(c, a, b));
+  EXPECT_EQ(sign, -orientation_sign(b, a, c));
+  EXPECT_EQ(sign, -orientation_sign(a, c, b));
+  EXPECT_EQ(sign, -orientation_sign(c, b, a));
+}
+
+TEST(OrientationSign, KnownTriangles) {
+  EXPECT_EQ(orientation_sign({0, 0}, {1, 0}, {0, 1}), 1);
+  EXPECT_EQ(orientation_sign({0, 0}, {0, 1}, {1, 0}), -1);
+  EXPECT_EQ(orientation_sign({0, 0}, {1, 1}, {3, 3}), 0);
+  EXPECT_EQ(orientation_sign({2, 5}, {2, 5}, {7, 1}), 0);
+}
+
+TEST(OrientationSign, IdentitiesOnNearlyCollinearPoints) {
+  std::mt19937_64 random(1);
+  std::uniform_int_distribution<int> step(-3, 3);
+  for (int i = 0; i < 20000; ++i) {
+    const auto near = [&](double v) { return v + step(random) * std::ldexp(1.0, -52); };
+    expect_identities({near(0.5), near(0.5)}, {near(12), near(12)}, {near(24), near(24)});
+  }
+}
+
+// Points (k + x u, k + y u) on a fine grid: the determinant is a whole number of steps and known without rounding.
+TEST(OrientationSign, AgreesWithWholeNumberArithmetic) {
+  std::mt19937_64 random(2);
+  constexpr std::int64_t kSize = std::int64_t{1} << 52;
+  std::uniform_int_distribution<std::int64_t> base(-kSize / 2, kSize / 2), nudge(-2, 2), factor(-1, 1);
+  for (int i = 0; i < 20000; ++i) {
+    const std::int64_t ax = base(random), ay = base(random), dx = base(random) / 2, dy = base(random) / 2;
+    const std::int64_t bx = ax + dx, by = ay + dy;
+    const std::int64_t f = factor(random);
+    const std::int64_t cx = ax + f * dx + nudge(random), cy = ay + f * dy + nudge(random);
+    const __int128 det = static_cast<__int128>(bx - ax) * (cy - ay) - static_cast<__int128>(by - ay) * (cx - ax);
+    const auto point = [](std::int64_t x, std::int64_t y) { return Point2(double(x), double(y)); };
+    const int sign = orientation_sign(point(ax, ay), point(bx, by), point(cx, cy));
+    EXPECT_EQ(sign, det > 0 ? 1 : det < 0 ? -1 : 0);
+  }
+}
+
+TEST(OrientationSign, SeesOneUnitInTheLastPlace) {
+  const double x = std::nextafter(0.5, 1);
+  EXPECT_EQ(orientation_sign({0, 0}, {1e10, 1e10}, {0.5, x}), 1);
+  EXPECT_EQ(orientation_sign({0, 0}, {1e10, 1e10}, {x, 0.5}), -1);
+  EXPECT_EQ(orientation_sign({0, 0}, {1e10, 1e10}, {x, x}), 0);
+}
+
+// Boxes that hang together, against the comparison of every pair.
+
+DisjointSets by_pairs(const std::vector<AxisBox>& boxes) {
+  DisjointSets sets(boxes.size());
+  const auto has_inside = [](const AxisBox& b) { return b.x0 < b.x1 && b.y0 < b.y1; };
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    for (std::uint32_t k = 0; k < i; ++k) {
+      const AxisBox &a = boxes[i], &b = boxes[k];
+      if (has_inside(a) && has_inside(b) && a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1) sets.join(i, k);
+    }
+  }
+  return sets;
+}
+
+TEST(ConnectedBoxes, AreThoseOfEveryPair) {
+  std::mt19937 random(7);
+  std::size_t sets_in_all = 0;
+  for (int round = 0; round < 3000; ++round) {
+    // Whole numbers, so that many borders coincide; from boxes that stand alone to one heap.
+    const int n = 1 + static_cast<int>(random() % 40), side = 4 + static_cast<int>(random() % 60);
+    std::vector<AxisBox> boxes;
+    for (int i = 0; i < n; ++i) {
+      const double x = random() % side, y = random() % side;
+      boxes.push_back({x, y, x + random() % 7, y + random() % 7});
+    }
+    DisjointSets found = connect_boxes(boxes), expected = by_pairs(boxes);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      ASSERT_EQ(found.find(i), expected.find(i)) << "round " << round << ", box " << i;
+      sets_in_all += found.find(i) == i;
+    }
+  }
+  EXPECT_GT(sets_in_all, 3000u);
+}
+
+TEST(ConnectedBoxes, OfNothing) { connect_boxes({}); }
+
+TEST(ConnectedBoxes, ACrowdCostsNoMoreThanOthers) {
+  std::vector<AxisBox> boxes;
+  constexpr int kBoxes = 200'000;
+  for (int i = 0; i < kBoxes; ++i) boxes.push_back({1e-6 * i, 1e-6 * i, 1 + 1e-6 * i, 1 + 1e-6 * i});
+  const auto start = std::chrono::steady_clock::now();
+  DisjointSets sets = connect_boxes(boxes);
+  // Two by two these are 2 10^10 pairs, which take minutes.
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) ASSERT_EQ(sets.find(i), 0u);
+}
+
+// Work that is told to end does so in its loops, in all threads, and other work goes on.
+
+constexpr std::size_t kMany = 1'000'000;
+
+TEST(Stop, LoopsEndSoonAfterTheyAreTold) {
+  std::atomic<bool> stop = false;
+  std::atomic<std::size_t> done = 0;
+  const auto work = [&] {
+    parallel_tasks(kMany, [&](std::size_t) {
+      if (++done == 1000) stop = true;
+    });
+  };
+  EXPECT_THROW(run_until(stop, work), Stopped);
+  EXPECT_GE(done, 1000u);
+  EXPECT_LT(done, kMany / 2);
+}
+
+TEST(Stop, LoopsInsideLoopsKnowIt) {
+  std::atomic<bool> stop = false;
+  std::atomic<std::size_t> inner = 0;
+  const auto work = [&] {
+    parallel_tasks(1, [&](std::size_t) {
+      stop = true;
+      parallel_for(8, [&](std::size_t) { ++inner; });
+    });
+  };
+  EXPECT_THROW(run_until(stop, work), Stopped);
+  EXPECT_EQ(inner, 0u);
+}
+
+TEST(Stop, WorkThatIsToldBeforeDoesNotBegin) {
+  const std::atomic<bool> stop = true;
+  EXPECT_THROW(run_until(stop, [] { FAIL(); }), Stopped);
+}
+
+TEST(Stop, OtherWorkGoesOn) {
+  std::atomic<bool> stop = false, other_stop = true;
+  std::atomic<std::size_t> done = 0;
+  run_until(stop, [&] {
+    EXPECT_THROW(run_until(other_stop, [] {}), Stopped);
+    parallel_for(1000, [&](std::size_t) { ++done; });
+    check_stop();
+  });
+  EXPECT_EQ(done, 1000u);
+  // Outside nobody tells it to end.
+  stop = true;
+  check_stop();
+  parallel_for(1000, [&](std::size_t) { ++done; });
+  EXPECT_EQ(done, 2000u);
+}
+
+TEST(Stop, SerialLoopsAsk) {
+  std::atomic<bool> stop = false;
+  EXPECT_THROW(run_until(stop,
+                         [&] {
+                           check_stop();
+                           stop = true;
+                           check_stop();
+                         }),
+               Stopped);
+}
+
 }  // namespace
-}  // namespace ligne
+}  // namespace ligne::test

@@ -1,8 +1,6 @@
 #include "polygon_shapes.hpp"
 
-#include <cmath>
-#include <numbers>
-#include <random>
+#include "support/standard.hpp"
 
 namespace ligne::shapes {
 namespace {

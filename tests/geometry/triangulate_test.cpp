@@ -1,14 +1,8 @@
-#include "geometry/triangulate.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <numbers>
-#include <random>
 
 #include "geometry/predicates.hpp"
+#include "geometry/triangulate.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
