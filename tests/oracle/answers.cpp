@@ -1,15 +1,9 @@
 #include "oracle/answers.hpp"
 
 #include <unistd.h>
-
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <iterator>
-#include <string_view>
 #include <type_traits>
+
+#include "support/standard.hpp"
 
 namespace oracle {
 namespace {

@@ -2,11 +2,8 @@
 /// All that the oracle says of the lines of a scene in one view, kept between runs of the tests: exact arithmetic takes most
 /// of the time of a small scene.
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "oracle/oracle.hpp"
+#include "support/standard.hpp"
 
 namespace oracle {
 

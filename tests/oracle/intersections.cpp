@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/state.hpp"
+#include "oracle/parts.hpp"
 
 namespace oracle {
 namespace {

@@ -1,4 +1,4 @@
-#include "oracle/line.hpp"
+#include "oracle/parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -19,12 +19,8 @@
 /// + g) + s, g the gradient of the face's depth, e the error of the input on the page, m the magnification at P, s how far
 /// the face's own corners are off its plane.
 
-#include <cstdint>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "scene/model/scene.hpp"
+#include "support/standard.hpp"
 
 namespace oracle {
 

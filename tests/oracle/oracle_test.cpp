@@ -1,19 +1,10 @@
 // The oracle on scenes whose answers are worked out by hand. Page and model units are the same here (scale 1).
 
-#include "oracle/answers.hpp"
-
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <limits>
-#include <set>
-
+#include "oracle/answers.hpp"
 #include "support/scene_parts.hpp"
+#include "support/test.hpp"
 
 namespace oracle {
 namespace {
@@ -21,6 +12,7 @@ namespace {
 using ligne::Scene;
 using ligne::test::add_box;
 using ligne::test::add_face;
+using ligne::test::scene_of_faces;
 
 constexpr double kTolerance = 0.003;  // what is within a micrometre of a change is undecided, at both ends
 
@@ -68,9 +60,8 @@ double length_of_all(const Oracle& oracle, Answer answer) {
 }
 
 TEST(Oracle, PlateBeforeAPlate) {
-  Scene scene;
-  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}});
-  add_face(scene, {{{-5, 5, 4}, {20, 5, 4}, {20, 5, 6}, {-5, 5, 6}}});
+  const Scene scene =
+      scene_of_faces({{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}, {{-5, 5, 4}, {20, 5, 4}, {20, 5, 6}, {-5, 5, 6}}});
   const Oracle oracle(scene, along({0, 1, 0}));
   const auto i = oracle.visible_intervals(edge_between(oracle, {-5, 5, 4}, {20, 5, 4}));
   expect_part(i, 0, 0.2, Answer::visible, 25);
@@ -115,9 +106,8 @@ TEST(Oracle, CubeInIsometry) {
 
 TEST(Oracle, LineBehindARimIsOpen) {
   // The lower edge of the plate behind lies exactly behind the lower rim of the plate in front.
-  Scene scene;
-  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}});
-  add_face(scene, {{{2, 5, 0}, {8, 5, 0}, {8, 5, 5}, {2, 5, 5}}});
+  const Scene scene =
+      scene_of_faces({{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}, {{2, 5, 0}, {8, 5, 0}, {8, 5, 5}, {2, 5, 5}}});
   const Oracle oracle(scene, along({0, 1, 0}));
   const auto i = oracle.visible_intervals(edge_between(oracle, {2, 5, 0}, {8, 5, 0}));
   ASSERT_EQ(i.size(), 1u);
@@ -126,10 +116,9 @@ TEST(Oracle, LineBehindARimIsOpen) {
 }
 
 TEST(Oracle, LineBehindACommonSideIsHidden) {
-  Scene scene;
-  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}});
-  add_face(scene, {{{0, 1, -10}, {10, 1, -10}, {10, 1, 0}, {0, 1, 0}}});
-  add_face(scene, {{{2, 5, 0}, {8, 5, 0}, {8, 5, 5}, {2, 5, 5}}});
+  const Scene scene = scene_of_faces({{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}},
+                                      {{0, 1, -10}, {10, 1, -10}, {10, 1, 0}, {0, 1, 0}},
+                                      {{2, 5, 0}, {8, 5, 0}, {8, 5, 5}, {2, 5, 5}}});
   const Oracle oracle(scene, along({0, 1, 0}));
   expect_part(oracle.visible_intervals(edge_between(oracle, {2, 5, 0}, {8, 5, 0})), 0, 1, Answer::hidden, 6);
 }
@@ -153,9 +142,8 @@ TEST(Oracle, TouchingCubesHideNoneOfTheirCommonLines) {
 
 TEST(Oracle, PenetratingPlates) {
   // Two squares that cross at right angles along x, from x = -5 to 5.
-  Scene scene;
-  add_face(scene, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
-  add_face(scene, {{{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}}});
+  const Scene scene =
+      scene_of_faces({{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}, {{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}}});
   const Oracle oracle(scene, along({0, 1, -1.5}));
   ASSERT_EQ(oracle.intersections().size(), 1u);
   EXPECT_TRUE(oracle.intersections()[0].proper);
@@ -169,10 +157,9 @@ TEST(Oracle, PenetratingPlates) {
 
 TEST(Oracle, TouchingIsNoPenetration) {
   // An upright plate stands on a level one; another hangs 1e-14 through it, which is nothing.
-  Scene scene;
-  add_face(scene, {{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}});
-  add_face(scene, {{{-3, 0, 0}, {3, 0, 0}, {3, 0, 4}, {-3, 0, 4}}});
-  add_face(scene, {{{-3, 1, -4}, {3, 1, -4}, {3, 1, 1e-14}, {-3, 1, 1e-14}}});
+  const Scene scene = scene_of_faces({{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}},
+                                      {{-3, 0, 0}, {3, 0, 0}, {3, 0, 4}, {-3, 0, 4}},
+                                      {{-3, 1, -4}, {3, 1, -4}, {3, 1, 1e-14}, {-3, 1, 1e-14}}});
   const Oracle oracle(scene, along({-0.37, 0.83, -0.41}));
   for (const Intersection& x : oracle.intersections()) EXPECT_FALSE(x.proper);
   EXPECT_LE(oracle.intersections().size(), 1u);
@@ -210,9 +197,8 @@ TEST(Oracle, ThreeBarsInARing) {
 }
 
 TEST(Oracle, FaceSeenEdgeOnHidesNothing) {
-  Scene scene;
-  add_face(scene, {{{0, 0, 5}, {10, 0, 5}, {10, 4, 5}, {0, 4, 5}}});
-  add_face(scene, {{{2, 9, 0}, {8, 9, 0}, {8, 9, 10}, {2, 9, 10}}});
+  const Scene scene =
+      scene_of_faces({{{0, 0, 5}, {10, 0, 5}, {10, 4, 5}, {0, 4, 5}}, {{2, 9, 0}, {8, 9, 0}, {8, 9, 10}, {2, 9, 10}}});
   const Oracle oracle(scene, along({0, 1, 0}));
   expect_part(oracle.visible_intervals(edge_between(oracle, {2, 9, 0}, {2, 9, 10})), 0, 1, Answer::visible, 10);
   EXPECT_TRUE(oracle.visible_intervals(edge_between(oracle, {0, 0, 5}, {0, 4, 5})).empty());  // end on
@@ -220,9 +206,8 @@ TEST(Oracle, FaceSeenEdgeOnHidesNothing) {
 
 TEST(Oracle, PerspectiveAndItsParameters) {
   // A line of sight along y; a bar that recedes from y = 10 to 40, and a post before its middle.
-  Scene scene;
-  add_face(scene, {{{2, 10, -1}, {2, 40, -1}, {3, 40, -1}, {3, 10, -1}}});
-  add_face(scene, {{{0.5, 5, -5}, {0.6, 5, -5}, {0.6, 5, 5}, {0.5, 5, 5}}});
+  const Scene scene = scene_of_faces(
+      {{{2, 10, -1}, {2, 40, -1}, {3, 40, -1}, {3, 10, -1}}, {{0.5, 5, -5}, {0.6, 5, -5}, {0.6, 5, 5}, {0.5, 5, 5}}});
   View view;
   view.perspective = true;
   view.target = {0, 10, 0};
@@ -241,10 +226,9 @@ TEST(Oracle, PerspectiveAndItsParameters) {
 
 TEST(Oracle, NothingBehindTheEye) {
   // A wall before the eye and one behind it; a floor that runs under the eye.
-  Scene scene;
-  add_face(scene, {{{-5, -10, -5}, {5, -10, -5}, {5, -10, 5}, {-5, -10, 5}}});
-  add_face(scene, {{{-1, 10, -1}, {1, 10, -1}, {1, 10, 1}, {-1, 10, 1}}});
-  add_face(scene, {{{-3, -20, -1}, {3, -20, -1}, {3, 20, -1}, {-3, 20, -1}}});
+  const Scene scene = scene_of_faces({{{-5, -10, -5}, {5, -10, -5}, {5, -10, 5}, {-5, -10, 5}},
+                                      {{-1, 10, -1}, {1, 10, -1}, {1, 10, 1}, {-1, 10, 1}},
+                                      {{-3, -20, -1}, {3, -20, -1}, {3, 20, -1}, {-3, 20, -1}}});
   View view;
   view.perspective = true;
   view.target = {0, 10, 0};
@@ -285,10 +269,9 @@ TEST(Oracle, FacesAtAPoint) {
 
 TEST(Oracle, NearlyBehindIsUndecided) {
   // The plate behind ends half a micrometre below the rim of the one before it.
-  Scene scene;
-  add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}});
-  add_face(scene, {{{2, 5, -0.0005}, {8, 5, -0.0005}, {8, 5, 5}, {2, 5, 5}}});
-  add_face(scene, {{{2, 5, 0.002}, {8, 5, 0.002}, {8, 5, 5}, {2, 5, 5}}});
+  const Scene scene = scene_of_faces({{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}},
+                                      {{2, 5, -0.0005}, {8, 5, -0.0005}, {8, 5, 5}, {2, 5, 5}},
+                                      {{2, 5, 0.002}, {8, 5, 0.002}, {8, 5, 5}, {2, 5, 5}}});
   const Oracle oracle(scene, along({0, 1, 0}));
   const auto open = oracle.visible_intervals(edge_between(oracle, {2, 5, -0.0005}, {8, 5, -0.0005}));
   ASSERT_EQ(open.size(), 1u);

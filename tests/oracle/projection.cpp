@@ -1,4 +1,4 @@
-#include "oracle/projection.hpp"
+#include "oracle/parts.hpp"
 
 #include <cmath>
 
