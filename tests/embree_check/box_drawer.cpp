@@ -1,9 +1,7 @@
 #include "box_drawer.hpp"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <optional>
+#include "scene/model/scene_parts.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::check {
 
@@ -118,22 +116,10 @@ class Drawer {
 }  // namespace
 
 Scene box_scene(const std::vector<Box>& boxes) {
-  constexpr std::uint32_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                          {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   Scene scene;
   for (const Box& box : boxes) {
-    Object object;
-    object.vertex_begin = static_cast<std::uint32_t>(scene.vertices.size());
-    object.face_begin = static_cast<std::uint32_t>(scene.faces.size());
-    for (unsigned v = 0; v < 8; ++v) scene.vertices.push_back(corner(box, v));
-    for (const auto& face : kFaces) {
-      std::uint32_t corners[4];
-      for (int k = 0; k < 4; ++k) corners[k] = object.vertex_begin + face[k];
-      scene.faces.add_face(corners);
-    }
-    object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
-    object.face_end = static_cast<std::uint32_t>(scene.faces.size());
-    scene.objects.push_back(object);
+    add_box(scene, box.low, box.high - box.low);
+    for (unsigned v = 0; v < 8; ++v) scene.vertices[scene.vertices.size() - 8 + v] = corner(box, v);  // without rounding
   }
   return scene;
 }

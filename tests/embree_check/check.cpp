@@ -1,19 +1,10 @@
 #include "check.hpp"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdio>
-#include <glm/geometric.hpp>
-#include <span>
-#include <unordered_map>
-
 #include "geometry/parallel.hpp"
 #include "intersections_seen.hpp"
 #include "page_map.hpp"
 #include "sight.hpp"
-#include "stroke_grid.hpp"
+#include "support/page_lines.hpp"
 
 namespace ligne::check {
 
@@ -76,6 +67,10 @@ bool hidden_around(const Sight& sight, const PageMap& map, const SampledEdge& ed
   return true;
 }
 
+using test::PageLines;
+
+using PageSegment = std::array<Point2, 2>;  ///< page mm
+
 /// Bits of a segment, whichever way it runs.
 struct SegmentKey {
   std::array<std::uint64_t, 6> bits{};
@@ -124,8 +119,8 @@ class Checker {
   }
 
   Report run() {
-    const StrokeGrid drawn = visible_strokes();
-    const StrokeGrid visible(check_edges(drawn), options_.tolerance_mm);
+    const PageLines drawn = visible_strokes();
+    const PageLines visible = lines_of(check_edges(drawn));
     check_strokes(visible);
     if (options_.kinds & kIntersection) check_intersections(drawn);
     std::stable_sort(report_.findings.begin(), report_.findings.end(),
@@ -161,7 +156,7 @@ class Checker {
   }
 
   /// `visible`: where edges that should or may be drawn are visible.
-  void check_strokes(const StrokeGrid& visible) {
+  void check_strokes(const PageLines& visible) {
     std::unordered_map<SegmentKey, Source, SegmentHash> sources;
     for (std::size_t e = 0; e < kinds_.size(); ++e) {
       const CheckedEdge& edge = checked_.edges[e];
@@ -192,7 +187,7 @@ class Checker {
     }
   }
 
-  Tally check_stroke(const DrawnStroke& stroke, const Source& source, const StrokeGrid& visible) const {
+  Tally check_stroke(const DrawnStroke& stroke, const Source& source, const PageLines& visible) const {
     const Point3 a = checked_.box.into(stroke.ends[0]), b = checked_.box.into(stroke.ends[1]);
     const SampledEdge edge(map_, a, b, {stroke.interval[0], stroke.interval[1]}, options_.step_mm);
     Tally tally;
@@ -214,23 +209,34 @@ class Checker {
       if (hidden_around(sight_, map_, edge, i, source.faces, checked_.largest_tolerance, options_.tolerance_mm)) {
         tally.what = kHidden;
         tally.add_wrong(edge.share_mm(), map_.page(q));
-      } else if (!visible.near(map_.page(q))) {  // else a line is owed here, whosever it is
+      } else if (!is_near(visible, map_.page(q))) {  // else a line is owed here, whosever it is
         tally.undecided += edge.share_mm();
       }
     }
     return tally;
   }
 
-  StrokeGrid visible_strokes() const {
+  PageLines visible_strokes() const {
     std::vector<PageSegment> segments;
     for (const DrawnStroke& s : drawing_.strokes) {
-      if (s.visible) segments.push_back({s.points[0], s.points[1]});
+      if (s.visible) segments.push_back(s.points);
     }
-    return StrokeGrid(std::move(segments), options_.tolerance_mm);
+    return lines_of(segments);
+  }
+
+  PageLines lines_of(const std::vector<PageSegment>& segments) const {
+    constexpr double kCellMm = 0.5;
+    PageLines lines(map_.window(), kCellMm);
+    for (const PageSegment& s : segments) lines.add(s[0], s[1]);
+    return lines;
+  }
+
+  bool is_near(const PageLines& lines, Point2 p) const {
+    return lines.distance(p, 2 * options_.tolerance_mm) <= options_.tolerance_mm;
   }
 
   /// Gives back where edges that should or may be drawn are visible.
-  std::vector<PageSegment> check_edges(const StrokeGrid& drawn) {
+  std::vector<PageSegment> check_edges(const PageLines& drawn) {
     std::vector<PageSegment> seen;
     std::vector<Tally> tallies(checked_.edges.size());
     parallel_for(tallies.size(), [&](std::size_t e) {
@@ -254,7 +260,7 @@ class Checker {
     return seen;
   }
 
-  Tally check_edge(const CheckedEdge& candidate, const StrokeGrid& drawn) const {
+  Tally check_edge(const CheckedEdge& candidate, const PageLines& drawn) const {
     Tally tally;
     const Point3 &a = checked_.points[candidate.v0], &b = checked_.points[candidate.v1];
     const auto part = map_.clip(a, b, options_.tolerance_mm);
@@ -266,7 +272,7 @@ class Checker {
       if (sight_.blocked(q, candidate.tolerance, Touching::strict)) continue;
       const double half = edge.share_mm() / 2;
       tally.seen.push_back({map_.page(edge.sample(i, -half)), map_.page(edge.sample(i, half))});
-      if (drawn.near(at)) {
+      if (is_near(drawn, at)) {
         tally.visible += edge.share_mm();
       } else if (visible_along(sight_, edge, i, candidate.tolerance, options_.tolerance_mm)) {
         tally.visible += edge.share_mm();
@@ -278,10 +284,10 @@ class Checker {
     return tally;
   }
 
-  void check_intersections(const StrokeGrid& drawn) {
+  void check_intersections(const PageLines& drawn) {
     for (const SeenCrossing& c : find_intersections_seen(checked_, map_, sight_, options_)) {
       report_.intersections_seen += c.length_mm;
-      if (drawn.near(c.at)) continue;
+      if (is_near(drawn, c.at)) continue;
       report_.intersections_missing += c.length_mm;
       report_.findings.push_back(
           {"intersection visible but not drawn: faces " + std::to_string(c.faces[0]) + " and " + std::to_string(c.faces[1]),

@@ -1,14 +1,8 @@
 /// The checker itself: right drawings pass, and each kind of fault is found and measured.
 
 #include "check.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <stdexcept>
-
 #include "box_drawer.hpp"
+#include "support/test.hpp"
 
 namespace ligne::check {
 namespace {

@@ -1,10 +1,6 @@
 #include "checked_scene.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <tuple>
+#include "support/standard.hpp"
 
 namespace ligne::check {
 

@@ -1,13 +1,10 @@
 #pragma once
 /// The scene in the unit box, with edges of its own making.
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "geometry/point.hpp"
 #include "page_map.hpp"
 #include "scene/model/scene.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::check {
 

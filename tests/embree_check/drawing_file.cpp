@@ -1,11 +1,8 @@
 #include "drawing_file.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
-#include <utility>
+
+#include "support/standard.hpp"
 
 namespace ligne::check {
 

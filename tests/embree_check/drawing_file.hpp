@@ -1,16 +1,10 @@
 #pragma once
 /// The JSON drawing, as a stranger reads it: docs/drawing-format.md.
 
-#include <array>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string_view>
-#include <vector>
-
 #include "checked_scene.hpp"
 #include "geometry/point.hpp"
 #include "page_map.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::check {
 

@@ -1,12 +1,8 @@
 #include "intersections_seen.hpp"
+
 #include "geometry/parallel.hpp"
-
-#include <cmath>
-#include <cstddef>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include "stroke_grid.hpp"
+#include "support/page_lines.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::check {
 
@@ -52,8 +48,8 @@ class Search {
         const Point3 &a = scene_.points[contour[k]], &b = scene_.points[contour[(k + 1) % contour.size()]];
         const auto part = map_.clip(a, b, 0);
         if (!part) continue;
-        const PageSegment side{map_.page(a + (b - a) * part->from), map_.page(a + (b - a) * part->to)};
-        if (distance_mm(p, side) <= 2 * options_.tolerance_mm) return false;
+        const Point2 from = map_.page(a + (b - a) * part->from), to = map_.page(a + (b - a) * part->to);
+        if (test::distance_to_segment(p, from, to) <= 2 * options_.tolerance_mm) return false;
       }
     }
     return true;

@@ -1,14 +1,11 @@
 /// ligne_check MODEL DRAWING.json [--edges all|feature] [--crease DEG] [--fov DEG] [--tolerance MM] [--worst N]
 /// Exit status 0 when the drawing is right, 1 when it is not or cannot be read, 2 for a wrong command line.
 
-#include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <string>
-#include <string_view>
 
 #include "check.hpp"
 #include "scene/readers/reader.hpp"
+#include "support/standard.hpp"
 
 namespace {
 

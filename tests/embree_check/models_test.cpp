@@ -1,19 +1,13 @@
 /// Drawings that the program itself makes of real models, checked by rays. By default a few views of each; all of them with
 /// LIGNE_CHECK_ALL=1 in the environment.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
 #include <cctype>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <ostream>
-#include <string>
-#include <vector>
 
 #include "check.hpp"
 #include "scene/readers/reader.hpp"
+#include "support/test.hpp"
 
 namespace ligne::check {
 namespace {

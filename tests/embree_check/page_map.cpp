@@ -1,13 +1,9 @@
 #include "page_map.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
-#include <limits>
-#include <stdexcept>
+
+#include "support/standard.hpp"
 
 namespace ligne::check {
 

@@ -1,10 +1,6 @@
 #include "sight.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <stdexcept>
+#include "support/standard.hpp"
 
 #include "rays_of_embree.hpp"
 

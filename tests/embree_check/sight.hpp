@@ -2,14 +2,10 @@
 /// What stands in the way of a sight. Embree's bounding volumes find the faces near a ray; whether the ray meets a face is
 /// then decided in double arithmetic on the polygon itself, with its holes, so no triangulation is needed.
 
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "checked_scene.hpp"
 #include "geometry/point.hpp"
 #include "page_map.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::check {
 
