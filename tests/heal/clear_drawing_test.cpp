@@ -1,19 +1,13 @@
 /// Clear drawings of meshes with defects against those of the shapes that they stand for.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <numeric>
-#include <random>
-#include <set>
-#include <string>
-
-#include <glm/geometric.hpp>
-
 #include "picture/models.hpp"
 #include "picture/scene_study.hpp"
+#include "scene/heal/border_edges.hpp"
+#include "scene/heal/duplicate_faces.hpp"
+#include "scene/heal/heal.hpp"
 #include "scene/readers/reader.hpp"
+#include "support/scene_parts.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -138,6 +132,209 @@ TEST(ClearDrawing, TheOrderOfFacesDoesNotMatter) {
     const Lengths a = lengths(scene, Quality::clear, "iso"), b = lengths(other, Quality::clear, "iso");
     for (std::size_t c = 0; c < kLineClassCount; ++c) EXPECT_NEAR(a[c], b[c], 1e-3) << file << ", " << kLineClassNames[c];
   }
+}
+
+// Meshes so large that their topology is built first: what is mended in them, and what their topology is.
+
+/// Columns and rows of the sheet; its triangles are more than those of a small mesh.
+constexpr std::uint32_t kSide = 330;
+
+std::uint32_t vertex_at(std::uint32_t i, std::uint32_t j) { return i * (kSide + 1) + j; }
+
+/// A sheet of triangles with a little relief, as one object that is not ended. Where `crack` says so its two halves have
+/// vertices of their own along the middle, a little apart.
+Scene begun_sheet(bool crack) {
+  constexpr std::uint32_t kMiddle = kSide / 2;
+  Scene scene;
+  test::begin_object(scene);
+  const auto place = [](std::uint32_t i, std::uint32_t j) { return Point3(i, j, 0.25 * ((i * 7 + j * 3) % 5)); };
+  for (std::uint32_t i = 0; i <= kSide; ++i) {
+    for (std::uint32_t j = 0; j <= kSide; ++j) scene.vertices.push_back(place(i, j));
+  }
+  const auto second_edge = static_cast<std::uint32_t>(scene.vertices.size());
+  for (std::uint32_t j = 0; crack && j <= kSide; ++j) scene.vertices.push_back(place(kMiddle, j) + Point3(1e-4, 0, 0));
+  for (std::uint32_t i = 0; i < kSide; ++i) {
+    for (std::uint32_t j = 0; j < kSide; ++j) {
+      const bool behind = crack && i == kMiddle;
+      const std::uint32_t a = behind ? second_edge + j : vertex_at(i, j), b = vertex_at(i + 1, j);
+      scene.faces.add_triangle(a, b, b + 1);
+      scene.faces.add_triangle(a, b + 1, a + 1);
+    }
+  }
+  return scene;
+}
+
+struct HealedSheet {
+  Scene scene;
+  Topology topology;
+  HealReport report;
+};
+
+HealOptions with_topology_first_from(std::size_t triangles) {
+  HealOptions options;
+  options.topology_first_from = triangles;
+  return options;
+}
+
+HealedSheet healed_sheet(Scene scene) {
+  test::end_object(scene);
+  HealedSheet sheet{std::move(scene), {}, {}};
+  sheet.report = heal(sheet.scene, sheet.topology, {});
+  return sheet;
+}
+
+void expect_own_topology(const HealedSheet& sheet) {
+  const Topology own = build_topology(sheet.scene);
+  const auto same_edge = [](const Edge& a, const Edge& b) {
+    return a.v0 == b.v0 && a.v1 == b.v1 && a.face0 == b.face0 && a.face1 == b.face1;
+  };
+  EXPECT_TRUE(std::ranges::equal(sheet.topology.edges, own.edges, same_edge));
+  EXPECT_EQ(sheet.topology.edge_flags, own.edge_flags);
+  EXPECT_EQ(sheet.topology.triangles.size(), own.triangles.size());
+}
+
+TEST(HealLargeMesh, NothingToMend) {
+  const HealedSheet sheet = healed_sheet(begun_sheet(false));
+  EXPECT_TRUE(sheet.report.nothing());
+  EXPECT_EQ(sheet.scene.faces.size(), 2u * kSide * kSide);
+  expect_own_topology(sheet);
+}
+
+TEST(HealLargeMesh, TrianglesStoredTwice) {
+  Scene scene = begun_sheet(false);
+  scene.faces.add_triangle(vertex_at(8, 6), vertex_at(7, 5), vertex_at(8, 5));   // as it stands, begun elsewhere
+  scene.faces.add_triangle(vertex_at(9, 5), vertex_at(9, 6), vertex_at(10, 6));  // turned over
+  const HealedSheet sheet = healed_sheet(std::move(scene));
+  EXPECT_EQ(sheet.report.faces_twice, 2u);
+  EXPECT_EQ(sheet.scene.faces.size(), 2u * kSide * kSide);
+  expect_own_topology(sheet);
+}
+
+TEST(HealLargeMesh, ATriangleOfItsOwnStoredTwice) {
+  Scene scene = begun_sheet(false);
+  const auto v = static_cast<std::uint32_t>(scene.vertices.size());
+  scene.vertices.insert(scene.vertices.end(), {{0, 0, 9}, {1, 0, 9}, {0, 1, 9}});
+  scene.faces.add_triangle(v, v + 1, v + 2);
+  scene.faces.add_triangle(v, v + 2, v + 1);  // none of their edges has more than two faces
+  const HealedSheet sheet = healed_sheet(std::move(scene));
+  EXPECT_EQ(sheet.report.faces_twice, 1u);
+  expect_own_topology(sheet);
+}
+
+TEST(HealLargeMesh, ACrackIsSewn) {
+  const HealedSheet sheet = healed_sheet(begun_sheet(true));
+  EXPECT_EQ(sheet.report.vertices_moved, kSide + 1);
+  EXPECT_EQ(sheet.scene.vertices.size(), std::size_t{kSide + 1} * (kSide + 1));
+  const auto borders = std::ranges::count_if(sheet.topology.edges, [](const Edge& edge) { return edge.face1 == kNone; });
+  EXPECT_EQ(borders, 4 * kSide);
+  expect_own_topology(sheet);
+}
+
+TEST(HealLargeMesh, TheTopologyKnowsTheEndsOfBorders) {
+  Scene scene = begun_sheet(true);
+  test::end_object(scene);
+  EXPECT_EQ(ends_of_odd_edges(scene, build_topology(scene)), ends_of_odd_edges(scene));
+}
+
+enum class Faults { none, cracks, all };
+
+/// A sheet with random holes, cracks and T-junctions, and where all faults are asked for third faces on edges and triangles
+/// stored twice.
+Scene faulty_sheet(Faults faults, std::mt19937& random) {
+  constexpr std::uint32_t kCells = 7;
+  const auto happens = [&](Faults least, std::uint32_t one_in) { return faults >= least && random() % one_in == 0; };
+  Scene scene;
+  test::begin_object(scene);
+  const auto add_vertex = [&](const Point3& p) {
+    scene.vertices.push_back(p);
+    return static_cast<std::uint32_t>(scene.vertices.size() - 1);
+  };
+  for (std::uint32_t i = 0; i <= kCells; ++i) {
+    for (std::uint32_t j = 0; j <= kCells; ++j) add_vertex(Point3(i, j, 0.1 * ((i * 3 + j * 5) % 4)));
+  }
+  for (std::uint32_t i = 0; i < kCells; ++i) {
+    for (std::uint32_t j = 0; j < kCells; ++j) {
+      if (happens(Faults::cracks, 12)) continue;
+      const std::uint32_t first = i * (kCells + 1) + j, next = first + kCells + 1;
+      std::array<std::uint32_t, 4> corner{first, next, next + 1, first + 1};
+      for (std::uint32_t& v : corner) {
+        if (happens(Faults::cracks, 6)) v = add_vertex(scene.vertices[v] + Point3(1e-4, -1e-4, 2e-5));
+      }
+      if (happens(Faults::cracks, 4)) {
+        const std::uint32_t middle = add_vertex(0.5 * (scene.vertices[corner[0]] + scene.vertices[corner[1]]));
+        scene.faces.add_triangle(corner[0], middle, corner[3]);
+        scene.faces.add_triangle(middle, corner[2], corner[3]);
+        scene.faces.add_triangle(middle, corner[1], corner[2]);
+      } else {
+        scene.faces.add_triangle(corner[0], corner[1], corner[2]);
+        scene.faces.add_triangle(corner[0], corner[2], corner[3]);
+      }
+      if (happens(Faults::all, 16)) scene.faces.add_triangle(corner[1], corner[2], add_vertex(Point3(i, j, 1.5)));
+      if (happens(Faults::all, 10)) scene.faces.add_triangle(corner[0], corner[3], corner[2]);
+    }
+  }
+  test::end_object(scene);
+  return scene;
+}
+
+/// Large meshes heal as small ones do: on each sheet both ways are forced.
+TEST(HealLargeMesh, HealsAsSmallOnes) {
+  std::mt19937 random(5);
+  std::size_t clean = 0, sewn = 0, split = 0, twice = 0, many = 0;
+  for (int round = 0; round < 300; ++round) {
+    const HealedSheet start{faulty_sheet(static_cast<Faults>(round % 3), random), {}, {}};
+    HealedSheet small = start, large = start;
+    small.report = heal(small.scene, small.topology, with_topology_first_from(small.scene.faces.size() + 1));
+    large.report = heal(large.scene, large.topology, with_topology_first_from(0));
+    EXPECT_EQ(large.scene.vertices, small.scene.vertices) << round;
+    EXPECT_TRUE(std::ranges::equal(std::as_const(large.scene).faces.corners(), std::as_const(small.scene).faces.corners()))
+        << round;
+    EXPECT_EQ(large.scene.corner_flags, small.scene.corner_flags) << round;
+    expect_own_topology(small);
+    expect_own_topology(large);
+    EXPECT_EQ(large.report.faces_twice, small.report.faces_twice) << round;
+    EXPECT_EQ(large.report.vertices_moved, small.report.vertices_moved) << round;
+    EXPECT_EQ(large.report.edges_split, small.report.edges_split) << round;
+    EXPECT_EQ(large.report.faces_turned, small.report.faces_turned) << round;
+    EXPECT_EQ(large.report.border_edges, small.report.border_edges) << round;
+    EXPECT_EQ(large.report.edges_sewn(), small.report.edges_sewn()) << round;
+    clean += small.report.nothing();
+    sewn += small.report.edges_sewn() > 0;
+    split += small.report.edges_split > 0;
+    twice += small.report.faces_twice > 0;
+    many += std::ranges::any_of(small.topology.edge_flags, [](std::uint16_t f) { return (f & kEdgeManyFaces) != 0; });
+  }
+  for (const std::size_t seen : {clean, sewn, split, twice, many}) EXPECT_GE(seen, 20u);
+}
+
+/// Against all pairs of triangles, in meshes so small that they often repeat one.
+TEST(HealLargeMesh, RepeatedTrianglesShowInTheTopology) {
+  std::mt19937 random(17);
+  const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
+  int repeating = 0, certain = 0;
+  for (int round = 0; round < 2000; ++round) {
+    Scene scene;
+    test::begin_object(scene);
+    for (std::uint32_t v = 0; v < 9; ++v) scene.vertices.emplace_back(v, v * v, v * v * v);
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (int k = 0; k < 6; ++k) {
+      std::array<std::uint32_t, 3> t{below(9), below(9), below(9)};
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+      if (k == 5 && round % 2 == 0 && !triangles.empty()) t = {triangles[0][2], triangles[0][1], triangles[0][0]};
+      scene.faces.add_triangle(t[0], t[1], t[2]);
+      std::ranges::sort(t);
+      triangles.push_back(t);
+    }
+    test::end_object(scene);
+    std::ranges::sort(triangles);
+    const bool repeats = std::ranges::adjacent_find(triangles) != triangles.end();
+    const bool may = may_repeat_triangles(build_topology(scene));
+    EXPECT_TRUE(may || !repeats) << round;
+    repeating += repeats;
+    certain += !may;
+  }
+  EXPECT_GT(repeating, 500);
+  EXPECT_GT(certain, 200);
 }
 
 }  // namespace

@@ -1,21 +1,10 @@
 /// Creases by what the file says, and by what the mesh shows.
 
-#include "scene/creases/find_creases.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <glm/geometric.hpp>
-#include <map>
-#include <numbers>
-#include <numeric>
-#include <sstream>
-
 #include "scene/creases/face_normals.hpp"
 #include "scene/creases/file_shading.hpp"
+#include "scene/creases/find_creases.hpp"
 #include "scene/readers/reader.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

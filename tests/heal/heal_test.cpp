@@ -1,25 +1,12 @@
 /// What healing does to a scene, and what it leaves alone.
 
 #include "scene/heal/heal.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <map>
-#include <numbers>
-#include <random>
-#include <set>
-
-#include <glm/geometric.hpp>
-
 #include "geometry/parallel.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/readers/reader.hpp"
 #include "support/scene_parts.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
