@@ -1,14 +1,9 @@
 // Methods side by side: exact ones agree, what goes wrong with one is a row.
 
 #include "report/compare.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne::test {
@@ -87,7 +82,7 @@ TEST(Compare, OneThatFailsIsARow) {
   request.picture.regions = true;  // which the depth buffer does not have, nor does appel
   const MethodComparison c = compared(corpus_scene("cube"), request);
   ASSERT_EQ(c.methods.size(), 2u);
-  for (const MethodOutcome& m : c.methods) EXPECT_NE(m.failure.find("needs a method that gives regions"), std::string::npos);
+  for (const MethodOutcome& m : c.methods) expect_parts(m.failure, {"needs a method that gives regions"});
   EXPECT_FALSE(c.reference);
   EXPECT_FALSE(c.differences_mm[0][1]);
 }

@@ -1,13 +1,5 @@
 // Hatching that follows the form: where strokes lie, how far apart, and along what.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include <glm/geometric.hpp>
-
 #include "geometry/parallel.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/drawn_scene.hpp"
@@ -17,6 +9,7 @@
 #include "picture/surface/surface_request.hpp"
 #include "picture/surface/surface_samples.hpp"
 #include "scene/model/topology.hpp"
+#include "support/test.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {

@@ -1,14 +1,8 @@
 // Labels of contour lines, on ten terrains at three scales, in both styles of text.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-
 #include "picture/marks/contour_labels.hpp"
 #include "picture/surface/surface_picture.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

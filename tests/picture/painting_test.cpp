@@ -1,22 +1,12 @@
 // Faces painted from the back to the front against the same faces filled by what is seen of each: two ways to one picture.
 
 #include <cairo.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <vector>
 
 #include "cli/program.hpp"
 #include "main/tier.hpp"
 #include "picture/hidden_pieces.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

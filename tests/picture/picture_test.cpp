@@ -2,16 +2,12 @@
 // faces seen change or an edge is seen, and where the picture jumps there is ink. Rough, a pixel to a quarter of a
 // millimetre, but of the whole way from the file to the page.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cmath>
-#include <cstdio>
-#include <filesystem>
-
 #include "cli/program.hpp"
-#include "picture/comparison.hpp"
+#include "picture/z_buffer.hpp"
 #include "scene/readers/reader.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

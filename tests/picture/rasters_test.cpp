@@ -1,21 +1,10 @@
 // The SVG and the PDF are one picture: each is made into pixels by a reader that knows nothing of us, librsvg and Poppler.
 
 #include <cairo.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "cli/program.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

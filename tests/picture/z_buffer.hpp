@@ -3,11 +3,8 @@
 /// depths of its plane. Made from model coordinates and the camera's numbers alone; nothing of the library's geometry is
 /// used.
 
-#include <cstdint>
-#include <optional>
-#include <vector>
-
 #include "scene/model/scene.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 
@@ -58,5 +55,25 @@ class ZBuffer {
   std::vector<std::int32_t> face_;
   std::vector<double> depth_;
 };
+
+// A drawing's pixels against a z-buffer.
+
+/// Dark pixels of a drawing, kWidth x kHeight; 1 where the paper is more than half covered.
+using Ink = std::vector<std::uint8_t>;
+
+/// Throws std::runtime_error when the file is no PNG of that size.
+Ink read_ink(const std::filesystem::path& png);
+
+struct Disagreement {
+  std::size_t ink = 0, jumps = 0;  ///< pixels looked at
+  std::size_t stray = 0;           ///< dark pixels that have no line near them
+  std::size_t missing = 0;         ///< strong jumps that have no ink near them
+  Pixel first_stray, first_missing;
+
+  bool none() const { return ink > 0 && jumps > 0 && stray == 0 && missing == 0; }
+  std::string words() const;
+};
+
+Disagreement compare(const Ink& ink, const ZBuffer& picture);
 
 }  // namespace ligne::test
