@@ -1,20 +1,10 @@
 // Smooth contours: what they leave alone, and what must not change them.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <random>
-#include <utility>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
 #include "contours/contour_junctions.hpp"
 #include "contours/parametric_mesh.hpp"
 #include "contours/smooth_patch.hpp"
 #include "geometry/parallel.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

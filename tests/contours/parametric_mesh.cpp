@@ -1,14 +1,9 @@
 #include "contours/parametric_mesh.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <random>
-
-#include <glm/geometric.hpp>
-
 #include "contours/contour_strokes.hpp"
 #include "scene/model/topology.hpp"
 #include "support/scenes.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

@@ -1,12 +1,9 @@
 #pragma once
 /// Uneven meshes of parametric surfaces, and the contours that these surfaces have.
 
-#include <cstdint>
-#include <functional>
-#include <vector>
-
 #include "drawing/drawing.hpp"
 #include "scene/model/scene.hpp"
+#include "support/standard.hpp"
 #include "view/view.hpp"
 
 namespace ligne::test {

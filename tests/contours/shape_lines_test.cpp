@@ -1,17 +1,9 @@
 // Suggestive contours, ridges and valleys against surfaces for which formulas say where they are.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <random>
-
-#include <glm/geometric.hpp>
-
-#include "contours/parametric_mesh.hpp"
 #include "contours/shape_lines.hpp"
+#include "contours/parametric_mesh.hpp"
 #include "scene/model/topology.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

@@ -1,18 +1,11 @@
 // Contours of uneven meshes against those of the surfaces on which their vertices lie: five surfaces, twenty views, from
 // 3600 triangles on.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <unordered_map>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
 #include "contours/parametric_mesh.hpp"
+#include "contours/shallow_islands.hpp"
+#include "contours/surface_fits.hpp"
 #include "main/tier.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
@@ -121,6 +114,239 @@ TEST_P(Surfaces, HasTheCurvesOfTheSurfaceAtEveryRefinement) {
 
 INSTANTIATE_TEST_SUITE_P(Contours, Surfaces, testing::Range(std::size_t{0}, std::size_t{5}),
                          [](const auto& info) { return std::string(test_surfaces()[info.param].name); });
+
+// Outlines before the empty sheet have no gaps, however rough the mesh is.
+
+constexpr int kCellsPerMm = 4, kColumns = 297 * kCellsPerMm, kRows = 210 * kCellsPerMm;
+
+Point2 center(int column, int row) { return {(column + 0.5) / kCellsPerMm, (row + 0.5) / kCellsPerMm}; }
+
+/// The cells of the page that faces cover, row by row.
+std::vector<char> covered_cells(const Scene& scene, const View& view) {
+  std::vector<char> covered(std::size_t{kColumns} * kRows, 0);
+  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+    const auto corners = scene.faces.contour(f, 0);
+    std::array<Point2, 3> p;
+    for (std::size_t c = 0; c < 3; ++c) p[c] = page_point(view, scene.vertices[corners[c]]);
+    const Point2 low = glm::min(p[0], glm::min(p[1], p[2])), high = glm::max(p[0], glm::max(p[1], p[2]));
+    for (int row = int(low.y * kCellsPerMm); row <= int(high.y * kCellsPerMm); ++row) {
+      for (int column = int(low.x * kCellsPerMm); column <= int(high.x * kCellsPerMm); ++column) {
+        const Point2 at = center(column, row);
+        int left = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const Point2 d = p[(c + 1) % 3] - p[c], e = at - p[c];
+          left += d.x * e.y - d.y * e.x > 0;
+        }
+        if (left % 3 == 0) covered[std::size_t(row) * kColumns + std::size_t(column)] = 1;
+      }
+    }
+  }
+  return covered;
+}
+
+/// How far the rims of what is covered are from the nearest line, at the farthest.
+double farthest_rim(const std::vector<char>& covered, const Polylines& lines) {
+  double farthest = 0;
+  for (int row = 1; row + 1 < kRows; ++row) {
+    for (int column = 1; column + 1 < kColumns; ++column) {
+      const char* cell = &covered[std::size_t(row) * kColumns + std::size_t(column)];
+      if (!cell[0] || (cell[1] && cell[-1] && cell[kColumns] && cell[-kColumns])) continue;
+      const Point2 p = center(column, row);
+      double best = 1000;
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (std::size_t k = 1; k < lines[i].size(); ++k) {
+          const Point2 a = lines[i][k - 1], d = lines[i][k] - a;
+          const double square = glm::dot(d, d);
+          const double t = square > 0 ? std::clamp(glm::dot(p - a, d) / square, 0.0, 1.0) : 0;
+          best = std::min(best, glm::length(a + t * d - p));
+        }
+      }
+      farthest = std::max(farthest, best);
+    }
+  }
+  return farthest;
+}
+
+/// The farthest that a rim is from a line, of a body with 2 n by n cells and vertices up to `rough` beside their place, in
+/// mm on the page, nearly; a vertex alone may stand out from its line by twice as much.
+double widest_gap(double rough, int n, std::uint32_t seed) {
+  Scene scene = uneven_mesh(test_surfaces()[seed % 5], 2 * n, n, 0.3, seed);
+  std::mt19937 random(seed);
+  const auto unit = [&] { return 2 * double(random()) / double(std::mt19937::max()) - 1; };
+  for (Point3& v : scene.vertices) {
+    const double x = unit(), y = unit(), z = unit();
+    v += rough * Point3{x, y, z};
+  }
+  const DrawnOutlines drawn = draw_outlines(scene, {-1, 1, -1});
+  return farthest_rim(covered_cells(scene, drawn.view), drawn.lines);
+}
+
+TEST(OutlineGaps, AreNoneOnRoughBodies) {
+  for (const std::uint32_t seed : {7, 12, 13, 18}) EXPECT_LT(widest_gap(0.4, 60, seed), 0.9) << "seed " << seed;
+}
+
+TEST(OutlineGaps, AreNoneBetweenAContourAndAnOutlineOfTheMesh) {
+  EXPECT_LT(widest_gap(0.7, 40, 106), 0.9);
+  EXPECT_LT(widest_gap(0.5, 30, 99), 0.9);
+}
+
+// Grain on the sides of scans that are seen edge on.
+
+constexpr std::uint32_t kSide = 6;
+constexpr std::uint32_t kMiddle = 2 * kSide + 2;
+
+/// A square of triangles with one sector a vertex, all of which look away but for some.
+struct Grain {
+  Scene scene;
+  SmoothPatch patch;
+  Camera camera;
+
+  Grain() {
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i) scene.vertices.push_back({i % kSide, i / kSide, 0});
+    for (std::uint32_t y = 0; y + 1 < kSide; ++y) {
+      for (std::uint32_t x = 0; x + 1 < kSide; ++x) {
+        const std::uint32_t a = y * kSide + x;
+        add({a, a + 1, a + kSide + 1});
+        add({a, a + kSide + 1, a + kSide});
+      }
+    }
+    patch.g.assign(scene.vertices.size(), -0.5);
+    patch.across.assign(patch.sector.size(), kNone);
+    for (std::uint32_t s = 0; s < patch.sector.size(); ++s) {
+      for (std::uint32_t o = 0; o < patch.sector.size(); ++o) {
+        if (patch.sector[s] == patch.sector[next_corner(o)] && patch.sector[next_corner(s)] == patch.sector[o]) {
+          patch.across[s] = o;
+        }
+      }
+    }
+  }
+  void add(const std::array<std::uint32_t, 3>& v) {
+    Triangle t;
+    for (std::size_t k = 0; k < 3; ++k) t.v[k] = v[k];
+    t.face = static_cast<std::uint32_t>(patch.triangles.size());
+    patch.triangles.push_back(t);
+    patch.sector.insert(patch.sector.end(), v.begin(), v.end());
+    patch.complete.insert(patch.complete.end(), 3, 1);
+  }
+  double level(double g, std::uint32_t vertex, const std::vector<ScanObject>& scans) {
+    patch.g[vertex] = g;
+    level_shallow_islands(patch, scene, camera, scans);
+    return patch.g[vertex];
+  }
+};
+
+const std::vector<ScanObject> kAll{{.face_begin = 0, .face_end = 1000}};
+
+TEST(ShallowIslands, TurnLikeWhatIsRoundThem) {
+  EXPECT_LT(Grain().level(0.05, kMiddle, kAll), 0);
+  EXPECT_LT(Grain().level(0, kMiddle, kAll), 0);
+  Grain away;
+  for (double& g : away.patch.g) g = 0.5;
+  EXPECT_GT(away.level(-0.05, kMiddle, kAll), 0);
+}
+
+TEST(ShallowIslands, StayWhereTheyAreDeepOrOpenOrOnNoScan) {
+  EXPECT_EQ(Grain().level(0.1, kMiddle, kAll), 0.1) << "deep";
+  EXPECT_EQ(Grain().level(0.05, 0, kAll), 0.05) << "at the border of the region";
+  EXPECT_EQ(Grain().level(0.05, kMiddle, {{.face_begin = 900, .face_end = 1000}}), 0.05);
+  EXPECT_EQ(Grain().level(0.05, kMiddle, {}), 0.05);
+}
+
+// Surfaces through the vertices round a point.
+
+using Height = std::function<double(double x, double y)>;
+
+/// Two rings of six and twelve points round the origin, unevenly, at heights over the plane.
+std::vector<Point3> rings(double size, const Height& height) {
+  std::mt19937 random(5);
+  const auto unit = [&] { return double(random()) / double(std::mt19937::max()) - 0.5; };
+  std::vector<Point3> points;
+  for (int ring = 1; ring <= 2; ++ring) {
+    for (int i = 0; i < 6 * ring; ++i) {
+      const double angle = (i + 0.5 * unit()) / (6 * ring) * 2 * 3.14159265358979323846;
+      const double radius = size * (ring + 0.5 * unit());
+      const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+      points.push_back({x, y, height(x, y)});
+    }
+  }
+  return points;
+}
+
+const Point3 kUp{0, 0, 1};
+
+TEST(SurfaceFits, KnowsPolynomialsOfDegreeThree) {
+  const Height height = [](double x, double y) {
+    return 0.02 * x - 0.03 * y + 0.1 * x * x + 0.05 * x * y - 0.07 * y * y + 0.01 * x * x * x - 0.02 * x * y * y;
+  };
+  SurfaceFit fit;
+  ASSERT_TRUE(fit_surface({0, 0, 0}, kUp, rings(0.5, height), fit));
+  EXPECT_LT(glm::distance(fit.normal, glm::normalize(Point3{-0.02, 0.03, 1})), 1e-12);
+  // A way along the surface, and the normal at its end.
+  constexpr double kStep = 1e-6;
+  const Point3 end = glm::normalize(Point3{-0.02 - 0.2 * kStep, 0.03 - 0.05 * kStep, 1});
+  EXPECT_LT(glm::distance(ligne::turned(fit.turn, {kStep, 0, 0.02 * kStep}), end - fit.normal), 1e-5 * kStep);
+}
+
+TEST(SurfaceFits, NormalsComeNearerWithTheThirdPowerOfTheDistance) {
+  // An ellipsoid beside its top, whose curvature changes.
+  const Height surface = [](double x, double y) { return 5 * std::sqrt(1 - x * x / 36 - y * y / 16); };
+  constexpr double kX = 1.5, kY = 1;
+  const auto error = [&](double size) {
+    const double top = surface(kX, kY);
+    const Height height = [&](double x, double y) { return surface(kX + x, kY + y) - top; };
+    SurfaceFit fit;
+    EXPECT_TRUE(fit_surface({0, 0, 0}, glm::normalize(Point3{0.2, 0.3, 1}), rings(size, height), fit));
+    return glm::distance(fit.normal, glm::normalize(Point3{kX / 36, kY / 16, top / 25}));
+  };
+  const double at_whole = error(0.4), at_half = error(0.2);
+  EXPECT_LT(at_whole, 1e-3);
+  EXPECT_LT(at_half, at_whole / 6);
+}
+
+TEST(SurfaceFits, RefuseWhatIsNoSurfaceOfDegreeThree) {
+  SurfaceFit fit;
+  std::mt19937 random(3);
+  const Height noise = [&](double, double) { return 0.1 * double(random()) / double(std::mt19937::max()); };
+  EXPECT_FALSE(fit_surface({0, 0, 0.05}, kUp, rings(1, noise), fit)) << "noise";
+  const Height rounding = [](double x, double) { return x < 0.5 ? 0 : -0.3 * (x - 0.5); };
+  EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, rings(1, rounding), fit)) << "a flat side with a chamfer";
+  const Height ball = [](double x, double y) { return std::sqrt(9 - x * x - y * y) - 3; };
+  EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, rings(1, ball), fit)) << "coarse";
+  EXPECT_TRUE(fit_surface({0, 0, 0}, kUp, rings(0.25, ball), fit)) << "fine";
+  std::vector<Point3> rows;
+  for (int i = -4; i <= 4; ++i) {
+    for (const double y : {0.0, 30.0}) {
+      if (i != 0 || y > 0) rows.push_back({std::sin(0.1 * i), y, std::cos(0.1 * i) - 1});
+    }
+  }
+  EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, rows, fit)) << "two rows";
+  EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, std::vector<Point3>(20, Point3{0, 0, 0}), fit)) << "one place";
+}
+
+/// The places of the second have other numbers of points, too few for a cubic, and for any surface.
+TEST(SurfaceFits, OfTwoPlacesAreThoseOfEachAlone) {
+  const Height saddle = [](double x, double y) { return 0.05 * x * x - 0.08 * x * y + 0.01 * x; };
+  const Height ball = [](double x, double y) { return std::sqrt(100 - x * x - y * y) - 10; };
+  const std::vector<Point3> many = rings(0.5, saddle);
+  for (const std::size_t count : {18, 10, 5, 0}) {
+    std::vector<Point3> few = rings(0.7, ball);
+    few.resize(count);
+    const PointsRound a{{0, 0, 0}, kUp, many}, b{{0, 0, 0}, glm::normalize(Point3{0.1, 0, 1}), few};
+    const auto both = fit_two_surfaces({a, b}), turned = fit_two_surfaces({b, a});
+    for (const auto& [round, fits] : {std::pair{a, std::array{both[0], turned[1]}}, {b, std::array{both[1], turned[0]}}}) {
+      SurfaceFit alone;
+      const bool known = fit_surface(round.at, round.normal, round.points, alone);
+      for (const auto& fit : fits) {
+        ASSERT_EQ(fit.has_value(), known) << count << " points";
+        if (!known) continue;
+        EXPECT_EQ(fit->normal, alone.normal);
+        EXPECT_EQ(fit->turn, alone.turn);
+      }
+    }
+    EXPECT_TRUE(both[0]);
+    EXPECT_EQ(both[1].has_value(), count >= 10);
+  }
+}
 
 }  // namespace
 }  // namespace ligne::test
