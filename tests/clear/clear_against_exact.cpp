@@ -1,13 +1,5 @@
 #include "clear/clear_against_exact.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-
-#include <glm/geometric.hpp>
-
-#include "clear/mesh_sags.hpp"
-#include "clear/page_lines.hpp"
 #include "picture/drawn_scene.hpp"
 #include "picture/models.hpp"
 
@@ -106,6 +98,31 @@ double length_of(const Drawing& drawing) {
   return sum;
 }
 
+// ---- Sags of a mesh ----
+
+constexpr double kSagCellMm = 2;
+constexpr double kDegree = 3.14159265358979323846 / 180;
+/// Sags on the page are taken for no larger, mm.
+constexpr double kLargestSagMm = 5;
+/// A neighbour narrower by more than this factor decides alone.
+constexpr double kWidthRatio = 4;
+
+double width_across(const Scene& scene, std::uint32_t face, const Point3& from, const Point3& along) {
+  double widest = 0;
+  for (const std::uint32_t v : scene.faces.contour(face, 0)) {
+    widest = std::max(widest, glm::length(glm::cross(along, scene.vertices[v] - from)));
+  }
+  return widest;
+}
+
+double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
+
+double distance(Point2 p, Point2 a, Point2 b, Point2 c) {
+  const double u = cross(b - a, p - a), v = cross(c - b, p - b), w = cross(a - c, p - c);
+  if ((u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0)) return 0;
+  return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
+}
+
 }  // namespace
 
 ClearDifferences compare_clear(const std::filesystem::path& file, std::string_view view) {
@@ -151,6 +168,48 @@ std::string text_of(const std::vector<Run>& runs) {
         << " to " << run.to.x << "," << run.to.y << "\n";
   }
   return out.str();
+}
+
+MeshSags::MeshSags(const Scene& scene, const Topology& topology, const View& view, double most_degrees) {
+  std::vector<double> sags(scene.faces.size(), 0.0);
+  for (const Edge& edge : topology.edges) {
+    if (edge.face1 == kNone) continue;
+    const Point3 n0 = face_normal(scene, edge.face0), n1 = face_normal(scene, edge.face1);
+    const double turn = std::atan2(glm::length(glm::cross(n0, n1)), glm::dot(n0, n1));
+    if (turn > most_degrees * kDegree) continue;
+    const Point3 from = scene.vertices[edge.v0], to = scene.vertices[edge.v1];
+    if (from == to) continue;
+    const Point3 along = glm::normalize(to - from);
+    const double w0 = width_across(scene, edge.face0, from, along), w1 = width_across(scene, edge.face1, from, along);
+    const double rise = std::tan(turn / 4) / 2;
+    sags[edge.face0] += (w0 > kWidthRatio * w1 ? w1 : w0) * rise;
+    sags[edge.face1] += (w1 > kWidthRatio * w0 ? w0 : w1) * rise;
+  }
+  Rect bounds;
+  for (const Triangle& t : topology.triangles) {
+    const auto at = [&](int k) { return page_point(view, scene.vertices[t.v[static_cast<std::size_t>(k)]]); };
+    const PageTriangle on_page{at(0), at(1), at(2), std::min(sags[t.face] * view.scale, kLargestSagMm)};
+    if (!std::isfinite(on_page.a.x + on_page.b.x + on_page.c.x + on_page.sag)) continue;
+    triangles_.push_back(on_page);
+    largest_sag_ = std::max(largest_sag_, on_page.sag);
+    for (const Point2 p : {on_page.a, on_page.b, on_page.c}) bounds.extend(p);
+  }
+  cells_.emplace(triangles_.empty() ? Rect{{0, 0}, {1, 1}} : bounds, kSagCellMm);
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    const PageTriangle& t = triangles_[i];
+    cells_->add(glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c), i);
+  }
+}
+
+std::optional<double> MeshSags::at(Point2 p, double within_mm) const {
+  const double reach = within_mm + largest_sag_;
+  std::optional<double> largest;
+  cells_->each(p - Point2(reach), p + Point2(reach), [&](std::uint32_t i) {
+    const PageTriangle& t = triangles_[i];
+    if (largest && t.sag <= *largest) return;
+    if (distance(p, t.a, t.b, t.c) <= within_mm + t.sag) largest = t.sag;
+  });
+  return largest;
 }
 
 }  // namespace ligne::test
