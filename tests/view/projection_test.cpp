@@ -1,19 +1,12 @@
 // From the scene to the projected scene: every end of a line where its source edge says, whatever is cut away; lines on the
 // border of the window; faces seen edge on.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
-
-#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 #include "scene/model/topology.hpp"
 #include "support/scene_parts.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 #include "view/clip.hpp"
 #include "view/edge_on.hpp"
 #include "view/projected_scene.hpp"
