@@ -1,13 +1,10 @@
 // The order of painting of every method that gives one, on every scene of the corpus in every standard view, against the
 // oracle.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "main/tier.hpp"
 #include "order_check.hpp"
 #include "support/corpus_scene.hpp"
+#include "support/test.hpp"
 #include "support/variants.hpp"
 
 namespace ligne::test {

@@ -1,9 +1,6 @@
 #include "order_check.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <sstream>
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

@@ -1,15 +1,10 @@
 // What --show draws of a method: numbers of an order, planes of a tree, zones and slabs, spans, clipped polygons.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
-#include <string>
-
 #include "study/generators.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
+#include "support/test.hpp"
 #include "support/variants.hpp"
 #include "visibility/registry.hpp"
 
