@@ -1,13 +1,6 @@
 // Shadows, transparency and details on scenes whose areas are known. All are drawn from above or from the front, so that a
 // region's area is that of the part of the face, at one page millimetre to a model unit.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <map>
-#include <set>
-
 #include "drawing/drawing.hpp"
 #include "picture/drawn_scene.hpp"
 #include "picture/light/detail_lines.hpp"
@@ -15,6 +8,7 @@
 #include "picture/light/seen_through.hpp"
 #include "picture/light/shadows.hpp"
 #include "scene/readers/reader.hpp"
+#include "support/test.hpp"
 #include "view/projected_scene.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"

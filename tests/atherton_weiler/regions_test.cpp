@@ -1,18 +1,12 @@
 // Regions on every scene of the corpus: together they are the scene as it lies on the page, no two overlap, and each shows
 // the face that is in front there by the oracle.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <map>
-#include <random>
-
 #include <polyclipping/clipper.hpp>
 
 #include "geometry/clip_contour_by_contour.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
+#include "support/test.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/registry.hpp"
