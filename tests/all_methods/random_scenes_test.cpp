@@ -2,21 +2,12 @@
 // (everything degenerate at once), prisms with holes, boxes that penetrate, boxes that touch. LIGNE_RANDOM_SCENES=N makes N
 // of them. A scene that fails is made small and written to a file that `ligne` reads.
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdlib>
-#include <fstream>
-#include <functional>
-#include <random>
-#include <string_view>
-#include <utility>
-
 #include "main/tier.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/judge.hpp"
 #include "support/scene_json.hpp"
 #include "support/scene_parts.hpp"
+#include "support/test.hpp"
 #include "support/variants.hpp"
 
 namespace ligne::test {

@@ -1,19 +1,14 @@
 // The method warnock on the corpus and on crowds of boxes: as many strokes as the default method, whatever the windows; and
 // with a limit of resolution, errors that shrink in proportion.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <initializer_list>
-#include <iostream>
-#include <random>
-#include <utility>
 
 #include "main/tier.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 #include "visibility/common/opaque_scene.hpp"
 #include "visibility/warnock/warnock.hpp"
 
@@ -62,8 +57,7 @@ std::array<std::size_t, 2> stroke_counts(const ProjectedScene& projected, const 
 void expect_as_many_strokes(const Scene& scene, const std::string& name, bool with_hidden) {
   const Topology topology = build_topology(scene);
   for (const StandardView& standard : rotated_views(scene, "warnock, " + name, 1)) {
-    const View view = make_view(scene, make_camera(standard.camera, scene),
-                                {{{10, 10}, {kPageWidth - 10, kPageHeight - 10}}}, {{0, 0}, {kPageWidth, kPageHeight}});
+    const View view = view_on_a4(scene, standard.camera);
     for (const char* edges : {"all", "feature"}) {
       ProjectedScene projected = project(scene, topology, view, {classes(edges), 30});
       // It leaves glass out, which the default method takes for opaque.
