@@ -1,12 +1,6 @@
 #include "compare.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-#include <optional>
-#include <sstream>
-#include <utility>
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

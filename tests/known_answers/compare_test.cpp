@@ -1,10 +1,10 @@
 // The comparison must find whatever is wrong with a drawing, and nothing else.
 
+#include <nlohmann/json.hpp>
+
 #include "compare.hpp"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "known_answer.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
@@ -62,92 +62,82 @@ TEST(Compare, RoundingIsNoDifference) {
   EXPECT_EQ(found(drawn), std::vector<std::string>{});
 }
 
-TEST(Compare, AMissingSegmentIsFound) {
-  for (std::size_t i = 0; i < picture().size(); ++i) {
-    auto drawn = picture();
-    drawn.erase(drawn.begin() + static_cast<std::ptrdiff_t>(i));
-    expect_only(found(drawn), "missing");
+/// What is done to the drawing of the picture, to each of its segments in turn or to one, and how its messages begin.
+struct Change {
+  const char* name;
+  std::function<void(std::vector<PageSegment>& drawn, std::size_t i)> make;
+  std::vector<std::string> messages;
+  bool to_each = true;
+};
+
+TEST(Compare, EveryChangeIsFound) {
+  const auto add = [](std::vector<PageSegment>& drawn, const PageSegment& extra) { drawn.push_back(extra); };
+  const std::vector<std::string> lost{"missing"}, extra{"not expected"}, both{"not expected", "missing"}, twice{"twice"};
+  const Change changes[] = {
+      {"missing", [](auto& drawn, std::size_t i) { drawn.erase(drawn.begin() + static_cast<std::ptrdiff_t>(i)); }, lost},
+      {"shifted",
+       [](auto& d, std::size_t i) {
+         d[i].from += Point2{6, 6} * kStep, d[i].to += Point2{6, 6} * kStep;
+       },
+       both},
+      {"another class", [](auto& drawn, std::size_t i) { drawn[i].line_class = LineClass::mesh; }, both},
+      {"another visibility", [](auto& drawn, std::size_t i) { drawn[i].visible = !drawn[i].visible; }, both},
+      {"one more",
+       [&](auto& d, std::size_t) {
+         add(d, segment({20, 20}, {30, 20}));
+       },
+       extra, false},
+      {"beyond an end",
+       [&](auto& d, std::size_t) {
+         add(d, segment({110, 10}, {120, 10}, LineClass::border));
+       },
+       extra, false},
+      {"a short one",
+       [&](auto& d, std::size_t) {
+         add(d, segment({60, 90}, {60.001, 90}));
+       },
+       extra, false},
+      {"a hidden one",
+       [&](auto& d, std::size_t) {
+         add(d, segment({35, 50}, {85, 50}, LineClass::mesh, false));
+       },
+       extra, false},
+      {"too short", [](auto& drawn, std::size_t) { drawn[0].to.x -= 5 * kStep; }, lost, false},
+      {"too long", [](auto& drawn, std::size_t) { drawn[0].to.x += 5 * kStep; }, both, false},
+      {"turned", [](auto& drawn, std::size_t) { drawn[0].to.y += 3 * kStep; }, both, false},
+      {"a gap",
+       [&](auto& drawn, std::size_t) {
+         drawn[0].to = {50, 10};
+         add(drawn, segment({50.0001, 10}, {110, 10}, LineClass::border));
+       },
+       lost, false},
+      {"at another depth", [](auto& drawn, std::size_t) { drawn[1].z_to = 1; }, both, false},
+      {"drawn twice", [&](auto& drawn, std::size_t) { add(drawn, PageSegment(drawn[1])); }, twice, false},
+      {"a piece twice",
+       [&](auto& d, std::size_t) {
+         add(d, segment({20, 10}, {20.001, 10}, LineClass::border));
+       },
+       twice, false},
+  };
+  for (const Change& change : changes) {
+    for (std::size_t i = 0; i < (change.to_each ? picture().size() : 1); ++i) {
+      auto drawn = picture();
+      change.make(drawn, i);
+      const std::vector<std::string> messages = found(drawn);
+      ASSERT_EQ(messages.size(), change.messages.size()) << change.name << ", " << i << testing::PrintToString(messages);
+      for (std::size_t k = 0; k < messages.size(); ++k) {
+        EXPECT_TRUE(messages[k].starts_with(change.messages[k])) << change.name << ", " << i << ": " << messages[k];
+      }
+    }
   }
 }
 
-TEST(Compare, AnExtraSegmentIsFound) {
-  for (const PageSegment& extra : {segment({20, 20}, {30, 20}), segment({110, 10}, {120, 10}, LineClass::border),
-                                   segment({60, 90}, {60.001, 90}), segment({35, 50}, {85, 50}, LineClass::mesh, false)}) {
-    auto drawn = picture();
-    drawn.push_back(extra);
-    expect_only(found(drawn), "not expected");
-  }
-}
-
-TEST(Compare, AShiftedSegmentIsFound) {
-  for (std::size_t i = 0; i < picture().size(); ++i) {
-    auto drawn = picture();
-    for (Point2* p : {&drawn[i].from, &drawn[i].to}) *p += Point2{6, 6} * kStep;
-    const auto messages = found(drawn);
-    ASSERT_EQ(messages.size(), 2u);
-    EXPECT_EQ(messages[0].substr(0, 12), "not expected");
-    EXPECT_EQ(messages[1].substr(0, 7), "missing");
-  }
-}
-
-TEST(Compare, AnEndTooFarOrTooShortIsFound) {
-  auto drawn = picture();
-  drawn[0].to.x -= 5 * kStep;
-  expect_only(found(drawn), "missing");
-  drawn[0].to.x += 10 * kStep;
-  EXPECT_EQ(found(drawn).size(), 2u);
-}
-
-TEST(Compare, ATurnedSegmentIsFound) {
-  auto drawn = picture();
-  drawn[0].to.y += 3 * kStep;
-  EXPECT_EQ(found(drawn).size(), 2u);
-}
-
-TEST(Compare, AGapIsFound) {
-  auto drawn = picture();
-  drawn[0].to = {50, 10};
-  drawn.push_back(segment({50.0001, 10}, {110, 10}, LineClass::border));
-  expect_only(found(drawn), "missing");
-}
-
-TEST(Compare, AWrongClassIsFound) {
-  for (std::size_t i = 0; i < picture().size(); ++i) {
-    auto drawn = picture();
-    drawn[i].line_class = LineClass::mesh;
-    EXPECT_EQ(found(drawn).size(), 2u);
-  }
-}
-
-TEST(Compare, AWrongVisibilityIsFound) {
-  for (std::size_t i = 0; i < picture().size(); ++i) {
-    auto drawn = picture();
-    drawn[i].visible = !drawn[i].visible;
-    EXPECT_EQ(found(drawn).size(), 2u);
-  }
-}
-
-TEST(Compare, AWrongDepthIsFound) {
-  auto drawn = picture();
-  drawn[1].z_to = 1;
-  EXPECT_EQ(found(drawn).size(), 2u);
-  // On a slope: right at both ends, and turned round.
-  auto expected = picture();
-  expected[1].z_from = -40;
-  expected[1].z_to = 60;
-  drawn[1].z_from = -40;
-  drawn[1].z_to = 60;
+TEST(Compare, DepthsAreComparedAlongASlope) {
+  auto expected = picture(), drawn = picture();
+  for (auto* lines : {&expected, &drawn}) (*lines)[1].z_from = -40, (*lines)[1].z_to = 60;
   EXPECT_EQ(differences(expected, drawn, kTolerance), std::vector<std::string>{});
   std::swap(drawn[1].z_from, drawn[1].z_to);
   EXPECT_EQ(differences(expected, drawn, kTolerance).size(), 2u);
-}
-
-TEST(Compare, ALineDrawnTwiceIsFound) {
-  auto drawn = picture();
-  drawn.push_back(drawn[1]);
-  expect_only(found(drawn), "twice");
-  drawn.back() = segment({20, 10}, {20.001, 10}, LineClass::border);  // a piece of one
-  expect_only(found(drawn), "twice");
 }
 
 TEST(Compare, OverlapsOfTwoClassesAreFound) {
@@ -167,6 +157,78 @@ TEST(Compare, LinesAtTwoDepthsAreNotJoined) {
   far.z_from = far.z_to = 30;
   EXPECT_EQ(differences({near, far}, {far, near}, kTolerance), std::vector<std::string>{});
   EXPECT_EQ(differences({near, far}, {segment({0, 0}, {20, 0})}, kTolerance).size(), 3u);
+}
+
+// The reader of the answers.
+
+using nlohmann::json;
+
+json square() {
+  return json::parse(R"({
+    "about": "a square from the front",
+    "reasoning": ["All four sides are borders, and nothing is before them."],
+    "view": {"name": "front", "right": [1, 0, 0], "down": [0, 0, -1]},
+    "edges": "feature",
+    "scene": {"format": "ligne-scene", "version": 1,
+      "objects": [{"vertices": [[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1]], "faces": [{"outer": [0, 1, 2, 3]}]}]},
+    "visible": {"border": [[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [1, 0, 1]], [[1, 0, 1], [0, 0, 1]], [[0, 0, 1], [0, 0, 0]]]},
+    "hidden": {"crease": [[[0, 0, 0], [1, 0, 1]]]}
+  })");
+}
+
+std::string error_of(const json& document) {
+  try {
+    parse_known_answer(document.dump(), "A", {});
+  } catch (const KnownAnswerError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(KnownAnswerReader, ReadsWhatIsThere) {
+  const KnownAnswer answer = parse_known_answer(square().dump(), "A", {});
+  EXPECT_EQ(answer.name, "A");
+  EXPECT_EQ(answer.reasoning.size(), 1u);
+  EXPECT_EQ(answer.camera.named_view, "front");
+  EXPECT_EQ(answer.edges, "feature");
+  EXPECT_EQ(answer.scene.faces.size(), 1u);
+  EXPECT_TRUE(answer.with_hidden);
+  ASSERT_EQ(answer.segments.size(), 5u);
+  EXPECT_EQ(answer.segments[1].to, (Point3{1, 0, 1}));
+  EXPECT_EQ(answer.segments[1].line_class, LineClass::border);
+  EXPECT_TRUE(answer.segments[1].visible);
+  EXPECT_EQ(answer.segments[4].line_class, LineClass::crease);
+  EXPECT_FALSE(answer.segments[4].visible);
+}
+
+TEST(KnownAnswerReader, ReadsAPerspectiveView) {
+  json document = square();
+  document["view"] =
+      json::parse(R"({"eye": [0, -9, 0], "target": [0, 0, 0], "fov": 60, "right": [1, 0, 0], "down": [0, 0, -1]})");
+  const KnownAnswer answer = parse_known_answer(document.dump(), "A", {});
+  ASSERT_TRUE(answer.camera.eye && answer.camera.target);
+  EXPECT_EQ(*answer.camera.eye, (Point3{0, -9, 0}));
+  EXPECT_EQ(answer.camera.fov_degrees, 60);
+}
+
+TEST(KnownAnswerReader, SaysWhatIsWrong) {
+  const auto with = [](const char* pointer, const json& value) {
+    json document = square();
+    document[json::json_pointer(pointer)] = value;
+    return document;
+  };
+  EXPECT_EQ(error_of(with("/note", "x")), "A: the file: unknown key 'note'");
+  EXPECT_EQ(error_of(with("/reasoning", json::array())), "A: reasoning: is empty");
+  EXPECT_EQ(error_of(with("/view/name", "north")), "A: view.name: there is no view 'north'");
+  EXPECT_EQ(error_of(with("/view/direction", {0, 1, 0})), "A: view: needs one of 'name', 'direction' and 'eye'");
+  EXPECT_EQ(error_of(with("/edges", "outline,rim")), "A: there is no class 'rim'");
+  EXPECT_EQ(error_of(with("/hidden/rim", json::parse("[[[0,0,0],[1,0,1]]]"))), "A: there is no class 'rim'");
+  EXPECT_EQ(error_of(with("/visible/border/0/1", {0, 0, 0})), "A: visible.border: [[0,0,0],[0,0,0]] has no length");
+  EXPECT_EQ(error_of(with("/visible/border/0/1", {0, 0})), "A: visible.border: is not a point [x, y, z]");
+  EXPECT_EQ(error_of(with("/scene/objects/0/vertices/0", {0, 1, 0})), "A: scene: had to be mended");
+  json document = square();
+  document.erase("visible");
+  EXPECT_EQ(error_of(document), "A: key 'visible' is missing");
 }
 
 }  // namespace

@@ -1,13 +1,10 @@
 #include "known_answer.hpp"
 
-#include <algorithm>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "scene/readers/reader.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

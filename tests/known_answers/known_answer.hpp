@@ -1,15 +1,9 @@
 #pragma once
 /// Scenes whose visible lines were worked out by hand, one JSON file each; README.md tells the format.
 
-#include <filesystem>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "drawing/stroke.hpp"
 #include "scene/model/scene.hpp"
+#include "support/standard.hpp"
 #include "view/view.hpp"
 
 namespace ligne::test {

@@ -1,17 +1,10 @@
 // Every method that draws lines against every answer worked out by hand.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <sstream>
-#include <string>
-#include <tuple>
-
 #include "compare.hpp"
 #include "known_answer.hpp"
 #include "main/checks.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
