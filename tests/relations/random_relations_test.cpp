@@ -3,22 +3,11 @@
 // in another order, wound the other way, scaled by a power of two and turned about the line of sight: all of it one drawing.
 // LIGNE_RANDOM_SCENES=N makes N / 12 of them.
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <numbers>
-#include <random>
-#include <string_view>
-
-#include <glm/geometric.hpp>
-
 #include "main/tier.hpp"
-#include "relations/line_drawing.hpp"
 #include "relations/relations.hpp"
 #include "support/scene_parts.hpp"
 #include "support/standard_views.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

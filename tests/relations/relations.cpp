@@ -1,15 +1,7 @@
 #include "relations/relations.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <random>
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include "scene/model/topology.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {
