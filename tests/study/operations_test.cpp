@@ -1,11 +1,5 @@
 // The elementary operations of [Boulle1980] 3 against exact arithmetic.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "geometry/clip_contour_by_contour.hpp"
 #include "study/operations/contour_clipping.hpp"
 #include "study/operations/point_in_contour.hpp"
@@ -14,6 +8,7 @@
 #include "study/operations/segment_tests.hpp"
 #include "study/operations/sorts.hpp"
 #include "study/operations/thesis_spans.hpp"
+#include "support/test.hpp"
 
 namespace ligne::studies {
 namespace {
