@@ -1,17 +1,10 @@
 #include "byte_scene.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
 #include "scene/clean/clean.hpp"
 #include "support/judge.hpp"
 #include "support/scene_json.hpp"
 #include "support/scene_parts.hpp"
+#include "support/standard.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne::test {

@@ -1,11 +1,8 @@
 #pragma once
 /// Scenes made of bytes, for the fuzzer of the visibility and the replay of its corpus.
 
-#include <cstdint>
-#include <span>
-#include <string>
-
 #include "scene/model/scene.hpp"
+#include "support/standard.hpp"
 #include "support/standard_views.hpp"
 
 namespace ligne::test {

@@ -1,13 +1,5 @@
 #include "reader_harness.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "picture/compiled_model.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/zbuffer_picture.hpp"
@@ -17,6 +9,7 @@
 #include "scene/heal/heal.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/surfaces/grid_formats.hpp"
+#include "support/standard.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {

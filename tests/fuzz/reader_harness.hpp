@@ -1,9 +1,7 @@
 #pragma once
 /// What the fuzzers and the replay of their corpus do with a file.
 
-#include <cstddef>
-#include <span>
-#include <string_view>
+#include "support/standard.hpp"
 
 namespace ligne {
 
