@@ -1,16 +1,9 @@
 // Every file of the fuzzers' corpus, among them those that once brought a reader down, read again.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-#include <vector>
 
 #include "reader_harness.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

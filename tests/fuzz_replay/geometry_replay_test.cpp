@@ -1,16 +1,9 @@
 // Every scene of the corpus of the geometry fuzzer, among them those that were once drawn wrongly, drawn and judged again.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <vector>
-
 #include "byte_scene.hpp"
 #include "scene/readers/reader.hpp"
 #include "support/scene_json.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
