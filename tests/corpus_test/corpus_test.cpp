@@ -1,19 +1,10 @@
 // The corpus of scenes: every file reads, is about something, and is degenerate only where it says so.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "scene/readers/reader.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
