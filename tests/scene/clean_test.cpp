@@ -1,13 +1,5 @@
 #include "scene/clean/clean.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <utility>
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

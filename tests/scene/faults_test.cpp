@@ -1,12 +1,9 @@
 /// Faults that every format can have, and that are told alike in all of them: coordinates that are no finite numbers, and
 /// files without a face. docs/scene-format.md, "Faults".
 
-#include <cstring>
-#include <functional>
-#include <limits>
-
 #include "gltf_builder.hpp"
 #include "reader_tools.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::reader_test {
 namespace {

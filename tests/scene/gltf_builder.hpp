@@ -1,12 +1,9 @@
 #pragma once
 /// Small glTF files, written by the tests themselves.
 
-#include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
-#include <span>
-#include <string>
-#include <vector>
+
+#include "support/standard.hpp"
 
 namespace ligne::gltf_test {
 

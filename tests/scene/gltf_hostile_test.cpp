@@ -1,14 +1,9 @@
 // Files that lie. Each gives one InputError that names the place, and nothing else happens.
 
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <limits>
-
 #include "gltf_builder.hpp"
+#include "reader_tools.hpp"
 #include "scene/readers/gltf_reader.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -20,13 +15,7 @@ using gltf_test::square;
 std::string error_of(const std::string& bytes, bool binary = false, const std::filesystem::path& folder = {}) {
   ReadReport report;
   Warnings warnings;
-  try {
-    read_gltf(std::as_bytes(std::span(bytes)), binary, folder, "M", report, warnings);
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "more than one line";
-    return error.what();
-  }
-  return "no error";
+  return reader_test::error_line([&] { read_gltf(std::as_bytes(std::span(bytes)), binary, folder, "M", report, warnings); });
 }
 
 struct Lie {

@@ -1,17 +1,9 @@
 #pragma once
 /// What the tests of surfaces' heights share.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "reader_tools.hpp"
 #include "scene/surfaces/grid_formats.hpp"
+#include "support/test.hpp"
 
 namespace ligne::height_test {
 
@@ -35,17 +27,7 @@ inline std::unique_ptr<HeightSource> grid(const std::string& text) {
   return source;
 }
 
-/// The error line of a function; "no error" when there is none.
-template <typename Function>
-std::string error_line(Function&& function) {
-  try {
-    function();
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "more than one line";
-    return error.what();
-  }
-  return "no error";
-}
+using reader_test::error_line;
 
 inline std::string grid_error(const std::string& text) {
   Warnings warnings;
@@ -54,9 +36,7 @@ inline std::string grid_error(const std::string& text) {
 
 /// A file of the fuzzers' corpus of grids.
 inline std::string corpus_file(const std::string& name) {
-  std::ifstream in(std::string(LIGNE_SOURCE_DIR) + "/tests/fuzz/corpus/grid/" + name, std::ios::binary);
-  EXPECT_TRUE(in.good()) << name;
-  return {std::istreambuf_iterator<char>(in), {}};
+  return test::bytes_of_file(std::string(LIGNE_SOURCE_DIR) + "/tests/fuzz/corpus/grid/" + name);
 }
 
 /// Positions and heights are these; NaN is equal to NaN.

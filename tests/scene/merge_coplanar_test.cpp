@@ -1,14 +1,5 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <numbers>
-#include <utility>
-
 #include "scene/clean/clean.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

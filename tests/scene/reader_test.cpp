@@ -17,11 +17,9 @@ namespace {
 using namespace reader_test;
 
 std::string detected(const std::string& text, std::string_view suffix = "") {
-  try {
-    return std::string(to_string(detect_format(bytes_of(text), suffix, "M")));
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  std::string found;
+  const std::string error = error_line([&] { found = to_string(detect_format(bytes_of(text), suffix, "M")); });
+  return found.empty() ? error : found;
 }
 
 TEST(DetectFormat, ByContent) {
@@ -62,53 +60,37 @@ TEST(DetectFormat, FilesThatAreNoModels) {
   EXPECT_EQ(detected("\r\nNCOLS 43\r\n", ".asc"), "M: is an ESRI ASCII grid; draw it with: ligne surface --grid");
 }
 
-/// A folder of its own for a test, removed at its end.
 class Files : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("ligne_reader_test_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::string error(const std::filesystem::path& file) const {
     Warnings warnings;
-    try {
-      read_scene(file, {}, warnings);
-    } catch (const InputError& e) {
-      std::string what = e.what();
-      const std::string name = file.string();
-      EXPECT_EQ(what.substr(0, name.size()), name);
-      return what.substr(name.size());
-    }
-    return "no error";
-  }
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return folder_ / name;
+    const std::string what = error_line([&] { read_scene(file, {}, warnings); }), name = file.string();
+    if (what == "no error") return what;
+    EXPECT_TRUE(what.starts_with(name)) << what;
+    return what.substr(std::min(name.size(), what.size()));
   }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(Files, OneClearLineForWhatIsNoFile) {
   EXPECT_EQ(error(folder_ / "absent.obj"), ": there is no such file");
   EXPECT_EQ(error(folder_), ": is a directory, not a file");
-  EXPECT_EQ(error(write("empty.obj", "")), ": is empty");
-  EXPECT_EQ(error(write("file", "x") / "below.obj"), ": there is no such file");
-  const auto closed = write("closed.obj", "v 0 0 0\n");
+  EXPECT_EQ(error(folder_.write("empty.obj", "")), ": is empty");
+  EXPECT_EQ(error(folder_.write("file", "x") / "below.obj"), ": there is no such file");
+  const auto closed = folder_.write("closed.obj", "v 0 0 0\n");
   std::filesystem::permissions(closed, std::filesystem::perms::none);
   EXPECT_EQ(error(closed), geteuid() == 0 ? ": holds no faces" : ": can not be opened for reading");
 }
 
 TEST_F(Files, NamesAndLinesStandInFront) {
-  EXPECT_EQ(error(write("a.obj", "v 0 0 0\nf 1 1\n")), ":2: face with 2 corners, needs 3 or more");
+  EXPECT_EQ(error(folder_.write("a.obj", "v 0 0 0\nf 1 1\n")), ":2: face with 2 corners, needs 3 or more");
 }
 
 TEST_F(Files, CoordinatesTooLargeToComputeWith) {
   const std::string rest = " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  EXPECT_EQ(error(write("a.obj", "v 1e60" + rest)), "no error");
-  EXPECT_EQ(error(write("b.obj", "v -1e61" + rest)),
+  EXPECT_EQ(error(folder_.write("a.obj", "v 1e60" + rest)), "no error");
+  EXPECT_EQ(error(folder_.write("b.obj", "v -1e61" + rest)),
             ": vertex 0 of 3: a coordinate is beyond 1.6e60, too large to compute with");
 }
 
@@ -117,7 +99,7 @@ TEST_F(Files, ReadsWhatIsThere) {
   while (text.size() < 3'000'000) text += "f 1 2 3\n";
   Warnings warnings;
   ReadReport report;
-  read_scene(write("a.obj", text), {}, warnings, &report);
+  read_scene(folder_.write("a.obj", text), {}, warnings, &report);
   EXPECT_EQ(report.faces, (text.size() - 24) / 8);
 }
 
@@ -125,12 +107,7 @@ TEST(ReadScene, ModelFilesThatAreNone) {
   LIGNE_NEED_MODELS(folder);
   Warnings warnings;
   const auto error = [&](const char* file) {
-    try {
-      read_scene(folder / file, {}, warnings);
-    } catch (const InputError& e) {
-      return std::string(e.what()).substr(folder.string().size() + 1);
-    }
-    return std::string("no error");
+    return error_line([&] { read_scene(folder / file, {}, warnings); }).substr(folder.string().size() + 1);
   };
   EXPECT_EQ(error("west_bijou_gully.asc"),
             "west_bijou_gully.asc: is an ESRI ASCII grid; draw it with: ligne surface --grid");

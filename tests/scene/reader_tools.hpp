@@ -1,14 +1,8 @@
 #pragma once
 /// What the tests of the readers share.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <span>
-#include <string>
-
 #include "scene/readers/reader.hpp"
+#include "support/test.hpp"
 
 namespace ligne::reader_test {
 
@@ -30,15 +24,20 @@ inline Result read_raw(Reader reader, const std::string& text) {
   return result;
 }
 
-/// The error line of a reader; "no error" when there is none.
-inline std::string error_of(Reader reader, const std::string& text) {
+/// The error line of a function; "no error" when there is none.
+template <typename Function>
+std::string error_line(Function&& function) {
   try {
-    read_raw(reader, text);
+    function();
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "more than one line";
     return error.what();
   }
   return "no error";
+}
+
+inline std::string error_of(Reader reader, const std::string& text) {
+  return error_line([&] { read_raw(reader, text); });
 }
 
 struct Box {

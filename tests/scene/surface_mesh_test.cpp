@@ -1,23 +1,12 @@
 /// Surfaces as meshes.
 
 #include "scene/surfaces/surface_mesh.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <numbers>
-#include <set>
-
-#include <glm/geometric.hpp>
-
 #include "even_positions.hpp"
 #include "height_tools.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/mesh_writer.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -1,15 +1,7 @@
 #include "scene/clean/weld_near.hpp"
-
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <random>
-#include <utility>
-
 #include "scene/clean/clean.hpp"
 #include "scene/model/topology.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
