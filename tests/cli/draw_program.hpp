@@ -1,13 +1,10 @@
 #pragma once
 /// What tests of `ligne draw` share.
 
-#include <map>
-#include <string>
-#include <vector>
-
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 

@@ -1,12 +1,8 @@
 #pragma once
 /// Files whose bytes were changed by somebody who made their checksum fit: nothing in them is to be believed.
 
-#include <gtest/gtest.h>
-
-#include <span>
-#include <string>
-
 #include "files/input_error.hpp"
+#include "support/test.hpp"
 
 namespace ligne::test {
 

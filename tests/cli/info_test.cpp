@@ -1,5 +1,9 @@
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "draw_program.hpp"
+#include "forged_files.hpp"
+#include "picture/compiled_model.hpp"
 #include "program.hpp"
 
 namespace ligne::test {
@@ -53,7 +57,7 @@ TEST_F(ProgramTest, InfoTellsWhatCullLeavesOut) {
   const json view = json::parse(culled.out)["view"];
   EXPECT_EQ(view["culled"], json::parse(R"({"faces":3,"objects":1,"kept_objects":1})"));
   EXPECT_EQ(view["edges"]["crease"], 3) << "those behind the cube are gone";
-  EXPECT_NE(culled.err.find("warning: 1 of 2 objects"), std::string::npos);
+  expect_parts(culled.err, {"warning: 1 of 2 objects"});
   EXPECT_NE(run({"info", "cube.obj", "--cull"}).out.find("3 left out, of 1 of 1 objects"), std::string::npos);
   EXPECT_FALSE(json::parse(run({"info", "cube.obj", "--json"}).out)["view"].contains("culled"));
 }
@@ -64,18 +68,17 @@ TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
   ASSERT_FALSE(methods["methods"].empty());
   const Outcome info = run({"info", "square.obj", "--stats"});
   ASSERT_EQ(info.status, 0) << info.err;
-  EXPECT_NE(info.err.find("topology"), std::string::npos);
+  expect_parts(info.err, {"topology"});
   const std::string list = run({"methods"}).out;
   int defaults = 0;
   for (const json& method : methods["methods"]) {
     const std::string name = method["name"];
-    EXPECT_NE(info.out.find("\n  " + name + " "), std::string::npos) << info.out;
-    EXPECT_NE(list.find(name), std::string::npos);
-    EXPECT_NE(list.find(method["paper"].get<std::string>()), std::string::npos);
+    expect_parts(info.out, {"\n  " + name + " "});
+    expect_parts(list, {name, method["paper"].get<std::string>()});
     defaults += method["default"].get<bool>();
   }
   EXPECT_EQ(defaults, 1);
-  EXPECT_NE(info.out.find("open: 4 border edges"), std::string::npos) << info.out;
+  expect_parts(info.out, {"open: 4 border edges"});
 }
 
 TEST_F(ProgramTest, InfoWritesFilesAndTakesSeveralModels) {
@@ -95,11 +98,11 @@ TEST_F(ProgramTest, HelpAndVersion) {
   const Outcome help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* command : {"draw", "info", "methods"}) {
-    EXPECT_NE(help.out.find(command), std::string::npos);
+    expect_parts(help.out, {command});
     const Outcome of_command = run({command, "--help"});
     EXPECT_EQ(of_command.status, 0);
     EXPECT_EQ(of_command.err, "");
-    EXPECT_NE(of_command.out.find("Example"), std::string::npos);
+    expect_parts(of_command.out, {"Example"});
   }
   const std::string draw = run({"draw", "--help"}).out;
   for (const char* option : {"--view",      "--direction",      "--eye",       "--target",     "--fov",
@@ -110,8 +113,225 @@ TEST_F(ProgramTest, HelpAndVersion) {
                              "--quiet",     "--merge-coplanar", "--title",     "--cull",       "--weld"}) {
     EXPECT_NE(draw.find(option), std::string::npos) << option;
   }
-  EXPECT_NE(draw.find("svg pdf png json"), std::string::npos);
+  expect_parts(draw, {"svg pdf png json"});
   EXPECT_EQ(run({"info", "--help"}).out.find("svg"), std::string::npos) << "info is no drawing";
+}
+
+TEST_F(ProgramTest, CompareAsJsonHasOneSchemaForAllMethods) {
+  const Outcome outcome = run({"compare", "cube.obj", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const json found = json::parse(outcome.out);
+  EXPECT_EQ(found["format"], "ligne-compare");
+  EXPECT_EQ(found["version"], 1);
+  EXPECT_EQ(found["reference"], "appel");
+  EXPECT_EQ(found["traits"]["faces"], 6);
+  EXPECT_EQ(found["auto"]["method"], "appel");
+  const json& methods = found["methods"];
+  ASSERT_GT(methods.size(), 5u);
+  for (const json& m : methods) {
+    EXPECT_TRUE(m["drawn"]) << m["name"];
+    ASSERT_EQ(m.size(), methods[0].size()) << m["name"];
+    for (const auto& [key, value] : methods[0].items()) EXPECT_TRUE(m.contains(key)) << m["name"] << " " << key;
+    for (const auto& [key, value] : methods[0]["operations"].items()) EXPECT_TRUE(m["operations"].contains(key));
+    if (m["exact"] == true) {
+      EXPECT_EQ(m["differs_mm"], 0) << m["name"];
+    }
+  }
+  ASSERT_EQ(found["differences_mm"].size(), methods.size());
+}
+
+TEST_F(ProgramTest, CompareOfSomeMethodsAsCsv) {
+  const Outcome outcome = run({"compare", "cube.obj", "--methods", "newell,warnock", "--resolution", "64", "--csv"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::vector<std::string> lines;
+  std::istringstream text(outcome.out);
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0].rfind("method,exact,drawn,note,resolution_mm,", 0), 0u);
+  // In the order of ligne methods; the option is that of warnock alone.
+  EXPECT_EQ(lines[1].rfind("warnock,no,yes,", 0), 0u) << lines[1];
+  EXPECT_EQ(lines[2].rfind("newell,yes,yes,", 0), 0u) << lines[2];
+}
+
+TEST_F(ProgramTest, ComparePageNeedsNothingElse) {
+  const Outcome outcome = run({"compare", "cube.obj", "--html", "cube.html", "-o", "table.txt"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  const std::string page = contents(file("cube.html"));
+  EXPECT_EQ(page.rfind("<!doctype html>", 0), 0u);
+  for (const char* from_outside : {"http:", "https:", "src=", "@import", "<script", "<link"}) {
+    EXPECT_EQ(page.find(from_outside), std::string::npos) << from_outside;
+  }
+  expect_parts(page, {"exact methods draw the same lines", "<svg"});
+  EXPECT_NE(contents(file("table.txt")).find("appel"), std::string::npos);
+}
+
+TEST_F(ProgramTest, CompareRefusesWhatMakesNoSense) {
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& why) {
+    arguments.insert(arguments.begin(), {"compare", "cube.obj"});
+    expect_outcome(arguments, 2, {why});
+  };
+  refused({"--methods", "magic"}, "--methods: \"magic\" is not one of auto");
+  refused({"--methods", "appel,appel"}, "--methods: \"appel\" is there twice");
+  refused({"--methods", "auto"}, "--methods: auto is one of the others");
+  refused({"--methods", "appel", "--resolution", "64"}, "--resolution: none of the methods has such an option");
+  refused({"--json", "--csv"}, "--");
+  EXPECT_EQ(new_files(), std::vector<std::string>{});
+}
+
+TEST_F(ProgramTest, StatsSayWhichRuleChose) {
+  const Outcome outcome = run({"draw", "cube.obj", "-o", "x.svg", "--stats"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  expect_parts(outcome.err, {"rule 3: any other scene"});
+}
+
+// ligne study: the names, what is refused, and the files that it writes.
+
+using StudyCommandTest = ProgramTest;
+
+TEST_F(StudyCommandTest, ListsTheExperiments) {
+  const Outcome outcome = run({"study", "--list"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  expect_parts(outcome.out, {"squares", "Boulle 2.3.3.4"});
+}
+
+TEST_F(StudyCommandTest, WritesTablesAndPlots) {
+  const Outcome outcome =
+      run({"study", "translation", "--size", "small", "--json", "t.json", "--csv", "t.csv", "--svg", "t.svg"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  expect_parts(outcome.out, {"Figure 2.56"});
+  const auto json = nlohmann::json::parse(contents(file("t.json")));
+  EXPECT_EQ(json["format"], "ligne-study");
+  EXPECT_EQ(json["size"], "small");
+  EXPECT_EQ(json["experiments"].size(), 1u);
+  EXPECT_EQ(contents(file("t.csv")).rfind("experiment,table,row,column,kind,value\n", 0), 0u);
+  const std::string svg = contents(file("t.svg"));
+  expect_parts(svg, {"<svg"});
+  expect_no_parts(svg, {"nan"});
+}
+
+TEST_F(StudyCommandTest, StandardOutputHasWhatWasAskedFor) {
+  const Outcome outcome = run({"study", "windows", "--size", "small", "--json", "-"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["experiments"][0]["name"], "windows");
+}
+
+TEST_F(StudyCommandTest, StudiesModelsBesideItsOwnScenes) {
+  const Outcome outcome = run({"study", "coherence", "cube.obj", "--size", "small"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  expect_parts(outcome.out, {"| cube | 256 |"});
+}
+
+TEST_F(StudyCommandTest, RefusesInOneLine) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"study"}, {"study", "nothing"}, {"study", "squares", "--size", "huge"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments.back();
+    EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
+  }
+  EXPECT_EQ(run({"study", "windows", "--size", "small", "--svg", "w.svg"}).status, 1) << "it has no plot";
+  EXPECT_FALSE(exists("w.svg"));
+  EXPECT_EQ(run({"study", "coherence", "none.obj"}).status, 1);
+}
+
+/// ligne compile, and ligne draw of what it writes.
+
+const std::filesystem::path kScenes = std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus";
+
+class CompileTest : public DrawTest {
+ protected:
+  std::string compiled(const std::string& model, const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> arguments{"compile", model, "-o", "model.tree", "-q"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return contents(file("model.tree"));
+  }
+  std::string svg(const std::string& model, std::vector<std::string> options) const {
+    options.insert(options.begin(), {"draw", model, "-q", "-o", "-", "--format", "svg"});
+    const Outcome outcome = run(options);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  }
+  std::string refusal(std::vector<std::string> arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
+    return outcome.err;
+  }
+};
+
+TEST_F(CompileTest, TheTreeDrawsWhatTheModelDraws) {
+  for (const char* name : {"letter_e.json", "cyclic_4.json", "plate_many_holes.json", "house.json",
+                           "three_plates_penetrating.json", "duplicate_parts.json"}) {
+    const std::string model = (kScenes / name).string();
+    for (const std::string method : {"bsp", "convex-tree"}) {
+      compiled(model, {"--method", method});
+      for (const std::vector<std::string>& view : {std::vector<std::string>{"--view", "iso"},
+                                                   {"--eye", "5,7,4", "--fov", "60"},
+                                                   {"--view", "top", "--fill", "shade"}}) {
+        std::vector<std::string> direct = view;
+        direct.insert(direct.end(), {"--method", method});
+        const std::string drawing = svg("model.tree", view);
+        EXPECT_EQ(drawing, svg(model, direct)) << name << " " << method << " " << view[1];
+        EXPECT_EQ(drawing, svg("model.tree", direct)) << name << " " << method << " " << view[1];
+      }
+      EXPECT_EQ(svg("model.tree", {"--method", "appel"}), svg(model, {"--method", "appel"})) << name;
+    }
+  }
+}
+
+TEST_F(CompileTest, IsDoneOnce) {
+  compiled("cube.obj");
+  EXPECT_NE(run({"draw", "cube.obj", "--method", "bsp", "--stats", "-o", "a.svg"}).err.find("\n  tree "), std::string::npos);
+  EXPECT_EQ(run({"draw", "model.tree", "--stats", "-o", "a.svg"}).err.find("\n  tree "), std::string::npos);
+}
+
+TEST_F(CompileTest, TheSameModelGivesTheSameBytes) {
+  const std::string model = (kScenes / "house.json").string();
+  EXPECT_EQ(compiled(model, {"--threads", "1"}), compiled(model, {"--threads", "3"}));
+  EXPECT_NE(compiled(model), compiled(model, {"--partition", "faces", "--candidates", "9"}));
+}
+
+TEST_F(CompileTest, WhatItWasCompiledWithStays) {
+  compiled("cube.obj");
+  const std::string again = "model.tree is compiled: give it to ligne compile\n";
+  EXPECT_EQ(refusal({"draw", "model.tree", "--weld", "1", "-o", "a.svg"}), "ligne: --weld: " + again);
+  EXPECT_EQ(refusal({"draw", "model.tree", "--only", "x", "-o", "a.svg"}), "ligne: --only: " + again);
+  EXPECT_EQ(refusal({"draw", "model.tree", "--candidates", "3", "-o", "a.svg"}), "ligne: --candidates: " + again);
+  EXPECT_EQ(refusal({"draw", "model.tree", "cube.obj", "-o", "a.svg"}),
+            "ligne: model.tree is compiled: it is drawn alone\n");
+  EXPECT_EQ(refusal({"compile", "model.tree", "-o", "b.tree"}), "ligne: model.tree is compiled already\n");
+  EXPECT_EQ(refusal({"compile", "cube.obj", "--method", "appel", "-o", "b.tree"}),
+            "ligne: --method: \"appel\" is not one of bsp or convex-tree\n");
+  EXPECT_EQ(refusal({"compile", "cube.obj"}), "ligne: --output: there is no output file: -o FILE\n");
+}
+
+TEST_F(CompileTest, DamagedFilesAreRefused) {
+  const std::string bytes = compiled("cube.obj");
+  const auto error_of = [&](const std::string& changed) {
+    write("changed.tree", changed);
+    return refusal({"draw", "changed.tree", "-o", "a.svg"});
+  };
+  const std::string damaged = "ligne: changed.tree: byte 12: the file was changed or cut off since it was written\n";
+  EXPECT_EQ(error_of(bytes.substr(0, bytes.size() / 2)), damaged);
+  EXPECT_EQ(error_of(bytes + "x"), damaged);
+  std::string changed = bytes;
+  changed[changed.size() / 2] ^= 4;
+  EXPECT_EQ(error_of(changed), damaged);
+  changed = bytes;
+  changed[12] = 7;
+  expect_parts(error_of(changed), {"of version 7; this program reads version 1"});
+  EXPECT_FALSE(exists("a.svg"));
+}
+
+/// Of a file that was forged nothing is believed: every byte in turn, with the checksum made to fit.
+TEST_F(CompileTest, ForgedFilesAreReadOrRefused) {
+  for (const char* method : {"bsp", "convex-tree"}) {
+    const std::string bytes = compiled((kScenes / "cyclic_4.json").string(), {"--method", method});
+    expect_forgeries_are_refused(bytes, sign_compiled_model, read_compiled_model);
+  }
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ TEST_P(AbsurdValues, AreRefusedSoonWithTheOption) {
   EXPECT_EQ(new_files(), std::vector<std::string>{});
 }
 
-Absurd draw(const char* name, std::vector<std::string> options, const std::string& start) {
+Absurd absurd_draw(const char* name, std::vector<std::string> options, const std::string& start) {
   std::vector<std::string> arguments{"draw", "cube.obj", "-o", "a.svg"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   return {name, arguments, start};
@@ -199,19 +199,22 @@ INSTANTIATE_TEST_SUITE_P(
         surface("HatchPage", {"--hatch", "plain", "--page", "99999x99999"}, "--hatch-spacing: the strokes are too close"),
         surface("HatchOfManyFaces", {"--hatch", "plain", "--hatch-spacing", "0.0005"},
                 "--hatch-spacing: the strokes are too close"),
-        draw("Page", {"--page", "1e9x1e9"}, "--page: "), draw("Dpi", {"--format", "png", "--dpi", "1e6"}, "--dpi: "),
-        draw("Pixels", {"--format", "png", "--dpi", "9600"}, "--dpi: a PNG of 79370 x 112252 pixels is too large\n"),
-        draw("PixelsOfPage", {"--format", "png", "--page", "99999x99999"}, "--dpi: a PNG of "),
-        draw("Resolution", {"--method", "warnock", "--resolution", "1000000000"}, "--resolution: "),
-        draw("Lines", {"--method", "watkins", "--lines", "1000000000"}, "--lines: "),
-        draw("HatchSpacing", {"--hatch", "plain", "--hatch-spacing", "1e-9"}, "--hatch-spacing: the strokes are too close"),
-        draw("HatchUnderPen", {"--hatch", "plain", "--hatch-spacing", "0.001"},
-             "--hatch-spacing: the strokes are too close: more than 128 under the pen\n"),
-        draw("HatchBySpans", {"--method", "watkins", "--hatch", "plain", "--hatch-spacing", "0.0001"},
-             "--hatch-spacing: the strokes are too close"),
-        draw("Threads", {"--threads", "1000000000"}, "--threads: "),
-        draw("Memory", {"--max-memory", "much"}, "--max-memory: \"much\" is neither a size, such as 500M or 2G, nor none\n"),
-        draw("MemoryNegative", {"--max-memory", "-1G"}, "--max-memory: ")),
+        absurd_draw("Page", {"--page", "1e9x1e9"}, "--page: "),
+        absurd_draw("Dpi", {"--format", "png", "--dpi", "1e6"}, "--dpi: "),
+        absurd_draw("Pixels", {"--format", "png", "--dpi", "9600"}, "--dpi: a PNG of 79370 x 112252 pixels is too large\n"),
+        absurd_draw("PixelsOfPage", {"--format", "png", "--page", "99999x99999"}, "--dpi: a PNG of "),
+        absurd_draw("Resolution", {"--method", "warnock", "--resolution", "1000000000"}, "--resolution: "),
+        absurd_draw("Lines", {"--method", "watkins", "--lines", "1000000000"}, "--lines: "),
+        absurd_draw("HatchSpacing", {"--hatch", "plain", "--hatch-spacing", "1e-9"},
+                    "--hatch-spacing: the strokes are too close"),
+        absurd_draw("HatchUnderPen", {"--hatch", "plain", "--hatch-spacing", "0.001"},
+                    "--hatch-spacing: the strokes are too close: more than 128 under the pen\n"),
+        absurd_draw("HatchBySpans", {"--method", "watkins", "--hatch", "plain", "--hatch-spacing", "0.0001"},
+                    "--hatch-spacing: the strokes are too close"),
+        absurd_draw("Threads", {"--threads", "1000000000"}, "--threads: "),
+        absurd_draw("Memory", {"--max-memory", "much"},
+                    "--max-memory: \"much\" is neither a size, such as 500M or 2G, nor none\n"),
+        absurd_draw("MemoryNegative", {"--max-memory", "-1G"}, "--max-memory: ")),
     [](const auto& info) { return std::string(info.param.arguments[0]) + info.param.name; });
 
 }  // namespace

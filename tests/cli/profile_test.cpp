@@ -1,11 +1,7 @@
 /// Profiles and widths of `ligne draw`.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
-
 #include "draw_program.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {
@@ -74,9 +70,8 @@ TEST_F(ProfileTest, IsDrawnWhereItIsAskedFor) {
   const std::map<std::string, int> only{{"profile", 6}};
   EXPECT_EQ(strokes_by_class(drawn({cube, "--edges", "profile"})), only);
   EXPECT_EQ(strokes_by_class(drawn({cube, "--edges", "profile", "--hidden", "solid"})), only);
-  const Outcome wrong = run({"draw", cube, "--profile", "all", "-o", "x.svg"});
-  EXPECT_EQ(wrong.status, 2);
-  EXPECT_EQ(wrong.err, "ligne: --profile: \"all\" is not one of off, sheet or parts\n");
+  expect_error({"draw", cube, "--profile", "all", "-o", "x.svg"}, 2,
+               "ligne: --profile: \"all\" is not one of off, sheet or parts\n");
 }
 
 TEST_F(ProfileTest, ChangesExactlyWhereAnotherPartBegins) {
@@ -220,7 +215,7 @@ TEST_F(ProfileTest, IsALayerInEveryFormat) {
     const Outcome plotted =
         run({"plot", from, "--pen", "profile=2,red,0.7", "--pen", "rest=1", "-o", "-", "--format", "hpgl"});
     EXPECT_EQ(plotted.status, 0) << plotted.err;
-    EXPECT_NE(plotted.out.find("SP2;"), std::string::npos);
+    expect_parts(plotted.out, {"SP2;"});
     const Outcome again = run({"plot", from, "--optimize", "off", "-o", "-", "--format", "svg"});
     EXPECT_NE(again.out.find("id=\"profile\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.49\""), std::string::npos)
         << from;
@@ -243,9 +238,8 @@ TEST_F(ProfileTest, WidthsByClass) {
   const std::string chosen = svg({"--width", "profile=1,crease=0.05cm"});
   EXPECT_TRUE(has(chosen, "profile", "1") && has(chosen, "crease", "0.5"));
   const std::string dashed = svg({"--hidden", "dashed", "--width", "hidden=0.1", "--width", "profile=2pt"});
-  EXPECT_NE(
-      dashed.find("stroke-width=\"0.1\" stroke-linecap=\"butt\" stroke-linejoin=\"round\" stroke-dasharray=\"1.2 0.3\""),
-      std::string::npos);
+  expect_parts(dashed,
+               {"stroke-width=\"0.1\" stroke-linecap=\"butt\" stroke-linejoin=\"round\" stroke-dasharray=\"1.2 0.3\""});
   EXPECT_TRUE(has(dashed, "profile", "0.705556"));
   for (const char* wrong : {"profiles=1", "profile", "profile=", "profile=0", "=1", "profile=1,"}) {
     const Outcome outcome = run({"draw", kCorpus + "cube.json", "--width", wrong, "-o", "x.svg"});

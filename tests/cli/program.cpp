@@ -5,13 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <fstream>
-#include <iostream>
-#include <iterator>
-
 #include "cli/command_line.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {
@@ -174,6 +169,21 @@ void ProgramTest::SetUp() {
 }
 
 void ProgramTest::TearDown() { std::filesystem::remove_all(folder_); }
+
+void ProgramTest::expect_outcome(const std::vector<std::string>& arguments, int status,
+                                 std::initializer_list<std::string_view> parts) const {
+  SCOPED_TRACE(testing::PrintToString(arguments));
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.status, status) << outcome.err;
+  expect_parts(outcome.err, parts);
+}
+
+void ProgramTest::expect_error(const std::vector<std::string>& arguments, int status, const std::string& error) const {
+  SCOPED_TRACE(testing::PrintToString(arguments));
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.status, status) << outcome.err;
+  EXPECT_EQ(outcome.err, error);
+}
 
 void ProgramTest::write(const std::string& name, std::string_view text) const {
   std::ofstream(folder_ / name, std::ios::binary) << text;

@@ -1,12 +1,7 @@
 #pragma once
 /// Runs the command in a folder of its own: in this process, or as a program where processes matter.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "support/test.hpp"
 
 namespace ligne::test {
 
@@ -40,6 +35,10 @@ class ProgramTest : public testing::Test {
   void TearDown() override;
 
   Outcome run(const std::vector<std::string>& arguments) const { return run_ligne(folder_, arguments); }
+  /// Runs, and looks at the status and at parts of what stands on standard error; or at all of that.
+  void expect_outcome(const std::vector<std::string>& arguments, int status,
+                      std::initializer_list<std::string_view> parts) const;
+  void expect_error(const std::vector<std::string>& arguments, int status, const std::string& error) const;
   void write(const std::string& name, std::string_view text) const;
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   bool exists(const std::string& name) const { return std::filesystem::exists(file(name)); }

@@ -1,14 +1,8 @@
 /// --stream: a model of which a part is in memory gives the drawing of the whole, byte by byte.
 
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstring>
-#include <functional>
-#include <random>
-
 #include "draw_program.hpp"
 #include "main/tier.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {
@@ -264,7 +258,7 @@ TEST_F(StreamTest, RefusesWhatItCanNotDraw) {
     options.insert(options.end(), {"--stream", "on", "-o", "a.svg"});
     const Outcome outcome = run(options);
     EXPECT_EQ(outcome.status, status);
-    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    expect_parts(outcome.err, {why});
     EXPECT_EQ(outcome.error_lines(), 1u);
     EXPECT_FALSE(exists("a.svg"));
   };

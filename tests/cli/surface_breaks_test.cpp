@@ -168,7 +168,7 @@ TEST_F(SurfaceBreaksTest, PolesAreCut) {
   for (const char* formula : {"1/x", "1/(x^2+y^2)", "1/(x-0.7)^2", "tan(x)", "1/sin(x*y)", "log(x)", "x/(x^2-y)"}) {
     const Outcome outcome = surface({formula}, {"-o", "a.svg"});
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(outcome.err.find(std::string(formula) + " has poles: cut to"), std::string::npos) << outcome.err;
+    expect_parts(outcome.err, {std::string(formula) + " has poles: cut to"});
   }
   for (const char* formula : {"exp(3*x)", "x^5", "sqrt(x)", "floor(3*x)", "sin(r)/r", "100*exp(-99*r)", "cosh(x*y)"}) {
     EXPECT_EQ(surface({formula}, {"-o", "a.svg"}).err, "") << formula;

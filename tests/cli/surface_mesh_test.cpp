@@ -194,8 +194,7 @@ TEST_F(SurfaceMeshTest, HatchedSurfaces) {
   };
   const Outcome plain = hatched({});
   EXPECT_EQ(plain.status, 0) << plain.err;
-  EXPECT_NE(plain.out.find("id=\"hatch\""), std::string::npos);
-  EXPECT_NE(plain.out.find("id=\"horizon\""), std::string::npos);
+  expect_parts(plain.out, {"id=\"hatch\"", "id=\"horizon\""});
   EXPECT_EQ(hatched({"--lines", "none"}).out.find("id=\"horizon\""), std::string::npos);
   EXPECT_EQ(
       hatched({"--method", "horizon"})

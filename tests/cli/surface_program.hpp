@@ -1,14 +1,10 @@
 #pragma once
 /// Runs `ligne surface` and measures what it draws.
 
-#include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "program.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 

@@ -39,7 +39,7 @@ class SurfaceTest : public ProgramTest {
 
 TEST_F(SurfaceTest, DrawsAFormulaInTheLayerHorizon) {
   const std::string text = svg({"x*y", "-x", "0:1:5", "-y", "0:1:7"});
-  EXPECT_NE(text.find("id=\"horizon\""), std::string::npos);
+  expect_parts(text, {"id=\"horizon\""});
 }
 
 TEST_F(SurfaceTest, NumbersOfCurves) {
@@ -122,8 +122,7 @@ TEST_F(SurfaceTest, AxesAreLayersOfTheirOwn) {
     return svg(more);
   };
   const std::string text = with({"--axes"});
-  EXPECT_NE(text.find("id=\"axes\""), std::string::npos);
-  EXPECT_NE(text.find("id=\"text\""), std::string::npos);
+  expect_parts(text, {"id=\"axes\"", "id=\"text\""});
   for (const char* label :
        {">a &lt; b</text>", ">east</text>", ">y</text>", ">z</text>", ">\u22124</text>", ">0.8</text>"}) {
     EXPECT_EQ(count_of(text, label), label == std::string(">\u22124</text>") ? 2u : 1u) << label;
