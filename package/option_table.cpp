@@ -39,7 +39,7 @@ const std::map<std::string, Words, std::less<>>& words_by_name() {
         {"--progress", {"auto", "always", "never"}},
         {"--page", {"A0", "A1", "A2", "A3", "A4", "A5", "A6", "letter", "legal", "tabloid"}},
         {"--unit", {"mm", "cm", "m", "in"}},
-        {"--edges", {"feature", "all", "shadow", "profile", "suggestive", "ridge", "valley", "detail"}},
+        {"--edges", {"feature", "all", "shadow", "profile", "tangent", "suggestive", "ridge", "valley", "detail"}},
         {"--weld", {"auto", "off"}},
         {"--method", {"auto"}},
         {"--axes", {"back", "grid", "box", "base"}}};

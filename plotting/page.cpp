@@ -33,11 +33,11 @@ struct LayerPen {
   std::string_view layer;
   double width;  ///< of the pen width
 };
-constexpr LayerPen kLayerPens[] = {{"profile", 1.4},       {"intersection", 0.7}, {"crease", 0.7}, {"mesh", 0.5},
-                                   {"contour-index", 1.7}, {"curve", 2},          {"points", 1.4}, {"water", 0.5},
-                                   {"hidden", 0.5},        {"axes", 0.7},         {"text", 0.7},   {"debug", 0.5},
-                                   {"hatch", 0.5},         {"behind-glass", 0.5}, {"shadow", 0.5}, {"suggestive", 0.7},
-                                   {"ridge", 0.7},         {"valley", 0.7},       {"detail", 0.5}};
+constexpr LayerPen kLayerPens[] = {{"profile", 1.4},    {"intersection", 0.7},  {"crease", 0.7},       {"tangent", 0.5},
+                                   {"mesh", 0.5},       {"contour-index", 1.7}, {"curve", 2},          {"points", 1.4},
+                                   {"water", 0.5},      {"hidden", 0.5},        {"axes", 0.7},         {"text", 0.7},
+                                   {"debug", 0.5},      {"hatch", 0.5},         {"behind-glass", 0.5}, {"shadow", 0.5},
+                                   {"suggestive", 0.7}, {"ridge", 0.7},         {"valley", 0.7},       {"detail", 0.5}};
 constexpr std::array<double, 3> kDebugColor{0.8, 0, 0}, kTransparentColor{0.5, 0.5, 0.5};
 
 /// A number and the unit behind it, which may be empty.

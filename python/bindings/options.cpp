@@ -69,7 +69,11 @@ const std::map<std::string, Setter, std::less<>>& setters() {
          o.picture.lines.classes = parse_edges(text_of(name, value));
        }},
       {"profile", text(parse_profile, LIGNE_FIELD(picture.lines.profile))},
-      {"crease", text(parse_crease, LIGNE_FIELD(picture.lines.crease_degrees))},
+      {"crease", [](Options& o, const std::string& name, py::handle value) {
+         o.picture.lines.crease_degrees = parse_crease(text_of(name, value));
+         o.picture.lines.surface_crease_degrees = o.picture.lines.crease_degrees;
+       }},
+      {"tangent", text(parse_tangent, LIGNE_FIELD(picture.lines.tangent))},
       {"min-length", text(parse_min_length, LIGNE_FIELD(picture.lines.least_mm))},
       {"hidden", text(parse_hidden, LIGNE_FIELD(picture.lines.hidden))},
       {"quality", text(parse_quality, LIGNE_FIELD(picture.lines.quality))},

@@ -75,7 +75,7 @@ class Drawing:
     @cached_property
     def kind(self) -> np.ndarray:
         """(n,) of text: the class of each stroke: outline, border, intersection, crease, mesh, shadow, profile,
-        suggestive, ridge, valley, detail, ..."""
+        tangent, suggestive, ridge, valley, detail, ..."""
         return _KINDS[self._arrays["kind"]]
 
     @property
@@ -223,7 +223,8 @@ def draw(
     up_axis: Optional[str] = None,
     method: str = "auto",
     edges: Union[str, Sequence[str], None] = None,
-    crease: float = 30,
+    crease: Optional[float] = None,
+    tangent: str = "auto",
     hidden: str = "none",
     quality: Optional[str] = None,
     cull: bool = False,

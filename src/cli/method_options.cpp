@@ -52,10 +52,19 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice,
   group
       .add(
           "--edges", "LIST", request.classes, parse_given_edges,
-          "of outline,crease,border,intersection,mesh,shadow,profile,suggestive,ridge,valley,detail; feature: the first four; all: all of the model")
+          "line classes to draw, comma-separated: outline,crease,border,intersection,tangent,mesh,shadow,profile,suggestive,ridge,valley,detail; feature: the first five; all: the first six")
       .standard("feature");
-  group.add("--crease", "DEG", request.crease_degrees, parse_crease, "angle between normals above which an edge is a crease")
-      .standard("30");
+  const auto parse_both_creases = [&request](const std::string& text) {
+    return request.surface_crease_degrees = parse_crease(text);
+  };
+  group
+      .add("--crease", "DEG", request.crease_degrees, parse_both_creases,
+           "angle between normals above which an edge is a crease")
+      .standard("30 between faces, 10 between surfaces that a mesh stands for");
+  group
+      .add("--tangent", "HOW", request.tangent, parse_tangent,
+           "surfaces that run into each other: auto (the middle of narrow fillets) borders middles")
+      .standard("auto");
   group.add("--min-length", "LEN", request.least_mm, parse_min_length, "leave out visible bits of lines that are shorter")
       .standard("1.5 pens; 0 for exact lines");
   group.add("--hidden", "HOW", request.hidden, parse_hidden, "hidden lines in a layer of their own: none dashed solid")

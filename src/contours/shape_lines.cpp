@@ -9,6 +9,8 @@ namespace ligne {
 namespace {
 
 // Adjustable.
+/// Visible parts of tangent lines are left out where they are shorter, in widths of the pen.
+constexpr double kShortestTangentInPens = 3;
 /// Points of a line are moved towards their neighbours so many times: it was cut from triangles, and zigzags.
 constexpr int kEvenings = 8;
 /// Shorter changes of what is seen are none, and shorter visible parts are left out, in widths of the pen.
@@ -46,10 +48,9 @@ bool has_shape_lines(LineClasses classes) {
   return std::ranges::any_of(kShapeClasses, [&](LineClass c) { return classes.has(c); });
 }
 
-ShapeLines add_shape_lines(const Scene& scene, const Topology& topology, ProjectedScene& projected, LineClasses classes,
-                           const ContourOptions& options) {
+ShapeLines add_shape_lines(ProjectedScene& projected, std::vector<ShapeLine> lines) {
   ShapeLines found;
-  found.lines = find_shape_lines(scene, topology, projected.view, classes, options);
+  found.lines = std::move(lines);
   std::vector<std::array<Point3, 2>> segments;
   for (const ShapeLine& line : found.lines) {
     found.first_source.push_back(projected.source_count);
@@ -72,10 +73,12 @@ void draw_shape_lines(StrokeModel& model, const View& view, const ShapeLines& li
   parallel_blocks(n, kLinesPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const ShapeLine& line = lines.lines[i];
-      curves[i] = smooth_curve(view, evened_points(line), line.closed, kCurveFlatnessMm);
+      const bool is_tangent = line.line_class == LineClass::tangent;
+      curves[i] = smooth_curve(view, is_tangent ? line.points : evened_points(line), line.closed, kCurveFlatnessMm);
       runs[i] = runs_of(strokes, lines.first_source[i], line.size(), hidden_too);
       drop_short_runs(runs[i], curves[i], kShortestChangeInPens * options.pen_width_mm);
-      hide_short_runs(runs[i], curves[i], kShortestSeenInPens * options.pen_width_mm);
+      const double shortest = is_tangent ? kShortestTangentInPens : kShortestSeenInPens;
+      hide_short_runs(runs[i], curves[i], shortest * options.pen_width_mm);
     }
   });
   CurveWriter writer(model, view, hidden_too, 0);

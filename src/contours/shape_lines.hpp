@@ -34,12 +34,12 @@ bool has_shape_lines(LineClasses classes);
 std::vector<ShapeLine> find_shape_lines(const Scene& scene, const Topology& topology, const View& view, LineClasses classes,
                                         const ContourOptions& options);
 
-/// Finds them, and adds candidates at which their visibility is studied, with sources from `source_count` on.
-ShapeLines add_shape_lines(const Scene& scene, const Topology& topology, ProjectedScene& projected, LineClasses classes,
-                           const ContourOptions& options);
+/// Adds candidates at which the visibility of lines is studied, with sources from `source_count` on.
+ShapeLines add_shape_lines(ProjectedScene& projected, std::vector<ShapeLine> lines);
 
 /// Replaces the strokes of those candidates by strokes of the lines as smooth curves, with sources of their own behind the
-/// intersections. What is seen of a line in pieces too short to tell anything is left out. `hidden_too`: as in the study.
+/// intersections. What is seen of a line in pieces too short to tell anything is left out. Tangent lines are not evened.
+/// `hidden_too`: as in the study.
 void draw_shape_lines(StrokeModel& model, const View& view, const ShapeLines& lines, bool hidden_too,
                       const ContourOptions& options);
 

@@ -11,6 +11,7 @@
 #include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
 #include "geometry/unwritten.hpp"
+#include "scene/creases/crease_lines.hpp"
 #include "view/edge_classes.hpp"
 
 namespace ligne {
@@ -88,7 +89,7 @@ class CreaseMarks {
     const auto end = edges_.begin() + static_cast<std::ptrdiff_t>(std::min(last + 1, edges_.size()));
     const auto found = std::partition_point(first, end, [&](const Edge& e) { return before(e, low, high); });
     at_ = static_cast<std::size_t>(found - edges_.begin());
-    return at_ < edges_.size() && edges_[at_].v0 == low && edges_[at_].v1 == high && (*creases_)[at_] != 0;
+    return at_ < edges_.size() && edges_[at_].v0 == low && edges_[at_].v1 == high && (*creases_)[at_] == kCreaseLine;
   }
 
  private:
@@ -109,7 +110,7 @@ double cosine(const RegionBorders& borders, double times) {
 /// `least_cosine`: of the angle between two faces of one region.
 bool is_border(const Scene& scene, const Topology& topology, const RegionBorders& borders, double least_cosine,
                std::uint32_t e) {
-  if (borders.creases && (*borders.creases)[e]) return true;
+  if (borders.creases && (*borders.creases)[e] == kCreaseLine) return true;
   if (topology.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound)) return true;
   const Edge& edge = topology.edges[e];
   const auto is_triangle = [&](std::uint32_t f) {

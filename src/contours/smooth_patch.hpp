@@ -54,8 +54,8 @@ Point3 to_eye(const Camera& camera, const Point3& p);
 /// Where smooth regions end.
 struct RegionBorders {
   double crease_degrees = 30;
-  /// Per edge of the topology: 1 where a region ends; it also ends where the normals of the triangles differ by more than
-  /// twice the crease angle. Null: where they differ by more than the crease angle.
+  /// Per edge of the topology: kCreaseLine where a region ends; it also ends where the normals of the triangles differ by
+  /// more than twice the crease angle. Null: where they differ by more than the crease angle.
   const std::vector<std::uint8_t>* creases = nullptr;
 };
 

@@ -16,6 +16,7 @@ enum class LineClass : std::uint8_t {
   border,        ///< one face
   intersection,  ///< of two penetrating faces
   crease,        ///< normals differ by more than the crease angle, or more than two faces
+  tangent,       ///< surfaces that the mesh stands for run into each other (scene/patches); in clear lines only
   mesh,          ///< all others
   curve,         ///< curve in space, of no face (add_lines in view/projected_scene.hpp)
   contour,       ///< contour line of a surface, whatever its faces (kCornerContour in scene/scene.hpp)
@@ -28,12 +29,12 @@ enum class LineClass : std::uint8_t {
   detail,        ///< contour of a detail on a face; no edge of the scene
   profile,       ///< part of a line of one of the first classes behind which an object ends; decided when all else is
 };
-inline constexpr std::size_t kLineClassCount = 15;
+inline constexpr std::size_t kLineClassCount = 16;
 /// The first classes are those of the scene's edges.
-inline constexpr std::size_t kEdgeClassCount = 5;
+inline constexpr std::size_t kEdgeClassCount = 6;
 inline constexpr std::array<std::string_view, kLineClassCount> kLineClassNames{
-    "outline", "border", "intersection", "crease", "mesh",   "curve",  "contour", "horizon",
-    "axes",    "shadow", "suggestive",   "ridge",  "valley", "detail", "profile"};
+    "outline", "border", "intersection", "crease",     "tangent", "mesh",   "curve",  "contour",
+    "horizon", "axes",   "shadow",       "suggestive", "ridge",   "valley", "detail", "profile"};
 
 /// A set of classes.
 struct LineClasses {
@@ -41,8 +42,8 @@ struct LineClasses {
   bool has(LineClass c) const { return (bits >> static_cast<unsigned>(c)) & 1u; }
   void add(LineClass c) { bits = static_cast<std::uint16_t>(bits | (1u << static_cast<unsigned>(c))); }
 
-  /// What is drawn when nothing is said: outlines, borders, intersections and creases.
-  static LineClasses features() { return {0b1111}; }
+  /// The classes that are drawn by default: outlines, borders, intersections, creases and tangent lines.
+  static LineClasses features() { return {0b11111}; }
 };
 
 /// A straight piece of one source edge, visible or hidden as a whole.

@@ -89,13 +89,20 @@ inline constexpr std::string_view kQualityNames[] = {"clear", "exact"};
 enum class ProfileKind : std::uint8_t { off, sheet, parts };
 inline constexpr std::string_view kProfileNames[] = {"off", "sheet", "parts"};
 
+/// How surfaces that run into each other are shown: by one line along the middle of a narrow fillet and lines along the
+/// borders of wide ones, always by borders, or by the middles of all fillets.
+enum class TangentLines : std::uint8_t { automatic, borders, middles };
+inline constexpr std::string_view kTangentNames[] = {"auto", "borders", "middles"};
+
 /// Which lines are drawn, and how they are found.
 struct LineRequest {
   const Method* method = nullptr;  ///< nullptr: the default method, for regions the first that gives them
   MethodSettings settings;         ///< of the method's own parameters
   LineClasses classes = LineClasses::features();
   std::optional<ProfileKind> profile{};  ///< nothing: against the sheet when the classes name profiles
-  double crease_degrees = 30;
+  double crease_degrees = 30;            ///< between faces
+  double surface_crease_degrees = 10;    ///< of clear lines, between surfaces that meshes stand for (scene/patches)
+  TangentLines tangent = TangentLines::automatic;
   HiddenLines hidden = HiddenLines::none;
   bool cull = false;  ///< leave out back faces of closed, consistently wound objects
   Quality quality = Quality::clear;

@@ -44,7 +44,7 @@ bool draws_contours(const LineRequest& lines) {
 
 /// Clear lines draw the outlines of smooth regions as contours of the shape; their borders are the creases that were found.
 ContourOptions contour_options(const PictureRequest& request, const Creases& creases) {
-  return {{request.lines.crease_degrees, creases.is_crease.empty() ? nullptr : &creases.is_crease},
+  return {{request.lines.crease_degrees, creases.lines.empty() ? nullptr : &creases.lines},
           creases.scans,
           request.page.pen_width_mm};
 }
@@ -220,14 +220,17 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
     prepared.around =
         place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
     Creases creases;
-    prepared.projected =
-        select_candidates(scene, prepared.topology, prepared.view(),
-                          select_edges(scene, prepared.topology, request.lines, request.lines.studied(), creases, run));
+    const EdgeSelection selection =
+        select_edges(scene, prepared.topology, request.lines, request.lines.studied(), creases, run);
+    std::vector<ShapeLine> shape_lines = choose_tangent_lines(scene, prepared.topology, request, prepared.view(), creases);
+    prepared.projected = select_candidates(scene, prepared.topology, prepared.view(), selection);
     prepared.contours = place_with_contours(prepared, creases, run);
     if (has_shape_lines(request.lines.classes)) {
-      prepared.shape_lines = add_shape_lines(scene, prepared.topology, prepared.projected, request.lines.classes,
-                                             contour_options(request, creases));
+      const std::vector<ShapeLine> more = find_shape_lines(scene, prepared.topology, prepared.view(), request.lines.classes,
+                                                           contour_options(request, creases));
+      shape_lines.insert(shape_lines.end(), more.begin(), more.end());
     }
+    if (!shape_lines.empty()) prepared.shape_lines = add_shape_lines(prepared.projected, std::move(shape_lines));
     prepared.scans = std::move(creases.scans);
     prepared.object_edge_ends = edge_ends_of_objects(scene, prepared.topology);
     if (request.groups) {

@@ -118,13 +118,14 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
         result = LineClass::border;
       } else if (flags & kEdgeManyFaces) {
         // Of its faces two are known, which depend on the order of the file: no outline can be told from them.
-        result = !creases || (*creases)[e] ? LineClass::crease : LineClass::mesh;
+        result = !creases || (*creases)[e] == kCreaseLine ? LineClass::crease : LineClass::mesh;
       } else {
         const int turn = flags & kEdgeUnlikeWound ? -1 : 1;
         if (sides.facing[edge.face0] != sides.facing[edge.face1] * turn) {
           result = LineClass::outline;
         } else if (creases) {
-          result = (*creases)[e] ? LineClass::crease : LineClass::mesh;
+          const std::uint8_t line = (*creases)[e];
+          result = line == kCreaseLine ? LineClass::crease : line == kTangentLine ? LineClass::tangent : LineClass::mesh;
         } else if (flags & (kEdgeFileHidden | kEdgeInner)) {
           result = LineClass::mesh;
         } else {

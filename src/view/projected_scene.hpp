@@ -33,7 +33,7 @@ inline constexpr std::uint8_t kClearFace = 2;
 struct EdgeSelection {
   LineClasses classes;
   double crease_degrees = 30;
-  const std::vector<std::uint8_t>* creases = nullptr;  ///< per edge; nullptr: by the angle, see classify_edges()
+  const std::vector<std::uint8_t>* creases = nullptr;  ///< per edge kCreaseLine, kTangentLine or 0; nullptr: by the angle
 };
 
 /// The scene as the camera sees it. Vertices are numbered along a Morton curve over the page, whatever their numbers in the

@@ -71,13 +71,13 @@ TEST(ParseEdges, ListsAndGroups) {
   EXPECT_THROW(parse_edges("horizon"), std::invalid_argument) << "the curves of surfaces are no edges of models";
   EXPECT_FALSE(parse_edges("all").has(LineClass::horizon));
   EXPECT_FALSE(some.has(LineClass::crease) || some.has(LineClass::border) || some.has(LineClass::intersection));
-  EXPECT_EQ(parse_edges("feature").bits, parse_edges("outline,crease,border,intersection").bits);
+  EXPECT_EQ(parse_edges("feature").bits, parse_edges("outline,crease,border,intersection,tangent").bits);
   EXPECT_EQ(parse_edges("all").bits, parse_edges("feature,mesh").bits);
   EXPECT_TRUE(parse_edges("all,shadow").has(LineClass::shadow));
   EXPECT_FALSE(parse_edges("all").has(LineClass::shadow)) << "borders of shadows are no edges of models";
   EXPECT_EQ(
       complaint([] { parse_edges("outline,edges"); }),
-      "\"edges\" is not one of outline, border, intersection, crease, mesh, profile, shadow, suggestive, ridge, valley, "
+      "\"edges\" is not one of outline, border, intersection, crease, tangent, mesh, profile, shadow, suggestive, ridge, valley, "
       "detail, feature or all");
   EXPECT_NE(complaint([] { parse_edges(""); }), "");
   EXPECT_NE(complaint([] { parse_edges("outline,"); }), "");

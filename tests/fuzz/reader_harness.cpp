@@ -198,8 +198,8 @@ void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
       Topology topology = build_topology(scene);
       heal(scene, topology, {});
       check_scene(scene);
-      const Creases creases = find_creases(scene, topology, 30);
-      need(creases.is_crease.size() == topology.edges.size(), "the topology is that of the healed scene");
+      const Creases creases = find_creases(scene, topology, {});
+      need(creases.lines.size() == topology.edges.size(), "the topology is that of the healed scene");
     } catch (const InputError& error) {
       need_one_line(error);
     }

@@ -18,13 +18,13 @@ struct Found {
   Scene scene;
   Topology topology;
   Creases creases;
-  std::size_t count() const { return std::accumulate(creases.is_crease.begin(), creases.is_crease.end(), std::size_t{0}); }
+  std::size_t count() const { return std::accumulate(creases.lines.begin(), creases.lines.end(), std::size_t{0}); }
 };
 
 Found find(Scene scene, double degrees = 30) {
   Found found{std::move(scene), {}, {}};
   found.topology = build_topology(found.scene);
-  found.creases = find_creases(found.scene, found.topology, degrees);
+  found.creases = find_creases(found.scene, found.topology, {degrees});
   return found;
 }
 
@@ -344,8 +344,8 @@ TEST(Creases, ARidgeOfAScanIsOneLineWithoutTeeth) {
     }
     EXPECT_GT(teeth(found, by_angle).first, 15u) << turned;
     EXPECT_GT(teeth(found, by_angle).second, 30u) << turned;
-    EXPECT_EQ(teeth(found, found.creases.is_crease).first, 0u) << turned;
-    EXPECT_EQ(teeth(found, found.creases.is_crease).second, 0u) << turned;
+    EXPECT_EQ(teeth(found, found.creases.lines).first, 0u) << turned;
+    EXPECT_EQ(teeth(found, found.creases.lines).second, 0u) << turned;
     EXPECT_GT(found.creases.untraced, 30u) << turned;
     // No more edges than a line is long; and where the triangles let it be straight, there is one.
     EXPECT_LT(found.count(), 60u) << turned;
@@ -353,7 +353,7 @@ TEST(Creases, ARidgeOfAScanIsOneLineWithoutTeeth) {
       EXPECT_GT(found.count(), 15u);
     }
     for (std::size_t e = 0; e < found.topology.edges.size(); ++e) {
-      if (!found.creases.is_crease[e]) continue;
+      if (!found.creases.lines[e]) continue;
       const Point3 v = found.scene.vertices[found.topology.edges[e].v0];
       EXPECT_LT(std::abs(v.x * std::cos(turned) + v.y * std::sin(turned)), 1.5) << turned;
     }

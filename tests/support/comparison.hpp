@@ -15,6 +15,9 @@ inline constexpr double kTwiceMm = 0.002;
 using oracle::Answer;
 using oracle::EdgeClass;
 
+/// The class of a drawing for one of the oracle, which knows no tangent lines.
+inline LineClass drawn_class(EdgeClass c) { return c == EdgeClass::mesh ? LineClass::mesh : static_cast<LineClass>(c); }
+
 /// A candidate line, with what the oracle says of it.
 struct Candidate {
   bool intersection = false;
@@ -116,7 +119,7 @@ class Comparison {
     against_hidden(s, *candidate);
     const EdgeClass expected = candidate->line_class;
     if (expected == EdgeClass::undecided) return;
-    if (static_cast<int>(expected) != static_cast<int>(s.stroke->line_class)) {
+    if (drawn_class(expected) != s.stroke->line_class) {
       add(verdict_.wrong_class, s.segment, candidate->words + " drawn as " + std::string(name_of(*s.stroke)));
     } else if (!wanted(*candidate)) {
       add(verdict_.wrong_class, s.segment,
@@ -148,7 +151,7 @@ class Comparison {
       // A line may give way to one of higher precedence, never to one of lower.
       const auto of_rank = [&](const Stroke& s) {
         return s.visible &&
-               (c.line_class == EdgeClass::undecided || static_cast<int>(s.line_class) <= static_cast<int>(c.line_class));
+               (c.line_class == EdgeClass::undecided || s.line_class <= drawn_class(c.line_class));
       };
       for (const oracle::Interval& i : c.intervals) {
         if (i.answer != Answer::visible) continue;

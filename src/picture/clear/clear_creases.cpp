@@ -1,29 +1,79 @@
 #include "picture/clear/clear_creases.hpp"
 
-#include "contours/shape_lines.hpp"
+#include <limits>
+
+#include "geometry/parallel.hpp"
+#include "scene/patches/fillets.hpp"
 
 namespace ligne {
 
-bool asks_for_creases(LineClasses classes) { return classes.has(LineClass::crease) || has_shape_lines(classes); }
+namespace {
+
+/// Adjustable: fillets that are narrower on the page, in widths of the pen, are drawn by one line: two lines so near to each
+/// other look like one that is too thick. Taste.
+constexpr double kNarrowFilletInPens = 8;
+
+double widest_fillet(const PictureRequest& request, const View& view) {
+  switch (request.lines.tangent) {
+    case TangentLines::borders:
+      return 0;
+    case TangentLines::middles:
+      return std::numeric_limits<double>::infinity();
+    case TangentLines::automatic:
+      break;
+  }
+  return kNarrowFilletInPens * request.page.pen_width_mm / view.scale;
+}
+
+}  // namespace
+
+bool asks_for_creases(LineClasses classes) {
+  return classes.has(LineClass::crease) || classes.has(LineClass::tangent) || has_shape_lines(classes);
+}
 
 EdgeSelection select_edges(const Scene& scene, const Topology& topology, const LineRequest& request, LineClasses classes,
                            Creases& creases, RunReport& run) {
   EdgeSelection selection{classes, request.crease_degrees};
   if (request.quality == Quality::exact || !asks_for_creases(classes)) return selection;
-  creases = find_creases(scene, topology, request.crease_degrees);
+  creases = find_creases(scene, topology, {request.crease_degrees, request.surface_crease_degrees});
   const auto count = [&](const char* name, std::size_t n) {
     if (n > 0) run.clear.count(name, n);
   };
   count("creases smooth by the file", creases.smooth_by_file);
   count("creases sharp by the file", creases.sharp_by_file);
+  count("creases inside a surface", creases.inside_surfaces);
+  count("creases between surfaces", creases.between_surfaces);
   count("creases on no clean line", creases.untraced);
   count("creases traced", creases.traced);
   count("creases continued", creases.continued);
   count("creases standing out", creases.spurs);
   count("creases too short", creases.short_chains);
   count("creases of straight sheets", creases.straight_sheets);
-  selection.creases = &creases.is_crease;
+  selection.creases = &creases.lines;
   return selection;
+}
+
+std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& topology, const PictureRequest& request,
+                                            const View& view, Creases& creases) {
+  if (creases.patches.list.empty() || !request.lines.classes.has(LineClass::tangent)) return {};
+  const Patches& patches = creases.patches;
+  FilletMiddles fillets = fillet_middles(scene, topology, patches, creases.patch_edges, widest_fillet(request, view));
+  const auto is_fillet = [&](std::uint32_t face) {
+    const std::uint32_t patch = patches.patch_of[face];
+    return patch != kNone && fillets.is_fillet[patch];
+  };
+  parallel_blocks(creases.lines.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      if (creases.patch_edges[e] != PatchEdge::tangent) continue;
+      const Edge& edge = topology.edges[e];
+      if (!is_fillet(edge.face0) && !is_fillet(edge.face1)) creases.lines[e] = kTangentLine;
+    }
+  });
+  std::vector<ShapeLine> lines;
+  for (FaceLine& line : fillets.lines) {
+    lines.push_back({LineClass::tangent, std::move(line.points), std::move(line.faces), line.closed});
+  }
+  return lines;
 }
 
 }  // namespace ligne

@@ -1,6 +1,7 @@
 #pragma once
 /// The creases of clear lines.
 
+#include "contours/shape_lines.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "scene/creases/find_creases.hpp"
@@ -17,5 +18,10 @@ bool asks_for_creases(LineClasses classes);
 /// `creases`, which must outlive the selection. What clear lines change is counted in `run`.
 EdgeSelection select_edges(const Scene& scene, const Topology& topology, const LineRequest& request, LineClasses classes,
                            Creases& creases, RunReport& run);
+
+/// Marks the borders between surfaces that run into each other in `creases`, where they are drawn (LineRequest::tangent).
+/// Returns the lines along the middle of fillets that are drawn in place of theirs.
+std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& topology, const PictureRequest& request,
+                                            const View& view, Creases& creases);
 
 }  // namespace ligne

@@ -115,6 +115,8 @@ double parse_crease(const std::string& text) { return parse_within(text, 0, 180,
 
 HiddenLines parse_hidden(const std::string& text) { return static_cast<HiddenLines>(parse_choice(text, kHiddenLinesNames)); }
 
+TangentLines parse_tangent(const std::string& text) { return static_cast<TangentLines>(parse_choice(text, kTangentNames)); }
+
 Quality parse_quality(const std::string& text) { return static_cast<Quality>(parse_choice(text, kQualityNames)); }
 
 ProfileKind parse_profile(const std::string& text) { return static_cast<ProfileKind>(parse_choice(text, kProfileNames)); }

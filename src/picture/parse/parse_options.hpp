@@ -31,6 +31,7 @@ double parse_min_length(const std::string& text);
 /// An angle from 0 to 180 degrees.
 double parse_crease(const std::string& text);
 HiddenLines parse_hidden(const std::string& text);
+TangentLines parse_tangent(const std::string& text);
 Quality parse_quality(const std::string& text);
 ProfileKind parse_profile(const std::string& text);
 /// "auto", "off" (0) or a distance.

@@ -15,9 +15,11 @@
 #include "geometry/prefetch.hpp"
 #include "scene/creases/across_edge.hpp"
 #include "scene/creases/bend.hpp"
+#include "scene/creases/bent_sheets.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "scene/creases/trace_creases.hpp"
 #include "scene/model/bounds.hpp"
+#include "scene/patches/patch_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -48,44 +50,10 @@ struct Limits {
   float low, crease, firm, sharp;  ///< cosines: smaller is sharper
 };
 
-/// The edges of more than two faces that are seen: of all faces that have the edge, the directions of two from it are
-/// neither alike nor opposite; or all are alike, and the sheets end there.
-std::vector<std::uint8_t> bent_sheets(const Scene& scene, const Topology& topology, const Limits& limits) {
-  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::size_t>> wanted;
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-    if (topology.edge_flags[e] & kEdgeManyFaces) wanted.push_back({{topology.edges[e].v0, topology.edges[e].v1}, e});
-  }
-  std::vector<std::uint8_t> bent(wanted.size(), 0), goes_on(wanted.size(), 0);
-  if (wanted.empty()) return bent;
-  std::vector<Point3> first(wanted.size(), Point3(0));
-  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
-    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-      const auto contour = scene.faces.contour(f, c);
-      for (std::size_t k = 0; k < contour.size(); ++k) {
-        const auto [low, high] = std::minmax(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
-        const std::pair key(std::pair(low, high), std::size_t{0});
-        const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
-        if (at == wanted.end() || at->first != key.first) continue;
-        const auto i = static_cast<std::size_t>(at - wanted.begin());
-        const Point3 across = across_face(scene, topology.edges[at->second], f);
-        if (across == Point3(0)) continue;
-        const Point3 direction = across / glm::length(across);
-        // All others are in line with the first one, or two of them bend.
-        if (first[i] == Point3(0)) first[i] = direction;
-        const double cosine = glm::dot(direction, first[i]);
-        if (std::abs(cosine) < limits.crease) bent[i] = 1;
-        if (cosine < 0) goes_on[i] = 1;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < bent.size(); ++i) bent[i] |= first[i] != Point3(0) && !goes_on[i];
-  return bent;
-}
-
 class Finder {
  public:
-  Finder(const Scene& scene, const Topology& topology, double crease_degrees)
-      : scene_(scene), topology_(topology), degrees_(crease_degrees), limits_(crease_degrees), sizes_(object_sizes()) {}
+  Finder(const Scene& scene, const Topology& topology, const CreaseAngles& angles)
+      : scene_(scene), topology_(topology), angles_(angles), limits_(angles.faces), sizes_(object_sizes()) {}
 
   Creases run() {
     classify();
@@ -94,10 +62,11 @@ class Finder {
     find_anchors();
     drop_spurs();
     drop_short();
-    found_.is_crease.assign(bends_.size(), 0);
+    found_.lines.assign(bends_.size(), 0);
     parallel_blocks(bends_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e) found_.is_crease[e] = bends_[e] >= Bend::strong;
+      for (std::size_t e = begin; e < end; ++e) found_.lines[e] = bends_[e] >= Bend::strong ? kCreaseLine : std::uint8_t{0};
     });
+    drop_loose_tangents(topology_, found_.lines, found_.patch_edges);
     return std::move(found_);
   }
 
@@ -121,17 +90,34 @@ class Finder {
     found_.smooth_by_file = counts.smooth;
     found_.sharp_by_file = counts.sharp;
     std::size_t i = 0;
-    const std::vector<std::uint8_t> bent = bent_sheets(scene_, topology_, limits_);
+    const std::vector<std::uint8_t> bent = bent_sheets(scene_, topology_, limits_.crease);
     for (std::size_t e = 0; i < bent.size() && e < bends_.size(); ++e) {
       if (!(topology_.edge_flags[e] & kEdgeManyFaces)) continue;
       bends_[e] = bent[i] ? Bend::firm : Bend::none;
       found_.straight_sheets += !bent[i];
       ++i;
     }
-    TracedCreases traced = trace_creases(scene_, topology_, normals, sizes_, degrees_, bends_);
+    decide_by_surfaces(normals);
+    TracedCreases traced = trace_creases(scene_, topology_, normals, sizes_, angles_.faces, bends_);
     found_.scans = std::move(traced.scans);
     found_.untraced = traced.left_out;
     found_.traced = traced.continued;
+  }
+
+  /// Edges inside one surface are none, whatever the angle of its facets; those where surfaces meet at an angle are
+  /// creases.
+  void decide_by_surfaces(const std::vector<glm::vec3>& normals) {
+    found_.patches = find_patches(scene_, topology_, normals);
+    found_.patch_edges = classify_patch_edges(scene_, topology_, normals, found_.patches, angles_.surfaces);
+    for (std::size_t e = 0; e < bends_.size(); ++e) {
+      if (found_.patch_edges[e] == PatchEdge::unknown) continue;
+      // A rounding that is too small to be drawn as a surface has an edge, whatever surface it is.
+      if ((topology_.edge_flags[e] & kEdgeSmooth) && bends_[e] >= Bend::strong) continue;
+      const Bend bend = found_.patch_edges[e] == PatchEdge::sharp ? Bend::strong : Bend::none;
+      found_.inside_surfaces += bend == Bend::none && bends_[e] >= Bend::strong;
+      found_.between_surfaces += bend == Bend::strong && bends_[e] < Bend::strong;
+      bends_[e] = bend == Bend::none ? bend : std::max(bend, bends_[e]);
+    }
   }
 
   Bend bend_of(std::size_t e, const std::vector<glm::vec3>& normals, Counts& counts) const {
@@ -382,7 +368,7 @@ class Finder {
 
   const Scene& scene_;
   const Topology& topology_;
-  double degrees_;
+  CreaseAngles angles_;
   Limits limits_;
   std::vector<double> sizes_;  ///< per object
   std::vector<Bend> bends_;    ///< per edge
@@ -394,8 +380,8 @@ class Finder {
 
 }  // namespace
 
-Creases find_creases(const Scene& scene, const Topology& topology, double crease_degrees) {
-  return Finder(scene, topology, crease_degrees).run();
+Creases find_creases(const Scene& scene, const Topology& topology, const CreaseAngles& angles) {
+  return Finder(scene, topology, angles).run();
 }
 
 }  // namespace ligne

@@ -10,6 +10,7 @@
 
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/parallel.hpp"
+#include "scene/creases/crease_lines.hpp"
 
 namespace ligne {
 namespace {
@@ -53,7 +54,7 @@ void join_neighbours(const Scene& scene, const Topology& topology, double crease
     while (edge < topology.edges.size() && before(topology.edges[edge])) ++edge;
     const bool found =
         edge < topology.edges.size() && topology.edges[edge].v0 == side.low && topology.edges[edge].v1 == side.high;
-    return found && (*creases)[edge] != 0;
+    return found && (*creases)[edge] == kCreaseLine;
   };
   std::vector<Point3> normals(scene.faces.size());
   parallel_for(normals.size(), [&](std::size_t f) { normals[f] = face_normal(scene, static_cast<std::uint32_t>(f)); });

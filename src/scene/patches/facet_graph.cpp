@@ -1,0 +1,233 @@
+#include "scene/patches/facet_graph.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "geometry/degrees.hpp"
+#include "geometry/disjoint_sets.hpp"
+#include "geometry/parallel.hpp"
+#include "scene/model/planarity.hpp"
+
+namespace ligne {
+namespace {
+
+/// Bends below are looked at as possibly none; larger ones are bends for any precision. Cosine of 2.6 degrees.
+constexpr double kFlatCosine = 0.999;
+/// A facet of a strip has four corners at the most; with more, all of them lie on two rulings, and are no more than these.
+constexpr std::size_t kStripCorners = 4, kMostRulingCorners = 16;
+
+/// Twice the area, along the normal.
+Point3 double_area(const Scene& scene, std::uint32_t f) {
+  Point3 sum(0, 0, 0);
+  for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+    const auto contour = scene.faces.contour(f, c);
+    const Point3& a = scene.vertices[contour[0]];
+    for (std::size_t k = 2; k < contour.size(); ++k) {
+      sum += glm::cross(scene.vertices[contour[k - 1]] - a, scene.vertices[contour[k]] - a);
+    }
+  }
+  return sum;
+}
+
+template <class Visit>
+void for_corners(const Scene& scene, std::uint32_t f, Visit visit) {
+  for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+    for (const std::uint32_t v : scene.faces.contour(f, c)) visit(v);
+  }
+}
+
+/// Largest distance of a corner from the first one.
+double span_of(const Scene& scene, std::uint32_t f) {
+  const auto contour = scene.faces.contour(f, 0);
+  double most = 0;
+  for (const std::uint32_t v : contour) most = std::max(most, glm::distance(scene.vertices[v], scene.vertices[contour[0]]));
+  return most;
+}
+
+/// Whether the corners of a face lie in the plane of another one through a common vertex.
+bool lies_in_plane(const Scene& scene, std::uint32_t f, std::uint32_t other, const Point3& at, double tolerance) {
+  const Point3 area = double_area(scene, other);
+  const double size = glm::length(area);
+  if (!(size > 0)) return false;
+  bool all = true;
+  for_corners(scene, f,
+              [&](std::uint32_t v) { all = all && std::abs(glm::dot(scene.vertices[v] - at, area)) <= tolerance * size; });
+  return all;
+}
+
+/// Whether points lie on two lines, with two or more on each: the rulings of a strip.
+bool lie_on_two_lines(std::span<const Point3> points, double tolerance) {
+  const auto is_off = [&](const Point3& a, const Point3& b, const Point3& p) {
+    const Point3 d = b - a;
+    return !(glm::length(glm::cross(d, p - a)) <= tolerance * glm::length(d));
+  };
+  // One of the lines runs through the first point and one of the others.
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    std::vector<Point3> rest;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      if (i != k && is_off(points[0], points[k], points[i])) rest.push_back(points[i]);
+    }
+    if (rest.size() < 2) continue;
+    const auto is_beside = [&](const Point3& p) { return is_off(rest[0], rest[1], p); };
+    if (std::none_of(rest.begin() + 2, rest.end(), is_beside)) return true;
+  }
+  return false;
+}
+
+class GraphBuilder {
+ public:
+  GraphBuilder(const Scene& scene, const Topology& topology, const Object& object, std::span<const glm::vec3> normals)
+      : scene_(scene), topology_(topology), object_(object), normals_(normals) {}
+
+  FacetGraph run(std::uint32_t edge_begin, std::uint32_t edge_end) {
+    join_faces(edge_begin, edge_end);
+    for (std::size_t i = 0; i + 1 < graph_.faces.begin.size(); ++i) add_facet(i);
+    add_arcs(edge_begin, edge_end);
+    return std::move(graph_);
+  }
+
+ private:
+  bool may_be_smooth(std::uint32_t e) const {
+    constexpr std::uint16_t kNotSmooth = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeCrossing;
+    return topology_.edges[e].face1 != kNone && !(topology_.edge_flags[e] & kNotSmooth);
+  }
+
+  bool is_flat(const Edge& edge) const {
+    const double cosine = glm::dot(Point3(normals_[edge.face0]), Point3(normals_[edge.face1]));
+    if (cosine < kFlatCosine) return false;
+    if (cosine > flat_) return true;
+    const double span = std::max(span_of(scene_, edge.face0), span_of(scene_, edge.face1));
+    const double tolerance = planarity_tolerance(object_.precision, span);
+    const Point3& at = scene_.vertices[edge.v0];
+    return lies_in_plane(scene_, edge.face1, edge.face0, at, tolerance) ||
+           lies_in_plane(scene_, edge.face0, edge.face1, at, tolerance);
+  }
+
+  void join_faces(std::uint32_t edge_begin, std::uint32_t edge_end) {
+    const std::uint32_t first = object_.face_begin, count = object_.face_end - first;
+    DisjointSets sets(count);
+    for (std::uint32_t e = edge_begin; e < edge_end; ++e) {
+      const Edge& edge = topology_.edges[e];
+      if (may_be_smooth(e) && is_flat(edge)) sets.join(edge.face0 - first, edge.face1 - first);
+    }
+    const std::vector<std::uint32_t> order = faces_by_vertices();
+    graph_.facet_of.resize(count);
+    std::vector<std::uint32_t> facet_of_set(count, kNone), sizes;
+    for (const std::uint32_t f : order) {
+      std::uint32_t& facet = facet_of_set[sets.find(f)];
+      if (facet == kNone) {
+        facet = static_cast<std::uint32_t>(sizes.size());
+        sizes.push_back(0);
+      }
+      graph_.facet_of[f] = facet;
+      ++sizes[facet];
+    }
+    for (const std::uint32_t size : sizes) graph_.faces.begin.push_back(graph_.faces.begin.back() + size);
+    graph_.faces.values.resize(count);
+    std::vector<std::uint32_t> next(graph_.faces.begin.begin(), graph_.faces.begin.end() - 1);
+    for (const std::uint32_t f : order) graph_.faces.values[next[graph_.facet_of[f]]++] = first + f;
+  }
+
+  /// Faces, counted from the first one of the object, by their three lowest vertices: in that order facets are numbered, so
+  /// that the order of faces in the file has no say.
+  std::vector<std::uint32_t> faces_by_vertices() const {
+    const std::uint32_t first = object_.face_begin, count = object_.face_end - first;
+    std::vector<std::array<std::uint32_t, 4>> keys(count);
+    for (std::uint32_t f = 0; f < count; ++f) {
+      std::array<std::uint32_t, 4>& key = keys[f] = {kNone, kNone, kNone, f};
+      for_corners(scene_, first + f, [&](std::uint32_t v) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (v < key[i]) std::swap(v, key[i]);
+        }
+      });
+    }
+    parallel_sort(keys.begin(), keys.end());
+    std::vector<std::uint32_t> order;
+    order.reserve(count);
+    for (const auto& key : keys) order.push_back(key[3]);
+    return order;
+  }
+
+  void add_facet(std::size_t facet) {
+    corners_.clear();
+    Point3 area(0, 0, 0), middle(0, 0, 0);
+    double size = 0, span = 0;
+    for (const std::uint32_t f : graph_.faces[facet]) {
+      const Point3 part = double_area(scene_, f);
+      const double weight = glm::length(part);
+      Point3 sum(0, 0, 0);
+      for (const std::uint32_t v : scene_.faces.contour(f, 0)) sum += scene_.vertices[v];
+      area += part;
+      middle += weight / static_cast<double>(scene_.faces.contour(f, 0).size()) * sum;
+      size += weight;
+      span = std::max(span, span_of(scene_, f));
+      for_corners(scene_, f, [&](std::uint32_t v) { corners_.push_back(v); });
+    }
+    std::sort(corners_.begin(), corners_.end());
+    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    graph_.vertices.values.insert(graph_.vertices.values.end(), corners_.begin(), corners_.end());
+    graph_.vertices.begin.push_back(static_cast<std::uint32_t>(graph_.vertices.values.size()));
+    const double length = glm::length(area);
+    graph_.frames.push_back({size > 0 ? middle / size : scene_.vertices[corners_[0]],
+                             length > 0 ? area / length : Point3(normals_[graph_.faces[facet][0]])});
+    graph_.area.push_back(size / 2);
+    const double tolerance = 4 * straightness_tolerance(object_.precision, span);
+    graph_.is_sliver.push_back(size <= tolerance * span);
+    graph_.is_plane.push_back(corners_.size() > kStripCorners && !is_strip(tolerance));
+  }
+
+  bool is_strip(double tolerance) const {
+    if (corners_.size() > kMostRulingCorners) return false;
+    std::vector<Point3> points;
+    points.reserve(corners_.size());
+    for (const std::uint32_t v : corners_) points.push_back(scene_.vertices[v]);
+    return lie_on_two_lines(points, tolerance);
+  }
+
+  void add_arcs(std::uint32_t edge_begin, std::uint32_t edge_end) {
+    const double cosine = sine_cosine_degrees(kLargestBend).cosine;
+    const double smooth_cosine = sine_cosine_degrees(kLargestSmoothBend).cosine;
+    struct Pair {
+      std::uint32_t a, b, edge;
+    };
+    std::vector<Pair> pairs;
+    graph_.arc_begin.assign(graph_.size() + 1, 0);
+    for (std::uint32_t e = edge_begin; e < edge_end; ++e) {
+      if (!may_be_smooth(e)) continue;
+      const std::uint32_t a = graph_.facet_of[topology_.edges[e].face0 - object_.face_begin];
+      const std::uint32_t b = graph_.facet_of[topology_.edges[e].face1 - object_.face_begin];
+      if (a == b) continue;
+      const bool by_chance = graph_.is_sliver[a] || graph_.is_sliver[b];
+      const double least = topology_.edge_flags[e] & kEdgeSmooth ? smooth_cosine : cosine;
+      if (!by_chance && glm::dot(graph_.frames[a].normal, graph_.frames[b].normal) < least) continue;
+      ++graph_.arc_begin[a + 1], ++graph_.arc_begin[b + 1];
+      pairs.push_back({a, b, e});
+    }
+    for (std::size_t i = 0; i < graph_.size(); ++i) graph_.arc_begin[i + 1] += graph_.arc_begin[i];
+    graph_.arcs.resize(2 * pairs.size());
+    std::vector<std::uint32_t> next(graph_.arc_begin.begin(), graph_.arc_begin.end() - 1);
+    for (const Pair& pair : pairs) {
+      graph_.arcs[next[pair.a]++] = {pair.b, pair.edge};
+      graph_.arcs[next[pair.b]++] = {pair.a, pair.edge};
+    }
+  }
+
+  const double flat_ = sine_cosine_degrees(kFlatBend).cosine;
+  const Scene& scene_;
+  const Topology& topology_;
+  const Object& object_;
+  std::span<const glm::vec3> normals_;
+  FacetGraph graph_;
+  std::vector<std::uint32_t> corners_;  ///< of the facet that is added
+};
+
+}  // namespace
+
+FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, std::uint32_t edge_begin,
+                       std::uint32_t edge_end, std::span<const glm::vec3> normals) {
+  return GraphBuilder(scene, topology, object, normals).run(edge_begin, edge_end);
+}
+
+}  // namespace ligne

@@ -1,0 +1,64 @@
+#include "scene/patches/find_patches.hpp"
+
+#include <algorithm>
+
+#include "geometry/parallel.hpp"
+#include "scene/patches/facet_graph.hpp"
+#include "scene/patches/freeform.hpp"
+#include "scene/patches/patch_finder.hpp"
+
+namespace ligne {
+namespace {
+
+/// An object with its own numbers of patches.
+struct ObjectPatches {
+  std::vector<Patch> patches;
+  std::vector<std::uint32_t> patch_of;    ///< per face of the object
+  std::vector<std::uint8_t> is_freeform;  ///< per face of the object
+};
+
+ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Object& object,
+                         std::span<const glm::vec3> normals) {
+  const auto edge_at = [&](std::uint32_t vertex) {
+    const auto at = std::ranges::lower_bound(topology.edges, vertex, {}, &Edge::v0);
+    return static_cast<std::uint32_t>(at - topology.edges.begin());
+  };
+  const FacetGraph graph =
+      facet_graph(scene, topology, object, edge_at(object.vertex_begin), edge_at(object.vertex_end), normals);
+  ObjectPatches found;
+  const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
+  const std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet);
+  for (const std::uint32_t facet : graph.facet_of) {
+    found.patch_of.push_back(of_facet[facet]);
+    found.is_freeform.push_back(freeform[facet]);
+  }
+  return found;
+}
+
+}  // namespace
+
+Point3 Patches::normal(std::uint32_t face, const Point3& p, const Point3& face_normal) const {
+  if (patch_of[face] == kNone) return face_normal;
+  const Patch& patch = list[patch_of[face]];
+  return patch.outward ? patch.surface.normal(p) : -patch.surface.normal(p);
+}
+
+Patches find_patches(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals) {
+  std::vector<ObjectPatches> parts(scene.objects.size());
+  parallel_tasks(parts.size(), [&](std::size_t i) { parts[i] = patches_of(scene, topology, scene.objects[i], normals); });
+  Patches found;
+  found.patch_of.assign(scene.faces.size(), kNone);
+  found.is_freeform.assign(scene.faces.size(), 0);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto first = static_cast<std::uint32_t>(found.list.size());
+    const std::uint32_t begin = scene.objects[i].face_begin;
+    found.list.insert(found.list.end(), parts[i].patches.begin(), parts[i].patches.end());
+    for (std::uint32_t f = 0; f < parts[i].patch_of.size(); ++f) {
+      if (parts[i].patch_of[f] != kNone) found.patch_of[begin + f] = first + parts[i].patch_of[f];
+      found.is_freeform[begin + f] = parts[i].is_freeform[f];
+    }
+  }
+  return found;
+}
+
+}  // namespace ligne

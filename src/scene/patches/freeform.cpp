@@ -1,0 +1,105 @@
+#include "scene/patches/freeform.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "geometry/disjoint_sets.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable.
+/// Edges of a row are parallel up to this sine; bends and widths in it differ by no more than this part.
+constexpr double kParallelSine = 0.01, kEqualPart = 0.02;
+/// Smaller bends are no row but one plane, as a sine: half a degree.
+constexpr double kLeastRowSine = 0.01;
+/// Arcs of a facet that are compared with each other, at the most.
+constexpr std::size_t kMostRowArcs = 16;
+
+/// A facet between two parallel edges that bend alike.
+struct RowFacet {
+  double sine = 0, width = 0;  ///< of the bend, positive where the body bulges; 0: the facet is none
+};
+
+class RowFinder {
+ public:
+  RowFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph,
+            const std::vector<std::uint32_t>& patch_of)
+      : scene_(scene), topology_(topology), graph_(graph), patch_of_(patch_of) {}
+
+  std::vector<std::uint8_t> run() const {
+    std::vector<RowFacet> rows(graph_.size());
+    for (std::uint32_t f = 0; f < graph_.size(); ++f) rows[f] = row_at(f);
+    std::vector<std::uint8_t> in_row(graph_.size(), 0);
+    for (std::uint32_t f = 0; f < graph_.size(); ++f) {
+      if (rows[f].sine == 0) continue;
+      for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
+        const RowFacet& next = rows[arc.facet];
+        if (alike(next.sine, rows[f].sine) && alike(next.width, rows[f].width)) in_row[f] = 1;
+      }
+    }
+    return in_row;
+  }
+
+ private:
+  static bool alike(double a, double b) { return std::abs(a - b) <= kEqualPart * std::abs(b) && b != 0; }
+
+  Point3 along(std::uint32_t e) const {
+    return glm::normalize(scene_.vertices[topology_.edges[e].v1] - scene_.vertices[topology_.edges[e].v0]);
+  }
+
+  /// Sine of the bend at an arc of a facet: positive where the neighbour falls away from the facet's plane.
+  double bend(std::uint32_t f, const FacetGraph::Arc& arc) const {
+    const FacetFrame &here = graph_.frames[f], &there = graph_.frames[arc.facet];
+    const double sine = glm::length(glm::cross(here.normal, there.normal));
+    return glm::dot(there.middle - here.middle, here.normal) < 0 ? sine : -sine;
+  }
+
+  RowFacet row_at(std::uint32_t f) const {
+    const auto arcs = graph_.arcs_of(f);
+    if (patch_of_[f] != kNone || graph_.is_sliver[f] || arcs.size() < 2 || arcs.size() > kMostRowArcs) return {};
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const double sine = bend(f, arcs[i]);
+      if (std::abs(sine) < kLeastRowSine) continue;
+      const Point3 direction = along(arcs[i].edge), &at = scene_.vertices[topology_.edges[arcs[i].edge].v0];
+      for (std::size_t j = i + 1; j < arcs.size(); ++j) {
+        if (arcs[j].facet == arcs[i].facet || !alike(bend(f, arcs[j]), sine)) continue;
+        if (glm::length(glm::cross(direction, along(arcs[j].edge))) > kParallelSine) continue;
+        const Point3 way = scene_.vertices[topology_.edges[arcs[j].edge].v0] - at;
+        return {sine, glm::length(way - glm::dot(way, direction) * direction)};
+      }
+    }
+    return {};
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const FacetGraph& graph_;
+  const std::vector<std::uint32_t>& patch_of_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
+                                          const std::vector<std::uint32_t>& patch_of) {
+  const auto is_free = [&](std::uint32_t f) { return patch_of[f] == kNone && !graph.is_plane[f] && !graph.is_sliver[f]; };
+  DisjointSets sets(graph.size());
+  for (std::uint32_t f = 0; f < graph.size(); ++f) {
+    if (!is_free(f)) continue;
+    for (const FacetGraph::Arc& arc : graph.arcs_of(f)) {
+      if (is_free(arc.facet)) sets.join(f, arc.facet);
+    }
+  }
+  std::vector<std::uint32_t> sizes(graph.size(), 0);
+  for (std::uint32_t f = 0; f < graph.size(); ++f) ++sizes[sets.find(f)];
+  std::vector<std::uint8_t> freeform = RowFinder(scene, topology, graph, patch_of).run();
+  for (std::uint32_t f = 0; f < graph.size(); ++f) {
+    const bool is_region = is_free(f) && sizes[sets.find(f)] >= kFewestFreeform;
+    const bool is_triangle = graph.vertices[f].size() == 3 && graph.faces[f].size() == 1;
+    freeform[f] = patch_of[f] == kNone && (freeform[f] || is_region || is_triangle);
+  }
+  return freeform;
+}
+
+}  // namespace ligne

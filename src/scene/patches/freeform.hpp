@@ -1,0 +1,23 @@
+#pragma once
+/// Facets that bend as those of a smooth surface do, though none was found for them.
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/patches/facet_graph.hpp"
+
+namespace ligne {
+
+/// Fewer facets that bend a little against each other are planes, unless they make a regular row.
+inline constexpr std::size_t kFewestFreeform = 8;
+
+/// Per facet 1 where it has no surface in `patch_of` (kNone) and
+/// - is a single triangle: planes of parts are seldom as small, and many free forms have nothing else, or
+/// - hangs together with kFewestFreeform or more of its kind that are no planes (FacetGraph::is_plane), or
+/// - lies in a regular row: a neighbour and it are equally wide between edges that are parallel and bend by the same angle
+/// in
+///   the same sense. That is a cylinder whose facets were cut by other bodies, so that their corners lie on no circle.
+std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
+                                          const std::vector<std::uint32_t>& patch_of);
+
+}  // namespace ligne

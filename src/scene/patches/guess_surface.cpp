@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <vector>
+
+#include "scene/patches/patch_surface.hpp"
+#include "scene/patches/small_matrices.hpp"
+
+namespace ligne {
+namespace {
+
+/// Least ratio of two eigenvalues that tell directions apart: normals of facets that turn by less than about 2 degrees say
+/// nothing of an axis.
+constexpr double kFlatTurn = 1e-6;
+
+struct PageCircle {
+  Point2 centre;
+  double radius;
+};
+
+/// The circle x^2 + y^2 = 2 a x + 2 b y + c of the least sum of squared differences [Kasa1976].
+std::optional<PageCircle> kasa_circle(std::span<const Point2> points) {
+  Point2 middle(0, 0);
+  for (const Point2& p : points) middle += p;
+  middle /= static_cast<double>(points.size());
+  Matrix3 m{};
+  Point3 right(0, 0, 0);
+  for (const Point2& p : points) {
+    const Point2 q = p - middle;
+    const Point3 row(2 * q.x, 2 * q.y, 1);
+    add_product(m, row, row);
+    right += row * (q.x * q.x + q.y * q.y);
+  }
+  const auto x = solve(m, right);
+  if (!x) return std::nullopt;
+  const double square = x->z + x->x * x->x + x->y * x->y;
+  if (!(square > 0)) return std::nullopt;
+  return PageCircle{Point2(x->x, x->y) + middle, std::sqrt(square)};
+}
+
+Point3 middle_of(std::span<const Point3> points) {
+  Point3 sum(0, 0, 0);
+  for (const Point3& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+bool guess_cylinder(std::span<const FacetFrame> facets, std::span<const Point3> points, PatchSurface& s) {
+  Matrix3 m{};
+  for (const FacetFrame& f : facets) add_product(m, f.normal, f.normal);
+  const Eigen3 e = symmetric_eigen(m);
+  if (!(e.values[1] > kFlatTurn * e.values[2])) return false;
+  s.axis = e.vectors[0];
+  const auto [u, v] = frame_of(s.axis);
+  const Point3 middle = middle_of(points);
+  std::vector<Point2> section;
+  section.reserve(points.size());
+  for (const Point3& p : points) section.emplace_back(glm::dot(p - middle, u), glm::dot(p - middle, v));
+  const auto circle = kasa_circle(section);
+  if (!circle) return false;
+  s.at = middle + circle->centre.x * u + circle->centre.y * v;
+  s.radius = circle->radius;
+  return true;
+}
+
+bool guess_cone(std::span<const FacetFrame> facets, std::span<const Point3> points, PatchSurface& s) {
+  Point3 mean(0, 0, 0);
+  for (const FacetFrame& f : facets) mean += f.normal;
+  mean /= static_cast<double>(facets.size());
+  Matrix3 spread{}, planes{};
+  Point3 right(0, 0, 0);
+  const Point3 middle = middle_of(points);
+  for (const FacetFrame& f : facets) {
+    add_product(spread, f.normal - mean, f.normal - mean);
+    add_product(planes, f.normal, f.normal);
+    right += f.normal * glm::dot(f.normal, f.middle - middle);
+  }
+  const Eigen3 e = symmetric_eigen(spread);
+  if (!(e.values[1] > kFlatTurn * kFlatTurn)) return false;
+  s.axis = e.vectors[0];
+  const auto apex = solve(planes, right);
+  if (!apex) return false;
+  // Rulings are square to the normals, so the radius grows by the tangent of the normals' angle to the plane across.
+  const double sine = glm::dot(mean, s.axis) / glm::length(mean);
+  const double tangent = std::abs(sine) / std::sqrt(std::max(1e-12, 1 - sine * sine));
+  const double along = -glm::dot(*apex, s.axis);
+  s.at = middle + *apex + along * s.axis;
+  s.slope = along < 0 ? -tangent : tangent;
+  s.radius = std::abs(along) * tangent;
+  return s.radius > 0;
+}
+
+bool guess_sphere(std::span<const Point3> points, PatchSurface& s) {
+  const Point3 middle = middle_of(points);
+  double mean_square = 0;
+  for (const Point3& p : points) mean_square += glm::dot(p - middle, p - middle);
+  mean_square /= static_cast<double>(points.size());
+  Matrix3 m{};
+  Point3 right(0, 0, 0);
+  for (const Point3& p : points) {
+    const Point3 q = 2.0 * (p - middle);
+    add_product(m, q, q);
+    right += q * (glm::dot(q, q) / 4 - mean_square);
+  }
+  const auto centre = solve(m, right);
+  if (!centre) return false;
+  s.at = middle + *centre;
+  s.radius = std::sqrt(mean_square + glm::dot(*centre, *centre));
+  return true;
+}
+
+/// The line c, c' (direction and moment) with the least sum of (c' . n + c . (p x n))^2 over the normals n at p.
+bool guess_axis(std::span<const FacetFrame> facets, const Point3& middle, PatchSurface& s) {
+  Matrix3 normals{}, mixed{}, moments{};
+  for (const FacetFrame& f : facets) {
+    const Point3 moment = glm::cross(f.middle - middle, f.normal);
+    add_product(normals, f.normal, f.normal);
+    add_product(mixed, f.normal, moment);
+    add_product(moments, moment, moment);
+  }
+  // For a given c the best c' is -normals^-1 mixed c, which leaves a quadratic form in c.
+  std::array<Point3, 3> columns;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto column = solve(normals, Point3(mixed[0][j], mixed[1][j], mixed[2][j]));
+    if (!column) return false;
+    columns[j] = *column;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) moments[i][j] -= mixed[k][i] * columns[j][static_cast<int>(k)];
+    }
+  }
+  const Point3 c = symmetric_eigen(moments).vectors[0];
+  s.axis = c;
+  s.at = middle + glm::cross(c, -(columns[0] * c.x + columns[1] * c.y + columns[2] * c.z));
+  return true;
+}
+
+bool guess_torus(std::span<const FacetFrame> facets, std::span<const Point3> points, PatchSurface& s) {
+  if (!guess_axis(facets, middle_of(points), s)) return false;
+  std::vector<Point2> profile;
+  profile.reserve(points.size());
+  for (const Point3& p : points) {
+    const AxisPlace place = axis_place(s, p);
+    profile.emplace_back(place.radius, place.along);
+  }
+  const auto circle = kasa_circle(profile);
+  if (!circle) return false;
+  s.radius = circle->centre.x;
+  s.at += circle->centre.y * s.axis;
+  s.tube = circle->radius;
+  return s.radius > 0;
+}
+
+}  // namespace
+
+bool guess_surface(SurfaceKind kind, std::span<const FacetFrame> facets, std::span<const Point3> points,
+                   PatchSurface& surface) {
+  surface = PatchSurface{};
+  surface.kind = kind;
+  switch (kind) {
+    case SurfaceKind::cylinder:
+      return facets.size() >= 2 && guess_cylinder(facets, points, surface);
+    case SurfaceKind::cone:
+      return facets.size() >= 3 && guess_cone(facets, points, surface);
+    case SurfaceKind::sphere:
+      return points.size() >= 5 && guess_sphere(points, surface);
+    case SurfaceKind::torus:
+      return facets.size() >= 5 && guess_torus(facets, points, surface);
+  }
+  return false;
+}
+
+}  // namespace ligne

@@ -1,0 +1,148 @@
+#include "scene/patches/patch_edges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "geometry/degrees.hpp"
+#include "geometry/parallel.hpp"
+#include "scene/patches/facet_graph.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: surfaces that meet at the very angle make no edge, whatever the rounding.
+constexpr double kSlackDegrees = 0.01;
+
+class EdgeClassifier {
+ public:
+  EdgeClassifier(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals, const Patches& patches,
+                 double sharp_degrees)
+      : scene_(scene),
+        topology_(topology),
+        normals_(normals),
+        patches_(patches),
+        sharp_(sine_cosine_degrees(std::min(180.0, sharp_degrees + kSlackDegrees)).cosine),
+        flat_(sine_cosine_degrees(kFlatBend).cosine),
+        bent_(sine_cosine_degrees(kLargestBend).cosine) {}
+
+  PatchEdge operator()(std::size_t e) const {
+    constexpr std::uint16_t kSpoken =
+        kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeCrossing | kEdgeFileHidden | kEdgeInner;
+    const Edge& edge = topology_.edges[e];
+    if (edge.face1 == kNone || (topology_.edge_flags[e] & kSpoken)) return PatchEdge::unknown;
+    const std::uint32_t p = patches_.patch_of[edge.face0], q = patches_.patch_of[edge.face1];
+    if (p != kNone && p == q) return PatchEdge::inside;
+    if (patches_.is_freeform[edge.face0] || patches_.is_freeform[edge.face1]) return PatchEdge::unknown;
+    const Point3 n0(normals_[edge.face0]), n1(normals_[edge.face1]);
+    const double bend = glm::dot(n0, n1);
+    if (bend < bent_ || bend > flat_) return PatchEdge::unknown;
+    double cosine = 0;
+    for (const std::uint32_t v : {edge.v0, edge.v1}) {
+      const Point3& at = scene_.vertices[v];
+      cosine += glm::dot(patches_.normal(edge.face0, at, n0), patches_.normal(edge.face1, at, n1)) / 2;
+    }
+    if (cosine <= sharp_) {
+      // Strips of a free form, as those between meridians of a dish, lie on cylinders that meet at such angles.
+      const bool is_doubtful = (p != kNone && q != kNone) || (topology_.edge_flags[e] & kEdgeSmooth);
+      return is_doubtful ? PatchEdge::unknown : PatchEdge::sharp;
+    }
+    if (p == kNone && q == kNone) return PatchEdge::unknown;
+    return bend_alike(edge, n0) ? PatchEdge::inside : PatchEdge::tangent;
+  }
+
+ private:
+  struct Bent {
+    double across = 0, largest = 0;  ///< curvatures
+  };
+
+  Bent bent_at(std::uint32_t face, const Point3& at, const Point3& across) const {
+    const std::uint32_t p = patches_.patch_of[face];
+    if (p == kNone) return {};
+    const Patch& patch = patches_.list[p];
+    const double k = patch.surface.curvature(at, across);
+    return {patch.outward ? k : -k, patch.surface.largest_curvature(at)};
+  }
+
+  bool bend_alike(const Edge& edge, const Point3& normal) const {
+    const Point3 &a = scene_.vertices[edge.v0], &b = scene_.vertices[edge.v1], middle = (a + b) * 0.5;
+    const Point3 across = glm::cross(patches_.normal(edge.face0, middle, normal), b - a);
+    const double length = glm::length(across);
+    if (!(length > 0)) return false;
+    const Bent first = bent_at(edge.face0, middle, across / length), second = bent_at(edge.face1, middle, across / length);
+    return std::abs(first.across - second.across) <= kLikeCurvature * std::max(first.largest, second.largest);
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  std::span<const glm::vec3> normals_;
+  const Patches& patches_;
+  double sharp_, flat_, bent_;  ///< cosines
+};
+
+}  // namespace
+
+std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
+                                            const Patches& patches, double sharp_degrees) {
+  const EdgeClassifier classify(scene, topology, normals, patches, sharp_degrees);
+  std::vector<PatchEdge> edges(topology.edges.size());
+  parallel_blocks(edges.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) edges[e] = classify(e);
+  });
+  return edges;
+}
+
+void drop_loose_tangents(const Topology& topology, const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges) {
+  // Per vertex at which tangent edges end: how many do, the exclusive or of their numbers, which is that of the last one
+  // left, and whether another line ends there.
+  struct Node {
+    std::uint32_t vertex = 0, count = 0, numbers = 0;
+    bool is_held = false;
+  };
+  std::vector<Node> nodes;
+  std::vector<std::uint32_t> tangent;
+  for (std::uint32_t e = 0; e < edges.size(); ++e) {
+    if (edges[e] != PatchEdge::tangent) continue;
+    tangent.push_back(e);
+    nodes.push_back({topology.edges[e].v0});
+    nodes.push_back({topology.edges[e].v1});
+  }
+  if (tangent.empty()) return;
+  std::ranges::sort(nodes, {}, &Node::vertex);
+  const auto last = std::ranges::unique(nodes, {}, &Node::vertex);
+  nodes.erase(last.begin(), last.end());
+  const auto node_at = [&](std::uint32_t v) -> Node* {
+    const auto at = std::ranges::lower_bound(nodes, v, {}, &Node::vertex);
+    return at != nodes.end() && at->vertex == v ? &*at : nullptr;
+  };
+  const auto ends_of = [&](std::uint32_t e) { return std::array{topology.edges[e].v0, topology.edges[e].v1}; };
+  for (const std::uint32_t e : tangent) {
+    for (const std::uint32_t v : ends_of(e)) {
+      Node& node = *node_at(v);
+      ++node.count;
+      node.numbers ^= e;
+    }
+  }
+  for (std::uint32_t e = 0; e < edges.size(); ++e) {
+    if (!is_line[e] && topology.edges[e].face1 != kNone && !(topology.edge_flags[e] & kEdgeManyFaces)) continue;
+    for (const std::uint32_t v : ends_of(e)) {
+      if (Node* node = node_at(v)) node->is_held = true;
+    }
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (Node* node = &nodes[i]; node->count == 1 && !node->is_held;) {
+      const std::uint32_t e = node->numbers;
+      edges[e] = PatchEdge::inside;
+      const auto ends = ends_of(e);
+      Node* next = node_at(ends[0] == node->vertex ? ends[1] : ends[0]);
+      for (Node* end : {node, next}) {
+        --end->count;
+        end->numbers ^= e;
+      }
+      node = next;
+    }
+  }
+}
+
+}  // namespace ligne

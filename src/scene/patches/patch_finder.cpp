@@ -1,0 +1,355 @@
+#include "scene/patches/patch_finder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace ligne {
+namespace {
+
+// Adjustable parameters.
+/// Distance by which corners may lie beside a surface: precisions of the coordinates, or a part of the sag, since surfaces
+/// between free forms are approximated. Spheres are not.
+constexpr double kPrecisions = 8, kSagPart = 0.03, kSphereSagPart = 0.002;
+/// Largest ratio of a facet's sag to the median: tessellators keep to one sag, and a flat side between roundings does not.
+constexpr double kMostSags = 4;
+/// Least cosine between the normals of a facet and of its surface at its corners: half of the diagonal of a square facet of
+/// which twelve go round.
+constexpr double kNormalCosine = 0.92;
+/// Largest chance that the corners lie on the surface by accident, where each one beyond the number of the surface's
+/// parameters does so with a chance of twice the largest distance by the sag.
+constexpr double kLargestChance = 1e-7;
+/// Starting values are given up where they miss a corner by more than so many sags.
+constexpr double kWildGuess = 1.5;
+/// Points of a patch to which a surface is fitted, at the most.
+constexpr std::size_t kMostPoints = 96;
+/// Facets with this part of the area of a seed in vain are no seeds beside it: a plane says nothing of the fillet beside it.
+constexpr double kLikeArea = 0.25;
+/// Facets of a band by which a sphere is found, at the most.
+constexpr std::size_t kMostBand = 24;
+/// A surface with more parameters is taken when its area is larger by such a factor: a band of a torus is a cone as well.
+constexpr double kSimilarArea = 1.05, kTorusArea = 1.3;
+/// So many seeds, spread evenly over all, are tried first. An object is given up when fewer of them get a surface.
+constexpr std::size_t kSamples = 64;
+constexpr std::ptrdiff_t kFewestSuccesses = 4;
+
+bool is_plausible(const PatchSurface& s) {
+  switch (s.kind) {
+    case SurfaceKind::torus:
+      return s.radius > 0.02 * s.tube && s.radius < 200 * s.tube;
+    case SurfaceKind::cone:
+      return std::abs(s.slope) > 1e-4 && std::abs(s.slope) < 100;
+    default:
+      return s.radius > 0;
+  }
+}
+
+}  // namespace
+
+PatchFinder::PatchFinder(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph)
+    : scene_(scene),
+      topology_(topology),
+      object_(object),
+      graph_(graph),
+      patch_of_(graph.size(), kNone),
+      stamp_(graph.size(), 0) {}
+
+std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
+  const std::vector<std::uint32_t> all = seeds();
+  const std::size_t step = all.size() / kSamples;
+  if (step >= 2) {
+    std::vector<std::uint32_t> samples;
+    for (std::size_t i = 0; i < all.size(); i += step) samples.push_back(all[i]);
+    search(samples, patches);
+    const auto succeeded = [&](std::uint32_t f) { return patch_of_[f] != kNone; };
+    if (std::count_if(samples.begin(), samples.end(), succeeded) < kFewestSuccesses) {
+      patches.clear();
+      patch_of_.assign(graph_.size(), kNone);
+      return std::move(patch_of_);
+    }
+  }
+  search(all, patches);
+  const std::vector<std::uint32_t> found_by = patch_of_;
+  join_borders(patches);
+  merge_patches(patches, found_by);
+  return std::move(patch_of_);
+}
+
+/// Facets that may be curved, the longest first.
+std::vector<std::uint32_t> PatchFinder::seeds() const {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t f = 0; f < graph_.size(); ++f) {
+    if (may_curve(f) && !graph_.arcs_of(f).empty()) order.push_back(f);
+  }
+  // Lengths that do not depend on the order in which corners are added up.
+  std::vector<double> lengths(graph_.size(), 0);
+  for (const std::uint32_t f : order) {
+    for (const std::uint32_t v : graph_.vertices[f]) {
+      for (const std::uint32_t w : graph_.vertices[f]) {
+        lengths[f] = std::max(lengths[f], glm::distance(scene_.vertices[v], scene_.vertices[w]));
+      }
+    }
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) { return lengths[l] > lengths[r]; });
+  return order;
+}
+
+/// Makes patches from seeds. Neighbours about as large as a seed in vain are none.
+void PatchFinder::search(std::span<const std::uint32_t> seeds, std::vector<Patch>& patches) {
+  std::vector<std::uint8_t> failed(graph_.size(), 0);
+  for (const std::uint32_t seed : seeds) {
+    if (patch_of_[seed] != kNone || failed[seed]) continue;
+    const PatchCandidate best = best_at(seed);
+    if (best.facets.empty()) {
+      for (const FacetGraph::Arc& arc : graph_.arcs_of(seed)) {
+        if (graph_.area[arc.facet] >= kLikeArea * graph_.area[seed]) failed[arc.facet] = 1;
+      }
+      continue;
+    }
+    for (const std::uint32_t f : best.facets) patch_of_[f] = static_cast<std::uint32_t>(patches.size());
+    patches.push_back(best.patch);
+  }
+}
+
+/// The surface of the largest area through a facet, from several sets of facets beside it.
+PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
+  PatchCandidate best;
+  const auto consider = [&](SurfaceKind kind, std::span<const std::uint32_t> facets, double factor) {
+    PatchCandidate c = try_surface(kind, seed, facets);
+    if (!c.facets.empty() && c.area > factor * best.area) best = std::move(c);
+  };
+  std::vector<std::uint32_t> near = around(seed, 1, 8);
+  near.erase(near.begin());
+  if (near.empty()) return best;
+  // Three facets of a strip tell a cylinder or a cone exactly. Triangles between three others are no strip.
+  std::vector<std::vector<std::uint32_t>> sets;
+  if (near.size() == 1) sets.push_back({seed, near[0]});
+  const bool is_strip = graph_.vertices[seed].size() > 3 || near.size() <= 2;
+  if (!is_strip) near.clear();
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    for (std::size_t j = i + 1; j < near.size() && sets.size() < 3; ++j) sets.push_back({seed, near[i], near[j]});
+  }
+  // A strip that nothing curved goes on from needs no comparison with other surfaces.
+  const auto is_settled = [&] { return !best.facets.empty() && !goes_on(best); };
+  for (const auto& set : sets) consider(SurfaceKind::cylinder, set, kSimilarArea);
+  for (std::size_t i = 0; i < std::min<std::size_t>(near.size(), 2) && best.facets.empty(); ++i) {
+    consider(SurfaceKind::cylinder, std::array{seed, near[i]}, kSimilarArea);
+  }
+  if (is_settled()) return best;
+  // More facets tell it where they are no strips.
+  const std::vector<std::uint32_t> ring = around(seed, 2, 24), wide = around(seed, 10, 28);
+  consider(SurfaceKind::cylinder, ring, kSimilarArea);
+  consider(SurfaceKind::cylinder, wide, kSimilarArea);
+  if (is_settled()) return best;
+  for (const auto& set : sets) consider(SurfaceKind::cone, set, kSimilarArea);
+  consider(SurfaceKind::cone, ring, kSimilarArea);
+  consider(SurfaceKind::cone, wide, kSimilarArea);
+  if (is_settled()) return best;
+  // A band of a sphere lies on a cylinder or a cone as well, and says which sphere.
+  std::vector<std::uint32_t> band = best.facets;
+  band.resize(std::min(band.size(), kMostBand));
+  if (!band.empty()) consider(SurfaceKind::sphere, band, kSimilarArea);
+  consider(SurfaceKind::sphere, ring, kSimilarArea);
+  consider(SurfaceKind::torus, ring, kTorusArea);
+  consider(SurfaceKind::torus, wide, kTorusArea);
+  return best;
+}
+
+/// Fits a surface to a few facets, and lets it grow from the seed; without facets where it is none.
+PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, std::span<const std::uint32_t> facets) {
+  PatchCandidate c;
+  PatchSurface& surface = c.patch.surface;
+  fetch_points(facets);
+  frames_.clear();
+  for (const std::uint32_t f : facets) frames_.push_back(graph_.frames[f]);
+  if (!guess_surface(kind, frames_, points_, surface)) return {};
+  const double wild = kWildGuess * sag_of(surface, facets) + tolerance_for(kind, 0);
+  const auto is_wild = [&](const Point3& p) { return !(std::abs(surface.distance(p)) <= wild); };
+  if (std::any_of(points_.begin(), points_.end(), is_wild)) return {};
+  c.residual = refine_surface(surface, points_);
+  c.patch.sag = sag_of(surface, facets);
+  if (!(c.residual <= tolerance_for(kind, c.patch.sag))) return {};
+  c.patch.outward = glm::dot(surface.normal(graph_.frames[seed].middle), graph_.frames[seed].normal) > 0;
+  constexpr int kMostRounds = 3;
+  for (int round = 0; round < kMostRounds; ++round) {
+    std::vector<std::uint32_t> grown = grow(c.patch, seed);
+    if (grown.size() <= c.facets.size()) break;
+    c.facets = std::move(grown);
+    PatchSurface refined = surface;
+    fetch_points(c.facets);
+    const double next = refine_surface(refined, points_);
+    const double sag = sag_of(refined, c.facets);
+    if (!(next <= tolerance_for(kind, sag))) return {};
+    surface = refined;
+    c.patch.sag = sag;
+    c.residual = next;
+  }
+  if (c.facets.empty() || !is_plausible(surface) || !is_certain(c)) return {};
+  for (const std::uint32_t f : c.facets) c.area += graph_.area[f];
+  return c;
+}
+
+std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t seed) {
+  const double tolerance = tolerance_for(patch.surface.kind, patch.sag);
+  std::vector<std::uint32_t> facets;
+  if (!lies_on(patch, seed, tolerance)) return facets;
+  ++round_;
+  facets.push_back(seed);
+  stamp_[seed] = round_;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
+      if (stamp_[arc.facet] == round_ || patch_of_[arc.facet] != kNone || graph_.is_plane[arc.facet]) continue;
+      if (!lies_on(patch, arc.facet, tolerance)) continue;
+      stamp_[arc.facet] = round_;
+      facets.push_back(arc.facet);
+    }
+  }
+  return facets;
+}
+
+/// The seed and facets that may be curved, within so many arcs of it.
+std::vector<std::uint32_t> PatchFinder::around(std::uint32_t seed, int rings, std::size_t most) {
+  std::vector<std::uint32_t> facets{seed};
+  ++round_;
+  stamp_[seed] = round_;
+  std::size_t begin = 0;
+  for (int ring = 0; ring < rings && begin < facets.size(); ++ring) {
+    const std::size_t end = facets.size();
+    for (; begin < end; ++begin) {
+      for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[begin])) {
+        if (stamp_[arc.facet] == round_ || !may_curve(arc.facet) || facets.size() >= most) continue;
+        stamp_[arc.facet] = round_;
+        facets.push_back(arc.facet);
+      }
+    }
+  }
+  return facets;
+}
+
+/// Sets points_ to the corners of facets, each once, and at most about kMostPoints of them.
+void PatchFinder::fetch_points(std::span<const std::uint32_t> facets) {
+  vertices_.clear();
+  for (const std::uint32_t f : facets) {
+    vertices_.insert(vertices_.end(), graph_.vertices[f].begin(), graph_.vertices[f].end());
+  }
+  std::sort(vertices_.begin(), vertices_.end());
+  vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  const std::size_t step = vertices_.size() / kMostPoints + 1;
+  points_.clear();
+  for (std::size_t i = 0; i < vertices_.size(); i += step) points_.push_back(scene_.vertices[vertices_[i]]);
+}
+
+/// Median distance of the facets' middles from the surface.
+double PatchFinder::sag_of(const PatchSurface& surface, std::span<const std::uint32_t> facets) {
+  numbers_.clear();
+  for (const std::uint32_t f : facets) {
+    if (!graph_.is_sliver[f]) numbers_.push_back(std::abs(surface.distance(graph_.frames[f].middle)));
+  }
+  if (numbers_.empty()) return 0;
+  const auto middle = numbers_.begin() + static_cast<std::ptrdiff_t>((numbers_.size() - 1) / 2);
+  std::nth_element(numbers_.begin(), middle, numbers_.end());
+  return *middle;
+}
+
+double PatchFinder::tolerance_for(SurfaceKind kind, double sag) const {
+  return std::max(kPrecisions * object_.precision, (kind == SurfaceKind::sphere ? kSphereSagPart : kSagPart) * sag);
+}
+
+/// Whether the corners of a facet lie on the surface, and its plane lies beside it as those of the patch do.
+bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance) const {
+  const bool has_normal = !graph_.is_sliver[f];
+  const FacetFrame& frame = graph_.frames[f];
+  if (has_normal && std::abs(patch.surface.distance(frame.middle)) > kMostSags * patch.sag + tolerance) return false;
+  const Point3 normal = patch.outward ? frame.normal : -frame.normal;
+  for (const std::uint32_t v : graph_.vertices[f]) {
+    const Point3& p = scene_.vertices[v];
+    if (!(std::abs(patch.surface.distance(p)) <= tolerance)) return false;
+    if (has_normal && !(glm::dot(patch.surface.normal(p), normal) >= kNormalCosine)) return false;
+  }
+  return true;
+}
+
+/// Whether the facets of a candidate, whose corners fetch_points() has fetched, can not lie on its surface by accident.
+bool PatchFinder::is_certain(const PatchCandidate& c) {
+  const PatchSurface& surface = c.patch.surface;
+  const double spare = static_cast<double>(points_.size()) - static_cast<double>(parameter_count(surface.kind));
+  const double chance = std::min(1.0, std::max(c.residual * 2, kPrecisions * object_.precision) / c.patch.sag);
+  const bool no_accident = spare >= 2 && std::pow(chance, spare) <= kLargestChance;
+  // Symmetry is no accident either: a flat side between two equal chamfers lies on a cylinder. Four facets in a row are a
+  // surface, and fewer when what follows on both sides goes on in its direction.
+  switch (surface.kind) {
+    case SurfaceKind::cylinder: {
+      const std::size_t n = angles_of(surface, false);
+      return n >= 5 ? no_accident : n >= 3 && is_tangent(c, n - 2);
+    }
+    case SurfaceKind::cone: {
+      const std::size_t n = angles_of(surface, false);
+      return n >= 5 ? no_accident : n == 4 && is_tangent(c, 2);
+    }
+    case SurfaceKind::sphere:
+      return no_accident && c.facets.size() >= 6;
+    case SurfaceKind::torus: {
+      if (!no_accident || c.facets.size() < 6 || angles_of(surface, false) < 4) return false;
+      const std::size_t n = angles_of(surface, true);
+      return n >= 4 || (n == 3 && is_tangent(c, 1));
+    }
+  }
+  return false;
+}
+
+/// Number of angles, different by more than a thousandth of a turn, at which points_ lie about the axis, or about the middle
+/// circle of a torus.
+std::size_t PatchFinder::angles_of(const PatchSurface& surface, bool about_circle) {
+  constexpr double kTurn = 2 * std::numbers::pi, kSame = kTurn / 1000;
+  const Point3 u = frame_of(surface.axis)[0];
+  const Point3 v = frame_of(surface.axis)[1];
+  numbers_.clear();
+  for (const Point3& p : points_) {
+    const AxisPlace place = axis_place(surface, p);
+    numbers_.push_back(about_circle ? std::atan2(place.along, place.radius - surface.radius)
+                                    : std::atan2(glm::dot(place.out, v), glm::dot(place.out, u)));
+  }
+  std::sort(numbers_.begin(), numbers_.end());
+  std::size_t count = numbers_.front() + kTurn - numbers_.back() > kSame;
+  for (std::size_t i = 1; i < numbers_.size(); ++i) count += numbers_[i] - numbers_[i - 1] > kSame;
+  return count;
+}
+
+/// Whether the neighbours of a strip with so many rows of inner edges go on in the direction of its surface, over nearly
+/// twice the length of such a row.
+bool PatchFinder::is_tangent(const PatchCandidate& c, std::size_t rows) {
+  constexpr double kSidesToInner = 1.6, kTangentPart = 0.15, kLeastTurn = 0.01;
+  ++round_;
+  for (const std::uint32_t f : c.facets) stamp_[f] = round_;
+  const auto angle = [](const Point3& l, const Point3& r) { return std::acos(std::min(1.0, std::abs(glm::dot(l, r)))); };
+  double tangent = 0, inner = 0;
+  for (const std::uint32_t f : c.facets) {
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
+      const Edge& edge = topology_.edges[arc.edge];
+      const Point3 &a = scene_.vertices[edge.v0], &b = scene_.vertices[edge.v1];
+      const Point3& beyond = graph_.frames[arc.facet].normal;
+      const double turn = angle(graph_.frames[f].normal, beyond);
+      if (stamp_[arc.facet] == round_) {
+        if (turn > kLeastTurn) inner += glm::distance(a, b) / 2;
+      } else if (angle(c.patch.surface.normal((a + b) * 0.5), beyond) < kTangentPart * turn) {
+        tangent += glm::distance(a, b);
+      }
+    }
+  }
+  return tangent * static_cast<double>(rows) >= kSidesToInner * inner;
+}
+
+/// Whether facets that may be curved follow on those of a candidate.
+bool PatchFinder::goes_on(const PatchCandidate& c) {
+  ++round_;
+  for (const std::uint32_t f : c.facets) stamp_[f] = round_;
+  return std::any_of(c.facets.begin(), c.facets.end(), [&](std::uint32_t f) {
+    const auto arcs = graph_.arcs_of(f);
+    return std::any_of(arcs.begin(), arcs.end(),
+                       [&](const FacetGraph::Arc& arc) { return stamp_[arc.facet] != round_ && may_curve(arc.facet); });
+  });
+}
+
+}  // namespace ligne

@@ -1,0 +1,107 @@
+#include "scene/patches/patch_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace ligne {
+
+std::array<Point3, 2> frame_of(const Point3& axis) {
+  const Point3 other = std::abs(axis.x) < 0.6 ? Point3(1, 0, 0) : Point3(0, 1, 0);
+  const Point3 u = glm::normalize(glm::cross(axis, other));
+  return {u, glm::cross(axis, u)};
+}
+
+AxisPlace axis_place(const PatchSurface& surface, const Point3& p) {
+  const Point3 way = p - surface.at;
+  AxisPlace place;
+  place.along = glm::dot(way, surface.axis);
+  const Point3 away = way - place.along * surface.axis;
+  place.radius = glm::length(away);
+  place.out = place.radius > 0 ? away / place.radius : frame_of(surface.axis)[0];
+  return place;
+}
+
+std::size_t parameter_count(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::cylinder:
+      return 5;
+    case SurfaceKind::cone:
+      return 6;
+    case SurfaceKind::sphere:
+      return 4;
+    case SurfaceKind::torus:
+      return 7;
+  }
+  return 0;
+}
+
+double PatchSurface::distance(const Point3& p) const {
+  if (kind == SurfaceKind::sphere) return glm::length(p - at) - radius;
+  const AxisPlace place = axis_place(*this, p);
+  switch (kind) {
+    case SurfaceKind::cone:
+      return (place.radius - radius - slope * place.along) / std::sqrt(1 + slope * slope);
+    case SurfaceKind::torus: {
+      const double x = place.radius - radius;
+      return std::sqrt(x * x + place.along * place.along) - tube;
+    }
+    default:
+      return place.radius - radius;
+  }
+}
+
+Point3 PatchSurface::normal(const Point3& p) const {
+  const auto unit = [&](const Point3& way) {
+    const double length = glm::length(way);
+    return length > 0 ? way / length : axis;
+  };
+  if (kind == SurfaceKind::sphere) return unit(p - at);
+  const AxisPlace place = axis_place(*this, p);
+  switch (kind) {
+    case SurfaceKind::cone:
+      return unit(place.out - slope * axis);
+    case SurfaceKind::torus:
+      return unit((place.radius - radius) * place.out + place.along * axis);
+    default:
+      return place.out;
+  }
+}
+
+namespace {
+
+/// Principal curvatures: round the axis, and along the profile.
+struct Principal {
+  double around = 0, along = 0;
+};
+
+Principal principal_curvatures(const PatchSurface& s, const AxisPlace& place) {
+  const double radius = std::max(place.radius, 1e-300);
+  switch (s.kind) {
+    case SurfaceKind::cylinder:
+      return {1 / s.radius, 0};
+    case SurfaceKind::cone:
+      return {1 / (radius * std::sqrt(1 + s.slope * s.slope)), 0};
+    case SurfaceKind::sphere:
+      return {1 / s.radius, 1 / s.radius};
+    case SurfaceKind::torus:
+      return {(place.radius - s.radius) / (s.tube * radius), 1 / s.tube};
+  }
+  return {};
+}
+
+}  // namespace
+
+double PatchSurface::curvature(const Point3& p, const Point3& along) const {
+  const AxisPlace place = axis_place(*this, p);
+  const Principal k = principal_curvatures(*this, place);
+  const double around = glm::dot(along, glm::cross(axis, place.out));
+  return around * around * k.around + (1 - around * around) * k.along;
+}
+
+double PatchSurface::largest_curvature(const Point3& p) const {
+  const Principal k = principal_curvatures(*this, axis_place(*this, p));
+  return std::max(std::abs(k.around), std::abs(k.along));
+}
+
+}  // namespace ligne

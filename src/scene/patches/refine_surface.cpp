@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "scene/patches/patch_surface.hpp"
+#include "scene/patches/small_matrices.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr int kMostSteps = 12;    ///< of Newton's kind; fits that succeed take three to six
+constexpr int kMostAttempts = 3;  ///< at one step, each with ten times the damping
+constexpr double kSettled = 0.5;  ///< a step that leaves more of the sum of squares is the last one
+
+/// Change of the signed distance of p with each parameter. A motion of the surface changes it by -n . (motion of p).
+ParameterRow derivatives(const PatchSurface& s, const Point3& p, const std::array<Point3, 2>& frame) {
+  const Point3 n = s.normal(p);
+  const auto& [u, v] = frame;
+  const auto shift = [&](const Point3& by) { return -glm::dot(n, by); };
+  const auto turn = [&](const Point3& towards) { return -glm::dot(n, glm::cross(glm::cross(s.axis, towards), p - s.at)); };
+  switch (s.kind) {
+    case SurfaceKind::cylinder:
+      return {shift(u), shift(v), turn(u), turn(v), -1};
+    case SurfaceKind::cone: {
+      const AxisPlace place = axis_place(s, p);
+      const double cosine = 1 / std::sqrt(1 + s.slope * s.slope);
+      const double off = (place.radius - s.radius - s.slope * place.along) * cosine;
+      return {shift(u), shift(v), turn(u), turn(v), -cosine, -place.along * cosine - off * s.slope * cosine * cosine};
+    }
+    case SurfaceKind::sphere:
+      return {shift(u), shift(v), shift(s.axis), -1};
+    case SurfaceKind::torus:
+      return {shift(u), shift(v), shift(s.axis), turn(u), turn(v), -glm::dot(n, axis_place(s, p).out), -1};
+  }
+  return {};
+}
+
+PatchSurface moved(PatchSurface s, const ParameterRow& by, const std::array<Point3, 2>& frame) {
+  const auto& [u, v] = frame;
+  const bool moves_along = s.kind == SurfaceKind::sphere || s.kind == SurfaceKind::torus;
+  s.at += by[0] * u + by[1] * v;
+  if (moves_along) s.at += by[2] * s.axis;
+  if (s.kind == SurfaceKind::sphere) {
+    s.radius += by[3];
+    return s;
+  }
+  const std::size_t k = moves_along ? 3 : 2;
+  s.axis = glm::normalize(s.axis + by[k] * u + by[k + 1] * v);
+  s.radius += by[k + 2];
+  if (s.kind == SurfaceKind::cone) s.slope += by[5];
+  if (s.kind == SurfaceKind::torus) s.tube += by[6];
+  return s;
+}
+
+double sum_of_squares(const PatchSurface& s, std::span<const Point3> points) {
+  double sum = 0;
+  for (const Point3& p : points) {
+    const double off = s.distance(p);
+    sum += off * off;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double refine_surface(PatchSurface& surface, std::span<const Point3> points) {
+  const std::size_t n = parameter_count(surface.kind);
+  double sum = sum_of_squares(surface, points), damping = 1e-6;
+  bool settled = false;
+  for (int step = 0; step < kMostSteps && !settled; ++step) {
+    const auto frame = frame_of(surface.axis);
+    ParameterMatrix normal{};
+    ParameterRow right{};
+    for (const Point3& p : points) {
+      const ParameterRow row = derivatives(surface, p, frame);
+      const double off = surface.distance(p);
+      for (std::size_t i = 0; i < n; ++i) {
+        right[i] -= row[i] * off;
+        for (std::size_t j = 0; j <= i; ++j) normal[i][j] += row[i] * row[j];
+      }
+    }
+    settled = true;
+    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+      ParameterMatrix damped = normal;
+      for (std::size_t i = 0; i < n; ++i) damped[i][i] *= 1 + damping;
+      ParameterRow by{};
+      if (solve_symmetric(damped, right, n, by)) {
+        const PatchSurface next = moved(surface, by, frame);
+        const double next_sum = sum_of_squares(next, points);
+        if (next_sum < sum) {
+          settled = next_sum > kSettled * sum;
+          surface = next;
+          sum = next_sum;
+          damping = std::max(1e-12, damping / 10);
+          break;
+        }
+      }
+      damping = std::max(1e-9, damping * 10);
+    }
+  }
+  double most = 0;
+  for (const Point3& p : points) most = std::max(most, std::abs(surface.distance(p)));
+  return most;
+}
+
+}  // namespace ligne
