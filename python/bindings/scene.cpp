@@ -30,9 +30,7 @@ std::shared_ptr<SceneHolder> hold(LoadedModels models, ModelRequest request) {
   RunReport run;
   report_healing(models, request, run);
   for (const ModelFile& file : models.files) {
-    for (const auto& [kind, count] : file.warnings.counts()) {
-      holder->warnings.push_back(file.name + ": " + std::to_string(count) + " " + kind);
-    }
+    for (const std::string& line : file.warnings.lines()) holder->warnings.push_back(file.name + ": " + line);
     for (const std::string& remark : file.remarks) holder->warnings.push_back(file.name + ": " + remark);
   }
   for (const RunWarning& warning : run.warnings) holder->warnings.push_back(warning.place + ": " + warning.text);

@@ -14,7 +14,7 @@ void say(std::string_view text) {
 void warn(const std::string& place, const std::string& text) { say(place + ": warning: " + text); }
 
 void warn(const std::string& place, const Warnings& warnings) {
-  for (const auto& [kind, count] : warnings.counts()) warn(place, std::to_string(count) + " " + kind);
+  for (const std::string& line : warnings.lines()) warn(place, line);
 }
 
 }  // namespace ligne

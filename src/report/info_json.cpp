@@ -36,6 +36,7 @@ Json file_json(const ModelFile& file) {
   if (!file.report.groups.empty()) json["groups"] = file.report.groups;
   json["warnings"] = Json::object();
   for (const auto& [kind, count] : file.warnings.counts()) json["warnings"][kind] = count;
+  for (const auto& [kind, count] : file.warnings.left_out().counts()) json["left_out"][kind] = count;
   if (!file.healed.nothing()) json["healed"] = healed_json(file.healed);
   return json;
 }

@@ -85,9 +85,7 @@ Surface grid_surface(const SurfaceRequest& request, const std::string& file, Run
   surface.name = file;
   surface.heights = read_grid(file, warnings, &run.files, {request.gridded});
   if (!request.log_axes[0] && !request.log_axes[1] && !request.log_axes[2]) surface.function = surface.heights->function();
-  for (const auto& [kind, count] : warnings.counts()) {
-    run.warnings.push_back({file, std::to_string(count) + " " + kind});
-  }
+  for (std::string& line : warnings.lines()) run.warnings.push_back({file, std::move(line)});
   const GroundUnit unit = request.ground == GroundChoice::as_read  ? surface.heights->unit()
                           : request.ground == GroundChoice::metres ? GroundUnit::same
                                                                    : GroundUnit::degrees;

@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "files/input_error.hpp"
+#include "files/omissions.hpp"
 
 namespace ligne {
 
@@ -16,10 +19,22 @@ class Warnings {
   void add(const std::string& kind, std::size_t n = 1) {
     if (n != 0) counts_[kind] += n;
   }
+  /// Counts what the reader leaves out: all of it is one line. `what` is a noun: "primitives with EXT_foo".
+  void leave_out(std::string_view what, std::size_t n = 1) { left_out_.count(what, n); }
+
   const std::map<std::string, std::size_t>& counts() const { return counts_; }
+  const Omissions& left_out() const { return left_out_; }
+  /// One line for each kind, and one for all that was left out.
+  std::vector<std::string> lines() const {
+    std::vector<std::string> lines;
+    for (const auto& [kind, n] : counts_) lines.push_back(std::to_string(n) + " " + kind);
+    if (!left_out_.empty()) lines.push_back(left_out_.text());
+    return lines;
+  }
 
  private:
   std::map<std::string, std::size_t> counts_;
+  Omissions left_out_;
 };
 
 }  // namespace ligne
