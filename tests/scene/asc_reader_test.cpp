@@ -66,7 +66,7 @@ TEST(AscReader, LightsAndCamerasEndAMeshWithoutAnObjectLine) {
 
 TEST(AscReader, UnknownLinesAreCounted) {
   const Result r = read_raw(plain_asc, kHead + kVertices + kFace + "Something: else\n");
-  EXPECT_EQ(r.warnings.counts().at("3D Studio lines of an unknown kind left out"), 1u);
+  EXPECT_EQ(r.warnings.left_out().text(), "left out: 1 lines 'Something'");
 }
 
 TEST(AscReader, ErrorsNameTheLine) {

@@ -95,8 +95,8 @@ TEST(ObjReader, NumbersAreRoundedCorrectly) {
 
 TEST(ObjReader, LinesAndCurvesAreLeftOutAndCounted) {
   const Result r = read_raw(plain_obj, kSquare + "l 1 2\np 1\nf 1 2 3\ncurv 0 1 1 2 3\n");
-  EXPECT_EQ(r.warnings.counts().at("OBJ lines and points left out"), 2u);
-  EXPECT_EQ(r.warnings.counts().at("OBJ free-form curves and surfaces left out"), 1u);
+  EXPECT_EQ(r.warnings.left_out().text(), "left out: 1 lines (l), 1 points (p), 1 curves (curv)");
+  EXPECT_EQ(obj_error(kSquare + "l 1 2\np 1\nl 2 3\n"), "M: holds no faces; left out: 2 lines (l), 1 points (p)");
 }
 
 TEST(ObjReader, ErrorsNameTheLine) {

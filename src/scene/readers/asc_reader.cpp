@@ -52,7 +52,7 @@ class AscReader {
     std::string_view line;
     while (lines_.next(line)) read_line(trimmed(line));
     end_object();
-    return builder_.finish(Axis::z);
+    return builder_.finish(Axis::z, warnings_.left_out());
   }
 
  private:
@@ -110,7 +110,7 @@ class AscReader {
     } else if (take_key(line, "Bank angle:")) {
       bank(line);
     } else if (!is_left_out(line)) {
-      warnings_.add("3D Studio lines of an unknown kind left out");
+      warnings_.leave_out("lines " + shown(line.substr(0, line.find_first_of(":=0123456789"))));
     }
   }
 

@@ -7,6 +7,7 @@
 
 #include "files/message_text.hpp"
 #include "scene/model/diagnostics.hpp"
+#include "scene/readers/folder_file.hpp"
 
 namespace ligne {
 namespace {
@@ -41,16 +42,6 @@ std::string percent_decode(std::string_view uri) {
     }
   }
   return out;
-}
-
-/// Whether a decoded uri is a relative path that stays in its folder on every system.
-bool stays_in_folder(const std::string& path) {
-  if (path.empty() || path.front() == '/' || path.find_first_of(std::string_view(":\\\0", 3)) != std::string::npos)
-    return false;
-  for (const std::filesystem::path& part : std::filesystem::path(path)) {
-    if (part == "..") return false;
-  }
-  return true;
 }
 
 }  // namespace

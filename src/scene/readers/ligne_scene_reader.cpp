@@ -142,7 +142,7 @@ class SceneReader {
     root_.at("objects").array_size();
     root_.for_each("objects", [&](const Node& node) { read_object(node); });
     root_.for_each("lights", [&](const Node& node) { read_light(node); });
-    return builder_.finish(up);
+    return builder_.finish(up, {});
   }
 
  private:

@@ -2,6 +2,7 @@
 /// Reader of Wavefront OBJ.
 
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -14,10 +15,11 @@ namespace ligne {
 
 /// Reads the polygons of an OBJ file: faces of any number of corners, relative indices, continued lines. Each `o` begins an
 /// object; groups do not, since their faces share vertices, unless `groups_as_objects` asks for it and the file has no `o`.
-/// A file without `o` is else one object. Material libraries are not looked for: the names given by usemtl become materials.
-/// y up; not cleaned yet. Throws InputError, with the line. Normals and smoothing groups go to `shading`, where there is
-/// one.
+/// A file without `o` is else one object. The names given by usemtl become materials, with what the material libraries in
+/// `folder` say of them (obj_materials.hpp); an empty folder means there are none. Bezier and B-spline patches become
+/// triangles. y up; not cleaned yet. Throws InputError, with the line. Normals and smoothing groups go to `shading`, where
+/// there is one.
 Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
-               FileShading* shading = nullptr, bool groups_as_objects = false);
+               FileShading* shading = nullptr, bool groups_as_objects = false, const std::filesystem::path& folder = {});
 
 }  // namespace ligne

@@ -67,8 +67,9 @@ class HeaderReader {
     ++header_.lines;
     if (at_ >= text_.size()) throw error("PLY header without 'end_header'");
     const std::size_t end = std::min(line_end_.empty() ? text_.size() : text_.find(line_end_, at_), text_.size());
-    const std::string_view line = text_.substr(at_, end - at_);
+    std::string_view line = text_.substr(at_, end - at_);
     at_ = std::min(end + line_end_.size(), text_.size());
+    if (line.ends_with('\r')) line.remove_suffix(1);  // a header of which some lines end in \r\n
     return trimmed(line);
   }
 

@@ -14,12 +14,13 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "geometry/parallel.hpp"
 #include "scene/model/precision.hpp"
-#include "scene/readers/load_bytes.hpp"
+#include "scene/readers/ply_data.hpp"
 #include "scene/readers/ply_header.hpp"
 #include "scene/readers/ply_records.hpp"
 #include "scene/readers/scene_builder.hpp"
@@ -28,105 +29,18 @@
 namespace ligne {
 namespace {
 
-struct PlyValue {
-  double number = 0;
-  int digits = 0;  ///< significant digits as written; 0 in binary files
-};
-
-std::string of_element(const PlyElement& element, std::uint64_t item) {
-  return printable(element.name) + " " + std::to_string(item) + " of " + std::to_string(element.count);
-}
-
-/// The data of a text file: an item is a line.
-class TextData {
- public:
-  TextData(std::string_view text, std::size_t header_lines, const std::string& name)
-      : lines_(text), header_lines_(header_lines), name_(name) {}
-
-  void begin_item(const PlyElement& element, std::uint64_t item) {
-    do {
-      if (!lines_.next(line_)) throw error("the file ends before " + of_element(element, item));
-    } while (trimmed(line_).empty());
-  }
-  PlyValue take(PlyType type) {
-    const std::string_view word = take_word(line_);
-    if (word.empty()) throw error("line with too few numbers");
-    const std::optional<double> value = number_in(word);
-    if (!value || (!is_float(type) && *value != std::trunc(*value))) {
-      throw error(shown(word) + (is_float(type) ? " is not a number" : " is not a whole number"));
-    }
-    return {*value, significant_digits(word)};
-  }
-  /// Nothing is to be believed about lengths but that every value takes a word.
-  void pass_over(PlyType type, std::uint64_t n) {
-    for (; n > 0; --n) take(type);
-  }
-  void end_item() const {
-    if (!trimmed(line_).empty()) throw error("line with too many numbers, from " + shown(trimmed(line_)) + " on");
-  }
-  void end() {
-    while (lines_.next(line_)) {
-      if (!trimmed(line_).empty()) throw error("more lines than the header names elements");
-    }
-  }
-  InputError error(const std::string& cause) const { return error_at_line(name_, header_lines_ + lines_.number(), cause); }
-  std::span<const std::byte> rest() const { return {}; }
-  void skip(const PlyRecords&) {}
-
- private:
-  LineReader lines_;
-  std::size_t header_lines_;
-  const std::string& name_;
-  std::string_view line_;
-};
-
-/// The data of a binary file.
-class BinaryData {
- public:
-  BinaryData(std::span<const std::byte> bytes, std::endian order, const std::string& name)
-      : rest_(bytes), order_(order), name_(name) {}
-
-  void begin_item(const PlyElement& element, std::uint64_t item) {
-    element_ = &element;
-    item_ = item;
-  }
-  PlyValue take(PlyType type) {
-    need(1, byte_size(type));
-    const double value = load_ply_number(rest_.data(), type, order_);
-    rest_ = rest_.subspan(byte_size(type));
-    return {value, 0};
-  }
-  void pass_over(PlyType type, std::uint64_t n) {
-    need(n, byte_size(type));
-    rest_ = rest_.subspan(static_cast<std::size_t>(n) * byte_size(type));
-  }
-  void end_item() const {}
-  void end() const {
-    if (!rest_.empty()) {
-      throw InputError(name_, "has " + std::to_string(rest_.size()) + " bytes more than the header names elements for");
-    }
-  }
-  InputError error(const std::string& cause) const { return InputError(name_, of_element(*element_, item_) + ": " + cause); }
-  std::span<const std::byte> rest() const { return rest_; }
-  void skip(const PlyRecords& records) { rest_ = rest_.subspan(records.count * records.size); }
-
- private:
-  void need(std::uint64_t n, std::size_t size) const {
-    if (n > rest_.size() / size) throw InputError(name_, "the file ends in " + of_element(*element_, item_));
-  }
-
-  std::span<const std::byte> rest_;
-  std::endian order_;
-  const std::string& name_;
-  const PlyElement* element_ = nullptr;
-  std::uint64_t item_ = 0;
-};
-
 template <typename Data>
 class PlyReader {
  public:
-  PlyReader(const PlyHeader& header, Data data, const std::string& name, ReadReport& report, FileShading* shading)
-      : header_(header), data_(std::move(data)), name_(name), report_(report), builder_(name, report), shading_(shading) {}
+  PlyReader(const PlyHeader& header, Data data, const std::string& name, ReadReport& report, Warnings& warnings,
+            FileShading* shading)
+      : header_(header),
+        data_(std::move(data)),
+        name_(name),
+        report_(report),
+        warnings_(warnings),
+        builder_(name, report),
+        shading_(shading) {}
 
   Scene read() {
     check_elements();
@@ -137,8 +51,10 @@ class PlyReader {
         read_vertices(element);
       else if (element.name == "face")
         read_faces(element);
+      else if (element.name == "tristrips")
+        read_strips(element);
       else
-        pass_over_items(element);
+        leave_out(element);
     }
     data_.end();
     check_indices();
@@ -148,7 +64,7 @@ class PlyReader {
       }
     }
     builder_.end_object(precision());
-    return builder_.finish(Axis::z);
+    return builder_.finish(Axis::z, warnings_.left_out());
   }
 
  private:
@@ -164,11 +80,24 @@ class PlyReader {
       if (!has("vertex", {axis}, false))
         throw InputError(name_, "PLY header names no " + std::string(axis) + " of vertices");
     }
-    const auto is_face = [](const PlyElement& e) { return e.name == "face"; };
-    if (std::ranges::none_of(header_.elements, is_face)) throw InputError(name_, "holds no faces");
-    if (!has("face", {"vertex_indices", "vertex_index"}, true)) {
-      throw InputError(name_, "PLY header names no list vertex_indices of faces");
+    bool any = false;
+    for (const char* element : {"face", "tristrips"}) {
+      if (std::ranges::find(header_.elements, element, &PlyElement::name) == header_.elements.end()) continue;
+      any = true;
+      if (has(element, {"vertex_indices", "vertex_index"}, true)) continue;
+      throw InputError(name_, std::string("PLY header names no list vertex_indices of ") +
+                                  (element == std::string_view("face") ? "faces" : element));
     }
+    if (!any) throw InputError(name_, no_faces(others()));
+  }
+
+  /// Elements that are no part of a surface, by the header.
+  Omissions others() const {
+    Omissions others;
+    for (const PlyElement& element : header_.elements) {
+      if (element.name != "vertex") others.count("items of element " + element.name, element.count);
+    }
+    return others;
   }
 
   std::uint64_t take_length(const PlyProperty& list) {
@@ -182,7 +111,8 @@ class PlyReader {
     data_.pass_over(property.type, property.is_list ? take_length(property) : 1);
   }
 
-  void pass_over_items(const PlyElement& element) {
+  void leave_out(const PlyElement& element) {
+    warnings_.leave_out("items of element " + element.name, element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       data_.begin_item(element, i);
       for (const PlyProperty& property : element.properties) pass_over(property);
@@ -277,11 +207,45 @@ class PlyReader {
     const std::uint64_t n = take_length(list);
     if (n < 3) throw data_.error("face with " + std::to_string(n) + " corners, needs 3 or more");
     face_.clear();
-    for (std::uint64_t k = 0; k < n; ++k) {
+    for (std::uint64_t k = 0; k < n; ++k) face_.push_back(take_index(data_.take(list.type).number));
+  }
+
+  std::uint32_t take_index(double index) const {
+    const bool is_index = index >= 0 && index < double{kNone} && index == std::trunc(index);
+    if (!is_index) throw data_.error("corner of a face is not a vertex index");
+    return static_cast<std::uint32_t>(index);
+  }
+
+  /// Strips of triangles, one after the other in a list; -1 begins the next. Every second triangle is turned round.
+  void read_strips(const PlyElement& element) {
+    const std::size_t indices = element.find({"vertex_indices", "vertex_index"});
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      data_.begin_item(element, i);
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        if (p == indices)
+          read_strip_list(element.properties[p]);
+        else
+          pass_over(element.properties[p]);
+      }
+      data_.end_item();
+    }
+  }
+
+  void read_strip_list(const PlyProperty& list) {
+    std::size_t length = 0;
+    std::array<std::uint32_t, 3> last{};
+    for (std::uint64_t n = take_length(list); n > 0; --n) {
       const double index = data_.take(list.type).number;
-      const bool is_index = index >= 0 && index < double{kNone} && index == std::trunc(index);
-      if (!is_index) throw data_.error("corner of a face is not a vertex index");
-      face_.push_back(static_cast<std::uint32_t>(index));
+      if (index == -1 || index == double{kNone}) {
+        length = 0;
+        continue;
+      }
+      last = {last[1], last[2], take_index(index)};
+      // Strips are joined by triangles of two corners.
+      if (++length < 3 || last[0] == last[1] || last[1] == last[2] || last[0] == last[2]) continue;
+      face_ = {last[0], last[1], last[2]};
+      if (length % 2 == 0) std::swap(face_[0], face_[1]);
+      builder_.add_face(face_);
     }
   }
 
@@ -314,6 +278,7 @@ class PlyReader {
   Data data_;
   const std::string& name_;
   ReadReport& report_;
+  Warnings& warnings_;
   SceneBuilder builder_;
   FileShading* shading_;                ///< or nullptr
   std::vector<std::uint32_t> normals_;  ///< of the vertices, packed; empty where there are none
@@ -325,15 +290,16 @@ class PlyReader {
 
 }  // namespace
 
-Scene read_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings&,
+Scene read_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
                FileShading* shading) {
   const PlyHeader header = read_ply_header(bytes, name);
   const std::span<const std::byte> data = bytes.subspan(header.bytes);
   if (header.encoding == PlyEncoding::ascii) {
-    return PlyReader(header, TextData(as_text(data, name), header.lines, name), name, report, shading).read();
+    return PlyReader(header, PlyTextData(as_text(data, name), header.lines, name, warnings), name, report, warnings, shading)
+        .read();
   }
   const std::endian order = header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
-  return PlyReader(header, BinaryData(data, order, name), name, report, shading).read();
+  return PlyReader(header, PlyBinaryData(data, order, name), name, report, warnings, shading).read();
 }
 
 }  // namespace ligne

@@ -14,6 +14,7 @@
 #include "scene/readers/ligne_scene_reader.hpp"
 #include "scene/readers/obj_reader.hpp"
 #include "scene/readers/ply_reader.hpp"
+#include "scene/readers/scene_builder.hpp"
 #include "scene/readers/stl_reader.hpp"
 
 namespace ligne {
@@ -48,7 +49,7 @@ Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::p
     case ModelFormat::glb:
       return read_gltf(bytes, true, folder, name, report, warnings, shading);
     case ModelFormat::obj:
-      return read_obj(bytes, name, report, warnings, shading, options.groups);
+      return read_obj(bytes, name, report, warnings, shading, options.groups, folder);
     case ModelFormat::stl_ascii:
       return read_stl_ascii(bytes, name, report, warnings);
     case ModelFormat::stl_binary:
@@ -96,7 +97,7 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs:
   counts.format = format;
   FileShading shading;
   Scene scene = read_raw(bytes, format, folder, name, counts, warnings, options, options.shading ? &shading : nullptr);
-  if (scene.faces.empty()) throw InputError(name, "holds no faces");
+  if (scene.faces.empty()) throw InputError(name, no_faces(warnings.left_out()));
   check_size(scene, name);
   if (options.shading) mark_smooth_edges(scene, shading);
   weld_and_finish(scene, options, warnings);

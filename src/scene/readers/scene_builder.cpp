@@ -13,6 +13,10 @@ std::uint32_t checked_index(std::size_t n, const std::string& name) {
 
 }  // namespace
 
+std::string no_faces(const Omissions& left_out) {
+  return left_out.empty() ? "holds no faces" : "holds no faces; " + left_out.text();
+}
+
 void SceneBuilder::begin_object(std::string name) {
   object_ = Object{};
   object_.name = std::move(name);
@@ -92,8 +96,8 @@ void SceneBuilder::use_material(const std::string& name) {
   material_ = entry->second;
 }
 
-Scene SceneBuilder::finish(Axis up_axis) {
-  if (scene_.faces.empty()) throw InputError(name_, "holds no faces");
+Scene SceneBuilder::finish(Axis up_axis, const Omissions& left_out) {
+  if (scene_.faces.empty()) throw InputError(name_, no_faces(left_out));
   auto& used = scene_.face_material;
   if (used.empty() && first_material_ == kNone) {
     first_material_ = static_cast<std::uint32_t>(scene_.materials.size());

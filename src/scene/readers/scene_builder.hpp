@@ -6,10 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "files/omissions.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/readers/read_report.hpp"
 
 namespace ligne {
+
+/// Why a file without faces can not be drawn, with what it has in their place.
+std::string no_faces(const Omissions& left_out);
 
 class SceneBuilder {
  public:
@@ -36,8 +40,8 @@ class SceneBuilder {
   std::uint32_t object_vertex_begin() const { return object_.vertex_begin; }
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }
-  /// The scene, not cleaned. Throws InputError when it has no faces.
-  Scene finish(Axis up_axis);
+  /// The scene, not cleaned. Throws InputError when it has no faces, with what was left out.
+  Scene finish(Axis up_axis, const Omissions& left_out);
 
  private:
   /// Gives the faces that were added last their material; the list is empty while all have one.

@@ -66,6 +66,14 @@ Point3 take_vertex(Words& words, DecimalPrecision& precision) {
   return p;
 }
 
+/// Whether a word between facets is a keyword of somebody's own, such as a colour: letters, and none of STL's words.
+bool is_foreign(std::string_view word) {
+  for (const std::string_view own : {"solid", "outer", "loop", "vertex", "endloop", "endfacet", "normal"}) {
+    if (equal_ignoring_case(word, own)) return false;
+  }
+  return std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; });
+}
+
 /// Reads a facet after its first word.
 void read_facet(Words& words, SceneBuilder& builder, DecimalPrecision& precision) {
   // The normal follows from the vertices, and files are careless with it ("nan", missing): whatever stands before
@@ -93,7 +101,7 @@ bool is_binary_stl(std::span<const std::byte> bytes) {
   return bytes.size() >= kPreambleBytes && bytes.size() == kPreambleBytes + kTriangleBytes * stl_triangle_count(bytes);
 }
 
-Scene read_stl_ascii(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings&) {
+Scene read_stl_ascii(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
   Words words(as_text(bytes, name), name);
   SceneBuilder builder(name, report);
   for (;;) {
@@ -106,17 +114,27 @@ Scene read_stl_ascii(std::span<const std::byte> bytes, const std::string& name, 
       const std::string_view word = words.take();
       if (word.empty()) throw words.error("the file ends in a solid; expected 'facet' or 'endsolid'");
       if (equal_ignoring_case(word, "endsolid")) break;
-      if (!equal_ignoring_case(word, "facet")) throw words.error("expected 'facet' or 'endsolid', found " + shown(word));
-      read_facet(words, builder, precision);
+      if (equal_ignoring_case(word, "end")) {
+        words.expect("solid", "after 'end'");
+        break;
+      }
+      if (equal_ignoring_case(word, "facet")) {
+        read_facet(words, builder, precision);
+      } else if (is_foreign(word)) {
+        warnings.leave_out("statements " + shown(word));
+        words.take_rest_of_line();
+      } else {
+        throw words.error("expected 'facet' or 'endsolid', found " + shown(word));
+      }
     }
     words.take_rest_of_line();
     builder.end_object(precision.value());
   }
   report.vertices += 3 * report.faces;
-  return builder.finish(Axis::z);
+  return builder.finish(Axis::z, warnings.left_out());
 }
 
-Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings&) {
+Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
   if (bytes.size() < kPreambleBytes) {
     throw InputError(name, "binary STL of " + std::to_string(bytes.size()) + " bytes, shorter than its header of 84");
   }
@@ -149,7 +167,7 @@ Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name,
   }
   builder.end_object(half_ulp_float32(largest));
   report.vertices += 3 * n;
-  return builder.finish(Axis::z);
+  return builder.finish(Axis::z, warnings.left_out());
 }
 
 }  // namespace ligne
