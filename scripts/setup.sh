@@ -16,7 +16,8 @@ libtbb-dev           hdr:oneapi/tbb/task_arena.h     threads
 nlohmann-json3-dev   hdr:nlohmann/json.hpp           JSON
 libtinyobjloader-dev hdr:tiny_obj_loader.h           OBJ files
 libmuparser-dev      hdr:muParser.h                  formulas
-libpugixml-dev       hdr:pugixml.hpp                 SVG drawings that are to be plotted
+libpugixml-dev       hdr:pugixml.hpp                 SVG drawings that are to be plotted, 3MF files
+zlib1g-dev           hdr:zlib.h                      3MF files
 libtomlplusplus-dev  hdr:toml++/toml.h               plotters and pens as TOML
 libpng-dev           hdr:png.h                       grids of heights as PNG
 fonts-dejavu-core    font:DejaVuSans.ttf             text in PDF and PNG
@@ -31,6 +32,7 @@ libcgal-dev          hdr:CGAL/Lazy_exact_nt.h        exact arithmetic for the or
 librsvg2-bin         cmd:rsvg-convert                an independent reader of our SVG
 poppler-utils        cmd:pdftotext                   an independent reader of our PDF
 hp2xx                cmd:hp2xx                       an independent reader of our HPGL
+optional libmeshoptimizer-dev hdr:meshoptimizer.h     an independent encoder of compressed glTF views
 libpolyclipping-dev  hdr:polyclipping/clipper.hpp    an independent clipper of polygons
 pybind11-dev         hdr:pybind11/pybind11.h         the Python module
 python3-dev          file:/usr/bin/python3-config    headers of Python

@@ -215,6 +215,8 @@ ModelRequest model_request(const py::dict& keywords) {
     if (name == "weld") {
       const std::string distance = text_of(name, value);
       request.weld_distance = parse_weld(distance == "0" ? "off" : distance);
+    } else if (name == "pose") {
+      request.pose = parse_pose(text_of(name, value));
     } else if (name == "merge-coplanar") {
       request.merge_coplanar = flag_of(name, value);
     } else if (name == "only" || name == "hide") {

@@ -74,6 +74,7 @@ def read(
     move: Union[Dict[str, Sequence[float]], Sequence[str], None] = None,
     unit: Union[str, float, None] = None,
     groups: bool = False,
+    pose: Optional[str] = None,
     threads: int = 0,
 ) -> Scene:
     """Reads glTF, OBJ, STL, PLY, 3D Studio ASCII or ligne-scene files; several make one scene.

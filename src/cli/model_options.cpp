@@ -18,6 +18,8 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
           "borders of one object so near to each other (model units) are sewn: cracks would be drawn as borders; auto: as near "
           "as cracks are, off: none. With --quality exact: vertices so near become one, and auto is off")
       .standard("auto");
+  group.add("--pose", "ANIMATION@SECONDS", request.pose, parse_pose,
+            "glTF: the model as it is at a moment of an animation, by its name or its number from 0");
   group.add_flag("--merge-coplanar", request.merge_coplanar, "put coplanar neighbouring faces together into polygons");
   OptionGroup parts(app, "Parts");
   const auto add_names = [](std::vector<std::string>& target) {

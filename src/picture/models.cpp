@@ -42,6 +42,7 @@ void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_numb
 
 ReadOptions read_options(const ModelRequest& request) {
   ReadOptions options;
+  options.pose = request.pose;
   options.groups = request.tell_parts || request.parts.asked();
   options.shading = request.quality == Quality::clear && request.shading;
   if (request.quality == Quality::exact) {

@@ -39,7 +39,8 @@ struct ModelRequest {
   /// Clear lines: borders of one object that lie so near to each other are sewn, model units; nothing: what is a crack is
   /// found out; 0: none. Exact lines: vertices of one object so near to each other become one; nothing: at equal positions.
   std::optional<double> weld_distance{};
-  bool merge_coplanar = false;  ///< put coplanar neighbouring faces together into polygons
+  bool merge_coplanar = false;      ///< put coplanar neighbouring faces together into polygons
+  std::optional<ScenePose> pose{};  ///< the moment of an animation of glTF files
   Quality quality = Quality::clear;
   bool shading = true;  ///< clear lines: creases are asked for, so what a file says of smooth and sharp edges counts
 };

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, GltfLie,
     testing::Values(
         Lie{"NoAsset", [](json& r) { r.erase("asset"); }, "glTF: asset is missing"},
-        Lie{"Version1", [](json& r) { r["asset"]["version"] = "1.0"; }, "glTF, asset: version \"1.0\" is not glTF 2"},
+        Lie{"Version1", [](json& r) { r["asset"]["version"] = "1.0"; }, "is glTF 1.0, which is not read"},
         Lie{"VersionNumber", [](json& r) { r["asset"]["version"] = 2; }, "glTF, asset: version is not a string"},
         Lie{"RootArray", [](json& r) { r = json::array(); }, "glTF: is not a JSON object"},
         Lie{"NodesObject", [](json& r) { r["nodes"] = json::object(); }, "glTF: nodes is not an array"},
@@ -235,7 +235,7 @@ TEST(GltfHostile, Container) {
   EXPECT_TRUE(error_of(lying, true).starts_with("M: GLB: chunk 0 of ")) << error_of(lying, true);
   std::string version = good;
   version[4] = 1;
-  EXPECT_EQ(error_of(version, true), "M: GLB: version 1 is not 2");
+  EXPECT_EQ(error_of(version, true), "M: is glTF 1.0, which is not read: convert it with gltf-pipeline -i OLD -o NEW.glb");
 }
 
 }  // namespace

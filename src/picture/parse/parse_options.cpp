@@ -121,6 +121,14 @@ Quality parse_quality(const std::string& text) { return static_cast<Quality>(par
 
 ProfileKind parse_profile(const std::string& text) { return static_cast<ProfileKind>(parse_choice(text, kProfileNames)); }
 
+ScenePose parse_pose(const std::string& text) {
+  const std::size_t at = text.rfind('@');
+  if (at == std::string::npos || at == 0) {
+    throw std::invalid_argument(shown(text, '"') + " is not ANIMATION@SECONDS, such as walk@1.5 or 0@0");
+  }
+  return {text.substr(0, at), parse_number(text.substr(at + 1))};
+}
+
 std::optional<double> parse_weld(const std::string& text) {
   if (text == "auto") return std::nullopt;
   return text == "off" ? 0 : parse_positive(text);

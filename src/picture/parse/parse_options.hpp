@@ -34,6 +34,8 @@ HiddenLines parse_hidden(const std::string& text);
 TangentLines parse_tangent(const std::string& text);
 Quality parse_quality(const std::string& text);
 ProfileKind parse_profile(const std::string& text);
+/// "walk@1.5": a moment of an animation, by its name or number; the name may hold "@".
+ScenePose parse_pose(const std::string& text);
 /// "auto", "off" (0) or a distance.
 std::optional<double> parse_weld(const std::string& text);
 /// Dots per inch that a PNG may have.

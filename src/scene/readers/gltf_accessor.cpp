@@ -47,13 +47,13 @@ GltfElements in_view(GltfDocument& document, const std::string& place, int view_
     document.fail(place, std::to_string(count) + " elements do not fit into bufferView " + std::to_string(view_index) +
                              " of " + std::to_string(view.byteLength) + " bytes");
   }
-  const std::span<const std::byte> bytes = document.buffers.get(static_cast<std::size_t>(view.buffer));
-  // A view lies inside its buffer (gltf_json.cpp). Without elements the offset may lie anywhere.
-  const std::byte* data = count == 0 ? bytes.data() : bytes.data() + view.byteOffset + offset;
+  const std::span<const std::byte> bytes = document.view_bytes(static_cast<std::size_t>(view_index));
+  // Without elements the offset may lie anywhere.
+  const std::byte* data = count == 0 ? bytes.data() : bytes.data() + offset;
   return {data, count, stride, component_type};
 }
 
-GltfAccessor open(GltfDocument& document, std::size_t index, std::size_t components) {
+GltfAccessor open_accessor(GltfDocument& document, std::size_t index, std::size_t components) {
   const tinygltf::Accessor& from = document.model.accessors[index];
   GltfAccessor accessor;
   accessor.place = "accessor " + std::to_string(index);
@@ -127,6 +127,16 @@ auto with_index_type(int component_type, const Work& work) {
 std::uint32_t load_index(const GltfElements& from, std::size_t i) {
   return with_index_type(from.component_type,
                          [&](auto type) -> std::uint32_t { return load<decltype(type)>(from.data + i * from.stride); });
+}
+
+/// Number k of an element; integers that are normalized stand for -1 to 1.
+double load_component(const GltfElements& from, std::size_t i, std::size_t k, bool normalized) {
+  return with_type(from.component_type, [&](auto type) -> double {
+    using T = decltype(type);
+    const auto value = static_cast<double>(load<T>(from.data + i * from.stride + k * sizeof(T)));
+    if (!normalized || std::is_floating_point_v<T>) return value;
+    return std::max(value / static_cast<double>(std::numeric_limits<T>::max()), -1.0);
+  });
 }
 
 /// What was met while reading: the largest value without sign, and the first element that can not be.
@@ -219,7 +229,7 @@ GltfAccessor position_accessor(GltfDocument& document, std::size_t accessor) {
   if (from.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
     document.fail(place, "holds positions of 32-bit integers, which glTF does not know");
   }
-  return open(document, accessor, 3);
+  return open_accessor(document, accessor, 3);
 }
 
 GltfAccessor index_accessor(GltfDocument& document, std::size_t accessor) {
@@ -227,7 +237,32 @@ GltfAccessor index_accessor(GltfDocument& document, std::size_t accessor) {
   const std::string place = "accessor " + std::to_string(accessor);
   if (from.type != TINYGLTF_TYPE_SCALAR) document.fail(place, "holds indices, but is not a SCALAR");
   if (!is_index_type(from.componentType)) document.fail(place, "holds indices that are not unsigned integers");
-  return open(document, accessor, 1);
+  return open_accessor(document, accessor, 1);
+}
+
+std::vector<double> read_values(GltfDocument& document, std::size_t index, std::size_t components) {
+  const tinygltf::Accessor& from = document.model.accessors[index];
+  const std::string place = "accessor " + std::to_string(index);
+  const int needed = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(from.type));
+  if (needed != static_cast<int>(components)) {
+    document.fail(place, "has " + std::to_string(needed) + " numbers in an element, not " + std::to_string(components));
+  }
+  const GltfAccessor accessor = open_accessor(document, index, components);
+  std::vector<double> values(accessor.count() * components, 0.0);
+  const auto read = [&](const GltfElements& elements, const auto& place_of) {
+    for (std::size_t i = 0; elements.data && i < elements.count; ++i) {
+      const std::size_t at = place_of(i);
+      if (at >= accessor.count()) document.fail(place, "sparse index " + std::to_string(at) + " is beyond its elements");
+      for (std::size_t k = 0; k < components; ++k) {
+        const double value = load_component(elements, i, k, accessor.normalized);
+        if (!std::isfinite(value)) document.fail(place, "element " + std::to_string(at) + " is not finite");
+        values[at * components + k] = value;
+      }
+    }
+  };
+  read(accessor.elements, [](std::size_t i) { return i; });
+  read(accessor.sparse_values, [&](std::size_t i) { return std::size_t{load_index(accessor.sparse_indices, i)}; });
+  return values;
 }
 
 double read_positions(const GltfDocument& document, const GltfAccessor& accessor, const glm::dmat4& transform,

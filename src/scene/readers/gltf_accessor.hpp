@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "geometry/point.hpp"
 #include "scene/readers/gltf_document.hpp"
@@ -40,6 +41,10 @@ GltfAccessor index_accessor(GltfDocument& document, std::size_t accessor);
 /// when one is not finite.
 double read_positions(const GltfDocument& document, const GltfAccessor& accessor, const glm::dmat4& transform,
                       std::span<Point3> out);
+
+/// All numbers of an accessor whose elements have so many components, element by element. Throws InputError when its type is
+/// another, or a number is not finite.
+std::vector<double> read_values(GltfDocument& document, std::size_t accessor, std::size_t components);
 
 /// Writes first_vertex + index. Throws InputError when an index is not below vertex_count.
 void read_indices(const GltfDocument& document, const GltfAccessor& accessor, std::uint32_t vertex_count,

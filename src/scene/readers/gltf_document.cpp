@@ -31,6 +31,7 @@ std::string_view as_text(std::span<const std::byte> bytes) {
 Chunks split_glb(std::span<const std::byte> bytes, const std::string& name) {
   if (bytes.size() < kGlbHeader + kChunkHeader) throw InputError(name, "GLB: shorter than its headers");
   if (word(bytes, 0) != kGlbMagic) throw InputError(name, "GLB: does not begin with glTF");
+  if (word(bytes, 4) == 1) throw InputError(name, kGltf1);
   if (word(bytes, 4) != kGlbVersion) throw InputError(name, "GLB: version " + std::to_string(word(bytes, 4)) + " is not 2");
   const std::size_t length = word(bytes, 8);
   if (length > bytes.size()) {
@@ -60,6 +61,28 @@ void GltfDocument::fail(const std::string& place, const std::string& cause) cons
   throw InputError(name, place + ": " + cause);
 }
 
+std::span<const std::byte> GltfDocument::view_bytes(std::size_t index) {
+  const tinygltf::BufferView& view = model.bufferViews[index];
+  if (!compressed[index]) {
+    // A view lies inside its buffer (gltf_json.cpp).
+    return buffers.get(static_cast<std::size_t>(view.buffer)).subspan(view.byteOffset, view.byteLength);
+  }
+  std::optional<std::vector<std::byte>>& bytes = decompressed[index];
+  if (!bytes) {
+    const auto& [range, as] = *compressed[index];
+    std::string cause;
+    bytes = decode_meshopt(buffers.get(range.buffer).subspan(range.offset, range.length), as, cause);
+    if (!cause.empty()) fail("bufferView " + std::to_string(index), "its compressed bytes are " + cause);
+  }
+  return *bytes;
+}
+
+std::size_t GltfDocument::bytes_read() const {
+  std::size_t sum = file_bytes + buffers.bytes_read();
+  for (const auto& bytes : decompressed) sum += bytes ? bytes->size() : 0;
+  return sum;
+}
+
 GltfDocument open_gltf(std::span<const std::byte> bytes, bool binary, const std::filesystem::path& folder,
                        const std::string& name) {
   Chunks chunks;
@@ -70,7 +93,16 @@ GltfDocument open_gltf(std::span<const std::byte> bytes, bool binary, const std:
   }
   CheckedGltf checked = check_gltf(chunks.json, name);
   if (checked.text.size() > std::numeric_limits<unsigned>::max()) throw InputError(name, "JSON: too large");
-  GltfDocument document{name, {}, GltfBuffers(std::move(checked.buffers), chunks.binary, folder, name), bytes.size()};
+  GltfDocument document{name,
+                        {},
+                        GltfBuffers(std::move(checked.buffers), chunks.binary, folder, name),
+                        bytes.size(),
+                        std::move(checked.left_out),
+                        std::move(checked.animation_left_out),
+                        std::move(checked.animation_error),
+                        std::move(checked.compressed),
+                        {}};
+  document.decompressed.resize(document.compressed.size());
   tinygltf::TinyGLTF loader;
   std::string error, warning;
   if (!loader.LoadASCIIFromString(&document.model, &error, &warning, checked.text.data(),

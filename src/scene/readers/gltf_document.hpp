@@ -18,8 +18,15 @@ struct GltfDocument {
   GltfBuffers buffers;
   std::size_t file_bytes;  ///< size of the file itself
 
-  /// Size of everything that was read so far: the file, and the buffers that were asked for.
-  std::size_t bytes_read() const { return file_bytes + buffers.bytes_read(); }
+  Omissions left_out, animation_left_out;  ///< see CheckedGltf
+  std::string animation_error;
+  std::vector<std::optional<GltfCompressed>> compressed;            ///< by bufferView
+  std::vector<std::optional<std::vector<std::byte>>> decompressed;  ///< by bufferView, those that were asked for
+
+  /// The bytes of a bufferView, decompressed where they are not stored as they are. Throws InputError.
+  std::span<const std::byte> view_bytes(std::size_t view);
+  /// Size of everything that was read so far: the file, the buffers that were asked for, and what came out of them.
+  std::size_t bytes_read() const;
   [[noreturn]] void fail(const std::string& place, const std::string& cause) const;
 };
 

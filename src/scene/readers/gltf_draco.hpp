@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,12 +15,14 @@ namespace ligne {
 /// The positions and triangles of a compressed primitive; every corner is below positions.size().
 struct DracoMesh {
   std::vector<Point3> positions;
-  std::vector<std::uint32_t> corners;  ///< three per triangle
-  double largest = 0;                  ///< largest coordinate, without sign
+  std::vector<std::uint32_t> corners;                 ///< three per triangle
+  double largest = 0;                                 ///< largest coordinate, without sign
+  std::map<std::string, std::vector<double>> joints;  ///< JOINTS_0, WEIGHTS_0 and so on, four numbers per position
 };
 
-/// Decodes a mesh whose positions are the attribute of that unique id. Throws InputError(name, place + cause); always does
-/// when the program was built without libdraco.
-DracoMesh decode_draco(std::span<const std::byte> bytes, int position_id, const std::string& name, const std::string& place);
+/// Decodes a mesh with its attributes POSITION, JOINTS_n and WEIGHTS_n, given by their unique ids. Throws InputError(name,
+/// place + cause); always does when the program was built without libdraco.
+DracoMesh decode_draco(std::span<const std::byte> bytes, const std::map<std::string, int>& ids, const std::string& name,
+                       const std::string& place);
 
 }  // namespace ligne

@@ -10,9 +10,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "scene/model/diagnostics.hpp"
 #include "scene/readers/gltf_extensions.hpp"
+#include "scene/readers/gltf_item.hpp"
+#include "scene/readers/gltf_motion.hpp"
 #include "scene/readers/json_place.hpp"
 #include "scene/readers/text_lines.hpp"
 
@@ -25,9 +28,6 @@ using nlohmann::json;
 constexpr int kMaxJsonDepth = 256;
 /// tinygltf keeps offsets of sparse accessors as int.
 constexpr std::size_t kMaxSparseOffset = std::numeric_limits<int>::max();
-/// Beyond it a double does not hold every whole number.
-constexpr double kMaxWhole = 9007199254740992.0;
-
 void check_depth(std::string_view text, const std::string& name) {
   int depth = 0;
   bool in_string = false;
@@ -52,138 +52,53 @@ void check_depth(std::string_view text, const std::string& name) {
   }
 }
 
-/// One object of the file and what it is called in errors.
-class Item {
- public:
-  Item(const json& value, std::string place, const std::string& name)
-      : value_(value), place_(std::move(place)), name_(name) {
-    if (!value_.is_object()) fail("is not a JSON object");
-  }
-
-  [[noreturn]] void fail(const std::string& cause) const { throw InputError(name_, place_ + ": " + cause); }
-
-  const json* find(const char* key) const {
-    const auto it = value_.find(key);
-    return it == value_.end() ? nullptr : &*it;
-  }
-  std::optional<Item> object(const char* key) const {
-    const json* v = find(key);
-    if (!v) return std::nullopt;
-    return Item(*v, place_ + ", " + key, name_);
-  }
-  Item required_object(const char* key) const {
-    std::optional<Item> item = object(key);
-    if (!item) fail(std::string(key) + " is missing");
-    return *item;
-  }
-  const json* array(const char* key) const {
-    const json* v = find(key);
-    if (v && !v->is_array()) fail(std::string(key) + " is not an array");
-    return v;
-  }
-  std::string text(const char* key) const {
-    const json* v = find(key);
-    if (!v) return {};
-    if (!v->is_string()) fail(std::string(key) + " is not a string");
-    return v->get<std::string>();
-  }
-  std::optional<std::size_t> whole(const char* key) const {
-    const json* v = find(key);
-    if (!v) return std::nullopt;
-    return whole(*v, key);
-  }
-  std::size_t required_whole(const char* key) const {
-    const std::optional<std::size_t> v = whole(key);
-    if (!v) fail(std::string(key) + " is missing");
-    return *v;
-  }
-  /// An index into an array of `size` things.
-  std::optional<std::size_t> index(const char* key, std::size_t size) const {
-    const std::optional<std::size_t> v = whole(key);
-    if (v) check_index(*v, key, size);
-    return v;
-  }
-  std::size_t required_index(const char* key, std::size_t size) const {
-    const std::size_t v = required_whole(key);
-    check_index(v, key, size);
-    return v;
-  }
-  json indices(const char* key, std::size_t size) const {
-    json out = json::array();
-    if (const json* list = array(key)) {
-      for (const json& v : *list) {
-        const std::size_t i = whole(v, key);
-        check_index(i, key, size);
-        out.push_back(i);
-      }
-    }
-    return out;
-  }
-  /// `size` numbers, or nothing when the key is absent.
-  json numbers(const char* key, std::size_t size) const {
-    const json* list = array(key);
-    if (!list) return nullptr;
-    if (list->size() != size) fail(std::string(key) + " does not have " + std::to_string(size) + " numbers");
-    if (!std::all_of(list->begin(), list->end(), [](const json& v) { return v.is_number(); })) {
-      fail(std::string(key) + " holds something that is not a number");
-    }
-    return *list;
-  }
-
- private:
-  std::size_t whole(const json& v, const char* key) const {
-    if (v.is_number_unsigned()) return v.get<std::size_t>();
-    // Some exporters write 3.0.
-    if (v.is_number_float() && v.get<double>() >= 0 && v.get<double>() <= kMaxWhole &&
-        std::floor(v.get<double>()) == v.get<double>()) {
-      return static_cast<std::size_t>(v.get<double>());
-    }
-    fail(std::string(key) + " is not a whole number from 0 on");
-  }
-  void check_index(std::size_t v, const char* key, std::size_t size) const {
-    if (v >= size) fail(std::string(key) + " names number " + std::to_string(v) + " of " + std::to_string(size));
-  }
-
-  const json& value_;
-  std::string place_;
-  const std::string& name_;
-};
-
 class Checker {
  public:
   Checker(const json& root, const std::string& name) : name_(name), root_(root, "glTF", name) {
     for (const auto& [key, size] : {std::pair{"scenes", &scenes_},
-                                    {"nodes", &nodes_},
+                                    {"nodes", &counts_.nodes},
                                     {"meshes", &meshes_},
                                     {"materials", &materials_},
-                                    {"accessors", &accessors_},
+                                    {"accessors", &counts_.accessors},
                                     {"bufferViews", &views_},
-                                    {"buffers", &buffers_}}) {
+                                    {"buffers", &buffers_},
+                                    {"skins", &counts_.skins}}) {
       const json* list = root_.array(key);
       *size = list ? list->size() : 0;
     }
   }
 
-  CheckedGltf run() {
+  CheckedGltf run(const json& root) {
     check_version();
     check_extensions();
     CheckedGltf out;
-    each("buffers", "buffer ", [&](const Item& item) {
+    count_extensions(root, out.left_out);
+    each("buffers", "buffer ", [&](const GltfItem& item) {
       out.buffers.push_back(buffer(item));
       return json();
     });
     json text;
     text["asset"]["version"] = "2.0";
     if (const auto scene = root_.index("scene", scenes_)) text["scene"] = *scene;
-    text["bufferViews"] = each("bufferViews", "bufferView ", [&](const Item& item) { return view(item, out.buffers); });
-    text["accessors"] = each("accessors", "accessor ", [&](const Item& item) { return accessor(item); });
-    text["materials"] = each("materials", "material ", [&](const Item& item) { return material(item); });
+    text["bufferViews"] = each("bufferViews", "bufferView ", [&](const GltfItem& item) { return view(item, out); });
+    text["accessors"] = each("accessors", "accessor ", [&](const GltfItem& item) { return accessor(item); });
+    text["materials"] = each("materials", "material ", [&](const GltfItem& item) { return material(item); });
     text["meshes"] = list_meshes();
     text["cameras"] = list_cameras();
-    text["nodes"] = each("nodes", "node ", [&](const Item& item) { return node(item); });
-    text["scenes"] = each("scenes", "scene ", [&](const Item& item) {
-      return json{{"nodes", item.indices("nodes", nodes_)}};
+    text["nodes"] = each("nodes", "node ", [&](const GltfItem& item) { return node(item); });
+    text["scenes"] = each("scenes", "scene ", [&](const GltfItem& item) {
+      return json{{"nodes", item.indices("nodes", counts_.nodes)}};
     });
+    text["skins"] = each("skins", "skin ", [&](const GltfItem& item) { return checked_skin(item, counts_); });
+    // How a model moves is no reason to refuse it as it stands.
+    try {
+      text["animations"] = each("animations", "animation ", [&](const GltfItem& item) {
+        return checked_animation(item, counts_, out.animation_left_out);
+      });
+    } catch (const InputError& error) {
+      out.animation_error = error.what();
+    }
+    out.left_out.count("textures", textures_.size());
     out.text = text.dump();
     return out;
   }
@@ -193,13 +108,13 @@ class Checker {
   json each(const char* key, const std::string& place, Check check) const {
     json out = json::array();
     if (const json* list = root_.array(key)) {
-      for (const json& value : *list) out.push_back(check(Item(value, place + std::to_string(out.size()), name_)));
+      for (const json& value : *list) out.push_back(check(GltfItem(value, place + std::to_string(out.size()), name_)));
     }
     return out;
   }
 
   void check_version() const {
-    const Item asset = root_.required_object("asset");
+    const GltfItem asset = root_.required_object("asset");
     for (const char* key : {"version", "minVersion"}) {
       const std::string version = asset.text(key);
       if (version.empty() && std::string_view(key) == "minVersion") continue;
@@ -216,12 +131,13 @@ class Checker {
     }
   }
 
-  GltfBufferEntry buffer(const Item& item) const {
+  GltfBufferEntry buffer(const GltfItem& item) const {
     const json* uri = item.find("uri");
     return {item.required_whole("byteLength"), uri != nullptr, item.text("uri")};
   }
 
-  json view(const Item& item, const std::vector<GltfBufferEntry>& buffers) const {
+  /// A range of bytes in a buffer.
+  GltfRange range(const GltfItem& item, const std::vector<GltfBufferEntry>& buffers) const {
     const std::size_t buffer = item.required_index("buffer", buffers_);
     const std::size_t offset = item.whole("byteOffset").value_or(0), length = item.required_whole("byteLength");
     const std::size_t size = buffers[buffer].byte_length;
@@ -229,7 +145,17 @@ class Checker {
       item.fail("bytes " + std::to_string(offset) + " + " + std::to_string(length) + " lie outside of buffer " +
                 std::to_string(buffer) + " of " + std::to_string(size) + " bytes");
     }
-    json out{{"buffer", buffer}, {"byteOffset", offset}, {"byteLength", length}};
+    return {buffer, offset, length};
+  }
+
+  json view(const GltfItem& item, CheckedGltf& checked) const {
+    const GltfRange bytes = range(item, checked.buffers);
+    const std::size_t length = bytes.length;
+    json out{{"buffer", bytes.buffer}, {"byteOffset", bytes.offset}, {"byteLength", length}};
+    const auto extensions = item.object("extensions");
+    const auto compressed = extensions ? extensions->object(kMeshoptExtension) : std::nullopt;
+    checked.compressed.emplace_back();
+    if (compressed) checked.compressed.back() = compressed_view(*compressed, checked.buffers, length);
     if (const auto stride = item.whole("byteStride")) {
       if (*stride < 4 || *stride > 252 || *stride % 4 != 0)
         item.fail("byteStride " + std::to_string(*stride) + " is not a multiple of 4 up to 252");
@@ -238,13 +164,35 @@ class Checker {
     return out;
   }
 
-  std::size_t component_type(const Item& item) const {
+  GltfCompressed compressed_view(const GltfItem& item, const std::vector<GltfBufferEntry>& buffers,
+                                 std::size_t length) const {
+    GltfCompressed out{range(item, buffers), {}};
+    const std::string mode = item.text("mode"), filter = item.text("filter");
+    constexpr std::array<std::string_view, 3> kModes{"ATTRIBUTES", "TRIANGLES", "INDICES"};
+    constexpr std::array<std::string_view, 4> kFilters{"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
+    const auto known_mode = std::ranges::find(kModes, mode);
+    const auto known_filter = std::ranges::find(kFilters, filter.empty() ? "NONE" : filter);
+    if (known_mode == kModes.end()) item.fail("mode " + shown(mode, '"') + " is not known");
+    if (known_filter == kFilters.end()) item.fail("filter " + shown(filter, '"') + " is not known");
+    out.view.mode = static_cast<MeshoptMode>(known_mode - kModes.begin());
+    out.view.filter = static_cast<MeshoptFilter>(known_filter - kFilters.begin());
+    out.view.count = item.required_whole("count");
+    out.view.stride = item.required_whole("byteStride");
+    if (const std::string cause = check_meshopt(out.view); !cause.empty()) item.fail(cause);
+    if (length % out.view.stride != 0 || length / out.view.stride != out.view.count) {
+      item.fail(std::to_string(out.view.count) + " elements of " + std::to_string(out.view.stride) + " bytes are not the " +
+                std::to_string(length) + " bytes of the view");
+    }
+    return out;
+  }
+
+  std::size_t component_type(const GltfItem& item) const {
     const std::size_t type = item.required_whole("componentType");
     if (type < 5120 || type > 5126 || type == 5124) item.fail("componentType " + std::to_string(type) + " is not known");
     return type;
   }
 
-  json accessor(const Item& item) const {
+  json accessor(const GltfItem& item) const {
     json out{{"componentType", component_type(item)}, {"count", item.required_whole("count")}, {"type", item.text("type")}};
     constexpr std::array kTypes{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
     if (std::find(kTypes.begin(), kTypes.end(), out["type"]) == kTypes.end()) {
@@ -260,12 +208,12 @@ class Checker {
     return out;
   }
 
-  json sparse_part(const Item& item, std::size_t accessor_count) const {
+  json sparse_part(const GltfItem& item, std::size_t accessor_count) const {
     const std::size_t count = item.required_whole("count");
     if (count > accessor_count) item.fail("count " + std::to_string(count) + " is more than the accessor has");
     if (count > kMaxSparseOffset) item.fail("count is too large");
     const auto part = [&](const char* key) {
-      const Item from = item.required_object(key);
+      const GltfItem from = item.required_object(key);
       const std::size_t offset = from.whole("byteOffset").value_or(0);
       if (offset > kMaxSparseOffset) from.fail("byteOffset is too large");
       json out{{"bufferView", from.required_index("bufferView", views_)}, {"byteOffset", offset}};
@@ -275,47 +223,67 @@ class Checker {
     return {{"count", count}, {"indices", part("indices")}, {"values", part("values")}};
   }
 
-  json material(const Item& item) const {
+  json material(const GltfItem& item) {
     json out{{"name", item.text("name")}};
     const std::string mode = item.text("alphaMode");
     out["alphaMode"] = mode.empty() ? "OPAQUE" : mode;
+    json color;
     if (const auto pbr = item.object("pbrMetallicRoughness")) {
-      const json color = pbr->numbers("baseColorFactor", 4);
-      if (!color.is_null()) out["pbrMetallicRoughness"]["baseColorFactor"] = color;
+      color = pbr->numbers("baseColorFactor", 4);
+      if (const auto texture = pbr->object("baseColorTexture")) textures_.insert(texture->whole("index").value_or(0));
     }
+    if (const auto extensions = item.object("extensions")) {
+      if (const auto glossy = extensions->object(kGlossinessExtension)) {
+        if (color.is_null()) color = glossy->numbers("diffuseFactor", 4);
+        if (const auto texture = glossy->object("diffuseTexture")) textures_.insert(texture->whole("index").value_or(0));
+      }
+      if (const auto glass = extensions->object(kTransmissionExtension)) {
+        const json* const factor = glass->find("transmissionFactor");
+        if (factor && factor->is_number()) out["extensions"][kTransmissionExtension] = {{"transmissionFactor", *factor}};
+      }
+    }
+    if (!color.is_null()) out["pbrMetallicRoughness"]["baseColorFactor"] = color;
     return out;
   }
 
   json list_meshes() const {
-    return each("meshes", "mesh ", [&, m = std::size_t{0}](const Item& item) mutable {
+    return each("meshes", "mesh ", [&, m = std::size_t{0}](const GltfItem& item) mutable {
       json primitives = json::array();
       if (const json* list = item.array("primitives")) {
         for (const json& value : *list) {
           primitives.push_back(primitive(
-              Item(value, "mesh " + std::to_string(m) + ", primitive " + std::to_string(primitives.size()), name_)));
+              GltfItem(value, "mesh " + std::to_string(m) + ", primitive " + std::to_string(primitives.size()), name_)));
         }
       }
       ++m;
-      return json{{"name", item.text("name")}, {"primitives", std::move(primitives)}};
+      json out{{"name", item.text("name")}, {"primitives", std::move(primitives)}};
+      json weights = item.numbers("weights");
+      if (!weights.is_null()) out["weights"] = std::move(weights);
+      return out;
     });
   }
 
-  json primitive(const Item& item) const {
-    const Item attributes = item.required_object("attributes");
+  json primitive(const GltfItem& item) const {
+    const GltfItem attributes = item.required_object("attributes");
     json out{{"attributes", json::object()}, {"mode", item.whole("mode").value_or(4)}};
     if (out["mode"] > 6) item.fail("mode " + out["mode"].dump() + " is not known");
-    if (const auto position = attributes.index("POSITION", accessors_)) out["attributes"]["POSITION"] = *position;
+    if (const auto position = attributes.index("POSITION", counts_.accessors)) out["attributes"]["POSITION"] = *position;
     // How a surface is shaded is no reason to refuse it: normals that are broken are left out.
     const json* normals = attributes.find("NORMAL");
-    if (normals && normals->is_number_unsigned() && *normals < accessors_) out["attributes"]["NORMAL"] = *normals;
-    if (const auto indices = item.index("indices", accessors_)) out["attributes"][kGltfIndices] = *indices;
+    if (normals && normals->is_number_unsigned() && *normals < counts_.accessors) out["attributes"]["NORMAL"] = *normals;
+    if (const auto indices = item.index("indices", counts_.accessors)) out["attributes"][kGltfIndices] = *indices;
+    add_skin_attributes(attributes, counts_, out["attributes"]);
+    out["targets"] = checked_targets(item, counts_);
     if (const auto material = item.index("material", materials_)) out["material"] = *material;
     const auto extensions = item.object("extensions");
     if (const auto draco = extensions ? extensions->object(kDracoExtension) : std::nullopt) {
       const std::size_t view = draco->required_index("bufferView", views_);
-      const std::size_t id =
-          draco->required_object("attributes").required_index("POSITION", std::numeric_limits<int>::max());
-      out["extensions"][kDracoExtension] = {{"bufferView", view}, {"attributes", {{"POSITION", id}}}};
+      const GltfItem ids = draco->required_object("attributes");
+      json checked{{"POSITION", ids.required_index("POSITION", std::numeric_limits<int>::max())}};
+      // Joints and weights stand in the compressed mesh, or nowhere.
+      const GltfCounts any{.accessors = std::numeric_limits<int>::max()};
+      add_skin_attributes(ids, any, checked);
+      out["extensions"][kDracoExtension] = {{"bufferView", view}, {"attributes", std::move(checked)}};
     }
     return out;
   }
@@ -346,10 +314,19 @@ class Checker {
     return out;
   }
 
-  json node(const Item& item) const {
-    json out{{"name", item.text("name")}, {"children", item.indices("children", nodes_)}};
+  json node(const GltfItem& item) const {
+    json out{{"name", item.text("name")}, {"children", item.indices("children", counts_.nodes)}};
     if (const auto mesh = item.index("mesh", meshes_)) out["mesh"] = *mesh;
-    if (item.find("skin")) out["skin"] = 0;
+    if (const auto skin = item.index("skin", counts_.skins)) out["skin"] = *skin;
+    json weights = item.numbers("weights");
+    if (!weights.is_null()) out["weights"] = std::move(weights);
+    if (const auto extensions = item.object("extensions")) {
+      if (const auto instancing = extensions->object(kInstancingExtension))
+        out["extensions"][kInstancingExtension] = checked_instancing(*instancing, counts_);
+      const auto visibility = extensions->object(kVisibilityExtension);
+      const json* const visible = visibility ? visibility->find("visible") : nullptr;
+      if (visible && *visible == false) out["extensions"][kVisibilityExtension] = {{"visible", false}};
+    }
     const json* const camera = item.find("camera");
     const json* const cameras = root_.find("cameras");
     const std::size_t count = cameras && cameras->is_array() ? cameras->size() : 0;
@@ -362,9 +339,22 @@ class Checker {
   }
 
   const std::string& name_;
-  Item root_;
-  std::size_t scenes_ = 0, nodes_ = 0, meshes_ = 0, materials_ = 0, accessors_ = 0, views_ = 0, buffers_ = 0;
+  GltfItem root_;
+  GltfCounts counts_;
+  std::size_t scenes_ = 0, meshes_ = 0, materials_ = 0, views_ = 0, buffers_ = 0;
+  std::set<std::size_t> textures_;  ///< of base colours
 };
+
+/// glTF 1.0 keeps its things in objects by name, and its version may be missing.
+void check_not_gltf_1(const json& root, const std::string& name) {
+  if (!root.is_object()) return;
+  const auto part = [&](const json& object, const char* key) {
+    return object.is_object() && object.contains(key) ? object[key] : json();
+  };
+  const json version = part(part(root, "asset"), "version");
+  const bool says_so = version.is_string() && version.get<std::string>().starts_with("1.");
+  if (says_so || version == 1 || (version.is_null() && part(root, "meshes").is_object())) throw InputError(name, kGltf1);
+}
 
 }  // namespace
 
@@ -379,7 +369,8 @@ CheckedGltf check_gltf(std::string_view text, const std::string& name) {
   } catch (const json::exception&) {
     throw InputError(name + ":" + std::to_string(line_of_number_out_of_range(text)), "JSON: a number is too large");
   }
-  return Checker(root, name).run();
+  check_not_gltf_1(root, name);
+  return Checker(root, name).run(root);
 }
 
 }  // namespace ligne

@@ -2,9 +2,13 @@
 /// The JSON part of a glTF file, checked.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "files/omissions.hpp"
+#include "scene/readers/meshopt_codec.hpp"
 
 namespace ligne {
 
@@ -15,13 +19,31 @@ struct GltfBufferEntry {
   std::string uri;
 };
 
+/// A range of bytes of a buffer.
+struct GltfRange {
+  std::size_t buffer = 0, offset = 0, length = 0;
+};
+
+/// What EXT_meshopt_compression says of a buffer view.
+struct GltfCompressed {
+  GltfRange bytes;
+  MeshoptView view;
+};
+
 /// What a drawing needs of a glTF file: every index is in range, every type is right.
 struct CheckedGltf {
   /// JSON with the geometry and its materials alone, without buffers, for tinygltf. The index accessor of a primitive stands
   /// among its attributes as kGltfIndices.
   std::string text;
   std::vector<GltfBufferEntry> buffers;
+  std::vector<std::optional<GltfCompressed>> compressed;  ///< by bufferView
+  Omissions left_out;
+  Omissions animation_left_out;  ///< matters where a pose is asked for
+  std::string animation_error;   ///< the same: the error line of animations that are broken
 };
+
+/// Says of a glTF 1.0 that it is not read, and what to do.
+inline constexpr char kGltf1[] = "is glTF 1.0, which is not read: convert it with gltf-pipeline -i OLD -o NEW.glb";
 
 /// tinygltf refuses index accessors without bufferView, which Draco and sparse accessors need, but takes such attributes.
 inline constexpr char kGltfIndices[] = "_LIGNE_INDICES";

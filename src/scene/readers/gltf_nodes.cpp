@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "scene/model/polygon_faces.hpp"
+#include "scene/readers/gltf_extensions.hpp"
 
 namespace ligne {
 namespace {
@@ -24,17 +25,27 @@ glm::dmat3 rotation_matrix(const std::vector<double>& q) {
 }
 
 glm::dmat4 local_matrix(const tinygltf::Node& node) {
+  if (node.matrix.size() != 16) return matrix_of(node.translation, node.rotation, node.scale);
   glm::dmat4 m(1);
-  if (node.matrix.size() == 16) {
-    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
-    return m;
-  }
-  const glm::dmat3 turn = node.rotation.size() == 4 ? rotation_matrix(node.rotation) : glm::dmat3(1);
-  for (int i = 0; i < 3; ++i) {
-    m[i] = glm::dvec4(turn[i] * (node.scale.size() == 3 ? node.scale[static_cast<std::size_t>(i)] : 1.0), 0);
-    if (node.translation.size() == 3) m[3][i] = node.translation[static_cast<std::size_t>(i)];
-  }
+  for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
   return m;
+}
+
+/// World matrices of all nodes, also of those that no scene names.
+std::vector<glm::dmat4> world_matrices(const std::vector<tinygltf::Node>& nodes, const std::vector<std::uint32_t>& parent) {
+  std::vector<glm::dmat4> to_world(nodes.size());
+  std::vector<std::size_t> stack;
+  for (std::size_t root = 0; root < nodes.size(); ++root) {
+    if (parent[root] == kNone) stack.push_back(root);
+    while (!stack.empty()) {
+      const std::size_t n = stack.back();
+      stack.pop_back();
+      const glm::dmat4 local = local_matrix(nodes[n]);
+      to_world[n] = parent[n] == kNone ? local : to_world[parent[n]] * local;
+      for (const int child : nodes[n].children) stack.push_back(static_cast<std::size_t>(child));
+    }
+  }
+  return to_world;
 }
 
 /// Parent of each node, kNone for roots; every node has one at most, and none is its own ancestor.
@@ -65,26 +76,38 @@ std::vector<std::uint32_t> find_parents(const GltfDocument& document) {
 
 }  // namespace
 
+glm::dmat4 matrix_of(const std::vector<double>& translation, const std::vector<double>& rotation,
+                     const std::vector<double>& scale) {
+  glm::dmat4 m(1);
+  const glm::dmat3 turn = rotation.size() == 4 ? rotation_matrix(rotation) : glm::dmat3(1);
+  for (int i = 0; i < 3; ++i) {
+    m[i] = glm::dvec4(turn[i] * (scale.size() == 3 ? scale[static_cast<std::size_t>(i)] : 1.0), 0);
+    if (translation.size() == 3) m[3][i] = translation[static_cast<std::size_t>(i)];
+  }
+  return m;
+}
+
 GltfNodes list_nodes(const GltfDocument& document) {
   const tinygltf::Model& model = document.model;
   const std::vector<std::uint32_t> parent = find_parents(document);
   struct Visit {
     std::size_t node;
-    glm::dmat4 parent_to_world;
+    bool is_hidden;
   };
   std::vector<Visit> stack;
   if (model.defaultScene >= 0) {
     for (const int root : model.scenes[static_cast<std::size_t>(model.defaultScene)].nodes) {
-      stack.push_back({static_cast<std::size_t>(root), glm::dmat4(1)});
+      stack.push_back({static_cast<std::size_t>(root), false});
     }
   } else {
     for (std::size_t n = 0; n < parent.size(); ++n) {
-      if (parent[n] == kNone) stack.push_back({n, glm::dmat4(1)});
+      if (parent[n] == kNone) stack.push_back({n, false});
     }
   }
   std::reverse(stack.begin(), stack.end());
   std::vector<std::uint8_t> visited(model.nodes.size(), 0);
   GltfNodes found;
+  found.to_world = world_matrices(model.nodes, parent);
   while (!stack.empty()) {
     const Visit visit = stack.back();
     stack.pop_back();
@@ -92,12 +115,13 @@ GltfNodes list_nodes(const GltfDocument& document) {
     if (visited[visit.node]) document.fail(place_of(visit.node), "is in the scene twice");
     visited[visit.node] = 1;
     const tinygltf::Node& node = model.nodes[visit.node];
-    const glm::dmat4 to_world = visit.parent_to_world * local_matrix(node);
-    if (node.mesh >= 0) found.instances.push_back({visit.node, static_cast<std::size_t>(node.mesh), to_world});
+    const glm::dmat4& to_world = found.to_world[visit.node];
+    const bool is_hidden = visit.is_hidden || node.extensions.contains(kVisibilityExtension);
+    if (node.mesh >= 0 && !is_hidden) found.instances.push_back({visit.node, static_cast<std::size_t>(node.mesh), to_world});
     const auto camera = static_cast<std::size_t>(node.camera);
     if (node.camera >= 0 && camera < model.cameras.size()) found.cameras.push_back({visit.node, camera, to_world});
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-      stack.push_back({static_cast<std::size_t>(*child), to_world});
+      stack.push_back({static_cast<std::size_t>(*child), is_hidden});
     }
   }
   return found;

@@ -26,10 +26,17 @@ struct GltfCamera {
 struct GltfNodes {
   std::vector<GltfInstance> instances;
   std::vector<GltfCamera> cameras;
+  std::vector<glm::dmat4> to_world;  ///< of every node of the file
 };
 
+/// The transform of a translation, a rotation (quaternion x, y, z, w) and a scale, applied from the last to the first. Lists
+/// that are empty change nothing.
+glm::dmat4 matrix_of(const std::vector<double>& translation, const std::vector<double>& rotation,
+                     const std::vector<double>& scale);
+
 /// The nodes with a mesh or a camera of the default scene, or below all root nodes when the file names no scene, parents
-/// before children. Throws InputError when the nodes are not a strict tree.
+/// before children. Meshes of nodes that KHR_node_visibility hides, and of those below them, are not among them. Throws
+/// InputError when the nodes are not a strict tree.
 GltfNodes list_nodes(const GltfDocument& document);
 
 /// Largest stretch of a direction by the linear part of a transform: its largest singular value.

@@ -15,10 +15,13 @@
 #include <glm/geometric.hpp>
 
 #include "scene/readers/gltf_accessor.hpp"
+#include "scene/readers/gltf_deform.hpp"
 #include "scene/readers/gltf_document.hpp"
 #include "scene/readers/gltf_draco.hpp"
 #include "scene/readers/gltf_extensions.hpp"
+#include "scene/readers/gltf_instances.hpp"
 #include "scene/readers/gltf_nodes.hpp"
+#include "scene/readers/gltf_pose.hpp"
 
 namespace ligne {
 namespace {
@@ -33,6 +36,8 @@ constexpr std::size_t kMaxInstanced = std::size_t{1} << 25;
 constexpr int kFloatDigits = std::numeric_limits<float>::digits;
 /// Roundings of a coordinate in a 4 x 4 transform: products and sums, once per level of a node tree that is not deep.
 constexpr double kTransformRoundings = 4;
+/// Opacity of glass that lets all light through: its lines are still those of a thing.
+constexpr double kClearGlass = 0.1;
 
 /// A primitive whose data are known to be there.
 struct Primitive {
@@ -41,6 +46,7 @@ struct Primitive {
   std::optional<GltfAccessor> indices;  ///< without: the positions in their order
   std::optional<GltfAccessor> normals;  ///< one for each position, where they are wanted
   const DracoMesh* draco = nullptr;
+  GltfDeformation deformation;
   int mode = TINYGLTF_MODE_TRIANGLES;
   int material = -1;
 
@@ -59,9 +65,11 @@ class Reader {
       : document_(document), model_(document.model), warnings_(warnings), shading_(shading) {}
 
   Scene run(ReadReport& report) {
-    const GltfNodes nodes = list_nodes(document_);
-    const std::vector<GltfInstance>& instances = nodes.instances;
+    nodes_ = list_nodes(document_);
+    std::vector<GltfInstance>& instances = nodes_.instances;
+    add_gpu_instances(document_, kMaxInstanced, instances);
     meshes_.resize(model_.meshes.size());
+    joints_.resize(model_.skins.size());
     count(instances);
     scene_.up_axis = Axis::y;
     scene_.unit_mm = kMetreMm;
@@ -70,7 +78,8 @@ class Reader {
     scene_.faces.reserve_corners(3 * triangles_);
     for (const GltfInstance& instance : instances) add_object(instance);
     write_materials();
-    for (const GltfCamera& camera : nodes.cameras) add_camera(camera);
+    for (const GltfCamera& camera : nodes_.cameras) add_camera(camera);
+    for (const auto& [what, n] : document_.left_out.counts()) warnings_.leave_out(what, n);
     report.faces = report.triangles = triangles_;
     report.vertices = vertices_;
     return std::move(scene_);
@@ -107,9 +116,7 @@ class Reader {
       std::size_t last_positions = kNone;
       for (const Primitive& p : primitives) {
         triangles_ += p.triangle_count();
-        // Primitives in a row often share their positions.
-        if (p.draco || p.position_accessor != last_positions) vertices_ += p.vertex_count();
-        last_positions = p.draco ? kNone : p.position_accessor;
+        if (has_own_vertices(p, last_positions)) vertices_ += p.vertex_count();
       }
       primitives_ += primitives.size();
       const std::size_t limit = std::max(kMaxInstanced, document_.bytes_read());
@@ -117,10 +124,16 @@ class Reader {
         document_.fail("node " + std::to_string(instance.node),
                        "meshes used many times come to more than " + std::to_string(limit) + " triangles or vertices");
       }
-      if (model_.nodes[instance.node].skin >= 0)
-        warnings_.add("skinned meshes taken as they are stored, without their skeleton");
     }
     if (vertices_ >= kNone || triangles_ >= kNone / 3) document_.fail("scene", "too many vertices or triangles");
+  }
+
+  /// Primitives in a row often share their positions. `last_positions` is the accessor of those before, kNone at first.
+  static bool has_own_vertices(const Primitive& p, std::size_t& last_positions) {
+    const bool alone = p.draco || p.deformation.any();
+    const bool own = alone || p.position_accessor != last_positions;
+    last_positions = alone ? kNone : p.position_accessor;
+    return own;
   }
 
   const std::vector<Primitive>& open_mesh(std::size_t mesh) {
@@ -128,9 +141,9 @@ class Reader {
       meshes_[mesh].emplace();
       for (const tinygltf::Primitive& from : model_.meshes[mesh].primitives) {
         if (from.mode < TINYGLTF_MODE_TRIANGLES) {
-          warnings_.add("glTF primitives of points or lines left out");
+          warnings_.leave_out(from.mode == TINYGLTF_MODE_POINTS ? "primitives of points" : "primitives of lines");
         } else if (!from.attributes.contains("POSITION")) {
-          warnings_.add("glTF primitives without positions left out");
+          warnings_.leave_out("primitives without positions");
         } else {
           meshes_[mesh]->push_back(open_primitive(from));
         }
@@ -147,9 +160,11 @@ class Reader {
     const auto draco = from.extensions.find(kDracoExtension);
     if (draco != from.extensions.end()) {
       p.draco = &decode(draco->second);
+      p.deformation = read_deformation(document_, from, p.vertex_count(), p.draco);
       return p;
     }
     p.positions = position_accessor(document_, p.position_accessor);
+    p.deformation = read_deformation(document_, from, p.positions.count(), nullptr);
     const auto indices = from.attributes.find(kGltfIndices);
     if (indices != from.attributes.end()) p.indices = index_accessor(document_, static_cast<std::size_t>(indices->second));
     const auto normals = from.attributes.find("NORMAL");
@@ -174,13 +189,14 @@ class Reader {
   }
 
   const DracoMesh& decode(const tinygltf::Value& extension) {
-    const std::pair key{extension.Get("bufferView").Get<int>(), extension.Get("attributes").Get("POSITION").Get<int>()};
+    const tinygltf::Value& attributes = extension.Get("attributes");
+    const std::pair key{extension.Get("bufferView").Get<int>(), attributes.Get("POSITION").Get<int>()};
     const auto [entry, is_new] = draco_.try_emplace(key);
     if (is_new) {
-      const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(key.first)];
-      const auto bytes =
-          document_.buffers.get(static_cast<std::size_t>(view.buffer)).subspan(view.byteOffset, view.byteLength);
-      entry->second = decode_draco(bytes, key.second, document_.name, "bufferView " + std::to_string(key.first));
+      std::map<std::string, int> ids;
+      for (const std::string& attribute : attributes.Keys()) ids[attribute] = attributes.Get(attribute).Get<int>();
+      const auto bytes = document_.view_bytes(static_cast<std::size_t>(key.first));
+      entry->second = decode_draco(bytes, ids, document_.name, "bufferView " + std::to_string(key.first));
     }
     return entry->second;
   }
@@ -189,7 +205,8 @@ class Reader {
 
   void add_object(const GltfInstance& instance) {
     const glm::dmat4& m = instance.to_world;
-    const bool mirrored = glm::determinant(glm::dmat3(m)) < 0;
+    const std::vector<glm::dmat4>& joints = joints_of(instance);
+    const bool mirrored = glm::determinant(glm::dmat3(joints.empty() ? m : joints[0])) < 0;
     Object object;
     object.name = model_.nodes[instance.node].name;
     if (object.name.empty()) object.name = model_.meshes[instance.mesh].name;
@@ -199,30 +216,53 @@ class Reader {
     std::size_t last_positions = kNone;
     std::uint32_t first_vertex = 0;
     for (const Primitive& p : *meshes_[instance.mesh]) {
-      if (p.draco || p.position_accessor != last_positions) {
+      std::optional<GltfDeformer> deformer;
+      if (p.deformation.any()) deformer.emplace(document_, p.deformation, weights_of(instance), joints, m);
+      if (has_own_vertices(p, last_positions)) {
         first_vertex = static_cast<std::uint32_t>(scene_.vertices.size());
-        const double largest = add_positions(p, m);
+        const double largest = add_positions(p, m, deformer);
         if (p.draco || p.positions.is_float()) largest_float = std::max(largest_float, largest);
       }
-      last_positions = p.draco ? kNone : p.position_accessor;
       add_triangles(p, first_vertex, mirrored);
-      if (shading_) add_normals(p, first_vertex, m);
+      if (shading_) add_normals(p, first_vertex, m, deformer);
       materials_.emplace_back(p.material, p.triangle_count());
     }
     object.vertex_end = static_cast<std::uint32_t>(scene_.vertices.size());
     object.face_end = static_cast<std::uint32_t>(scene_.faces.size());
-    object.precision = precision(object, m, largest_float);
+    object.precision = precision(object, m, joints, largest_float);
     scene_.objects.push_back(std::move(object));
   }
 
-  double add_positions(const Primitive& p, const glm::dmat4& m) {
+  /// Matrices of the node's skin, or none.
+  const std::vector<glm::dmat4>& joints_of(const GltfInstance& instance) {
+    static const std::vector<glm::dmat4> kNoJoints;
+    const int skin = model_.nodes[instance.node].skin;
+    if (skin < 0) return kNoJoints;
+    auto& joints = joints_[static_cast<std::size_t>(skin)];
+    if (joints.empty()) joints = joint_matrices(document_, nodes_, static_cast<std::size_t>(skin));
+    return joints;
+  }
+
+  /// Weights of the morph targets: the node's own stand before those of its mesh.
+  std::span<const double> weights_of(const GltfInstance& instance) const {
+    const std::vector<double>& own = model_.nodes[instance.node].weights;
+    return own.empty() ? model_.meshes[instance.mesh].weights : own;
+  }
+
+  double add_positions(const Primitive& p, const glm::dmat4& to_world, std::optional<GltfDeformer>& deformer) {
+    const glm::dmat4 m = deformer ? glm::dmat4(1) : to_world;
     const std::size_t first = scene_.vertices.size();
     scene_.vertices.resize(first + p.vertex_count());
     const auto out = std::span(scene_.vertices).subspan(first);
-    if (!p.draco) return read_positions(document_, p.positions, m, out);
-    std::transform(p.draco->positions.begin(), p.draco->positions.end(), out.begin(),
-                   [&](const Point3& q) { return m == glm::dmat4(1) ? q : Point3(m * glm::dvec4(q, 1)); });
-    return p.draco->largest;
+    double largest = 0;
+    if (p.draco) {
+      std::transform(p.draco->positions.begin(), p.draco->positions.end(), out.begin(),
+                     [&](const Point3& q) { return m == glm::dmat4(1) ? q : Point3(m * glm::dvec4(q, 1)); });
+      largest = p.draco->largest;
+    } else {
+      largest = read_positions(document_, p.positions, m, out);
+    }
+    return deformer ? deformer->move_positions(out) : largest;
   }
 
   void add_triangles(const Primitive& p, std::uint32_t first_vertex, bool mirrored) {
@@ -246,17 +286,20 @@ class Reader {
   }
 
   /// Normals of the triangles added last. They turn with the inverse of the transposed matrix.
-  void add_normals(const Primitive& p, std::uint32_t first_vertex, const glm::dmat4& m) {
+  void add_normals(const Primitive& p, std::uint32_t first_vertex, const glm::dmat4& m,
+                   std::optional<GltfDeformer>& deformer) {
     auto& out = shading_->corner_normals;
     const auto corners = std::as_const(scene_.faces).corners();
     const glm::dmat3 linear(m);
-    if (!p.normals || glm::determinant(linear) == 0) {
+    if (!p.normals || (!deformer && glm::determinant(linear) == 0)) {
       out.resize(corners.size(), 0);
       return;
     }
     std::vector<Point3> normals(p.normals->count(), Point3(0));
     try {
-      read_positions(document_, *p.normals, glm::dmat4(glm::transpose(glm::inverse(linear))), normals);
+      const glm::dmat4 turn = deformer ? glm::dmat4(1) : glm::dmat4(glm::transpose(glm::inverse(linear)));
+      read_positions(document_, *p.normals, turn, normals);
+      if (deformer) deformer->turn_normals(normals);
     } catch (const InputError&) {  // one that is not finite: those before it stand
     }
     std::vector<std::uint32_t> packed(normals.size());
@@ -277,15 +320,18 @@ class Reader {
 
   /// Half a unit in the last place of the largest float32, carried through the transform, and what the transform itself
   /// rounds. Integers are exact before it.
-  double precision(const Object& object, const glm::dmat4& m, double largest_float) const {
+  double precision(const Object& object, const glm::dmat4& m, std::span<const glm::dmat4> joints,
+                   double largest_float) const {
     const double stored = largest_float > 0 ? std::ldexp(1.0, std::ilogb(largest_float) - kFloatDigits) : 0;
-    if (m == glm::dmat4(1)) return stored;
+    if (m == glm::dmat4(1) && joints.empty()) return stored;
+    double stretch = joints.empty() ? largest_stretch(m) : 0;
+    for (const glm::dmat4& joint : joints) stretch = std::max(stretch, largest_stretch(joint));
     double largest = 0;
     for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
       const Point3 p = glm::abs(scene_.vertices[v]);
       largest = std::max({largest, p.x, p.y, p.z});
     }
-    const double sum = stored * largest_stretch(m) + kTransformRoundings * std::numeric_limits<double>::epsilon() * largest;
+    const double sum = stored * stretch + kTransformRoundings * std::numeric_limits<double>::epsilon() * largest;
     return std::isfinite(sum) ? sum : 0;
   }
 
@@ -297,6 +343,10 @@ class Reader {
       material.color = glm::clamp(Point3(c[0], c[1], c[2]), 0.0, 1.0);
       // Only BLEND makes a face transparent: OPAQUE ignores the alpha value, MASK compares it (section 3.9.4).
       if (from.alphaMode == "BLEND") material.opacity = std::clamp(c[3], 0.0, 1.0);
+      if (const auto glass = from.extensions.find(kTransmissionExtension); glass != from.extensions.end()) {
+        const double through = glass->second.Get("transmissionFactor").GetNumberAsDouble();
+        material.opacity = std::min(material.opacity, std::max(1 - through, kClearGlass));
+      }
       scene_.materials.push_back(std::move(material));
     }
     const auto number_of = [&](int material) {
@@ -320,6 +370,8 @@ class Reader {
   Warnings& warnings_;
   FileShading* shading_;  ///< or nullptr
   Scene scene_;
+  GltfNodes nodes_;
+  std::vector<std::vector<glm::dmat4>> joints_;  ///< by skin; empty until asked for
   std::vector<std::optional<std::vector<Primitive>>> meshes_;
   std::map<std::pair<int, int>, DracoMesh> draco_;      ///< by bufferView and id of the positions
   std::vector<std::pair<int, std::size_t>> materials_;  ///< material (-1: none) and number of faces, in order
@@ -329,8 +381,9 @@ class Reader {
 }  // namespace
 
 Scene read_gltf(std::span<const std::byte> bytes, bool binary, const std::filesystem::path& folder, const std::string& name,
-                ReadReport& report, Warnings& warnings, FileShading* shading) {
+                ReadReport& report, Warnings& warnings, FileShading* shading, const std::optional<ScenePose>& pose) {
   GltfDocument document = open_gltf(bytes, binary, folder, name);
+  if (pose) apply_pose(document, *pose);
   report.format = binary ? ModelFormat::glb : ModelFormat::gltf;
   report.files = document.buffers.files();
   return Reader(document, warnings, shading).run(report);

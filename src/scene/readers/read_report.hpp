@@ -25,4 +25,10 @@ struct ReadReport {
   InputFiles files;                 ///< opened or named: the model itself, and the buffers of a glTF
 };
 
+/// A moment of an animation of a file.
+struct ScenePose {
+  std::string animation;  ///< its name, or its number from 0
+  double seconds = 0;
+};
+
 }  // namespace ligne

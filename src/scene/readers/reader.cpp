@@ -45,9 +45,9 @@ Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::p
                ReadReport& report, Warnings& warnings, const ReadOptions& options, FileShading* shading) {
   switch (format) {
     case ModelFormat::gltf:
-      return read_gltf(bytes, false, folder, name, report, warnings, shading);
+      return read_gltf(bytes, false, folder, name, report, warnings, shading, options.pose);
     case ModelFormat::glb:
-      return read_gltf(bytes, true, folder, name, report, warnings, shading);
+      return read_gltf(bytes, true, folder, name, report, warnings, shading, options.pose);
     case ModelFormat::obj:
       return read_obj(bytes, name, report, warnings, shading, options.groups, folder);
     case ModelFormat::stl_ascii:
@@ -100,7 +100,11 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs:
   if (scene.faces.empty()) throw InputError(name, no_faces(warnings.left_out()));
   check_size(scene, name);
   if (options.shading) mark_smooth_edges(scene, shading);
+  const std::size_t faces = scene.faces.size();
   weld_and_finish(scene, options, warnings);
+  if (scene.faces.empty()) {
+    throw InputError(name, "none of its " + std::to_string(faces) + " faces has an area: they are lines or points");
+  }
   return scene;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,10 +18,11 @@ namespace ligne {
 inline constexpr double kLargestCoordinate = 0x1p200;
 
 struct ReadOptions {
-  double weld_distance = 0;     ///< vertices so near to each other become one (model units); 0: those at one position
-  bool merge_coplanar = false;  ///< put coplanar neighbouring faces together into polygons with holes
-  bool groups = false;          ///< OBJ without objects: its groups are objects
-  bool shading = false;         ///< mark the edges that the file calls smooth or sharp (creases/file_shading.hpp)
+  double weld_distance = 0;         ///< vertices so near to each other become one (model units); 0: those at one position
+  bool merge_coplanar = false;      ///< put coplanar neighbouring faces together into polygons with holes
+  bool groups = false;              ///< OBJ without objects: its groups are objects
+  bool shading = false;             ///< mark the edges that the file calls smooth or sharp (creases/file_shading.hpp)
+  std::optional<ScenePose> pose{};  ///< glTF: the moment of an animation; without it, the model as it stands
 };
 
 /// Format of the bytes, by content; `suffix` (".obj", any case, may be empty) decides between formats without a mark of
