@@ -38,7 +38,7 @@ The library that programs made with libligne-dev run with.")
   set(CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS "${runtime_component} (= ${PROJECT_VERSION}-1), libglm-dev")
 else()
   set(CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS
-      "libglm-dev, libcairo2-dev, libmuparser-dev, libpng-dev, libpugixml-dev, libtbb-dev")
+      "libglm-dev, libcairo2-dev, libmuparser-dev, libpng-dev, libpugixml-dev, libtbb-dev, zlib1g-dev")
   if(TARGET TIFF::TIFF)
     string(APPEND CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS ", libtiff-dev")
   endif()

@@ -77,7 +77,7 @@ def read(
     pose: Optional[str] = None,
     threads: int = 0,
 ) -> Scene:
-    """Reads glTF, OBJ, STL, PLY, 3D Studio ASCII or ligne-scene files; several make one scene.
+    """Reads glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII or ligne-scene files; several make one scene.
 
     `groups`: the groups of an OBJ without objects are objects, which draw(group=..., color=...) tell apart. The others are
     the command's. Raises InputError.

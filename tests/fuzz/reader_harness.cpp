@@ -7,6 +7,8 @@
 #include "plotting/paths/optimize.hpp"
 #include "scene/creases/find_creases.hpp"
 #include "scene/heal/heal.hpp"
+#include "scene/readers/meshopt_codec.hpp"
+#include "scene/readers/obj_materials.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/surfaces/grid_formats.hpp"
 #include "support/standard.hpp"
@@ -30,6 +32,8 @@ std::vector<ModelFormat> formats_of(std::string_view kind) {
   if (kind == "obj") return {ModelFormat::obj};
   if (kind == "stl") return {ModelFormat::stl_ascii, ModelFormat::stl_binary};
   if (kind == "ply") return {ModelFormat::ply};
+  if (kind == "off") return {ModelFormat::off};
+  if (kind == "3mf") return {ModelFormat::three_mf};
   if (kind == "asc") return {ModelFormat::asc_3d_studio};
   if (kind == "scene") return {ModelFormat::ligne_scene};
   fail("no such kind of file");
@@ -153,6 +157,35 @@ void read_zbuffer_as_fuzzer(std::span<const std::byte> bytes) {
   }
 }
 
+void read_mtl_as_fuzzer(std::span<const std::byte> bytes) {
+  try {
+    std::map<std::string, Material> materials;
+    Warnings warnings;
+    read_mtl(as_characters(bytes), "fuzz", materials, warnings);
+    for (const auto& [name, material] : materials) {
+      need(material.opacity >= 0 && material.opacity <= 1, "opacities lie between 0 and 1");
+    }
+    for (const std::string& line : warnings.lines()) need(line.find('\n') == std::string::npos, "a warning is one line");
+  } catch (const InputError& error) {
+    need_one_line(error);
+  }
+}
+
+/// Streams of compressed views: the first two bytes say of which mode, filter, stride and count.
+void read_meshopt_as_fuzzer(std::span<const std::byte> bytes) {
+  if (bytes.size() < 2) return;
+  const auto first = std::to_integer<std::size_t>(bytes[0]), second = std::to_integer<std::size_t>(bytes[1]);
+  MeshoptView view;
+  view.mode = static_cast<MeshoptMode>(first % 3);
+  view.filter = static_cast<MeshoptFilter>(first / 3 % 4);
+  view.stride = view.mode == MeshoptMode::attributes ? 4 * (1 + first / 12) : 2 + 2 * (first / 12 % 2);
+  view.count = 3 * second;
+  if (!check_meshopt(view).empty()) return;
+  std::string cause;
+  const std::vector<std::byte> out = decode_meshopt(bytes.subspan(2), view, cause);
+  need(cause.empty() ? out.size() == view.count * view.stride : out.empty(), "all elements, or none");
+}
+
 /// Drawings are read, "svg" or "drawing", and their first strokes made ready for a pen.
 void read_drawing_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -185,6 +218,8 @@ void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   if (kind == "grid") return read_grid_as_fuzzer(bytes);
   if (kind == "hgt" || kind == "tiff") return read_terrain_as_fuzzer(kind, bytes);
   if (kind == "formula") return read_formula_as_fuzzer(bytes);
+  if (kind == "mtl") return read_mtl_as_fuzzer(bytes);
+  if (kind == "meshopt") return read_meshopt_as_fuzzer(bytes);
   try {
     detect_format(bytes, "." + std::string(kind), "fuzz");
   } catch (const InputError& error) {
@@ -194,7 +229,10 @@ void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
     try {
       Warnings warnings;
       check_scene(read_scene(bytes, format, {}, "fuzz", {.merge_coplanar = true}, warnings));
-      Scene scene = read_scene(bytes, format, {}, "fuzz", {.shading = true}, warnings);
+      ReadOptions shaded{.shading = true};
+      if (bytes.size() % 2 == 1) shaded.pose = ScenePose{"0", 0.5};
+      if (format != ModelFormat::gltf && format != ModelFormat::glb) shaded.pose.reset();
+      Scene scene = read_scene(bytes, format, {}, "fuzz", shaded, warnings);
       Topology topology = build_topology(scene);
       heal(scene, topology, {});
       check_scene(scene);

@@ -27,8 +27,8 @@ TEST_P(FuzzReplay, EveryFileIsReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, FuzzReplay,
-                         testing::Values("gltf", "glb", "obj", "stl", "ply", "asc", "scene", "tree", "zbuf", "grid", "hgt",
-                                         "tiff", "formula", "svg", "drawing"),
+                         testing::Values("gltf", "glb", "obj", "mtl", "stl", "ply", "off", "3mf", "asc", "meshopt", "scene",
+                                         "tree", "zbuf", "grid", "hgt", "tiff", "formula", "svg", "drawing"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

@@ -44,13 +44,14 @@ TEST(DetectFormat, BySuffixWhereContentDoesNotDecide) {
 }
 
 TEST(DetectFormat, FilesThatAreNoModels) {
-  const std::string unknown = "M: not a model file that is known (glTF, OBJ, STL, PLY, 3D Studio ASCII, ligne scene)";
+  const std::string unknown =
+      "M: not a model file that is known (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII, ligne scene)";
   EXPECT_EQ(detected(""), "M: is empty");
   EXPECT_EQ(detected("", ".obj"), "M: is empty");
   EXPECT_EQ(detected(" \r\n\t\n", ".obj"), "M: holds nothing but white space");
   EXPECT_EQ(detected("\x89PNG\r\n\x1a\n", ".obj"), "M: is a PNG image, not a model");
   EXPECT_EQ(detected(std::string("II*\0", 4)), "M: is a TIFF image, not a model");
-  EXPECT_EQ(detected("PK\x03\x04"), "M: is a ZIP archive, not a model");
+  EXPECT_EQ(detected("PK\x03\x04"), "M: ZIP: no directory at its end");
   EXPECT_EQ(detected("\xFF\xFEv\0", ".obj"), "M: is UTF-16 text; UTF-8 is needed");
   EXPECT_EQ(detected("hello\n", ".txt"), unknown);
   EXPECT_EQ(detected(std::string("v 0 0 0\n\0", 9), ".obj"), unknown);

@@ -2,12 +2,15 @@
 // must agree with its count; text by what its first lines say; and last the suffix.
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
+#include "scene/readers/model_strangers.hpp"
+#include "scene/readers/off_reader.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/readers/stl_reader.hpp"
 #include "scene/readers/text_lines.hpp"
+#include "scene/readers/three_mf_reader.hpp"
+#include "scene/readers/zip_archive.hpp"
 
 namespace ligne {
 namespace {
@@ -19,20 +22,18 @@ std::string_view as_chars(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// What a file that is no model is, by its first bytes.
-std::optional<std::string_view> known_stranger(std::string_view bytes) {
-  struct Mark {
-    std::string_view begin, what;
-  };
-  static constexpr std::array kMarks{Mark{"\x89PNG", "a PNG image"},      Mark{"\xFF\xD8\xFF", "a JPEG image"},
-                                     Mark{"GIF8", "a GIF image"},         Mark{"II*", "a TIFF image"},
-                                     Mark{{"MM\0*", 4}, "a TIFF image"},  Mark{"%PDF", "a PDF document"},
-                                     Mark{"PK\x03\x04", "a ZIP archive"}, Mark{"\x1F\x8B", "a gzip archive"},
-                                     Mark{"<?xml", "an XML file"},        Mark{"<svg", "an SVG drawing"}};
-  for (const Mark& mark : kMarks) {
-    if (bytes.starts_with(mark.begin)) return mark.what;
+/// The format of a ZIP archive; throws InputError for those that are none.
+ModelFormat zip_format(std::span<const std::byte> bytes, const std::string& name) {
+  const ZipArchive archive(bytes, name);
+  if (is_three_mf(archive)) return ModelFormat::three_mf;
+  for (const ZipEntry& entry : archive.entries()) {
+    const std::string inside = lower_case(entry.name);
+    if (inside.ends_with(".usdc") || inside.ends_with(".usda") || inside.ends_with(".usd"))
+      throw InputError(name, "is a USD file, which is not read: open it in Blender and export glTF");
+    if (inside.ends_with(".amf"))
+      throw InputError(name, "is an AMF file, which is not read: open it in PrusaSlicer or FreeCAD and export 3MF or STL");
   }
-  return {};
+  throw InputError(name, "is a ZIP archive, not a model");
 }
 
 /// The text from its first character that is neither white space nor part of a byte order mark.
@@ -79,6 +80,8 @@ bool is_obj_statement(std::string_view line) {
 
 std::optional<ModelFormat> text_format(std::string_view text) {
   const std::string_view head = text.substr(0, kLookedAt);
+  std::string_view first_line = head.substr(0, head.find_first_of("\r\n"));
+  if (is_off_word(take_word(first_line))) return ModelFormat::off;
   if (starts_with_ignoring_case(head, "solid") && head.find_first_of(" \t\r\n", 5) == 5) return ModelFormat::stl_ascii;
   LineReader lines(head);
   for (std::string_view line; lines.next(line);) {
@@ -109,6 +112,10 @@ std::string_view to_string(ModelFormat format) {
       return "PLY";
     case ModelFormat::asc_3d_studio:
       return "3D Studio ASCII";
+    case ModelFormat::off:
+      return "OFF";
+    case ModelFormat::three_mf:
+      return "3MF";
     case ModelFormat::ligne_tree:
       return "compiled model";
     case ModelFormat::ligne_scene:
@@ -121,7 +128,8 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
   const std::string_view chars = as_chars(bytes);
   if (chars.empty()) throw InputError(name, "is empty");
   if (chars.starts_with("glTF")) return ModelFormat::glb;
-  if (const auto stranger = known_stranger(chars)) throw InputError(name, "is " + std::string(*stranger) + ", not a model");
+  if (chars.starts_with("PK\x03\x04")) return zip_format(bytes, name);
+  if (const auto stranger = known_stranger(bytes)) throw InputError(name, *stranger);
   const std::string_view text = without_leading_space(chars);
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return ModelFormat::ply;
   if (is_binary_stl(bytes) && stl_triangle_count(bytes) > 0) return ModelFormat::stl_binary;
@@ -139,9 +147,10 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
     if (const auto format = text_format(text)) return *format;
   }
   if (equal_ignoring_case(suffix, ".stl")) return is_binary ? ModelFormat::stl_binary : ModelFormat::stl_ascii;
+  if (!is_binary && equal_ignoring_case(suffix, ".off")) return ModelFormat::off;
   if (!is_binary && equal_ignoring_case(suffix, ".obj")) return ModelFormat::obj;
   if (!is_binary && equal_ignoring_case(suffix, ".gltf")) return ModelFormat::gltf;
-  throw InputError(name, "not a model file that is known (glTF, OBJ, STL, PLY, 3D Studio ASCII, ligne scene)");
+  throw InputError(name, "not a model file that is known (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII, ligne scene)");
 }
 
 }  // namespace ligne

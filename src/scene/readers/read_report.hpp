@@ -10,7 +10,7 @@
 
 namespace ligne {
 
-enum class ModelFormat { gltf, glb, obj, stl_ascii, stl_binary, ply, asc_3d_studio, ligne_scene, ligne_tree };
+enum class ModelFormat { gltf, glb, obj, stl_ascii, stl_binary, ply, asc_3d_studio, off, three_mf, ligne_scene, ligne_tree };
 
 /// Name as shown to people, "glTF binary" and the like.
 std::string_view to_string(ModelFormat format);

@@ -13,9 +13,11 @@
 #include "scene/readers/gltf_reader.hpp"
 #include "scene/readers/ligne_scene_reader.hpp"
 #include "scene/readers/obj_reader.hpp"
+#include "scene/readers/off_reader.hpp"
 #include "scene/readers/ply_reader.hpp"
 #include "scene/readers/scene_builder.hpp"
 #include "scene/readers/stl_reader.hpp"
+#include "scene/readers/three_mf_reader.hpp"
 
 namespace ligne {
 namespace {
@@ -58,6 +60,10 @@ Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::p
       return read_ply(bytes, name, report, warnings, shading);
     case ModelFormat::asc_3d_studio:
       return read_asc(bytes, name, report, warnings, shading);
+    case ModelFormat::off:
+      return read_off(bytes, name, report, warnings);
+    case ModelFormat::three_mf:
+      return read_three_mf(bytes, name, report, warnings);
     case ModelFormat::ligne_tree:
       throw InputError(name, "a compiled model is read by the programs that draw it");
     case ModelFormat::ligne_scene:

@@ -1,0 +1,117 @@
+#include "scene/readers/model_strangers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "scene/readers/load_bytes.hpp"
+#include "scene/readers/text_lines.hpp"
+
+namespace ligne {
+namespace {
+
+/// How far into a text is looked.
+constexpr std::size_t kSearched = 4096;
+
+constexpr char kWithAssimp[] = "convert it, for example with: assimp export IN OUT.glb";
+constexpr char kWithBlender[] = "open it in Blender and export glTF";
+constexpr char kWithFreeCad[] = "open it in FreeCAD and export STL, OBJ or glTF";
+constexpr char kNoModel[] = "";
+
+struct Stranger {
+  std::string_view mark, what, advice;
+};
+
+constexpr std::array kBeginnings{
+    Stranger{"\x89PNG", "a PNG image", kNoModel},
+    Stranger{"\xFF\xD8\xFF", "a JPEG image", kNoModel},
+    Stranger{"GIF8", "a GIF image", kNoModel},
+    Stranger{"II*", "a TIFF image", kNoModel},
+    Stranger{{"MM\0*", 4}, "a TIFF image", kNoModel},
+    Stranger{"%PDF", "a PDF document", kNoModel},
+    Stranger{"\x1F\x8B", "a gzip archive", kNoModel},
+    Stranger{"\x28\xB5\x2F\xFD", "a Zstandard archive", kNoModel},
+    Stranger{"7z\xBC\xAF", "a 7z archive", kNoModel},
+    Stranger{"Rar!", "a RAR archive", kNoModel},
+    Stranger{"<svg", "an SVG drawing", kNoModel},
+    Stranger{"Kaydara FBX Binary", "an FBX file", kWithAssimp},
+    Stranger{"; FBX", "an FBX file", kWithAssimp},
+    Stranger{"ISO-10303-21", "a STEP file", kWithFreeCad},
+    Stranger{"PXR-USDC", "a USD file", kWithBlender},
+    Stranger{"#usda", "a USD file", kWithBlender},
+    Stranger{"BLENDER", "a Blender file", kWithBlender},
+    Stranger{{"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0", 20},
+             "a SketchUp file",
+             "export COLLADA or glTF from SketchUp, and convert the first with assimp"},
+    Stranger{"AutoCAD Binary DXF", "a DXF file", kWithFreeCad},
+    Stranger{"AC10", "a DWG file", kWithFreeCad},
+    Stranger{"#VRML", "a VRML file", "open it in MeshLab and export PLY or OBJ"},
+    Stranger{"3D Geometry File Format", "a Rhino file", "export OBJ or STL from Rhino"},
+    Stranger{"# vtk DataFile", "a VTK file", "open it in ParaView and save its surface as PLY or STL"},
+    Stranger{"$MeshFormat", "a Gmsh mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
+    Stranger{"# .PCD", "a point cloud (PCD)", "it holds points alone: reconstruct a surface, for example in MeshLab"},
+    Stranger{"DBRep_DrawableShape", "a BREP file of Open CASCADE", kWithFreeCad},
+    Stranger{{"U3D\0", 4}, "a U3D file", kWithBlender},
+};
+
+/// Roots of XML documents, searched for in its beginning.
+constexpr std::array kRoots{
+    Stranger{"<COLLADA", "a COLLADA file", kWithAssimp},
+    Stranger{"<X3D", "an X3D file", kWithAssimp},
+    Stranger{"<amf", "an AMF file", "open it in PrusaSlicer or FreeCAD and export 3MF or STL"},
+    Stranger{"<svg", "an SVG drawing", kNoModel},
+};
+
+std::string message(const Stranger& stranger) {
+  if (stranger.advice.empty()) return "is " + std::string(stranger.what) + ", not a model";
+  return "is " + std::string(stranger.what) + ", which is not read: " + std::string(stranger.advice);
+}
+
+/// 3D Studio's binary chunks: the first, 0x4d4d, is as long as the file.
+bool is_3ds(std::span<const std::byte> bytes) {
+  constexpr std::uint16_t kMain = 0x4d4d;
+  constexpr std::size_t kHeader = 6;
+  return bytes.size() > kHeader && load_bytes<std::uint16_t>(bytes.data(), std::endian::little) == kMain &&
+         load_bytes<std::uint32_t>(bytes.data() + 2, std::endian::little) == bytes.size();
+}
+
+/// Lines of 80 characters, of which the 73rd names the section; the first is S.
+bool is_iges(std::string_view text) {
+  constexpr std::size_t kSection = 72;
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  return line.size() == kSection + 8 && line[kSection] == 'S' && trimmed(line.substr(kSection + 1)) == "1";
+}
+
+/// Pairs of lines, a code and a value: the first are 0 and SECTION, or 999 and a comment.
+bool is_dxf(std::string_view text) {
+  LineReader lines(text);
+  std::string_view code, value;
+  if (!lines.next(code) || !lines.next(value)) return false;
+  return (trimmed(code) == "0" && trimmed(value) == "SECTION") ||
+         (trimmed(code) == "999" && text.find("SECTION") != std::string_view::npos);
+}
+
+}  // namespace
+
+std::optional<std::string> known_stranger(std::span<const std::byte> bytes) {
+  std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (is_3ds(bytes)) return message({"", "a binary 3D Studio file (3DS)", kWithAssimp});
+  if (chars.starts_with("\xEF\xBB\xBF")) chars.remove_prefix(3);
+  const std::string_view head = chars.substr(0, kSearched);
+  if (chars.starts_with("ISO-10303-21") && head.find("IFC") != std::string_view::npos) {
+    return message({"", "an IFC file", "open it in FreeCAD or Blender (Bonsai) and export OBJ or glTF"});
+  }
+  for (const Stranger& stranger : kBeginnings) {
+    if (chars.starts_with(stranger.mark)) return message(stranger);
+  }
+  for (const Stranger& stranger : kRoots) {
+    if (chars.starts_with('<') && head.find(stranger.mark) != std::string_view::npos) return message(stranger);
+  }
+  if (chars.starts_with("<?xml")) return message({"", "an XML file", kNoModel});
+  if (is_iges(head)) return message({"", "an IGES file", kWithFreeCad});
+  if (is_dxf(head)) return message({"", "a DXF file", kWithFreeCad});
+  return std::nullopt;
+}
+
+}  // namespace ligne
