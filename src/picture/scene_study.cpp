@@ -117,8 +117,13 @@ StudyOptions study_options(const PreparedScene& prepared, std::optional<SpanLine
 }
 
 /// What of the scene the method can not do, or not draw.
-void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, const LineRequest& lines, RunReport& run) {
+void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, const ProjectedScene& projected,
+                    const LineRequest& lines, RunReport& run) {
   const std::string name(method.name);
+  const auto glass = std::ranges::count_if(projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
+  if (glass > 0 && method.glass == Glass::opaque) {
+    run.warn(std::to_string(glass) + " transparent faces are taken as opaque; --method atherton-weiler sees through them");
+  }
   if (!result.beyond.empty()) {
     run.warn("the drawing may be wrong: --method " + name + " is for " + std::string(method.only_for) +
              ", and of this scene " + result.beyond);
@@ -281,7 +286,7 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   if (!found.result.strokes) {
     throw RequestError("method", std::string(found.method->traits().name) + " does not produce lines");
   }
-  warn_of_limits(found.method->traits(), found.result, request.lines, run);
+  warn_of_limits(found.method->traits(), found.result, projected, request.lines, run);
   remove_hidden_axes(*found.result.strokes);
   if (request.groups) {
     found.points_seen = take_probes(*found.result.strokes, prepared.first_probe, request.groups->points.size());

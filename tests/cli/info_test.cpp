@@ -183,7 +183,7 @@ TEST_F(ProgramTest, CompareRefusesWhatMakesNoSense) {
 TEST_F(ProgramTest, StatsSayWhichRuleChose) {
   const Outcome outcome = run({"draw", "cube.obj", "-o", "x.svg", "--stats"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  expect_parts(outcome.err, {"rule 3: any other scene"});
+  expect_parts(outcome.err, {"rule 4: any other scene"});
 }
 
 // ligne study: the names, what is refused, and the files that it writes.

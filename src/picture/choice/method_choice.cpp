@@ -11,9 +11,13 @@ namespace {
 
 /// Adjustable: fewer are studied in some milliseconds by either method.
 constexpr std::size_t kManyTriangles = 512;
+/// Adjustable: scenes of more triangles are drawn as if glass were opaque, with a warning. The method that sees through
+/// glass takes several times as long as the default one, and more memory.
+constexpr std::size_t kMostGlassTriangles = 100'000;
 
 constexpr ChoiceRule kRules[] = {
     {"areas of faces are asked for", "atherton-weiler", [](const ChoiceFacts& f) { return f.regions; }},
+    {"some faces are transparent", "atherton-weiler", [](const ChoiceFacts& f) { return f.glass; }},
     {"one opaque convex body of many faces", "culling",
      [](const ChoiceFacts& f) { return f.many_triangles && f.may_be_one_body; }},
     {"any other scene", "appel", [](const ChoiceFacts&) { return true; }},
@@ -36,6 +40,8 @@ ChoiceFacts facts_of(const PictureRequest& request, const ProjectedScene& projec
   ChoiceFacts facts;
   facts.regions = asks_for_regions(request);
   facts.many_triangles = projected.triangles.size() >= kManyTriangles;
+  facts.glass = projected.triangles.size() <= kMostGlassTriangles &&
+                std::ranges::any_of(projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
   facts.may_be_one_body = !facts.regions && facts.many_triangles && culling::looks_like_one_convex_body(projected);
   return facts;
 }

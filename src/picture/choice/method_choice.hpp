@@ -19,6 +19,7 @@ struct ChoiceFacts {
   bool regions = false;          ///< the picture is made of areas
   bool many_triangles = false;   ///< so many that the time of a study is noticed
   bool may_be_one_body = false;  ///< it looks like one opaque convex body, which the method itself finds out
+  bool glass = false;            ///< some faces are transparent, and the scene is not too large for a method of areas
 };
 
 struct ChoiceRule {
