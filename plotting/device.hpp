@@ -55,7 +55,8 @@ struct Device {
   std::size_t points_per_command = 0;  ///< 0: any number
   std::vector<DevicePlace> places;
   std::vector<DeviceAction> actions;
-  bool returns = false;  ///< the pen goes back to (0, 0) at the end
+  bool inside_first = false;  ///< it cuts: what lies in a closed line comes before that
+  bool returns = false;       ///< the pen goes back to (0, 0) at the end
   double down_mm_s = 0, up_mm_s = 0, lift_s = 0, pen_change_s = 0;
 };
 

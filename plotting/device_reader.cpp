@@ -178,12 +178,37 @@ void read_commands(const TomlTable& table, Device& device) {
 Device read_device(std::string_view toml, const std::string& file) {
   const toml::table parsed = parse_toml(toml, file);
   const TomlTable table(parsed, file);
-  table.only({"name",    "title",      "note",       "language",     "step",
-              "pens",    "rotation",   "turn",       "y_down",       "limits",
-              "paper",   "place",      "action",     "begin",        "end",
-              "up",      "down",       "pen_change", "pen_select",   "travel",
-              "draw",    "dot",        "velocity",   "delay",        "points_per_command",
-              "returns", "speed_down", "speed_up",   "lift_seconds", "pen_change_seconds"});
+  table.only({"name",
+              "title",
+              "note",
+              "language",
+              "step",
+              "pens",
+              "rotation",
+              "turn",
+              "y_down",
+              "limits",
+              "paper",
+              "place",
+              "action",
+              "begin",
+              "end",
+              "up",
+              "down",
+              "pen_change",
+              "pen_select",
+              "travel",
+              "draw",
+              "dot",
+              "velocity",
+              "delay",
+              "points_per_command",
+              "returns",
+              "inside_first",
+              "speed_down",
+              "speed_up",
+              "lift_seconds",
+              "pen_change_seconds"});
   Device device;
   device.name = required_text(table, "name");
   device.title = required_text(table, "title");
@@ -199,6 +224,7 @@ Device read_device(std::string_view toml, const std::string& file) {
   if (turn != "left" && turn != "right") table.fail("turn is neither left nor right", table.find("turn"));
   device.turn_right = turn == "right";
   device.y_down = table.flag("y_down").value_or(false);
+  device.inside_first = table.flag("inside_first").value_or(false);
   device.returns = table.flag("returns").value_or(false);
   for (const TomlTable& paper : table.tables("paper")) device.papers.push_back(read_paper(paper));
   if (device.papers.empty()) device.limits_mm = read_limits(table);

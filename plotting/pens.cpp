@@ -133,7 +133,7 @@ unsigned PenTable::pen_of(std::string_view layer, std::string_view material, uns
                           const std::string& object) const {
   if (const auto named = named_pen_of(layer, material, shade, object)) return *named;
   const unsigned number = parse_layer_label(layer).number;
-  return number > 0 ? number : rest;
+  return number > 0 && !names_rest ? number : rest;
 }
 
 Pen PenTable::pen(unsigned number) const {
@@ -168,6 +168,7 @@ void add_pen(PenTable& table, std::string_view text) {
   constexpr std::string_view kObject = "object:", kMaterial = "material:", kShade = "shade:";
   if (layer == "rest") {
     table.rest = number;
+    table.names_rest = true;
   } else if (layer.starts_with(kShade)) {
     table.pen_of_shade[parse_shade(layer.substr(kShade.size()))] = number;
   } else if (layer.starts_with(kObject)) {

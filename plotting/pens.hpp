@@ -47,6 +47,7 @@ struct PenTable {
   std::vector<std::pair<std::string, unsigned>> pen_of_object;  ///< by patterns of names as of a shell; the last that fits
   std::map<unsigned, unsigned> pen_of_shade;                    ///< of hatching: degrees of darkness from 1, the darkest
   unsigned rest = 1;
+  bool names_rest = false;  ///< somebody said which pen that is: then numbers in names of layers do not count
 
   bool empty() const { return pens.empty(); }
   /// Number of the pen that the table names for a layer; nothing where it names none.

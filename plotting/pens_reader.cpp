@@ -63,7 +63,10 @@ PenTable read_pens(std::string_view toml, const std::string& name) {
       if (!result.pen_of_shade.emplace(shade, pen.number).second)
         table.fail("shade " + std::to_string(shade) + " has two pens", table.find("shades"));
     }
-    if (table.flag("rest").value_or(false)) result.rest = pen.number;
+    if (table.flag("rest").value_or(false)) {
+      result.rest = pen.number;
+      result.names_rest = true;
+    }
   }
   if (result.empty()) root.fail("there is no [[pen]]");
   return result;

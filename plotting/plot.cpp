@@ -46,7 +46,8 @@ class Dealer {
     const PenTable& table = request_.pens;
     const auto named = table.named_pen_of(layer.name, layer.material, layer.shade, layer.object);
     if (named) return table.pen(*named);
-    const LayerLabel label = parse_layer_label(layer.name);
+    LayerLabel label = parse_layer_label(layer.name);
+    if (table.names_rest) label.number = 0;
     const bool per_layer = table.empty() && request_.pen_per_layer;
     Pen pen = table.pen(label.number > 0 ? label.number : table.rest);
     if (per_layer && label.number == 0 && !label.skip) pen.number = next_number(layer.name);
@@ -168,7 +169,8 @@ PenLines optimized(const PenWork& work, const PathOptions& paths) {
     return paths.pace.seconds(measure(pen.lines, paths.order.home, paths.order.returns));
   };
   // What is left out where strokes are joined is less: a piece of a long line is long.
-  const double allowed = paths.min_length_mm > 0 ? std::numeric_limits<double>::infinity() : seconds(before);
+  const double allowed =
+      paths.min_length_mm > 0 || paths.order.inside_first ? std::numeric_limits<double>::infinity() : seconds(before);
   const bool orders = paths.optimize != Optimize::join;
   if (paths.optimize != Optimize::order) {
     JoinTolerances twice = paths.tolerances;
@@ -229,6 +231,14 @@ PathLengths measure(const Plot& plot, Point2 home, bool returns) {
     if (!pen.pen.skip) sum += measure(pen.lines, home, returns);
   }
   return sum;
+}
+
+PathLengths measure_in_turn(const Plot& plot, Point2 home, bool returns) {
+  Polylines all;
+  for (const PenLines& pen : plot.pens) {
+    if (!pen.pen.skip) append(all, pen.lines);
+  }
+  return measure(all, home, returns);
 }
 
 PathLengths measure(const Drawing& drawing, Point2 home, bool returns) {

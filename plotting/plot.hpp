@@ -61,8 +61,10 @@ Drawing optimize_layers(const Drawing& drawing, const PathOptions& options);
 Rect ink_of(const Plot& plot);
 Rect ink_of(const Drawing& drawing);
 
-/// Sum over the pens that are not skipped, each from the home position.
+/// Sum over the pens that are not skipped, each from the home position, as each is put in order.
 PathLengths measure(const Plot& plot, Point2 home, bool returns);
+/// Of the pens that are not skipped as a file has them, one after the other: pens are changed where the last one ends.
+PathLengths measure_in_turn(const Plot& plot, Point2 home, bool returns);
 PathLengths measure(const Drawing& drawing, Point2 home, bool returns);
 
 /// How often a plotter changes its pen.

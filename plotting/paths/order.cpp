@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "plotting/paths/end_tree.hpp"
+#include "plotting/paths/inside_first.hpp"
 #include "plotting/paths/tour.hpp"
 
 namespace ligne {
@@ -23,6 +24,7 @@ class Strokes {
   Tour as_given();
   double way_up(const Tour& tour) const;
   void choose_starts(const Tour& tour);
+  Tour inside_before(const Tour& tour);
   std::vector<Point2> ends() const;
   Polylines in_order(const Tour& tour) const;
 
@@ -114,6 +116,22 @@ void Strokes::choose_starts(const Tour& tour) {
   }
 }
 
+/// What lies in a closed stroke before that.
+Tour Strokes::inside_before(const Tour& tour) {
+  std::vector<std::uint32_t> order, entry_of(count());
+  for (const std::uint32_t entry : tour.entries) {
+    if (entry / 2 >= count()) continue;
+    order.push_back(entry / 2);
+    entry_of[entry / 2] = entry;
+  }
+  Tour changed;
+  changed.entries.push_back(tour.entries.front());
+  for (const std::uint32_t stroke : inside_first(lines_, order)) changed.entries.push_back(entry_of[stroke]);
+  if (options_.returns) changed.entries.push_back(tour.entries.back());
+  choose_starts(changed);
+  return changed;
+}
+
 std::vector<Point2> Strokes::ends() const {
   std::vector<Point2> points(2 * lines_.size() + 4, options_.home);
   for (std::uint32_t e = 0; e < 2 * count(); ++e) points[e] = end_point(e);
@@ -192,6 +210,7 @@ Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std
     work = options.most_work;
     tour = improved(strokes.as_given());
   }
+  if (options.inside_first) tour = strokes.inside_before(tour);
   if (order) {
     for (const std::uint32_t entry : tour.entries) {
       if (entry / 2 < lines.size()) order->push_back(entry / 2);

@@ -9,8 +9,9 @@
 namespace ligne {
 
 struct OrderOptions {
-  Point2 home{0, 0};     ///< where the pen comes from, page mm
-  bool returns = false;  ///< it goes back there at the end
+  Point2 home{0, 0};          ///< where the pen comes from, page mm
+  bool returns = false;       ///< it goes back there at the end
+  bool inside_first = false;  ///< what lies in a closed stroke is drawn before it, even where the way up becomes longer
   /// The work that improving may do, in strokes moved: the same for the same input, whatever the machine.
   std::uint64_t most_work = 150'000'000;
 };

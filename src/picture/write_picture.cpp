@@ -223,6 +223,18 @@ void write_parts(Plot plot, const PlotterRequest& plotter, Point2 home, const st
   }
 }
 
+/// Says when the page is larger than every paper of the device: it was made to fit on the largest.
+void warn_of_paper(const Device& device, const DeviceFrame& frame, const Page& page, RunReport& run) {
+  if (!frame.paper) return;
+  const auto [low, high] = std::minmax(page.width_mm, page.height_mm);
+  const auto [paper_low, paper_high] = std::minmax(frame.paper->width_mm, frame.paper->height_mm);
+  constexpr double kSameSizeMm = 1;
+  if (low <= paper_low + kSameSizeMm && high <= paper_high + kSameSizeMm) return;
+  run.warnings.push_back({"", "no paper of " + printable(device.name) + " holds a page of " + rounded(page.width_mm) +
+                                  " x " + rounded(page.height_mm) + " mm: the drawing is made for " +
+                                  printable(frame.paper->name)});
+}
+
 Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
                       RunReport& run, const GrayPicture* under, PdfDocument* pages) {
   const Device* device = plotter.device.get();
@@ -246,15 +258,17 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
       run.warnings.push_back({"", "the drawing is made smaller, to " + scale_text(frame->scale) +
                                       " of the size asked for, so that it fits " + printable(device->name)});
     }
+    warn_of_paper(*device, *frame, style.page, run);
     order.home = frame->to_page({0, 0});
     order.returns = device->returns;
+    order.inside_first = device->inside_first;
   }
   Plot plot = timed(run.stages, "paths", [&] { return make_plot(drawing, request); });
   Picture picture;
   if (plotter.report) {
-    picture.plotter_report = report_of({"before", measure(before, order.home, order.returns), pen_changes(before)},
-                                       {"after", measure(plot, order.home, order.returns), pen_changes(plot)}, device,
-                                       frame && !plotter.fit_drawing ? frame->scale : 1);
+    picture.plotter_report = report_of({"before", measure_in_turn(before, order.home, order.returns), pen_changes(before)},
+                                       {"after", measure_in_turn(plot, order.home, order.returns), pen_changes(plot)},
+                                       device, frame && !plotter.fit_drawing ? frame->scale : 1);
   }
   if (plotter.preview) picture.preview = write_preview(plot, order.home, order.returns);
   const auto bytes_of = [&](Plot part) {

@@ -114,6 +114,43 @@ Polylines random_drawing(unsigned seed) {
   return polylines_of(lists);
 }
 
+Polylines square_at(Polylines lines, Point2 corner, double size) {
+  const std::vector<Point2> square{corner, corner + Point2(size, 0), corner + Point2(size, size), corner + Point2(0, size),
+                                   corner};
+  lines.add(square);
+  return lines;
+}
+
+/// Squares in squares, three deep, and an open line in one of them: everything comes before what surrounds it.
+TEST(OrderStrokes, CuttersCutHolesFirst) {
+  Polylines lines;
+  for (int i = 0; i < 20; ++i) {
+    const Point2 at(30.0 * i, 7.0 * (i % 3));
+    lines = square_at(lines, at, 20);
+    lines = square_at(lines, at + Point2(2, 2), 10);
+    lines = square_at(lines, at + Point2(4, 4), 3);
+    lines.add(std::vector<Point2>{at + Point2(15, 15), at + Point2(18, 15)});
+  }
+  OrderOptions options;
+  options.inside_first = true;
+  std::vector<std::uint32_t> order;
+  const Polylines ordered = order_strokes(lines, options, &order);
+  EXPECT_EQ(ordered.size(), lines.size());
+  std::vector<std::size_t> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  for (std::size_t s = 0; s < order.size(); s += 4) {
+    EXPECT_LT(place[s + 2], place[s + 1]);
+    EXPECT_LT(place[s + 1], place[s]);
+    EXPECT_LT(place[s + 3], place[s]);
+  }
+  options.inside_first = false;
+  order_strokes(lines, options, &order);
+  bool outer_first = false;
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  for (std::size_t s = 0; s < order.size(); s += 4) outer_first = outer_first || place[s] < place[s + 1];
+  EXPECT_TRUE(outer_first) << "the order would have come about by itself";
+}
+
 TEST(OptimizePaths, ADrawingIsTheSameSetOfPoints) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     if (!is_chosen("paths", seed, 2)) continue;

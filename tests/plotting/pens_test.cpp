@@ -192,7 +192,8 @@ TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
   EXPECT_EQ(table.pen_of("outline", "steel", 0, "wheel 1"), 5u);
   EXPECT_EQ(table.pen_of("outline", "steel", 0, "wheel 2"), 6u) << "the last that fits";
   EXPECT_EQ(table.pen_of("outline", "steel", 0, "axle"), 4u);
-  EXPECT_EQ(table.pen_of("!5+S30 mine", ""), 5u) << "a layer that another program numbered";
+  EXPECT_EQ(table.pen_of("!5+S30 mine", ""), 2u) << "rest is all that no other pen has";
+  EXPECT_EQ(PenTable().pen_of("!5+S30 mine", ""), 5u) << "a layer that another program numbered";
   EXPECT_EQ(table.pen(4).color, (std::array<double, 3>{0, 1, 0}));
   for (const char* wrong : {"", "outline", "=1", "outline=0", "outline=1001", "outline=x", "outline=1,reddish",
                             "outline=1,red,-1", "outline=1,red,0", "outline=1,#12"}) {
@@ -212,6 +213,21 @@ TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
         "[[pen]]\nnumber = 1\n[[pen]]\nnumber = 1\n", "[[pen]]\nnumber = 1\ncolor = \"?\"\n", "[pen]\nnumber = 1\n"}) {
     EXPECT_THROW(read_pens(wrong, "pens.toml"), std::runtime_error) << wrong;
   }
+}
+
+/// Two numbered layers, and one pen for all: no change of pens, and the ways that the file has.
+TEST(Pens, RestTakesNumberedLayersToo) {
+  Drawing drawing;
+  add_line(drawing, "1-Black", {{10, 10}, {90, 10}});
+  add_line(drawing, "2-Red", {{10, 20}, {90, 20}});
+  PlotRequest request;
+  EXPECT_EQ(make_plot(drawing, request).pens.size(), 2u);
+  const PathLengths both = measure_in_turn(deal_to_pens(drawing, request), {0, 0}, true);
+  EXPECT_NEAR(both.up_mm, std::hypot(10, 10) + std::hypot(80, 10) + std::hypot(90, 20), 1e-9) << "not home in between";
+  add_pen(request.pens, "rest=1");
+  const Plot one = make_plot(drawing, request);
+  EXPECT_EQ(one.pens.size(), 1u);
+  EXPECT_EQ(pen_changes(one), 0u);
 }
 
 TEST(Dashes, BeginAndEndWithADash) {
