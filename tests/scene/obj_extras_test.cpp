@@ -46,8 +46,8 @@ TEST_F(ObjLibraries, NameWhatIsLeftOut) {
   write("a.mtl", "newmtl m\nKd 1 1 1\nmap_Kd wood.png\nmap_Kd -s 2 2 wood.png\nnorm n.png\nwobble 1\n");
   const Result r = read("mtllib a.mtl missing.mtl ../a.mtl\n" + square_ + "usemtl m\nf 1 2 3\n");
   EXPECT_EQ(r.warnings.left_out().text(),
-            "left out: 2 textures (map_Kd), 1 textures (norm), 1 statements 'wobble' of materials, 1 material library "
-            "'missing.mtl', which is not there, 1 material library '../a.mtl', which is not there");
+            "left out: 2 textures (map_Kd), 1 textures (norm), 1 statements 'wobble' of materials, 1 missing libraries "
+            "'missing.mtl', 1 missing libraries '../a.mtl'");
 }
 
 TEST_F(ObjLibraries, BrokenNumbersNameTheLine) {

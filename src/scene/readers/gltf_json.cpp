@@ -230,12 +230,12 @@ class Checker {
     json color;
     if (const auto pbr = item.object("pbrMetallicRoughness")) {
       color = pbr->numbers("baseColorFactor", 4);
-      if (const auto texture = pbr->object("baseColorTexture")) textures_.insert(texture->whole("index").value_or(0));
+      if (const auto texture = pbr->object("baseColorTexture")) add_texture(*texture);
     }
     if (const auto extensions = item.object("extensions")) {
       if (const auto glossy = extensions->object(kGlossinessExtension)) {
         if (color.is_null()) color = glossy->numbers("diffuseFactor", 4);
-        if (const auto texture = glossy->object("diffuseTexture")) textures_.insert(texture->whole("index").value_or(0));
+        if (const auto texture = glossy->object("diffuseTexture")) add_texture(*texture);
       }
       if (const auto glass = extensions->object(kTransmissionExtension)) {
         const json* const factor = glass->find("transmissionFactor");
@@ -244,6 +244,12 @@ class Checker {
     }
     if (!color.is_null()) out["pbrMetallicRoughness"]["baseColorFactor"] = color;
     return out;
+  }
+
+  /// A texture is counted, and never a reason to refuse a file.
+  void add_texture(const GltfItem& texture) {
+    const json* const index = texture.find("index");
+    textures_.insert(index && index->is_number_unsigned() ? index->get<std::size_t>() : 0);
   }
 
   json list_meshes() const {

@@ -18,6 +18,7 @@ constexpr char kWithAssimp[] = "convert it, for example with: assimp export IN O
 constexpr char kWithBlender[] = "open it in Blender and export glTF";
 constexpr char kWithFreeCad[] = "open it in FreeCAD and export STL, OBJ or glTF";
 constexpr char kNoModel[] = "";
+constexpr char kUnpack[] = "unpack it; a Blender file may be such an archive";
 
 struct Stranger {
   std::string_view mark, what, advice;
@@ -30,8 +31,10 @@ constexpr std::array kBeginnings{
     Stranger{"II*", "a TIFF image", kNoModel},
     Stranger{{"MM\0*", 4}, "a TIFF image", kNoModel},
     Stranger{"%PDF", "a PDF document", kNoModel},
-    Stranger{"\x1F\x8B", "a gzip archive", kNoModel},
-    Stranger{"\x28\xB5\x2F\xFD", "a Zstandard archive", kNoModel},
+    Stranger{"\x1F\x8B", "a gzip archive", kUnpack},
+    Stranger{"\x28\xB5\x2F\xFD", "a Zstandard archive", kUnpack},
+    Stranger{"AC3D", "an AC3D file", kWithAssimp},
+    Stranger{"*3DSMAX_ASCIIEXPORT", "a 3ds Max text file (ASE)", kWithAssimp},
     Stranger{"7z\xBC\xAF", "a 7z archive", kNoModel},
     Stranger{"Rar!", "a RAR archive", kNoModel},
     Stranger{"<svg", "an SVG drawing", kNoModel},

@@ -119,7 +119,7 @@ void apply_libraries(const std::vector<std::string>& libraries, const std::files
     for (const std::string& library : names_of(statement, folder)) {
       const std::optional<std::filesystem::path> file = library_file(library, folder);
       if (!file) {
-        warnings.leave_out("material library " + shown(library) + ", which is not there");
+        warnings.leave_out("missing libraries " + shown(library));
         continue;
       }
       const std::string name = file->string();
