@@ -71,7 +71,10 @@ void add_pens(PenTable& pens, const PenTable& given) {
   for (const auto& entry : given.pen_of_object) pens.pen_of_object.push_back(entry);
   for (const auto& [material, number] : given.pen_of_material) pens.pen_of_material[material] = number;
   for (const auto& [shade, number] : given.pen_of_shade) pens.pen_of_shade[shade] = number;
-  if (given.rest != PenTable{}.rest) pens.rest = given.rest;
+  if (given.names_rest) {
+    pens.rest = given.rest;
+    pens.names_rest = true;
+  }
 }
 
 }  // namespace

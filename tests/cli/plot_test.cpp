@@ -359,5 +359,19 @@ TEST_F(PlotTest, MaterialsHavePens) {
   EXPECT_EQ(count_of(svg, "<path"), 2u);
 }
 
+/// The report counts the ways that the file has, and with `rest` two numbered layers are one pen.
+TEST_F(PlotTest, RestIsOnePenForNumberedLayers) {
+  write("two.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' "
+        "width='100mm' height='100mm' viewBox='0 0 100 100' stroke='black'>"
+        "<g inkscape:groupmode='layer' inkscape:label='1-Black'><path d='M10 10H90'/></g>"
+        "<g inkscape:groupmode='layer' inkscape:label='2-Red'><path d='M10 20H90'/></g></svg>");
+  const Outcome both = run({"plot", "two.svg", "--device", "grbl-servo", "--report", "-o", "x.gcode"});
+  EXPECT_EQ(count_of(contents(file("x.gcode")), "M0 "), 1u);
+  EXPECT_EQ(count_of(both.err, "0.292 m"), 2u) << both.err;
+  ASSERT_EQ(run({"plot", "two.svg", "--device", "grbl-servo", "--pen", "rest=1", "-o", "x.gcode"}).status, kDone);
+  EXPECT_EQ(count_of(contents(file("x.gcode")), "M0 "), 0u);
+}
+
 }  // namespace
 }  // namespace ligne::test
