@@ -51,8 +51,13 @@ if [[ -n $regex || -n $filter ]]; then
     if [[ -n $regex ]]; then export LIGNE_TEST_REGEX=$regex; fi
     if [[ -n $filter ]]; then export GTEST_FILTER=$filter; fi
     for program in "${programs[@]}"; do
-      if "${program#* }" --gtest_list_tests | grep -q '^  '; then selected+=("${program%% *}"); fi
+      list=$("${program#* }" --gtest_list_tests)
+      if [[ $list == *$'\n  '* ]]; then selected+=("${program%% *}"); fi
     done
+    if [[ -n $filter && ${#selected[@]} -eq 0 ]]; then
+      echo "test.sh: no test matches $filter${regex:+ and $regex}" >&2
+      exit 1
+    fi
     names=$(IFS='|' && echo "${selected[*]}")
     arguments+=(-R "${names:+^($names)\\.[0-9]+$}${names:+${regex:+|}}$regex")
   fi
