@@ -14,7 +14,7 @@ namespace ligne::test {
 namespace {
 
 /// The first tier takes one scene of so many, beginning where the seed says.
-constexpr std::size_t kOneSceneIn = 4;
+constexpr std::size_t kOneSceneIn = 6;
 
 /// The view of a scene, which may lose faces.
 using ViewOf = std::function<StandardView(const Scene&)>;

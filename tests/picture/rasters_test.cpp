@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "cli/program.hpp"
+#include "main/tier.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -70,6 +71,8 @@ std::size_t missing(const Raster& a, const Raster& b) {
   for (int y = 1; y + 1 < std::min(a.height, b.height); ++y) {
     for (int x = 1; x + 1 < std::min(a.width, b.width); ++x) {
       std::array<int, 3> low = b.at(x, y), high = low;
+      // Nearly all of a sheet is white in both.
+      if (low == a.at(x, y)) continue;
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
           for (std::size_t c = 0; c < 3; ++c) {
@@ -107,7 +110,9 @@ TEST_F(Rasters, TheSvgAndThePdfAreOnePicture) {
       {"draw", "examples/models/pipe-tee.json", "--view", "trimetric", "--shade", "--method", "watkins"},
       {"draw", "examples/models/pipe-tee.json", "--view", "trimetric", "--shade", "--method", "zbuffer"},
       {"surface", "sin(x)*cos(y)", "-x", "-3:3", "-y", "-3:3", "--axes"}};
+  std::size_t number = 0;
   for (const std::vector<std::string>& drawing : drawings) {
+    if (!is_chosen("rasters", number++, 2)) continue;
     SCOPED_TRACE(drawing[1]);
     const Raster svg = raster(written(drawing, "page.svg")), pdf = raster(written(drawing, "page.pdf"));
     EXPECT_GT(dark(svg), 1000u);

@@ -2,6 +2,7 @@
 // against the depth buffer wherever it says that its order is right.
 
 #include "drawing/stroke_difference.hpp"
+#include "main/tier.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
@@ -122,7 +123,9 @@ TEST(Painter, WithTheEyeOnACornerItSaysThatItMayBeWrong) {
 TEST(Painter, PaintsWhatIsSeenUnlessItSaysOtherwise) {
   constexpr std::uintmax_t kMostBytes = 20'000;
   int right = 0, beyond = 0;
+  std::size_t number = 0;
   for (const std::filesystem::path& file : corpus_files(kMostBytes)) {
+    if (!is_chosen("scenes of painter", number++, 3)) continue;
     const Scene scene = scene_of_file(file);
     if (!scene.face_material.empty()) continue;  // of glass, which the buffer does not hold
     for (const StandardView& standard : standard_views(scene)) {
@@ -158,8 +161,8 @@ TEST(Painter, PaintsWhatIsSeenUnlessItSaysOtherwise) {
       }
     }
   }
-  EXPECT_GT(right, 200);
-  EXPECT_GT(beyond, 100);
+  EXPECT_GT(right, runs_all() ? 200 : 50);
+  EXPECT_GT(beyond, runs_all() ? 100 : 20);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The depth buffer: depths worked out by hand, against a plain search, without gaps; objects added later; lines sampled.
 
 #include "geometry/parallel.hpp"
+#include "main/tier.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
@@ -167,8 +168,9 @@ std::array<double, 2> depths_at(const ProjectedScene& scene, Point2 p) {
 
 TEST(ZBuffer, AgreesWithAPlainSearchOnTheCorpus) {
   constexpr double kDepthMm = 0.01;
-  std::size_t compared = 0;
+  std::size_t compared = 0, number = 0;
   for (const std::filesystem::path& file : corpus_files(kMostBytes)) {
+    if (!is_chosen("scenes of zbuffer", number++, 3)) continue;
     const Scene scene = scene_of_file(file);
     for (const StandardView& standard : standard_views(scene)) {
       if (std::string_view(standard.name) != "odd" && std::string_view(standard.name) != "near") continue;
@@ -195,7 +197,7 @@ TEST(ZBuffer, AgreesWithAPlainSearchOnTheCorpus) {
       }
     }
   }
-  EXPECT_GT(compared, 500'000u);
+  EXPECT_GT(compared, runs_all() ? 500'000u : 150'000u);
 }
 
 void expect_same(DepthBuffer& a, DepthBuffer& b) {
