@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "geometry/parallel.hpp"
 #include "geometry/predicates.hpp"
@@ -11,6 +12,12 @@ namespace ligne {
 namespace {
 
 using Index = std::uint32_t;
+
+/// Adjustable: so many positions are looked at one by one.
+constexpr std::size_t kLeastBlock = 64;
+
+/// Far above the rounding errors of the height of a line at a place, which are a few units in the last place of its ends.
+constexpr double kHeightError = 1e-12;
 
 bool lexicographically_less(Point2 a, Point2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
@@ -98,6 +105,54 @@ void append_pieces(const std::vector<Point2>& positions, const SweepEdge& edge, 
     from = i;
   }
   pieces.push_back({from, edge.high, edge.winding});
+}
+
+EdgeCutter::EdgeCutter(const std::vector<Point2>& positions)
+    : positions_(positions),
+      block_size_(std::max<std::size_t>(kLeastBlock, std::lround(std::sqrt(static_cast<double>(positions.size()))))),
+      by_height_(positions.size()) {
+  std::iota(by_height_.begin(), by_height_.end(), Index{0});
+  for (std::size_t begin = 0; begin < by_height_.size(); begin += block_size_) {
+    const std::size_t end = std::min(begin + block_size_, by_height_.size());
+    std::sort(by_height_.begin() + static_cast<std::ptrdiff_t>(begin), by_height_.begin() + static_cast<std::ptrdiff_t>(end),
+              [&](Index a, Index b) { return positions[a].y < positions[b].y; });
+  }
+}
+
+void EdgeCutter::append_pieces(const SweepEdge& edge, std::vector<SweepEdge>& pieces) {
+  if (edge.high - edge.low <= kLeastBlock) return ligne::append_pieces(positions_, edge, pieces);
+  near_.clear();
+  for (std::size_t block = edge.low / block_size_; block <= edge.high / block_size_; ++block) find_near(edge, block);
+  Index from = edge.low;
+  for (const Index i : near_) {
+    if (orientation_sign(positions_[edge.low], positions_[edge.high], positions_[i]) != 0) continue;
+    pieces.push_back({from, i, edge.winding});
+    from = i;
+  }
+  pieces.push_back({from, edge.high, edge.winding});
+}
+
+void EdgeCutter::find_near(const SweepEdge& edge, std::size_t block) {
+  const std::size_t begin = block * block_size_, end = std::min(begin + block_size_, positions_.size());
+  const Point2 low = positions_[edge.low], high = positions_[edge.high];
+  const auto [y_min, y_max] = std::minmax(low.y, high.y);
+  double from = y_min, to = y_max;
+  if (low.x < high.x) {
+    const double slope = (high.y - low.y) / (high.x - low.x);
+    const auto height_at = [&](double x) { return low.y + (std::clamp(x, low.x, high.x) - low.x) * slope; };
+    const auto [lower, upper] = std::minmax({height_at(positions_[begin].x), height_at(positions_[end - 1].x)});
+    const double slack = kHeightError * (std::abs(low.y) + std::abs(high.y));
+    from = std::max(y_min, lower - slack);
+    to = std::min(y_max, upper + slack);
+  }
+  const auto last = by_height_.begin() + static_cast<std::ptrdiff_t>(end);
+  auto at = std::partition_point(by_height_.begin() + static_cast<std::ptrdiff_t>(begin), last,
+                                 [&](Index i) { return positions_[i].y < from; });
+  const std::size_t before = near_.size();
+  for (; at != last && positions_[*at].y <= to; ++at) {
+    if (*at > edge.low && *at < edge.high) near_.push_back(*at);
+  }
+  std::sort(near_.begin() + static_cast<std::ptrdiff_t>(before), near_.end());
 }
 
 }  // namespace ligne

@@ -25,6 +25,23 @@ ContourEdges number_contour_edges(std::span<const Point2> points, std::span<cons
 /// the edge's ends.
 void append_pieces(const std::vector<Point2>& positions, const SweepEdge& edge, std::vector<SweepEdge>& pieces);
 
+/// Cuts edges as append_pieces() does. Many edges cost O(sqrt(n)) each where n positions lie between their ends, since each
+/// block of positions that follow each other is searched by the height at which the edge passes it.
+class EdgeCutter {
+ public:
+  /// `positions` must outlive it.
+  explicit EdgeCutter(const std::vector<Point2>& positions);
+  void append_pieces(const SweepEdge& edge, std::vector<SweepEdge>& pieces);
+
+ private:
+  void find_near(const SweepEdge& edge, std::size_t block);
+
+  const std::vector<Point2>& positions_;
+  std::size_t block_size_;
+  std::vector<std::uint32_t> by_height_;  ///< positions, in each block by y
+  std::vector<std::uint32_t> near_;       ///< scratch: positions that may lie on the edge, ascending
+};
+
 /// +1 when the closed contour has its inside on the left, -1 when on the right, 0 when it has no area.
 int contour_sign(std::span<const Point2> contour);
 

@@ -5,10 +5,13 @@
 #include "geometry/contour_links.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "geometry/contour_edges.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/stop.hpp"
 
 namespace ligne {
 namespace {
@@ -32,46 +35,95 @@ std::vector<DirectedEdge> cancel_opposite(std::vector<SweepEdge> pieces) {
   return rest;
 }
 
-/// Orders directions at `centre` clockwise, beginning just after the direction to `start`.
-class ClockwiseFrom {
+/// The edges that leave one position, in clockwise order, of which each is taken once.
+class LeavingEdges {
  public:
-  ClockwiseFrom(const std::vector<Point2>& p, Index centre, Index start) : p_(p), centre_(centre), start_(start) {}
-  bool operator()(Index a, Index b) const {
-    const int sector_a = sector(a), sector_b = sector(b);
-    if (sector_a != sector_b) return sector_a < sector_b;
-    return orientation_sign(p_[centre_], p_[a], p_[b]) < 0;
+  /// `first` is the number of the first of the edges that begin at `centre`.
+  LeavingEdges(const std::vector<Point2>& p, Index centre, std::span<const DirectedEdge> edges, std::size_t first)
+      : p_(p), centre_(centre), order_(edges.size()), free_(edges.size() + 1) {
+    for (std::size_t k = 0; k < edges.size(); ++k) order_[k] = {edges[k].second, static_cast<Index>(first + k)};
+    std::sort(order_.begin(), order_.end(), [&](const Leaving& a, const Leaving& b) {
+      const bool left_a = is_left(a.to), left_b = is_left(b.to);
+      if (left_a != left_b) return left_a;
+      const int turn = a.to == b.to ? 0 : orientation_sign(p_[centre_], p_[a.to], p_[b.to]);
+      return turn != 0 ? turn < 0 : a.edge < b.edge;
+    });
+    std::iota(free_.begin(), free_.end(), std::size_t{0});
+  }
+
+  /// The first edge that is not taken, clockwise from just behind the direction to `start`.
+  Index take(Index start) {
+    const bool left_start = is_left(start);
+    const auto after = std::partition_point(order_.begin(), order_.end(), [&](const Leaving& leaving) {
+      const bool left = is_left(leaving.to);
+      return left != left_start ? left : orientation_sign(p_[centre_], p_[leaving.to], p_[start]) <= 0;
+    });
+    std::size_t at = find_free(static_cast<std::size_t>(after - order_.begin()));
+    if (at == order_.size()) at = find_free(0);
+    free_[at] = at + 1;
+    return order_[at].edge;
   }
 
  private:
-  /// 0 right of the line to start, 1 straight on behind the centre, 2 left of the line, 3 the direction to start itself.
-  int sector(Index to) const {
-    const int side = orientation_sign(p_[centre_], p_[start_], p_[to]);
-    if (side != 0) return side < 0 ? 0 : 2;
-    // Collinear: on the same side of the centre exactly when the numbers are, for they grow along every line.
-    return (to > centre_) == (start_ > centre_) ? 3 : 1;
+  struct Leaving {
+    Index to, edge;
+  };
+
+  /// Positions are numbered from left to right, and upwards where x is equal. Clockwise from straight down, the directions
+  /// to lower numbers are a half turn, and those to higher ones the other: within each the sign of a turn orders them.
+  bool is_left(Index to) const { return to < centre_; }
+
+  /// The place at or behind `at` that is not taken; the end where there is none.
+  std::size_t find_free(std::size_t at) {
+    std::size_t root = at;
+    while (free_[root] != root) root = free_[root];
+    while (free_[at] != root) at = std::exchange(free_[at], root);
+    return root;
   }
+
   const std::vector<Point2>& p_;
-  Index centre_, start_;
+  Index centre_;
+  std::vector<Leaving> order_;
+  std::vector<std::size_t> free_;  ///< by place in the order: a place at or behind it, itself while it is not taken
 };
 
 /// The successor of every edge; a permutation, since as many edges arrive at a position as leave it.
 std::vector<Index> link_edges(const std::vector<Point2>& p, const std::vector<DirectedEdge>& edges) {
-  const auto leaving = [&](Index at) {
-    return std::lower_bound(edges.begin(), edges.end(), DirectedEdge{at, 0}) - edges.begin();
-  };
+  std::vector<std::size_t> arriving(edges.size());
+  std::iota(arriving.begin(), arriving.end(), std::size_t{0});
+  std::stable_sort(arriving.begin(), arriving.end(),
+                   [&](std::size_t a, std::size_t b) { return edges[a].second < edges[b].second; });
   std::vector<Index> successor(edges.size());
-  std::vector<bool> taken(edges.size(), false);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto [from, at] = edges[i];
-    const ClockwiseFrom before(p, at, from);
-    std::size_t best = edges.size();
-    for (std::size_t k = static_cast<std::size_t>(leaving(at)); k < edges.size() && edges[k].first == at; ++k) {
-      if (!taken[k] && (best == edges.size() || before(edges[k].second, edges[best].second))) best = k;
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    // Both lists are ordered by the position, and have as many edges of each.
+    const Index centre = edges[begin].first;
+    while (end < edges.size() && edges[end].first == centre) ++end;
+    if (end - begin == 1) {
+      successor[arriving[begin]] = static_cast<Index>(begin);
+      continue;
     }
-    taken[best] = true;
-    successor[i] = static_cast<Index>(best);
+    LeavingEdges leaving(p, centre, std::span(edges).subspan(begin, end - begin), begin);
+    for (std::size_t k = begin; k < end; ++k) successor[arriving[k]] = leaving.take(edges[arriving[k]].first);
+    check_stop();
   }
   return successor;
+}
+
+/// Loops that run round the same way bound nothing new.
+void drop_repeated(std::vector<std::vector<Index>>& loops) {
+  if (loops.size() < 2) return;
+  std::vector<std::size_t> order(loops.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return loops[a] < loops[b]; });
+  std::vector<bool> repeated(loops.size(), false);
+  for (std::size_t k = 1; k < order.size(); ++k) repeated[order[k]] = loops[order[k]] == loops[order[k - 1]];
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (repeated[i]) continue;
+    if (kept != i) loops[kept] = std::move(loops[i]);
+    ++kept;
+  }
+  loops.resize(kept);
 }
 
 }  // namespace
@@ -96,6 +148,8 @@ LinkedContours link_contours(const std::vector<Point2>& p, const std::vector<Swe
     if (sign > 0) links.outer.push_back(std::move(loop));
     if (sign < 0) links.holes.push_back(std::move(loop));
   }
+  drop_repeated(links.outer);
+  drop_repeated(links.holes);
   return links;
 }
 

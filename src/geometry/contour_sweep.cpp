@@ -8,8 +8,8 @@
 //
 // Invariants: no two edges in the order have crossed, up to the line; a bundle holds no position inside of it up to the
 // line; two bundles that are neighbours in the order do not cross further on, or one of them ends before. So when the first
-// crossing of all is due, its edges are found as neighbours before the line comes there. Both are then taken out, and cut by
-// comparing them with all positions.
+// crossing of all is due, its edges are found as neighbours before the line comes there. Both are then taken out, and cut at
+// the positions that EdgeCutter finds on them.
 //
 // A bundle whose edges cancel out bounds nothing. While there is one, no slab can be followed, and the pieces are swept once
 // more without it.
@@ -85,7 +85,9 @@ class ContourSweep {
       while (next < edges_.size() && edges_[next].low == p) ++next;
       visit(p, first, next);
     }
-    for (const SweepEdge& rest : crossed_) append_pieces(p_, rest, pieces_);
+    if (crossed_.empty()) return;
+    EdgeCutter cutter(p_);
+    for (const SweepEdge& rest : crossed_) cutter.append_pieces(rest, pieces_);
   }
 
   bool crossing() const { return crossing_; }
@@ -278,7 +280,7 @@ class ContourSweep {
     }
   }
 
-  /// Its edges will be cut by comparing them with all positions.
+  /// Its edges are cut when the sweep is done.
   void take_out(Node n) {
     std::vector<Index> rest{bundles_[n].root};
     node_of_[rest.back()] = kNoNode;

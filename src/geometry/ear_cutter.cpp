@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "geometry/predicates.hpp"
+#include "geometry/stop.hpp"
 
 namespace ligne {
 namespace {
@@ -23,6 +24,12 @@ namespace {
 using Index = std::uint32_t;
 using Triple = std::array<Index, 3>;
 constexpr Index kNoCorner = 0xffffffffu;
+
+/// Corners that may be looked at in all, and for each corner of the loops. Loops that do not cross take far fewer; without
+/// a bound those of a scribble would take the square of their number. Adjustable: a few tenths of a second.
+constexpr std::size_t kLooksAtLeast = std::size_t{1} << 24, kLooksOfCorner = 512;
+/// Between two questions whether the work is to end.
+constexpr std::size_t kLooksUnasked = std::size_t{1} << 16;
 
 /// A corner of a ring: a cyclic list with the inside on its left.
 struct CornerNode {
@@ -46,6 +53,7 @@ class EarCutter {
     }
     // Positions are numbered from left to right, then from below.
     std::sort(holes.begin(), holes.end(), [&](Index a, Index b) { return nodes_[a].position < nodes_[b].position; });
+    looks_left_ = std::max(kLooksAtLeast, kLooksOfCorner * nodes_.size());
     for (Index n = 0; n < outer_nodes; ++n) joined_.push_back(n);
     for (const Index hole : holes) join_hole(hole);
   }
@@ -60,6 +68,14 @@ class EarCutter {
   bool whole() const { return whole_; }
 
  private:
+  /// Counts corners that are looked at; false when there were too many.
+  bool may_look(std::size_t corners) {
+    const std::size_t before = looks_left_ / kLooksUnasked;
+    looks_left_ -= std::min(looks_left_, corners);
+    if (looks_left_ / kLooksUnasked != before) check_stop();
+    return looks_left_ > 0;
+  }
+
   Point2 at(Index node) const { return p_[nodes_[node].position]; }
   int turn(Index node) const { return orientation_sign(at(nodes_[node].prev), at(node), at(nodes_[node].next)); }
 
@@ -102,13 +118,17 @@ class EarCutter {
       const Point2 d = at(n) - at(m);
       return d.x * d.x + d.y * d.y;
     };
+    if (!may_look(joined_.size())) {
+      whole_ = false;
+      return;
+    }
     std::vector<std::pair<double, Index>> near;
     for (const Index n : joined_) {
       if (nodes_[n].position < nodes_[m].position) near.emplace_back(distance(n), n);
     }
     const auto farther = [](const auto& a, const auto& b) { return a > b; };
     std::make_heap(near.begin(), near.end(), farther);
-    while (!near.empty()) {
+    while (!near.empty() && may_look(joined_.size())) {
       std::pop_heap(near.begin(), near.end(), farther);
       const Index v = near.back().second;
       near.pop_back();
@@ -173,25 +193,35 @@ class EarCutter {
     if (sign == 0) return rule != Rule::strict || t[0] == t[1] || t[1] == t[2];
     if (rule == Rule::any) return true;
     if (still_blocked(b)) return false;
+    const Index n = find_blocker(b, t, rule);
+    if (n == kNoCorner) return true;
+    if (inside(t, at(n))) {
+      nodes_[b].blocker = n;
+      nodes_[b].blocked_prev = a;
+      nodes_[b].blocked_next = c;
+    }
+    return false;
+  }
+
+  /// A corner that keeps the triangle t at b from being an ear.
+  Index find_blocker(Index b, const Point2 (&t)[3], Rule rule) {
+    const Index a = nodes_[b].prev, c = nodes_[b].next;
     const auto [y_min, y_max] = std::minmax({t[0].y, t[1].y, t[2].y});
     // A triangle's points have numbers between those of its corners.
     const auto [low, high] = std::minmax({nodes_[a].position, nodes_[b].position, nodes_[c].position});
     const auto before = [&](Index n, Index position) { return nodes_[n].position < position; };
-    for (auto it = std::lower_bound(reflex_.begin(), reflex_.end(), low, before); it != reflex_.end(); ++it) {
+    const auto begin = std::lower_bound(reflex_.begin(), reflex_.end(), low, before);
+    auto it = begin;
+    Index found = kNoCorner;
+    for (; found == kNoCorner && it != reflex_.end() && nodes_[*it].position <= high; ++it) {
       const Index n = *it;
-      if (nodes_[n].position > high) break;
       const Point2 q = at(n);
       if (q.y < y_min || q.y > y_max) continue;
       if (n == a || n == b || n == c || nodes_[n].cut) continue;
-      if (!blocks(n, t, rule)) continue;
-      if (inside(t, at(n))) {
-        nodes_[b].blocker = n;
-        nodes_[b].blocked_prev = a;
-        nodes_[b].blocked_next = c;
-      }
-      return false;
+      if (blocks(n, t, rule)) found = n;
     }
-    return true;
+    may_look(static_cast<std::size_t>(it - begin));
+    return found;
   }
 
   static bool inside(const Point2 (&t)[3], Point2 q) {
@@ -236,6 +266,10 @@ class EarCutter {
     std::size_t failures = 0, cuts_since_refresh = 0;
     Rule rule = Rule::strict;
     while (left >= 3) {
+      if (!may_look(1)) {
+        whole_ = false;
+        return;
+      }
       const Index next = nodes_[b].next;
       if (is_ear(b, rule)) {
         cut_corner(b);
@@ -266,6 +300,7 @@ class EarCutter {
   std::vector<Index> joined_;  ///< nodes of the rings to cut
   std::vector<Index> reflex_;  ///< of the ring being cut, by position
   std::vector<Triple> triangles_;
+  std::size_t looks_left_ = 0;
   bool whole_ = true;
 };
 

@@ -16,7 +16,8 @@ struct CutEars {
 };
 
 /// Also for contours that cross, and that wind round points several times. Holes are joined to the outer loops by bridges,
-/// then ears are cut (Meisters 1975; bridges after Eberly 2002).
+/// then ears are cut (Meisters 1975; bridges after Eberly 2002). The work is bounded: of large loops that cross a part may
+/// stay uncut, which then are not whole.
 CutEars cut_ears(const std::vector<Point2>& positions, const LinkedContours& links);
 
 }  // namespace ligne

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "geometry/stop.hpp"
 #include "scene/creases/across_edge.hpp"
 
 namespace ligne {
@@ -18,6 +19,7 @@ std::vector<std::uint8_t> bent_sheets(const Scene& scene, const Topology& topolo
   std::vector<std::uint8_t> bent(wanted.size(), 0), goes_on(wanted.size(), 0);
   if (wanted.empty()) return bent;
   std::vector<Point3> first(wanted.size(), Point3(0));
+  std::vector<std::uint32_t> last_face(wanted.size(), kNone);
   for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       const auto contour = scene.faces.contour(f, c);
@@ -27,6 +29,8 @@ std::vector<std::uint8_t> bent_sheets(const Scene& scene, const Topology& topolo
         const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
         if (at == wanted.end() || at->first != key.first) continue;
         const auto i = static_cast<std::size_t>(at - wanted.begin());
+        if (std::exchange(last_face[i], f) == f) continue;
+        check_stop();
         const Point3 across = across_face(scene, topology.edges[at->second], f);
         if (across == Point3(0)) continue;
         const Point3 direction = across / glm::length(across);
