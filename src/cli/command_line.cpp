@@ -3,19 +3,24 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "cli/closest_name.hpp"
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
 #include "cli/messages.hpp"
+#include "files/closest_name.hpp"
+#include "files/message_text.hpp"
 #include "picture/errors.hpp"
 #include "picture/memory.hpp"
+#include "picture/parse/parse.hpp"
 #include "plotting/output_file.hpp"
 
 namespace ligne {
@@ -23,7 +28,7 @@ namespace {
 
 constexpr int kDone = 0, kFailed = 1, kUsage = 2;
 
-constexpr const char* kFooter = R"help(ligne COMMAND --help tells the options of a command.
+constexpr const char* kFooter = R"help(ligne help COMMAND tells the options of a command.
 
 Examples:
   ligne draw gearbox.obj -o gearbox.svg
@@ -34,6 +39,27 @@ Examples:
   ligne methods
   ligne study --list)help";
 
+bool is_option(std::string_view word) { return word.size() > 1 && word.front() == '-'; }
+
+std::string command_of_suffix(const std::string& word) {
+  constexpr std::pair<std::string_view, std::string_view> kCommands[] = {
+      {".obj", "draw"},           {".stl", "draw"},           {".ply", "draw"},           {".gltf", "draw"},
+      {".glb", "draw"},           {".json", "draw"},          {".tree", "draw"},          {".svg", "plot"},
+      {".asc", "surface --grid"}, {".csv", "surface --grid"}, {".tif", "surface --grid"}, {".tiff", "surface --grid"},
+      {".png", "surface --grid"}, {".pgm", "surface --grid"}, {".hgt", "surface --grid"}};
+  const std::string suffix = lower_case(std::filesystem::path(word).extension().string());
+  for (const auto& [known, command] : kCommands) {
+    if (suffix == known) return std::string(command);
+  }
+  return {};
+}
+
+std::vector<std::string_view> names_of_commands(const CLI::App& app) {
+  std::vector<std::string_view> names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+  return names;
+}
+
 /// Names the words of the command line that no option takes, and suggests what was probably meant.
 std::string complaint_about_extras(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
@@ -43,13 +69,18 @@ std::string complaint_about_extras(const CLI::App& app) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     for (const std::string& name : option->get_snames()) names.push_back("-" + name);
   }
-  std::vector<std::string> commands;
-  for (const CLI::App* subcommand : command.get_subcommands(nullptr)) commands.push_back(subcommand->get_name());
+  const std::vector<std::string_view> options(names.begin(), names.end());
+  const std::vector<std::string> extras = app.remaining(true);
+  if (chosen.empty() && !extras.empty() && !is_option(extras.front())) {
+    const std::string& file = extras.front();
+    if (const std::string meant = command_of_suffix(file); !meant.empty()) {
+      return "there is no command " + printable(file, kLongestPath) + "; for a file: ligne " + meant + " " +
+             printable(file, kLongestPath) + " -o FILE";
+    }
+  }
   std::string text;
-  for (const std::string& extra : app.remaining(true)) {
-    const bool is_option = extra.size() > 1 && extra.front() == '-';
-    const auto meant = closest_name(extra, is_option ? names : commands);
-    text += ' ' + extra + (meant ? " (" + *meant + "?)" : "");
+  for (const std::string& extra : extras) {
+    text += ' ' + extra + (is_option(extra) ? suggestion(extra, options) : suggestion(extra, names_of_commands(command)));
   }
   return "not known:" + text + "; see " + (chosen.empty() ? "ligne" : "ligne " + command.get_name()) + " --help";
 }
@@ -57,6 +88,10 @@ std::string complaint_about_extras(const CLI::App& app) {
 /// CLI11's own complaint in our words.
 std::string complaint(const CLI::ParseError& e, const CLI::App& app) {
   if (dynamic_cast<const CLI::ExtrasError*>(&e)) return complaint_about_extras(app);
+  // An option that is written wrong is the cause more often than what is missing then.
+  if (dynamic_cast<const CLI::RequiredError*>(&e) && std::ranges::any_of(app.remaining(true), is_option)) {
+    return complaint_about_extras(app);
+  }
   std::string text = e.what();
   const std::size_t colon = text.find(": ");
   if (colon == std::string::npos) return text;
@@ -67,9 +102,23 @@ std::string complaint(const CLI::ParseError& e, const CLI::App& app) {
   return text;
 }
 
-/// The arguments behind the command's name, last first as CLI11 takes them.
-std::vector<std::string> with_formulas_in_parentheses(int argc, char** argv) {
+/// "help COMMAND" becomes "COMMAND --help".
+void take_help(std::vector<std::string>& arguments, const CLI::App& app) {
+  if (arguments.empty() || arguments.front() != "help") return;
+  const std::vector<std::string_view> names = names_of_commands(app);
+  if (arguments.size() > 2) throw UsageError("help: one command at a time: ligne help COMMAND");
+  if (arguments.size() == 2 && !is_option(arguments[1]) && std::ranges::find(names, arguments[1]) == names.end()) {
+    throw UsageError("help: there is no command " + shown(arguments[1], '"') + suggestion(arguments[1], names) +
+                     "; there are " + list_of(names));
+  }
+  arguments.erase(arguments.begin());
+  if (arguments.empty() || !is_option(arguments.back())) arguments.emplace_back("--help");
+}
+
+/// The arguments behind the program's name, last first as CLI11 takes them.
+std::vector<std::string> arguments_for(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  take_help(arguments, app);
   if (!arguments.empty() && arguments.front() == "surface") protect_formulas(arguments);
   std::reverse(arguments.begin(), arguments.end());
   return arguments;
@@ -86,7 +135,7 @@ int run(int argc, char** argv) {
   setup_commands(app, commands);
 
   try {
-    app.parse(with_formulas_in_parentheses(argc, argv));
+    app.parse(arguments_for(app, argc, argv));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() != 0) throw UsageError(complaint(e, app));
     std::ostringstream text;

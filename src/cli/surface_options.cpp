@@ -12,6 +12,7 @@
 #include "cli/surface_scale_options.hpp"
 #include "cli/terrain_options.hpp"
 #include "cli/view_options.hpp"
+#include "files/closest_name.hpp"
 #include "files/message_text.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/hatching/hatching.hpp"
@@ -126,7 +127,7 @@ void add_method_choice(CLI::App& surface, SurfaceOptions& options) {
     if (text == "horizon" || text == "auto" || lines.method) return;
     std::vector<std::string_view> names{"auto", "horizon"};
     for (const Method* method : all_methods()) names.push_back(method->traits().name);
-    throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(names));
+    throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(names) + suggestion(text, names));
   };
   group
       .add_text("--method", "NAME", take_method, "horizon, or a mesh method, see: ligne methods; auto: horizon where it can")

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/closest_name.hpp"
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
 
@@ -24,6 +25,17 @@ std::string known_devices(DeviceLanguage language) {
     if (device.language == language) names += (names.empty() ? "" : ", ") + device.name;
   }
   return names;
+}
+
+/// What was probably meant: all whose names begin so, or the one that is near.
+std::string devices_like(std::string_view written) {
+  std::string list;
+  std::vector<std::string_view> names;
+  for (const Device& device : devices()) {
+    names.push_back(device.name);
+    if (!written.empty() && names.back().starts_with(written)) list += (list.empty() ? "" : ", ") + device.name;
+  }
+  return list.empty() ? suggestion(written, names) : " (" + list + "?)";
 }
 
 DeviceLanguage language_of(OutputFormat format) {
@@ -47,7 +59,8 @@ std::shared_ptr<const Device> device_of(const PlotterChoice& choice, OutputForma
     const std::string_view name = choice.device.empty() ? standard : std::string_view(choice.device);
     if (name.empty()) return nullptr;
     const Device* known = find_device(name);
-    if (!known) throw RequestError("device", shown(name, '"') + " is not known; ligne devices lists them");
+    if (!known)
+      throw RequestError("device", shown(name, '"') + " is not known" + devices_like(name) + "; ligne devices lists them");
     device = std::make_shared<Device>(*known);
   }
   const std::string_view speaks = kDeviceLanguageNames[static_cast<std::size_t>(device->language)];

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/closest_name.hpp"
 #include "files/message_text.hpp"
 #include "geometry/portable.hpp"
 #include "plotting/page.hpp"
@@ -112,7 +113,7 @@ std::size_t parse_choice(std::string_view text, std::span<const std::string_view
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == text) return i;
   }
-  fail(text, "is not one of " + list_of(names));
+  fail(text, "is not one of " + list_of(names) + suggestion(text, names));
 }
 
 Axis parse_axis(std::string_view text) {
@@ -144,7 +145,9 @@ LineClasses parse_edges(std::string_view text) {
       }
     }
     if (!known) {
-      fail(word, "is not one of " + list_of(names).replace(list_of(names).rfind(" or "), 4, ", ") + ", feature or all");
+      const std::string list = list_of(names).replace(list_of(names).rfind(" or "), 4, ", ") + ", feature or all";
+      names.insert(names.end(), {"feature", "all"});
+      fail(word, "is not one of " + list + suggestion(word, names));
     }
   }
   return classes;
@@ -205,7 +208,11 @@ PartMove parse_move(std::string_view text) {
       size.remove_suffix(1);
       factor *= 1000;
     }
-    move.mm[k] = factor * parse_length_mm(size);
+    try {
+      move.mm[k] = factor * parse_length_mm(size);
+    } catch (const std::invalid_argument&) {
+      fail(parts[i], "is neither a number of model units nor a length in mm, cm, m, in or pt");
+    }
   }
   return move;
 }

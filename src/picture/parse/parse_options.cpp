@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
+#include "files/closest_name.hpp"
 #include "files/input_error.hpp"
 #include "files/message_text.hpp"
 #include "geometry/portable.hpp"
@@ -178,7 +179,7 @@ const Method* parse_method(const std::string& text) {
   if (const Method* method = find_method(text)) return method;
   std::vector<std::string_view> names{"auto"};
   for (const Method* method : all_methods()) names.push_back(method->traits().name);
-  throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(names));
+  throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(names) + suggestion(text, names));
 }
 
 ParameterValue parse_parameter(const std::string& text, const MethodParameter& parameter) {

@@ -1,4 +1,4 @@
-#include "cli/closest_name.hpp"
+#include "files/closest_name.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -28,21 +28,41 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+/// The longest that the word begins with, or else the first that begins with the word.
+std::optional<std::string_view> longer_or_shorter(std::string_view written, std::span<const std::string_view> names) {
+  constexpr std::size_t kLeast = 3;  // letters: fewer begin too many words
+  std::optional<std::string_view> closest;
+  for (const std::string_view name : names) {
+    const std::string_view bare = without_dashes(name);
+    if (bare.size() < kLeast || !written.starts_with(bare)) continue;
+    if (!closest || bare.size() > without_dashes(*closest).size()) closest = name;
+  }
+  if (closest || written.size() < kLeast) return closest;
+  const auto begins = [&](std::string_view name) { return without_dashes(name).starts_with(written); };
+  const auto found = std::ranges::find_if(names, begins);
+  return found == names.end() ? std::nullopt : std::optional(*found);
+}
+
 }  // namespace
 
-std::optional<std::string> closest_name(std::string_view word, std::span<const std::string> names) {
+std::optional<std::string_view> closest_name(std::string_view word, std::span<const std::string_view> names) {
   const std::string_view written = without_dashes(word.substr(0, word.find('=')));
   constexpr std::size_t kLongest = 64;  // no name is as long
   if (written.empty() || written.size() > kLongest) return std::nullopt;
   std::size_t most = written.size() <= 2 ? 0 : written.size() <= 5 ? 1 : 2;
-  std::optional<std::string> closest;
-  for (const std::string& name : names) {
+  std::optional<std::string_view> closest;
+  for (const std::string_view name : names) {
     const std::size_t slips = slips_between(written, without_dashes(name));
     if (slips > most || (closest && slips == most && name.size() <= closest->size())) continue;
     closest = name;
     most = slips;
   }
-  return closest;
+  return closest ? closest : longer_or_shorter(written, names);
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> names) {
+  const auto meant = closest_name(word, names);
+  return meant ? " (" + std::string(*meant) + "?)" : "";
 }
 
 }  // namespace ligne
