@@ -1,7 +1,6 @@
 #include "plotting/output_file.hpp"
 
 #include <cerrno>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -20,9 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr mode_t kNewFileMode = 0666;  // less the umask
 
-[[noreturn]] void fail(const fs::path& file, int error) {
-  throw std::runtime_error(message_line(file.string() + ": " + std::generic_category().message(error)));
-}
+[[noreturn]] void fail(const fs::path& file, int error) { throw OutputError(file, error); }
 
 /// 0, or the errno.
 int write_all(int descriptor, std::string_view bytes) {
@@ -49,6 +46,11 @@ void write_in_place(const fs::path& file, std::string_view bytes) {
 }
 
 }  // namespace
+
+OutputError::OutputError(const fs::path& file, int error)
+    : std::runtime_error(message_line(file.string() + ": " + std::generic_category().message(error))),
+      file_(file),
+      error_(error) {}
 
 OutputFiles::OutputFiles() = default;
 OutputFiles::~OutputFiles() = default;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,9 +12,21 @@ namespace ligne {
 
 class TemporaryFile;
 
+/// A file can not be written; what() is "FILE: cause".
+class OutputError : public std::runtime_error {
+ public:
+  OutputError(const std::filesystem::path& file, int error);
+  const std::filesystem::path& file() const { return file_; }
+  int error() const { return error_; }  ///< as errno has it
+
+ private:
+  std::filesystem::path file_;
+  int error_;
+};
+
 /// The files that a run writes, all or none: each is written beside its target, and when all of them stand there they are
 /// renamed. What can not be taken back comes between: standard output ("-"), and devices and pipes, which are written as
-/// they are. Every function throws std::runtime_error with one line, "FILE: cause"; what was not put in place then is
+/// they are. Every function throws OutputError; what was not put in place then is
 /// removed.
 class OutputFiles {
  public:

@@ -81,6 +81,12 @@ class Clock {
 
 }  // namespace
 
+std::size_t stroke_count(const Plot& plot) {
+  std::size_t strokes = 0;
+  for_each_stroke(plot, [&](std::size_t p, std::size_t, std::span<const Point2>) { strokes += !plot.pens[p].pen.skip; });
+  return strokes;
+}
+
 Plot without_first(const Plot& plot, std::size_t strokes) {
   PlotBuilder rest(plot);
   std::size_t number = 0;

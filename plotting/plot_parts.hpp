@@ -34,6 +34,9 @@ struct LongPlotRequest {
   bool asked() const { return split || pen_files || from_stroke > 1 || from_seconds > 0 || every_mm || !park.empty(); }
 };
 
+/// How many strokes are drawn.
+std::size_t stroke_count(const Plot& plot);
+
 /// The plot without its first strokes.
 Plot without_first(const Plot& plot, std::size_t strokes);
 

@@ -16,6 +16,7 @@
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
 #include "cli/messages.hpp"
+#include "cli/options.hpp"
 #include "files/closest_name.hpp"
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
@@ -144,6 +145,9 @@ int run(int argc, char** argv) {
     return kDone;
   }
 
+  commands.draw.run.given = given_options(*app.get_subcommand("draw"));
+  commands.surface.run.given = given_options(*app.get_subcommand("surface"));
+  commands.plot.run.given = given_options(*app.get_subcommand("plot"));
   if (app.got_subcommand("draw")) {
     run_draw(commands.draw);
   } else if (app.got_subcommand("surface")) {

@@ -4,6 +4,7 @@
 #include "cli/page_options.hpp"
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
+#include "files/named_input.hpp"
 #include "geometry/parallel.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/parse/parse.hpp"
@@ -40,7 +41,7 @@ void compare(const CompareOptions& options) {
   const LoadedModels models =
       timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
   report_healing(models, model, run);
-  report_warnings(run, options.model.files.front(), options.run);
+  report_warnings(run, shown_input(options.model.files.front()), options.run);
   const Topology topology =
       timed(run.stages, "topology", [&] { return models.topology ? *models.topology : build_topology(models.scene); });
   ProgressBar bar(options.run);
@@ -50,7 +51,7 @@ void compare(const CompareOptions& options) {
   files.write(options.output, options.json  ? compare_json(comparison, options.model.files)
                               : options.csv ? compare_csv(comparison)
                                             : compare_text(comparison));
-  if (!options.html.empty()) files.write(options.html, compare_page(comparison, options.model.files.front()));
+  if (!options.html.empty()) files.write(options.html, compare_page(comparison, shown_input(options.model.files.front())));
   finish(options.run, run, files);
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cli/options.hpp"
+#include "files/named_input.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/errors.hpp"
 #include "picture/parse/parse.hpp"
@@ -31,7 +32,7 @@ void compile(const CompileOptions& options) {
   const CompiledModel model = compile_model(std::move(models.scene), *options.method, settings, run);
   std::string bytes = timed(run.stages, {"write", std::to_string(model.scene.faces.size()) + " faces"},
                             [&] { return write_compiled_model(model); });
-  report_warnings(run, options.model.files.front(), options.run);
+  report_warnings(run, shown_input(options.model.files.front()), options.run);
   files.write(*options.output, std::move(bytes));
   finish(options.run, run, files);
 }

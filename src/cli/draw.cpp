@@ -4,6 +4,7 @@
 
 #include "cli/fill_options.hpp"
 #include "cli/hatch_options.hpp"
+#include "cli/idle_options.hpp"
 #include "cli/messages.hpp"
 #include "cli/mixed_scene_options.hpp"
 #include "cli/options.hpp"
@@ -11,6 +12,7 @@
 #include "cli/progress.hpp"
 #include "cli/view_options.hpp"
 #include "files/message_text.hpp"
+#include "files/named_input.hpp"
 #include "picture/clear/clear_creases.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/draw_scene.hpp"
@@ -141,6 +143,13 @@ LoadedModels load(const DrawOptions& options, const ModelRequest& model, Picture
   return timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
 }
 
+/// Once the picture is made: an error comes alone.
+void warn_of_use(const DrawOptions& options, const PictureRequest& request) {
+  if (options.run.quiet) return;
+  warn_of_suffix(options.output);
+  warn_of_idle_options({"draw", options.run.given, request.output.format, request.plotter.by_pens()});
+}
+
 void draw(const DrawOptions& options, PictureRequest request) {
   const bool as_pages = request.output.format == OutputFormat::pdf && !has_number_place(*options.output.file);
   const std::vector<std::string> outputs = numbered_names(*options.output.file, as_pages ? 1 : options.frames.count);
@@ -176,18 +185,20 @@ void draw(const DrawOptions& options, PictureRequest request) {
   }
   ProgressBar bar(options.run);
   request.progress = bar.callback();
-  const std::string& place = options.model.files.front();
+  const std::string place = shown_input(options.model.files.front());
   if (options.frames.count == 1) {
     const bool with_buffer = !options.zbuffer_add.empty() || !options.zbuffer_save.empty();
     Picture picture = with_buffer ? buffer.draw(std::move(models.scene), request, run)
                                   : draw_scene(models.scene, request, run, {}, std::move(models.topology));
     if (!options.zbuffer_save.empty()) files.write(options.zbuffer_save, buffer.write());
+    warn_of_use(options, request);
     deliver(std::move(picture), outputs.front(), options.plotter.preview, place, options.run, run, files);
     return;
   }
   std::size_t frame = 0;
   draw_frames(models.scene, request, options.frames, as_pages, run, std::move(models.topology),
               [&](Picture picture) { files.write(outputs[frame++], std::move(picture.bytes)); });
+  warn_of_use(options, request);
   report_warnings(run, place, options.run);
   finish(options.run, run, files);
 }

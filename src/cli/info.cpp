@@ -4,6 +4,7 @@
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
 #include "cli/view_options.hpp"
+#include "files/named_input.hpp"
 #include "picture/scene_study.hpp"
 #include "report/scene_info.hpp"
 
@@ -33,7 +34,7 @@ void inform(const InfoOptions& options) {
       timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
   const SceneInfo info = scene_info(models, options.view, options.lines, options.page, run);
   if (!options.run.quiet) {
-    for (const RunWarning& w : run.warnings) warn(options.model.files.front(), w.text);
+    for (const RunWarning& w : run.warnings) warn(shown_input(options.model.files.front()), w.text);
   }
   const bool json = options.json || options.output.format.has_value();
   files.write(output, json ? info_json(models, info) : info_text(models, info));

@@ -3,6 +3,7 @@
 #include "cli/messages.hpp"
 #include "cli/options.hpp"
 #include "files/message_text.hpp"
+#include "files/named_input.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
 
@@ -10,7 +11,8 @@ namespace ligne {
 
 void add_model_options(CLI::App& app, ModelRequest& request) {
   add_arguments(app, "MODEL", request.files, true,
-                "glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII or ligne-scene file; several make one scene");
+                "glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII or ligne-scene file; several make one scene; - is "
+                "standard input");
   OptionGroup group(app, "Lines");
   group
       .add(
@@ -51,7 +53,7 @@ void add_part_drawing_options(CLI::App& app, OutputRequest& request) {
 
 Stage reading_of(const ModelRequest& request) {
   const std::string others = request.files.size() > 1 ? " and " + std::to_string(request.files.size() - 1) + " more" : "";
-  return {"read", printable(request.files.front(), kLongestPath) + others};
+  return {"read", printable(shown_input(request.files.front()), kLongestPath) + others};
 }
 
 LoadedModels load_models(const ModelRequest& request, bool quiet, RunFiles& files) {

@@ -102,6 +102,15 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
   return command;
 }
 
+std::vector<std::string> given_options(const CLI::App& command) {
+  std::vector<std::string> given;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_positional()) continue;
+    given.push_back(option->get_lnames().empty() ? "-" + option->get_snames().front() : "--" + option->get_lnames().front());
+  }
+  return given;
+}
+
 void add_argument(CLI::App& command, const std::string& name, std::string& target, const std::string& help) {
   command.add_option(name, target, help)->required()->type_name("");
 }

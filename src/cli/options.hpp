@@ -75,6 +75,9 @@ class OptionGroup {
 /// Adds a command; `help` is one line.
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& help, const std::string& footer);
 
+/// Names of the options of a command that its line gives, such as "--dpi" and "-x".
+std::vector<std::string> given_options(const CLI::App& command);
+
 /// Adds what stands behind the command without an option's name.
 void add_argument(CLI::App& command, const std::string& name, std::string& target, const std::string& help);
 void add_arguments(CLI::App& command, const std::string& name, std::vector<std::string>& target, bool required,

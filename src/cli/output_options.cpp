@@ -1,6 +1,8 @@
 #include "cli/output_options.hpp"
 
+#include "cli/messages.hpp"
 #include "cli/options.hpp"
+#include "files/message_text.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
 
@@ -28,6 +30,19 @@ void add_title_option(CLI::App& app, std::string& title, const std::string& help
   OptionGroup(app, "Output")
       .add(
           "--title", "TEXT", title, [](const std::string& text) { return text; }, help);
+}
+
+void warn_of_suffix(const OutputOptions& options) {
+  if (!options.file || !options.format || *options.file == "-") return;
+  try {
+    const OutputFormat named = format_of_suffix(*options.file);
+    if (named == *options.format) return;
+    const auto name = [](OutputFormat format) { return std::string(kOutputFormatNames[static_cast<std::size_t>(format)]); };
+    warn(printable(*options.file, kLongestPath),
+         "is written as " + name(*options.format) + " (--format), though its name is that of " + name(named));
+  } catch (const std::invalid_argument&) {
+    // A name that says nothing is right for all formats.
+  }
 }
 
 OutputFormat format_of(const OutputOptions& options) {

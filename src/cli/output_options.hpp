@@ -30,6 +30,9 @@ void add_curves_option(CLI::App& app, std::optional<bool>& curves, const std::st
 /// Adds --title.
 void add_title_option(CLI::App& app, std::string& title, const std::string& help);
 
+/// Warns where the file is written in another format than its name says.
+void warn_of_suffix(const OutputOptions& options);
+
 /// The format: as given, else by the suffix of the file. Throws UsageError when it can not be known.
 OutputFormat format_of(const OutputOptions& options);
 

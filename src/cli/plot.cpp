@@ -1,8 +1,10 @@
 #include "cli/plot.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "cli/idle_options.hpp"
 #include "cli/options.hpp"
 #include "cli/page_options.hpp"
 #include "picture/frame_names.hpp"
@@ -120,6 +122,11 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
   for (const std::string& file : options.drawings) drawings.push_back(read_drawing_text(file, run.files));
   files.were_read(run.files);
   Picture picture = plot_drawings(drawings, request, numbered, run);
+  if (!options.run.quiet) {
+    warn_of_suffix(options.output);
+    warn_of_idle_options(
+        {"plot", options.run.given, request.format, request.plotter.by_pens(), std::ranges::any_of(drawings, is_svg)});
+  }
   deliver(std::move(picture), output, options.plotter.preview, options.drawings.front(), options.run, run, files);
 }
 

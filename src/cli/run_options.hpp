@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/memory_limit.hpp"
 #include "cli/run_files.hpp"
@@ -26,6 +27,7 @@ struct RunOptions {
   std::string stats_json;  ///< file, or empty
   ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;
+  std::vector<std::string> given{};  ///< names of all options that the command line gives
 
   MemoryLimit memory() const { return max_memory ? *max_memory : usual_memory_limit(); }
 };

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/idle_options.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
 #include "picture/surface/surface_picture.hpp"
@@ -28,6 +29,11 @@ void run(const SurfaceOptions& options, SurfaceRequest request) {
     ProgressBar bar(options.run);
     request.picture.progress = bar.callback();
     picture = draw_surface(request, report);
+    if (!options.run.quiet) {
+      warn_of_suffix(options.output);
+      const PictureRequest& made = request.picture;
+      warn_of_idle_options({"surface", options.run.given, made.output.format, made.plotter.by_pens()});
+    }
   }
   deliver(std::move(picture), *options.output.file, options.as_mesh ? "" : options.plotter.preview,
           place_of_warnings(request), options.run, report, files);

@@ -10,6 +10,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "files/file_error.hpp"
+#include "files/named_input.hpp"
+
 namespace ligne {
 namespace {
 
@@ -33,14 +36,14 @@ class OpenInput {
     struct stat status {};
     if (::stat(file.c_str(), &status) != 0) {
       const bool absent = errno == ENOENT || errno == ENOTDIR;
-      throw InputError(name_, absent ? "there is no such file" : cause_of(errno));
+      throw FileError(name_, absent ? "there is no such file" : cause_of(errno), errno);
     }
-    if (S_ISDIR(status.st_mode)) throw InputError(name_, "is a directory, not a file");
+    if (S_ISDIR(status.st_mode)) throw FileError(name_, "is a directory, not a file", EISDIR);
     if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
       throw InputError(name_, "is a device or a socket, not a file");
     // A pipe without a writer would hold up the opening.
     descriptor_ = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-    if (descriptor_ < 0) throw InputError(name_, "can not be opened for reading");
+    if (descriptor_ < 0) throw FileError(name_, "can not be opened for reading", errno);
     is_pipe_ = S_ISFIFO(status.st_mode);
     if (!is_pipe_) size_ = static_cast<std::uintmax_t>(status.st_size);
   }
@@ -60,7 +63,7 @@ class OpenInput {
       if (n < 0 && errno == EAGAIN) {
         wait(kForEver);  // somebody has it open for writing, and may take time
       } else if (n < 0 && errno != EINTR) {
-        throw InputError(name_, "can not be read to its end: " + cause_of(errno));
+        throw FileError(name_, "can not be read to its end: " + cause_of(errno), errno);
       } else if (n == 0 && is_pipe_ && !had_writer_) {
         if (!wait(kWaitForWriterMs)) throw InputError(name_, "is a pipe to which nobody writes");
       } else if (n >= 0) {
@@ -108,6 +111,12 @@ std::vector<std::byte> read_input(const std::filesystem::path& file, const std::
     bytes.resize(begin + read);
   }
   return bytes;
+}
+
+std::string shown_input(const std::filesystem::path& file) { return file == "-" ? "standard input" : file.string(); }
+
+std::vector<std::byte> read_named_input(const std::filesystem::path& file, InputFiles& opened, std::uintmax_t most) {
+  return read_input(file == "-" ? "/dev/stdin" : file, shown_input(file), opened, most);
 }
 
 }  // namespace ligne

@@ -30,6 +30,9 @@ void check(const PictureRequest& request) {
       throw RequestError("shade", "needs a method that gives spans or pixels: " + methods_with(kSpans | kPixels));
     }
   }
+  const bool painted = request.output.format == OutputFormat::png || request.output.format == OutputFormat::json;
+  if (request.fill.kind != FillKind::none && request.plotter.by_pens() && !painted)
+    throw RequestError("fill", "pens draw no filled faces; see --hatch");
   if (request.hatch.asked()) {
     if (request.output.format == OutputFormat::json) throw RequestError("hatch", "a JSON drawing has no hatching");
     if (!(method.traits().products & (kRegions | kSpans))) refuse_hatching(method.traits().name);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "files/message_text.hpp"
+#include "files/named_input.hpp"
 #include "picture/compiled_model.hpp"
 #include "picture/errors.hpp"
 #include "scene/clean/clean.hpp"
@@ -125,7 +126,7 @@ LoadedModels load_models(const ModelRequest& request) {
   LoadedModels models;
   for (const std::string& name : request.files) {
     ModelFile& file = models.files.emplace_back();
-    file.name = name;
+    file.name = shown_input(name);
     Scene scene = read_scene(name, read_options(request), file.warnings, &file.report);
     scene = choose_and_heal(request, file, models, std::move(scene));
     if (models.files.size() == 1) {

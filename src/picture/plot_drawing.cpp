@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "files/message_text.hpp"
+#include "files/named_input.hpp"
 #include "picture/errors.hpp"
 #include "picture/placement.hpp"
 #include "plotting/plot.hpp"
@@ -280,11 +281,11 @@ Picture write_tiles(const ReadDrawing& read, const PlotDrawingRequest& request, 
 }  // namespace
 
 DrawingText read_drawing_text(const std::string& file, InputFiles& opened) {
-  const bool is_input = file == "-";
-  const std::string name = is_input ? "standard input" : file;
-  const std::vector<std::byte> bytes = read_input(is_input ? "/dev/stdin" : file, name, opened, kMostBytes);
-  return {name, std::string(as_characters(bytes))};
+  const std::vector<std::byte> bytes = read_named_input(file, opened, kMostBytes);
+  return {shown_input(file), std::string(as_characters(bytes))};
 }
+
+bool is_svg(const DrawingText& drawing) { return !begins_json(drawing.text); }
 
 void check(const PlotDrawingRequest& request) {
   if (request.format == OutputFormat::json) throw RequestError("format", "plot writes svg, pdf, png, hpgl or gcode");

@@ -48,6 +48,9 @@ struct DrawingText {
 /// Reads the file, or standard input for "-"; it is added to `opened`. Throws InputError.
 DrawingText read_drawing_text(const std::string& file, InputFiles& opened);
 
+/// Whether it is taken for an SVG, by its first character.
+bool is_svg(const DrawingText& drawing);
+
 /// Throws RequestError for a format that has no strokes.
 void check(const PlotDrawingRequest& request);
 

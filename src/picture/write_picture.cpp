@@ -183,6 +183,15 @@ void check_parts(const PlotterRequest& plotter) {
   stops_of(plotter);
 }
 
+/// Throws RequestError where nothing is left behind the strokes that are left out.
+void check_first(const Plot& plot, const LongPlotRequest& request, std::size_t first) {
+  const std::size_t strokes = stroke_count(plot);
+  if (strokes == 0 || first < strokes) return;
+  const std::string whole = "the plot has " + std::to_string(strokes) + (strokes == 1 ? " stroke" : " strokes");
+  if (request.from_stroke > strokes) throw RequestError("from-stroke", whole);
+  throw RequestError("from-time", whole + ", and all of them are drawn by then");
+}
+
 /// What is left of the plot, in its parts.
 void write_parts(Plot plot, const PlotterRequest& plotter, Point2 home, const std::function<std::string(Plot)>& bytes_of,
                  Picture& picture) {
@@ -191,6 +200,7 @@ void write_parts(Plot plot, const PlotterRequest& plotter, Point2 home, const st
   std::size_t first = request.from_stroke - 1;
   if (request.from_seconds > 0) first = std::max(first, strokes_within(plot, *device, home, request.from_seconds));
   if (first > 0) {
+    check_first(plot, request, first);
     plot = without_first(plot, first);
     if (plotter.report) picture.plotter_report += "begins with stroke " + std::to_string(first + 1) + "\n";
   }
@@ -287,6 +297,15 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
   return picture;
 }
 
+/// PDF leaves it to readers whether they show larger pages (PDF 1.7, annex C.2: 200 inches), and many do not.
+void warn_of_size(const Page& page, RunReport& run) {
+  constexpr double kLargestPdfMm = 200 * kMmPerInch;
+  if (std::max(page.width_mm, page.height_mm) <= kLargestPdfMm) return;
+  const std::string text = "a page of " + shortest(page.width_mm) + " x " + shortest(page.height_mm) +
+                           " mm is larger than the 14400 points (5080 mm) that readers of PDF show";
+  if (std::ranges::find(run.warnings, text, &RunWarning::text) == run.warnings.end()) run.warn(text);
+}
+
 }  // namespace
 
 PlotOptions plot_options(const PictureRequest& request, const Page& page) {
@@ -318,6 +337,7 @@ Picture write_picture(const Drawing& drawing, const PlotOptions& style, const Pl
                       RunReport& run, const GrayPicture* under, PdfDocument* pages) {
   if (plotter.parts.asked() && !plotter.by_pens())
     throw RequestError("", "--split, --every, --from-stroke, --from-time, --park and %p go with pens or a --device");
+  if (format == OutputFormat::pdf) warn_of_size(style.page, run);
   return plotter.by_pens() ? write_by_pens(drawing, style, plotter, format, run, under, pages)
                            : write_by_layers(drawing, style, plotter, format, run, under, pages);
 }

@@ -70,7 +70,7 @@ std::string groups_text(const std::vector<std::string>& groups) {
 }
 
 std::string file_text(const ModelFile& file) {
-  std::string text = file.name + "\n";
+  std::string text = printable(file.name, kLongestPath) + "\n";
   text += line("format", std::string(to_string(file.report.format)));
   text += line("as stored", std::to_string(file.report.faces) + " faces, " + std::to_string(file.report.triangles) +
                                 " triangles, " + std::to_string(file.report.vertices) + " vertices");

@@ -301,7 +301,7 @@ TEST_F(DrawTest, CurvesWhereLinesAreClear) {
   EXPECT_FALSE(curves({"--quality", "exact"}));
   EXPECT_TRUE(curves({"--quality", "exact", "--curves", "on"}));
   EXPECT_FALSE(curves({"--pen", "rest=1"})) << "pens keep the points";
-  EXPECT_EQ(drawn({"disc.obj", "--curves", "on"})["strokes"], drawn({"disc.obj", "--curves", "off"})["strokes"]);
+  EXPECT_EQ(drawn({"disc.obj", "-q", "--curves", "on"})["strokes"], drawn({"disc.obj", "-q", "--curves", "off"})["strokes"]);
   EXPECT_EQ(run({"draw", "disc.obj", "--curves", "maybe", "-o", "x.svg"}).status, 2);
 }
 

@@ -48,6 +48,15 @@ TEST_F(LongPlotTest, PartsAsFilesAndAsPauses) {
   refused({"a.svg", "--split", "lots", "-o", "a.plt"}, "--split: is not time=N, distance=N or lifts=N");
 }
 
+TEST_F(LongPlotTest, NothingIsLeftBehindTheLastStroke) {
+  made({"a.svg", "--from-stroke", "4", "-o", "rest.gcode"});
+  refused({"a.svg", "--from-stroke", "5", "-o", "x.gcode"}, "--from-stroke: the plot has 4 strokes");
+  refused({"a.svg", "--from-stroke", "99999", "-o", "x.hpgl"}, "--from-stroke: the plot has 4 strokes");
+  refused({"a.svg", "--from-time", "1h", "-o", "x.gcode"},
+          "--from-time: the plot has 4 strokes, and all of them are drawn by then");
+  EXPECT_FALSE(there("x.gcode"));
+}
+
 TEST_F(LongPlotTest, WhatIsResumedIsTheEndOfTheWhole) {
   made({"a.svg", "-o", "whole.gcode"});
   made({"a.svg", "--from-stroke", "3", "-o", "rest.gcode"});

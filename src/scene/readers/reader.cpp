@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/named_input.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/weld_near.hpp"
 #include "scene/creases/file_shading.hpp"
@@ -85,11 +86,11 @@ void append_zeros_left_out(std::vector<T>& values, std::size_t size, const std::
 }  // namespace
 
 Scene read_scene(const fs::path& file, const ReadOptions& options, Warnings& warnings, ReadReport* report) {
-  const std::string name = file.string();
+  const std::string name = shown_input(file);
   InputFiles opened;
-  const std::vector<std::byte> bytes = read_input(file, name, opened);
+  const std::vector<std::byte> bytes = read_named_input(file, opened);
   const ModelFormat format = detect_format(bytes, file.extension().string(), name);
-  const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
+  const fs::path folder = file == "-" ? fs::path() : file.parent_path().empty() ? fs::path(".") : file.parent_path();
   Scene scene = read_scene(bytes, format, folder, name, options, warnings, report);
   if (report) report->files.insert(report->files.begin(), opened.begin(), opened.end());
   return scene;

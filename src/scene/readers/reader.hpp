@@ -29,7 +29,7 @@ struct ReadOptions {
 /// their own. Throws InputError("...: not a model file that is known ...").
 ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suffix, const std::string& name);
 
-/// Reads one model file and cleans it (scene/clean.hpp). Throws InputError; adds to `warnings` what was mended.
+/// Reads and cleans a file, or for "-" standard input. Throws InputError; adds to `warnings` what was mended.
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options, Warnings& warnings,
                  ReadReport* report = nullptr);
 
