@@ -83,7 +83,9 @@ Surface grid_surface(const SurfaceRequest& request, const std::string& file, Run
   Warnings warnings;
   Surface surface;
   surface.name = file;
-  surface.heights = read_grid(file, warnings, &run.files, {request.gridded});
+  const bool whole = request.x || request.y;  // a part of a large grid keeps its samples
+  surface.heights = read_grid(file, warnings, &run.files, {request.gridded, request.every, !whole});
+  const std::size_t thinned_by = request.every ? surface.heights->thinned_by() : 1;
   if (!request.log_axes[0] && !request.log_axes[1] && !request.log_axes[2]) surface.function = surface.heights->function();
   for (std::string& line : warnings.lines()) run.warnings.push_back({file, std::move(line)});
   const GroundUnit unit = request.ground == GroundChoice::as_read  ? surface.heights->unit()
@@ -95,7 +97,7 @@ Surface grid_surface(const SurfaceRequest& request, const std::string& file, Run
   if (request.max_slope) {
     surface.left_out = steep_cells(*surface.heights, *request.max_slope, unit == GroundUnit::degrees ? kMetresOfDegree : 1);
   }
-  surface.x_stride = surface.y_stride = request.every.value_or(1);
+  surface.x_stride = surface.y_stride = request.every.value_or(1) / thinned_by;
   surface.thinned = !request.every && !request.curves.ridgeline;
   surface.unit = unit;
   return surface;

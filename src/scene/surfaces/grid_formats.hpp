@@ -34,11 +34,13 @@ std::unique_ptr<HeightSource> read_text_grid(std::span<const std::byte> bytes, c
 bool is_esri_grid(std::string_view text);
 std::unique_ptr<HeightSource> read_esri_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
 
-/// Netpbm's grey maps, P2 and P5.
-std::unique_ptr<HeightSource> read_pgm_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
+/// Netpbm's grey maps, P2 and P5. Those of pictures that are thinned are so while they are read.
+std::unique_ptr<HeightSource> read_pgm_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                            const GridChoice& choice);
 
 /// PNG of one channel, 8 or 16 bits.
-std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
+std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                            const GridChoice& choice);
 
 /// A tile of SRTM heights, "N47E008.hgt", which its name alone tells from other bytes.
 bool is_hgt_name(std::string_view name);

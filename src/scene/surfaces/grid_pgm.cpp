@@ -6,6 +6,7 @@
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grid_formats.hpp"
 #include "scene/surfaces/held_heights.hpp"
+#include "scene/surfaces/thinned_heights.hpp"
 
 namespace ligne {
 namespace {
@@ -18,7 +19,7 @@ class PgmReader {
  public:
   PgmReader(std::string_view chars, const std::string& name) : chars_(chars), name_(name) {}
 
-  std::unique_ptr<HeightSource> read(Warnings& warnings) {
+  std::unique_ptr<HeightSource> read(Warnings& warnings, const GridChoice& choice) {
     const bool is_text = chars_[1] == '2';
     at_ = 2;
     // No more values than bytes.
@@ -35,11 +36,23 @@ class PgmReader {
       throw InputError(name_, "is truncated: " + std::to_string(columns) + " x " + std::to_string(rows) +
                                   " values do not fit into " + std::to_string(left) + " bytes");
     }
-    std::vector<std::uint16_t> values(columns * rows);
-    for (std::uint16_t& value : values) value = is_text ? text_value() : binary_value(bytes_each);
+    const std::size_t step = thinning_step(columns, rows, choice);
+    if (step > 1) warn_of_thinning(columns, rows, step, warnings);
+    const std::vector<std::size_t> kept_x = kept_places(columns, step), kept_y = kept_places(rows, step);
+    std::vector<std::uint16_t> row(columns), values;
+    values.reserve(kept_x.size() * kept_y.size());
+    for (std::size_t j = rows, kept = kept_y.size(); j-- > 0;) {
+      for (std::uint16_t& value : row) value = is_text ? text_value() : binary_value(bytes_each);
+      if (kept == 0 || kept_y[kept - 1] != j) continue;
+      --kept;
+      for (const std::size_t i : kept_x) values.push_back(row[i]);
+    }
     if (!is_text && at_ < chars_.size()) warnings.add("pictures or bytes behind the first picture left out");
-    return held_heights(counted_positions(columns), counted_positions(rows), std::move(values),
-                        SampleOrder::first_row_highest(columns, rows), name_);
+    auto heights =
+        held_heights(std::vector<double>(kept_x.begin(), kept_x.end()), std::vector<double>(kept_y.begin(), kept_y.end()),
+                     std::move(values), SampleOrder::first_row_highest(kept_x.size(), kept_y.size()), name_);
+    heights->set_thinned_by(step);
+    return heights;
   }
 
  private:
@@ -92,8 +105,9 @@ class PgmReader {
 
 }  // namespace
 
-std::unique_ptr<HeightSource> read_pgm_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
-  return PgmReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name).read(warnings);
+std::unique_ptr<HeightSource> read_pgm_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                            const GridChoice& choice) {
+  return PgmReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name).read(warnings, choice);
 }
 
 }  // namespace ligne

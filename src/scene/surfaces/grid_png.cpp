@@ -12,6 +12,7 @@
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grid_formats.hpp"
 #include "scene/surfaces/held_heights.hpp"
+#include "scene/surfaces/thinned_heights.hpp"
 
 namespace ligne {
 namespace {
@@ -104,36 +105,53 @@ class PngFile {
   std::array<char, 128> cause_{};
 };
 
+/// Columns and rows that stay, the lowest first.
+struct KeptPlaces {
+  std::vector<std::size_t> x, y;
+};
+
 template <typename Sample>
-std::vector<Sample> read_samples(PngFile& png) {
+std::vector<Sample> read_interlaced(PngFile& png, int passes) {
+  const std::size_t columns = png.columns(), rows = png.rows();
+  std::vector<Sample> samples(columns * rows);
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t row = 0; row < rows; ++row) png.read_row(reinterpret_cast<png_bytep>(samples.data() + row * columns));
+  }
+  return samples;
+}
+
+/// The samples that stay, from the first row of the picture, which is the highest.
+template <typename Sample>
+std::vector<Sample> read_samples(PngFile& png, const KeptPlaces& kept) {
   const int passes = png.begin_rows();
   const std::size_t columns = png.columns(), rows = png.rows();
-  std::vector<Sample> samples;
-  if (passes > 1) samples.resize(columns * rows);
-  for (int pass = 0; pass < passes; ++pass) {
-    for (std::size_t row = 0; row < rows; ++row) {
-      // The heights take room as they come: the size in the header may be a lie.
-      if (passes == 1) samples.resize((row + 1) * columns);
-      png.read_row(reinterpret_cast<png_bytep>(samples.data() + row * columns));
-    }
+  std::vector<Sample> all, line(columns), samples;
+  if (passes > 1) all = read_interlaced<Sample>(png, passes);
+  auto next = kept.y.rbegin();
+  for (std::size_t row = 0; row < rows && next != kept.y.rend(); ++row) {
+    if (passes == 1) png.read_row(reinterpret_cast<png_bytep>(line.data()));
+    if (*next != rows - 1 - row) continue;
+    ++next;
+    const Sample* const from = passes == 1 ? line.data() : all.data() + row * columns;
+    // The heights take room as they come: the size in the header may be a lie.
+    for (const std::size_t i : kept.x) samples.push_back(from[i]);
   }
   return samples;
 }
 
 template <typename Sample>
-std::unique_ptr<HeightSource> read_heights(PngFile& png, const std::string& name) {
-  const std::size_t columns = png.columns(), rows = png.rows();
+std::unique_ptr<HeightSource> read_heights(PngFile& png, const KeptPlaces& kept, const std::string& name) {
   const std::optional<unsigned> transparent = png.transparent();
-  std::vector<Sample> samples = read_samples<Sample>(png);
-  const SampleOrder order = SampleOrder::first_row_highest(columns, rows);
-  if (!transparent)
-    return held_heights(counted_positions(columns), counted_positions(rows), std::move(samples), order, name);
+  std::vector<Sample> samples = read_samples<Sample>(png, kept);
+  const SampleOrder order = SampleOrder::first_row_highest(kept.x.size(), kept.y.size());
+  const std::vector<double> x(kept.x.begin(), kept.x.end()), y(kept.y.begin(), kept.y.end());
+  if (!transparent) return held_heights(x, y, std::move(samples), order, name);
 
   std::vector<float> heights(samples.size());  // holds every value of 16 bits, and NaN
   std::transform(samples.begin(), samples.end(), heights.begin(), [&](Sample value) {
     return value == *transparent ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value);
   });
-  return held_heights(counted_positions(columns), counted_positions(rows), std::move(heights), order, name);
+  return held_heights(x, y, std::move(heights), order, name);
 }
 
 /// Throws InputError when a file can not hold the values that its header speaks of.
@@ -180,7 +198,8 @@ std::unique_ptr<HeightSource> read_terrarium(PngFile& png, std::size_t bytes, co
 
 }  // namespace
 
-std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                            const GridChoice& choice) {
   PngFile png(bytes, name);
   png.read_header();
   if (png.color_type() == PNG_COLOR_TYPE_RGB && png.bit_depth() == 8)
@@ -194,7 +213,13 @@ std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, co
   const std::size_t columns = png.columns(), rows = png.rows();
   check_counts(columns, rows, name);
   check_size(columns, rows, static_cast<unsigned>(png.bit_depth()), bytes.size(), name);
-  return png.bit_depth() == 16 ? read_heights<std::uint16_t>(png, name) : read_heights<std::uint8_t>(png, name);
+  const std::size_t step = thinning_step(columns, rows, choice);
+  if (step > 1) warn_of_thinning(columns, rows, step, warnings);
+  const KeptPlaces kept{kept_places(columns, step), kept_places(rows, step)};
+  auto heights =
+      png.bit_depth() == 16 ? read_heights<std::uint16_t>(png, kept, name) : read_heights<std::uint8_t>(png, kept, name);
+  heights->set_thinned_by(step);
+  return heights;
 }
 
 }  // namespace ligne

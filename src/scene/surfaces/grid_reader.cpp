@@ -6,10 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "files/named_input.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grid_formats.hpp"
 #include "scene/surfaces/held_heights.hpp"
+#include "scene/surfaces/thinned_heights.hpp"
 
 namespace ligne {
 namespace {
@@ -67,21 +69,20 @@ void refuse_models(std::span<const std::byte> bytes, const std::string& name) {
 
 std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened,
                                         const GridChoice& choice) {
-  const bool is_input = file == "-";
-  const std::string name = is_input ? "standard input" : file.string();
   InputFiles unasked;
   InputFiles& files = opened ? *opened : unasked;
-  return read_grid(read_input(is_input ? "/dev/stdin" : file, name, files), name, warnings, is_input ? "" : file, &files,
-                   choice);
+  return thinned_heights(
+      read_grid(read_named_input(file, files), shown_input(file), warnings, file == "-" ? "" : file, &files, choice), choice,
+      warnings);
 }
 
 std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                         const std::filesystem::path& file, InputFiles* opened, const GridChoice& choice) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (chars.empty()) throw InputError(name, "is empty");
-  if (chars.starts_with("\x89PNG")) return with_unit(read_png_grid(bytes, name, warnings), GroundUnit::same);
+  if (chars.starts_with("\x89PNG")) return with_unit(read_png_grid(bytes, name, warnings, choice), GroundUnit::same);
   if (const char kind = netpbm_kind(chars)) {
-    if (kind == '2' || kind == '5') return with_unit(read_pgm_grid(bytes, name, warnings), GroundUnit::same);
+    if (kind == '2' || kind == '5') return with_unit(read_pgm_grid(bytes, name, warnings, choice), GroundUnit::same);
     throw InputError(name, std::string("is a Netpbm picture P") + kind + "; heights need a grey one, P2 or P5");
   }
   if (is_hgt_name(name)) return read_hgt_grid(bytes, name, warnings);

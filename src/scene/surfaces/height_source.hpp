@@ -43,26 +43,37 @@ class HeightSource {
   GroundUnit unit() const { return unit_; }
   void set_unit(GroundUnit unit) { unit_ = unit; }
 
+  /// So many rows and columns of the file one sample stands for.
+  std::size_t thinned_by() const { return thinned_by_; }
+  void set_thinned_by(std::size_t step) { thinned_by_ = step; }
+
  protected:
   HeightSource(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y_(std::move(y)) {}
 
  private:
   std::vector<double> x_, y_;
   GroundUnit unit_ = GroundUnit::unknown;
+  std::size_t thinned_by_ = 1;
 };
 
 /// Heights of a formula in x and y (also r and theta, the polar coordinates; pi, e). A place where it is not a finite number
 /// is a hole. Throws InputError that names the column of a mistake: "formula:COLUMN: cause".
 std::unique_ptr<HeightSource> formula_heights(const std::string& formula, std::vector<double> x, std::vector<double> y);
 
-/// How files of points are read.
+/// Grids of more samples are thinned: a page has fewer places than this (4096 x 4096).
+inline constexpr std::size_t kMostGridSamples = std::size_t{1} << 24;
+
+/// How files of grids and points are read.
 struct GridChoice {
   std::optional<unsigned> columns;  ///< of the grid on which scattered points are sampled (scattered_points.hpp)
+  std::optional<unsigned> every{};  ///< rows and columns that have to stay: one of so many
+  bool may_thin = false;            ///< of more than kMostGridSamples samples some rows and columns are left out
 };
 
 /// Heights of a grid file: a CSV or TSV matrix, lines of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16 bits. Told apart by
-/// content; "-" is standard input. NODATA and NaN are holes; rows of pictures run from north (the largest y) to south.
-/// Throws InputError("FILE[:LINE]: cause"). Adds the file, and others that were read with it, to `opened`.
+/// content; "-" is standard input. Grids are thinned (thinned_heights.hpp) where the choice allows it. NODATA and NaN are
+/// holes; rows of pictures run from north (the largest y) to south. Throws InputError("FILE[:LINE]: cause"). Adds the file,
+/// and others that were read with it, to `opened`.
 std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened = nullptr,
                                         const GridChoice& choice = {});
 
