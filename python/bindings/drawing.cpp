@@ -77,6 +77,12 @@ py::dict strokes(const DrawingHolder& holder) {
   return arrays;
 }
 
+std::size_t polyline_count(DrawingHolder& holder) {
+  std::size_t count = 0;
+  for (const Layer& layer : holder.layers().layers) count += layer.lines.size();
+  return count;
+}
+
 std::size_t stroke_count(const DrawingHolder& holder) {
   return holder.drawn() ? holder.drawn()->study().result.strokes->strokes.size() : 0;
 }
@@ -111,7 +117,7 @@ py::object regions(const DrawingHolder& holder) {
   py::list list;
   for (const Region& region : *drawn.study().result.regions) {
     py::list contours;
-    for (const std::vector<Point2>& contour : region.contours) contours.append(polyline(contour));
+    for (const std::vector<Point2>& contour : region.contours) contours.append(read_only(polyline(contour)));
     list.append(py::make_tuple(given_face(drawn.prepared().scene, region.face), contours, region.level, region.lights));
   }
   return list;
@@ -125,7 +131,7 @@ py::array_t<double> matrix(const DrawingHolder& holder) {
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) to(row, column) = m[column][row];
   }
-  return array;
+  return read_only(array);
 }
 
 py::dict report(const DrawingHolder& holder) {
@@ -293,6 +299,8 @@ void add_drawing(py::module_& module) {
   py::class_<DrawingHolder, std::shared_ptr<DrawingHolder>>(module, "Drawing", "What was drawn.")
       .def("strokes", &strokes)
       .def_property_readonly("stroke_count", &stroke_count)
+      .def_property_readonly("has_strokes", [](const DrawingHolder& holder) { return holder.drawn() != nullptr; })
+      .def_property_readonly("polyline_count", &polyline_count)
       .def("layers", &layers)
       .def("regions", &regions)
       .def_property_readonly("matrix", &matrix)

@@ -1,14 +1,16 @@
 #include "bindings/errors.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <initializer_list>
 #include <new>
 #include <string>
 
-#include "files/input_error.hpp"
+#include "files/file_error.hpp"
 #include "picture/errors.hpp"
 #include "picture/memory.hpp"
+#include "plotting/output_file.hpp"
 
 namespace py = pybind11;
 
@@ -18,14 +20,18 @@ namespace {
 /// Never freed: they must outlive the interpreter's own end.
 struct Exceptions {
   PyObject *error = nullptr, *input = nullptr, *dtype = nullptr, *request = nullptr, *memory = nullptr;
+  PyObject *file = nullptr, *missing_file = nullptr, *output = nullptr, *missing_folder = nullptr;
 };
 Exceptions exceptions;
 
+/// Its text is the message, also of an OSError that has a number and a file.
 PyObject* add(py::module_& module, const char* name, const char* text, std::initializer_list<PyObject*> bases) {
+  py::dict members;
+  members["__str__"] = py::reinterpret_borrow<py::object>(PyExc_BaseException).attr("__str__");
   py::tuple list(bases.size());
   std::size_t i = 0;
   for (PyObject* base : bases) list[i++] = py::reinterpret_borrow<py::object>(base);
-  PyObject* made = PyErr_NewExceptionWithDoc((std::string("ligne.") + name).c_str(), text, list.ptr(), nullptr);
+  PyObject* made = PyErr_NewExceptionWithDoc((std::string("ligne.") + name).c_str(), text, list.ptr(), members.ptr());
   if (!made) throw py::error_already_set();
   module.add_object(name, py::reinterpret_borrow<py::object>(made));
   return made;
@@ -40,11 +46,25 @@ void raise_request(const RequestError& e) {
   PyErr_SetObject(exceptions.request, value.ptr());
 }
 
+void raise_os_error(PyObject* type, const std::string& text, const std::string& file, int error) {
+  py::object value = py::reinterpret_borrow<py::object>(type)(text);
+  value.attr("errno") = error;
+  value.attr("filename") = file;
+  PyErr_SetObject(type, value.ptr());
+}
+
+bool is_missing(int error) { return error == ENOENT || error == ENOTDIR; }
+
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const RequestError& e) {
     raise_request(e);
+  } catch (const FileError& e) {
+    raise_os_error(is_missing(e.error()) ? exceptions.missing_file : exceptions.file, e.what(), e.file(), e.error());
+  } catch (const OutputError& e) {
+    raise_os_error(is_missing(e.error()) ? exceptions.missing_folder : exceptions.output, e.what(), e.file().string(),
+                   e.error());
   } catch (const InputError& e) {
     PyErr_SetString(exceptions.input, e.what());
   } catch (const DtypeError& e) {
@@ -72,6 +92,14 @@ void add_errors(py::module_& module) {
                            {exceptions.error, PyExc_ValueError});
   exceptions.memory = add(module, "MemoryLimitError", "The work would take more memory than there is, or than max_memory.",
                           {exceptions.error, PyExc_MemoryError});
+  exceptions.file =
+      add(module, "FileError", "The system does not give a file; `filename` names it.", {exceptions.input, PyExc_OSError});
+  exceptions.missing_file = add(module, "MissingFileError", "There is no such file; `filename` names it.",
+                                {exceptions.file, PyExc_FileNotFoundError});
+  exceptions.output =
+      add(module, "OutputError", "A file can not be written; `filename` names it.", {exceptions.error, PyExc_OSError});
+  exceptions.missing_folder = add(module, "MissingFolderError", "There is no folder for a file; `filename` names it.",
+                                  {exceptions.output, PyExc_FileNotFoundError});
   py::register_exception_translator(&translate);
 }
 

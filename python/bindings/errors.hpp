@@ -13,7 +13,7 @@ class DtypeError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Adds Error, InputError, DtypeError, RequestError and MemoryLimitError, and how errors of the library become these.
+/// Adds Error and all that derive from it, and how errors of the library become these.
 void add_errors(pybind11::module_& module);
 
 }  // namespace ligne::python

@@ -6,6 +6,7 @@
 #include "bindings/drawing.hpp"
 #include "bindings/errors.hpp"
 #include "bindings/scene.hpp"
+#include "files/closest_name.hpp"
 #include "report/listing.hpp"
 #include "view/view.hpp"
 
@@ -45,6 +46,12 @@ PYBIND11_MODULE(_core, module) {
   add_model_work(module);
   add_plot(module);
   add_study(module);
+  module.def(
+      "suggestion",
+      [](const std::string& word, const std::vector<std::string>& names) {
+        return ligne::suggestion(word, std::vector<std::string_view>(names.begin(), names.end()));
+      },
+      py::arg("word"), py::arg("names"));
   module.def("methods", &ligne::methods_json);
   module.def("devices", &ligne::devices_json);
   module.def("camera_frame", &camera_frame, py::arg("named"), py::arg("direction"), py::arg("up"), py::arg("up_axis"));

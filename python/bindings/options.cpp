@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "bindings/values.hpp"
+#include "files/closest_name.hpp"
 #include "files/message_text.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
@@ -144,6 +145,17 @@ bool is_parameter(std::string_view name) {
   return false;
 }
 
+/// As a keyword, " (pen_width?)".
+std::string suggested_option(const std::string& name, std::vector<std::string_view> names) {
+  for (const auto& [known, setter] : setters()) names.push_back(known);
+  for (const Method* method : all_methods()) {
+    for (const MethodParameter& parameter : method->traits().parameters) names.push_back(parameter.name);
+  }
+  std::string text = suggestion(name, names);
+  std::replace(text.begin(), text.end(), '-', '_');
+  return text;
+}
+
 MethodSettings settings_of(const Options& options, const Method& method) {
   MethodSettings settings;
   for (const auto& [name, value] : options.parameters) set_parameter(settings, method, name, value);
@@ -176,14 +188,14 @@ py::dict with_format(const py::dict& keywords, const std::string& file) {
   return whole;
 }
 
-void Options::take(const py::dict& keywords) {
+void Options::take(const py::dict& keywords, const std::vector<std::string_view>& others) {
   for_each_option(keywords, [&](const std::string& name, py::handle value) {
     if (const auto setter = setters().find(name); setter != setters().end()) {
       setter->second(*this, name, value);
     } else if (is_parameter(name)) {
       parameters.emplace_back(name, text_of(name, value));
     } else {
-      throw RequestError(name, "there is no such option");
+      throw RequestError(name, "there is no such option" + suggested_option(name, others));
     }
   });
 }

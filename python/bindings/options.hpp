@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct Options {
   bool horizon_given = false;
   std::vector<std::pair<std::string, std::string>> parameters;  ///< of methods, by their names
 
-  /// Takes the keywords that are not None; an underscore in a name stands for a dash. Throws RequestError.
-  void take(const pybind11::dict& keywords);
+  /// Takes the keywords that are not None; an underscore in a name stands for a dash. Throws RequestError, which suggests a
+  /// name where one is not known: one of these options, or of `others`.
+  void take(const pybind11::dict& keywords, const std::vector<std::string_view>& others = {});
   /// The request for a file of that format. Reads files of pens and devices. Throws RequestError.
   PictureRequest request() const;
 };
@@ -38,6 +40,9 @@ ModelRequest model_request(const pybind11::dict& keywords);
 /// The surfaces that the keywords tell: "formulas", "grids", "heights" (name, x, y, z) and "parametric" as lists, and the
 /// options of surfaces, but for those of Options.
 SurfaceRequest surface_request(const pybind11::dict& keywords);
+
+/// Names of the options that surface_request() takes.
+std::vector<std::string_view> names_of_surface_options();
 
 /// The keywords with the format of the file's suffix, where they name none.
 pybind11::dict with_format(const pybind11::dict& keywords, const std::string& file);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "picture/parse/parse.hpp"
 #include "scene/clean/named_objects.hpp"
 #include "scene/model/precision.hpp"
+#include "scene/readers/scene_bytes.hpp"
 
 namespace py = pybind11;
 
@@ -156,6 +158,45 @@ std::vector<std::string> object_names_of(const SceneHolder& holder) {
   return names;
 }
 
+/// What pickle keeps of a scene. The topology is found again.
+py::tuple state_of(const SceneHolder& holder) {
+  if (holder.models.compiled) {
+    PyErr_SetString(PyExc_TypeError, "a compiled model is not pickled: its file holds it, and read() is quick");
+    throw py::error_already_set();
+  }
+  ByteWriter bytes;
+  {
+    const py::gil_scoped_release released;
+    write_scene(bytes, holder.scene());
+  }
+  std::vector<std::string> files;
+  for (const std::filesystem::path& file : holder.inputs()) files.push_back(file.string());
+  return py::make_tuple(py::bytes(bytes.bytes()), holder.scene().face_source, static_cast<int>(holder.request.quality),
+                        holder.request.unit_mm, holder.models.object_names, holder.warnings, files);
+}
+
+std::shared_ptr<SceneHolder> scene_of_state(const py::tuple& state) {
+  constexpr std::size_t kParts = 7;
+  if (state.size() != kParts) throw InputError("pickle: is no scene of this version of ligne");
+  const auto text = state[0].cast<std::string>();
+  auto holder = std::make_shared<SceneHolder>();
+  const int quality = state[2].cast<int>();
+  holder->request.quality = quality == 0 ? Quality::clear : Quality::exact;
+  holder->request.unit_mm = state[3].cast<std::optional<double>>();
+  holder->models.object_names = state[4].cast<std::vector<std::string>>();
+  holder->warnings = state[5].cast<std::vector<std::string>>();
+  ModelFile& file = holder->models.files.emplace_back();
+  for (const auto& name : state[6].cast<std::vector<std::string>>()) file.report.files.emplace_back(name);
+  auto face_source = state[1].cast<std::vector<std::uint32_t>>();
+  const py::gil_scoped_release released;
+  ByteReader bytes(std::as_bytes(std::span(text)), "pickle");
+  holder->models.scene = read_scene(bytes);
+  bytes.need(face_source.empty() || face_source.size() == holder->scene().faces.size(), "faces have no source");
+  holder->models.scene.face_source = std::move(face_source);
+  holder->models.topology = build_topology(holder->scene());
+  return holder;
+}
+
 }  // namespace
 
 InputFiles SceneHolder::inputs() const {
@@ -195,7 +236,8 @@ void add_scene(py::module_& module) {
                              [](const SceneHolder& holder) {
                                return std::string(kQualityNames[static_cast<std::size_t>(holder.request.quality)]);
                              })
-      .def_property_readonly("warnings", [](const SceneHolder& holder) { return holder.warnings; });
+      .def_property_readonly("warnings", [](const SceneHolder& holder) { return holder.warnings; })
+      .def(py::pickle(&state_of, &scene_of_state));
   module.def("read", &read_files, py::arg("files"), py::arg("options"), py::arg("threads"));
   module.def("mesh", &make_mesh, py::arg("vertices"), py::arg("corners"), py::arg("contour_end"), py::arg("face_end"),
              py::arg("object"), py::arg("object_names"), py::arg("material"), py::arg("materials"), py::arg("precision"),

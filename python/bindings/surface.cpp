@@ -200,12 +200,18 @@ SurfaceRequest surface_request(const py::dict& keywords) {
   return surface;
 }
 
+std::vector<std::string_view> names_of_surface_options() {
+  std::vector<std::string_view> names;
+  for (const auto& [name, setter] : setters()) names.push_back(name);
+  return names;
+}
+
 void add_surface(py::module_& module) {
   module.def(
       "surface",
       [](const py::dict& surface, const py::dict& keywords, const py::object& progress) {
         Options options;
-        options.take(keywords);
+        options.take(keywords, names_of_surface_options());
         return DrawingHolder::of_surface(surface_request(surface), std::move(options), progress);
       },
       py::arg("surface"), py::arg("options"), py::arg("progress"));

@@ -8,7 +8,18 @@ Options have the names and the defaults of the command's (an underscore for a da
 unit ("1.5cm"); angles are in degrees. docs/python.md has recipes.
 """
 
-from ._core import DtypeError, Error, InputError, MemoryLimitError, RequestError, __version__
+from ._core import (
+    DtypeError,
+    Error,
+    FileError,
+    InputError,
+    MemoryLimitError,
+    MissingFileError,
+    MissingFolderError,
+    OutputError,
+    RequestError,
+    __version__,
+)
 from ._compare import compare, study
 from ._drawing import Drawing, Region, draw, draw_frames
 from ._lists import devices, experiments, methods
@@ -22,9 +33,13 @@ __all__ = [
     "Drawing",
     "DtypeError",
     "Error",
+    "FileError",
     "InputError",
     "MemoryLimitError",
     "Mesh",
+    "MissingFileError",
+    "MissingFolderError",
+    "OutputError",
     "Plotted",
     "Region",
     "RequestError",

@@ -7,11 +7,12 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from ._core import DtypeError, InputError
+from ._options import Array
 
-Faces = Union[np.ndarray, Sequence[Any]]
+Faces = Union[Array, Sequence[Any]]
 
 
-def _array(name: str, value: Any) -> np.ndarray:
+def _array(name: str, value: Any) -> Array:
     try:
         array = np.asarray(value)
     except (TypeError, ValueError) as error:
@@ -19,7 +20,7 @@ def _array(name: str, value: Any) -> np.ndarray:
     return array
 
 
-def vertex_array(vertices: Any) -> np.ndarray:
+def vertex_array(vertices: Any) -> Array:
     """(n, 3) of float64 or float32, which are handed on as they lie."""
     array = _array("vertices", vertices)
     if array.ndim != 2 or array.shape[1] != 3:
@@ -31,7 +32,7 @@ def vertex_array(vertices: Any) -> np.ndarray:
     return array
 
 
-def _index_array(array: np.ndarray) -> np.ndarray:
+def _index_array(array: Array) -> Array:
     if array.dtype.kind not in "iu":
         raise DtypeError(f"faces: the dtype is {array.dtype}, not one of integers")
     if array.dtype.itemsize < 4 or not array.dtype.isnative:
@@ -41,7 +42,7 @@ def _index_array(array: np.ndarray) -> np.ndarray:
 
 def _is_ragged(faces: Any) -> bool:
     if isinstance(faces, np.ndarray):
-        return faces.dtype == object
+        return bool(faces.dtype == object)
     if not isinstance(faces, (list, tuple)) or not faces:
         return False
     try:
@@ -52,7 +53,7 @@ def _is_ragged(faces: Any) -> bool:
     return nested or len(lengths) > 1
 
 
-def flat_faces(faces: Faces) -> Tuple[np.ndarray, List[int], List[int], int]:
+def flat_faces(faces: Faces) -> Tuple[Array, List[int], List[int], int]:
     """Corners, ends of contours in these, ends of faces in those, and the number of faces; no ends for an (m, k) array."""
     if not _is_ragged(faces):
         array = _array("faces", faces)
@@ -61,7 +62,7 @@ def flat_faces(faces: Faces) -> Tuple[np.ndarray, List[int], List[int], int]:
         if array.shape[0] == 0:
             raise InputError("faces: there is none")
         return _index_array(array), [], [], len(array)
-    contours: List[np.ndarray] = []
+    contours: List[Array] = []
     face_end: List[int] = []
     for number, face in enumerate(faces):
         if not hasattr(face, "__len__"):

@@ -60,7 +60,8 @@ def compare(
     options = arguments(locals(), "model", "view", "quality", "progress", "parameters", *VIEW_OPTIONS)
     options.update(seen_from(view, {name: value for name, value in locals().items() if name in VIEW_OPTIONS}))
     scene = as_scene(model, quality, threads)
-    return json.loads(_core.compare(scene._core, options, parameters, progress))
+    result: Dict[str, Any] = json.loads(_core.compare(scene._core, options, parameters, progress))
+    return result
 
 
 def study(
@@ -83,4 +84,5 @@ def study(
     Raises RequestError, InputError.
     """
     options = arguments(locals(), "name", "models", "progress")
-    return json.loads(_core.study(name, [os.fspath(file) for file in models], options, progress))
+    result: Dict[str, Any] = json.loads(_core.study(name, [os.fspath(file) for file in models], options, progress))
+    return result

@@ -6,20 +6,28 @@ import os
 import pathlib
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 
 from . import _core
 from ._heights import Heights, height_sources
-from ._options import Length, Path, Pens, Progress, Range, arguments, file_name
+from ._options import (
+    Array, Length, Output, Path, Pens, Progress, Range, arguments, file_name, format_for, open_output, write_to,
+)
 from ._scene import Scene, as_scene
 from ._view import VIEW_OPTIONS, Vector, View, seen_from
 
 _KINDS = np.array(_core.kinds)
+_MadeOf = Tuple[Optional[Scene], Dict[str, Any], Dict[str, Any]]
 
 
-def _ring_area(points: np.ndarray) -> float:
+def _frozen(array: Array) -> Array:
+    array.flags.writeable = False
+    return array
+
+
+def _ring_area(points: Array) -> float:
     x, y = points[:, 0], points[:, 1]
     return 0.5 * abs(float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))))
 
@@ -29,7 +37,7 @@ class Region:
     """A visible part of a face on the page."""
 
     face: int  #: row of the faces that were given
-    contours: List[np.ndarray]  #: (k, 2) float64 each, page mm, not closed; the first is outer, the others are holes
+    contours: List[Array]  #: (k, 2) float64 each, page mm, not closed; the first is outer, the others are holes
     level: int  #: how many transparent faces are in front of it
     lights: int  #: bit i: light i reaches it
 
@@ -42,17 +50,43 @@ class Region:
 class Drawing:
     """What draw() and surface() give: strokes, each a straight visible (or hidden) piece of one line.
 
-    Arrays have one row for each of the n strokes, in the order of the JSON drawing. A surface that the floating horizon
-    drew has polylines and files, but no strokes.
+    Arrays have one row for each of the n strokes, in the order of the JSON drawing, and are read-only: they belong to the
+    drawing. A surface that the floating horizon drew has polylines and files, but no strokes. A drawing never changes: its
+    copy is itself. pickle keeps what it was made of, and draws it again.
     """
 
-    def __init__(self, core: Any, scene: Optional[Scene] = None) -> None:
+    def __init__(self, core: _core.Drawing, scene: Optional[Scene], made_of: _MadeOf) -> None:
         self._core = core
         #: what was drawn; None for surfaces
         self.scene = scene
+        self._made_of = made_of
+
+    @classmethod
+    def of_scene(
+        cls, scene: Scene, surfaces: Dict[str, Any], options: Dict[str, Any], progress: Progress = None
+    ) -> Drawing:
+        """What draw() does with its arguments."""
+        return cls(_core.draw(scene._core, surfaces, options, progress), scene, (scene, surfaces, options))
+
+    @classmethod
+    def of_surface(cls, surfaces: Dict[str, Any], options: Dict[str, Any], progress: Progress = None) -> Drawing:
+        """What surface() does with its arguments."""
+        return cls(_core.surface(surfaces, options, progress), None, (None, surfaces, options))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _draw_again, self._made_of
+
+    def __copy__(self) -> Drawing:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Drawing:
+        return self
+
+    def __bool__(self) -> bool:
+        return True  # a drawing without strokes is one, too
 
     @cached_property
-    def _arrays(self) -> Dict[str, np.ndarray]:
+    def _arrays(self) -> Dict[str, Array]:
         return self._core.strokes()
 
     def __len__(self) -> int:
@@ -60,62 +94,63 @@ class Drawing:
 
     def __repr__(self) -> str:
         width, height = self.page
-        return f"<ligne.Drawing: {len(self)} strokes on {width:g} x {height:g} mm>"
+        lines = f"{len(self)} strokes" if self._core.has_strokes else f"{self._core.polyline_count} polylines"
+        return f"<ligne.Drawing: {lines} on {width:g} x {height:g} mm>"
 
     @property
-    def points(self) -> np.ndarray:
+    def points(self) -> Array:
         """(2 n, 2) float64, page mm, x to the right and y down: the two ends of each stroke."""
         return self._arrays["points"]
 
     @property
-    def offsets(self) -> np.ndarray:
+    def offsets(self) -> Array:
         """(n + 1,) int64: stroke i has the rows offsets[i] to offsets[i + 1] of `points`."""
-        return np.arange(0, 2 * len(self) + 1, 2)
+        return _frozen(np.arange(0, 2 * len(self) + 1, 2))
 
     @cached_property
-    def kind(self) -> np.ndarray:
+    def kind(self) -> Array:
         """(n,) of text: the class of each stroke: outline, border, intersection, crease, mesh, shadow, profile,
         tangent, suggestive, ridge, valley, detail, ..."""
-        return _KINDS[self._arrays["kind"]]
+        return _frozen(_KINDS[self._arrays["kind"]])
 
     @property
-    def visible(self) -> np.ndarray:
+    def visible(self) -> Array:
         """(n,) bool."""
         return self._arrays["visible"].view(bool)
 
     @property
-    def edge(self) -> np.ndarray:
+    def edge(self) -> Array:
         """(n, 2) int64: the two vertices of the source edge, rows of scene.vertices; -1 for what is no edge of the mesh
         (intersections, smooth outlines, shadows)."""
         return self._arrays["edge"]
 
     @property
-    def faces(self) -> np.ndarray:
+    def faces(self) -> Array:
         """(n, 2) int64: the two faces at the source edge, rows of the faces that were given; -1 where there is none."""
         return self._arrays["faces"]
 
     @property
-    def parameter(self) -> np.ndarray:
+    def parameter(self) -> Array:
         """(n, 2) float64: the interval on the source edge, 0 at its first end and 1 at its second, in model space."""
         return self._arrays["parameter"]
 
     @property
-    def level(self) -> np.ndarray:
+    def level(self) -> Array:
         """(n,) uint8: how many transparent faces are in front of it."""
         return self._arrays["level"]
 
-    def points3d(self) -> np.ndarray:
+    def points3d(self) -> Array:
         """(2 n, 3) float64, model units: where `points` are in space."""
         return self._arrays["points3d"]
 
-    def polylines(self, kind: Optional[str] = None) -> List[np.ndarray]:
+    def polylines(self, kind: Optional[str] = None) -> List[Array]:
         """Strokes joined: (k, 2) float64 each, page mm; those of one layer, or of all in the order of painting."""
         return [line for name, _, lines in self._core.layers() if kind is None or name == kind for line in lines]
 
     @property
-    def layers(self) -> Dict[str, List[np.ndarray]]:
+    def layers(self) -> Dict[str, List[Array]]:
         """Polylines by the layers of the file, in the order of painting: the classes, "hidden", "hatch", "axes", ..."""
-        layers: Dict[str, List[np.ndarray]] = {}
+        layers: Dict[str, List[Array]] = {}
         for name, _, lines in self._core.layers():
             layers.setdefault(name, []).extend(lines)
         return layers
@@ -129,7 +164,7 @@ class Drawing:
         return [Region(*region) for region in regions]
 
     @property
-    def matrix(self) -> np.ndarray:
+    def matrix(self) -> Array:
         """(4, 4) float64: (x, y, z, 1) of the model to (X, Y, Z, W); (X / W, Y / W) is the place on the page in mm, and
         Z / W a depth that grows with the distance from the viewer."""
         return self._core.matrix
@@ -151,7 +186,7 @@ class Drawing:
 
     def save(
         self,
-        file: Path,
+        file: Output,
         *,
         format: Optional[str] = None,
         dpi: Optional[float] = None,
@@ -173,17 +208,35 @@ class Drawing:
     ) -> str:
         """Writes svg, pdf, png, json, hpgl or gcode, by the suffix or `format`; the file is whole or not there.
 
+        file: a path, or a file that is open for writing: in text mode (not for pdf and png), or binary.
         Options that are not given are those of draw(). The scene is studied again only where the format needs what was
         not studied: JSON of methods that give more than strokes, gray faces, hatching. Gives the table of report=True.
         as_mesh: surfaces as a mesh file, .json (ligne-scene) or .obj, instead of their picture.
         """
         options = arguments(locals(), "self", "file", "preview", "as_mesh", "progress")
+        opened = open_output(file)
+        if opened is not None:
+            return self._save_to(opened, preview, as_mesh, options, progress)
+        path = os.fspath(cast(Path, file))
         if as_mesh:
-            self._core.save_mesh(os.fspath(file))
+            self._core.save_mesh(path)
             return ""
-        return self._core.save(os.fspath(file), file_name(preview), dict(options, preview=preview), progress)
+        return self._core.save(path, file_name(preview), dict(options, preview=preview), progress)
 
-    def plot(self, file: Path, *, optimize: str = "full", **options: Any) -> str:
+    def _save_to(
+        self, file: Any, preview: Optional[Path], as_mesh: bool, options: Dict[str, Any], progress: Progress
+    ) -> str:
+        format = format_for(file, options["format"])
+        if as_mesh:
+            write_to(file, self._core.write_mesh(format), format)
+            return ""
+        if preview is not None:
+            raise _core.RequestError("preview: goes with a file that is named")
+        data, _, report = self._core.write(dict(options, format=format), progress)
+        write_to(file, data, format)
+        return report
+
+    def plot(self, file: Output, *, optimize: str = "full", **options: Any) -> str:
         """save() with the path work for a pen: lines once, ends joined, ordered. Gives the table of strokes, lengths,
         lifts and, for a device, time, before and after."""
         options.setdefault("report", True)
@@ -200,15 +253,19 @@ class Drawing:
 
     def to_shapely(self, kind: Optional[str] = None) -> Any:
         """A shapely MultiLineString of polylines(kind), page mm."""
-        from shapely.geometry import MultiLineString
+        from shapely.geometry import MultiLineString  # type: ignore[import]
 
         return MultiLineString([line for line in self.polylines(kind) if len(line) > 1])
 
     def to_line_collection(self, kind: Optional[str] = None, **style: Any) -> Any:
         """A matplotlib LineCollection of polylines(kind), page mm with y down: ax.invert_yaxis(), ax.set_aspect(1)."""
-        from matplotlib.collections import LineCollection
+        from matplotlib.collections import LineCollection  # type: ignore[import]
 
         return LineCollection(self.polylines(kind), **style)
+
+
+def _draw_again(scene: Optional[Scene], surfaces: Dict[str, Any], options: Dict[str, Any]) -> Drawing:
+    return Drawing.of_surface(surfaces, options) if scene is None else Drawing.of_scene(scene, surfaces, options)
 
 
 def draw(
@@ -275,7 +332,8 @@ def draw(
 ) -> Drawing:
     """Draws a model with its hidden lines removed.
 
-    model: a Scene, a file, or an object of trimesh, pyvista or meshio.
+    model: a Scene, a file, or an object of trimesh, pyvista or meshio. With a file, options of read() (only, hide, move,
+        weld, merge_coplanar) may stand among the others.
     view: a name, or a View; direction, or eye with target and fov, are others.
     regions: visible faces as areas, too (Drawing.regions).
     surface: among the models: formulas in x and y, or arrays as surface() takes them; grid: files of heights; x, y, samples,
@@ -291,9 +349,10 @@ def draw(
     options.update(seen_from(view, {name: value for name, value in locals().items() if name in VIEW_OPTIONS}))
     surfaces = _surfaces(surface, grid, dict(x=x, y=y, samples=samples, every=every, z_scale=z_scale, z_range=z_range))
     scene = _scene_for(model, quality, options)
-    return Drawing(_core.draw(scene._core, surfaces, options, progress), scene)
+    return Drawing.of_scene(scene, surfaces, options, progress)
 
 
+_OF_READING = ("only", "hide", "move", "weld", "merge_coplanar", "pose")
 _OF_SURFACES = ("surface", "grid", "x", "y", "samples", "every", "z_scale", "z_range")
 
 
@@ -308,7 +367,8 @@ def _surfaces(surface: Any, grid: Any, options: Dict[str, Any]) -> Dict[str, Any
 def _scene_for(model: Any, quality: Optional[str], options: Dict[str, Any]) -> Scene:
     """The model as a scene whose parts are told apart where the options do."""
     parts = options.get("group", "none") != "none" or bool(options.get("color")) or "object:" in str(options.get("pen"))
-    return as_scene(model, quality, options.get("threads", 0), groups=parts)
+    reading = {name: options.pop(name) for name in _OF_READING if name in options}
+    return as_scene(model, quality, options.get("threads", 0), groups=parts, reading=reading)
 
 
 def draw_frames(

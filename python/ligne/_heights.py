@@ -9,19 +9,42 @@ import numpy as np
 
 from . import _core
 from ._core import DtypeError, InputError
-from ._options import Path
+from ._options import Array, Path
 
-Heights = Union[str, Path, np.ndarray, Callable[[np.ndarray, np.ndarray], Any]]
+Heights = Union[str, Path, Array, Callable[[Array, Array], Any]]
 
 _CURVES, _SAMPLES_BETWEEN, _SAMPLES_ALONG = 40, 5, 1000
 
 
-def _positions(name: str, values: Any, count: int) -> np.ndarray:
+#: Suffixes of files of heights: a text that ends so is the name of a file, and no formula.
+_FILES = (".csv", ".tsv", ".txt", ".dat", ".xyz", ".asc", ".png", ".pgm", ".tif", ".tiff", ".hgt", ".nc", ".h5")
+
+
+def _is_grid(array: Array) -> bool:
+    """Whether it is a matrix of positions x, all of whose rows are one that ascends."""
+    return array.ndim == 2 and bool((array == array[:1]).all() and (np.diff(array[0]) > 0).all())
+
+
+def _of_meshgrid(name: str, array: Array, shape: Tuple[int, ...]) -> Array:
+    """The positions in what numpy.meshgrid() makes of them."""
+    own = array if name == "x" else array.T
+    if array.shape == shape and _is_grid(own):
+        positions: Array = own[0]
+        return positions
+    if array.shape == shape and _is_grid(own.T):
+        raise InputError(f"{name}: is of meshgrid(indexing=\"ij\"); z has rows of y and columns of x: give z.T, x.T and y.T")
+    raise InputError(f"{name}: the shape is {array.shape}, not one-dimensional, and it is no meshgrid of z")
+
+
+def _positions(name: str, values: Any, shape: Tuple[int, ...]) -> Array:
+    count = shape[1] if name == "x" else shape[0]
     if values is None:
         return np.arange(count, dtype=float)
     array = np.asarray(values)
     if array.dtype.kind not in "fiu":
         raise DtypeError(f"{name}: the dtype is {array.dtype}, not one of real numbers")
+    if array.ndim == 2:
+        array = _of_meshgrid(name, array, shape)
     if array.shape == (2,) and count != 2:
         return np.linspace(float(array[0]), float(array[1]), count)
     if array.shape != (count,):
@@ -29,7 +52,7 @@ def _positions(name: str, values: Any, count: int) -> np.ndarray:
     return array.astype(float)
 
 
-def _heights(z: Any, x: Any, y: Any) -> Tuple[str, np.ndarray, np.ndarray, np.ndarray]:
+def _heights(z: Any, x: Any, y: Any) -> Tuple[str, Array, Array, Array]:
     array = np.asarray(z)
     if array.ndim != 2:
         raise InputError(f"z: the shape is {array.shape}, not (rows of y, columns of x)")
@@ -39,10 +62,43 @@ def _heights(z: Any, x: Any, y: Any) -> Tuple[str, np.ndarray, np.ndarray, np.nd
         raise InputError(f"z: the shape is {array.shape}; two rows and two columns are the least")
     if np.isinf(array).any():
         raise InputError("z: holds an infinite height; nan says that there is none")
-    return "z", _positions("x", x, array.shape[1]), _positions("y", y, array.shape[0]), array
+    return "z", _positions("x", x, array.shape), _positions("y", y, array.shape), array
 
 
-def _samples(name: str, range_: Any, samples: Optional[int]) -> Tuple[np.ndarray, int]:
+def _are_positions(value: Any) -> bool:
+    """A range, or numbers in a row: no surface is written so."""
+    if isinstance(value, (str, os.PathLike)) or callable(value) and not hasattr(value, "__array__"):
+        return False
+    try:
+        return bool(np.asarray(value).ndim == 1)
+    except ValueError:
+        return False
+
+
+def _are_meshgrids(z: Any, x: Any, y: Any) -> bool:
+    """Whether x and y are what numpy.meshgrid() makes of the positions of z, in either order of indices."""
+    if any(isinstance(one, (str, os.PathLike)) or callable(one) and not hasattr(one, "__array__") for one in (z, x, y)):
+        return False
+    z, x, y = np.asarray(z), np.asarray(x), np.asarray(y)
+    if z.ndim != 2 or not x.shape == y.shape == z.shape or min(z.shape) < 2:
+        return False
+    return (_is_grid(x) and _is_grid(y.T)) or (_is_grid(x.T) and _is_grid(y))
+
+
+def split_positions(sources: Sequence[Any], x: Any, y: Any) -> Tuple[Sequence[Any], Any, Any]:
+    """Of surface(z, x, y): z, and the positions; several surfaces stay what they are."""
+    behind = sources[1:]
+    if not 1 <= len(behind) <= 2:
+        return sources, x, y
+    grids = list(sources) if len(behind) == 2 else [*sources, y]
+    if not all(_are_positions(one) for one in behind) and not _are_meshgrids(*grids):
+        return sources, x, y
+    if x is not None or (y is not None and len(behind) == 2):
+        raise _core.RequestError("x, y: stand behind z, and are given by name too")
+    return sources[:1], behind[0], behind[1] if len(behind) == 2 else y
+
+
+def _samples(name: str, range_: Any, samples: Optional[int]) -> Tuple[Array, int]:
     """Sample positions over a range, and every how many of them there is a curve."""
     low, high, curves = -5.0, 5.0, _CURVES
     if range_ is not None:
@@ -74,6 +130,9 @@ def height_sources(sources: Sequence[Heights], options: Dict[str, Any]) -> Dict[
     options are the positions."""
     x, y, samples = (options.get(name) for name in ("x", "y", "samples"))
     formulas = [source for source in sources if isinstance(source, str)]
+    for formula in formulas:
+        if formula.lower().endswith(_FILES):
+            raise _core.RequestError(f"z: {formula!r} is the name of a file; for its heights give pathlib.Path({formula!r})")
     grids = [os.fspath(source) for source in sources if not isinstance(source, str) and isinstance(source, os.PathLike)]
     heights, every = [], options.get("every")
     for source in sources:

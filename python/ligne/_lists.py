@@ -11,13 +11,15 @@ from . import _core
 def methods() -> List[Dict[str, Any]]:
     """The visibility methods, as `ligne methods --json` lists them: name, summary, produces, exact, penetration, paper,
     options and so on."""
-    return json.loads(_core.methods())["methods"]
+    listed: List[Dict[str, Any]] = json.loads(_core.methods())["methods"]
+    return listed
 
 
 def devices() -> List[Dict[str, Any]]:
     """The plotters known, as `ligne devices --json` lists them: name, title, language, step_mm, pens, papers or limits_mm,
     speeds and so on."""
-    return json.loads(_core.devices())["devices"]
+    listed: List[Dict[str, Any]] = json.loads(_core.devices())["devices"]
+    return listed
 
 
 def experiments() -> List[Dict[str, str]]:

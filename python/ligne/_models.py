@@ -49,7 +49,8 @@ def info(
     """
     options = arguments(locals(), "model", "view", "quality", *VIEW_OPTIONS)
     options.update(seen_from(view, {name: value for name, value in locals().items() if name in VIEW_OPTIONS}))
-    return json.loads(_core.info(as_scene(model, quality, threads, groups=True)._core, options))
+    result: Dict[str, Any] = json.loads(_core.info(as_scene(model, quality, threads, groups=True)._core, options))
+    return result
 
 
 def compile(

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union, cast
 
 from . import _core
 from ._drawing import Drawing
-from ._options import Length, Path, Pens, arguments, file_name
+from ._options import (
+    Length, Output, Path, Pens, Writable, arguments, file_name, format_for, open_output, write_to,
+)
 
 Named = Union[str, float, Sequence[str], Dict[str, Any], None]
 
@@ -31,7 +33,7 @@ class Plotted:
 
 def plot(
     drawing: Union[Path, bytes, Drawing, Sequence[Union[Path, bytes, Drawing]]],
-    file: Optional[Path] = None,
+    file: Optional[Output] = None,
     *,
     skip: Union[str, Sequence[str], None] = None,
     fill: Optional[str] = None,
@@ -77,6 +79,7 @@ def plot(
 
     drawing: a file, SVG or ligne-drawing JSON; the bytes of one; or a Drawing; or several for the cells of a `grid`.
     file: svg, pdf, png, hpgl or gcode by the suffix or `format`; "%d" and "%p" are the numbers of the part and of the pen.
+        Or a file that is open for writing, text or binary.
         None: Plotted.data holds the bytes, of an SVG unless `format` says otherwise, and Plotted.parts those of all files.
     hatch_spacing, hatch_angle: of all fills, or {"layer or colour": value}; hatch_cross: True, or names of such.
 
@@ -87,10 +90,23 @@ def plot(
     drawings = drawing if isinstance(drawing, (list, tuple)) else [drawing]
     if not drawings:
         raise _core.RequestError("drawing: there is none")
-    files, table, warnings, statistics = _core.plot([_named(one) for one in drawings], file_name(file), options)
+    opened = None if file is None else open_output(file)
+    if opened is not None:
+        options["format"] = format_for(opened, format)
+        file = None
+    path = file_name(cast(Optional[Path], file))
+    files, table, warnings, statistics = _core.plot([_named(one) for one in drawings], path, options)
+    if opened is not None:
+        _write_only(opened, files, str(options["format"]))
     written = [] if file is None else [name for name, _ in files]
-    data = [content for _, content in files] if file is None else []
+    data = [content for _, content in files] if file is None and opened is None else []
     return Plotted(data[0] if data else b"", written, data, table, warnings, json.loads(statistics))
+
+
+def _write_only(file: Writable, files: List[Tuple[str, bytes]], format: str) -> None:
+    if len(files) > 1:
+        raise _core.RequestError(f"file: the plot has {len(files)} parts; a name with %d or %p holds them")
+    write_to(file, files[0][1], format)
 
 
 def _named(drawing: Any) -> Tuple[str, Optional[bytes]]:

@@ -3,34 +3,44 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Type, Union
 
 import numpy as np
 
 from . import _core
 from ._arrays import Faces, flat_faces, labels, material_list, vertex_array
-from ._options import Path, arguments
+from ._options import Array, Path, arguments
 
 
 class Scene:
     """What is drawn: faces of objects, welded and, for clear lines, healed. It never changes, and threads may share it."""
 
-    def __init__(self, core: Any) -> None:
+    def __init__(self, core: _core.Scene) -> None:
         self._core = core
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _scene_again, (type(self), self._core)
+
+    def __copy__(self) -> Scene:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Scene:
+        return self
+
     @property
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Array:
         """(n, 3) float64, read-only, no copy: the vertices after mending, in model units."""
         return self._core.vertices
 
     @property
-    def faces(self) -> Union[np.ndarray, List[Any]]:
+    def faces(self) -> Union[Array, List[Any]]:
         """Rows of `vertices`: (m, 3) uint32, read-only, no copy, while all are triangles; otherwise a list of outer
         contours, or of lists of an outer contour and its holes."""
-        return self._core.faces
+        faces: Union[Array, List[Any]] = self._core.faces
+        return faces
 
     @property
-    def face_source(self) -> Optional[np.ndarray]:
+    def face_source(self) -> Optional[Array]:
         """(m,) uint32: of each face, the row of the faces that were given. None for files."""
         return self._core.face_source
 
@@ -62,6 +72,12 @@ class Scene:
     def __repr__(self) -> str:
         core = self._core
         return f"<ligne.{type(self).__name__}: {core.face_count} faces, {core.edge_count} edges>"
+
+
+def _scene_again(kind: Type[Scene], core: _core.Scene) -> Scene:
+    scene = kind.__new__(kind)
+    scene._core = core
+    return scene
 
 
 def read(
@@ -170,7 +186,7 @@ class Mesh(Scene):
     @staticmethod
     def from_meshio(mesh: Any, **options: Any) -> Mesh:
         """The faces (triangle, quad, polygon) of a meshio.Mesh."""
-        rows: List[np.ndarray] = []
+        rows: List[Array] = []
         for block in mesh.cells:
             if block.type in ("triangle", "quad") or block.type.startswith("polygon"):
                 rows.extend(np.asarray(block.data))
@@ -190,17 +206,26 @@ class Mesh(Scene):
         )
 
 
-def as_scene(model: Any, quality: Optional[str], threads: int, groups: bool = False) -> Scene:
-    """A scene, a file, or what has vertices and faces."""
+def as_scene(
+    model: Any,
+    quality: Optional[str],
+    threads: int,
+    groups: bool = False,
+    reading: Optional[Dict[str, Any]] = None,
+) -> Scene:
+    """A scene, a file, or what has vertices and faces. `reading`: options of read()."""
+    if reading and not isinstance(model, (str, os.PathLike)):
+        name = next(iter(reading))
+        raise _core.RequestError(f"{name}: is an option of read(), and goes with a file here; the model is read already")
     if isinstance(model, Scene):
         if quality is not None and quality != model.quality:
             raise _core.RequestError(
                 f"quality: the scene was read for {model.quality} lines; read(quality=...) and Mesh(quality=...) choose"
             )
         return model
-    kept = {"quality": quality or "clear", "threads": threads}
+    kept: Dict[str, Any] = {"quality": quality or "clear", "threads": threads}
     if isinstance(model, (str, os.PathLike)):
-        return read(model, groups=groups, **kept)
+        return read(model, groups=groups, **kept, **(reading or {}))
     if hasattr(model, "points") and hasattr(model, "faces"):
         return Mesh.from_pyvista(model, **kept)
     if hasattr(model, "points") and hasattr(model, "cells"):

@@ -6,12 +6,12 @@ from typing import Any, List, Optional, Sequence, Tuple, Union
 
 from . import _core
 from ._drawing import Drawing
-from ._heights import Heights, height_sources
+from ._heights import height_sources, split_positions
 from ._options import Length, Progress, Range, arguments
 from ._view import VIEW_OPTIONS, Vector, View, seen_from
 
 def surface(
-    *z: Heights,
+    *z: Any,
     x: Optional[Any] = None,
     y: Optional[Any] = None,
     parametric: Sequence[Tuple[str, str, str]] = (),
@@ -80,19 +80,22 @@ def surface(
 ) -> Drawing:
     """Draws surfaces as curves with their hidden parts removed.
 
+    surface(z, x, y) draws one surface, surface(z1, z2, ..., x=..., y=...) several.
+
     z: each a formula in x and y ("sin(r)/r"), a path of a grid file (a pathlib.Path), an array of heights (rows of y,
         columns of x; nan where there is none), or a function of two arrays.
     x, y: for formulas and functions (from, to) or (from, to, curves), by default (-5, 5, 40); for an array the positions of
-        its columns and rows, or (from, to), by default 0, 1, 2, ...
+        its columns and rows, or both of numpy.meshgrid(), or (from, to), by default 0, 1, 2, ...
     parametric: surfaces as three formulas in u and v.
     curve: curves as three formulas in t, that of z may be "surface"; points: paths of files; name: names of the legend.
 
     All others are the options of `ligne surface` and, for the page, hatching and pens, of draw(). Raises RequestError,
     InputError, DtypeError.
     """
-    given = arguments(locals(), "z", "options", "view", "progress", "method", "hidden", *VIEW_OPTIONS)
+    sources, x, y = split_positions(z, x, y)
+    given = arguments(locals(), "z", "sources", "options", "view", "progress", "method", "hidden", *VIEW_OPTIONS)
     seen = seen_from(view, dict(direction=direction, eye=eye, target=target, fov=fov, up=up))
     if (azimuth is not None or elevation is not None) and any(seen.get(n) is not None for n in ("view", "direction", "eye")):
         raise _core.RequestError("azimuth, elevation: do not go with view, direction or eye")
     given["parametric"] = [tuple(str(formula) for formula in three) for three in parametric]
-    return Drawing(_core.surface(height_sources(z, given), dict(seen, **options, method=method, hidden=hidden), progress))
+    return Drawing.of_surface(height_sources(sources, given), dict(seen, **options, method=method, hidden=hidden), progress)
