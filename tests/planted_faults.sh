@@ -10,6 +10,8 @@
 #   LIGNE_CONFIGURE    more options for cmake
 #   LIGNE_WORK         folder for the copy and its build, kept; otherwise a temporary one
 #   LIGNE_LEVEL        level of optimization, -O1
+#   LIGNE_STOP_AFTER   programs that notice a fault, after which no other is run for it. Each of them stops at its first failing
+#                      test, which the table names in place of a number. All programs are run to their ends otherwise
 #   LIGNE_TEST_SEED    turns the rotation of the first tier; 0
 set -euo pipefail
 
@@ -22,16 +24,18 @@ else
 fi
 tree=$work/tree build=$work/tree/build/faults logs=$work/logs
 
-# programs_of FAULT: the programs that are run, by what the name of the fault begins with.
+# programs_of FAULT: the programs that are run, by what the name of the fault begins with. PROGRAM/PART is a folder of tests
+# that is run by itself, and counts as a program.
 programs_of() {
   case $1 in
-    warnock_* | watkins_* | painter_* | bsp_* | newell_* | convex_tree_* | view_*) echo visibility_test methods_test relations_test ;;
+    warnock_* | watkins_* | painter_* | bsp_* | newell_* | convex_tree_* | view_*) echo relations_test visibility_test methods_test ;;
     zbuffer_*) echo visibility_test methods_test cli_test ;;
-    weiler_*) echo visibility_test methods_test relations_test picture_test ;;
+    weiler_*) echo relations_test picture_test visibility_test methods_test ;;
+    contour_*) echo contours_test/clear contours_test/contours contours_test/heal picture_test ;;
     clip_*) echo geometry_test "$(programs_of weiler_)" ;;
     horizon_*) echo visibility_test cli_test ;;
     plot_*) echo plotting_test cli_test ;;
-    *) echo visibility_test relations_test methods_test fuzz_test picture_test rays_test ;;
+    *) echo fuzz_test relations_test visibility_test methods_test picture_test rays_test ;;
   esac
 }
 
@@ -45,6 +49,9 @@ filter_of() {
   local general="${each_view#:}${each}:*RandomScenes*:*Crowds*:*Resolution*"
   case $1 in
     methods_test) echo "$general" ;;
+    contours_test/clear) echo 'ClearAgainstExact*:MeshSags*' ;;
+    contours_test/contours) echo 'ContourSupport*:OutlineGaps*:ShallowIslands*:*ShapeLines*:SmoothContours*:SmoothPatch*:SurfaceFits*:*Surfaces.*' ;;
+    contours_test/heal) echo 'ClearDrawing*:Contacts*:Creases*:*Defect*:EdgeTree*:Heal*:SegmentCells*' ;;
     cli_test)
       case $2 in
         horizon_*) echo '*Surface*' ;;
@@ -88,7 +95,7 @@ cmake -S "$tree" -B "$build" -G Ninja "${options[@]}" ${LIGNE_CONFIGURE:-} >"$lo
 present() {
   local program
   for program in "$@"; do
-    if ninja -C "$build" -t query "$program" >/dev/null 2>&1; then echo "$program"; fi
+    if ninja -C "$build" -t query "${program%/*}" >/dev/null 2>&1; then echo "$program"; fi
   done
 }
 
@@ -97,21 +104,26 @@ build() {
   local name=$1
   shift
   # shellcheck disable=SC2086  # the prefix is several words
-  ${LIGNE_BUILD_WITH:-} ninja -C "$build" -j "${LIGNE_BUILD_JOBS:-$(nproc)}" "$@" >"$logs/$name.build" 2>&1 ||
+  ${LIGNE_BUILD_WITH:-} ninja -C "$build" -j "${LIGNE_BUILD_JOBS:-$(nproc)}" "${@%/*}" >"$logs/$name.build" 2>&1 ||
     { tail -n 30 "$logs/$name.build" >&2; echo "$name does not compile" >&2; exit 1; }
 }
 
 # caught_by NAME PROGRAM...: the programs that fail, with the number of their failing tests. A program that hangs or crashes fails too.
 caught_by() {
-  local name=$1 program log file failed
+  local name=$1 program log file failed caught=0
+  local fast=()
+  if [[ -n ${LIGNE_STOP_AFTER:-} ]]; then fast=(--gtest_fail_fast); fi
   shift
   for program in "$@"; do
-    log=$logs/$name.$program
-    file=$(find "$build/tests" -type f -name "$program" -perm -u+x)
-    if timeout 180 "$file" --gtest_filter="$(filter_of "$program" "$name")" --gtest_brief=1 >"$log" 2>&1; then continue; fi
-    failed=$(grep -cE '^\[  FAILED  \] .*\([0-9]+ ms\)$' "$log" || true)
-    if ! grep -q '^\[==========\] .* ran\.' "$log"; then failed+=', then stops'; fi
+    log=$logs/$name.${program/\//.}
+    file=$(find "$build/tests" -type f -name "${program%/*}" -perm -u+x)
+    if timeout 900 "$file" "${fast[@]}" --gtest_filter="$(filter_of "$program" "$name")" --gtest_brief=1 >"$log" 2>&1; then continue; fi
+    failed=$(sed -nE 's/^\[  FAILED  \] (.*)\([0-9]+ ms\)$/\1/p' "$log" | sed -E 's/, where .*//; s/ *$//')
+    if ((${#fast[@]} == 0)); then failed=$(grep -c . <<<"$failed" || true); fi
+    if ! grep -q '^\[==========\] .* ran\.' "$log"; then failed="${failed:+$failed, then }stops"; fi
     echo "$program ($failed)"
+    caught=$((caught + 1))
+    if ((caught == ${LIGNE_STOP_AFTER:-0})); then return; fi
   done
 }
 

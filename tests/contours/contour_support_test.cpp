@@ -1,0 +1,80 @@
+// How far contours may lie beside the outline of the mesh: to the last digit, on chains made by hand.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "contours/contour_support.hpp"
+#include "view/view.hpp"
+
+namespace ligne::test {
+namespace {
+
+constexpr double kPenWidthMm = 0.35;
+
+/// A chain of three nodes along the edge from (0, 0, 0) to (100, 0, 0), seen from the front. The middle one lies `away_mm`
+/// above the edge on the page, the others on it.
+struct BesideAnEdge {
+  Scene scene;
+  View view;
+  SmoothPatch patch;
+  ContourChain chain;
+
+  BesideAnEdge(double away_mm, double sag_mm) {
+    scene.vertices = {{0, 0, 0}, {100, 0, 0}, {50, 0, -40}};
+    scene.faces.add_face(std::array{0u, 1u, 2u});
+    scene.objects.push_back({});
+    scene.objects.back().vertex_end = 3;
+    scene.objects.back().face_end = 1;
+    CameraRequest camera;
+    camera.named_view = "front";
+    view = make_view(scene, make_camera(camera, scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+    patch.triangles = {{{0, 1, 2}, 0}};
+    for (int i = 0; i < 3; ++i) {
+      ContourNode node;
+      node.on_mesh = {40.0 + 10 * i, 0, 0};
+      node.on_surface = node.on_mesh + Point3(0, 0, i == 1 ? away_mm / view.scale : 0);
+      node.sag = node.sag_ahead = sag_mm / view.scale;
+      chain.nodes.push_back(node);
+    }
+    chain.triangles = {0, 0};
+  }
+
+  ContourSupport support() {
+    const std::array<ContourChain*, 1> chains{&chain};
+    const std::array<std::uint32_t, 1> sides{0};
+    return {scene, view, patch, chains, sides, kPenWidthMm};
+  }
+};
+
+TEST(ContourSupport, MovesNodesToWithinTheSagAndHalfAPen) {
+  for (const double sag_mm : {0.0, 0.2, 1.0}) {
+    const double most_mm = sag_mm + kPenWidthMm / 2;
+    for (const double part : {0.5, 0.99, 1.01, 1.9}) {
+      BesideAnEdge beside(part * most_mm, sag_mm);
+      const ContourSupport support = beside.support();
+      EXPECT_NEAR(support.astray(), part > 1 ? 0.5 : 0, 1e-9) << sag_mm << " " << part;
+      const std::vector<ContourChain> supported = support.supported();
+      ASSERT_EQ(supported.size(), 1u) << sag_mm << " " << part;
+      ASSERT_EQ(supported[0].nodes.size(), 3u);
+      const double edge_mm = page_point(beside.view, {50, 0, 0}).y;
+      const double away_mm = edge_mm - page_point(beside.view, supported[0].nodes[1].on_surface).y;
+      EXPECT_NEAR(away_mm, std::min(part, 1.0) * most_mm, 1e-9) << sag_mm << " " << part;
+    }
+  }
+}
+
+TEST(ContourSupport, EndsContoursWhereChordsLieFartherAway) {
+  for (const double sag_mm : {0.0, 0.2, 1.0}) {
+    BesideAnEdge beside(2.1 * (sag_mm + kPenWidthMm / 2), sag_mm);
+    EXPECT_TRUE(beside.support().supported().empty()) << sag_mm;
+  }
+}
+
+}  // namespace
+}  // namespace ligne::test
