@@ -50,8 +50,8 @@ LineStyle with_width(LineStyle style, double width_mm);
 
 /// Style of the layer of that name at the given pen width: profiles 1.4 (one step up in the series of ISO 128-2), outlines
 /// and borders full width, intersections, creases and lines of the shape 0.7 (one step down, so that profiles are twice as
-/// wide as creases), tangent, mesh and shadow 0.5, behind-glass 0.5 and grey, hidden 0.5 and dashed (ISO 128-2: dash 12 d, gap 3 d)
-/// unless `hidden_solid`.
+/// wide as creases), tangent, mesh and shadow 0.5, behind-glass 0.5 and grey, hidden 0.5 and dashed (ISO 128-2: dash 12 d,
+/// gap 3 d) unless `hidden_solid`.
 LineStyle layer_style(std::string_view layer, double pen_width_mm, bool hidden_solid);
 
 }  // namespace ligne

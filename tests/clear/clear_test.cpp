@@ -222,7 +222,8 @@ TEST_P(MadePart, IsClose) {
   const TemporaryFolder folder;
   const fs::path file = folder / (std::string(name) + "-" + std::to_string(steps) + ".stl");
   write_stl(rounded_part(name, steps), file);
-  for (const std::string& view : views_of(std::string(name) + "-" + std::to_string(steps), 2)) expect_close(file, view, Kind::exact_shape);
+  for (const std::string& view : views_of(std::string(name) + "-" + std::to_string(steps), 2))
+    expect_close(file, view, Kind::exact_shape);
 }
 
 INSTANTIATE_TEST_SUITE_P(ClearAgainstExact, MadePart,

@@ -150,8 +150,7 @@ class Comparison {
       if (!wanted(c)) continue;
       // A line may give way to one of higher precedence, never to one of lower.
       const auto of_rank = [&](const Stroke& s) {
-        return s.visible &&
-               (c.line_class == EdgeClass::undecided || s.line_class <= drawn_class(c.line_class));
+        return s.visible && (c.line_class == EdgeClass::undecided || s.line_class <= drawn_class(c.line_class));
       };
       for (const oracle::Interval& i : c.intervals) {
         if (i.answer != Answer::visible) continue;
