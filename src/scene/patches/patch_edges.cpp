@@ -110,8 +110,8 @@ void drop_loose_tangents(const Topology& topology, const std::vector<std::uint8_
   }
   if (tangent.empty()) return;
   std::ranges::sort(nodes, {}, &Node::vertex);
-  const auto last = std::ranges::unique(nodes, {}, &Node::vertex);
-  nodes.erase(last.begin(), last.end());
+  const auto is_same = [](const Node& l, const Node& r) { return l.vertex == r.vertex; };
+  nodes.erase(std::unique(nodes.begin(), nodes.end(), is_same), nodes.end());
   const auto node_at = [&](std::uint32_t v) -> Node* {
     const auto at = std::ranges::lower_bound(nodes, v, {}, &Node::vertex);
     return at != nodes.end() && at->vertex == v ? &*at : nullptr;
