@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include "cli/closest_name.hpp"
 #include "cli/memory_limit.hpp"
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
@@ -204,30 +203,6 @@ TEST(Stages, AreTimedAndToldInOrder) {
   const std::string json = report_json(report);
   test::expect_parts(json, {"\"format\": \"ligne-stats\"", "\"edges\": 12"});
   EXPECT_LT(json.find("\"read\""), json.find("\"write\""));
-}
-
-const std::vector<std::string> kNames{"--hide", "--hidden", "--view", "-x", "--x-ray", "--edges"};
-
-std::string meant(std::string_view word) { return closest_name(word, kNames).value_or(""); }
-
-TEST(ClosestName, IsWhatSlipsOfTheKeysMakeOf) {
-  EXPECT_EQ(meant("--veiw"), "--view");      // exchanged
-  EXPECT_EQ(meant("--vieww"), "--view");     // added
-  EXPECT_EQ(meant("--wiew=top"), "--view");  // replaced
-  EXPECT_EQ(meant("--hiden"), "--hidden");   // left out, sooner than added to --hide
-  EXPECT_EQ(meant("--x"), "-x");
-  EXPECT_EQ(meant("-hidden"), "--hidden");
-  EXPECT_EQ(meant("--hyddin"), "--hidden");
-}
-
-TEST(ClosestName, IsNoneWhereNoneIsNear) {
-  EXPECT_EQ(meant("--y"), "");
-  EXPECT_EQ(meant("--veeew"), "");
-  EXPECT_EQ(meant("--frobnicate"), "");
-  EXPECT_EQ(meant("--"), "");
-  EXPECT_EQ(meant(""), "");
-  EXPECT_EQ(meant(std::string(100'000, 'x')), "");
-  EXPECT_EQ(closest_name("--view", {}), std::nullopt);
 }
 
 /// Sizes as people write them, and what control groups say.
