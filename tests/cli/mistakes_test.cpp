@@ -58,10 +58,9 @@ TEST_F(MistakesOfNewcomers, OptionsThatAreNearlyRight) {
   says(
       {"draw", "cube.obj", "--view", "isometric", "-o", "a.svg"},
       "--view: \"isometric\" is not one of front, back, left, right, top, bottom, iso, dimetric, trimetric or camera (iso?)");
-  says(
-      {"draw", "cube.obj", "--edges", "outlines", "-o", "a.svg"},
-      "--edges: \"outlines\" is not one of outline, border, intersection, crease, mesh, profile, shadow, suggestive, ridge, "
-      "valley, detail, feature or all (outline?)");
+  says({"draw", "cube.obj", "--edges", "outlines", "-o", "a.svg"},
+       "--edges: \"outlines\" is not one of outline, border, intersection, crease, tangent, mesh, profile, shadow, "
+       "suggestive, ridge, valley, detail, feature or all (outline?)");
 }
 
 TEST_F(MistakesOfNewcomers, DevicesThatAreNearlyRight) {

@@ -9,6 +9,7 @@
 
 #include "picture/requests.hpp"
 #include "picture/surface/surface_request.hpp"
+#include "scene/readers/read_report.hpp"
 #include "visibility/method_parameters.hpp"
 
 namespace ligne {
