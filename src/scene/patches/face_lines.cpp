@@ -54,7 +54,7 @@ std::vector<Piece> pieces_of(const Scene& scene, const Topology& topology, std::
   return pieces;
 }
 
-/// Of a line the parts where the function is not negative.
+/// Adds the parts of a line where the function is not negative.
 void add_kept(const FaceLine& line, const std::function<double(const Point3&)>& keeps, std::vector<FaceLine>& lines) {
   FaceLine part;
   const auto finish = [&] {

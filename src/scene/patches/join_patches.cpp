@@ -9,7 +9,7 @@ namespace {
 /// Adjustable: sags by which corners of a facet that joins a patch late may lie beside its surface. Where bodies of facets
 /// were cut by each other, corners lie on the chords, up to the largest sag, which is 1.5 times the median one of triangles.
 constexpr double kJoinedSags = 1.6;
-/// Of all facets of a patch that becomes part of another one.
+/// Sags by which corners of a patch may lie beside the surface of another one that it becomes part of.
 constexpr double kMergedSags = 0.2;
 
 }  // namespace

@@ -35,6 +35,7 @@ constexpr double kSimilarArea = 1.05, kTorusArea = 1.3;
 constexpr std::size_t kSamples = 64;
 constexpr std::ptrdiff_t kFewestSuccesses = 4;
 
+/// Tori of other proportions are spheres or cylinders within any tolerance, and cones of other slopes cylinders or planes.
 bool is_plausible(const PatchSurface& s) {
   switch (s.kind) {
     case SurfaceKind::torus:
