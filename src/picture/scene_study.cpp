@@ -44,9 +44,9 @@ bool draws_contours(const LineRequest& lines) {
 
 /// Clear lines draw the outlines of smooth regions as contours of the shape; their borders are the creases that were found.
 ContourOptions contour_options(const PictureRequest& request, const Creases& creases) {
-  return {{request.lines.crease_degrees, creases.lines.empty() ? nullptr : &creases.lines},
-          creases.scans,
-          request.page.pen_width_mm};
+  const RegionBorders borders{request.lines.crease_degrees, creases.lines.empty() ? nullptr : &creases.lines,
+                              creases.patches.list.empty() ? nullptr : &creases.patches};
+  return {borders, creases.scans, request.page.pen_width_mm};
 }
 
 /// Draws the lines of the shape that were studied, and tells how many there are.
@@ -227,6 +227,7 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
     Creases creases;
     const EdgeSelection selection =
         select_edges(scene, prepared.topology, request.lines, request.lines.studied(), creases, run);
+    leave_out_walls_behind(scene, prepared.topology, prepared.view().camera, creases);
     std::vector<ShapeLine> shape_lines = choose_tangent_lines(scene, prepared.topology, request, prepared.view(), creases);
     prepared.projected = select_candidates(scene, prepared.topology, prepared.view(), selection);
     prepared.contours = place_with_contours(prepared, creases, run);

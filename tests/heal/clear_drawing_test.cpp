@@ -135,7 +135,9 @@ TEST(ClearDrawing, TheOrderOfFacesDoesNotMatter) {
       heal(*s, topology, {});
     }
     const Lengths a = lengths(scene, Quality::clear, "iso"), b = lengths(other, Quality::clear, "iso");
-    for (std::size_t c = 0; c < kLineClassCount; ++c) EXPECT_NEAR(a[c], b[c], 1e-3) << file << ", " << kLineClassNames[c];
+    // Sums over the corners of a surface depend on their order in the last bits, and outlines on these surfaces with them.
+    for (std::size_t c = 0; c < kLineClassCount; ++c)
+      EXPECT_NEAR(a[c], b[c], 2e-6 * std::max(500.0, a[c])) << file << ", " << kLineClassNames[c];
   }
 }
 

@@ -1,32 +1,18 @@
 /// Creases by what the file says, and by what the mesh shows.
 
+#include "heal/found_creases.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "scene/creases/file_shading.hpp"
-#include "scene/creases/find_creases.hpp"
-#include "scene/readers/reader.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
 namespace {
 
-Scene read(const std::string& text, ModelFormat format, bool shading = true) {
-  Warnings warnings;
-  return read_scene(std::as_bytes(std::span(text)), format, {}, "model", {.shading = shading}, warnings);
-}
-
-struct Found {
-  Scene scene;
-  Topology topology;
-  Creases creases;
-  std::size_t count() const { return std::accumulate(creases.lines.begin(), creases.lines.end(), std::size_t{0}); }
-};
-
-Found find(Scene scene, double degrees = 30) {
-  Found found{std::move(scene), {}, {}};
-  found.topology = build_topology(found.scene);
-  found.creases = find_creases(found.scene, found.topology, {degrees});
-  return found;
-}
+using test::find;
+using test::Found;
+using test::read;
+using test::rounded_ridge;
+using test::write_triangles;
 
 enum class Shading { none, smooth, averaged, flat, groups, one_group };
 
@@ -258,64 +244,6 @@ TEST(Creases, AFleckInASmoothBendFallsAndACornerStays) {
   EXPECT_GE(find(bent_strip(bends)).count(), 3u);
   // A short crease of a wide sheet, from border to border, does not end in the middle of a surface.
   EXPECT_EQ(find(bent_strip({40, 40}, 50)).count(), 2u);
-}
-
-TEST(Creases, SheetsThatCrossWithoutABendHaveNone) {
-  const std::string four = "v 0 0 0\nv 0 1 0\nv -1 0 0\nv -1 1 0\nv 1 0 0\nv 1 1 0\nv 2 0 0\nv 2 1 0\nv 0 0 1\nv 0 1 1\n";
-  // Two coplanar sheets that overlap along an edge, and with a wall on it.
-  const std::string flat = four + "f 3 1 2 4\nf 1 5 6 2\nf 1 7 8 2\n";
-  EXPECT_EQ(find(read(flat, ModelFormat::obj)).count(), 0u);
-  EXPECT_EQ(find(read(flat, ModelFormat::obj)).creases.straight_sheets, 1u);
-  EXPECT_EQ(find(read(flat + "f 1 9 10 2\n", ModelFormat::obj)).count(), 1u);
-}
-
-TEST(Creases, SheetsThatAllEndAtAnEdgeHaveOne) {
-  // Three nearly coplanar triangles on one side of the edge from 1 to 2, as where thin walls end.
-  const std::string ends = "v 0 0 0\nv 1 0 0\nv 0.2 1 0\nv 0.5 1 0.1\nv 0.8 1 -0.1\nf 1 2 3\nf 1 2 4\nf 2 1 5\n";
-  const Found found = find(read(ends, ModelFormat::obj));
-  EXPECT_EQ(found.count(), 1u);
-  EXPECT_EQ(found.creases.straight_sheets, 0u);
-}
-
-TEST(Creases, ASliverTakesTheNormalOfItsNeighbour) {
-  // A flat square with a triangle of no height along its diagonal, off the plane by the rounding of its writer.
-  const std::string text =
-      "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 5.000000 5.000000 0.000001\nf 1 2 3\nf 1 3 5\nf 1 5 4\nf 5 3 4\n";
-  Scene scene = read(text, ModelFormat::obj);
-  EXPECT_GT(scene.objects[0].precision, 1e-7);
-  EXPECT_EQ(find(scene).count(), 0u);
-  for (const auto& normal : face_normals(scene, build_topology(scene))) EXPECT_NEAR(normal.z, 1, 1e-6);
-}
-
-/// The faces of rows of n + 1 vertices, of which every other row is shifted by half a step.
-void write_triangles(std::ostream& obj, int n) {
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < n; ++k) {
-      const int v = i * (n + 1) + k + 1, up = v + n + 1;
-      if (i % 2 == 0) obj << "f " << v << ' ' << v + 1 << ' ' << up << "\nf " << v + 1 << ' ' << up + 1 << ' ' << up << '\n';
-      if (i % 2 == 1) obj << "f " << v << ' ' << v + 1 << ' ' << up + 1 << "\nf " << v << ' ' << up + 1 << ' ' << up << '\n';
-    }
-  }
-}
-
-/// A steep ridge, rounded over about `round`, that runs across an uneven mesh of triangles with edges of about 1; `turned`
-/// radians from the direction to which the triangles are perpendicular. Its heights are noisy.
-Scene rounded_ridge(int n, double round, double turned) {
-  std::ostringstream obj;
-  std::uint32_t state = 7;
-  const auto noise = [&] {
-    state = state * 1664525u + 1013904223u;
-    return (state >> 8) / 16777216.0 - 0.5;
-  };
-  for (int i = 0; i <= n; ++i) {
-    for (int k = 0; k <= n; ++k) {
-      const double x = k - n / 2.0 + (i % 2) * 0.5 + 0.25 * noise(), y = (i - n / 2.0) * 0.866 + 0.25 * noise();
-      const double across = x * std::cos(turned) + y * std::sin(turned);
-      obj << "v " << x << ' ' << y << ' ' << 0.3 * noise() - 2 * std::sqrt(across * across + round * round) << '\n';
-    }
-  }
-  write_triangles(obj, n);
-  return read(obj.str(), ModelFormat::obj);
 }
 
 /// Triangles all of whose edges are marked, and vertices at which more than two are.

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include <glm/geometric.hpp>
+
 #include "geometry/parallel.hpp"
 #include "scene/patches/fillets.hpp"
 
@@ -51,6 +53,14 @@ EdgeSelection select_edges(const Scene& scene, const Topology& topology, const L
   count("creases of straight sheets", creases.straight_sheets);
   selection.creases = &creases.lines;
   return selection;
+}
+
+void leave_out_walls_behind(const Scene& scene, const Topology& topology, const Camera& camera, Creases& creases) {
+  for (const WallEdge& wall : creases.walls) {
+    const Edge& edge = topology.edges[wall.edge];
+    const Point3 middle = 0.5 * (scene.vertices[edge.v0] + scene.vertices[edge.v1]);
+    if (glm::dot(wall.side, to_eye(camera, middle)) <= 0) creases.lines[wall.edge] = 0;
+  }
 }
 
 std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& topology, const PictureRequest& request,

@@ -19,6 +19,9 @@ bool asks_for_creases(LineClasses classes);
 EdgeSelection select_edges(const Scene& scene, const Topology& topology, const LineRequest& request, LineClasses classes,
                            Creases& creases, RunReport& run);
 
+/// Takes out of `creases` what is seen from one side alone (WallEdge) where the viewer is on the other.
+void leave_out_walls_behind(const Scene& scene, const Topology& topology, const Camera& camera, Creases& creases);
+
 /// Marks the borders between surfaces that run into each other in `creases`, where they are drawn (LineRequest::tangent).
 /// Returns the lines along the middle of fillets that are drawn in place of theirs.
 std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& topology, const PictureRequest& request,

@@ -29,25 +29,29 @@ Point3 own_normal(const Scene& scene, const Object& object, std::uint32_t f) {
   return length <= straightness_tolerance(object.precision, longest) * longest ? Point3{0, 0, 0} : area / length;
 }
 
-/// The normals that faces without one take from their neighbours across their longest edges.
+/// The normals that faces without one take from their neighbours across their longest edges. Where all round is thinner than
+/// the precision, as in terrain whose eastings were written with six digits, the faces are all there is to go by, and keep
+/// their own.
 void take_from_neighbours(const Scene& scene, const Topology& topology, std::vector<glm::vec3>& normals) {
   std::vector<std::uint8_t> flat(normals.size());
   for (std::size_t f = 0; f < normals.size(); ++f) flat[f] = normals[f] == glm::vec3{0, 0, 0};
   const auto neighbours = longest_neighbours(scene, topology, flat, FlatNeighbours::taken);
   std::vector<std::pair<std::uint32_t, glm::vec3>> taken;
   for (const auto& [face, first] : neighbours) {
-    bool turned = false;
+    bool turned = false, found = false;
     LongestNeighbour next = first;
     for (int k = 0; k < kLongestChain; ++k) {
       turned ^= next.turned;
       if (!flat[next.face]) {
         taken.emplace_back(face, turned ? -normals[next.face] : normals[next.face]);
+        found = true;
         break;
       }
       const auto further = neighbours.find(next.face);
       if (further == neighbours.end()) break;
       next = further->second;
     }
+    if (!found) taken.emplace_back(face, face_normal(scene, face));
   }
   for (const auto& [face, normal] : taken) normals[face] = normal;
 }

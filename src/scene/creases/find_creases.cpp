@@ -15,7 +15,6 @@
 #include "geometry/prefetch.hpp"
 #include "scene/creases/across_edge.hpp"
 #include "scene/creases/bend.hpp"
-#include "scene/creases/bent_sheets.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "scene/creases/trace_creases.hpp"
 #include "scene/model/bounds.hpp"
@@ -90,7 +89,9 @@ class Finder {
     found_.smooth_by_file = counts.smooth;
     found_.sharp_by_file = counts.sharp;
     std::size_t i = 0;
-    const std::vector<std::uint8_t> bent = bent_sheets(scene_, topology_, limits_.crease);
+    SheetEdges sheets = find_sheet_edges(scene_, topology_, limits_.crease);
+    const std::vector<std::uint8_t>& bent = sheets.bent;
+    found_.walls = std::move(sheets.walls);
     for (std::size_t e = 0; i < bent.size() && e < bends_.size(); ++e) {
       if (!(topology_.edge_flags[e] & kEdgeManyFaces)) continue;
       bends_[e] = bent[i] ? Bend::firm : Bend::none;

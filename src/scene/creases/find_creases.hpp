@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/creases/crease_lines.hpp"
+#include "scene/creases/sheet_edges.hpp"
 #include "scene/creases/trace_creases.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
@@ -23,6 +24,7 @@ struct Creases {
   std::vector<std::uint8_t> lines;     ///< per edge of the topology: kCreaseLine, or 0
   std::vector<PatchEdge> patch_edges;  ///< per edge
   Patches patches;                     ///< the surfaces that were found
+  std::vector<WallEdge> walls;         ///< creases that are seen from one side alone
   std::vector<ScanObject> scans;       ///< objects whose creases were traced, in ascending order
 
   // Against the rule that every edge is a crease whose faces bend by more than the angle, or which has more than two faces:

@@ -18,16 +18,19 @@ constexpr double kEvenLength = 1.0 / 2;  ///< of the length of all edges is thei
 constexpr double kBentPart = 1.0 / 8;    ///< at most of the edges bend by more than the crease angle
 constexpr double kFlatPart = 1.0 / 4;    ///< at most of the edges bend by less than kFlatDegrees: planes are construction
 constexpr double kFlatDegrees = 1;
+/// Of the edges, at most so many have more than two faces or faces that are wound against each other. Scanners leave single
+/// triangles behind; they spoil their neighbourhood, and not all of the scan.
+constexpr double kDefectPart = 1.0 / 32;
 
 }  // namespace
 
 bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
              const std::vector<Bend>& bends, const ScanObject& object) {
-  constexpr std::uint16_t kSpoken = kEdgeSmooth | kEdgeSharp | kEdgeInner | kEdgeUnlikeWound | kEdgeManyFaces;
+  constexpr std::uint16_t kSpoken = kEdgeSmooth | kEdgeSharp | kEdgeInner, kDefect = kEdgeUnlikeWound | kEdgeManyFaces;
   const auto count = static_cast<double>(object.edge_end - object.edge_begin);
   struct Counts {
-    std::size_t spoken = 0, bent = 0;
-    Counts operator+(const Counts& o) const { return {spoken + o.spoken, bent + o.bent}; }
+    std::size_t spoken = 0, defect = 0, bent = 0;
+    Counts operator+(const Counts& o) const { return {spoken + o.spoken, defect + o.defect, bent + o.bent}; }
   };
   const auto least = static_cast<float>(sine_cosine_degrees(kFlatDegrees).cosine);
   // That there are too many is known before all edges are looked at.
@@ -41,6 +44,7 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
       prefetch_faces(normals, topology.edges, e);
       const Edge& edge = topology.edges[e];
       sum.spoken += (topology.edge_flags[e] & kSpoken) != 0;
+      sum.defect += (topology.edge_flags[e] & kDefect) != 0;
       sum.bent += bends[e] >= Bend::strong;
       flat += edge.face1 != kNone && glm::dot(normals[edge.face0], normals[edge.face1]) > least;
     }
@@ -48,9 +52,9 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
     return sum;
   };
   const Counts edges = parallel_reduce(object.edge_end - object.edge_begin, kShortWorkBlock, Counts{}, count_edges);
-  if (edges.spoken > 0 || edges.bent == 0 || static_cast<double>(edges.bent) > kBentPart * count || too_flat()) {
-    return false;
-  }
+  const auto more_than = [&](std::size_t n, double part) { return static_cast<double>(n) > part * count; };
+  if (edges.spoken > 0 || more_than(edges.defect, kDefectPart)) return false;
+  if (edges.bent == 0 || more_than(edges.bent, kBentPart) || too_flat()) return false;
   for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
     if (scene.faces.contour_count(f) != 1 || scene.faces.contour(f, 0).size() != 3) return false;
   }

@@ -97,7 +97,7 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
   for (std::uint32_t f = 0; f < graph.size(); ++f) {
     const bool is_region = is_free(f) && sizes[sets.find(f)] >= kFewestFreeform;
     const bool is_triangle = graph.vertices[f].size() == 3 && graph.faces[f].size() == 1;
-    freeform[f] = patch_of[f] == kNone && (freeform[f] || is_region || is_triangle);
+    freeform[f] = patch_of[f] == kNone && (graph.is_sliver[f] || freeform[f] || is_region || is_triangle);
   }
   return freeform;
 }

@@ -12,6 +12,7 @@ namespace ligne {
 inline constexpr std::size_t kFewestFreeform = 8;
 
 /// Per facet 1 where it has no surface in `patch_of` (kNone) and
+/// - is so narrow that rounding decides on its normal, which is no evidence of a plane, or
 /// - is a single triangle: planes of parts are seldom as small, and many free forms have nothing else, or
 /// - hangs together with kFewestFreeform or more of its kind that are no planes (FacetGraph::is_plane), or
 /// - lies in a regular row: a neighbour and it are equally wide between edges that are parallel and bend by the same angle
