@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "contours/known_surfaces.hpp"
 #include "contours/rulings.hpp"
 #include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
@@ -147,7 +148,29 @@ class ContourTracer {
       chain.nodes.push_back(end);
     }
     if (path.closed) chain.nodes.back() = chain.nodes.front();
+    if (patch_.surfaces) mark_cusps_between_surfaces(chain);
     return chain;
+  }
+
+  /// Where one surface runs into another, the contour has a corner: as at the foot of a column with a fillet, where it turns
+  /// back on the page. That is a cusp, too.
+  void mark_cusps_between_surfaces(ContourChain& chain) const {
+    std::size_t last = kNone;  // the last segment that has a length
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      if (chain.nodes[i + 1].on_surface == chain.nodes[i].on_surface) continue;
+      if (last != kNone && surface_at(patch_, chain.triangles[last]) != surface_at(patch_, chain.triangles[i])) {
+        const Point3 eye = to_eye(camera_, chain.nodes[i].on_surface);
+        const auto on_page = [&](std::size_t k) {
+          return glm::cross(chain.nodes[k + 1].on_surface - chain.nodes[k].on_surface, eye);
+        };
+        ContourNode& corner = chain.nodes[last + 1];
+        if (glm::dot(on_page(last), on_page(i)) < 0 && corner.meets == kNone) {
+          corner.tangent = glm::normalize(chain.nodes[last + 1].on_surface - chain.nodes[last].on_surface);
+          corner.radial = 0;
+        }
+      }
+      last = i;
+    }
   }
 
   /// The node at which a contour runs along the sight.
@@ -208,6 +231,7 @@ class ContourTracer {
     out.sag = sag;
     const double most = std::min(kHighestRise * glm::length(d), kHighestRiseInSags * out.sag), height = glm::length(rise);
     out.on_surface = out.on_mesh + (height > most ? rise * (most / height) : rise);
+    if (const Patch* surface = surface_of(side)) lay_on(*surface, p, q, out);
     if (fitted) {
       NormalTurn turn;
       for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = (1 - t) * wa[i] + t * wb[i];
@@ -225,6 +249,21 @@ class ContourTracer {
       out.meets = patch_.triangles[corner / 3].v[corner % 3];
     }
     return out;
+  }
+
+  /// The surface on both sides of a side, or on the only one.
+  const Patch* surface_of(std::uint32_t side) const {
+    const Patch* surface = surface_at(patch_, side / 3);
+    const std::uint32_t across = patch_.across[side];
+    return across == kNone || surface_at(patch_, across / 3) == surface ? surface : nullptr;
+  }
+
+  /// Moves a node of the edge from p to q to the outline of the surface.
+  void lay_on(const Patch& surface, const Point3& p, const Point3& q, ContourNode& node) const {
+    if (const auto t = outline_crossing(surface, camera_, p, q)) node.on_mesh = p + *t * (q - p);
+    node.on_surface = nearest_point(surface, node.on_mesh);
+    node.normal = facing_normal(surface, node.on_surface);
+    node.sag = std::max(node.sag, std::abs(surface.surface.distance(node.on_mesh)));
   }
 
   const Scene& scene_;

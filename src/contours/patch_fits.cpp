@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "contours/known_surfaces.hpp"
 #include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
 #include "geometry/unwritten.hpp"
@@ -73,7 +74,7 @@ class Sectors {
 class PatchFits {
  public:
   PatchFits(const Scene& scene, const Camera& camera, SmoothPatch& patch)
-      : camera_(camera), patch_(patch), sectors_(scene, patch), reached_from_(thread_count()) {
+      : scene_(scene), camera_(camera), patch_(patch), sectors_(scene, patch), reached_from_(thread_count()) {
     patch_.fit.assign(patch_.normals.size(), kNone);
   }
 
@@ -126,6 +127,7 @@ class PatchFits {
       };
       for (std::size_t i = begin; i < end; ++i) {
         const std::uint32_t s = sectors[i];
+        if (take_known(s, first_turn + static_cast<std::uint32_t>(i))) continue;
         if (!patch_.complete[sectors_.corners(s)[0]] || patch_.normals[s] == Point3(0.0) || patch_.ruled[s]) continue;
         reach_rings(s, reached, reached_from);
         pair[count] = static_cast<std::uint32_t>(i);
@@ -135,6 +137,21 @@ class PatchFits {
       }
       if (count > 0) fit_pair();
     });
+  }
+
+  /// Takes the normal of the surface that was found behind the faces of a sector, if there is one.
+  bool take_known(std::uint32_t s, std::uint32_t turn) {
+    if (!patch_.surfaces) return false;
+    const auto known = known_normal(scene_, patch_, sectors_.corners(s));
+    if (!known) return false;
+    const double g = glm::dot(known->normal, to_eye(camera_, sectors_.place(s)));
+    if (!sectors_.any_faces(s, g >= 0)) return true;
+    patch_.normals[s] = known->normal;
+    patch_.g[s] = g;
+    if (!known->turn) return true;
+    patch_.turns[turn] = *known->turn;
+    patch_.fit[s] = turn;
+    return true;
   }
 
   /// `turn`: the place of the surface's turn.
@@ -164,6 +181,7 @@ class PatchFits {
     }
   }
 
+  const Scene& scene_;
   const Camera& camera_;
   SmoothPatch& patch_;
   Sectors sectors_;

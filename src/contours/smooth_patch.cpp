@@ -352,6 +352,7 @@ std::vector<std::uint32_t> outlines_inside_regions(const Scene& scene, const Top
 SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Camera& camera,
                          std::span<const std::uint32_t> outline_edges, const RegionBorders& borders) {
   SmoothPatch patch;
+  patch.surfaces = borders.surfaces;
   VertexSet on_outline(scene.vertices.size());
   for (const std::uint32_t e : outline_edges) {
     on_outline.add(topology.edges[e].v0);

@@ -18,6 +18,7 @@
 #include "contours/surface_fits.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
+#include "scene/patches/find_patches.hpp"
 #include "view/view.hpp"
 
 namespace ligne {
@@ -40,6 +41,7 @@ struct SmoothPatch {
   std::vector<std::uint8_t> ruled;     ///< per sector: 1 where its normal is square to rulings (rulings.hpp)
   std::vector<std::uint32_t> fit;      ///< per sector: number of the fitted surface whose normal it has, or kNone
   std::vector<NormalTurn> turns;       ///< by that number
+  const Patches* surfaces = nullptr;   ///< those that were found behind the faces of the scene; null: none
 
   /// Zero counts as looking at the viewer: so g is never zero at a vertex.
   bool looks_at_viewer(std::uint32_t corner) const { return g[sector[corner]] >= 0; }
@@ -57,6 +59,8 @@ struct RegionBorders {
   /// Per edge of the topology: kCreaseLine where a region ends; it also ends where the normals of the triangles differ by
   /// more than twice the crease angle. Null: where they differ by more than the crease angle.
   const std::vector<std::uint8_t>* creases = nullptr;
+  /// The surfaces that were found behind the faces; null: none. They outlive all that is made of them.
+  const Patches* surfaces = nullptr;
 };
 
 /// Of the outline edges of a mesh, in ascending order, those along which no region ends. Left out are those that have no
