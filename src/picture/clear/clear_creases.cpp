@@ -68,6 +68,7 @@ std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& 
   if (creases.patches.list.empty() || !request.lines.classes.has(LineClass::tangent)) return {};
   const Patches& patches = creases.patches;
   FilletMiddles fillets = fillet_middles(scene, topology, patches, creases.patch_edges, widest_fillet(request, view));
+  drop_loose_tangents(topology, creases.lines, creases.patch_edges);
   const auto is_fillet = [&](std::uint32_t face) {
     const std::uint32_t patch = patches.patch_of[face];
     return patch != kNone && fillets.is_fillet[patch];

@@ -65,7 +65,6 @@ class Finder {
     parallel_blocks(bends_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e) found_.lines[e] = bends_[e] >= Bend::strong ? kCreaseLine : std::uint8_t{0};
     });
-    drop_loose_tangents(topology_, found_.lines, found_.patch_edges);
     return std::move(found_);
   }
 
