@@ -12,9 +12,6 @@
 namespace ligne {
 namespace {
 
-/// A pattern shorter than this can not be seen, and would make strokes without end: the line stays whole.
-constexpr double kShortestPatternMm = 1e-3;
-
 /// Walks a line and takes the parts that are marks of the pattern: marks and gaps in turn, from `offset` on.
 void cut_line(Polylines& out, std::span<const Point2> line, std::span<const double> pattern, double offset) {
   std::size_t part = 0;

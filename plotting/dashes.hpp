@@ -13,6 +13,9 @@ namespace ligne {
 /// draws by its width, so the strokes are shorter by that, and never shorter than a dot. Without dashes the lines stay.
 Polylines cut_dashes(const Polylines& lines, std::span<const double> dashes_mm, double pen_width_mm);
 
+/// A pattern shorter than this can not be seen, and would make strokes without end: the line stays whole.
+inline constexpr double kShortestPatternMm = 1e-3;
+
 /// Cuts lines by exactly this pattern, which begins `offset_mm` into it; an odd number of lengths is repeated, as SVG does.
 Polylines cut_pattern(const Polylines& lines, std::span<const double> lengths_mm, double offset_mm);
 

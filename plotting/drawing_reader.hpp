@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
+#include "files/omissions.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {
@@ -30,12 +31,14 @@ struct ReadDrawing {
   Page page;                                    ///< margin 0 where the file tells none
   bool dashes_cut = false;                      ///< dashes are strokes already
   std::map<std::string, std::size_t> left_out;  ///< what was skipped because the caller allowed it, with counts
-  std::map<std::string, std::size_t> unknown;   ///< elements that SVG does not know, by name, with counts: left out
   std::size_t outlined = 0;                     ///< filled areas that were drawn by their contours only
   std::size_t simplified_paints = 0;            ///< gradients and patterns drawn in one colour
-  std::size_t filters = 0;                      ///< filters that were not applied
   std::size_t boxes = 0;                        ///< characters that the font lacks, drawn as boxes
   bool size_assumed = false;                    ///< the file tells no size of the page
+  Omissions omitted;                            ///< what of an SVG could not be drawn, by kind
+  std::size_t first_omitted_line = 0;           ///< where the first of these stands; 0: nowhere, or not known
+  std::string paper_of_view_box;  ///< paper that a page without a size would be at another resolution, or empty
+  double paper_dpi = 0;           ///< that resolution
 };
 
 /// No coordinate of a drawing is farther from the corner of its page, in mm.
@@ -78,11 +81,16 @@ inline constexpr std::string_view kFillReadingNames[] = {"refuse", "outline", "h
 /// ones are hatched more closely. Throws std::runtime_error where the drawing has no regions.
 void hatch_regions(ReadDrawing& drawing, const FillReading& fills);
 
-/// The strokes of an SVG; docs/plotting.md says what of SVG is known. Whatever else shows on the page is refused by its
-/// name, unless that is in `skip`. Reads nothing but the text: no entity, no link. Throws InputError, "FILE:LINE:
-/// what is wrong".
+struct SvgReading {
+  bool strict = false;      ///< whatever can not be drawn is an error
+  double px_per_inch = 96;  ///< size of a unit of the page: 96 to the inch for CSS, 72 or 90 for some programs
+};
+
+/// The strokes of an SVG; docs/plotting.md says what of SVG is known. Whatever else shows on the page is left out and
+/// counted, or with `strict` refused by its name, unless that is in `skip`. Reads nothing but the text: no other file.
+/// Throws InputError, "FILE:LINE: what is wrong", for what is no SVG, and for what asks for endless work.
 ReadDrawing read_svg_drawing(std::string_view svg, const std::string& file, const std::set<std::string>& skip,
-                             const FillReading& fills = {});
+                             const FillReading& fills = {}, const SvgReading& reading = {});
 
 /// What can be skipped, as named in errors.
 inline constexpr std::string_view kSkippable[] = {"text",   "image", "fill",          "clip-path", "mask",      "filter",

@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "plotting/svg/endless_work.hpp"
+
 namespace ligne::svg {
 namespace {
 
@@ -66,7 +68,7 @@ Polylines clipped_by_one(const Polylines& lines, const Clip& clip) {
 }  // namespace
 
 void Area::count(std::size_t edges) const {
-  if ((*work_ += edges) > kMostClipWork) throw std::invalid_argument("has a clip path that asks for endless work");
+  if ((*work_ += edges) > kMostClipWork) throw EndlessWork("has a clip path that asks for endless work");
 }
 
 Area::Area(const Polylines& contours, FillRule rule, ClipWork work) : rule_(rule), work_(std::move(work)) {

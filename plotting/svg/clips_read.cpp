@@ -2,15 +2,16 @@
 
 #include <stdexcept>
 
+#include "plotting/svg/endless_work.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne::svg {
 
 /// The box of a shape in its own units, as a matrix from the unit square. Only of shapes.
-std::optional<Matrix> SvgReader::box_of(const pugi::xml_node& node, const Context& context) const {
+std::optional<Matrix> SvgReader::box_of(const pugi::xml_node& node, const Context& context) {
   Polylines lines;
   Outline outline(lines, Matrix{});
-  if (!outline_shape(local_name(node), node, context.port, outline)) return {};
+  if (!outline_shape(local_name(node), node, attributes(context), outline)) return {};
   Rect box;
   for (const Point2 p : lines.points) box.extend(p);
   if (box.empty()) return {};
@@ -42,11 +43,10 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   clip->outer = context.clip;
   Context inside = context;
   bool displayed = true;
-  inside.style = styled(path, {}, displayed);
-  const pugi::xml_attribute placing = path.attribute("transform");
+  inside.style = styled(path, {}, context.port, displayed);
+  if (inside.style.placing) m = m * *inside.style.placing;
   for (const pugi::xml_node& child : path) {
-    if (child.type() == pugi::node_element)
-      add_clip_shape(child, placing ? m * transform(placing.value()) : m, inside, *clip, 0);
+    if (child.type() == pugi::node_element) add_clip_shape(child, m, inside, *clip, 0);
   }
   last_clip_ = std::move(key);
   last_made_ = clip;
@@ -66,16 +66,16 @@ ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node
   clip->outer = context.clip;
   Context inside = context;
   bool displayed = true;
-  inside.style = styled(mask, {}, displayed);
+  inside.style = styled(mask, {}, context.port, displayed);
   for (const pugi::xml_node& child : mask) {
     const std::string_view name = local_name(child);
     if (child.type() != pugi::node_element || name == "title" || name == "desc" || name == "metadata") continue;
-    const Style style = styled(child, inside.style, displayed);
+    const Style style = styled(child, inside.style, context.port, displayed);
     if (!displayed) continue;
     Polylines lines;
     Outline outline(lines, Matrix{});
     const bool plain = style.fill && style.fill_seen && style.fill->server.empty();
-    if (!plain || !outline_shape(name, child, context.port, outline)) {
+    if (!plain || !outline_shape(name, child, attributes(context), outline)) {
       refuse("mask", child);
       return context.clip;
     }
@@ -92,21 +92,21 @@ void SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
   const std::string_view name = local_name(node);
   if (name == "title" || name == "desc" || name == "metadata") return;
   bool displayed = true;
-  const Style style = styled(node, context.style, displayed);
+  const Style style = styled(node, context.style, context.port, displayed);
   if (!displayed || !style.visible) return;
   if (!style.clip.empty() || links > kMostLinks) return refuse("clip-path", node);
-  if (const pugi::xml_attribute placing = node.attribute("transform")) to_mm = to_mm * transform(placing.value());
+  if (style.placing) to_mm = to_mm * *style.placing;
   if (name == "use") {
     const pugi::xml_node target = target_of(node);
-    const Matrix shift{1, 0, 0, 1, length(node, "x", 0, context.port.width), length(node, "y", 0, context.port.height)};
+    const Matrix shift{1, 0, 0, 1, attributes(context).x(node, "x"), attributes(context).y(node, "y")};
     if (target) add_clip_shape(target, to_mm * shift, context, clip, links + 1);
     return;
   }
   Polylines lines;
   Outline outline(lines, to_mm);
-  if (!outline_shape(name, node, context.port, outline)) return refuse("clip-path", node);
+  if (!outline_shape(name, node, attributes(context), outline)) return refuse("clip-path", node);
   clip_points_ += lines.points.size();
-  if (clip_points_ > kMostPoints) throw std::invalid_argument("has clip paths of more than fifty million points");
+  if (clip_points_ > kMostPoints) throw EndlessWork("has clip paths of more than fifty million points");
   const bool even_odd = is_mask ? style.fill_even_odd : style.clip_even_odd;
   clip.any_of.emplace_back(lines, even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
 }

@@ -8,7 +8,9 @@
 
 #include "plotting/dashes.hpp"
 #include "plotting/hatch.hpp"
+#include "plotting/paths/path_length.hpp"
 #include "plotting/pens.hpp"
+#include "plotting/svg/endless_work.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne::svg {
@@ -49,6 +51,37 @@ Polylines without_dots(const Polylines& lines) {
   return kept;
 }
 
+/// Cuts dashes; a few bytes must not ask for billions.
+Polylines cut_some(const Polylines& lines, const std::vector<double>& dashes, double offset) {
+  double length = 0, period = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) length += path_length(lines[i]);
+  for (const double dash : dashes) period += dash;
+  const double points = 2 * length / period * static_cast<double>(dashes.size());
+  if (period >= kShortestPatternMm && points > static_cast<double>(kMostPoints))
+    throw EndlessWork("has more than fifty million dashes");
+  return cut_pattern(lines, dashes, offset);
+}
+
+/// Dashes of lines on the page. Where a transform stretches them in one direction more than in the other, they are cut in
+/// the element's units, so large that the page has no larger ones.
+Polylines dashed(Polylines lines, const Style& style, const Matrix& to_mm, double mm_per_px) {
+  std::vector<double> dashes = style.dashes;
+  const double scale = style.non_scaling ? mm_per_px : to_mm.stretch();
+  for (double& dash : dashes) dash *= scale;
+  const double offset = style.dash_offset * scale;
+  const bool mirrored = to_mm.b == 0 && to_mm.c == 0 && to_mm.a == -to_mm.d;
+  std::optional<Matrix> back = to_mm.inverse();
+  // A transform that flattens more than that makes lines of areas: their dashes can not be told apart.
+  constexpr double kFlattest = 1000;
+  if (!back || back->stretch() * scale > kFlattest || style.non_scaling || to_mm.is_similarity() || mirrored)
+    return cut_some(lines, dashes, offset);
+  const Matrix there = Matrix{scale, 0, 0, scale, 0, 0} * *back, here = to_mm * Matrix{1 / scale, 0, 0, 1 / scale, 0, 0};
+  for (Point2& p : lines.points) p = there(p);
+  lines = cut_some(lines, dashes, offset);
+  for (Point2& p : lines.points) p = here(p);
+  return lines;
+}
+
 }  // namespace
 
 /// The colour of a paint; of a gradient its first one that shows on paper, since a pen has one.
@@ -62,7 +95,7 @@ std::string SvgReader::color_of(const Paint& paint, const pugi::xml_node& node) 
     for (const pugi::xml_node& stop : server) {
       if (local_name(stop) != "stop") continue;
       bool displayed = true;
-      const Style style = styled(stop, {}, displayed);
+      const Style style = styled(stop, {}, {}, displayed);
       if (style.stop_color && !is_white(*style.stop_color)) return *style.stop_color;
     }
     std::string_view next = server.attribute("href").value();
@@ -80,7 +113,7 @@ void SvgReader::add_lines(const Polylines& given, const Context& context, const 
   drawn_ = true;
   PaintedLines& target = layer_of(context.layer.empty() ? color : context.layer, color, width_mm);
   if (target.layer.lines.points.size() + lines.points.size() > kMostPoints)
-    throw std::invalid_argument("the drawing has more than fifty million points");
+    throw EndlessWork("the drawing has more than fifty million points");
   target.in_layer = context.layer;
   append(target.layer.lines, lines);
   target.painted.resize(target.layer.lines.size(), painted_);
@@ -90,7 +123,7 @@ void SvgReader::add_lines(const Polylines& given, const Context& context, const 
 void SvgReader::hide(const Polylines& contours, const Context& context) {
   if (!drawn_ || parse_layer_label(context.layer).skip) return;
   clip_points_ += contours.points.size();
-  if (clip_points_ > kMostPoints) throw std::invalid_argument("has areas of more than fifty million points");
+  if (clip_points_ > kMostPoints) throw EndlessWork("has areas of more than fifty million points");
   const FillRule rule = context.style.fill_even_odd ? FillRule::even_odd : FillRule::nonzero;
   occluders_.push_back({Area(contours, rule, clip_work_), context.clip, painted_, context.layer});
 }
@@ -153,7 +186,7 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
     for (std::size_t k = 1; k < contours[i].size(); ++k)
       fill_work_ += 1 + glm::distance(contours[i][k - 1], contours[i][k]) / line_mm;
   }
-  if (fill_work_ > kMostFillWork) throw std::invalid_argument("has fills that ask for endless work");
+  if (fill_work_ > kMostFillWork) throw EndlessWork("has fills that ask for endless work");
   add_lines(hatch(area, options), context, color, 0);
 }
 
@@ -166,7 +199,7 @@ bool SvgReader::draw_shape(std::string_view name, const pugi::xml_node& node, co
                       (name == "path" || name == "line" || name == "polyline" || name == "polygon");
   std::vector<PathVertex> vertices;
   Outline outline(lines, to_mm, marked ? &vertices : nullptr);
-  if (!outline_shape(name, node, context.port, outline)) return false;
+  if (!outline_shape(name, node, attributes(context), outline)) return false;
   if (!style.visible) return true;
   const bool stroked = style.stroke && style.stroke_seen && style.stroke_width > 0;
   ++painted_;
@@ -180,14 +213,9 @@ void SvgReader::draw_stroke(const pugi::xml_node& node, Polylines lines, const C
   const Style& style = context.style;
   const Matrix& to_mm = context.to_mm;
   if (!style.dashes.empty()) {
-    if (!to_mm.is_similarity() && !(to_mm.b == 0 && to_mm.c == 0 && to_mm.a == -to_mm.d)) {
-      throw std::invalid_argument("has dashes that a transform stretches, which are not known");
-    }
-    std::vector<double> dashes = style.dashes;
-    for (double& dash : dashes) dash *= to_mm.stretch();
-    lines = cut_pattern(lines, dashes, style.dash_offset * to_mm.stretch());
+    lines = dashed(lines, style, to_mm, mm_per_px());
   }
-  const double width_mm = style.stroke_width * (style.non_scaling ? kMmPerPx : to_mm.mean_stretch());
+  const double width_mm = style.stroke_width * (style.non_scaling ? mm_per_px() : to_mm.mean_stretch());
   add_lines(style.round_caps ? lines : without_dots(lines), context, color_of(*style.stroke, node), width_mm);
 }
 

@@ -50,7 +50,10 @@ void SvgReader::draw_markers(const pugi::xml_node& node, const std::vector<PathV
 void SvgReader::draw_marker(const pugi::xml_node& marker, const pugi::xml_node& node, const PathVertex& vertex, bool start,
                             const Context& around) {
   if (!marker.first_child()) return;
-  if (around.links >= kMostLinks) fail(node, "has markers that lead on more than " + std::to_string(kMostLinks) + " times");
+  if (around.links >= kMostLinks || open_.contains(marker.internal_object())) {
+    return omit("markers that lead back to themselves", node,
+                "has markers that lead on more than " + std::to_string(kMostLinks) + " times, or back to themselves");
+  }
   Context context = around;
   ++context.depth;
   ++context.links;
@@ -59,12 +62,14 @@ void SvgReader::draw_marker(const pugi::xml_node& marker, const pugi::xml_node& 
   for (pugi::xml_node at = marker.parent(); at && at.type() == pugi::node_element; at = at.parent()) parents.push_back(at);
   context.style = {};
   for (auto parent = parents.rbegin(); parent != parents.rend(); ++parent) {
-    context.style = styled(*parent, context.style, displayed);
+    context.style = styled(*parent, context.style, context.port, displayed);
   }
   context.style.context_fill = around.style.fill;
   context.style.context_stroke = around.style.stroke;
-  context.style = styled(marker, context.style, displayed);  // display says nothing of markers
-  const double width = length(marker, "markerWidth", kUsualSide), height = length(marker, "markerHeight", kUsualSide);
+  context.style = styled(marker, context.style, context.port, displayed);  // display says nothing of markers
+  context.port.em = context.style.font_size;
+  const double width = attributes(context).x(marker, "markerWidth", kUsualSide),
+               height = attributes(context).y(marker, "markerHeight", kUsualSide);
   if (!(width > 0 && height > 0)) return;
   const std::string_view orient = marker.attribute("orient").value();
   double angle = 0;
@@ -75,9 +80,8 @@ void SvgReader::draw_marker(const pugi::xml_node& marker, const pugi::xml_node& 
   }
   const bool own_units = std::string_view(marker.attribute("markerUnits").value()) == "userSpaceOnUse";
   const double scale = own_units ? 1 : around.style.stroke_width;
-  const Matrix inside = view_box_to(marker, width, height, context.port);
-  const Point2 reference =
-      inside({length(marker, "refX", 0, context.port.width), length(marker, "refY", 0, context.port.height)});
+  const Matrix inside = view_box_to(marker, attributes(around), width, height, context.port);
+  const Point2 reference = inside({attributes(context).x(marker, "refX"), attributes(context).y(marker, "refY")});
   context.to_mm = around.to_mm * Matrix{1, 0, 0, 1, vertex.at.x, vertex.at.y} * rotation(angle) *
                   Matrix{scale, 0, 0, scale, 0, 0} * Matrix{1, 0, 0, 1, -reference.x, -reference.y};
   if (!context.style.overflow) context.clip = frame_clip(width, height, context);

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "plotting/drawing_reader.hpp"
+#include "plotting/svg/endless_work.hpp"
 
 namespace ligne::svg {
 namespace {
@@ -30,8 +31,8 @@ int pieces(double degree, double bend, double turn) {
 
 void Outline::add(Point2 mm) {
   if (!(std::abs(mm.x) <= kFarthestMm && std::abs(mm.y) <= kFarthestMm))
-    throw std::invalid_argument("a point is farther than a kilometre away");
-  if (lines_.points.size() >= kMostPoints) throw std::invalid_argument("the drawing has more than fifty million points");
+    throw OutOfReach("a point is farther than a kilometre away");
+  if (lines_.points.size() >= kMostPoints) throw EndlessWork("the drawing has more than fifty million points");
   lines_.points.push_back(mm);
 }
 
@@ -117,7 +118,7 @@ void Outline::arc_to(double rx, double ry, double rotation_degrees, bool large, 
   const Point2 half = (a - p) * 0.5, middle = (a + p) * 0.5;
   Point2 u{(c * half.x + s * half.y) / rx, (-s * half.x + c * half.y) / ry};
   const double squared = glm::dot(u, u);
-  if (!std::isfinite(squared)) throw std::invalid_argument("an arc is beyond all numbers");
+  if (!std::isfinite(squared)) throw OutOfReach("an arc is beyond all numbers");
   if (squared > 1) {  // radii too small: enlarged until the arc is a half one
     rx *= std::sqrt(squared);
     ry *= std::sqrt(squared);
@@ -167,13 +168,23 @@ class PathData {
  public:
   PathData(Outline& outline, std::string_view data) : outline_(outline), scanner_(data) {}
 
-  void read() {
-    while (!scanner_.done()) {
-      take_command();
-      add_part();
-      before_ = command_;
+  std::string read() {
+    std::string cause;
+    try {
+      while (!scanner_.done()) {
+        take_command();
+        add_part();
+        before_ = command_;
+      }
+    } catch (const OutOfReach&) {
+      throw;
+    } catch (const EndlessWork&) {
+      throw;
+    } catch (const std::invalid_argument& e) {
+      cause = e.what();
     }
     outline_.end();
+    return cause;
   }
 
  private:
@@ -268,6 +279,6 @@ class PathData {
 
 }  // namespace
 
-void add_path(Outline& outline, std::string_view data) { PathData(outline, data).read(); }
+std::string add_path(Outline& outline, std::string_view data) { return PathData(outline, data).read(); }
 
 }  // namespace ligne::svg

@@ -2,6 +2,7 @@
 /// SVG shapes as polylines on the page. Private to plotting.
 
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,7 +26,13 @@ struct PathVertex {
   Point2 at{0, 0}, in{0, 0}, out{0, 0};
 };
 
-/// Collects lines; points come in the units of an element and are kept in page mm.
+/// A point lies beyond kFarthestMm.
+struct OutOfReach : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Collects lines, which may throw OutOfReach and EndlessWork; points come in the units of an element and are kept in page
+/// mm.
 class Outline {
  public:
   /// `vertices`: collects them too, if it is not null.
@@ -61,7 +68,7 @@ class Outline {
   bool open_ = false;
 };
 
-/// The "d" of a path. Throws std::invalid_argument where it is wrong.
-void add_path(Outline& outline, std::string_view data);
+/// The "d" of a path, up to its first error (SVG 1.1, F.2). Gives what is wrong there, or an empty text.
+std::string add_path(Outline& outline, std::string_view data);
 
 }  // namespace ligne::svg

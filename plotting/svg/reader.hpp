@@ -9,6 +9,8 @@
 #include <string_view>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <pugixml.hpp>
@@ -34,6 +36,24 @@ struct Context {
   int depth = 0, links = 0;
 };
 
+/// Marks an element as one whose children are being drawn. What is marked already leads back to itself.
+class OpenElement {
+ public:
+  OpenElement(std::unordered_set<const void*>& open, const pugi::xml_node& node)
+      : open_(open), element_(node.internal_object()), is_new_(open.insert(element_).second) {}
+  OpenElement(const OpenElement&) = delete;
+  OpenElement& operator=(const OpenElement&) = delete;
+  ~OpenElement() {
+    if (is_new_) open_.erase(element_);
+  }
+  bool is_new() const { return is_new_; }
+
+ private:
+  std::unordered_set<const void*>& open_;
+  const void* element_;
+  bool is_new_;
+};
+
 /// Lines of one look in a layer, and when each was painted.
 struct PaintedLines {
   Layer layer;
@@ -43,30 +63,44 @@ struct PaintedLines {
 
 class SvgReader {
  public:
-  SvgReader(std::string_view text, std::string file, const std::set<std::string>& skip, const FillReading& fills)
-      : text_(text), file_(std::move(file)), skip_(skip), fills_(fills) {}
+  SvgReader(std::string_view text, std::string file, const std::set<std::string>& skip, const FillReading& fills,
+            const SvgReading& reading);
 
   ReadDrawing read();
 
  private:
+  std::size_t line_of(const pugi::xml_node& node) const;
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& cause) const;
+  /// Something that can be skipped by this name.
   void refuse(std::string_view name, const pugi::xml_node& node);
+  /// Counts something of an element that is not drawn, once for each element; `kind` is a noun in the plural.
+  void leave_out(const std::string& kind, const pugi::xml_node& node);
+  /// The same; an error of this cause where reading is strict.
+  void omit(const std::string& kind, const pugi::xml_node& node, const std::string& cause);
+  pugi::xml_node parse(pugi::xml_document& document);
   void survey(const pugi::xml_node& root);
+  void read_sheet(const pugi::xml_node& node);
+  void note_paper(double width, double height);
+  Attributes attributes(const Context& context) const { return {context.port, complaints_}; }
+  Matrix placing_of(const pugi::xml_node& node, const Context& context);
+  double mm_per_px() const { return kMmPerInch / reading_.px_per_inch; }
   Context place_page(const pugi::xml_node& root);
   bool enter(const pugi::xml_node& node, Context& context);
   void walk(const pugi::xml_node& node, const Context& around);
+  void walk_element(std::string_view name, const pugi::xml_node& node, const Context& around);
+  void omit_deep(const pugi::xml_node& node);
   void walk_children(const pugi::xml_node& node, const Context& context);
   void walk_switch(const pugi::xml_node& node, const Context& context);
   void walk_viewport(const pugi::xml_node& node, Context context, const pugi::xml_node& size);
   void follow_use(const pugi::xml_node& node, const Context& context);
-  pugi::xml_node target_of(const pugi::xml_node& use) const;
+  pugi::xml_node target_of(const pugi::xml_node& use);
   /// What is inside the frame at (0, 0), and inside the clip of the context.
   ClipPointer frame_clip(double width, double height, const Context& context) const;
   ClipPointer clip_of(const std::string& id, const pugi::xml_node& node, const Context& context);
   ClipPointer mask_of(const std::string& id, const pugi::xml_node& node, const Context& context);
   void add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
                       bool is_mask = false);
-  std::optional<Matrix> box_of(const pugi::xml_node& node, const Context& context) const;
+  std::optional<Matrix> box_of(const pugi::xml_node& node, const Context& context);
   bool draw_shape(std::string_view name, const pugi::xml_node& node, const Context& context);
   void draw_stroke(const pugi::xml_node& node, Polylines lines, const Context& context);
   void draw_markers(const pugi::xml_node& node, const std::vector<PathVertex>& vertices, const Context& context);
@@ -79,17 +113,21 @@ class SvgReader {
   void hide(const Polylines& contours, const Context& context);
   void remove_hidden();
   PaintedLines& layer_of(const std::string& name, const std::string& color, double width_mm);
-  Style styled(const pugi::xml_node& node, const Style& inherited, bool& displayed) {
-    return style_of(node, inherited, sheet_, displayed,
-                    [this](std::string_view what, const pugi::xml_node& where) { refuse(what, where); });
+  Style styled(const pugi::xml_node& node, const Style& inherited, const Viewport& port, bool& displayed) const {
+    return style_of(node, inherited, sheet_, port, displayed, complaints_);
   }
 
   std::string_view text_;
   std::string file_;
   const std::set<std::string>& skip_;
   FillReading fills_;
+  SvgReading reading_;
+  Complaints complaints_;
+  std::string expanded_;  ///< the document with its entities, where it has some
   ReadDrawing result_;
-  std::vector<std::vector<PaintedLines>> layers_;  ///< by name, each by colours and widths
+  std::set<std::pair<const void*, std::string>> omitted_;  ///< elements and kinds that have been counted
+  std::unordered_set<const void*> open_;                   ///< elements whose children are being drawn
+  std::vector<std::vector<PaintedLines>> layers_;          ///< by name, each by colours and widths
   std::unordered_map<std::string, std::size_t> layer_numbers_;
   std::map<std::tuple<std::size_t, std::string, double>, std::size_t> parts_;  ///< of layers_[first]
   std::unordered_map<std::string, pugi::xml_node> ids_;
@@ -101,7 +139,7 @@ class SvgReader {
   double fill_work_ = 0;
   std::string last_clip_;  ///< the clip path that was made last, as its id and where it lies
   ClipPointer last_made_;
-  bool drawn_ = false, entities_ = false;
+  bool drawn_ = false;
 };
 
 }  // namespace ligne::svg

@@ -8,15 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "plotting/svg/endless_work.hpp"
+
 namespace ligne::svg {
 namespace {
 
-void outline_rect(const pugi::xml_node& node, const Viewport& port, Outline& outline) {
-  const double x = length(node, "x", 0, port.width), y = length(node, "y", 0, port.height);
-  const double w = length(node, "width", 0, port.width), h = length(node, "height", 0, port.height);
+void outline_rect(const pugi::xml_node& node, const Attributes& attributes, Outline& outline) {
+  const double x = attributes.x(node, "x"), y = attributes.y(node, "y");
+  const double w = attributes.x(node, "width"), h = attributes.y(node, "height");
   if (!(w > 0 && h > 0)) return;
-  const bool has_rx = node.attribute("rx"), has_ry = node.attribute("ry");
-  double rx = length(node, "rx"), ry = length(node, "ry");
+  const bool has_rx = Attributes::has(node, "rx"), has_ry = Attributes::has(node, "ry");
+  double rx = attributes.x(node, "rx"), ry = attributes.y(node, "ry");
   if (!has_rx) rx = ry;
   if (!has_ry) ry = rx;
   rx = std::clamp(rx, 0.0, w / 2);
@@ -38,25 +40,67 @@ void outline_rect(const pugi::xml_node& node, const Viewport& port, Outline& out
   outline.close();
 }
 
-}  // namespace
-
-double length(const pugi::xml_node& node, const char* attribute, double otherwise, double whole) {
-  const pugi::xml_attribute found = node.attribute(attribute);
-  if (!found) return otherwise;
+/// Pairs of coordinates, up to the first one that is none (SVG 1.1, 9.6).
+void outline_points(const pugi::xml_node& node, const Attributes& attributes, Outline& outline) {
+  Scanner scanner(node.attribute("points").value());
+  bool first = true;
   try {
-    return length_px(found.value(), whole > 0 ? std::optional(whole) : std::nullopt);
+    while (!scanner.done()) {
+      const double x = scanner.number();
+      scanner.skip_separator();
+      if (scanner.done()) throw std::invalid_argument("points: an odd number of numbers");
+      const Point2 p{x, scanner.number()};
+      scanner.skip_separator();
+      first ? outline.move_to(p) : outline.line_to(p);
+      first = false;
+    }
+  } catch (const OutOfReach&) {
+    throw;
+  } catch (const EndlessWork&) {
+    throw;
   } catch (const std::invalid_argument& e) {
-    throw std::invalid_argument(std::string(attribute) + ": " + e.what());
+    attributes.complaints().cut_short(node, e.what());
   }
 }
 
-Matrix view_box_to(const pugi::xml_node& node, double width, double height, Viewport& inside) {
-  inside = {width, height};
-  const pugi::xml_attribute view_box = node.attribute("viewBox");
+}  // namespace
+
+bool Attributes::has(const pugi::xml_node& node, const char* name) {
+  const pugi::xml_attribute attribute = node.attribute(name);
+  return attribute && trimmed(attribute.value()) != "auto";
+}
+
+double Attributes::length(const pugi::xml_node& node, const char* name, double whole, double otherwise) const {
+  if (!has(node, name)) return otherwise;
+  try {
+    return length_px(node.attribute(name).value(), port_, whole);
+  } catch (const std::invalid_argument& e) {
+    complaints_.bad_value(name, node, e.what());
+    return otherwise;
+  }
+}
+
+std::optional<std::array<double, 4>> Attributes::view_box(const pugi::xml_node& node) const {
+  const pugi::xml_attribute given = node.attribute("viewBox");
+  if (!given || std::string_view(given.value()) == "none") return {};
+  try {
+    const std::vector<double> box = numbers(given.value());
+    if (box.size() == 4 && box[2] > 0 && box[3] > 0) return std::array{box[0], box[1], box[2], box[3]};
+    throw std::invalid_argument("is not x y width height");
+  } catch (const std::invalid_argument& e) {
+    complaints_.bad_value("viewBox", node, e.what());
+    return {};
+  }
+}
+
+Matrix view_box_to(const pugi::xml_node& node, const Attributes& attributes, double width, double height, Viewport& inside) {
+  inside.width = width;
+  inside.height = height;
+  const std::optional<std::array<double, 4>> view_box = attributes.view_box(node);
   if (!view_box) return {};
-  const std::vector<double> box = numbers(view_box.value());
-  if (box.size() != 4 || !(box[2] > 0 && box[3] > 0)) throw std::invalid_argument("viewBox is not x y width height");
-  inside = {box[2], box[3]};
+  const std::array<double, 4>& box = *view_box;
+  inside.width = box[2];
+  inside.height = box[3];
   double sx = width / box[2], sy = height / box[3], dx = 0, dy = 0;
   const std::string aspect = node.attribute("preserveAspectRatio").value();
   if (!aspect.starts_with("none")) {
@@ -70,25 +114,22 @@ Matrix view_box_to(const pugi::xml_node& node, double width, double height, View
   return {sx, 0, 0, sy, dx - sx * box[0], dy - sy * box[1]};
 }
 
-bool outline_shape(std::string_view name, const pugi::xml_node& node, const Viewport& port, Outline& outline) {
+bool outline_shape(std::string_view name, const pugi::xml_node& node, const Attributes& attributes, Outline& outline) {
   if (name == "path") {
-    add_path(outline, node.attribute("d").value());
+    if (const std::string cause = add_path(outline, node.attribute("d").value()); !cause.empty())
+      attributes.complaints().cut_short(node, cause);
   } else if (name == "line") {
-    outline.move_to({length(node, "x1", 0, port.width), length(node, "y1", 0, port.height)});
-    outline.line_to({length(node, "x2", 0, port.width), length(node, "y2", 0, port.height)});
+    outline.move_to({attributes.x(node, "x1"), attributes.y(node, "y1")});
+    outline.line_to({attributes.x(node, "x2"), attributes.y(node, "y2")});
   } else if (name == "polyline" || name == "polygon") {
-    const std::vector<double> v = numbers(node.attribute("points").value());
-    if (v.size() % 2 == 1) throw std::invalid_argument("points: an odd number of numbers");
-    for (std::size_t i = 0; i + 1 < v.size(); i += 2)
-      i == 0 ? outline.move_to({v[0], v[1]}) : outline.line_to({v[i], v[i + 1]});
+    outline_points(node, attributes, outline);
     if (name == "polygon") outline.close();
   } else if (name == "rect") {
-    outline_rect(node, port, outline);
+    outline_rect(node, attributes, outline);
   } else if (name == "circle" || name == "ellipse") {
-    const Point2 center{length(node, "cx", 0, port.width), length(node, "cy", 0, port.height)};
-    const double diagonal = std::hypot(port.width, port.height) / std::sqrt(2.0);
-    const double rx = name == "circle" ? length(node, "r", 0, diagonal) : length(node, "rx", 0, port.width);
-    const double ry = name == "circle" ? rx : length(node, "ry", 0, port.height);
+    const Point2 center{attributes.x(node, "cx"), attributes.y(node, "cy")};
+    const double rx = name == "circle" ? attributes.along(node, "r") : attributes.x(node, "rx");
+    const double ry = name == "circle" ? rx : attributes.y(node, "ry");
     if (rx > 0 && ry > 0) {
       outline.move_to({center.x + rx, center.y});
       outline.arc(center, rx, ry, 0, 0, 2 * std::numbers::pi);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <map>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace ligne::svg {
 namespace {
@@ -15,13 +18,36 @@ double opacity_of(std::string_view text) {
   return std::clamp(scanner.peek() == '%' ? value / 100 : value, 0.0, 1.0);
 }
 
+/// Properties that say something of lines, whose values may be var(). Others have texts, or nothing to do with lines.
+bool takes_variables(std::string_view name) {
+  constexpr std::string_view kBeginnings[] = {"fill",    "stroke",     "stop-",     "color",     "opacity",
+                                              "display", "visibility", "font-size", "transform", "letter-spacing"};
+  return std::ranges::any_of(kBeginnings, [&](std::string_view beginning) { return name.starts_with(beginning); });
+}
+
 class StyleReader {
  public:
-  StyleReader(const pugi::xml_node& node, Style& style, bool& displayed, const Refuse& refuse)
-      : node_(node), style_(style), displayed_(displayed), refuse_(refuse) {}
+  StyleReader(const pugi::xml_node& node, Style& style, const Viewport& port, bool& displayed, const Complaints& complaints)
+      : node_(node), style_(style), port_(port), displayed_(displayed), complaints_(complaints) {}
 
-  void set(std::string_view name, std::string_view value) {
-    if (value == "inherit" || set_of_paint(name, value) || set_of_text(name, value)) return;
+  /// Sets a property, if it is known; one whose value has no meaning is as if it were not there.
+  void set(std::string_view name, std::string_view value, bool is_attribute) {
+    try {
+      if (value.find("var(") == std::string_view::npos || !takes_variables(name))
+        return set_known(name, value, is_attribute);
+      const std::optional<std::string> own = resolved(value, style_.variables);
+      if (!own) fail_value(value, "refers to nothing");
+      set_known(name, trimmed(*own), is_attribute);
+    } catch (const std::invalid_argument& e) {
+      complaints_.bad_value(name, node_, e.what());
+    }
+  }
+
+ private:
+  void set_known(std::string_view name, std::string_view value, bool is_attribute) {
+    constexpr std::string_view kInherited[] = {"inherit", "unset", "revert", "revert-layer"};
+    if (std::ranges::find(kInherited, value) != std::end(kInherited)) return;
+    if (set_of_paint(name, value) || set_of_text(name, value) || set_of_place(name, value, is_attribute)) return;
     if (name == "display")
       show(value == "none", clear_);
     else if (name == "visibility")
@@ -39,22 +65,24 @@ class StyleReader {
     else if (name == "mask")
       style_.mask = id_in(value);
     else if (name == "filter")
-      refuse_(name, node_);
-    else if (name == "transform-origin")
-      refuse_origin(value);
+      complaints_.refuse(name, node_);
     else if (name == "writing-mode")
       refuse_unless(value, {"lr-tb", "lr", "horizontal-tb"});
   }
 
-  /// A property of a style sheet or a style attribute.
-  void set_property(const StyleSheet::Declaration& declaration) {
-    if (declaration.name == "marker") set_markers("marker", declaration.value);  // no attribute, by SVG 1.1, 11.6.2
-    // As an attribute it has been read where elements are placed; as a property it would come too late.
-    if (declaration.name == "transform") refuse_("style", node_);
-    set(declaration.name, declaration.value);
+  bool set_of_place(std::string_view name, std::string_view value, bool is_attribute) {
+    if (name == "transform")
+      style_.placing = transform(value, is_attribute ? nullptr : &port_);
+    else if (name == "transform-origin")
+      style_.origin = value;
+    else if (name == "transform-box")
+      style_.origin_of_box = value == "fill-box" || value == "content-box" || value == "stroke-box" || value == "border-box";
+    else if (name == "marker" && !is_attribute)  // no attribute, by SVG 1.1, 11.6.2
+      set_markers(name, value);
+    else
+      return false;
+    return true;
   }
-
- private:
   /// Paint and lines. False for other names; so for the next.
   bool set_of_paint(std::string_view name, std::string_view value) {
     if (name == "stroke")
@@ -72,9 +100,9 @@ class StyleReader {
     else if (name == "opacity")
       show(none_, (style_.opacity = opacity_of(value)) == 0);
     else if (name == "stroke-width")
-      style_.stroke_width = length_px(value);
+      set_stroke_width(length(value, port_.diagonal()));
     else if (name == "stroke-dashoffset")
-      style_.dash_offset = length_px(value);
+      style_.dash_offset = length(value, port_.diagonal());
     else if (name == "stroke-dasharray")
       set_dashes(value);
     else if (name == "fill-rule")
@@ -123,6 +151,12 @@ class StyleReader {
       target = value == "context-fill" ? style_.context_fill : style_.context_stroke;
       return;
     }
+    if (value == "initial") {
+      target = (&target == &style_.fill ? Style{}.fill : std::nullopt);
+      return;
+    }
+    // The colour for a press stands behind the one for screens (SVG 1.1, 11.2).
+    value = trimmed(value.substr(0, value.find("icc-color(")));
     std::string server;
     if (value.starts_with("url(")) {
       const std::size_t end = std::min(value.find(')'), value.size());
@@ -136,11 +170,21 @@ class StyleReader {
     target.reset();
     if (color || !server.empty()) target = Paint{color.value_or(""), server};
   }
+  void set_stroke_width(double width) {
+    if (width < 0) throw std::invalid_argument("a stroke is narrower than nothing");
+    style_.stroke_width = width;
+  }
   void set_fill_opacity(double opacity) {
     style_.fill_seen = opacity > 0;
     style_.fill_opacity = opacity;
   }
-  double spacing(std::string_view value) const { return value == "normal" ? 0 : length_px(value, {}, style_.font_size); }
+  /// In the size of its own font.
+  double length(std::string_view value, double whole) const {
+    Viewport port = port_;
+    port.em = style_.font_size;
+    return length_px(value, port, whole);
+  }
+  double spacing(std::string_view value) const { return value == "normal" ? 0 : length(value, style_.font_size); }
   /// What CSS calls its base lines, by those of the letters at hand: capitals, the lower case, and what hangs below.
   void set_baseline(std::string_view value) {
     constexpr double kCapitals = 0.73, kLowerCase = 0.52, kBelow = 0.21;
@@ -160,22 +204,21 @@ class StyleReader {
     style_.baseline_shift = value == "sub"        ? kSub * style_.font_size
                             : value == "super"    ? kSuper * style_.font_size
                             : value == "baseline" ? 0
-                                                  : length_px(value, style_.font_size, style_.font_size);
+                                                  : length(value, style_.font_size);
   }
   void set_dashes(std::string_view value) {
-    style_.dashes.clear();
-    Scanner scanner(value);
-    if (!scanner.at_number()) return;  // "none", and what has no meaning
+    std::vector<double> dashes;
     double sum = 0;
-    while (!scanner.done()) {
-      const double dash = scanner.number();
-      scanner.word();
-      if (dash < 0) throw std::invalid_argument("a dash is shorter than nothing");
-      style_.dashes.push_back(dash);
-      sum += dash;
-      scanner.skip_separator();
+    while (value != "none" && !value.empty()) {
+      const std::size_t end = std::min(value.find_first_of(" ,\t\n\r\f"), value.size());
+      if (end > 0) dashes.push_back(length(value.substr(0, end), port_.diagonal()));
+      value.remove_prefix(std::min(end + 1, value.size()));
     }
-    if (sum == 0) style_.dashes.clear();
+    for (const double dash : dashes) {
+      if (dash < 0) throw std::invalid_argument("a dash is shorter than nothing");
+      sum += dash;
+    }
+    style_.dashes = sum > 0 ? std::move(dashes) : std::vector<double>();
   }
   void set_font_size(std::string_view value) {
     // CSS Fonts 3, in px.
@@ -184,7 +227,7 @@ class StyleReader {
     constexpr double kLarger = 1.2;
     Scanner scanner(value);
     if (scanner.at_number()) {
-      style_.font_size = length_px(value, style_.font_size, style_.font_size);
+      style_.font_size = length(value, style_.font_size);
       return;
     }
     if (value == "larger") style_.font_size *= kLarger;
@@ -208,7 +251,7 @@ class StyleReader {
   /// "url(#id)", with or without quotes.
   void set_clip(std::string_view value) {
     style_.clip = id_in(value);
-    if (style_.clip.empty()) refuse_("clip-path", node_);
+    if (style_.clip.empty()) complaints_.refuse("clip-path", node_);
   }
   /// "id" of "url(#id)"; empty when it is something else.
   static std::string id_in(std::string_view value) {
@@ -218,13 +261,8 @@ class StyleReader {
       value = value.substr(1, value.size() - 2);
     return value.starts_with('#') ? std::string(value.substr(1)) : std::string();
   }
-  /// Transforms are taken about the origin of the units.
-  void refuse_origin(std::string_view value) {
-    constexpr std::string_view kOrigins[] = {"0", "0 0", "0px 0px", "0px", "0% 0%", "left top", "top left"};
-    if (node_.attribute("transform") && std::ranges::find(kOrigins, value) == std::end(kOrigins)) refuse_("style", node_);
-  }
   void refuse_unless(std::string_view value, std::initializer_list<std::string_view> plain) {
-    if (std::find(plain.begin(), plain.end(), value) == plain.end()) refuse_("text", node_);
+    if (std::find(plain.begin(), plain.end(), value) == plain.end()) complaints_.refuse("text", node_);
   }
   void show(bool none, bool clear) {
     none_ = none;
@@ -235,60 +273,66 @@ class StyleReader {
   bool none_ = false, clear_ = false;
   const pugi::xml_node& node_;
   Style& style_;
+  const Viewport& port_;
   bool& displayed_;
-  const Refuse& refuse_;
+  const Complaints& complaints_;
 };
+
+/// What is said of an element, from the weakest to the strongest.
+struct Said {
+  std::string_view name, value;
+  bool is_attribute = false;
+};
+
+std::vector<Said> all_said(const pugi::xml_node& node, const std::vector<const Declaration*>& rules,
+                           const std::vector<Declaration>& own) {
+  std::vector<Said> all;
+  for (const pugi::xml_attribute attribute : node.attributes()) {
+    const std::string_view name = attribute.name();
+    if (name != "class" && name != "style" && name != "font") all.push_back({name, trimmed(attribute.value()), true});
+  }
+  for (const bool important : {false, true}) {
+    for (const Declaration* rule : rules) {
+      if (rule->important == important) all.push_back({rule->name, rule->value});
+    }
+    for (const Declaration& declaration : own) {
+      if (declaration.important == important) all.push_back({declaration.name, declaration.value});
+    }
+  }
+  return all;
+}
 
 }  // namespace
 
-std::string_view local_name(const pugi::xml_node& node) {
-  const std::string_view name = node.name();
-  const std::size_t colon = name.find(':');
-  return colon == std::string_view::npos ? name : name.substr(colon + 1);
-}
-
-Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, bool& displayed,
-               const Refuse& refuse) {
+Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, const Viewport& port,
+               bool& displayed, const Complaints& complaints) {
   Style style = inherited;
+  style.placing.reset();
+  style.origin.clear();
+  style.origin_of_box = false;
   style.clip.clear();
   style.mask.clear();
   style.overflow = style.non_scaling = false;
   style.opacity = 1;
   style.stop_color.reset();
   style.baseline_shift = 0;
-  StyleReader reader(node, style, displayed, refuse);
-  const std::vector<const StyleSheet::Declaration*> rules =
-      sheet.empty() ? std::vector<const StyleSheet::Declaration*>() : sheet.of(node);
-  std::vector<StyleSheet::Declaration> own;
+  StyleReader reader(node, style, port, displayed, complaints);
+  std::vector<Declaration> own;
   if (const pugi::xml_attribute attribute = node.attribute("style")) own = declarations(attribute.value());
-  // What currentColor means is settled first: by the strongest that says so.
-  if (const pugi::xml_attribute color = node.attribute("color")) reader.set("color", trimmed(color.value()));
-  const auto each_property = [&](auto&& what) {
-    for (const bool important : {false, true}) {
-      for (const StyleSheet::Declaration* rule : rules) {
-        if (rule->important == important) what(*rule);
-      }
-      for (const StyleSheet::Declaration& declaration : own) {
-        if (declaration.important == important) what(declaration);
-      }
-    }
-  };
-  each_property([&](const StyleSheet::Declaration& d) {
-    if (d.name == "color") reader.set(d.name, d.value);
-  });
-  for (const pugi::xml_attribute attribute : node.attributes()) {
-    const std::string_view name = attribute.name();
-    if (name == "class" || name == "style" || name == "color" || name == "font") continue;
-    try {
-      reader.set(name, trimmed(attribute.value()));
-    } catch (const std::invalid_argument& e) {
-      throw std::invalid_argument(std::string(name) + ": " + e.what());
-    }
+  const std::vector<const Declaration*> rules = sheet.empty() ? std::vector<const Declaration*>() : sheet.of(node);
+  const std::vector<Said> all = all_said(node, rules, own);
+  std::map<std::string, std::string, std::less<>> variables;
+  for (const Said& said : all) {
+    if (said.name.starts_with("--") && !said.is_attribute) variables.insert_or_assign(std::string(said.name), said.value);
   }
-  try {
-    each_property([&](const StyleSheet::Declaration& d) { reader.set_property(d); });
-  } catch (const std::invalid_argument& e) {
-    throw std::invalid_argument(std::string("style: ") + e.what());
+  if (!variables.empty()) style.variables = with_variables(style.variables, std::move(variables));
+  // What currentColor and em mean is settled first: by the strongest that says so.
+  const auto is_first = [](const Said& said) { return said.name == "color" || said.name.starts_with("font"); };
+  for (const Said& said : all) {
+    if (is_first(said)) reader.set(said.name, said.value, said.is_attribute);
+  }
+  for (const Said& said : all) {
+    if (!is_first(said)) reader.set(said.name, said.value, said.is_attribute);
   }
   return style;
 }

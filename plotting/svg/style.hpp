@@ -2,7 +2,6 @@
 /// What elements of an SVG inherit. Private to plotting.
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,8 +9,11 @@
 
 #include <pugixml.hpp>
 
+#include "plotting/svg/complaints.hpp"
+#include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/sheet.hpp"
 #include "plotting/svg/values.hpp"
+#include "plotting/svg/variables.hpp"
 
 namespace ligne::svg {
 
@@ -40,7 +42,11 @@ struct Style {
   bool fill_even_odd = false, clip_even_odd = false;
   std::array<std::string, 3> markers{};               ///< ids of those at the start, in the middle, at the end
   std::optional<Paint> context_fill, context_stroke;  ///< in a marker: of what it marks
+  VariablesPointer variables;
   // Not inherited.
+  std::optional<Matrix> placing;  ///< its transform
+  std::string origin;             ///< of the transform, as it is written
+  bool origin_of_box = false;     ///< of the element's own box
   double opacity = 1;
   std::optional<std::string> stop_color;  ///< of a gradient
   double baseline_shift = 0;              ///< upwards, of the element's units
@@ -50,16 +56,10 @@ struct Style {
   bool overflow = false;                  ///< what lies outside a viewport is seen
 };
 
-/// Something of SVG that can not be drawn as strokes, by its name in drawing_reader.hpp.
-using Refuse = std::function<void(std::string_view name, const pugi::xml_node& node)>;
-
 /// The style of an element: what it inherits, changed by its attributes, the style sheets, and its style attribute.
-/// `displayed` becomes false for display: none. Throws std::invalid_argument for values without a meaning; calls `refuse`
-/// for properties that change what is seen in other ways.
-Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, bool& displayed,
-               const Refuse& refuse);
-
-/// The name behind the prefix: "path" of "svg:path".
-std::string_view local_name(const pugi::xml_node& node);
+/// `displayed` becomes false for display: none. Complains of values without a meaning, and of properties that change what
+/// is seen in other ways. The font sizes of `port` are those around the element.
+Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, const Viewport& port,
+               bool& displayed, const Complaints& complaints);
 
 }  // namespace ligne::svg

@@ -27,13 +27,13 @@ struct Character {
 bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
 /// "12 3em 4%": lengths of a list.
-std::vector<double> lengths(std::string_view list, double whole, double em) {
+std::vector<double> lengths(std::string_view list, const Viewport& port, double whole) {
   std::vector<double> values;
   while (!list.empty()) {
     const std::size_t begin = std::min(list.find_first_not_of(" ,\t\n\r"), list.size());
     list.remove_prefix(begin);
     const std::size_t end = std::min(list.find_first_of(" ,\t\n\r"), list.size());
-    if (end > 0) values.push_back(length_px(list.substr(0, end), whole > 0 ? std::optional(whole) : std::nullopt, em));
+    if (end > 0) values.push_back(length_px(list.substr(0, end), port, whole));
     list.remove_prefix(end);
   }
   return values;
@@ -42,7 +42,8 @@ std::vector<double> lengths(std::string_view list, double whole, double em) {
 class TextReader {
  public:
   using Styled = std::function<Style(const pugi::xml_node&, const Style&, bool&)>;
-  TextReader(const Viewport& port, Styled styled) : port_(port), styled_(std::move(styled)) {}
+  TextReader(const Viewport& port, const Complaints& complaints, Styled styled)
+      : port_(port), complaints_(complaints), styled_(std::move(styled)) {}
 
   /// Gathers what is inside the element, whose style is given.
   void gather(const pugi::xml_node& node, const Style& style, int depth);
@@ -52,14 +53,29 @@ class TextReader {
   }
 
   std::vector<Character> characters;
-  pugi::xml_node unknown;  ///< an element that a text can not have here
+  std::vector<pugi::xml_node> unknown;  ///< elements that a text can not have here
 
  private:
   void add(std::string_view text, const Style& style);
   void place(const pugi::xml_node& node, const Style& style, std::size_t first);
   void stretch(const pugi::xml_node& node, const Style& style, std::size_t first);
 
+  /// The value of an attribute by `value_of(viewport)`; what is wrong is complained of, and is an empty one.
+  template <class ValueOf>
+  auto read(const pugi::xml_node& node, const char* name, const Style& style, ValueOf&& value_of)
+      -> decltype(value_of(std::declval<Viewport>())) {
+    Viewport port = port_;
+    port.em = style.font_size;
+    try {
+      return value_of(port);
+    } catch (const std::invalid_argument& e) {
+      complaints_.bad_value(name, node, e.what());
+      return {};
+    }
+  }
+
   const Viewport& port_;
+  const Complaints& complaints_;
   Styled styled_;
 };
 
@@ -85,7 +101,8 @@ void TextReader::add(std::string_view text, const Style& style) {
 /// x, y, dx, dy and rotate of an element, as far as those inside it say nothing.
 void TextReader::place(const pugi::xml_node& node, const Style& style, std::size_t first) {
   const auto each = [&](const char* name, double whole, auto&& set) {
-    std::vector<double> values = lengths(node.attribute(name).value(), whole, style.font_size);
+    const std::vector<double> values =
+        read(node, name, style, [&](const Viewport& port) { return lengths(node.attribute(name).value(), port, whole); });
     for (std::size_t i = 0; i < values.size() && first + i < characters.size(); ++i) set(characters[first + i], values[i]);
     return values;
   };
@@ -109,7 +126,9 @@ void TextReader::place(const pugi::xml_node& node, const Style& style, std::size
 /// `textLength`: blanks between the letters, or the letters themselves, take up the difference.
 void TextReader::stretch(const pugi::xml_node& node, const Style& style, std::size_t first) {
   if (!node.attribute("textLength") || first >= characters.size()) return;
-  const double wanted = length_px(node.attribute("textLength").value(), port_.width, style.font_size);
+  const double wanted = read(node, "textLength", style, [&](const Viewport& port) {
+    return length_px(node.attribute("textLength").value(), port, port.width);
+  });
   double natural = 0;
   for (std::size_t i = first; i < characters.size(); ++i) natural += characters[i].advance;
   if (!(natural > 0 && wanted > 0)) return;
@@ -127,7 +146,7 @@ void TextReader::stretch(const pugi::xml_node& node, const Style& style, std::si
 
 void TextReader::gather(const pugi::xml_node& node, const Style& style, int depth) {
   constexpr int kDeepest = 50;
-  if (depth > kDeepest) throw std::invalid_argument("is nested deeper than 50 elements");
+  if (depth > kDeepest) throw OutOfReach("is nested deeper than 50 elements");
   const std::size_t first = characters.size();
   for (const pugi::xml_node& child : node) {
     if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
@@ -138,8 +157,8 @@ void TextReader::gather(const pugi::xml_node& node, const Style& style, int dept
         bool displayed = true;
         const Style inside = styled_(child, style, displayed);
         if (displayed) gather(child, inside, depth + 1);
-      } else if (name != "title" && name != "desc" && !unknown) {
-        unknown = child;
+      } else if (name != "title" && name != "desc" && !name.empty()) {
+        unknown.push_back(child);
       }
     }
   }
@@ -151,19 +170,20 @@ void TextReader::gather(const pugi::xml_node& node, const Style& style, int dept
 
 void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
   if (skip_.contains("text")) return refuse("text", node);
-  TextReader text(context.port, [this](const pugi::xml_node& child, const Style& inherited, bool& displayed) {
-    return styled(child, inherited, displayed);
+  TextReader text(context.port, complaints_, [&](const pugi::xml_node& child, const Style& inherited, bool& displayed) {
+    Viewport port = context.port;
+    port.em = inherited.font_size;
+    return styled(child, inherited, port, displayed);
   });
   text.gather(node, context.style, 0);
   text.trim();
-  if (text.unknown) return refuse("text", text.unknown);
+  for (const pugi::xml_node& child : text.unknown) refuse("text", child);
   std::vector<Character>& characters = text.characters;
   if (characters.empty()) return;
   ++painted_;
   Point2 pen{0, 0};
   for (std::size_t i = 0; i < characters.size(); ++i) {
     const Character& c = characters[i];
-    if (entities_ && c.utf8 == "&") fail(node, "<text> uses an entity of the document, which is not read");
     if (i == 0 || c.x || c.y) {
       double length = 0;
       for (std::size_t k = i; k < characters.size() && (k == i || !(characters[k].x || characters[k].y)); ++k)
@@ -185,7 +205,7 @@ void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
       for (Point2& p : lines.points) {
         p = context.to_mm(Point2{p.x * c.stretch, p.y} + at);
         if (!(std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm))
-          throw std::invalid_argument("is farther than a kilometre away");
+          throw OutOfReach("is farther than a kilometre away");
       }
       const std::string color = color_of(*paint, node);
       Context inside = context;

@@ -3,6 +3,8 @@
 ///
 /// Every reader throws std::invalid_argument with a phrase when the text has no meaning.
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +29,8 @@ struct Matrix {
   /// Turns and scales alike in all directions, without a mirror.
   bool is_similarity() const;
   bool finite() const;
+  /// Nothing for one that flattens, or whose inverse is beyond all numbers.
+  std::optional<Matrix> inverse() const;
 };
 
 /// Reads a text from its beginning.
@@ -56,21 +60,37 @@ inline constexpr std::string_view kBlanks = " \t\n\r\f";
 /// The text less the blanks at its ends.
 std::string_view trimmed(std::string_view text);
 
+/// Throws std::invalid_argument: the text in quotes, and the cause.
+[[noreturn]] void fail_value(std::string_view text, const std::string& cause);
+
 /// All numbers of a list with blanks or commas.
 std::vector<double> numbers(std::string_view text);
 
-/// "12", "12px", "3mm" in CSS pixels of 1/96 in. A percentage is of `whole`, "em" and "ex" are of `em`, where there is one.
-double length_px(std::string_view text, std::optional<double> whole = std::nullopt, std::optional<double> em = std::nullopt);
+/// What relative lengths are of, in user units.
+struct Viewport {
+  double width = 0, height = 0;            ///< of percentages
+  double em = 16, rem = 16;                ///< sizes of the fonts of the element and of the root
+  double page_width = 0, page_height = 0;  ///< hundred vw and vh
+  double px_per_inch = 96;
 
-/// A list of transforms.
-Matrix transform(std::string_view text);
+  /// Of percentages that are neither across nor down (SVG 2, 8.9).
+  double diagonal() const { return std::hypot(width, height) / std::numbers::sqrt2; }
+};
+
+/// "12", "12px", "3mm", "1.5em", "10%" in user units; a percentage is of `whole`.
+double length_px(std::string_view text, const Viewport& port, double whole);
+
+/// A list of transforms, as an attribute, or with a viewport as a property of CSS, whose numbers have units.
+Matrix transform(std::string_view text, const Viewport* port = nullptr);
+
+/// The point about which a transform is taken: "left 10px", "50% 50%", "center". Percentages are of a box, given from the
+/// unit square.
+Point2 transform_origin(std::string_view text, const Viewport& port, const Matrix& box);
 
 /// A paint: nothing for "none" and "transparent", else the colour as "#rrggbb"; "currentColor" as it is written.
 std::optional<std::string> paint(std::string_view text);
 
 /// Of a colour as paint() gives it, 0 black to 1 white. One that is only a name is black.
 double brightness(const std::string& color);
-
-inline constexpr double kMmPerPx = kMmPerInch / 96;
 
 }  // namespace ligne::svg

@@ -51,6 +51,8 @@ constexpr OptionUse kUses[] = {
     {"surface", "--sun", kAll, "--hachures"},
     {"plot", "--margin", kAll, "--scale --tile --grid"},
     {"plot", "--skip", kAll, kSvgInput},
+    {"plot", "--strict", kAll, kSvgInput},
+    {"plot", "--input-dpi", kAll, kSvgInput},
     {"plot", "--occlude", kAll, kSvgInput},
 };
 

@@ -138,6 +138,12 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
   OptionGroup input(plot, "Input");
   input.add("--skip", "LIST", options.request.skip, parse_skip,
             "what of an SVG may be left out: text, image, fill, clip-path, ...");
+  input.add_flag("--strict", options.request.reading.strict,
+                 "refuse an SVG of which anything can not be drawn, by name and line, instead of leaving that out");
+  input
+      .add("--input-dpi", "N", options.request.reading.px_per_inch, parse_dpi,
+           "units of an SVG to the inch: 96 by CSS, 72 or 90 by some programs")
+      .standard("96");
   input
       .add("--fill", "HOW", options.request.fills, parse_fill_reading,
            "filled areas of an SVG: refuse; outline, their contours; hatch, strokes inside too")

@@ -39,7 +39,7 @@ ReadDrawing read_drawing(const PlotDrawingRequest& request, const DrawingText& d
   const std::string_view content = without_mark(drawing.text);
   const char begins = first_character(content);
   if (begins == '{') return read_json_drawing(content, drawing.name);
-  if (begins == '<') return read_svg_drawing(drawing.text, drawing.name, request.skip, fills);
+  if (begins == '<') return read_svg_drawing(drawing.text, drawing.name, request.skip, fills, request.reading);
   if (content.starts_with("\x1f\x8b"))
     throw std::runtime_error(drawing.name + ": is compressed; gzip -dc FILE | ligne plot - reads it");
   if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff"))
@@ -96,13 +96,19 @@ std::string times(std::size_t count, const char* one, const char* many) {
 void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name, const ReadDrawing& read, RunReport& run) {
   const auto warn = [&](std::string text) { run.warnings.push_back({name, std::move(text)}); };
   for (const auto& [kind, count] : read.left_out) warn(std::to_string(count) + " times " + kind + " left out, as asked");
-  if (!read.unknown.empty()) {
-    std::string names;
-    for (const auto& [element, count] : read.unknown)
-      names += (names.empty() ? "" : ", ") + element + (count > 1 ? " (" + std::to_string(count) + " times)" : "");
-    warn("elements that SVG does not know are left out: " + names);
+  if (!read.omitted.empty()) {
+    const std::string place =
+        read.first_omitted_line > 0 ? "; the first in line " + std::to_string(read.first_omitted_line) : "";
+    if (read.drawing.layers.empty())
+      throw std::runtime_error(message_line(name + ": nothing is left to draw; " + read.omitted.text() + place));
+    warn(read.omitted.text() + place);
   }
   if (read.size_assumed) warn("tells no size: taken as 1000 px where it does not, 264.58 mm");
+  if (!read.paper_of_view_box.empty()) {
+    const std::string dpi = shortest(read.paper_dpi);
+    warn("tells no size; its viewBox is a paper (" + read.paper_of_view_box + ") at " + dpi + " dpi, and is taken at " +
+         shortest(request.reading.px_per_inch) + ": --input-dpi " + dpi + " gives that paper");
+  }
   if (read.outlined > 0 && !request.fills) {
     warn(times(read.outlined, "filled area is", "filled areas are") +
          " drawn by the outline; --fill hatch fills, --skip fill leaves out, --fill outline is silent");
@@ -110,7 +116,6 @@ void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name
   if (read.simplified_paints > 0) {
     warn(times(read.simplified_paints, "gradient or pattern is", "gradients and patterns are") + " drawn in one colour");
   }
-  if (read.filters > 0) warn(times(read.filters, "filter is", "filters are") + " not applied; lines are drawn without");
   if (read.boxes > 0) warn(times(read.boxes, "character is", "characters are") + " not in the font: drawn as boxes");
   if (read.drawing.layers.empty()) warn("there is no stroke in the drawing");
 }

@@ -24,6 +24,7 @@ struct PlotDrawingRequest {
   LineWidths widths_mm{};                 ///< of layers by their names
   std::optional<double> scale = 1;        ///< nothing: what is drawn fills the page
   std::set<std::string> skip;             ///< kinds of SVG content that may be left out
+  SvgReading reading;                     ///< how strictly an SVG is read, and the size of its units
   std::optional<FillReading::How> fills;  ///< nothing: outline, or hatch where hatches are given
   bool occlude = false;                   ///< opaque areas hide
   bool own_layer = false;                 ///< areas, white ones too, hide only what is in their layer

@@ -103,7 +103,7 @@ TEST_F(PlotTest, FillsAreOutlinedWithOneWarning) {
   const Outcome plain = run({"plot", "a.svg", "-o", "a.hpgl"});
   EXPECT_EQ(plain.status, 0);
   EXPECT_EQ(count_of(plain.err, "2 filled areas are drawn by the outline"), 1u) << plain.err;
-  EXPECT_EQ(count_of(plain.err, "elements that SVG does not know are left out: <plotdata>"), 1u) << plain.err;
+  EXPECT_EQ(count_of(plain.err, "left out: 1 <plotdata> elements, which SVG does not know"), 1u) << plain.err;
   EXPECT_EQ(count_of(run({"plot", "a.svg", "--fill", "outline", "-o", "a.hpgl"}).err, "filled"), 0u);
   expect_outcome({"plot", "a.svg", "--fill", "refuse", "-o", "b.hpgl"}, 1, {"--fill outline or --fill hatch draws it"});
 }
@@ -145,12 +145,44 @@ TEST_F(PlotTest, ScaleAndPage) {
   expect_parts(fit, {"PU400,", "4400,"});
 }
 
-TEST_F(PlotTest, RefusesByNameAndLeavesNothingBehind) {
+TEST_F(PlotTest, StrictReadingRefusesByNameAndLeavesNothingBehind) {
   write("bad.svg", "<svg width='10mm' height='10mm' viewBox='0 0 10 10'>\n<image/></svg>");
-  expect_error({"plot", "bad.svg", "-o", "bad.hpgl"}, 1,
+  expect_error({"plot", "bad.svg", "--strict", "-o", "bad.hpgl"}, 1,
                "ligne: bad.svg:2: <image> has image, which can not be drawn as strokes; --skip image leaves it out\n");
   EXPECT_FALSE(exists("bad.hpgl"));
-  expect_outcome({"plot", "bad.svg", "--skip", "image,text", "-o", "bad.hpgl"}, 0, {"1 times image left out"});
+  expect_outcome({"plot", "bad.svg", "--strict", "--skip", "image,text", "-o", "bad.hpgl"}, 0, {"1 times image left out"});
+}
+
+TEST_F(PlotTest, WhatCanNotBeDrawnIsOneWarning) {
+  write("part.svg",
+        "<svg width='10mm' height='10mm' viewBox='0 0 10 10'>\n<image/><image/><path d='M1 1H9LNaN' stroke='red'/></svg>");
+  const Outcome part = run({"plot", "part.svg", "-o", "part.hpgl"});
+  EXPECT_EQ(part.status, 0);
+  EXPECT_EQ(
+      part.err,
+      "ligne: part.svg: warning: left out: 2 images, 1 ends of <path> elements behind an error; the first in line 2\n");
+  EXPECT_TRUE(exists("part.hpgl"));
+}
+
+TEST_F(PlotTest, ADrawingOfWhichNothingIsLeftFails) {
+  write("none.svg", "<svg width='10mm' height='10mm' viewBox='0 0 10 10'>\n<image/></svg>");
+  expect_error({"plot", "none.svg", "-o", "none.hpgl"}, 1,
+               "ligne: none.svg: nothing is left to draw; left out: 1 images; the first in line 2\n");
+  EXPECT_FALSE(exists("none.hpgl"));
+  write("empty.svg", "<svg width='10mm' height='10mm' viewBox='0 0 10 10'/>");
+  expect_outcome({"plot", "empty.svg", "-o", "empty.svg.hpgl"}, 0, {"there is no stroke in the drawing"});
+}
+
+TEST_F(PlotTest, ResolutionOfTheInput) {
+  write("old.svg", "<svg viewBox='0 0 595 842'>\n<path d='M0 72H72' stroke='red'/></svg>");
+  expect_outcome(
+      {"plot", "old.svg", "-o", "a.svg"}, 0,
+      {"old.svg: warning: tells no size; its viewBox is a paper (A4) at 72 dpi, and is taken at 96: --input-dpi 72 "
+       "gives that paper"});
+  const Outcome right = run({"plot", "old.svg", "--input-dpi", "72", "-o", "b.svg"});
+  EXPECT_EQ(right.err, "");
+  EXPECT_NE(contents(file("b.svg")).find("M0 25.4l25.4 0"), std::string::npos) << contents(file("b.svg"));
+  expect_outcome({"plot", "old.svg", "--input-dpi", "none", "-o", "c.svg"}, kUsage, {"--input-dpi"});
 }
 
 TEST_F(PlotTest, CurvesWhereThePenArrives) {

@@ -40,8 +40,9 @@ inline double length_of(const std::string& body) {
   return length;
 }
 
+/// Of strict reading.
 inline std::string error_of(const std::string& svg) {
-  const std::string error = failure_of([&] { read_svg_drawing(svg, "a.svg", {}); });
+  const std::string error = failure_of([&] { read_svg_drawing(svg, "a.svg", {}, {}, {.strict = true}); });
   EXPECT_EQ(error.find('\n'), std::string::npos);
   EXPECT_LT(error.size(), 400u);
   return error;
