@@ -21,6 +21,11 @@ namespace {
 constexpr int kDeepest = 200;
 /// Elements that are shown by links, in all.
 constexpr std::size_t kMostLinked = 1'000'000;
+/// Elements that show nothing where they stand.
+constexpr std::string_view kUnseen[] = {
+    "defs",           "title",   "desc",      "metadata",      "script", "style",  "linearGradient",
+    "radialGradient", "pattern", "clipPath",  "mask",          "filter", "marker", "symbol",
+    "view",           "font",    "font-face", "color-profile", "cursor", "hatch",  "altGlyphDef"};
 }  // namespace
 
 void SvgReader::read_sheet(const pugi::xml_node& node) {
@@ -182,15 +187,11 @@ void SvgReader::walk(const pugi::xml_node& node, const Context& around) {
   const std::string_view name = local_name(node);
   // Elements of editors and metadata have prefixes of their own.
   if (name.empty()) return;
-  for (const std::string_view unseen : {"defs", "title", "desc", "metadata", "script", "style", "linearGradient",
-                                        "radialGradient", "pattern", "clipPath", "mask", "filter", "marker", "symbol"}) {
-    if (name == unseen) return;
-  }
+  if (std::ranges::find(kUnseen, name) != std::end(kUnseen)) return;
   for (const std::string_view known : {"image", "foreignObject"}) {
     if (name == known) return refuse(known, node);
   }
-  if (name == "animate" || name == "animateTransform" || name == "animateMotion" || name == "set")
-    return refuse("animation", node);
+  if (name.starts_with("animate") || name == "set" || name == "discard") return refuse("animation", node);
   const std::string shown_name = "<" + printable(name) + ">";
   try {
     walk_element(name, node, around);
@@ -217,7 +218,7 @@ void SvgReader::walk_element(std::string_view name, const pugi::xml_node& node, 
   if (name == "use") return follow_use(node, context);
   if (name == "text") return context.style.visible ? draw_text(node, context) : void();
   // No viewer shows what SVG does not know, nor what is in it: notes of editors and of plotters' software.
-  if (!draw_shape(name, node, context)) leave_out("<" + printable(name) + "> elements, which SVG does not know", node);
+  if (!draw_shape(name, node, context)) leave_out("<" + printable(name) + "> elements", node);
 }
 
 /// The first of the alternatives that is meant for everybody and can be drawn.

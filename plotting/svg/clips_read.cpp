@@ -46,7 +46,7 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   inside.style = styled(path, {}, context.port, displayed);
   if (inside.style.placing) m = m * *inside.style.placing;
   for (const pugi::xml_node& child : path) {
-    if (child.type() == pugi::node_element) add_clip_shape(child, m, inside, *clip, 0);
+    if (child.type() == pugi::node_element && !add_clip_shape(child, m, inside, *clip, 0)) return context.clip;
   }
   last_clip_ = std::move(key);
   last_made_ = clip;
@@ -86,29 +86,32 @@ ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node
   return clip;
 }
 
-/// One of the shapes that make a clip path or a mask.
-void SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
+/// One of the shapes that make a clip path or a mask. False for what can not be drawn as an area: it has been refused.
+bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
                                bool is_mask) {
   const std::string_view name = local_name(node);
-  if (name == "title" || name == "desc" || name == "metadata") return;
   bool displayed = true;
   const Style style = styled(node, context.style, context.port, displayed);
-  if (!displayed || !style.visible) return;
-  if (!style.clip.empty() || links > kMostLinks) return refuse("clip-path", node);
+  if (!displayed || !style.visible) return true;
+  if (!style.clip.empty() || links > kMostLinks || name == "text") {
+    refuse("clip-path", node);
+    return false;
+  }
   if (style.placing) to_mm = to_mm * *style.placing;
   if (name == "use") {
     const pugi::xml_node target = target_of(node);
     const Matrix shift{1, 0, 0, 1, attributes(context).x(node, "x"), attributes(context).y(node, "y")};
-    if (target) add_clip_shape(target, to_mm * shift, context, clip, links + 1);
-    return;
+    return !target || add_clip_shape(target, to_mm * shift, context, clip, links + 1, is_mask);
   }
   Polylines lines;
   Outline outline(lines, to_mm);
-  if (!outline_shape(name, node, attributes(context), outline)) return refuse("clip-path", node);
+  // Groups and all others are none of its children (CSS Masking 1, 6.1): viewers leave them out too.
+  if (!outline_shape(name, node, attributes(context), outline)) return true;
   clip_points_ += lines.points.size();
   if (clip_points_ > kMostPoints) throw EndlessWork("has clip paths of more than fifty million points");
   const bool even_odd = is_mask ? style.fill_even_odd : style.clip_even_odd;
   clip.any_of.emplace_back(lines, even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
+  return true;
 }
 
 }  // namespace ligne::svg

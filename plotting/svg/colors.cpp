@@ -5,6 +5,7 @@
 
 #include "files/message_text.hpp"
 #include "plotting/pens.hpp"
+#include "plotting/svg/css_text.hpp"
 #include "plotting/svg/values.hpp"
 
 namespace ligne::svg {
@@ -63,6 +64,12 @@ std::optional<std::string> paint(std::string_view text) {
   const std::string_view clean = trimmed(text);
   if (clean == "none" || clean == "transparent") return std::nullopt;
   if (clean == "currentColor" || clean == "currentcolor") return "currentColor";
+  // Paper is light.
+  constexpr std::string_view kLightDark = "light-dark(";
+  if (clean.starts_with(kLightDark)) {
+    const std::string_view inside = clean.substr(kLightDark.size());
+    return paint(inside.substr(0, find_outside(inside, ",)")));
+  }
   // With an opacity behind the colour.
   if (clean.starts_with('#') && (clean.size() == 5 || clean.size() == 9)) {
     const std::size_t digits = clean.size() == 5 ? 1 : 2;

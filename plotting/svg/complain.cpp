@@ -28,7 +28,8 @@ SvgReader::SvgReader(std::string_view text, std::string file, const std::set<std
   complaints_.refuse = [this](std::string_view name, const pugi::xml_node& node) { refuse(name, node); };
   complaints_.bad_value = [this](std::string_view property, const pugi::xml_node& node, const std::string& cause) {
     const std::string shown_property = printable(property);
-    omit("bad values of " + shown_property, node, "<" + printable(node.name()) + "> " + shown_property + ": " + cause);
+    omit("values of " + shown_property + " that are not known", node,
+         "<" + printable(node.name()) + "> " + shown_property + ": " + cause);
   };
   complaints_.cut_short = [this](const pugi::xml_node& node, const std::string& cause) {
     const std::string name = "<" + printable(node.name()) + ">";

@@ -98,7 +98,7 @@ class SvgReader {
   ClipPointer frame_clip(double width, double height, const Context& context) const;
   ClipPointer clip_of(const std::string& id, const pugi::xml_node& node, const Context& context);
   ClipPointer mask_of(const std::string& id, const pugi::xml_node& node, const Context& context);
-  void add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
+  bool add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
                       bool is_mask = false);
   std::optional<Matrix> box_of(const pugi::xml_node& node, const Context& context);
   bool draw_shape(std::string_view name, const pugi::xml_node& node, const Context& context);

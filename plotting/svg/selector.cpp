@@ -125,7 +125,8 @@ void take_pseudo_class(std::string_view& text, Compound& compound, Selector& sel
     return;
   }
   selector.weight += kClassWeight;
-  if (is_part || std::ranges::find(kNever, name) != std::end(kNever)) {
+  // Names that begin with a hyphen are states of one browser's controls.
+  if (is_part || name.starts_with('-') || std::ranges::find(kNever, name) != std::end(kNever)) {
     selector.never = true;
   } else if (const auto places = named_places(name)) {
     compound.places.insert(compound.places.end(), places->begin(), places->end());

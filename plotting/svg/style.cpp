@@ -1,7 +1,6 @@
 #include "plotting/svg/style.hpp"
 
 #include <algorithm>
-#include <initializer_list>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -67,7 +66,7 @@ class StyleReader {
     else if (name == "filter")
       complaints_.refuse(name, node_);
     else if (name == "writing-mode")
-      refuse_unless(value, {"lr-tb", "lr", "horizontal-tb"});
+      need_rows(value);
   }
 
   bool set_of_place(std::string_view name, std::string_view value, bool is_attribute) {
@@ -261,8 +260,9 @@ class StyleReader {
       value = value.substr(1, value.size() - 2);
     return value.starts_with('#') ? std::string(value.substr(1)) : std::string();
   }
-  void refuse_unless(std::string_view value, std::initializer_list<std::string_view> plain) {
-    if (std::find(plain.begin(), plain.end(), value) == plain.end()) complaints_.refuse("text", node_);
+  static void need_rows(std::string_view mode) {
+    constexpr std::string_view kRows[] = {"lr-tb", "lr", "horizontal-tb"};
+    if (std::ranges::find(kRows, mode) == std::end(kRows)) fail_value(mode, "is not from left to right");
   }
   void show(bool none, bool clear) {
     none_ = none;

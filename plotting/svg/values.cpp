@@ -122,25 +122,32 @@ std::vector<double> numbers(std::string_view text) {
 
 double length_px(std::string_view text, const Viewport& port, double whole) {
   // As CSS has them where a font does not tell.
-  constexpr double kExOfEm = 0.5, kChOfEm = 0.5;
+  constexpr double kExOfEm = 0.5, kChOfEm = 0.5, kIcOfEm = 1, kLineOfEm = 1.2;
   const double inch = port.px_per_inch, vw = port.page_width / 100, vh = port.page_height / 100;
-  const std::pair<std::string_view, double> units[] = {{"", 1},
-                                                       {"px", 1},
-                                                       {"%", whole / 100},
-                                                       {"mm", inch / kMmPerInch},
-                                                       {"cm", inch / 2.54},
-                                                       {"in", inch},
-                                                       {"pt", inch / 72},
-                                                       {"pc", inch / 6},
-                                                       {"q", inch / 101.6},
-                                                       {"em", port.em},
-                                                       {"ex", port.em * kExOfEm},
-                                                       {"ch", port.em * kChOfEm},
-                                                       {"rem", port.rem},
-                                                       {"vw", vw},
-                                                       {"vh", vh},
-                                                       {"vmin", std::min(vw, vh)},
-                                                       {"vmax", std::max(vw, vh)}};
+  const std::pair<std::string_view, double> units[] = {
+      {"", 1},
+      {"px", 1},
+      {"%", whole / 100},
+      {"mm", inch / kMmPerInch},
+      {"cm", inch / 2.54},
+      {"in", inch},
+      {"pt", inch / 72},
+      {"pc", inch / 6},
+      {"q", inch / 101.6},
+      {"em", port.em},
+      {"ex", port.em * kExOfEm},
+      {"ch", port.em * kChOfEm},
+      {"ic", port.em * kIcOfEm},
+      {"lh", port.em * kLineOfEm},
+      {"rem", port.rem},
+      {"rlh", port.rem * kLineOfEm},
+      {"vw", vw},
+      {"vh", vh},
+      {"vi", vw},
+      {"vb", vh},
+      {"vmin", std::min(vw, vh)},
+      {"vmax", std::max(vw, vh)},
+  };
   const std::string_view clean = trimmed(text);
   Scanner scanner(clean);
   const double value = scanner.number();
@@ -148,7 +155,8 @@ double length_px(std::string_view text, const Viewport& port, double whole) {
   for (const auto& [name, px] : units) {
     if (name == unit && scanner.done()) return value * px;
   }
-  fail_value(clean, "is not a length in px, mm, cm, in, pt, pc, Q, em, ex, ch, rem, vw, vh or %");
+  fail_value(clean,
+             "is not a length in px, mm, cm, in, pt, pc, Q, em, ex, ch, ic, lh, rem, rlh, vw, vh, vi, vb, vmin, vmax or %");
 }
 
 }  // namespace ligne::svg

@@ -120,19 +120,21 @@ TEST(SvgDocuments, Variables) {
   EXPECT_EQ(color("<line x2='5' style='stroke:var(--x, var(--y, rgb(0,0,255)))'/>"), "#0000ff");
   const ReadDrawing cycle = read("<g stroke='red' style='--a:var(--b);--b:var(--a)'><line x2='5' stroke='var(--a)'/></g>");
   EXPECT_EQ(cycle.drawing.layers.at(0).name, "#ff0000");
-  EXPECT_EQ(cycle.omitted.list(), "1 bad values of stroke");
+  EXPECT_EQ(cycle.omitted.list(), "1 values of stroke that are not known");
   std::string bomb = "--a0:xxxxxxxxxxxxxxxx;";
   for (int i = 1; i < 40; ++i) {
     const std::string before = "var(--a" + std::to_string(i - 1) + ")";
     bomb += "--a" + std::to_string(i) + ":" + before + before + ";";
   }
-  EXPECT_EQ(read("<line x2='5' style='" + bomb + "stroke:var(--a39)'/>").omitted.list(), "1 bad values of stroke");
+  EXPECT_EQ(read("<line x2='5' style='" + bomb + "stroke:var(--a39)'/>").omitted.list(),
+            "1 values of stroke that are not known");
 }
 
 TEST(SvgDocuments, PaintsOfOtherPrograms) {
   EXPECT_EQ(read("<path style='fill:none;stroke:#ff0000 icc-color(CMYK,0,1,1,0)' d='M10 30H90'/>").drawing.layers.at(0).name,
             "#ff0000");
   EXPECT_EQ(read("<line x2='5' stroke='rgb(0 0 255 / 50%)'/>").drawing.layers.at(0).name, "#0000ff");
+  EXPECT_EQ(read("<line x2='5' stroke='light-dark(rgb(0,0,255), #aaa)'/>").drawing.layers.at(0).name, "#0000ff");
   EXPECT_EQ(read("<line x2='5' stroke='rgb(0,0,255,0)'/>").drawing.layers.size(), 0u);
 }
 

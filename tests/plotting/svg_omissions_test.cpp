@@ -29,13 +29,15 @@ TEST(SvgOmissions, PathsAreDrawnUpToTheirErrors) {
 
 TEST(SvgOmissions, BadValuesAreAsIfTheyWereNotThere) {
   expect_omitted("<g transform='translate(NaN,5)'><path d='M10 60L90 60'/></g>", {"1000,6000 9000,6000 "},
-                 "1 bad values of transform");
-  expect_omitted("<line x1='nan' x2='5furlongs' y2='9' stroke='?'/>", {"0,0 0,900 "},
-                 "1 bad values of stroke, 1 bad values of x1, 1 bad values of x2");
-  expect_omitted("<line x2='5' style='stroke-width:null;stroke-dasharray:-1;stroke-dashoffset:x'/>", {"0,0 500,0 "},
-                 "1 bad values of stroke-width, 1 bad values of stroke-dasharray, 1 bad values of stroke-dashoffset");
+                 "1 values of transform that are not known");
+  expect_omitted(
+      "<line x1='nan' x2='5furlongs' y2='9' stroke='?'/>", {"0,0 0,900 "},
+      "1 values of stroke that are not known, 1 values of x1 that are not known, 1 values of x2 that are not known");
+  expect_omitted(
+      "<line x2='5' style='stroke-width:null;stroke-dasharray:-1;stroke-dashoffset:x'/>", {"0,0 500,0 "},
+      "1 values of stroke-width that are not known, 1 values of stroke-dasharray that are not known, 1 values of stroke-dashoffset that are not known");
   expect_omitted("<svg viewBox='0 0 1'><line x2='5'/></svg><text x='q'> </text>", {"0,0 500,0 "},
-                 "1 bad values of viewBox, 1 bad values of x");
+                 "1 values of viewBox that are not known, 1 values of x that are not known");
   const ReadDrawing inherited = read("<g stroke='red'><line x2='1' stroke='nonsense(1)'/></g>");
   EXPECT_EQ(inherited.drawing.layers.at(0).name, "#ff0000");
   EXPECT_EQ(inherited.first_omitted_line, 2u);
@@ -50,13 +52,21 @@ TEST(SvgOmissions, WhatIsNotStrokesIsLeftOut) {
   expect_omitted("<image/><image/><foreignObject/><line x2='5'/><animate/>", {"0,0 500,0 "},
                  "2 images, 1 foreignObject elements, 1 animations");
   expect_omitted("<g clip-path='circle(5px)'><line x2='5'/></g><line x2='6' filter='url(#f)'/><note/>",
-                 {"0,0 500,0 ", "0,0 600,0 "},
-                 "1 clip paths of other things than shapes, 1 filters, 1 <note> elements, which SVG does not know");
+                 {"0,0 500,0 ", "0,0 600,0 "}, "1 clip paths of other things than shapes, 1 filters, 1 <note> elements");
   expect_omitted("<use href='a.svg#b'/><line x2='1e300' transform='scale(1e300)'/><line x2='5'/>", {"0,0 500,0 "},
                  "1 <use> elements that lead out of the file, 1 elements farther than a kilometre away");
   const ReadDrawing text = read("<text y='9'><textPath href='#p'>a</textPath>b</text>");
   EXPECT_EQ(text.omitted.list(), "1 <textPath> elements in texts");
   EXPECT_GT(lines_of(text).size(), 0u) << "the rest of the text";
+}
+
+TEST(SvgOmissions, ClipPathsThatCanNotBeDrawnClipNothing) {
+  expect_omitted("<clipPath id='c'><rect width='3' height='9'/><text>a</text></clipPath><line x2='5' clip-path='url(#c)'/>",
+                 {"0,0 500,0 "}, "1 clip paths of other things than shapes");
+  expect_omitted(
+      "<clipPath id='c'><rect width='3' height='9'/><g><rect width='9' height='9'/></g></clipPath>"
+      "<line x2='5' clip-path='url(#c)'/>",
+      {"0,0 300,0 "}, "");
 }
 
 TEST(SvgOmissions, LinksThatLeadBackToThemselvesShowNothing) {
@@ -86,6 +96,12 @@ TEST(SvgOmissions, StyleSheetsLoseOnlyWhatIsNotKnown) {
       "1 rules of style inside others");
   expect_omitted("<style>.a{stroke-dasharray:2 1} } .b{</style>" + line, {"0,0 200,0 ", "300,0 500,0 "},
                  "1 rules of style with selectors that are not known");
+}
+
+TEST(SvgOmissions, WritingModes) {
+  const ReadDrawing down = read("<g writing-mode='tb'><text y='9'>a</text></g>");
+  EXPECT_EQ(down.omitted.list(), "1 values of writing-mode that are not known");
+  EXPECT_GT(lines_of(down).size(), 0u);
 }
 
 TEST(SvgOmissions, DeepElementsAreLeftOut) {
