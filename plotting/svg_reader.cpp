@@ -26,6 +26,23 @@ constexpr std::string_view kUnseen[] = {
     "defs",           "title",   "desc",      "metadata",      "script", "style",  "linearGradient",
     "radialGradient", "pattern", "clipPath",  "mask",          "filter", "marker", "symbol",
     "view",           "font",    "font-face", "color-profile", "cursor", "hatch",  "altGlyphDef"};
+
+/// Elements of which a <switch> shows one.
+constexpr std::string_view kDrawn[] = {"g",    "a",    "use",  "switch",  "svg",     "text",     "image",
+                                       "line", "path", "rect", "polygon", "ellipse", "polyline", "circle"};
+
+/// Whether an element asks for nothing that a reader may lack, and for no other language than English.
+bool is_for_everybody(const pugi::xml_node& node) {
+  for (const pugi::xml_attribute& attribute : node.attributes()) {
+    const std::string_view name = attribute.name();
+    if (name == "requiredExtensions" || name == "requiredFormats") return false;
+    if (name != "systemLanguage") continue;
+    const std::string list = "," + std::string(attribute.value());
+    if (list.find(",en") == std::string::npos && list.find(", en") == std::string::npos) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void SvgReader::read_sheet(const pugi::xml_node& node) {
@@ -187,7 +204,7 @@ void SvgReader::walk(const pugi::xml_node& node, const Context& around) {
   const std::string_view name = local_name(node);
   // Elements of editors and metadata have prefixes of their own.
   if (name.empty()) return;
-  if (std::ranges::find(kUnseen, name) != std::end(kUnseen)) return;
+  if (std::ranges::find(kUnseen, name) != std::end(kUnseen) || !is_for_everybody(node)) return;
   for (const std::string_view known : {"image", "foreignObject"}) {
     if (name == known) return refuse(known, node);
   }
@@ -227,11 +244,8 @@ void SvgReader::walk_switch(const pugi::xml_node& node, const Context& context) 
   ++inside.depth;
   if (inside.depth > kDeepest) return omit_deep(node);
   for (const pugi::xml_node& child : node) {
-    if (child.type() != pugi::node_element || local_name(child) == "foreignObject") continue;
-    if (child.attribute("requiredExtensions") || child.attribute("requiredFormats")) continue;
-    const std::string_view language = child.attribute("systemLanguage").value();
-    if (!language.empty() && !language.starts_with("en")) continue;
-    return walk(child, inside);
+    const bool drawable = std::ranges::find(kDrawn, local_name(child)) != std::end(kDrawn);
+    if (child.type() == pugi::node_element && drawable && is_for_everybody(child)) return walk(child, inside);
   }
 }
 

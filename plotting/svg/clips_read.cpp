@@ -6,14 +6,51 @@
 #include "plotting/svg/reader.hpp"
 
 namespace ligne::svg {
+namespace {
 
-/// The box of a shape in its own units, as a matrix from the unit square. Only of shapes.
-std::optional<Matrix> SvgReader::box_of(const pugi::xml_node& node, const Context& context) {
+/// Elements whose boxes are looked for, in all, and how deep they lie.
+constexpr std::size_t kMostBoxed = 10'000'000;
+constexpr int kDeepestBox = 200;
+
+}  // namespace
+
+/// Adds the box of an element and of what is in it, whether it shows or not, but for what is not displayed.
+void SvgReader::extend_box(const pugi::xml_node& node, const Context& context, const Matrix& to_box, Rect& box) {
+  if (++boxed_ > kMostBoxed) throw EndlessWork("has boxes of more than ten million elements");
+  if (context.depth > kDeepestBox) return;
   Polylines lines;
-  Outline outline(lines, Matrix{});
-  if (!outline_shape(local_name(node), node, attributes(context), outline)) return {};
+  Outline outline(lines, to_box);
+  const std::string_view name = local_name(node);
+  if (outline_shape(name, node, attributes(context), outline)) {
+    for (const Point2 p : lines.points) box.extend(p);
+    return;
+  }
+  if (name != "g" && name != "a" && name != "use" && name != "switch") return;
+  const auto extend = [&](const pugi::xml_node& child, const Matrix& m) {
+    Context inside = context;
+    ++inside.depth;
+    bool displayed = true;
+    inside.style = styled(child, context.style, context.port, displayed);
+    if (displayed) extend_box(child, inside, m * placing_of(child, inside), box);
+  };
+  if (name != "use") {
+    for (const pugi::xml_node& child : node) {
+      if (child.type() == pugi::node_element) extend(child, to_box);
+    }
+    return;
+  }
+  const pugi::xml_node target = target_of(node);
+  if (target && context.links < kMostLinks) {
+    Context inside = context;
+    ++inside.links;
+    extend(target, to_box * Matrix{1, 0, 0, 1, attributes(context).x(node, "x"), attributes(context).y(node, "y")});
+  }
+}
+
+/// The box of an element in its own units, as a matrix from the unit square; nothing where it holds no shapes.
+std::optional<Matrix> SvgReader::box_of(const pugi::xml_node& node, const Context& context) {
   Rect box;
-  for (const Point2 p : lines.points) box.extend(p);
+  extend_box(node, context, Matrix{}, box);
   if (box.empty()) return {};
   return Matrix{box.width(), 0, 0, box.height(), box.min.x, box.min.y};
 }
@@ -23,7 +60,11 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   const auto found = ids_.find(id);
   if (found == ids_.end() || local_name(found->second) != "clipPath") return context.clip;
   const pugi::xml_node& path = found->second;
-  Matrix m = context.to_mm;
+  Context inside = context;
+  bool displayed = true;
+  inside.style = styled(path, {}, context.port, displayed);
+  // Its transform is of the units around it, also where its shapes are in those of a box.
+  Matrix m = context.to_mm * placing_of(path, inside);
   if (std::string_view(path.attribute("clipPathUnits").value()) == "objectBoundingBox") {
     const std::optional<Matrix> box = box_of(node, context);
     if (!box) {
@@ -41,10 +82,6 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   if (key == last_clip_ && last_made_->outer == context.clip) return last_made_;
   auto clip = std::make_shared<Clip>();
   clip->outer = context.clip;
-  Context inside = context;
-  bool displayed = true;
-  inside.style = styled(path, {}, context.port, displayed);
-  if (inside.style.placing) m = m * *inside.style.placing;
   for (const pugi::xml_node& child : path) {
     if (child.type() == pugi::node_element && !add_clip_shape(child, m, inside, *clip, 0)) return context.clip;
   }

@@ -84,9 +84,24 @@ Polylines dashed(Polylines lines, const Style& style, const Matrix& to_mm, doubl
 
 }  // namespace
 
+/// Whether a paint shows: a gradient or pattern that the file lacks does not, unless a colour stands behind it.
+bool SvgReader::has_paint(const std::optional<Paint>& paint, const pugi::xml_node& node) {
+  if (!paint) return false;
+  if (!paint->color.empty() || is_server(paint->server)) return true;
+  leave_out("gradients and patterns that the file lacks", node);
+  return false;
+}
+
+bool SvgReader::is_server(const std::string& id) const {
+  constexpr std::string_view kServers[] = {"linearGradient", "radialGradient", "pattern",    "hatch",
+                                           "meshGradient",   "meshgradient",   "solidColor", "solidcolor"};
+  const auto found = ids_.find(id);
+  return found != ids_.end() && std::ranges::find(kServers, local_name(found->second)) != std::end(kServers);
+}
+
 /// The colour of a paint; of a gradient its first one that shows on paper, since a pen has one.
 std::string SvgReader::color_of(const Paint& paint, const pugi::xml_node& node) {
-  if (paint.server.empty()) return paint.color;
+  if (paint.server.empty() || !is_server(paint.server)) return paint.color;
   if (skip_.contains("paint")) refuse("paint", node);
   ++result_.simplified_paints;
   auto found = ids_.find(paint.server);
@@ -201,9 +216,10 @@ bool SvgReader::draw_shape(std::string_view name, const pugi::xml_node& node, co
   Outline outline(lines, to_mm, marked ? &vertices : nullptr);
   if (!outline_shape(name, node, attributes(context), outline)) return false;
   if (!style.visible) return true;
-  const bool stroked = style.stroke && style.stroke_seen && style.stroke_width > 0;
+  const bool stroked = style.stroke_seen && style.stroke_width > 0 && has_paint(style.stroke, node);
   ++painted_;
-  if (style.fill && style.fill_seen && name != "line" && has_area(lines)) draw_fill(node, lines, context, stroked);
+  if (style.fill_seen && name != "line" && has_area(lines) && has_paint(style.fill, node))
+    draw_fill(node, lines, context, stroked);
   if (stroked && lines.size() > 0) draw_stroke(node, lines, context);
   if (marked) draw_markers(node, vertices, context);
   return true;

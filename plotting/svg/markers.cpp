@@ -75,13 +75,13 @@ void SvgReader::draw_marker(const pugi::xml_node& marker, const pugi::xml_node& 
   double angle = 0;
   if (orient.starts_with("auto")) {
     angle = angle_at(vertex) + (start && orient == "auto-start-reverse" ? std::numbers::pi : 0);
-  } else if (Scanner scanner(orient); scanner.at_number()) {
-    angle = scanner.number() * std::numbers::pi / 180;
+  } else {
+    angle = angle_degrees(orient).value_or(0) * std::numbers::pi / 180;
   }
   const bool own_units = std::string_view(marker.attribute("markerUnits").value()) == "userSpaceOnUse";
   const double scale = own_units ? 1 : around.style.stroke_width;
   const Matrix inside = view_box_to(marker, attributes(around), width, height, context.port);
-  const Point2 reference = inside({attributes(context).x(marker, "refX"), attributes(context).y(marker, "refY")});
+  const Point2 reference = inside({attributes(around).x(marker, "refX"), attributes(around).y(marker, "refY")});
   context.to_mm = around.to_mm * Matrix{1, 0, 0, 1, vertex.at.x, vertex.at.y} * rotation(angle) *
                   Matrix{scale, 0, 0, scale, 0, 0} * Matrix{1, 0, 0, 1, -reference.x, -reference.y};
   if (!context.style.overflow) context.clip = frame_clip(width, height, context);

@@ -100,6 +100,7 @@ class SvgReader {
   ClipPointer mask_of(const std::string& id, const pugi::xml_node& node, const Context& context);
   bool add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
                       bool is_mask = false);
+  void extend_box(const pugi::xml_node& node, const Context& context, const Matrix& to_box, Rect& box);
   std::optional<Matrix> box_of(const pugi::xml_node& node, const Context& context);
   bool draw_shape(std::string_view name, const pugi::xml_node& node, const Context& context);
   void draw_stroke(const pugi::xml_node& node, Polylines lines, const Context& context);
@@ -109,6 +110,8 @@ class SvgReader {
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);
   void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);
   void draw_text(const pugi::xml_node& node, const Context& context);
+  bool has_paint(const std::optional<Paint>& paint, const pugi::xml_node& node);
+  bool is_server(const std::string& id) const;
   std::string color_of(const Paint& paint, const pugi::xml_node& node);
   void hide(const Polylines& contours, const Context& context);
   void remove_hidden();
@@ -132,7 +135,7 @@ class SvgReader {
   std::map<std::tuple<std::size_t, std::string, double>, std::size_t> parts_;  ///< of layers_[first]
   std::unordered_map<std::string, pugi::xml_node> ids_;
   StyleSheet sheet_;
-  std::size_t linked_ = 0, clip_points_ = 0;
+  std::size_t linked_ = 0, clip_points_ = 0, boxed_ = 0;
   ClipWork clip_work_ = std::make_shared<std::size_t>(0);
   std::vector<Occluder> occluders_;
   std::uint32_t painted_ = 0;  ///< shapes and texts so far

@@ -17,8 +17,8 @@ void outline_rect(const pugi::xml_node& node, const Attributes& attributes, Outl
   const double x = attributes.x(node, "x"), y = attributes.y(node, "y");
   const double w = attributes.x(node, "width"), h = attributes.y(node, "height");
   if (!(w > 0 && h > 0)) return;
-  const bool has_rx = Attributes::has(node, "rx"), has_ry = Attributes::has(node, "ry");
   double rx = attributes.x(node, "rx"), ry = attributes.y(node, "ry");
+  const bool has_rx = Attributes::has(node, "rx") && rx >= 0, has_ry = Attributes::has(node, "ry") && ry >= 0;
   if (!has_rx) rx = ry;
   if (!has_ry) ry = rx;
   rx = std::clamp(rx, 0.0, w / 2);

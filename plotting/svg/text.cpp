@@ -194,7 +194,7 @@ void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
     pen += Point2{c.dx, c.dy};
     const Style& style = c.style;
     const std::optional<Paint>& paint = style.fill && style.fill_seen ? style.fill : style.stroke;
-    if (!c.blank() && paint && style.visible && style.font_size > 0) {
+    if (!c.blank() && has_paint(paint, node) && style.visible && style.font_size > 0) {
       TextItem item;
       item.text = c.utf8;
       item.height_mm = style.font_size * kCapitalsOfSize;

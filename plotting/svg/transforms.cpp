@@ -14,11 +14,12 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
+constexpr std::pair<std::string_view, double> kAngles[] = {{"deg", 1}, {"grad", 0.9}, {"rad", 1 / kDegree}, {"turn", 360}};
+
 /// One number of a transform, which in CSS may be a length or an angle.
 double argument(Scanner& scanner, const Viewport* port, double whole) {
   const double value = scanner.number();
   if (!port) return value;
-  constexpr std::pair<std::string_view, double> kAngles[] = {{"deg", 1}, {"grad", 0.9}, {"rad", 1 / kDegree}, {"turn", 360}};
   const std::string unit = scanner.peek() == '%' ? std::string(1, scanner.take()) : std::string(scanner.word());
   for (const auto& [name, degrees] : kAngles) {
     if (name == unit) return value * degrees;
@@ -58,6 +59,18 @@ std::optional<Matrix> css_transform_of(std::string_view name, const std::vector<
 }
 
 }  // namespace
+
+std::optional<double> angle_degrees(std::string_view text) {
+  Scanner scanner(trimmed(text));
+  if (!scanner.at_number()) return {};
+  const double value = scanner.number();
+  if (scanner.done()) return value;
+  const std::string_view unit = scanner.word();
+  for (const auto& [name, degrees] : kAngles) {
+    if (name == unit && scanner.done()) return value * degrees;
+  }
+  return {};
+}
 
 Matrix transform(std::string_view text, const Viewport* port) {
   Matrix result;

@@ -83,6 +83,9 @@ double length_px(std::string_view text, const Viewport& port, double whole);
 /// A list of transforms, as an attribute, or with a viewport as a property of CSS, whose numbers have units.
 Matrix transform(std::string_view text, const Viewport* port = nullptr);
 
+/// "90", "90deg", "1.5rad", "100grad", "0.25turn" in degrees; nothing for what is none of these.
+std::optional<double> angle_degrees(std::string_view text);
+
 /// The point about which a transform is taken: "left 10px", "50% 50%", "center". Percentages are of a box, given from the
 /// unit square.
 Point2 transform_origin(std::string_view text, const Viewport& port, const Matrix& box);

@@ -96,10 +96,10 @@ TEST_F(PlotTest, LayersKeepNamesColoursAndWidthsHoweverOften) {
 }
 
 TEST_F(PlotTest, FillsAreOutlinedWithOneWarning) {
-  write(
-      "a.svg",
-      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60'>\n"
-      "<rect x='10' y='10' width='9' height='9'/><rect x='30' y='10' width='9' height='9' fill='url(#g)'/><plotdata/></svg>");
+  write("a.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60'>\n"
+        "<rect x='10' y='10' width='9' height='9'/><rect x='30' y='10' width='9' height='9' fill='url(#g)'/><plotdata/>"
+        "<pattern id='g'/></svg>");
   const Outcome plain = run({"plot", "a.svg", "-o", "a.hpgl"});
   EXPECT_EQ(plain.status, 0);
   EXPECT_EQ(count_of(plain.err, "2 filled areas are drawn by the outline"), 1u) << plain.err;

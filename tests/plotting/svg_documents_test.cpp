@@ -162,6 +162,44 @@ TEST(SvgDocuments, TransformsOfStyle) {
                 {{-10, 0}, {10, 20}});
 }
 
+TEST(SvgDocuments, TransformsOfClipPaths) {
+  const std::string shown = "<path d='M0 5H90' clip-path='url(#c)'/>";
+  expect_lines(
+      "<clipPath id='c' clipPathUnits='objectBoundingBox' transform='translate(9)'><rect y='-9' width='0.1' height='99'/></clipPath>"
+      "<path d='M0 5H90V6' clip-path='url(#c)'/>",
+      {"900,500 1800,500 "}, "a shift by units of the page, not of the box");
+  expect_lines(
+      "<clipPath id='c' transform='rotate(180)' transform-origin='50px 0'><rect y='-9' width='30' height='9'/></clipPath>" +
+          shown,
+      {"7000,500 9000,500 "});
+}
+
+TEST(SvgDocuments, AnglesOfMarkers) {
+  const std::string marker = "<path d='M0 0h1'/></marker><path stroke='none' d='M5 5H9' marker-end='url(#m)'/>";
+  for (const char* angle : {"90", "90deg", "0.25turn", "100grad"})
+    expect_lines("<marker id='m' overflow='visible' orient='" + std::string(angle) + "'>" + marker, {"900,500 900,600 "},
+                 angle);
+  expect_lines("<marker id='m' overflow='visible' refX='1%'>" + marker, {"800,500 900,500 "},
+               "of the page, not of the marker");
+}
+
+TEST(SvgDocuments, BoxesOfGroups) {
+  const std::string clip =
+      "<clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='0.5' height='1'/></clipPath><rect id='r' y='20' "
+      "width='10' height='10'/>";
+  const std::string line = "<line y1='5' x2='10' y2='5'/>";
+  const auto last_of = [&](const std::string& group) { return lines_of(read(clip + group)); };
+  EXPECT_TRUE(last_of("<g clip-path='url(#c)'>" + line + "<line x1='10' x2='40' y2='10' visibility='hidden'/></g>")
+                  .contains("0,500 1000,500 "))
+      << "what is not visible counts";
+  EXPECT_TRUE(last_of("<g clip-path='url(#c)'>" + line +
+                      "<rect width='99' height='99' display='none'/><g transform='scale(0.5)'>"
+                      "<use href='#r' x='6'/></g></g>")
+                  .contains("0,500 500,500 "));
+  expect_points("<g style='transform:scale(2);transform-box:fill-box;transform-origin:100% 0'><line x2='10' y2='10'/></g>",
+                {{-10, 0}, {10, 20}});
+}
+
 TEST(SvgDocuments, DashesThatATransformStretches) {
   expect_lines("<line x2='10' transform='scale(2,1)' stroke-dasharray='2 1'/>",
                {"0,0 400,0 ", "600,0 1000,0 ", "1200,0 1600,0 ", "1800,0 2000,0 "});

@@ -98,6 +98,19 @@ TEST(SvgOmissions, StyleSheetsLoseOnlyWhatIsNotKnown) {
                  "1 rules of style with selectors that are not known");
 }
 
+TEST(SvgOmissions, PaintsThatAreNotThere) {
+  expect_omitted(
+      "<line x2='5' stroke='url(#none)'/><line x2='6' stroke='url(#none) none'/><line id='l' x2='7' stroke='url(#l) red'/>",
+      {"0,0 700,0 "}, "2 gradients and patterns that the file lacks");
+}
+
+TEST(SvgOmissions, OtherLanguagesAndForeignAlternatives) {
+  expect_omitted(
+      "<switch><random/><line x2='5'/></switch><g systemLanguage='de, fr'><line x2='6'/></g>"
+      "<line x2='7' systemLanguage='de, en-GB'/>",
+      {"0,0 500,0 ", "0,0 700,0 "}, "");
+}
+
 TEST(SvgOmissions, WritingModes) {
   const ReadDrawing down = read("<g writing-mode='tb'><text y='9'>a</text></g>");
   EXPECT_EQ(down.omitted.list(), "1 values of writing-mode that are not known");
