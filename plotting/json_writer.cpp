@@ -21,11 +21,13 @@ namespace {
 constexpr std::size_t kChunkStrokes = 4096;
 constexpr std::size_t kBatchChunks = 64;
 
-constexpr std::uint32_t kNoFace = 0xffffffffu;
+constexpr std::uint32_t kNoFace = 0xffffffffu;  // also no surface
 
 /// Decimals of page points, at the least: a nanometre.
 constexpr int kPageDecimals = 6;
 constexpr int kMostPageDecimals = 12;
+/// Decimals of angles in degrees: more than coordinates tell.
+constexpr int kTurnDecimals = 6;
 
 std::string json_string(std::string_view text) {
   using nlohmann::json;
@@ -61,6 +63,7 @@ void append_numbers(std::string& out, std::span<const double> numbers) {
   append_list(out, numbers, [&](double number) { append_shortest(out, number); });
 }
 
+/// The number of a face or of a surface.
 void append_face(std::string& out, std::uint32_t face) {
   if (face == kNoFace) {
     out += "null";
@@ -68,6 +71,8 @@ void append_face(std::string& out, std::uint32_t face) {
     append_integer(out, face);
   }
 }
+
+void append_coordinates(std::string& out, const Point3& p) { append_numbers(out, std::array{p.x, p.y, p.z}); }
 
 /// Enough decimals to tell neighbouring lattice points apart: half a step and less.
 int lattice_decimals(const Lattice& lattice) {
@@ -95,14 +100,54 @@ void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, 
   if (document.source) {
     const SourceEdge edge = document.source(s.source);
     out += ",\"ends\":";
-    append_list(out, edge.ends, [&](const Point3& end) { append_numbers(out, std::array{end.x, end.y, end.z}); });
+    append_list(out, edge.ends, [&](const Point3& end) { append_coordinates(out, end); });
     out += ",\"faces\":";
     append_list(out, edge.faces, [&](std::uint32_t face) { append_face(out, face); });
+    if (!document.surfaces.empty()) {
+      out += ",\"surfaces\":";
+      append_list(out, edge.faces, [&](std::uint32_t face) {
+        append_face(out, face < document.surface_of_face.size() ? document.surface_of_face[face] : kNoFace);
+      });
+    }
   }
   out += "},\"interval\":";
   append_numbers(out, std::array{s.t_from, s.t_to});
   out += ",\"points\":";
   append_list(out, std::array{s.from, s.to}, [&](auto end) { append_point(out, model.lattice.to_mm(end), decimals); });
+  out += '}';
+}
+
+void append_surface(std::string& out, const DocumentSurface& surface) {
+  out += "{\"kind\":\"";
+  out += surface.kind;
+  out += "\",\"at\":";
+  append_coordinates(out, surface.at);
+  if (surface.axis) {
+    out += ",\"axis\":";
+    append_coordinates(out, *surface.axis);
+  }
+  const auto append_length = [&](const char* name, const std::optional<double>& value) {
+    if (!value) return;
+    out += name;
+    append_shortest(out, *value);
+  };
+  append_length(",\"radius\":", surface.radius);
+  append_length(",\"slope\":", surface.slope);
+  append_length(",\"tube\":", surface.tube);
+  if (surface.along) {
+    out += ",\"along\":";
+    append_numbers(out, *surface.along);
+  }
+  if (surface.turn) {
+    out += ",\"turn\":";
+    append_rounded(out, *surface.turn, kTurnDecimals);
+  }
+  out += surface.outward ? ",\"outward\":true" : ",\"outward\":false";
+  append_length(",\"sag\":", surface.sag);
+  out += ",\"faces\":";
+  append_integer(out, surface.faces);
+  out += ",\"object\":";
+  append_integer(out, surface.object);
   out += '}';
 }
 
@@ -254,6 +299,11 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
     out += ",\n\"objects\":";
     append_array(out, document.objects.size(),
                  [&](std::string& text, std::size_t i) { text += json_string(document.objects[i]); });
+  }
+  if (!document.surfaces.empty()) {
+    out += ",\n\"surfaces\":";
+    append_array(out, document.surfaces.size(),
+                 [&](std::string& text, std::size_t i) { append_surface(text, document.surfaces[i]); });
   }
   if (const StrokeModel* const model = document.strokes) {
     out += ",\n\"lattice\":{\"origin_mm\":";

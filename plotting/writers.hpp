@@ -95,6 +95,21 @@ struct RegionLook {
   std::string material{};   ///< its name
 };
 
+/// A surface behind the mesh, in model units. Members that its kind has not are not written.
+struct DocumentSurface {
+  std::string_view kind;  ///< "cylinder", "cone", "sphere" or "torus"
+  Point3 at{0, 0, 0};
+  std::optional<Point3> axis{};
+  double radius = 0;
+  std::optional<double> slope{}, tube{};
+  std::optional<std::array<double, 2>> along{};
+  std::optional<double> turn{};  ///< degrees
+  bool outward = true;
+  double sag = 0;
+  std::size_t faces = 0;
+  std::uint32_t object = 0;
+};
+
 /// What the JSON drawing holds beside page and pens: docs/drawing-format.md.
 struct DrawingDocument {
   const StrokeModel* strokes = nullptr;
@@ -108,6 +123,8 @@ struct DrawingDocument {
   std::function<SourceEdge(std::uint32_t)> source;  ///< the source edge of that number; called from several threads at once
   std::vector<std::string> objects{};               ///< their names, where strokes say their object
   std::function<std::uint32_t(std::uint32_t)> object{};  ///< of the source edge of that number, 0xffffffff for none
+  std::vector<DocumentSurface> surfaces{};
+  std::vector<std::uint32_t> surface_of_face{};  ///< where there are surfaces: their number per face, 0xffffffff for none
   glm::dmat4 model_to_page{1};
   bool perspective = false;
   Rect window;               ///< page mm; what lies outside was clipped away

@@ -43,9 +43,10 @@ py::dict strokes(const DrawingHolder& holder) {
   std::vector<double> points(4 * n), parameter(2 * n), space(6 * n);
   std::vector<std::uint8_t> kind(n), level(n);
   std::vector<std::uint8_t> visible(n);
-  std::vector<std::int64_t> edge(2 * n), faces(2 * n);
+  std::vector<std::int64_t> edge(2 * n), faces(2 * n), surfaces(2 * n, -1);
   {
     const py::gil_scoped_release released;
+    const std::vector<std::uint32_t> surface_of = drawn.surfaces().of_face;
     for (std::size_t i = 0; i < n; ++i) {
       const Stroke& stroke = model.strokes[i];
       const Point2 from = model.lattice.to_mm(stroke.from), to = model.lattice.to_mm(stroke.to);
@@ -58,7 +59,9 @@ py::dict strokes(const DrawingHolder& holder) {
       const bool of_scene = stroke.source < model.edge_count;
       const std::array<double, 2> t{stroke.t_from, stroke.t_to};
       for (std::size_t k = 0; k < 2; ++k) {
-        faces[2 * i + k] = given_face(scene, source.faces[k]);
+        const std::uint32_t face = source.faces[k];
+        faces[2 * i + k] = given_face(scene, face);
+        if (face < surface_of.size() && surface_of[face] != kNone) surfaces[2 * i + k] = surface_of[face];
         edge[2 * i + k] = !of_scene ? -1 : k == 0 ? study.edges[stroke.source].v0 : study.edges[stroke.source].v1;
         const Point3 p = point_at(source, t[k]);
         for (int c = 0; c < 3; ++c) space[6 * i + 3 * k + static_cast<std::size_t>(c)] = p[c];
@@ -74,6 +77,7 @@ py::dict strokes(const DrawingHolder& holder) {
   arrays["level"] = owned(std::move(level), {rows(n)});
   arrays["edge"] = owned(std::move(edge), {rows(n), 2});
   arrays["faces"] = owned(std::move(faces), {rows(n), 2});
+  arrays["surfaces"] = owned(std::move(surfaces), {rows(n), 2});
   return arrays;
 }
 
@@ -119,6 +123,29 @@ py::object regions(const DrawingHolder& holder) {
     py::list contours;
     for (const std::vector<Point2>& contour : region.contours) contours.append(read_only(polyline(contour)));
     list.append(py::make_tuple(given_face(drawn.prepared().scene, region.face), contours, region.level, region.lights));
+  }
+  return list;
+}
+
+py::tuple tuple_of(const Point3& p) { return py::make_tuple(p.x, p.y, p.z); }
+
+/// The members of FittedSurface (_found.py) in their order, of each surface.
+py::list surfaces(const DrawingHolder& holder) {
+  const DrawnScene& drawn = drawn_of(holder);
+  FoundSurfaces found;
+  {
+    const py::gil_scoped_release released;
+    found = drawn.surfaces();
+  }
+  py::list list;
+  for (const FoundSurface& f : found.list) {
+    const PatchSurface& s = f.surface;
+    const auto where = [](bool has, py::object value) { return has ? value : py::object(py::none()); };
+    list.append(py::make_tuple(
+        kSurfaceKindNames[static_cast<std::size_t>(s.kind)], tuple_of(s.at), where(f.has_axis(), tuple_of(s.axis)), s.radius,
+        where(s.kind == SurfaceKind::cone, py::float_(s.slope)), where(s.kind == SurfaceKind::torus, py::float_(s.tube)),
+        where(f.has_length(), py::make_tuple(f.along[0], f.along[1])), where(f.has_length(), py::float_(f.turn)), f.outward,
+        f.sag, f.faces, f.object));
   }
   return list;
 }
@@ -302,6 +329,7 @@ void add_drawing(py::module_& module) {
       .def_property_readonly("has_strokes", [](const DrawingHolder& holder) { return holder.drawn() != nullptr; })
       .def_property_readonly("polyline_count", &polyline_count)
       .def("layers", &layers)
+      .def("surfaces", &surfaces)
       .def("regions", &regions)
       .def_property_readonly("matrix", &matrix)
       .def_property_readonly(

@@ -21,7 +21,8 @@ from ._core import (
     __version__,
 )
 from ._compare import compare, study
-from ._drawing import Drawing, Region, draw, draw_frames
+from ._drawing import Drawing, draw, draw_frames
+from ._found import FittedSurface, Region
 from ._lists import devices, experiments, methods
 from ._models import compile, info
 from ._plot import Plotted, plot
@@ -34,6 +35,7 @@ __all__ = [
     "DtypeError",
     "Error",
     "FileError",
+    "FittedSurface",
     "InputError",
     "MemoryLimitError",
     "Mesh",

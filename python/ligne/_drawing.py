@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import pathlib
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 
 from . import _core
+from ._found import FittedSurface, Region
 from ._heights import Heights, height_sources
 from ._options import (
     Array, Length, Output, Path, Pens, Progress, Range, arguments, file_name, format_for, open_output, write_to,
@@ -25,26 +25,6 @@ _MadeOf = Tuple[Optional[Scene], Dict[str, Any], Dict[str, Any]]
 def _frozen(array: Array) -> Array:
     array.flags.writeable = False
     return array
-
-
-def _ring_area(points: Array) -> float:
-    x, y = points[:, 0], points[:, 1]
-    return 0.5 * abs(float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))))
-
-
-@dataclass(frozen=True)
-class Region:
-    """A visible part of a face on the page."""
-
-    face: int  #: row of the faces that were given
-    contours: List[Array]  #: (k, 2) float64 each, page mm, not closed; the first is outer, the others are holes
-    level: int  #: how many transparent faces are in front of it
-    lights: int  #: bit i: light i reaches it
-
-    @property
-    def area(self) -> float:
-        """mm^2 on the page."""
-        return _ring_area(self.contours[0]) - sum(_ring_area(hole) for hole in self.contours[1:])
 
 
 class Drawing:
@@ -130,6 +110,11 @@ class Drawing:
         return self._arrays["faces"]
 
     @property
+    def stroke_surfaces(self) -> Array:
+        """(n, 2) int64: the surfaces of the two `faces`, numbers in `surfaces`; -1 where a face has none."""
+        return self._arrays["surfaces"]
+
+    @property
     def parameter(self) -> Array:
         """(n, 2) float64: the interval on the source edge, 0 at its first end and 1 at its second, in model space."""
         return self._arrays["parameter"]
@@ -162,6 +147,12 @@ class Drawing:
         if regions is None:
             raise _core.RequestError("regions: were not asked for: draw(..., regions=True)")
         return [Region(*region) for region in regions]
+
+    @cached_property
+    def surfaces(self) -> Tuple[FittedSurface, ...]:
+        """The cylinders, cones, spheres and tori that the mesh stands for (docs/patches.md), by object; none with
+        quality="exact" and where no creases were asked for."""
+        return tuple(FittedSurface(*surface) for surface in self._core.surfaces())
 
     @property
     def matrix(self) -> Array:

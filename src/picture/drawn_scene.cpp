@@ -77,6 +77,27 @@ std::vector<RegionLook> looks_of(const PreparedScene& prepared, const std::vecto
   return looks;
 }
 
+/// Members that each kind of surface has, as docs/drawing-format.md says.
+DocumentSurface document_surface(const FoundSurface& found) {
+  const PatchSurface& surface = found.surface;
+  DocumentSurface to;
+  to.kind = kSurfaceKindNames[static_cast<std::size_t>(surface.kind)];
+  to.at = surface.at;
+  if (found.has_axis()) to.axis = surface.axis;
+  to.radius = surface.radius;
+  if (surface.kind == SurfaceKind::cone) to.slope = surface.slope;
+  if (surface.kind == SurfaceKind::torus) to.tube = surface.tube;
+  if (found.has_length()) {
+    to.along = found.along;
+    to.turn = found.turn;
+  }
+  to.outward = found.outward;
+  to.sag = found.sag;
+  to.faces = found.faces;
+  to.object = found.object;
+  return to;
+}
+
 PictureRequest checked(PictureRequest request) {
   check(request);
   return request;
@@ -180,6 +201,9 @@ std::string DrawnScene::json(const PlotOptions& plot) const {
     document.objects = object_names(prepared_.scene);
     document.object = [&](std::uint32_t source) { return object_of(study_.source(prepared_.scene, source).faces[0]); };
   }
+  FoundSurfaces found = surfaces();
+  std::ranges::transform(found.list, std::back_inserter(document.surfaces), document_surface);
+  document.surface_of_face = std::move(found.of_face);
   document.model_to_page = view.model_to_page;
   document.perspective = view.camera.perspective;
   document.window = view.window;

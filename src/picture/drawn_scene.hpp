@@ -14,6 +14,7 @@
 #include "picture/write_picture.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
+#include "scene/patches/found_surfaces.hpp"
 
 namespace ligne {
 
@@ -29,6 +30,9 @@ class DrawnScene {
   const PictureRequest& request() const { return request_; }
   const PreparedScene& prepared() const { return prepared_; }  ///< its topology and its projection are given up
   const SceneStudy& study() const { return study_; }
+
+  /// The surfaces behind the mesh, none where no clear creases were asked for.
+  FoundSurfaces surfaces() const { return found_surfaces(prepared_.scene, prepared_.patches); }
 
   /// Lines joined, hatching, fills, and what stands round the picture. Counts and warnings go to `run`.
   Drawing drawing(RunReport& run) const;

@@ -238,6 +238,10 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
     }
     if (!shape_lines.empty()) prepared.shape_lines = add_shape_lines(prepared.projected, std::move(shape_lines));
     prepared.scans = std::move(creases.scans);
+    if (!creases.patches.list.empty()) {
+      prepared.patches = std::move(creases.patches);
+      prepared.patches.is_freeform = {};
+    }
     prepared.object_edge_ends = edge_ends_of_objects(scene, prepared.topology);
     if (request.groups) {
       std::vector<std::array<Point3, 2>> lines;

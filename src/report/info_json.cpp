@@ -72,6 +72,7 @@ Json scene_json(const LoadedModels& models, const SceneInfo& info) {
   for (const SceneCamera& c : models.scene.cameras) scene["cameras"].push_back(c.name);
   scene["unit_mm"] = models.scene.unit_mm;
   scene["precision"] = facts.precision;
+  if (info.surfaces.any()) scene["surfaces"] = json_of(info.surfaces);
   scene["objects"] = Json::array();
   for (const ObjectFacts& object : facts.objects) scene["objects"].push_back(object_json(facts, object));
   scene["materials"] = Json::array();

@@ -111,6 +111,21 @@ std::string materials_text(const SceneFacts& scene) {
   return text;
 }
 
+/// Groups of surfaces in the text; the JSON has them all.
+constexpr std::size_t kMostSurfaceLines = 10;
+
+std::string surfaces_text(const SurfaceFacts& surfaces) {
+  if (!surfaces.any()) return "";
+  std::string text = line("surfaces", counts_text(surfaces));
+  for (std::size_t i = 0; i < std::min(surfaces.groups.size(), kMostSurfaceLines); ++i) {
+    text += line("", group_text(surfaces.groups[i]));
+  }
+  if (surfaces.groups.size() > kMostSurfaceLines) {
+    text += line("", "and " + std::to_string(surfaces.groups.size() - kMostSurfaceLines) + " more");
+  }
+  return text;
+}
+
 std::string objects_text(const SceneFacts& scene) {
   std::size_t closed = 0, solid = 0;
   for (const ObjectFacts& object : scene.objects) {
@@ -144,6 +159,7 @@ std::string info_text(const LoadedModels& models, const SceneInfo& info) {
   text +=
       line("edges", std::to_string(scene.edges) + ", " + std::to_string(scene.sum(&ObjectFacts::border_edges)) +
                         " border, " + std::to_string(scene.sum(&ObjectFacts::many_face_edges)) + " of more than two faces");
+  text += surfaces_text(info.surfaces);
   text += line("bounding box", point_text(scene.bounds[0]) + " to " + point_text(scene.bounds[1]));
   text += line("up axis", std::string(1, "xyz"[static_cast<unsigned>(info.up_axis)]));
   std::string cameras;

@@ -35,6 +35,7 @@ SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const 
     info.placement = place(scene, camera_of(view, scene), page);
     Creases creases;
     const EdgeSelection all = select_edges(scene, topology, lines, parse_edges("all"), creases, run);
+    info.surfaces = surface_facts(found_surfaces(scene, creases.patches));
     projected = project(scene, topology, info.placement.view, all);
     if (lines.cull) info.culled = cull_back_faces(scene, topology, projected, run);
     info.view = view_facts(scene, projected);

@@ -8,6 +8,7 @@
 #include "picture/models.hpp"
 #include "picture/placement.hpp"
 #include "report/scene_facts.hpp"
+#include "report/surface_facts.hpp"
 #include "view/cull.hpp"
 #include "visibility/method.hpp"
 
@@ -17,6 +18,7 @@ struct SceneInfo {
   SceneFacts scene;
   ViewFacts view;
   SceneTraits traits;
+  SurfaceFacts surfaces;            ///< behind the meshes, for clear lines
   std::optional<BackFaces> culled;  ///< when that was asked for
   Placement placement;
   Axis up_axis = Axis::z;

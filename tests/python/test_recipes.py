@@ -35,20 +35,40 @@ def write_bracket(file):
     """Two boxes that touch, as a binary STL."""
     boxes = [CUBE_VERTICES * (60, 30, 10), CUBE_VERTICES * (10, 30, 30) + (0, 0, 10)]
     corners = np.concatenate([CUBE_FACES[:, [0, 1, 2]], CUBE_FACES[:, [0, 2, 3]]])
-    record = np.zeros(24, dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
-    record["corners"] = np.concatenate([box[corners] for box in boxes])
-    file.write_bytes(bytes(80) + np.uint32(24).tobytes() + record.tobytes())
+    write_stl(file, np.concatenate([box[corners] for box in boxes]))
+
+
+def bored_plate(radius, height, facets=24):
+    """Triangles of a square plate of side 12 with a bore in its middle, about (10, 8)."""
+    angle = 2 * np.pi * np.arange(facets) / facets
+    way = np.column_stack([np.cos(angle), np.sin(angle)])
+    square = 6 * way / np.abs(way).max(axis=1)[:, None]
+    rings = [np.column_stack([ring + (10, 8), np.full(facets, z)]) for ring in (radius * way, square) for z in (0, height)]
+    inner_low, inner_high, outer_low, outer_high = rings
+    triangles = []
+    for low, high in ((inner_high, inner_low), (outer_low, outer_high), (inner_low, outer_low), (outer_high, inner_high)):
+        a, b, c, d = low, np.roll(low, -1, axis=0), np.roll(high, -1, axis=0), high
+        triangles += [np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]
+    return np.concatenate(triangles)
+
+
+def write_stl(file, triangles):
+    """A binary STL of (n, 3, 3) corners."""
+    record = np.zeros(len(triangles), dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
+    record["corners"] = triangles
+    file.write_bytes(bytes(80) + np.uint32(len(triangles)).tobytes() + record.tobytes())
 
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write_bracket(tmp_path / "bracket.stl")
+    write_stl(tmp_path / "plate.stl", bored_plate(radius=2.5, height=5))
     return tmp_path
 
 
-def test_there_are_ten():
-    assert [number for number, _, _ in RECIPES] == [str(n) for n in range(1, 11)]
+def test_there_are_eleven():
+    assert [number for number, _, _ in RECIPES] == [str(n) for n in range(1, 12)]
 
 
 @pytest.mark.parametrize("number, title, code", RECIPES, ids=[f"{n}-{t}" for n, t, _ in RECIPES])
@@ -65,6 +85,8 @@ def test_recipe(number, title, code, folder, capsys):
         assert shown._repr_svg_().startswith("<?xml") and "<path" in shown._repr_svg_()
     if number == "10":
         assert "min" in capsys.readouterr().out
+    if number == "11":
+        assert capsys.readouterr().out == "diameter 5.00 at 10.00, 8.00, 0.00, depth 5.00\n"
 
 
 def test_shapely(folder):

@@ -1,0 +1,176 @@
+#include "report/surface_facts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <tuple>
+
+#include "files/message_text.hpp"
+#include "plotting/number_text.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+/// Decimals of a size at the most, as many as power_of_ten() has.
+constexpr int kMostDecimals = 15;
+
+/// A surface as groups see it.
+struct Sized {
+  SurfaceKind kind;
+  bool outward, is_arc;
+  double size, error;
+
+  auto group() const { return std::tuple(kind, is_arc, outward); }
+};
+
+Sized sized(const FoundSurface& found) {
+  const PatchSurface& s = found.surface;
+  Sized of{s.kind, found.outward, s.kind == SurfaceKind::cylinder && found.turn <= kMostArcDegrees, s.radius, found.error};
+  if (s.kind == SurfaceKind::torus) of.size = s.tube;
+  if (s.kind == SurfaceKind::cone) {
+    of.size = std::atan(std::abs(s.slope)) * kDegrees;
+    of.error = std::atan2(found.error, found.along[1] - found.along[0]) * kDegrees;
+  }
+  return of;
+}
+
+/// The size with decimals that are as coarse as its error, or coarser.
+double rounded_size(const Sized& surface) {
+  const double digits = surface.error > 0 ? std::floor(-std::log10(surface.error)) : kMostDecimals;
+  const auto power = static_cast<double>(power_of_ten(static_cast<int>(std::clamp<double>(digits, 0, kMostDecimals))));
+  return std::round(surface.size * power) / power;
+}
+
+/// The group of [begin, end), by the size that is known best.
+SurfaceGroup group_of(const std::vector<Sized>& all, std::size_t begin, std::size_t end) {
+  const auto best =
+      std::min_element(all.begin() + static_cast<std::ptrdiff_t>(begin), all.begin() + static_cast<std::ptrdiff_t>(end),
+                       [](const Sized& l, const Sized& r) { return l.error < r.error; });
+  return {best->kind, best->outward, best->is_arc, rounded_size(*best), end - begin};
+}
+
+/// Sizes beside each other that read alike are one group: fits to few corners differ by more than these tell.
+void add_group(std::vector<SurfaceGroup>& groups, const SurfaceGroup& group) {
+  const auto key = [](const SurfaceGroup& g) { return std::tuple(g.kind, g.is_arc, g.outward, g.size); };
+  if (!groups.empty() && key(groups.back()) == key(group)) {
+    groups.back().count += group.count;
+  } else {
+    groups.push_back(group);
+  }
+}
+
+void count(SurfaceFacts& facts, const Sized& surface) {
+  switch (surface.kind) {
+    case SurfaceKind::cylinder:
+      ++facts.cylinders;
+      ++(surface.is_arc ? facts.arcs : surface.outward ? facts.bosses : facts.bores);
+      break;
+    case SurfaceKind::cone:
+      ++facts.cones;
+      break;
+    case SurfaceKind::sphere:
+      ++facts.spheres;
+      break;
+    case SurfaceKind::torus:
+      ++facts.tori;
+      break;
+  }
+}
+
+std::string counted(std::size_t n, const char* one, const char* more) {
+  return std::to_string(n) + " " + (n == 1 ? one : more);
+}
+
+std::string noun_of(const SurfaceGroup& group) {
+  switch (group.kind) {
+    case SurfaceKind::cylinder:
+      if (!group.is_arc) {
+        return group.outward ? counted(group.count, "boss", "bosses") : counted(group.count, "bore", "bores");
+      }
+      return group.outward ? counted(group.count, "convex arc", "convex arcs")
+                           : counted(group.count, "hollow arc", "hollow arcs");
+    case SurfaceKind::cone:
+      return group.outward ? counted(group.count, "convex cone", "convex cones")
+                           : counted(group.count, "hollow cone", "hollow cones");
+    case SurfaceKind::sphere:
+      return group.outward ? counted(group.count, "convex sphere", "convex spheres")
+                           : counted(group.count, "hollow sphere", "hollow spheres");
+    case SurfaceKind::torus:
+      return group.outward ? counted(group.count, "convex torus", "convex tori")
+                           : counted(group.count, "hollow torus", "hollow tori");
+  }
+  return "";
+}
+
+}  // namespace
+
+SurfaceFacts surface_facts(const FoundSurfaces& found) {
+  SurfaceFacts facts;
+  std::vector<Sized> all;
+  for (const FoundSurface& surface : found.list) {
+    all.push_back(sized(surface));
+    count(facts, all.back());
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Sized& l, const Sized& r) {
+    return std::tuple(l.group(), l.size) < std::tuple(r.group(), r.size);
+  });
+  for (std::size_t begin = 0, i = 1; i <= all.size(); ++i) {
+    if (i < all.size() && all[i].group() == all[begin].group() &&
+        all[i].size - all[begin].size <= all[i].error + all[begin].error) {
+      continue;
+    }
+    add_group(facts.groups, group_of(all, begin, i));
+    begin = i;
+  }
+  std::stable_sort(facts.groups.begin(), facts.groups.end(),
+                   [](const SurfaceGroup& l, const SurfaceGroup& r) { return l.count > r.count; });
+  return facts;
+}
+
+std::string counts_text(const SurfaceFacts& facts) {
+  std::string text;
+  const auto add = [&](std::size_t n, const char* one, const char* more) {
+    if (n > 0) text += (text.empty() ? "" : ", ") + counted(n, one, more);
+  };
+  add(facts.bores, "bore", "bores");
+  add(facts.bosses, "boss", "bosses");
+  add(facts.arcs, "arc of a cylinder", "arcs of cylinders");
+  add(facts.cones, "cone", "cones");
+  add(facts.spheres, "sphere", "spheres");
+  add(facts.tori, "torus", "tori");
+  return text;
+}
+
+std::string group_text(const SurfaceGroup& group) {
+  const std::string size = shortest(group.size);
+  switch (group.kind) {
+    case SurfaceKind::cone:
+      return noun_of(group) + ", " + size + " degrees from the axis";
+    case SurfaceKind::torus:
+      return noun_of(group) + ", radius of the tube " + size;
+    default:
+      return noun_of(group) + ", radius " + size;
+  }
+}
+
+nlohmann::ordered_json json_of(const SurfaceFacts& facts) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"cylinders", facts.cylinders}, {"bosses", facts.bosses},   {"bores", facts.bores}, {"arcs", facts.arcs},
+            {"cones", facts.cones},         {"spheres", facts.spheres}, {"tori", facts.tori}};
+  json["groups"] = Json::array();
+  for (const SurfaceGroup& group : facts.groups) {
+    Json entry{{"kind", kSurfaceKindNames[static_cast<std::size_t>(group.kind)]}, {"outward", group.outward}};
+    if (group.kind == SurfaceKind::cylinder) entry["arc"] = group.is_arc;
+    const char* const name = group.kind == SurfaceKind::cone    ? "degrees"
+                             : group.kind == SurfaceKind::torus ? "tube"
+                                                                : "radius";
+    entry[name] = group.size;
+    entry["count"] = group.count;
+    json["groups"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+}  // namespace ligne
