@@ -85,6 +85,7 @@ def read(
     quality: str = "clear",
     weld: Union[str, float] = "auto",
     merge_coplanar: bool = False,
+    subdivide: Optional[str] = None,
     only: Union[str, Sequence[str], None] = None,
     hide: Union[str, Sequence[str], None] = None,
     move: Union[Dict[str, Sequence[float]], Sequence[str], None] = None,
@@ -95,6 +96,7 @@ def read(
 ) -> Scene:
     """Reads glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII or ligne-scene files; several make one scene.
 
+    `subdivide`: "catmull-clark" or "loop", with ":N" for N levels: the polygons are control meshes.
     `groups`: the groups of an OBJ without objects are objects, which draw(group=..., color=...) tell apart. The others are
     the command's. Raises InputError.
     """
@@ -130,6 +132,7 @@ class Mesh(Scene):
         quality: str = "clear",
         weld: Union[str, float] = "auto",
         merge_coplanar: bool = False,
+        subdivide: Optional[str] = None,
         unit: Union[str, float, None] = None,
         threads: int = 0,
     ) -> None:
@@ -137,7 +140,7 @@ class Mesh(Scene):
         corners, contour_end, face_end, count = flat_faces(faces)
         object_of, object_names = labels("objects", objects, count)
         material_of, material_names = labels("materials", materials, count)
-        options = dict(quality=quality, weld=weld, merge_coplanar=merge_coplanar, unit=unit)
+        options = dict(quality=quality, weld=weld, merge_coplanar=merge_coplanar, subdivide=subdivide, unit=unit)
         if precision is not None and not (np.isfinite(precision) and precision >= 0):
             raise _core.InputError("precision: is not a length of 0 or more")
         super().__init__(

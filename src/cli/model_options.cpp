@@ -22,6 +22,11 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
       .standard("auto");
   group.add("--pose", "ANIMATION@SECONDS", request.pose, parse_pose,
             "glTF: the model as it is at a moment of an animation, by its name or its number from 0");
+  group
+      .add("--subdivide", "SCHEME[:N]", request.subdivision, parse_subdivision,
+           "polygons are control meshes, drawn as the surface that N levels of subdivision come to: loop, catmull-clark; "
+           "without N, until edges are shorter than a hundredth of the model")
+      .standard("off");
   group.add_flag("--merge-coplanar", request.merge_coplanar, "put coplanar neighbouring faces together into polygons");
   OptionGroup parts(app, "Parts");
   const auto add_names = [](std::vector<std::string>& target) {

@@ -26,12 +26,16 @@ bool any_fits(const std::vector<std::string>& patterns, const std::string& name)
   return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return name_fits(p, name); });
 }
 
+bool is_drawn(const PartRequest& parts, const std::string& name) {
+  return (parts.only.empty() || any_fits(parts.only, name)) && !any_fits(parts.hide, name);
+}
+
 /// Leaves out and moves objects, which are numbered from `first_number` on.
 void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_number, double unit_mm) {
   std::vector<std::uint8_t> keep(scene.objects.size());
   for (std::size_t i = 0; i < keep.size(); ++i) {
     const std::string name = object_name(scene.objects[i], first_number + i);
-    keep[i] = (parts.only.empty() || any_fits(parts.only, name)) && !any_fits(parts.hide, name);
+    keep[i] = is_drawn(parts, name);
     Point3 by{0, 0, 0};
     for (const PartMove& move : parts.moves) {
       if (name_fits(move.pattern, name)) by += move.units + move.mm / unit_mm;
@@ -41,7 +45,8 @@ void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_numb
   if (std::find(keep.begin(), keep.end(), 0) != keep.end()) keep_objects(scene, keep, first_number);
 }
 
-ReadOptions read_options(const ModelRequest& request) {
+/// `first_number`: that of the file's first object. The request must outlive the options.
+ReadOptions read_options(const ModelRequest& request, std::size_t first_number) {
   ReadOptions options;
   options.pose = request.pose;
   options.groups = request.tell_parts || request.parts.asked();
@@ -49,6 +54,12 @@ ReadOptions read_options(const ModelRequest& request) {
   if (request.quality == Quality::exact) {
     options.weld_distance = request.weld_distance.value_or(0);
     options.merge_coplanar = request.merge_coplanar;
+  }
+  options.subdivision = request.subdivision;
+  if (request.parts.asked()) {
+    options.is_subdivided = [&request, first_number](const Object& object, std::size_t i) {
+      return is_drawn(request.parts, object_name(object, first_number + i));
+    };
   }
   return options;
 }
@@ -92,6 +103,7 @@ const std::string* compiled_file(const ModelRequest& request) {
   if (parts.asked()) throw RequestError(!parts.only.empty() ? "only" : !parts.hide.empty() ? "hide" : "move", whole);
   if (request.weld_distance) throw RequestError("weld", whole);
   if (request.merge_coplanar) throw RequestError("merge-coplanar", whole);
+  if (request.subdivision) throw RequestError("subdivide", whole);
   return &*found;
 }
 
@@ -127,7 +139,7 @@ LoadedModels load_models(const ModelRequest& request) {
   for (const std::string& name : request.files) {
     ModelFile& file = models.files.emplace_back();
     file.name = shown_input(name);
-    Scene scene = read_scene(name, read_options(request), file.warnings, &file.report);
+    Scene scene = read_scene(name, read_options(request, models.object_names.size()), file.warnings, &file.report);
     scene = choose_and_heal(request, file, models, std::move(scene));
     if (models.files.size() == 1) {
       models.scene = std::move(scene);
@@ -158,7 +170,7 @@ LoadedModels load_model(const ModelRequest& request, Scene scene, const std::str
   file.name = name;
   file.report.faces = scene.faces.size();
   file.report.vertices = scene.vertices.size();
-  clean_read_scene(scene, name, read_options(request), file.warnings);
+  clean_read_scene(scene, name, read_options(request, 0), file.warnings, file.report);
   models.scene = choose_and_heal(request, file, models, std::move(scene));
   check_parts(models, request.parts);
   return models;

@@ -12,6 +12,7 @@
 #include "scene/model/diagnostics.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/readers/read_report.hpp"
+#include "scene/subdivision/subdivide.hpp"
 #include "visibility/method.hpp"
 
 namespace ligne {
@@ -42,6 +43,7 @@ struct ModelRequest {
   bool merge_coplanar = false;      ///< put coplanar neighbouring faces together into polygons
   std::optional<ScenePose> pose{};  ///< the moment of an animation of glTF files
   Quality quality = Quality::clear;
+  std::optional<Subdivision> subdivision{};  ///< polygons are control meshes: their limit surfaces are drawn
   bool shading = true;  ///< clear lines: creases are asked for, so what a file says of smooth and sharp edges counts
 };
 

@@ -135,6 +135,15 @@ std::optional<double> parse_weld(const std::string& text) {
   return text == "off" ? 0 : parse_positive(text);
 }
 
+Subdivision parse_subdivision(const std::string& text) {
+  constexpr std::string_view kSchemeNames[] = {"catmull-clark", "loop"};
+  const std::size_t colon = text.find(':');
+  Subdivision subdivision;
+  subdivision.scheme = static_cast<SubdivisionScheme>(parse_choice(text.substr(0, colon), kSchemeNames));
+  if (colon != std::string::npos) subdivision.levels = parse_count(text.substr(colon + 1), 1, kMostSubdivisionLevels);
+  return subdivision;
+}
+
 double parse_dpi(const std::string& text) { return parse_within(text, kLowestDpi, kHighestDpi, "dots per inch"); }
 
 FillKind parse_fill(const std::string& text) { return static_cast<FillKind>(parse_choice(text, kFillNames)); }

@@ -39,6 +39,8 @@ ProfileKind parse_profile(const std::string& text);
 ScenePose parse_pose(const std::string& text);
 /// "auto", "off" (0) or a distance.
 std::optional<double> parse_weld(const std::string& text);
+/// "SCHEME" or "SCHEME:LEVELS".
+Subdivision parse_subdivision(const std::string& text);
 /// Dots per inch that a PNG may have.
 double parse_dpi(const std::string& text);
 

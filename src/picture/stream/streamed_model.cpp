@@ -77,6 +77,7 @@ std::string why_not_streamed(const ModelRequest& model, const PictureRequest& pi
     return "it would have one part";
   }
   if (model.weld_distance.value_or(0) > 0) return "--weld needs all vertices";
+  if (model.subdivision) return "--subdivide needs whole meshes";
   if (model.merge_coplanar) return "--merge-coplanar needs whole faces";
   if (picture.view.camera) return "such files have no camera";
   return {};

@@ -17,14 +17,10 @@
 namespace ligne {
 namespace {
 
-constexpr char kDegenerate[] = "faces with fewer than three distinct vertices dropped";
-constexpr char kNotFinite[] = "faces with vertices that are not finite dropped";
+constexpr char kNoArea[] = "faces that are not planar and have no area dropped";
 constexpr char kHole[] = "holes with fewer than three distinct vertices dropped";
 constexpr char kNotPlanar[] = "faces that are not planar cut into triangles";
 constexpr char kCrossing[] = "faces whose contours cross, or with holes outside, are not filled as a whole";
-constexpr char kNoArea[] = "faces that are not planar and have no area dropped";
-
-/// Triangles that one task visits.
 
 /// Dropped faces, by cause.
 struct Dropped {
@@ -34,15 +30,6 @@ struct Dropped {
     return {a.degenerate + b.degenerate, a.not_finite + b.not_finite, a.no_area + b.no_area};
   }
 };
-
-/// A scene without objects is one object.
-void own_everything(Scene& scene) {
-  if (!scene.objects.empty() || (scene.vertices.empty() && scene.faces.empty())) return;
-  Object object;
-  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
-  object.face_end = static_cast<std::uint32_t>(scene.faces.size());
-  scene.objects.push_back(object);
-}
 
 [[maybe_unused]] bool ranges_cover(const Scene& scene) {
   std::uint32_t vertex = 0, face = 0;
@@ -227,6 +214,14 @@ class PolygonCleaner {
 
 }  // namespace
 
+void own_everything(Scene& scene) {
+  if (!scene.objects.empty() || (scene.vertices.empty() && scene.faces.empty())) return;
+  Object object;
+  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
+  object.face_end = static_cast<std::uint32_t>(scene.faces.size());
+  scene.objects.push_back(object);
+}
+
 void finish_scene(Scene& scene, Warnings& warnings) {
   own_everything(scene);
   assert(ranges_cover(scene));
@@ -236,8 +231,8 @@ void finish_scene(Scene& scene, Warnings& warnings) {
     dropped =
         scene.faces.all_triangles() ? clean_triangles(scene, weld, warnings) : PolygonCleaner(scene, weld, warnings).run();
   }
-  warnings.add(kDegenerate, dropped.degenerate);
-  warnings.add(kNotFinite, dropped.not_finite);
+  warnings.add(kDegenerateFaces, dropped.degenerate);
+  warnings.add(kFacesNotFinite, dropped.not_finite);
   warnings.add(kNoArea, dropped.no_area);
   drop_unused_vertices(scene);
 }

@@ -6,6 +6,13 @@
 
 namespace ligne {
 
+/// Warnings of faces that are left out.
+inline constexpr char kDegenerateFaces[] = "faces with fewer than three distinct vertices dropped";
+inline constexpr char kFacesNotFinite[] = "faces with vertices that are not finite dropped";
+
+/// Makes one object of a scene without objects.
+void own_everything(Scene& scene);
+
 /// Welds the vertices of each object that have equal positions, drops faces that have fewer than three distinct vertices
 /// (and repeated corners, and contours that collapse), triangulates faces that are not planar within the precision of
 /// their object, says which faces lose area because their contours cross, and drops vertices that are not finite together

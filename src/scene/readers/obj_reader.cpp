@@ -27,8 +27,8 @@ namespace {
 /// Makes objects from the library's callbacks. Objects own their vertices: one that several use is stored in each.
 class ObjScene {
  public:
-  ObjScene(const std::string& name, ReadReport& report, ObjStatements& stream, FileShading* shading)
-      : builder_(name, report), stream_(stream), shading_(shading) {
+  ObjScene(const std::string& name, ReadReport& report, ObjStatements& stream, FileShading* shading, CreaseTags* tags)
+      : builder_(name, report), stream_(stream), shading_(shading), tags_(tags) {
     builder_.begin_object("");
   }
 
@@ -67,7 +67,7 @@ class ObjScene {
       if (!std::isfinite(p.x + p.y + p.z)) return stream_.fail("surf whose weights come to nothing");
     }
     std::vector<std::uint32_t> at;
-    for (const Point3& point : grid.points) at.push_back(builder_.add_vertex(point));
+    for (const Point3& point : grid.points) at.push_back(add_vertex(point, kNone));
     for (std::size_t j = 1; j < grid.rows; ++j) {
       for (std::size_t i = 1; i < grid.columns; ++i) {
         const std::size_t a = (j - 1) * grid.columns + i - 1, b = a + 1, c = b + grid.columns, d = c - 1;
@@ -114,10 +114,20 @@ class ObjScene {
     if (known == kNone) {
       const ObjVertex& vertex = stream_.vertices()[index];
       for (int k = 0; k < 3; ++k) precision_.add(vertex.digits, vertex.position[k]);
-      known = builder_.add_vertex(vertex.position);
+      known = add_vertex(vertex.position, static_cast<std::uint32_t>(index));
       used_.push_back(index);
     }
     return known;
+  }
+
+  /// `file_vertex`: its number in the file, from 0, or kNone.
+  std::uint32_t add_vertex(const Point3& position, std::uint32_t file_vertex) {
+    const std::uint32_t vertex = builder_.add_vertex(position);
+    if (tags_) {
+      tags_->file_vertex.resize(vertex, kNone);  // an object without faces has taken its vertices with it
+      tags_->file_vertex.push_back(file_vertex);
+    }
+    return vertex;
   }
 
   void end_object() {
@@ -130,6 +140,7 @@ class ObjScene {
   SceneBuilder builder_;
   ObjStatements& stream_;
   FileShading* shading_;  ///< or nullptr
+  CreaseTags* tags_;      ///< or nullptr
   std::vector<std::uint32_t> face_;
   std::vector<std::uint32_t> scene_index_;  ///< per vertex of the file: its copy in the object, or kNone
   std::vector<std::size_t> used_;           ///< vertices of the file that the object has a copy of
@@ -139,9 +150,10 @@ class ObjScene {
 }  // namespace
 
 Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
-               FileShading* shading, bool groups_as_objects, const std::filesystem::path& folder) {
+               FileShading* shading, bool groups_as_objects, const std::filesystem::path& folder, CreaseTags* tags) {
   ObjStatements statements(as_text(bytes, name), name, shading != nullptr, groups_as_objects, warnings);
-  ObjScene scene(name, report, statements, shading);
+  ObjScene scene(name, report, statements, shading, tags);
+  statements.tags = tags;
   statements.on_patch = [&](const ObjPatch& patch) { scene.add_patch(patch); };
   std::istream stream(&statements);
   stream.exceptions(std::ios::badbit);  // no memory for a statement is no end of the file

@@ -6,6 +6,7 @@
 
 #include "scene/creases/file_shading.hpp"
 #include "scene/model/precision.hpp"
+#include "scene/readers/obj_tags.hpp"
 
 namespace ligne {
 namespace {
@@ -112,6 +113,11 @@ bool ObjStatements::delivered() {
     return false;
   }
   std::string cause;
+  if (keyword == "t" && tags) {
+    take_tag(rest, *tags, warnings_, cause);
+    if (!cause.empty()) fail(cause);
+    return false;
+  }
   if (!surfaces_.take(keyword, rest, vertices_.size(), cause)) leave_out(keyword);
   if (!cause.empty()) fail(cause);
   if (const std::optional<ObjPatch> patch = surfaces_.closed(); patch && on_patch) on_patch(*patch);
@@ -137,6 +143,7 @@ void ObjStatements::leave_out(std::string_view keyword) {
   if (std::ranges::find(kPassedOver, keyword) != kPassedOver.end()) return;
   if (keyword == "l") return warnings_.leave_out("lines (l)");
   if (keyword == "p") return warnings_.leave_out("points (p)");
+  if (keyword == "t") return warnings_.leave_out("tags of subdivision (t), which --subdivide reads");
   warnings_.leave_out("statements " + shown(keyword));
 }
 

@@ -13,6 +13,7 @@
 #include "scene/model/diagnostics.hpp"
 #include "scene/readers/obj_surfaces.hpp"
 #include "scene/readers/text_lines.hpp"
+#include "scene/subdivision/crease_tags.hpp"
 
 namespace ligne {
 
@@ -34,6 +35,8 @@ class ObjStatements : public std::streambuf {
 
   /// Is given every free-form patch, between the statements that the library sees.
   std::function<void(const ObjPatch&)> on_patch = {};
+  /// Is given the tags of subdivision; nullptr: they are left out.
+  CreaseTags* tags = nullptr;
 
   /// Distinct names of groups, in their order; none where the file has objects.
   std::vector<std::string> groups() const { return has_objects_ ? std::vector<std::string>() : group_names_; }

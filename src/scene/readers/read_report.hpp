@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files/input_file.hpp"
+#include "scene/subdivision/subdivide.hpp"
 
 namespace ligne {
 
@@ -22,6 +23,7 @@ struct ReadReport {
   std::size_t triangles = 0;        ///< after fan triangulation of every face as stored
   std::size_t vertices = 0;         ///< vertices as stored, before welding
   std::vector<std::string> groups;  ///< OBJ without objects: names of its groups
+  SubdivisionReport subdivision{};  ///< what was made of the control meshes, where that was asked for
   InputFiles files;                 ///< opened or named: the model itself, and the buffers of a glTF
 };
 

@@ -38,21 +38,26 @@ void check_size(const Scene& scene, const std::string& name) {
   }
 }
 
-void weld_and_finish(Scene& scene, const ReadOptions& options, Warnings& warnings) {
+void weld_and_finish(Scene& scene, const ReadOptions& options, CreaseTags tags, const std::string& name, Warnings& warnings,
+                     ReadReport& report) {
   if (options.weld_distance > 0) weld_near_vertices(scene, options.weld_distance);
+  if (options.subdivision) {
+    const SubdivisionRequest request{*options.subdivision, options.is_subdivided, options.shading};
+    report.subdivision = subdivide(scene, request, std::move(tags), name, warnings);
+  }
   finish_scene(scene, warnings);
   if (options.merge_coplanar) merge_coplanar_faces(scene);
 }
 
 Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
-               ReadReport& report, Warnings& warnings, const ReadOptions& options, FileShading* shading) {
+               ReadReport& report, Warnings& warnings, const ReadOptions& options, FileShading* shading, CreaseTags* tags) {
   switch (format) {
     case ModelFormat::gltf:
       return read_gltf(bytes, false, folder, name, report, warnings, shading, options.pose);
     case ModelFormat::glb:
       return read_gltf(bytes, true, folder, name, report, warnings, shading, options.pose);
     case ModelFormat::obj:
-      return read_obj(bytes, name, report, warnings, shading, options.groups, folder);
+      return read_obj(bytes, name, report, warnings, shading, options.groups, folder, tags);
     case ModelFormat::stl_ascii:
       return read_stl_ascii(bytes, name, report, warnings);
     case ModelFormat::stl_binary:
@@ -103,22 +108,26 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs:
   counts = ReadReport{};
   counts.format = format;
   FileShading shading;
-  Scene scene = read_raw(bytes, format, folder, name, counts, warnings, options, options.shading ? &shading : nullptr);
+  CreaseTags tags;
+  const bool with_shading = options.shading || options.subdivision;
+  Scene scene = read_raw(bytes, format, folder, name, counts, warnings, options, with_shading ? &shading : nullptr,
+                         options.subdivision ? &tags : nullptr);
   if (scene.faces.empty()) throw InputError(name, no_faces(warnings.left_out()));
   check_size(scene, name);
-  if (options.shading) mark_smooth_edges(scene, shading);
+  if (with_shading) mark_smooth_edges(scene, shading);
   const std::size_t faces = scene.faces.size();
-  weld_and_finish(scene, options, warnings);
+  weld_and_finish(scene, options, std::move(tags), name, warnings, counts);
   if (scene.faces.empty()) {
     throw InputError(name, "none of its " + std::to_string(faces) + " faces has an area: they are lines or points");
   }
   return scene;
 }
 
-void clean_read_scene(Scene& scene, const std::string& name, const ReadOptions& options, Warnings& warnings) {
+void clean_read_scene(Scene& scene, const std::string& name, const ReadOptions& options, Warnings& warnings,
+                      ReadReport& report) {
   if (scene.faces.empty()) throw InputError(name, "holds no faces");
   check_size(scene, name);
-  weld_and_finish(scene, options, warnings);
+  weld_and_finish(scene, options, {}, name, warnings, report);
 }
 
 void append_scene(Scene& a, Scene&& b) {

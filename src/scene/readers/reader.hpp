@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 #include "scene/model/diagnostics.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/readers/read_report.hpp"
+#include "scene/subdivision/subdivide.hpp"
 
 namespace ligne {
 
@@ -23,6 +25,8 @@ struct ReadOptions {
   bool groups = false;              ///< OBJ without objects: its groups are objects
   bool shading = false;             ///< mark the edges that the file calls smooth or sharp (creases/file_shading.hpp)
   std::optional<ScenePose> pose{};  ///< glTF: the moment of an animation; without it, the model as it stands
+  std::optional<Subdivision> subdivision{};  ///< polygons are control meshes: their limit surfaces take their place
+  std::function<bool(const Object&, std::size_t)> is_subdivided{};  ///< by object and number; none: all objects are
 };
 
 /// Format of the bytes, by content; `suffix` (".obj", any case, may be empty) decides between formats without a mark of
@@ -39,8 +43,9 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const std
                  const std::string& name, const ReadOptions& options, Warnings& warnings, ReadReport* report = nullptr);
 
 /// What reading does with a scene as it stands in its file: checks its coordinates, welds and cleans it. `name` stands in
-/// error messages. Throws InputError.
-void clean_read_scene(Scene& scene, const std::string& name, const ReadOptions& options, Warnings& warnings);
+/// error messages. Throws InputError. Adds to the report what was subdivided.
+void clean_read_scene(Scene& scene, const std::string& name, const ReadOptions& options, Warnings& warnings,
+                      ReadReport& report);
 
 /// Puts scene `b` behind scene `a` (several models on one command line).
 void append_scene(Scene& a, Scene&& b);

@@ -1,0 +1,89 @@
+#include "scene/subdivision/subdivision_mesh.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/disjoint_sets.hpp"
+#include "geometry/parallel.hpp"
+#include "scene/model/scene.hpp"
+
+namespace ligne {
+namespace {
+
+/// Flags that an edge has only where all of its sides have them.
+constexpr std::uint8_t kAllMustSay = kCornerFileHidden | kCornerInner;
+
+/// A side of a face, by the vertices at its ends.
+struct FiledSide {
+  std::uint64_t ends;  ///< the lower vertex in the upper half
+  std::uint32_t corner;
+  friend bool operator<(const FiledSide& a, const FiledSide& b) {
+    return a.ends != b.ends ? a.ends < b.ends : a.corner < b.corner;
+  }
+};
+
+std::vector<FiledSide> file_sides(const SubdivisionMesh& mesh) {
+  std::vector<FiledSide> filed(mesh.corners.size());
+  parallel_blocks(filed.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto corner = static_cast<std::uint32_t>(k);
+      const auto [low, high] = std::minmax({mesh.corners[corner], mesh.corners[mesh.next(corner)]});
+      filed[k] = {std::uint64_t{low} << 32 | high, corner};
+    }
+  });
+  parallel_sort(filed.begin(), filed.end());
+  return filed;
+}
+
+/// The corner at vertex v of a side that ends there.
+std::uint32_t corner_at(const SubdivisionMesh& mesh, std::uint32_t side, std::uint32_t v) {
+  return mesh.corners[side] == v ? side : mesh.next(side);
+}
+
+/// Vertices where several fans of faces meet stay where they are.
+void sharpen_where_fans_meet(SubdivisionMesh& mesh, DisjointSets& fans) {
+  std::vector<std::uint32_t> fans_at(mesh.points.size(), 0);
+  for (std::uint32_t k = 0; k < mesh.corners.size(); ++k) fans_at[mesh.corners[k]] += fans.find(k) == k;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (fans_at[v] > 1) mesh.vertex_sharpness[v] = kAlwaysSharp;
+  }
+}
+
+}  // namespace
+
+VertexStars::VertexStars(const SubdivisionMesh& mesh) : begin_(mesh.points.size() + 2, 0), corners_(mesh.corners.size()) {
+  // Counts stand two places further on at first, so that filling moves each begin to where it belongs.
+  for (const std::uint32_t v : mesh.corners) ++begin_[v + 2];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  for (std::uint32_t k = 0; k < mesh.corners.size(); ++k) corners_[begin_[mesh.corners[k] + 1]++] = k;
+}
+
+void connect_edges(SubdivisionMesh& mesh, const SideTags& sides) {
+  const std::vector<FiledSide> filed = file_sides(mesh);
+  DisjointSets fans(mesh.corners.size());
+  mesh.corner_edge.resize(mesh.corners.size());
+  for (std::size_t first = 0, last = 0; first < filed.size(); first = last) {
+    const auto e = static_cast<std::uint32_t>(mesh.edges.size());
+    SubdivisionEdge edge{
+        {static_cast<std::uint32_t>(filed[first].ends >> 32), static_cast<std::uint32_t>(filed[first].ends)},
+        {filed[first].corner, kNone}};
+    float sharpness = 0;
+    std::uint8_t flags = 0, common = kAllMustSay;
+    for (last = first; last < filed.size() && filed[last].ends == filed[first].ends; ++last) {
+      const std::uint32_t corner = filed[last].corner;
+      mesh.corner_edge[corner] = e;
+      sharpness = std::max(sharpness, sides.sharpness[corner]);
+      flags |= sides.flags[corner];
+      common &= sides.flags[corner];
+      if (last == first) continue;
+      if (last == first + 1) edge.sides[1] = corner;
+      for (const std::uint32_t v : edge.ends) fans.join(corner_at(mesh, edge.sides[0], v), corner_at(mesh, corner, v));
+    }
+    mesh.edges.push_back(edge);
+    mesh.edge_sharpness.push_back(last - first == 2 ? sharpness : kAlwaysSharp);
+    mesh.edge_flags.push_back(static_cast<std::uint8_t>((flags & ~kAllMustSay) | common));
+  }
+  sharpen_where_fans_meet(mesh, fans);
+}
+
+}  // namespace ligne

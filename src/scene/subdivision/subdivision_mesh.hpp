@@ -1,0 +1,83 @@
+#pragma once
+/// A mesh of polygons with its edges, as index arrays, for subdivision.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "scene/model/polygon_faces.hpp"
+
+namespace ligne {
+
+enum class SubdivisionScheme : std::uint8_t { catmull_clark, loop };
+
+/// Sharpness of an edge or a vertex that stays sharp at every level.
+inline constexpr float kAlwaysSharp = std::numeric_limits<float>::infinity();
+
+struct SubdivisionEdge {
+  std::array<std::uint32_t, 2> ends{kNone, kNone};   ///< vertices
+  std::array<std::uint32_t, 2> sides{kNone, kNone};  ///< the corners where it begins in its first two faces
+};
+
+/// The faces are cyclic lists of corners, one face after the other. A side of a face is named by the corner where it begins.
+struct SubdivisionMesh {
+  std::vector<Point3> points;           ///< per vertex
+  std::vector<float> vertex_sharpness;  ///< per vertex, 0: smooth
+  std::uint32_t face_size = 0;          ///< corners of each face; 0: the faces have sizes of their own
+  std::vector<std::uint32_t> face_begin,
+      corner_face;                         ///< sizes of their own: first corner per face and the end; face per corner
+  std::vector<std::uint32_t> corners;      ///< vertex per corner
+  std::vector<std::uint32_t> corner_edge;  ///< the edge of each side
+  std::vector<SubdivisionEdge> edges;
+  std::vector<float> edge_sharpness;     ///< per edge, 0: smooth; kAlwaysSharp on borders and where more than two faces meet
+  std::vector<std::uint8_t> edge_flags;  ///< CornerFlag per edge
+
+  std::size_t face_count() const { return face_size ? corners.size() / face_size : face_begin.size() - 1; }
+  std::uint32_t face_of(std::uint32_t corner) const { return face_size ? corner / face_size : corner_face[corner]; }
+  std::uint32_t begin_of(std::uint32_t f) const { return face_size ? f * face_size : face_begin[f]; }
+  std::uint32_t end_of(std::uint32_t f) const { return face_size ? (f + 1) * face_size : face_begin[f + 1]; }
+  std::uint32_t next(std::uint32_t corner) const {
+    const std::uint32_t f = face_of(corner);
+    return corner + 1 == end_of(f) ? begin_of(f) : corner + 1;
+  }
+  std::uint32_t previous(std::uint32_t corner) const {
+    const std::uint32_t f = face_of(corner);
+    return (corner == begin_of(f) ? end_of(f) : corner) - 1;
+  }
+};
+
+/// The corners at each vertex, in ascending order.
+class VertexStars {
+ public:
+  explicit VertexStars(const SubdivisionMesh& mesh);
+  std::span<const std::uint32_t> operator[](std::size_t vertex) const {
+    return std::span(corners_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_, corners_;
+};
+
+/// What is known of each side of the faces of a control mesh, per corner.
+struct SideTags {
+  std::vector<float> sharpness;
+  std::vector<std::uint8_t> flags;  ///< CornerFlag
+};
+
+/// Finds the edges of a mesh whose faces and vertices are there: fills corner_edge, edges, edge_sharpness and edge_flags.
+/// An edge is as sharp as its sharpest side and has the flags of its sides (kCornerFileHidden and kCornerInner where all
+/// have them). Borders and edges of more than two faces are always sharp; so are vertices where fans of faces meet in
+/// nothing but the vertex. Edges are in ascending order of their vertices. O(n log n).
+void connect_edges(SubdivisionMesh& mesh, const SideTags& sides);
+
+/// The next level of a connected mesh: everything but the points. With Catmull and Clark's scheme the vertices are those of
+/// the mesh, then one per edge, then one per face, and face k is the quad at corner k of the mesh, from its vertex over the
+/// middle of its side. With Loop's scheme (triangles) they are those of the mesh, then one per edge, and the faces of
+/// triangle f are those at its three corners and the one in its middle. Edges 2 e and 2 e + 1 are the halves of edge e;
+/// those inside of the faces follow, except where `last` leaves them out: no level is made of it.
+SubdivisionMesh refine(const SubdivisionMesh& mesh, SubdivisionScheme scheme, bool last);
+
+}  // namespace ligne

@@ -1,0 +1,153 @@
+// Sharp and semi-sharp edges, and the tags of files that name them.
+
+#include "control_scenes.hpp"
+#include "scene/readers/reader.hpp"
+
+namespace ligne::subdivision_test {
+namespace {
+
+bool is_on_cube(const Point3& p) { return std::abs(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) - 1) < 1e-12; }
+
+TEST(SharpEdges, KeepACube) {
+  for (const SubdivisionScheme scheme : {kCatmullClark, kLoop}) {
+    const Made made = subdivided(cube_points(), kCube, scheme, 3, creased_cube(kAlwaysSharp));
+    for (const Point3& p : made.scene.vertices) EXPECT_TRUE(is_on_cube(p));
+    for (std::size_t v = 0; v < 8; ++v) EXPECT_EQ(made.scene.vertices[v], cube_points()[v]);
+    EXPECT_EQ(made.report.sharp_edges, 12u);
+    // Each edge of the cube is halved three times, and is a side of two faces.
+    EXPECT_EQ(std::ranges::count_if(made.scene.corner_flags, [](std::uint8_t f) { return f & kCornerSharp; }), 12 * 8 * 2);
+    EXPECT_TRUE(std::ranges::all_of(made.scene.corner_flags,
+                                    [](std::uint8_t f) { return ((f & kCornerSharp) != 0) != ((f & kCornerSmooth) != 0); }));
+  }
+}
+
+TEST(SharpEdges, FromTheFileAreSharp) {
+  Scene scene = scene_of(cube_points(), kCube);
+  scene.corner_flags.assign(24, 0);
+  for (std::size_t k = 0; k < 4; ++k) scene.corner_flags[k] = kCornerSharp;  // the bottom
+  const Made made = subdivided(std::move(scene), kCatmullClark, 3);
+  EXPECT_EQ(made.report.sharp_edges, 4u);
+  // Four edges in a ring are a spline in the plane of the bottom.
+  for (std::size_t v = 0; v < 4; ++v)
+    expect_near(made.scene.vertices[v], cube_points()[v] * Point3(2.0 / 3, 2.0 / 3, 1), 1e-13);
+}
+
+TEST(SemiSharpEdges, OfSharpnessOneAreSharpForOneLevel) {
+  const Made once = subdivided(cube_points(), kCube, kCatmullClark, 4, creased_cube(1));
+  // The cube with its faces cut in four, without creases.
+  std::vector<Point3> points;
+  Polygons quads;
+  std::map<std::tuple<double, double, double>, std::uint32_t> number;
+  const auto vertex = [&](const Point3& p) {
+    const auto [at, is_new] = number.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(points.size()));
+    if (is_new) points.push_back(p);
+    return at->second;
+  };
+  for (const Point3& corner : cube_points()) vertex(corner);
+  for (const auto& face : kCube) {
+    Point3 center(0);
+    for (const std::uint32_t v : face) center += points[v] / 4.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Point3 p = cube_points()[face[k]], next = cube_points()[face[(k + 1) % 4]],
+                   before = cube_points()[face[(k + 3) % 4]];
+      quads.push_back({face[k], vertex((p + next) / 2.0), vertex(center), vertex((p + before) / 2.0)});
+    }
+  }
+  const Made cut = subdivided(points, quads, kCatmullClark, 3);
+  ASSERT_EQ(once.scene.vertices.size(), cut.scene.vertices.size());
+  for (std::size_t v = 0; v < 8; ++v) expect_near(once.scene.vertices[v], cut.scene.vertices[v], 1e-13);
+}
+
+TEST(SemiSharpEdges, LieBetweenSmoothAndSharp) {
+  for (const SubdivisionScheme scheme : {kCatmullClark, kLoop}) {
+    double before = glm::length(subdivided(cube_points(), kCube, scheme, 5).scene.vertices[7]);
+    const Made nearly_smooth = subdivided(cube_points(), kCube, scheme, 5, creased_cube(1e-6f));
+    EXPECT_NEAR(glm::length(nearly_smooth.scene.vertices[7]), before, 1e-5);
+    for (const float sharpness : {0.25f, 0.5f, 1.0f, 1.5f, 2.0f, 3.0f, 4.0f}) {
+      const Made made = subdivided(cube_points(), kCube, scheme, 5, creased_cube(sharpness));
+      const double reach = glm::length(made.scene.vertices[7]);
+      EXPECT_GT(reach, before) << sharpness;
+      EXPECT_LT(reach, std::sqrt(3.0)) << sharpness;
+      before = reach;
+    }
+  }
+}
+
+TEST(SemiSharpEdges, EndInASmoothSurface) {
+  CreaseTags tags;
+  tags.edges = {{0, 1, kAlwaysSharp}};  // a single edge: both of its ends are darts, smooth vertices
+  const Made made = subdivided(cube_points(), kCube, kCatmullClark, 3, tags),
+             smooth = subdivided(cube_points(), kCube, kCatmullClark, 3);
+  EXPECT_EQ(made.report.sharp_edges, 1u);
+  expect_near(made.scene.vertices[7], smooth.scene.vertices[7], 0.02);
+  EXPECT_GT(glm::distance(made.scene.vertices[8], smooth.scene.vertices[8]), 0.1);
+}
+
+TEST(SharpCorners, StayWhereTheyAre) {
+  CreaseTags tags;
+  tags.corners = {{7, kAlwaysSharp}, {0, 1}};
+  const Made made = subdivided(cube_points(), kCube, kCatmullClark, 4, tags),
+             smooth = subdivided(cube_points(), kCube, kCatmullClark, 4);
+  EXPECT_EQ(made.scene.vertices[7], Point3(1, 1, 1));
+  EXPECT_GT(glm::length(made.scene.vertices[0]), glm::length(smooth.scene.vertices[0]) + 0.1);
+  EXPECT_LT(glm::length(made.scene.vertices[0]), std::sqrt(3.0));
+}
+
+constexpr char kObjCube[] =
+    "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
+    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+
+Made read_subdivided(const std::string& text, unsigned levels = 3) {
+  Made made;
+  ReadReport report;
+  ReadOptions options;
+  options.shading = true;
+  options.subdivision = Subdivision{kCatmullClark, levels};
+  made.scene = read_scene(std::as_bytes(std::span(text)), ModelFormat::obj, {}, "M", options, made.warnings, &report);
+  made.report = report.subdivision;
+  return made;
+}
+
+TEST(CreaseTags, OfAnObjNumberVerticesFromZero) {
+  const Made made = read_subdivided(std::string(kObjCube) +
+                                    "t crease 2/1/0 0 1 10\nt crease 5/4/0 1 3 2 0 1 9 0.5 0.5 2\nt corner 1/1/0 7 12\n");
+  EXPECT_EQ(made.report.sharp_edges, 4u);
+  EXPECT_EQ(std::ranges::count(made.scene.vertices, Point3(1, 1, 1)), 1);
+  EXPECT_TRUE(made.warnings.lines().empty());
+}
+
+TEST(CreaseTags, HoldInEveryObject) {
+  const std::string tags = "t crease 2/1/0 0 1 10\n";
+  const std::string text = tags + "o one\n" + kObjCube + "o two\nf 1 3 4 2\nf 1 2 6 5\n";
+  EXPECT_EQ(read_subdivided(text).report.sharp_edges, 2u);
+}
+
+TEST(CreaseTags, AreLeftOutWithoutSubdivision) {
+  const std::string text = std::string(kObjCube) + "t crease 2/1/0 0 1 10\n";
+  Warnings warnings;
+  read_scene(std::as_bytes(std::span(text)), ModelFormat::obj, {}, "M", {}, warnings);
+  expect_parts(warnings.lines().at(0), {"left out: 1 tags of subdivision (t), which --subdivide reads"});
+}
+
+TEST(CreaseTags, ThatNameNothingAreCounted) {
+  const Made made =
+      read_subdivided(std::string(kObjCube) + "t crease 2/1/0 0 7 3\nt crease 2/1/0 100 200 3\nt hole 1/0/0 3\n");
+  EXPECT_EQ(made.report.sharp_edges, 0u);
+  EXPECT_EQ(made.warnings.lines(),
+            (std::vector<std::string>{"2 crease tags name no edge of the model", "left out: 1 tags 'hole'"}));
+}
+
+TEST(CreaseTags, ThatAreWrongHaveALine) {
+  for (const std::string wrong :
+       {"t crease", "t crease 2/1", "t crease 2/1/0 1", "t crease 2/1/0 1 2", "t crease 2/1/0 1 2 x",
+        "t crease 2/2/0 1 2 3 4", "t crease 0/0/0", "t crease 1/1/0 1 2", "t crease 2/1/0 -1 2 3",
+        "t crease 99999999999999999999/1/0 1 2 3", "t crease 4294967290/1/0 1 2 3", "t corner 1/0/0 1"}) {
+    const std::string failure = failure_of([&] { read_subdivided(kObjCube + wrong + "\n"); });
+    expect_parts(failure, {"M:15: tag that is not of the form t c"});
+  }
+  // A sharpness below 0 is none.
+  EXPECT_EQ(read_subdivided(std::string(kObjCube) + "t crease 2/1/0 0 1 -3\n").report.sharp_edges, 0u);
+}
+
+}  // namespace
+}  // namespace ligne::subdivision_test
