@@ -91,6 +91,7 @@ void Occluders::remove_hidden(Polylines& lines, std::vector<std::uint32_t>& pain
       at.assign({0, 1});
       for (const std::uint32_t c : over_) add_crossings(occluders_[c], a, b, at);
       std::sort(at.begin(), at.end());
+      bool goes_on = false;  // the part before, of this segment, is seen
       for (std::size_t n = 1; n < at.size(); ++n) {
         if (at.size() > 2 && at[n] - at[n - 1] <= kLeastPartSeen) continue;
         const Point2 middle = a + (b - a) * ((at[n - 1] + at[n]) / 2);
@@ -98,12 +99,14 @@ void Occluders::remove_hidden(Polylines& lines, std::vector<std::uint32_t>& pain
             std::any_of(over_.begin(), over_.end(), [&](std::uint32_t c) { return hidden_by(occluders_[c], middle); });
         if (hidden) {
           end();
+          goes_on = false;
           continue;
         }
         if (line.empty()) line.push_back(at[n - 1] == 0 ? a : a + (b - a) * at[n - 1]);
-        const bool straight_on = n > 1 && line.size() > 1 && at[n - 1] > 0;
-        if (straight_on) line.pop_back();  // a crossing where nothing ends is no point of the line
+        // A crossing where nothing ends is no point of the line. A corner is one, also if rounding cuts there.
+        if (goes_on) line.pop_back();
         line.push_back(at[n] == 1 ? b : a + (b - a) * at[n]);
+        goes_on = true;
       }
     }
     end();

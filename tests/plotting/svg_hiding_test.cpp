@@ -1,7 +1,9 @@
 /// What clip paths, masks and filled areas of an SVG drawing hide.
 
 #include <chrono>
+#include <random>
 
+#include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "plotting/writers.hpp"
 #include "sample_drawing.hpp"
@@ -295,6 +297,77 @@ TEST(JsonDrawingReader, RefusesWhatIsWrong) {
         deep, std::string("{\"format\":\"ligne-drawing\",\"version\":1,\"page\":{\"width_mm\":0},\"strokes\":[]}")}) {
     EXPECT_THROW(read_json_drawing(wrong, "a.json"), std::runtime_error) << wrong.substr(0, 200);
   }
+}
+
+bool lies_on(const Polylines& lines, Point2 p, double near) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = 1; k < lines[i].size(); ++k) {
+      const Point2 a = lines[i][k - 1], along = lines[i][k] - a;
+      const double squared = glm::dot(along, along);
+      const double t = squared > 0 ? std::clamp(glm::dot(p - a, along) / squared, 0.0, 1.0) : 0;
+      if (glm::distance(p, a + along * t) <= near) return true;
+    }
+  }
+  return false;
+}
+
+std::string rect_text(const char* name, Point2 at, Point2 size, const std::string& more) {
+  std::ostringstream text;
+  text << "<" << name << " x='" << at.x << "' y='" << at.y << "' width='" << size.x << "' height='" << size.y << "' "
+       << more;
+  return text.str();
+}
+
+/// Points on the border of a frame that are drawn and hidden, or neither, by a white area that begins at its corner or side.
+int wrong_points_of_frame(std::mt19937& random) {
+  const auto number = [&](double from, double to) {
+    return std::round(std::uniform_real_distribution<double>(from, to)(random) * 1e4) / 1e4;
+  };
+  const Point2 at{number(20, 40), number(20, 40)}, size{number(10, 40), number(10, 40)};
+  const Point2 white_size{number(5, 50), number(5, 50)};
+  Point2 white{number(5, 80), number(5, 80)};
+  const int side = static_cast<int>(random() % 4), axis = side % 2;
+  white[axis] = side < 2 ? at[axis] + size[axis] : at[axis] - white_size[axis];
+  if (random() % 4 == 0) white[axis] = at[axis];  // inside it, along a side
+  const Point2 shift = random() % 2 ? Point2{number(-9, 9), number(-9, 9)} : Point2{0, 0};
+  const double clip_end = random() % 3 ? 1000 : white.x + white_size.x / 2;
+  const std::string filled = "fill='white' stroke='none'",
+                    clip = "<clipPath id='c'>" +
+                           rect_text("rect", {0, 0}, {clip_end, 100}, "/></clipPath><g clip-path='url(#c)'>");
+  std::ostringstream moved;
+  moved.precision(17);
+  moved << "<g transform='translate(" << shift.x << " " << shift.y << ")'>";
+  const std::string area =
+      random() % 2 ? moved.str() + rect_text("rect", white - shift, white_size, filled + "/></g>")
+                   : rect_text("svg", white, white_size, "><rect width='100%' height='100%' " + filled + "/></svg>");
+  const ReadDrawing drawn = read(rect_text("rect", at, size, "/>") + clip + area + "</g>");
+  Polylines none;
+  const Polylines& lines = drawn.drawing.layers.empty() ? none : drawn.drawing.layers[0].lines;
+  constexpr double kNear = 1e-3;
+  const Point2 low = white, high{std::min(white.x + white_size.x, clip_end), white.y + white_size.y};
+  Polylines frame;
+  frame.add(std::vector<Point2>{at, at + Point2{size.x, 0}, at + size, at + Point2{0, size.y}, at});
+  int wrong = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Point2 a = frame.points[static_cast<std::size_t>(k / 50)], b = frame.points[static_cast<std::size_t>(k / 50) + 1];
+    const Point2 p = a + (b - a) * (k % 50 / 50.0);
+    const double depth = std::min(std::min(p.x - low.x, high.x - p.x), std::min(p.y - low.y, high.y - p.y));
+    // The border of the area hides nothing: half of the ink lies beside it.
+    if (depth > kNear && depth < 2 * kNear) continue;
+    wrong += lies_on(lines, p, kNear) == (depth > kNear);
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = 1; k < lines[i].size(); ++k) wrong += !lies_on(frame, (lines[i][k - 1] + lines[i][k]) / 2.0, kNear);
+  }
+  return wrong;
+}
+
+TEST(SvgReader, AreasThatAbutStrokesTakeNoCorners) {
+  std::mt19937 random(7);
+  const int count = runs_all() ? 10'000 : 400;
+  int wrong = 0;
+  for (int i = 0; i < count; ++i) wrong += wrong_points_of_frame(random) > 0;
+  EXPECT_EQ(wrong, 0) << "of " << count;
 }
 
 }  // namespace
