@@ -55,6 +55,16 @@ std::optional<Matrix> SvgReader::box_of(const pugi::xml_node& node, const Contex
   return Matrix{box.width(), 0, 0, box.height(), box.min.x, box.min.y};
 }
 
+/// The style that an element inherits from those around it, wherever it is used.
+Style SvgReader::style_around(const pugi::xml_node& node, const Viewport& port) const {
+  std::vector<pugi::xml_node> around;
+  for (pugi::xml_node at = node.parent(); at.type() == pugi::node_element; at = at.parent()) around.push_back(at);
+  Style style;
+  bool displayed = true;
+  for (; !around.empty(); around.pop_back()) style = styled(around.back(), style, port, displayed);
+  return style;
+}
+
 /// The clip path of an element, with those around it. An id of nothing clips nothing, as in viewers.
 ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node, const Context& context) {
   const auto found = ids_.find(id);
@@ -62,7 +72,7 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   const pugi::xml_node& path = found->second;
   Context inside = context;
   bool displayed = true;
-  inside.style = styled(path, {}, context.port, displayed);
+  inside.style = styled(path, style_around(path, context.port), context.port, displayed);
   // Its transform is of the units around it, also where its shapes are in those of a box.
   Matrix m = context.to_mm * placing_of(path, inside);
   if (std::string_view(path.attribute("clipPathUnits").value()) == "objectBoundingBox") {
@@ -90,6 +100,19 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   return clip;
 }
 
+/// Beside the clips around it, the region of a mask in user units, outside of which nothing is seen. That of a mask in units
+/// of the box, a tenth larger than the box, cuts nothing but ends of wide strokes, and is not asked about.
+ClipPointer SvgReader::region_of(const pugi::xml_node& mask, const Context& context) {
+  if (std::string_view(mask.attribute("maskUnits").value()) != "userSpaceOnUse") return context.clip;
+  const Attributes numbers = attributes(context);
+  const Viewport& port = context.port;
+  const Point2 at{numbers.x(mask, "x", -0.1 * port.width), numbers.y(mask, "y", -0.1 * port.height)};
+  const Point2 size{numbers.x(mask, "width", 1.2 * port.width), numbers.y(mask, "height", 1.2 * port.height)};
+  Context moved = context;
+  moved.to_mm = context.to_mm * Matrix{1, 0, 0, 1, at.x, at.y};
+  return frame_clip(size.x, size.y, moved);
+}
+
 /// A mask of shapes: what lies under light ones is seen, what lies under dark ones is not, and the last one painted decides.
 ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node, const Context& context) {
   const auto found = ids_.find(id);
@@ -100,10 +123,10 @@ ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node
     return context.clip;
   }
   auto clip = std::make_shared<Clip>();
-  clip->outer = context.clip;
+  clip->outer = region_of(mask, context);
   Context inside = context;
   bool displayed = true;
-  inside.style = styled(mask, {}, context.port, displayed);
+  inside.style = styled(mask, style_around(mask, context.port), context.port, displayed);
   for (const pugi::xml_node& child : mask) {
     const std::string_view name = local_name(child);
     if (child.type() != pugi::node_element || name == "title" || name == "desc" || name == "metadata") continue;
@@ -129,7 +152,9 @@ bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
   const std::string_view name = local_name(node);
   bool displayed = true;
   const Style style = styled(node, context.style, context.port, displayed);
-  if (!displayed || !style.visible) return true;
+  // The opacity of what makes a clip path does not count (CSS Masking 1, 6.1).
+  const bool shows = displayed || (!is_mask && style.opacity == 0);
+  if (!shows || !style.visible) return true;
   if (!style.clip.empty() || links > kMostLinks || name == "text") {
     refuse("clip-path", node);
     return false;

@@ -96,6 +96,8 @@ class SvgReader {
   pugi::xml_node target_of(const pugi::xml_node& use);
   /// What is inside the frame at (0, 0), and inside the clip of the context.
   ClipPointer frame_clip(double width, double height, const Context& context) const;
+  Style style_around(const pugi::xml_node& node, const Viewport& port) const;
+  ClipPointer region_of(const pugi::xml_node& mask, const Context& context);
   ClipPointer clip_of(const std::string& id, const pugi::xml_node& node, const Context& context);
   ClipPointer mask_of(const std::string& id, const pugi::xml_node& node, const Context& context);
   bool add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,

@@ -128,8 +128,11 @@ bool outline_shape(std::string_view name, const pugi::xml_node& node, const Attr
     outline_rect(node, attributes, outline);
   } else if (name == "circle" || name == "ellipse") {
     const Point2 center{attributes.x(node, "cx"), attributes.y(node, "cy")};
-    const double rx = name == "circle" ? attributes.along(node, "r") : attributes.x(node, "rx");
-    const double ry = name == "circle" ? rx : attributes.y(node, "ry");
+    // One radius of an ellipse that is not said is the other one (SVG 2, 10.4).
+    const bool is_circle = name == "circle", has_rx = Attributes::has(node, "rx"), has_ry = Attributes::has(node, "ry");
+    double rx = is_circle ? attributes.along(node, "r") : has_rx ? attributes.x(node, "rx") : 0;
+    const double ry = is_circle ? rx : has_ry ? attributes.y(node, "ry") : rx;
+    if (!is_circle && !has_rx) rx = ry;
     if (rx > 0 && ry > 0) {
       outline.move_to({center.x + rx, center.y});
       outline.arc(center, rx, ry, 0, 0, 2 * std::numbers::pi);

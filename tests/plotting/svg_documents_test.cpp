@@ -225,5 +225,37 @@ TEST(SvgDocuments, ResolutionOfTheInput) {
       << "inches stay inches";
 }
 
+TEST(SvgDocuments, ClipPathsInheritRulesFromWhereTheyStand) {
+  const std::string frame =
+      "<clipPath id='c'><path d='M10 10H90V90H10ZM30 30H70V70H30Z'/></clipPath>"
+      "<path clip-path='url(#c)' d='M0 55H100'/>";
+  EXPECT_EQ(lines_of(read_document("<svg style='clip-rule:evenodd'" + kSize + frame + "</svg>")),
+            (Lines{"1000,5500 3000,5500 ", "7000,5500 9000,5500 "}));
+  EXPECT_EQ(lines_of(read_document("<svg" + kSize + frame + "</svg>")), (Lines{"1000,5500 9000,5500 "}));
+}
+
+TEST(SvgDocuments, OpacityDoesNotCountInClipPathsAndMasksHaveARegion) {
+  EXPECT_EQ(lines_of(read_document("<svg" + kSize +
+                                   "<clipPath id='c'><rect x='20' width='60' height='99' opacity='0'/>"
+                                   "</clipPath><path clip-path='url(#c)' d='M0 50H100'/></svg>")),
+            (Lines{"2000,5000 8000,5000 "}));
+  EXPECT_EQ(lines_of(read_document("<svg" + kSize +
+                                   "<mask id='m' maskUnits='userSpaceOnUse' x='0' y='0' width='50' "
+                                   "height='100'><rect fill='white' width='100' height='100'/></mask>"
+                                   "<path mask='url(#m)' d='M10 50H90'/></svg>")),
+            (Lines{"1000,5000 5000,5000 "}));
+}
+
+TEST(SvgDocuments, OneRadiusOfAnEllipseIsBoth) {
+  const auto drawn = [](const std::string& radii) {
+    return lines_of(read_document("<svg" + kSize + "<ellipse cx='50' cy='50' " + radii + "/></svg>"));
+  };
+  const auto circle = drawn("rx='30' ry='30'");
+  ASSERT_EQ(circle.size(), 1u);
+  EXPECT_EQ(drawn("rx='30'"), circle);
+  EXPECT_EQ(drawn("ry='30' rx='auto'"), circle);
+  EXPECT_TRUE(drawn("").empty());
+}
+
 }  // namespace
 }  // namespace ligne
