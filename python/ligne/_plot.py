@@ -36,6 +36,8 @@ def plot(
     file: Optional[Output] = None,
     *,
     skip: Union[str, Sequence[str], None] = None,
+    strict: bool = False,
+    input_dpi: float = 96,
     fill: Optional[str] = None,
     min_length: Length = 0,
     occlude: Union[bool, str] = False,
