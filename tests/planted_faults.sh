@@ -24,13 +24,13 @@ else
 fi
 tree=$work/tree build=$work/tree/build/faults logs=$work/logs
 
-# programs_of FAULT: the programs that are run, by what the name of the fault begins with. PROGRAM/PART is a folder of tests
-# that is run by itself, and counts as a program.
+# programs_of FAULT: the programs that are run, by what the name of the fault begins with; first those that are likely to
+# notice it and quick. PROGRAM/PART is a folder of tests that is run by itself, and counts as a program.
 programs_of() {
   case $1 in
-    warnock_* | watkins_* | painter_* | bsp_* | newell_* | convex_tree_* | view_*) echo relations_test visibility_test methods_test ;;
-    zbuffer_*) echo visibility_test methods_test cli_test ;;
-    weiler_*) echo relations_test picture_test visibility_test methods_test ;;
+    warnock_* | watkins_* | painter_* | bsp_* | newell_* | convex_tree_* | view_*) echo visibility_test methods_test relations_test ;;
+    zbuffer_*) echo visibility_test cli_test methods_test ;;
+    weiler_*) echo visibility_test picture_test methods_test relations_test ;;
     contour_*) echo contours_test/clear contours_test/contours contours_test/heal picture_test ;;
     clip_*) echo geometry_test "$(programs_of weiler_)" ;;
     horizon_*) echo visibility_test cli_test ;;
@@ -108,23 +108,35 @@ build() {
     { tail -n 30 "$logs/$name.build" >&2; echo "$name does not compile" >&2; exit 1; }
 }
 
-# caught_by NAME PROGRAM...: the programs that fail, with the number of their failing tests. A program that hangs or crashes fails too.
-caught_by() {
-  local name=$1 program log file failed caught=0
-  local fast=()
+# failures FAULT PROGRAM NAME: the program, with the number of its failing tests, when it fails. One that hangs or crashes fails
+# too. Its log has the name.
+failures() {
+  local program=$2 log=$logs/$3.${2/\//.} file failed fast=()
   if [[ -n ${LIGNE_STOP_AFTER:-} ]]; then fast=(--gtest_fail_fast); fi
-  shift
-  for program in "$@"; do
-    log=$logs/$name.${program/\//.}
-    file=$(find "$build/tests" -type f -name "${program%/*}" -perm -u+x)
-    if timeout 900 "$file" "${fast[@]}" --gtest_filter="$(filter_of "$program" "$name")" --gtest_brief=1 >"$log" 2>&1; then continue; fi
-    failed=$(sed -nE 's/^\[  FAILED  \] (.*)\([0-9]+ ms\)$/\1/p' "$log" | sed -E 's/, where .*//; s/ *$//')
-    if ((${#fast[@]} == 0)); then failed=$(grep -c . <<<"$failed" || true); fi
-    if ! grep -q '^\[==========\] .* ran\.' "$log"; then failed="${failed:+$failed, then }stops"; fi
-    echo "$program ($failed)"
-    caught=$((caught + 1))
-    if ((caught == ${LIGNE_STOP_AFTER:-0})); then return; fi
-  done
+  file=$(find "$build/tests" -type f -name "${program%/*}" -perm -u+x)
+  if timeout 900 "$file" "${fast[@]}" --gtest_filter="$(filter_of "$program" "$1")" --gtest_brief=1 >"$log" 2>&1; then return; fi
+  failed=$(sed -nE 's/^\[  FAILED  \] (.*)\([0-9]+ ms\)$/\1/p' "$log" | sed -E 's/, where .*//; s/ *$//')
+  if ((${#fast[@]} == 0)); then failed=$(grep -c . <<<"$failed" || true); fi
+  if ! grep -q '^\[==========\] .* ran\.' "$log"; then failed="${failed:+$failed, then }stops"; fi
+  echo "$program ($failed)"
+}
+
+# Patch sets no older time, so that the next build sees that a file is as it was.
+plant() { patch -s --no-backup-if-mismatch -d "$tree" -p1 "${@:2}" <"$root/tests/planted_faults/$1.patch"; }
+
+# check_without_fault PROGRAM FAULT: a program that fails without any fault proves nothing. Each selection of tests is run once.
+declare -A sound=()
+check_without_fault() {
+  local program=$1 filter spoilt
+  filter=$program\ $(filter_of "$program" "$2")
+  if [[ -n ${sound[$filter]:-} ]]; then return; fi
+  build none "$program"
+  spoilt=$(failures "$2" "$program" none)
+  if [[ -n $spoilt ]]; then
+    printf 'without any fault this fails, see %s: %s\n' "$logs" "$spoilt" >&2
+    exit 1
+  fi
+  sound[$filter]=1
 }
 
 faults=("$@")
@@ -132,29 +144,30 @@ if ((${#faults[@]} == 0)); then
   for patch in "$root"/tests/planted_faults/*.patch; do faults+=("$(basename "$patch" .patch)"); done
 fi
 
-mapfile -t all < <(for fault in "${faults[@]}"; do programs_of "$fault"; done | tr ' ' '\n' | sort -u)
-mapfile -t all < <(present "${all[@]}")
-build none "${all[@]}"
-spoilt=$(caught_by none "${all[@]}")
-if [[ -n $spoilt ]]; then
-  printf 'without any fault these fail, see %s:\n%s\n' "$logs" "$spoilt" >&2
-  exit 1
-fi
-
 weak=0
 printf '| fault | caught by (failing tests) |\n|---|---|\n'
 for fault in "${faults[@]}"; do
-  patch=$root/tests/planted_faults/$fault.patch
   read -ra programs <<<"$(programs_of "$fault")"
   mapfile -t programs < <(present "${programs[@]}")
-  patch -s --no-backup-if-mismatch -d "$tree" -p1 <"$patch"
-  build "$fault" "${programs[@]}"
-  caught=$(caught_by "$fault" "${programs[@]}")
-  patch -s --no-backup-if-mismatch -R -d "$tree" -p1 <"$patch"
-  # Patch sets no older time, so that the next build sees that the file is as it was.
+  stop=${LIGNE_STOP_AFTER:-${#programs[@]}} caught=()
+  # Programs are built as they are needed: before the fault is planted those that will be run in any case.
+  for program in "${programs[@]:0:stop}"; do check_without_fault "$program" "$fault"; done
+  plant "$fault"
+  for program in "${programs[@]}"; do
+    if [[ -z ${sound[$program $(filter_of "$program" "$fault")]:-} ]]; then
+      plant "$fault" -R
+      check_without_fault "$program" "$fault"
+      plant "$fault"
+    fi
+    build "$fault" "$program"
+    noticed=$(failures "$fault" "$program" "$fault")
+    if [[ -n $noticed ]]; then caught+=("$noticed"); fi
+    if ((${#caught[@]} >= stop)); then break; fi
+  done
+  plant "$fault" -R
   # shellcheck disable=SC2016  # the quotes are those of the table
-  printf '| `%s` | %s |\n' "$fault" "$(paste -sd, <<<"$caught" | sed 's/),/), /g')"
-  if (($(grep -c . <<<"$caught" || true) < 2)); then
+  printf '| `%s` | %s |\n' "$fault" "$(printf '%s\n' "${caught[@]}" | paste -sd, | sed 's/),/), /g')"
+  if ((${#caught[@]} < 2)); then
     weak=$((weak + 1))
     echo "$fault is noticed by fewer than two programs" >&2
   fi
