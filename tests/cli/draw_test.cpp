@@ -256,6 +256,36 @@ TEST_F(DrawTest, MergedCoplanarFacesHaveNoLineBetweenThem) {
   EXPECT_EQ(strokes_by_class(drawn({"strip.obj", "--edges", "all", "--merge-coplanar"})).count("mesh"), 0u);
 }
 
+TEST_F(DrawTest, ControlMeshesAreDrawnAsTheirSurfaces) {
+  // The middles of the cube's faces come to 68/81 of their distance from its middle.
+  const auto width = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"cube.obj", "--view", "front", "--scale", "1:1", "--quality", "exact"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return extent(drawn(arguments)).width();
+  };
+  EXPECT_NEAR(width({}), 20, kMicrometre);
+  EXPECT_NEAR(width({"--subdivide", "catmull-clark"}), 20 * 68.0 / 81, kMicrometre);
+  EXPECT_NEAR(width({"--subdivide", "catmull-clark:2"}), 20 * 68.0 / 81, kMicrometre);
+  EXPECT_LT(width({"--subdivide", "loop:3"}), 17.9);
+  // No edge of the surface is a crease.
+  const std::map<std::string, int> strokes = strokes_by_class(drawn({"cube.obj", "--subdivide", "catmull-clark"}));
+  EXPECT_EQ(strokes.size(), 1u);
+  EXPECT_GT(strokes.at("outline"), 0);
+}
+
+TEST_F(DrawTest, OnlyDrawnPartsAreSubdivided) {
+  std::string text = "o small\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\no large\n";
+  for (int i = 0; i < 2000; ++i) text += "f 1 2 3 4\n";
+  write("parts.obj", text);
+  constexpr int kPiecesOfASide = 1 << 7;
+  EXPECT_EQ(strokes_by_class(drawn({"parts.obj", "--subdivide", "catmull-clark:7", "--only", "small"}))["border"],
+            4 * kPiecesOfASide);
+  const Outcome outcome = run({"draw", "parts.obj", "--subdivide", "catmull-clark:7", "-o", "x.svg"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err.rfind("ligne: parts.obj: 7 levels of subdivision would make 65568768 triangles of it", 0), 0u)
+      << outcome.err;
+}
+
 TEST_F(DrawTest, WeldedSeamsAreNoBorders) {
   write("seam.obj",
         "v 0 0 0\nv 10 0 0\nv 20 0 0\nv 0 10 0\nv 10 10 0\nv 20 10 0\nv 10 0.01 0\nv 10 9.99 0\nf 1 2 5 4\nf 7 3 6 8\n");
