@@ -42,6 +42,7 @@ python3-hypothesis   python:hypothesis               the same with made up array
 python3-matplotlib   python:matplotlib               recipes of docs/python.md
 python3-shapely      python:shapely                  the same
 python3-markdown     python:markdown                 the pages as a web site
+mypy                 cmd:mypy                        types of the Python module
 '
 readonly check_packages='
 git                  cmd:git                         names of the sources, and which have changed

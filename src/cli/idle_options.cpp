@@ -13,7 +13,8 @@ namespace {
 constexpr unsigned bit(OutputFormat format) { return 1u << static_cast<unsigned>(format); }
 constexpr unsigned kSvg = bit(OutputFormat::svg), kPng = bit(OutputFormat::png), kJson = bit(OutputFormat::json),
                    kPaper = kSvg | bit(OutputFormat::pdf) | kPng,
-                   kDrawn = kPaper | bit(OutputFormat::hpgl) | bit(OutputFormat::gcode), kAll = kDrawn | kJson;
+                   kPlotted = bit(OutputFormat::hpgl) | bit(OutputFormat::gcode), kDrawn = kPaper | kPlotted,
+                   kAll = kDrawn | kJson;
 
 /// Words among those that an option needs, beside names of options.
 constexpr std::string_view kPens = "pens", kNoPens = "no-pens", kSvgInput = "svg";
@@ -23,13 +24,19 @@ struct OptionUse {
   std::string_view commands;  ///< separated by blanks
   std::string_view option;
   unsigned formats = kAll;
-  std::string_view needs{};  ///< one of these options, or one of the words above; empty: nothing
+  std::string_view needs{};   ///< one of these options, or one of the words above; empty: nothing
+  unsigned needed_in = kAll;  ///< formats in which it needs them
 };
 
 constexpr OptionUse kUses[] = {
     {"draw surface plot", "--dpi", kPng},
     {"draw surface", "--curves", kPaper, kNoPens},
     {"plot", "--curves", kPaper},
+    {"draw", "--profile", kAll, "--pens --pen", kPlotted},
+    {"surface", "--pen-width", kAll,
+     "--hatch --hachures --water-fill --grid --method --contours --contour-step --outline --parametric --points --curve",
+     kPlotted | kJson},
+    {"plot", "--pen-width", kAll, "--hatch --hatch-spacing --hatch-angle --hatch-cross --fill --occlude", kPlotted},
     {"draw", "--title", kSvg | bit(OutputFormat::pdf)},
     {"surface", "--title", kDrawn},
     {"draw", "--group", kSvg | kJson, kNoPens},
@@ -47,7 +54,7 @@ constexpr OptionUse kUses[] = {
     {"surface", "--z-names", kAll, "--axes"},
     {"surface", "--index-contours", kPaper},
     {"surface", "--points", kDrawn},
-    {"surface", "--colors", kDrawn},
+    {"surface", "--colors", kPaper, kNoPens},
     {"surface", "--sun", kAll, "--hachures"},
     {"plot", "--margin", kAll, "--scale --tile --grid"},
     {"plot", "--skip", kAll, kSvgInput},
@@ -102,7 +109,7 @@ std::vector<IdleOption> idle_options(const CommandUse& use) {
           {std::string(row.option), "does nothing in " + std::string(format) + ", only in " + names_of(row.formats)});
       continue;
     }
-    std::vector<std::string_view> needs = words_of(row.needs);
+    std::vector<std::string_view> needs = words_of(row.needed_in & bit(use.format) ? row.needs : std::string_view());
     if (needs.empty() || std::ranges::any_of(needs, [&](std::string_view need) { return holds(need, use); })) continue;
     std::ranges::transform(needs, needs.begin(), phrase_of);
     idle.push_back({std::string(row.option), "does nothing without " + list_of(needs)});

@@ -3,6 +3,8 @@
 import gc
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -49,6 +51,35 @@ def test_ctrl_c_ends_the_work(method):
         timer.start()
         for _ in range(1000):
             ligne.draw(mesh, edges="all", method=method)
+
+
+LONG_DRAWING = """
+import sys
+import numpy as np
+import ligne
+sys.path.insert(0, sys.argv[1])
+from conftest import grid_mesh
+mesh = ligne.Mesh(*grid_mesh(300), quality="exact")
+print("begins", flush=True)
+while True:
+    ligne.draw(mesh, edges="all", method="newell")
+"""
+KILLED_AFTER_S = 120  # a process that nothing stops must not hold up the tests
+
+
+def test_ctrl_c_ends_a_process_that_draws():
+    """A script that never ends by itself is ended by one interrupt, with Python's own traceback."""
+    line = [sys.executable, "-c", LONG_DRAWING, os.path.dirname(__file__)]
+    with subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout.readline() == "begins\n"
+            time.sleep(0.5)  # it is somewhere in a drawing
+            process.send_signal(signal.SIGINT)
+            _, errors = process.communicate(timeout=KILLED_AFTER_S)
+        finally:
+            process.kill()
+    assert process.returncode == -signal.SIGINT
+    assert errors.rstrip().endswith("KeyboardInterrupt")
 
 
 def test_the_lock_is_given_up():

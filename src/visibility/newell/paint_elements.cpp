@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/disjoint_sets.hpp"
+#include "geometry/stop.hpp"
 #include "visibility/common/paint_pieces.hpp"
 
 namespace ligne::newell {
@@ -73,6 +74,7 @@ PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements*
   std::stable_sort(others.begin(), others.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return pieces_.face(a) < pieces_.face(b); });
   for (std::size_t i = 0; i < others.size(); ++i) {
+    check_stop();
     parts.push_back(others[i]);
     if (i + 1 < others.size() && pieces_.face(others[i + 1]) == pieces_.face(others[i])) continue;
     add(pieces_.face(others[i]), parts);

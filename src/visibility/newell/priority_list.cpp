@@ -52,7 +52,10 @@ PriorityList::PriorityList(PaintElements& elements, bool keep_sets)
   std::iota(by_depth.begin(), by_depth.end(), 0u);
   std::stable_sort(by_depth.begin(), by_depth.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return farthest(a) < farthest(b); });
-  for (const std::uint32_t i : by_depth) levels_.add(i, elements[i].extents);
+  for (const std::uint32_t i : by_depth) {
+    check_stop();
+    levels_.add(i, elements[i].extents);
+  }
   for (std::uint32_t i = 0; i < elements.size(); ++i) note(i);
   // An earlier list keeps its order: none of it counts as farther than what stands before it.
   double reach = std::numeric_limits<double>::infinity();
@@ -81,6 +84,7 @@ std::vector<std::uint32_t> PriorityList::sort() {
   waiting[0].resize(elements_.size());
   std::iota(waiting[0].begin(), waiting[0].end(), 0u);
   while (!waiting.empty()) {
+    check_stop();
     const Set set = std::move(waiting.back());
     waiting.pop_back();
     if (set.size() == 1) {
@@ -96,6 +100,7 @@ std::vector<std::uint32_t> PriorityList::sort() {
 /// `waiting`, since it is painted first.
 bool PriorityList::decompose(const Set& set, std::vector<Set>& waiting) {
   for (const int axis : {2, 0, 1}) {
+    check_stop();
     Set by_low = set;
     std::sort(by_low.begin(), by_low.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::pair(elements_[a].extents.low[axis], a) < std::pair(elements_[b].extents.low[axis], b);
