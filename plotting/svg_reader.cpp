@@ -307,6 +307,8 @@ void SvgReader::follow_use(const pugi::xml_node& node, const Context& context) {
   inside.to_mm = context.to_mm * Matrix{1, 0, 0, 1, attributes(context).x(node, "x"), attributes(context).y(node, "y")};
   ++inside.depth;
   ++inside.links;
+  inside.style.context_fill = context.style.fill;
+  inside.style.context_stroke = context.style.stroke;
   const std::string_view name = local_name(target);
   if (name != "symbol" && name != "svg") return walk(target, inside);
   if (++linked_ > kMostLinked) fail(node, "<use> shows more than a million elements");

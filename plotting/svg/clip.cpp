@@ -96,12 +96,39 @@ std::size_t Area::row(double y) const {
       std::clamp((y - box_.min.y) / height * static_cast<double>(rows_.size()), 0.0, static_cast<double>(rows_.size() - 1)));
 }
 
+Polylines Area::contours_near(const Rect& box) const {
+  Polylines all;
+  if (edges_.empty() || box.min.y > box_.max.y || box.max.y < box_.min.y) return all;
+  std::vector<std::uint32_t> near;
+  for (std::size_t r = row(box.min.y); r <= row(box.max.y); ++r) {
+    count(rows_[r].size() + 1);
+    for (const std::uint32_t i : rows_[r]) {
+      const Edge& e = edges_[i];
+      if (std::max(e.a.x, e.b.x) < box.min.x || std::min(e.a.x, e.b.x) > box.max.x) continue;
+      if (std::max(e.a.y, e.b.y) < box.min.y || std::min(e.a.y, e.b.y) > box.max.y) continue;
+      near.push_back(i);
+    }
+  }
+  std::ranges::sort(near);
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  std::vector<Point2> line;
+  for (const std::uint32_t i : near) {
+    const Edge& e = edges_[i];
+    if (!line.empty() && line.back() != e.a) add(all, line);
+    if (line.empty()) line.push_back(e.a);
+    line.push_back(e.b);
+    if (e.b == line.front()) add(all, line);
+  }
+  add(all, line);
+  return all;
+}
+
 bool Area::contains(Point2 p) const { return place_of(p) != Place::outside; }
 bool Area::surrounds(Point2 p) const { return place_of(p) == Place::inside; }
 
 bool Clip::shows(Point2 p) const {
   for (std::size_t i = any_of.size(); i-- > 0;) {
-    if (any_of[i].contains(p)) return opens.empty() || opens[i];
+    if (open ? any_of[i].surrounds(p) : any_of[i].contains(p)) return opens.empty() || opens[i];
   }
   return false;
 }

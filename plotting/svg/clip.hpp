@@ -28,6 +28,8 @@ class Area {
   bool surrounds(Point2 p) const;  ///< not the rim
   /// Parameters of the segment, in (0, 1), at which it crosses the contours; appends them.
   void crossings(Point2 a, Point2 b, std::vector<double>& out) const;
+  /// The parts of the closed contours whose edges reach into the box.
+  Polylines contours_near(const Rect& box) const;
   const Rect& box() const { return box_; }
   bool empty() const { return edges_.empty(); }
 
@@ -52,6 +54,7 @@ class Area {
 struct Clip {
   std::vector<Area> any_of;  ///< inside one of these
   std::vector<char> opens;   ///< of a mask: whether an area shows or hides, the last painted decides; empty: all show
+  bool open = false;         ///< the rims of the areas do not belong to it
   std::shared_ptr<const Clip> outer;  ///< and of this; nullptr: nothing more
 
   bool shows(Point2 p) const;  ///< without the outer ones

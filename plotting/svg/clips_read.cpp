@@ -1,5 +1,6 @@
 /// Clip paths and masks of an SVG, as areas on the page.
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "plotting/svg/endless_work.hpp"
@@ -55,13 +56,15 @@ std::optional<Matrix> SvgReader::box_of(const pugi::xml_node& node, const Contex
   return Matrix{box.width(), 0, 0, box.height(), box.min.x, box.min.y};
 }
 
-/// The style that an element inherits from those around it, wherever it is used.
-Style SvgReader::style_around(const pugi::xml_node& node, const Viewport& port) const {
-  std::vector<pugi::xml_node> around;
-  for (pugi::xml_node at = node.parent(); at.type() == pugi::node_element; at = at.parent()) around.push_back(at);
+Style SvgReader::style_around(const pugi::xml_node& node, const Viewport& port) {
+  const pugi::xml_node parent = node.parent();
+  if (const auto known = styles_around_.find(parent.internal_object()); known != styles_around_.end()) return known->second;
+  std::vector<pugi::xml_node> parents;
+  for (pugi::xml_node at = parent; at && at.type() == pugi::node_element; at = at.parent()) parents.push_back(at);
   Style style;
   bool displayed = true;
-  for (; !around.empty(); around.pop_back()) style = styled(around.back(), style, port, displayed);
+  for (auto outer = parents.rbegin(); outer != parents.rend(); ++outer) style = styled(*outer, style, port, displayed);
+  styles_around_.emplace(parent.internal_object(), style);
   return style;
 }
 
@@ -100,17 +103,25 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   return clip;
 }
 
-/// Beside the clips around it, the region of a mask in user units, outside of which nothing is seen. That of a mask in units
-/// of the box, a tenth larger than the box, cuts nothing but ends of wide strokes, and is not asked about.
-ClipPointer SvgReader::region_of(const pugi::xml_node& mask, const Context& context) {
-  if (std::string_view(mask.attribute("maskUnits").value()) != "userSpaceOnUse") return context.clip;
-  const Attributes numbers = attributes(context);
-  const Viewport& port = context.port;
-  const Point2 at{numbers.x(mask, "x", -0.1 * port.width), numbers.y(mask, "y", -0.1 * port.height)};
-  const Point2 size{numbers.x(mask, "width", 1.2 * port.width), numbers.y(mask, "height", 1.2 * port.height)};
-  Context moved = context;
-  moved.to_mm = context.to_mm * Matrix{1, 0, 0, 1, at.x, at.y};
-  return frame_clip(size.x, size.y, moved);
+/// The region of a mask (SVG 1.1, 14.4), inside the clip of the context. Where the mask tells none, nothing of the element
+/// lies outside. The box of a straight line has no area to be measured in.
+ClipPointer SvgReader::region_of(const pugi::xml_node& mask, const pugi::xml_node& node, const Context& context) {
+  constexpr const char* kSides[] = {"x", "y", "width", "height"};
+  if (std::ranges::none_of(kSides, [&](const char* side) { return Attributes::has(mask, side); })) return context.clip;
+  Context inside = context;
+  constexpr double kBefore = -0.1, kSide = 1.2;
+  if (std::string_view(mask.attribute("maskUnits").value()) != "userSpaceOnUse") {
+    const std::optional<Matrix> box = box_of(node, context);
+    if (!box || box->a == 0 || box->d == 0) return context.clip;
+    inside.to_mm = context.to_mm * *box;
+    inside.port.width = inside.port.height = 1;
+  }
+  const Attributes given = attributes(inside);
+  const double width = given.x(mask, "width", kSide * inside.port.width),
+               height = given.y(mask, "height", kSide * inside.port.height);
+  const Point2 at{given.x(mask, "x", kBefore * inside.port.width), given.y(mask, "y", kBefore * inside.port.height)};
+  inside.to_mm = inside.to_mm * Matrix{1, 0, 0, 1, at.x, at.y};
+  return frame_clip(std::max(width, 0.0), std::max(height, 0.0), inside);
 }
 
 /// A mask of shapes: what lies under light ones is seen, what lies under dark ones is not, and the last one painted decides.
@@ -123,13 +134,14 @@ ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node
     return context.clip;
   }
   auto clip = std::make_shared<Clip>();
-  clip->outer = region_of(mask, context);
+  clip->outer = region_of(mask, node, context);
   Context inside = context;
   bool displayed = true;
   inside.style = styled(mask, style_around(mask, context.port), context.port, displayed);
   for (const pugi::xml_node& child : mask) {
     const std::string_view name = local_name(child);
     if (child.type() != pugi::node_element || name == "title" || name == "desc" || name == "metadata") continue;
+    displayed = true;
     const Style style = styled(child, inside.style, context.port, displayed);
     if (!displayed) continue;
     Polylines lines;
@@ -152,9 +164,8 @@ bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
   const std::string_view name = local_name(node);
   bool displayed = true;
   const Style style = styled(node, context.style, context.port, displayed);
-  // The opacity of what makes a clip path does not count (CSS Masking 1, 6.1).
-  const bool shows = displayed || (!is_mask && style.opacity == 0);
-  if (!shows || !style.visible) return true;
+  // A clip path is an outline: its opacity says nothing (CSS Masking 1, 6.1).
+  if (!(is_mask ? displayed : style.displayed) || !style.visible) return true;
   if (!style.clip.empty() || links > kMostLinks || name == "text") {
     refuse("clip-path", node);
     return false;

@@ -157,6 +157,33 @@ void SvgReader::remove_hidden() {
   }
 }
 
+/// Where clip paths cut an area: the parts of their contours that lie inside it and inside all others. They are borders of
+/// what is seen of the fill, as much as its own contours are.
+Polylines SvgReader::clip_borders(const Polylines& contours, const Context& context) const {
+  Polylines borders;
+  const Area area(contours, context.style.fill_even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
+  Clip inside;
+  inside.any_of = {area};
+  inside.open = true;
+  for (const Clip* clip = context.clip.get(); clip; clip = clip->outer.get()) {
+    if (!std::ranges::all_of(clip->opens, [](char opens) { return opens != 0; })) continue;
+    Polylines lines;
+    for (const Area& part : clip->any_of) append(lines, part.contours_near(area.box()));
+    lines = clipped(lines, inside);
+    for (const Clip* other = context.clip.get(); other; other = other->outer.get()) {
+      if (other != clip) lines = clipped(lines, Clip{other->any_of, other->opens, other->open, nullptr});
+    }
+    if (clip->any_of.size() > 1 && lines.size() > 0) {  // inside a union there is no border
+      std::vector<Occluder> parts;
+      for (const Area& part : clip->any_of) parts.push_back({part, nullptr, 1});
+      std::vector<std::uint32_t> painted(lines.size(), 0);
+      Occluders(parts).remove_hidden(lines, painted);
+    }
+    append(borders, lines);
+  }
+  return borders;
+}
+
 void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked) {
   const Style& style = context.style;
   const std::string color = color_of(*style.fill, node);
@@ -174,7 +201,14 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
     contours.points.insert(contours.points.begin() + contours.begin[i + 1], line.front());
     for (std::size_t k = i + 1; k < contours.begin.size(); ++k) ++contours.begin[k];
   }
-  if (!stroked) add_lines(contours, context, color, 0);
+  if (!stroked) {
+    add_lines(contours, context, color, 0);
+    if (context.clip) {
+      Context cut = context;
+      cut.clip = nullptr;
+      add_lines(clip_borders(contours, context), cut, color, 0);
+    }
+  }
   if (fills_.how == FillReading::How::outline) ++result_.outlined;
   if (fills_.how != FillReading::How::hatch) return;
   std::vector<std::vector<Point2>> area;

@@ -58,12 +58,7 @@ void SvgReader::draw_marker(const pugi::xml_node& marker, const pugi::xml_node& 
   ++context.depth;
   ++context.links;
   bool displayed = true;
-  std::vector<pugi::xml_node> parents;
-  for (pugi::xml_node at = marker.parent(); at && at.type() == pugi::node_element; at = at.parent()) parents.push_back(at);
-  context.style = {};
-  for (auto parent = parents.rbegin(); parent != parents.rend(); ++parent) {
-    context.style = styled(*parent, context.style, context.port, displayed);
-  }
+  context.style = style_around(marker, context.port);
   context.style.context_fill = around.style.fill;
   context.style.context_stroke = around.style.stroke;
   context.style = styled(marker, context.style, context.port, displayed);  // display says nothing of markers

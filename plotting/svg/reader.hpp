@@ -96,10 +96,11 @@ class SvgReader {
   pugi::xml_node target_of(const pugi::xml_node& use);
   /// What is inside the frame at (0, 0), and inside the clip of the context.
   ClipPointer frame_clip(double width, double height, const Context& context) const;
-  Style style_around(const pugi::xml_node& node, const Viewport& port) const;
-  ClipPointer region_of(const pugi::xml_node& mask, const Context& context);
+  /// The style in which an element stands where it is written; for those that are used elsewhere.
+  Style style_around(const pugi::xml_node& node, const Viewport& port);
   ClipPointer clip_of(const std::string& id, const pugi::xml_node& node, const Context& context);
   ClipPointer mask_of(const std::string& id, const pugi::xml_node& node, const Context& context);
+  ClipPointer region_of(const pugi::xml_node& mask, const pugi::xml_node& node, const Context& context);
   bool add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
                       bool is_mask = false);
   void extend_box(const pugi::xml_node& node, const Context& context, const Matrix& to_box, Rect& box);
@@ -109,6 +110,7 @@ class SvgReader {
   void draw_markers(const pugi::xml_node& node, const std::vector<PathVertex>& vertices, const Context& context);
   void draw_marker(const pugi::xml_node& marker, const pugi::xml_node& node, const PathVertex& vertex, bool start,
                    const Context& context);
+  Polylines clip_borders(const Polylines& contours, const Context& context) const;
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);
   void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);
   void draw_text(const pugi::xml_node& node, const Context& context);
@@ -137,6 +139,7 @@ class SvgReader {
   std::map<std::tuple<std::size_t, std::string, double>, std::size_t> parts_;  ///< of layers_[first]
   std::unordered_map<std::string, pugi::xml_node> ids_;
   StyleSheet sheet_;
+  std::unordered_map<const void*, Style> styles_around_;  ///< by the parents of clip paths, masks and markers
   std::size_t linked_ = 0, clip_points_ = 0, boxed_ = 0;
   ClipWork clip_work_ = std::make_shared<std::size_t>(0);
   std::vector<Occluder> occluders_;

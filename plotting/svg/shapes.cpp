@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plotting/svg/endless_work.hpp"
@@ -13,16 +14,20 @@
 namespace ligne::svg {
 namespace {
 
+/// The radii of a rectangle's corners or of an ellipse: one that is lacking, "auto" or negative is as long as the other one
+/// (SVG 2, 7.4).
+std::pair<double, double> radii(const pugi::xml_node& node, const Attributes& attributes) {
+  const double rx = attributes.x(node, "rx"), ry = attributes.y(node, "ry");
+  const bool has_rx = Attributes::has(node, "rx") && rx >= 0, has_ry = Attributes::has(node, "ry") && ry >= 0;
+  return {has_rx ? rx : std::max(ry, 0.0), has_ry ? ry : std::max(rx, 0.0)};
+}
+
 void outline_rect(const pugi::xml_node& node, const Attributes& attributes, Outline& outline) {
   const double x = attributes.x(node, "x"), y = attributes.y(node, "y");
   const double w = attributes.x(node, "width"), h = attributes.y(node, "height");
   if (!(w > 0 && h > 0)) return;
-  double rx = attributes.x(node, "rx"), ry = attributes.y(node, "ry");
-  const bool has_rx = Attributes::has(node, "rx") && rx >= 0, has_ry = Attributes::has(node, "ry") && ry >= 0;
-  if (!has_rx) rx = ry;
-  if (!has_ry) ry = rx;
-  rx = std::clamp(rx, 0.0, w / 2);
-  ry = std::clamp(ry, 0.0, h / 2);
+  const std::pair<double, double> wanted = radii(node, attributes);
+  const double rx = std::clamp(wanted.first, 0.0, w / 2), ry = std::clamp(wanted.second, 0.0, h / 2);
   if (rx == 0 || ry == 0) {
     outline.move_to({x, y});
     for (const Point2 p : {Point2{x + w, y}, {x + w, y + h}, {x, y + h}}) outline.line_to(p);
@@ -128,11 +133,8 @@ bool outline_shape(std::string_view name, const pugi::xml_node& node, const Attr
     outline_rect(node, attributes, outline);
   } else if (name == "circle" || name == "ellipse") {
     const Point2 center{attributes.x(node, "cx"), attributes.y(node, "cy")};
-    // One radius of an ellipse that is not said is the other one (SVG 2, 10.4).
-    const bool is_circle = name == "circle", has_rx = Attributes::has(node, "rx"), has_ry = Attributes::has(node, "ry");
-    double rx = is_circle ? attributes.along(node, "r") : has_rx ? attributes.x(node, "rx") : 0;
-    const double ry = is_circle ? rx : has_ry ? attributes.y(node, "ry") : rx;
-    if (!is_circle && !has_rx) rx = ry;
+    const auto [rx, ry] =
+        name == "circle" ? std::pair(attributes.along(node, "r"), attributes.along(node, "r")) : radii(node, attributes);
     if (rx > 0 && ry > 0) {
       outline.move_to({center.x + rx, center.y});
       outline.arc(center, rx, ry, 0, 0, 2 * std::numbers::pi);

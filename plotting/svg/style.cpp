@@ -267,6 +267,7 @@ class StyleReader {
   void show(bool none, bool clear) {
     none_ = none;
     clear_ = clear;
+    style_.displayed = !none;
     displayed_ = !none && !clear;
   }
 
@@ -313,6 +314,7 @@ Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSh
   style.clip.clear();
   style.mask.clear();
   style.overflow = style.non_scaling = false;
+  style.displayed = true;
   style.opacity = 1;
   style.stop_color.reset();
   style.baseline_shift = 0;

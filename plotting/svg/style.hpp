@@ -41,12 +41,13 @@ struct Style {
   bool round_caps = false;  ///< or square ones: dots show
   bool fill_even_odd = false, clip_even_odd = false;
   std::array<std::string, 3> markers{};               ///< ids of those at the start, in the middle, at the end
-  std::optional<Paint> context_fill, context_stroke;  ///< in a marker: of what it marks
+  std::optional<Paint> context_fill, context_stroke;  ///< of the <use>, or of what a marker marks
   VariablesPointer variables;
   // Not inherited.
   std::optional<Matrix> placing;  ///< its transform
   std::string origin;             ///< of the transform, as it is written
   bool origin_of_box = false;     ///< of the element's own box
+  bool displayed = true;          ///< no display: none
   double opacity = 1;
   std::optional<std::string> stop_color;  ///< of a gradient
   double baseline_shift = 0;              ///< upwards, of the element's units
