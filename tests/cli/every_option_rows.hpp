@@ -32,7 +32,7 @@ inline constexpr OptionRow kDrawRows[] = {
     {"--tangent", "borders", "", kEveryFormat, kOfTheScene},
     {"--min-length", "60", "--hidden solid", kEveryFormat, kNoBits},
     {"--hidden", "solid"},
-    {"--quality", "exact", "", kUnstyledFormats, kOfTheScene},
+    {"--quality", "exact", "", kPlotters, kOfTheScene},
     {"--cull", "", "", kDrawnFormats, kHiddenAnyway},
     {"--only", "box"},
     {"--hide", "box"},
