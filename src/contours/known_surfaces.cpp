@@ -16,7 +16,7 @@ constexpr int kBisections = 30;
 const Patch* surface_at(const SmoothPatch& patch, std::uint32_t triangle) {
   if (!patch.surfaces) return nullptr;
   const std::uint32_t number = patch.surfaces->patch_of[patch.triangles[triangle].face];
-  return number == kNone ? nullptr : &patch.surfaces->list[number];
+  return number == kNone || patch.surfaces->list[number].is_band ? nullptr : &patch.surfaces->list[number];
 }
 
 Point3 facing_normal(const Patch& surface, const Point3& p) {

@@ -9,7 +9,7 @@
 
 namespace ligne {
 
-/// The surface of a triangle of the patch; null where none was found.
+/// The surface of a triangle of the patch; null where none was found, or only a band of a free form.
 const Patch* surface_at(const SmoothPatch& patch, std::uint32_t triangle);
 
 /// Unit normal of the surface near p, on the side to which the faces look.

@@ -139,16 +139,17 @@ class PatchFits {
     });
   }
 
-  /// Takes the normal of the surface that was found behind the faces of a sector, if there is one.
+  /// Takes the normal of the surfaces that were found behind the faces of a sector. True where there is one surface, which
+  /// tells how the normal turns: where several meet, their common normal is where a fit begins.
   bool take_known(std::uint32_t s, std::uint32_t turn) {
     if (!patch_.surfaces) return false;
     const auto known = known_normal(scene_, patch_, sectors_.corners(s));
     if (!known) return false;
     const double g = glm::dot(known->normal, to_eye(camera_, sectors_.place(s)));
-    if (!sectors_.any_faces(s, g >= 0)) return true;
+    if (!sectors_.any_faces(s, g >= 0)) return known->turn.has_value();
     patch_.normals[s] = known->normal;
     patch_.g[s] = g;
-    if (!known->turn) return true;
+    if (!known->turn) return false;
     patch_.turns[turn] = *known->turn;
     patch_.fit[s] = turn;
     return true;

@@ -92,5 +92,22 @@ TEST(KnownSurfaces, TurnsAreTheDerivativesOfNormals) {
   }
 }
 
+TEST(KnownSurfaces, BandsOfAFreeFormAreNoSurfacesOfTheirOwn) {
+  // The rings of a paraboloid are cones.
+  std::vector<Corners> polygons;
+  add_grid(polygons, 48, 8, false, [](int u, int v) {
+    const double radius = 4 + v;
+    return on_circle(radius, 2 * kPi * (u % 48) / 48, radius * radius / 20);
+  });
+  FoundPatches dish(polygons);
+  mark_bands(dish.topology, dish.normals, dish.edges, dish.patches);
+  ASSERT_GT(dish.faces().size(), 4u);
+  for (const auto& [number, faces] : dish.faces()) EXPECT_TRUE(dish.patches.list[number].is_band) << number;
+  FoundPatches box(test::rounded_box({6, 5, 4}, 4));
+  mark_bands(box.topology, box.normals, box.edges, box.patches);
+  ASSERT_GT(box.faces().size(), 12u);
+  for (const auto& [number, faces] : box.faces()) EXPECT_FALSE(box.patches.list[number].is_band) << number;
+}
+
 }  // namespace
 }  // namespace ligne::test

@@ -15,8 +15,9 @@ namespace ligne {
 /// Faces that hang together and were tessellated from one surface.
 struct Patch {
   PatchSurface surface;
-  double sag = 0;       ///< median distance of the facets' middles from the surface, model units
-  bool outward = true;  ///< the faces look to the side to which the normals of the surface point
+  double sag = 0;        ///< median distance of the facets' middles from the surface, model units
+  bool outward = true;   ///< the faces look to the side to which the normals of the surface point
+  bool is_band = false;  ///< it runs on into another one as if both were one: bands of a bent tube lie on cones
 };
 
 struct Patches {

@@ -93,6 +93,18 @@ std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& 
   return edges;
 }
 
+void mark_bands(const Topology& topology, std::span<const glm::vec3> normals, std::span<const PatchEdge> edges,
+                Patches& patches) {
+  const double bent = sine_cosine_degrees(kLargestBend).cosine;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Edge& edge = topology.edges[e];
+    if (edge.face1 == kNone || edges[e] == PatchEdge::tangent || edges[e] == PatchEdge::sharp) continue;
+    const std::uint32_t p = patches.patch_of[edge.face0], q = patches.patch_of[edge.face1];
+    if (p == kNone || q == kNone || p == q) continue;
+    if (glm::dot(normals[edge.face0], normals[edge.face1]) >= bent) patches.list[p].is_band = patches.list[q].is_band = true;
+  }
+}
+
 void drop_loose_tangents(const Topology& topology, const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges) {
   // Per vertex at which tangent edges end: how many do, the exclusive or of their numbers, which is that of the last one
   // left, and whether another line ends there.

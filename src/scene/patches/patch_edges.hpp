@@ -29,6 +29,10 @@ inline constexpr double kLikeCurvature = 0.1;
 std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
                                             const Patches& patches, double sharp_degrees);
 
+/// Marks patches that run on into others (Patch::is_band): over an edge that is neither a line nor a sharp bend.
+void mark_bands(const Topology& topology, std::span<const glm::vec3> normals, std::span<const PatchEdge> edges,
+                Patches& patches);
+
 /// Takes tangent edges out (they are PatchEdge::inside then) that end where no other line begins, and what ends there
 /// without them: their surfaces go over into a free form there. `is_line`: per edge whether it is another line. O(n log n).
 void drop_loose_tangents(const Topology& topology, const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges);
