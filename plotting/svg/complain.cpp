@@ -1,4 +1,4 @@
-/// What a reader of an SVG says of what it can not draw.
+/// Complaints of a reader of SVG: what it leaves out, counted or refused.
 
 #include <algorithm>
 

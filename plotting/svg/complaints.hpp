@@ -1,5 +1,5 @@
 #pragma once
-/// What a reader of an SVG does about what it can not draw. Private to plotting.
+/// Complaints about parts of an SVG that can not be drawn. Private to plotting.
 
 #include <functional>
 #include <string>

@@ -19,7 +19,7 @@
 #include "plotting/svg/clip.hpp"
 #include "plotting/svg/occluder.hpp"
 #include "plotting/svg/shapes.hpp"
-#include "plotting/svg/style.hpp"
+#include "plotting/svg/style/style.hpp"
 
 namespace ligne::svg {
 
@@ -75,7 +75,7 @@ class SvgReader {
   void refuse(std::string_view name, const pugi::xml_node& node);
   /// Counts something of an element that is not drawn, once for each element; `kind` is a noun in the plural.
   void leave_out(const std::string& kind, const pugi::xml_node& node);
-  /// The same; an error of this cause where reading is strict.
+  /// Leaves an element out likewise, or fails with this cause where reading is strict.
   void omit(const std::string& kind, const pugi::xml_node& node, const std::string& cause);
   pugi::xml_node parse(pugi::xml_document& document);
   void survey(const pugi::xml_node& root);

@@ -66,14 +66,14 @@ std::string_view trimmed(std::string_view text);
 /// All numbers of a list with blanks or commas.
 std::vector<double> numbers(std::string_view text);
 
-/// What relative lengths are of, in user units.
+/// Lengths to which relative ones refer, in user units.
 struct Viewport {
   double width = 0, height = 0;            ///< of percentages
   double em = 16, rem = 16;                ///< sizes of the fonts of the element and of the root
   double page_width = 0, page_height = 0;  ///< hundred vw and vh
   double px_per_inch = 96;
 
-  /// Of percentages that are neither across nor down (SVG 2, 8.9).
+  /// Length to which percentages refer that are neither across nor down (SVG 2, 8.9).
   double diagonal() const { return std::hypot(width, height) / std::numbers::sqrt2; }
 };
 

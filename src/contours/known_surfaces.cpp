@@ -47,26 +47,24 @@ Point3 nearest_point(const Patch& surface, const Point3& p) {
 
 std::optional<KnownNormal> known_normal(const Scene& scene, const SmoothPatch& patch,
                                         std::span<const std::uint32_t> corners) {
-  const Patch *last = nullptr, *only = nullptr;
-  bool many = false;
-  Point3 first(0.0), sum(0.0);
   const std::uint32_t c0 = corners[0];
   const Point3& at = scene.vertices[patch.triangles[c0 / 3].v[c0 % 3]];
+  const Patch *const common = surface_at(patch, c0 / 3), *last = nullptr;
+  bool is_one = true;
+  Point3 first(0.0), sum(0.0);
   for (const std::uint32_t c : corners) {
     const Patch* surface = surface_at(patch, c / 3);
-    many |= surface != (only ? only : surface_at(patch, c0 / 3));
-    if (!surface) continue;
-    only = only ? only : surface;
-    if (surface == last) continue;
+    is_one &= surface == common;
+    if (!surface || surface == last) continue;
     last = surface;
     const Point3 normal = facing_normal(*surface, at);
     if (first == Point3(0.0)) first = normal;
     if (glm::dot(first, normal) < kTangentCosine) return std::nullopt;
     sum += normal;
   }
-  if (!only) return std::nullopt;
+  if (!last) return std::nullopt;
   KnownNormal known{glm::normalize(sum), std::nullopt};
-  if (!many) known.turn = facing_turn(*only, at);
+  if (is_one) known.turn = facing_turn(*common, at);
   return known;
 }
 

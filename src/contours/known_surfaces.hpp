@@ -21,7 +21,7 @@ NormalTurn facing_turn(const Patch& surface, const Point3& p);
 /// The point of the surface nearest to p.
 Point3 nearest_point(const Patch& surface, const Point3& p);
 
-/// What the surfaces of the triangles at a vertex say: the normal of all of them, and the turn where they are one surface.
+/// The normal that the surfaces round a vertex agree on, and how it turns where they are one surface.
 struct KnownNormal {
   Point3 normal{0, 0, 0};
   std::optional<NormalTurn> turn;

@@ -1,4 +1,4 @@
-/// What of an SVG can not be drawn costs no more than itself, and is counted.
+/// Parts of an SVG that can not be drawn cost no more than themselves, and are counted.
 
 #include "support/test.hpp"
 #include "svg_text.hpp"

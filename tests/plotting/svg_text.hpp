@@ -40,7 +40,7 @@ inline double length_of(const std::string& body) {
   return length;
 }
 
-/// Of strict reading.
+/// The error with which strict reading refuses an SVG.
 inline std::string error_of(const std::string& svg) {
   const std::string error = failure_of([&] { read_svg_drawing(svg, "a.svg", {}, {}, {.strict = true}); });
   EXPECT_EQ(error.find('\n'), std::string::npos);

@@ -18,8 +18,8 @@ constexpr double kEvenLength = 1.0 / 2;  ///< of the length of all edges is thei
 constexpr double kBentPart = 1.0 / 8;    ///< at most of the edges bend by more than the crease angle
 constexpr double kFlatPart = 1.0 / 4;    ///< at most of the edges bend by less than kFlatDegrees: planes are construction
 constexpr double kFlatDegrees = 1;
-/// Of the edges, at most so many have more than two faces or faces that are wound against each other. Scanners leave single
-/// triangles behind; they spoil their neighbourhood, and not all of the scan.
+/// Largest part of the edges that may have more than two faces, or faces that are wound against each other. Scanners leave
+/// single triangles behind; they spoil their neighbourhood, and not all of the scan.
 constexpr double kDefectPart = 1.0 / 32;
 
 }  // namespace

@@ -32,7 +32,7 @@ double covered_turn(std::vector<AngleSpan>& spans) {
     return l.from != r.from ? l.from < r.from : l.to < r.to;
   };
   std::sort(spans.begin(), spans.end(), begins_first);
-  // What runs over the end of the turn covers its beginning.
+  // A span that runs over the end of the turn covers its beginning too.
   double reach = spans.front().from;
   for (const AngleSpan& span : spans) reach = std::max(reach, span.to - kWholeTurn);
   double gaps = 0;

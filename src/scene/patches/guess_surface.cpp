@@ -13,6 +13,9 @@ namespace {
 /// Least ratio of two eigenvalues that tell directions apart: normals of facets that turn by less than about 2 degrees say
 /// nothing of an axis.
 constexpr double kFlatTurn = 1e-6;
+/// Least square of the cosine between the normals of a cone and the plane across its axis. The tangent of the angle is then
+/// a million at most: such a cone is a plane, and is refused by its slope.
+constexpr double kLeastSquaredCosine = 1e-12;
 
 struct PageCircle {
   Point2 centre;
@@ -82,7 +85,7 @@ bool guess_cone(std::span<const FacetFrame> facets, std::span<const Point3> poin
   if (!apex) return false;
   // Rulings are square to the normals, so the radius grows by the tangent of the normals' angle to the plane across.
   const double sine = glm::dot(mean, s.axis) / glm::length(mean);
-  const double tangent = std::abs(sine) / std::sqrt(std::max(1e-12, 1 - sine * sine));
+  const double tangent = std::abs(sine) / std::sqrt(std::max(kLeastSquaredCosine, 1 - sine * sine));
   const double along = -glm::dot(*apex, s.axis);
   s.at = middle + *apex + along * s.axis;
   s.slope = along < 0 ? -tangent : tangent;

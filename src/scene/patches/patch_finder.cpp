@@ -34,14 +34,20 @@ constexpr double kSimilarArea = 1.05, kTorusArea = 1.3;
 /// So many seeds, spread evenly over all, are tried first. An object is given up when fewer of them get a surface.
 constexpr std::size_t kSamples = 64;
 constexpr std::ptrdiff_t kFewestSuccesses = 4;
+/// Slopes of cones. Over ten times its radius a cone of the least one differs from a cylinder by a thousandth of the radius,
+/// an eighth of the sag of 24 facets a turn; one of the largest differs from a plane by half a degree.
+constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
+/// Ratios of the middle circle of a torus to its tube. Beyond them it differs from a sphere by less than a fiftieth of the
+/// tube's radius, and over ten times that radius bends away from a cylinder by less than a fifteenth of it.
+constexpr double kLeastRing = 0.02, kLargestRing = 200;
 
 /// Tori of other proportions are spheres or cylinders within any tolerance, and cones of other slopes cylinders or planes.
 bool is_plausible(const PatchSurface& s) {
   switch (s.kind) {
     case SurfaceKind::torus:
-      return s.radius > 0.02 * s.tube && s.radius < 200 * s.tube;
+      return s.radius > kLeastRing * s.tube && s.radius < kLargestRing * s.tube;
     case SurfaceKind::cone:
-      return std::abs(s.slope) > 1e-4 && std::abs(s.slope) < 100;
+      return std::abs(s.slope) > kLeastSlope && std::abs(s.slope) < kLargestSlope;
     default:
       return s.radius > 0;
   }

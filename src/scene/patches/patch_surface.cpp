@@ -70,13 +70,17 @@ Point3 PatchSurface::normal(const Point3& p) const {
 
 namespace {
 
+/// On the axis itself the curvature round it has no bound: that of this radius stands for it, which times any length is
+/// still a normal number.
+constexpr double kLeastRadius = 1e-300;
+
 /// Principal curvatures: round the axis, and along the profile.
 struct Principal {
   double around = 0, along = 0;
 };
 
 Principal principal_curvatures(const PatchSurface& s, const AxisPlace& place) {
-  const double radius = std::max(place.radius, 1e-300);
+  const double radius = std::max(place.radius, kLeastRadius);
   switch (s.kind) {
     case SurfaceKind::cylinder:
       return {1 / s.radius, 0};

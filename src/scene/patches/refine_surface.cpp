@@ -9,7 +9,11 @@ namespace ligne {
 namespace {
 
 constexpr int kMostSteps = 12;    ///< of Newton's kind; fits that succeed take three to six
-constexpr int kMostAttempts = 3;  ///< at one step, each with ten times the damping
+constexpr int kMostAttempts = 3;  ///< at one step, each with more damping by kDampingStep
+constexpr double kDampingStep = 10;
+/// Adjustable: damping as a part of the diagonal, at first, at the least, and at the least after a failed attempt. Sums over
+/// a hundred corners are rounded by 1e-14 of the diagonal: less damping than that does nothing.
+constexpr double kFirstDamping = 1e-6, kLeastDamping = 1e-12, kFailedDamping = 1e-9;
 constexpr double kSettled = 0.5;  ///< a step that leaves more of the sum of squares is the last one
 
 /// Change of the signed distance of p with each parameter. A motion of the surface changes it by -n . (motion of p).
@@ -65,7 +69,7 @@ double sum_of_squares(const PatchSurface& s, std::span<const Point3> points) {
 
 double refine_surface(PatchSurface& surface, std::span<const Point3> points) {
   const std::size_t n = parameter_count(surface.kind);
-  double sum = sum_of_squares(surface, points), damping = 1e-6;
+  double sum = sum_of_squares(surface, points), damping = kFirstDamping;
   bool settled = false;
   for (int step = 0; step < kMostSteps && !settled; ++step) {
     const auto frame = frame_of(surface.axis);
@@ -91,11 +95,11 @@ double refine_surface(PatchSurface& surface, std::span<const Point3> points) {
           settled = next_sum > kSettled * sum;
           surface = next;
           sum = next_sum;
-          damping = std::max(1e-12, damping / 10);
+          damping = std::max(kLeastDamping, damping / kDampingStep);
           break;
         }
       }
-      damping = std::max(1e-9, damping * 10);
+      damping = std::max(kFailedDamping, damping * kDampingStep);
     }
   }
   double most = 0;

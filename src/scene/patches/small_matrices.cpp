@@ -8,6 +8,8 @@ namespace ligne {
 namespace {
 
 /// Rotations that make the entry (p, q) zero are repeated so often at the most; they converge quadratically.
+/// A matrix is diagonal when the rest is less than half a unit in the last place of the diagonal (2^-53 is 1.1e-16).
+constexpr double kDiagonal = 0x1p-53;
 constexpr int kMostSweeps = 12;
 
 /// Applies the rotation by which the entry (p, q) of the symmetric matrix m becomes zero to m and to the columns of v.
@@ -38,7 +40,7 @@ Eigen3 symmetric_eigen(Matrix3 m) {
   Matrix3 v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     const double off = std::abs(m[0][1]) + std::abs(m[0][2]) + std::abs(m[1][2]);
-    if (off <= 1e-16 * (std::abs(m[0][0]) + std::abs(m[1][1]) + std::abs(m[2][2]))) break;
+    if (off <= kDiagonal * (std::abs(m[0][0]) + std::abs(m[1][1]) + std::abs(m[2][2]))) break;
     rotate(m, v, 0, 1);
     rotate(m, v, 0, 2);
     rotate(m, v, 1, 2);

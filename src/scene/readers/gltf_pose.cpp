@@ -46,13 +46,16 @@ struct Keys {
   }
 };
 
+/// Sine of the angle of two quaternions below which the straight way between them is the one on the sphere: their weights
+/// differ by less than a sixth of its square, which is below the last place of a double.
+constexpr double kStraightSine = 1e-9;
+
 /// Rotations that lie between two: along the shorter way on the sphere (appendix C.4).
 std::vector<double> between_rotations(std::span<const double> a, std::span<const double> b, double t) {
   double cosine = 0;
   for (std::size_t k = 0; k < 4; ++k) cosine += a[k] * b[k];
   const double sign = cosine < 0 ? -1 : 1, angle = std::acos(std::min(std::abs(cosine), 1.0)), sine = std::sin(angle);
-  // Where both are nearly the same the straight way is the one on the sphere, to rounding.
-  const bool is_straight = sine < 1e-9;
+  const bool is_straight = sine < kStraightSine;
   const double from = is_straight ? 1 - t : std::sin((1 - t) * angle) / sine;
   const double to = sign * (is_straight ? t : std::sin(t * angle) / sine);
   std::vector<double> out(4);

@@ -41,7 +41,7 @@ struct SubdivisionReport {
 /// sources of faces stay; details of those faces are dropped. Edges are sharp as in make_control_mesh(); `tags` need not be
 /// sorted. Without levels, there are as many as make the edges shorter than a hundredth of the scene, without more than a
 /// million triangles. Throws InputError, which begins with `name`, where there would be more than kMostSubdividedTriangles.
-/// What is left out is counted in `warnings`. Time grows with the number of triangles.
+/// Faces and details that are left out are counted in `warnings`. Time grows with the number of triangles.
 SubdivisionReport subdivide(Scene& scene, const SubdivisionRequest& request, CreaseTags tags, const std::string& name,
                             Warnings& warnings);
 

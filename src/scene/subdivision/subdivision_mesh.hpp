@@ -61,7 +61,7 @@ class VertexStars {
   std::vector<std::uint32_t> begin_, corners_;
 };
 
-/// What is known of each side of the faces of a control mesh, per corner.
+/// Sharpness and other marks of the sides of faces of a control mesh, per corner.
 struct SideTags {
   std::vector<float> sharpness;
   std::vector<std::uint8_t> flags;  ///< CornerFlag

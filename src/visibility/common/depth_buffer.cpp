@@ -8,6 +8,7 @@
 
 #include "geometry/parallel.hpp"
 #include "visibility/common/convex_filler.hpp"
+#include "visibility/common/face_triangles.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/common/scan_conversion.hpp"
 
@@ -21,23 +22,6 @@ constexpr std::uint32_t kBandRows =
     16;  ///< adjustable; few enough to stay in the cache while faces are painted one after the other
 /// A depth that is stored as a float, and one computed along a side and a run, are off by this part of it.
 constexpr double kFloatRounding = 0x1p-22;
-
-using Side = std::array<std::uint32_t, 2>;
-
-/// The sides that the triangles of a face do not share, appended to `sides`.
-void append_borders(std::span<const Triangle> triangles, std::vector<Side>& all, std::vector<Side>& sides) {
-  all.clear();
-  for (const Triangle& t : triangles) {
-    for (int k = 0; k < 3; ++k) all.push_back({std::min(t.v[k], t.v[(k + 1) % 3]), std::max(t.v[k], t.v[(k + 1) % 3])});
-  }
-  std::sort(all.begin(), all.end());
-  for (std::size_t i = 0; i < all.size();) {
-    std::size_t same = i;
-    while (same < all.size() && all[same] == all[i]) ++same;
-    if ((same - i) % 2 == 1) sides.push_back(all[i]);
-    i = same;
-  }
-}
 
 }  // namespace
 
@@ -56,25 +40,7 @@ struct PixelPlane {
   double at(double other_u, double other_v) const { return z + (other_u - u) * du + (other_v - v) * dv; }
 };
 
-namespace {
-
-/// The triangles with those of each face behind each other.
-std::vector<Triangle> by_face(std::vector<Triangle> triangles) {
-  std::uint32_t faces = 0;
-  for (const Triangle& t : triangles) faces = std::max(faces, t.face + 1);
-  std::vector<std::uint32_t> next(std::size_t{faces} + 1, 0);
-  bool divided = false;
-  for (const Triangle& t : triangles) divided |= next[t.face + 1]++ > 0;
-  if (!divided) return triangles;  // as they lie on the page
-  for (std::uint32_t f = 0; f < faces; ++f) next[f + 1] += next[f];
-  std::vector<Triangle> sorted(triangles.size());
-  for (const Triangle& t : triangles) sorted[next[t.face]++] = t;
-  return sorted;
-}
-
-}  // namespace
-
-/// What is painted at once: triangles of one face.
+/// Triangles of one face that are painted at once.
 struct DepthBuffer::Piece {
   std::uint32_t triangle_begin, triangle_end;
   std::size_t side_begin, side_end;  ///< its borders; none: those of its one triangle

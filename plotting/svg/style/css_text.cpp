@@ -1,4 +1,4 @@
-#include "plotting/svg/css_text.hpp"
+#include "plotting/svg/style/css_text.hpp"
 
 #include <algorithm>
 

@@ -64,7 +64,7 @@ struct SiblingPlace {
   std::array<long, 2> of_all{0, 0}, of_type{0, 0};
 };
 
-/// What the selectors of a drawing cost, and what they need to know again.
+/// Cost of the selectors of a drawing, and places in it that they ask for again and again.
 struct StyleWork {
   std::size_t comparisons = 0;
   std::unordered_map<const void*, SiblingPlace> places;  ///< of elements that were asked for, with their siblings

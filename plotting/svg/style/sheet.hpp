@@ -11,8 +11,8 @@
 
 #include <pugixml.hpp>
 
-#include "plotting/svg/css_text.hpp"
-#include "plotting/svg/selector.hpp"
+#include "plotting/svg/style/css_text.hpp"
+#include "plotting/svg/style/selector.hpp"
 
 namespace ligne::svg {
 
@@ -26,8 +26,8 @@ class StyleSheet {
   /// Throws EndlessWork for more than 10,000 rules.
   void add(std::string_view css, const Unknown& unknown);
 
-  /// What holds for an element, from the weakest to the strongest. Throws EndlessWork when all elements together asked for
-  /// it.
+  /// Declarations that hold for an element, from the weakest to the strongest. Throws EndlessWork when all elements together
+  /// asked for it.
   std::vector<const Declaration*> of(const pugi::xml_node& node) const;
 
   bool empty() const { return rules_.empty(); }

@@ -1,13 +1,13 @@
-#include "plotting/svg/selector.hpp"
+#include "plotting/svg/style/selector.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <optional>
 
 #include "files/message_text.hpp"
-#include "plotting/svg/css_text.hpp"
 #include "plotting/svg/endless_work.hpp"
 #include "plotting/svg/namespaces.hpp"
+#include "plotting/svg/style/css_text.hpp"
 #include "plotting/svg/values.hpp"
 
 namespace ligne::svg {
@@ -25,7 +25,7 @@ std::string take_name(std::string_view& text) {
   return name;
 }
 
-/// What stands between "[" and "]".
+/// Reads the text between "[" and "]".
 AttributeTest attribute_test(std::string_view inside) {
   AttributeTest test;
   const std::size_t equals = inside.find('=');

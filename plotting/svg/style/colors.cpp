@@ -5,7 +5,7 @@
 
 #include "files/message_text.hpp"
 #include "plotting/pens.hpp"
-#include "plotting/svg/css_text.hpp"
+#include "plotting/svg/style/css_text.hpp"
 #include "plotting/svg/values.hpp"
 
 namespace ligne::svg {

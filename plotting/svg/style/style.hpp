@@ -11,9 +11,9 @@
 
 #include "plotting/svg/complaints.hpp"
 #include "plotting/svg/namespaces.hpp"
-#include "plotting/svg/sheet.hpp"
+#include "plotting/svg/style/sheet.hpp"
+#include "plotting/svg/style/variables.hpp"
 #include "plotting/svg/values.hpp"
-#include "plotting/svg/variables.hpp"
 
 namespace ligne::svg {
 

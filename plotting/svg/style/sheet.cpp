@@ -1,4 +1,4 @@
-#include "plotting/svg/sheet.hpp"
+#include "plotting/svg/style/sheet.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-#include "plotting/svg/variables.hpp"
+#include "plotting/svg/style/variables.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "plotting/svg/css_text.hpp"
+#include "plotting/svg/style/css_text.hpp"
 #include "plotting/svg/values.hpp"
 
 namespace ligne::svg {

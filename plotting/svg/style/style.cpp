@@ -1,4 +1,4 @@
-#include "plotting/svg/style.hpp"
+#include "plotting/svg/style/style.hpp"
 
 #include <algorithm>
 #include <map>
@@ -279,7 +279,7 @@ class StyleReader {
   const Complaints& complaints_;
 };
 
-/// What is said of an element, from the weakest to the strongest.
+/// A property of an element with its value; lists of them go from the weakest to the strongest.
 struct Said {
   std::string_view name, value;
   bool is_attribute = false;
@@ -328,7 +328,7 @@ Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSh
     if (said.name.starts_with("--") && !said.is_attribute) variables.insert_or_assign(std::string(said.name), said.value);
   }
   if (!variables.empty()) style.variables = with_variables(style.variables, std::move(variables));
-  // What currentColor and em mean is settled first: by the strongest that says so.
+  // The colour and the size of the font are settled first, since currentColor and em stand for them.
   const auto is_first = [](const Said& said) { return said.name == "color" || said.name.starts_with("font"); };
   for (const Said& said : all) {
     if (is_first(said)) reader.set(said.name, said.value, said.is_attribute);
