@@ -101,7 +101,7 @@ void TextReader::add(std::string_view text, const Style& style) {
 /// x, y, dx, dy and rotate of an element, as far as those inside it say nothing.
 void TextReader::place(const pugi::xml_node& node, const Style& style, std::size_t first) {
   const auto each = [&](const char* name, double whole, auto&& set) {
-    const std::vector<double> values =
+    std::vector<double> values =
         read(node, name, style, [&](const Viewport& port) { return lengths(node.attribute(name).value(), port, whole); });
     for (std::size_t i = 0; i < values.size() && first + i < characters.size(); ++i) set(characters[first + i], values[i]);
     return values;

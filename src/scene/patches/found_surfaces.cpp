@@ -106,7 +106,7 @@ class PatchMeasure {
 
   /// The arc that faces cover about the axis, or about the middle circle of a torus, in radians.
   double arc(bool about_circle) const {
-    const auto [u, v] = frame_of(surface_.axis);
+    const std::array<Point3, 2> frame = frame_of(surface_.axis);
     std::vector<AngleSpan> spans;
     std::vector<std::array<double, 2>> places;  // angle, distance from the axis or the circle
     for (const std::uint32_t f : faces_) {
@@ -114,8 +114,8 @@ class PatchMeasure {
       double farthest = 0;
       for_corners_of(scene_, std::span(&f, 1), [&](const Point3& p) {
         const AxisPlace place = axis_place(surface_, p);
-        const double x = about_circle ? place.radius - surface_.radius : place.radius * glm::dot(place.out, u);
-        const double y = about_circle ? place.along : place.radius * glm::dot(place.out, v);
+        const double x = about_circle ? place.radius - surface_.radius : place.radius * glm::dot(place.out, frame[0]);
+        const double y = about_circle ? place.along : place.radius * glm::dot(place.out, frame[1]);
         places.push_back({std::atan2(y, x), std::hypot(x, y)});
         farthest = std::max(farthest, places.back()[1]);
       });
