@@ -1,10 +1,12 @@
 // main() of every test program. Beside what GoogleTest does it
 // - runs the tests alone whose name LIGNE_TEST_REGEX matches, whatever the case of its letters;
 // - says of a test that fails, or that ends the program, how to run it alone;
-// - counts the tests and checks, and appends the counts to the file that LIGNE_TEST_COUNTS names.
+// - counts the tests and checks, and appends the counts to the file that LIGNE_TEST_COUNTS names;
+// - appends the processor seconds of each test, its child processes included, to the file that LIGNE_TEST_TIMES names.
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -53,16 +55,33 @@ void tell_test_and_end(int signal) {
   raise(signal);
 }
 
+/// Processor seconds of this process and of its children that have ended.
+double processor_seconds() {
+  double seconds = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage used{};
+    getrusage(who, &used);
+    for (const timeval& time : {used.ru_utime, used.ru_stime}) {
+      seconds += static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+    }
+  }
+  return seconds;
+}
+
 class Listener : public testing::EmptyTestEventListener {
   void OnTestStart(const testing::TestInfo& test) override {
     const std::string text = full_name(test) + " ends the program\n" + alone(test);
     const std::size_t length = std::min(text.size(), running.size() - 1);
     std::memcpy(running.data(), text.data(), length);
     running[length] = 0;
+    begun_at_ = processor_seconds();
   }
 
   void OnTestEnd(const testing::TestInfo& test) override {
     if (test.result()->Failed()) std::cout << alone(test) << std::flush;
+    if (const char* const file = std::getenv("LIGNE_TEST_TIMES")) {
+      std::ofstream(file, std::ios::app) << std::to_string(processor_seconds() - begun_at_) + ' ' + full_name(test) + '\n';
+    }
   }
 
   void OnTestProgramEnd(const testing::UnitTest& all) override {
@@ -75,6 +94,8 @@ class Listener : public testing::EmptyTestEventListener {
         std::to_string(checks_made(Check::intervals)) + ' ' + std::to_string(checks_made(Check::pairs)) + '\n';
     std::ofstream(file, std::ios::app) << line << std::flush;
   }
+
+  double begun_at_ = 0;
 };
 
 /// The filter of GoogleTest for the tests whose name, with the suite's before it, matches.
