@@ -53,12 +53,12 @@ std::size_t place_in_family(const Case& wanted) {
 }
 
 /// The sets of edges with which the variant is judged. The first tier takes one of the two, in turns: for methods as they
-/// are by default in every second case, for their other variants in every tenth, so that each variant meets each family of
+/// are by default in every fourth case, for their other variants in every tenth, so that each variant meets each family of
 /// scenes: the smallest family has more than forty cases. It leaves out what shows a debug layer and draws the same lines.
 std::vector<const char*> edge_sets(const Case& judged, const Variant& variant) {
   if (runs_all()) return {"all", "feature"};
   if (variant.is_show) return {};
-  constexpr std::size_t kDefaultOneIn = 2, kOneIn = 10;
+  constexpr std::size_t kDefaultOneIn = 4, kOneIn = 10;
   const std::size_t one_in = variant.is_default ? kDefaultOneIn : kOneIn;
   const std::string key = family_of(std::get<0>(judged)) + ", " + variant.name;
   // A scene has ten cases: from one scene to the next a variant turns to the next view.
@@ -148,8 +148,8 @@ class ByLines final : public Method {
 };
 
 bool shows_fine_pixels(const std::filesystem::path& file) {
-  constexpr const char* kNames[] = {"crumpled_ball", "cyclic_3", "bricks", "two_prisms_penetrating"};
-  return std::find(std::begin(kNames), std::end(kNames), file.stem().string()) != std::end(kNames);
+  const auto names = chosen("fine pixels", 4, {"crumpled_ball", "cyclic_3", "bricks", "two_prisms_penetrating"});
+  return std::ranges::find(names, file.stem().string()) != names.end();
 }
 
 class LimitedMethods : public testing::TestWithParam<std::filesystem::path> {};
@@ -172,7 +172,8 @@ TEST_P(LimitedMethods, AgreeWithTheOracleWithinTheirLines) {
         if (lines > 2048 && (method->traits().products & kPixels) && !shows_fine_pixels(GetParam())) continue;
         MethodSettings settings;
         settings.set("lines", lines);
-        for (const char* edges : {"all", "feature"}) {
+        const std::string key = "edges, " + scene_name + std::string(method->traits().name);
+        for (const char* edges : chosen(key, 2, {"all", "feature"})) {
           const Verdict verdict = judged.judge(ByLines(*method), edges, settings);
           EXPECT_TRUE(verdict.passes()) << "--lines " << lines << '\n' << verdict.faults;
         }
@@ -238,7 +239,7 @@ TEST(CullDrawing, ChangesNoSceneOfTheCorpus) {
   std::size_t faces = 0;
   for (const std::filesystem::path& file : corpus_files()) {
     const Scene scene = scene_of_file(file);
-    for (const StandardView& view : standard_views(scene)) {
+    for (const StandardView& view : rotated_views(scene, "cull, " + file.stem().string(), 2)) {
       const Drawings d = drawings(scene, view.camera);
       faces += d.faces;
       EXPECT_EQ(differences(d), "") << file.stem() << ", view " << view.name;
@@ -282,7 +283,7 @@ Scene ball(unsigned seed, double least, double most) {
 
 TEST(CullDrawing, ChangesNoBall) {
   std::size_t culled = 0, kept = 0;
-  for (unsigned seed = 0; seed < 400; ++seed) {
+  for (unsigned seed = 0; seed < 400; seed += runs_all() ? 1 : 2) {
     // From dented ones to some that are inside out here and there.
     const Scene scene = ball(seed, 1 - 0.006 * seed, 1);
     const auto views = standard_views(scene);

@@ -119,7 +119,7 @@ struct Errors {
 std::vector<Errors> errors(std::initializer_list<unsigned> resolutions) {
   std::vector<Errors> result;
   for (const unsigned resolution : resolutions) result.push_back({resolution});
-  for (const std::filesystem::path& file : corpus_files()) {
+  for (const std::filesystem::path& file : chosen("errors of warnock", 3, corpus_files())) {
     if (std::filesystem::file_size(file) > kLargeSceneBytes) continue;  // the oracle compares all pairs
     const Scene scene = scene_of_file(file);
     for (const StandardView& view : standard_views(scene)) {

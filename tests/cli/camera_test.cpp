@@ -10,12 +10,9 @@ namespace {
 
 class CameraTest : public DrawTest {
  protected:
-  json strokes(const std::string& model, std::vector<std::string> options) const {
-    return view(model, std::move(options))[1];
-  }
-  json view(const std::string& model, std::vector<std::string> options) const {
-    options.insert(options.begin(), model);
-    const json drawing = drawn(options);
+  json strokes(const std::string& model, const Words& options) const { return view(model, options)[1]; }
+  json view(const std::string& model, const Words& options) const {
+    const json drawing = drawn(Words{model} + options);
     return {drawing["view"]["matrix"], drawing["strokes"]};
   }
 };
@@ -44,11 +41,10 @@ Target: X:2 Y:4 Z:5
 Bank angle: 90 degrees
 )");
   // The true scale holds in the middle of the plate (2, 3, 1), which the first camera looks at.
-  EXPECT_EQ(strokes("plate.asc", {"--view", "camera"}),
-            strokes("plate.asc", {"--eye", "2,-9,5", "--target", "2,3,1", "--fov", "90"}));
-  EXPECT_EQ(view("plate.asc", {"--view", "camera:f*"}), view("plate.asc", {"--view", "camera:first"}));
+  EXPECT_EQ(strokes("plate.asc", "--view camera"), strokes("plate.asc", "--eye 2,-9,5 --target 2,3,1 --fov 90"));
+  EXPECT_EQ(view("plate.asc", "--view camera:f*"), view("plate.asc", "--view camera:first"));
   // A quarter of a turn: what is to the right becomes up.
-  const json matrix = view("plate.asc", {"--view", "camera:second"})[0];
+  const json matrix = view("plate.asc", "--view camera:second")[0];
   EXPECT_NEAR(matrix[0].get<double>() / matrix[4].get<double>(), 0, 1e-9);
   EXPECT_LT(matrix[4].get<double>(), 0);
 }
@@ -65,13 +61,12 @@ TEST_F(CameraTest, OfGltfLookAlongTheirNode) {
     "bufferViews": [{"buffer": 0, "byteLength": 36}],
     "buffers": [{"byteLength": 36,
                  "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
-  EXPECT_EQ(strokes("plate.gltf", {"--view", "camera"}),
-            strokes("plate.gltf", {"--eye", "0.5,0.3,4", "--target", "0.5,0.3,0", "--fov", "90"}));
+  EXPECT_EQ(strokes("plate.gltf", "--view camera"), strokes("plate.gltf", "--eye 0.5,0.3,4 --target 0.5,0.3,0 --fov 90"));
   // Turned by a quarter to the left the camera looks along -x.
-  const json flat = view("plate.gltf", {"--view", "camera:flat"})[0];
+  const json flat = view("plate.gltf", "--view camera:flat")[0];
   EXPECT_NEAR(flat[0].get<double>(), 0, 1e-9);
   EXPECT_LT(flat[2].get<double>(), 0);
-  const json info = json::parse(run({"info", "plate.gltf", "--json", "-q"}).out);
+  const json info = json::parse(run("info plate.gltf --json -q").out);
   EXPECT_EQ(info["scene"]["cameras"], json({"eye", "flat"}));
 }
 
@@ -85,18 +80,17 @@ TEST_F(CameraTest, OfGltfWithoutANameHaveTheirNumber) {
     "bufferViews": [{"buffer": 0, "byteLength": 36}],
     "buffers": [{"byteLength": 36,
                  "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
-  EXPECT_EQ(strokes("plate.gltf", {"--view", "camera:1"}), strokes("plate.gltf", {"--view", "camera"}));
-  EXPECT_EQ(strokes("plate.gltf", {"--view", "camera:2"}), strokes("plate.gltf", {"--direction", "0,0,-1"}));
-  EXPECT_EQ(run({"draw", "plate.gltf", "--view", "camera:3", "-o", "a.svg"}).err,
+  EXPECT_EQ(strokes("plate.gltf", "--view camera:1"), strokes("plate.gltf", "--view camera"));
+  EXPECT_EQ(strokes("plate.gltf", "--view camera:2"), strokes("plate.gltf", "--direction 0,0,-1"));
+  EXPECT_EQ(run("draw plate.gltf --view camera:3 -o a.svg").err,
             "ligne: --view: no camera is called \"3\"; there are 1, 2\n");
 }
 
 TEST_F(CameraTest, ThatAreNotThereAreNamed) {
   write("plate.asc", kTriangle + "Named object: \"only\"\nCamera (50mm)\nPosition: X:0 Y:0 Z:9\nTarget: X:0 Y:0 Z:0\n");
-  EXPECT_EQ(run({"draw", "cube.obj", "--view", "camera", "-o", "a.svg"}).err, "ligne: --view: the model has no camera\n");
-  EXPECT_EQ(run({"draw", "plate.asc", "--view", "camera:x", "-o", "a.svg"}).err,
-            "ligne: --view: no camera is called \"x\"; there is only\n");
-  EXPECT_EQ(run({"draw", "plate.asc", "--view", "camera", "--eye", "1,2,3", "-o", "a.svg"}).status, 2);
+  EXPECT_EQ(run("draw cube.obj --view camera -o a.svg").err, "ligne: --view: the model has no camera\n");
+  EXPECT_EQ(run("draw plate.asc --view camera:x -o a.svg").err, "ligne: --view: no camera is called \"x\"; there is only\n");
+  EXPECT_EQ(run("draw plate.asc --view camera --eye 1,2,3 -o a.svg").status, 2);
 }
 
 /// Successive views: --frames, --turn.
@@ -108,9 +102,8 @@ double matrix(const json& drawing, int row, int column) {
 
 class FramesTest : public DrawTest {
  protected:
-  std::string refusal(std::vector<std::string> options) const {
-    options.insert(options.begin(), {"draw", "cube.obj", "-q"});
-    const Outcome outcome = run(options);
+  std::string refusal(const Words& options) const {
+    const Outcome outcome = run("draw cube.obj -q" + options);
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(new_files(), std::vector<std::string>());
     return outcome.err;
@@ -119,23 +112,22 @@ class FramesTest : public DrawTest {
 };
 
 TEST_F(FramesTest, HaveNumberedNames) {
-  EXPECT_EQ(run({"draw", "cube.obj", "--frames", "3", "-o", "f%02d.svg"}).status, 0);
-  EXPECT_EQ(run({"draw", "cube.obj", "--frames", "2", "-o", "100%-g%d.pdf"}).status, 0);
+  EXPECT_EQ(run("draw cube.obj --frames 3 -o f%02d.svg").status, 0);
+  EXPECT_EQ(run("draw cube.obj --frames 2 -o 100%-g%d.pdf").status, 0);
   EXPECT_EQ(new_files(), std::vector<std::string>({"100%-g1.pdf", "100%-g2.pdf", "f01.svg", "f02.svg", "f03.svg"}));
 }
 
 TEST_F(FramesTest, NeedAPlaceForTheNumber) {
-  EXPECT_EQ(refusal({"--frames", "3", "-o", "f.svg"}),
+  EXPECT_EQ(refusal("--frames 3 -o f.svg"),
             "ligne: --output: 'f.svg' has no place for the number of a frame: name%03d; only a PDF holds them all\n");
-  EXPECT_EQ(refusal({"--frames", "3", "-o", "f%d-%d.svg"}),
-            "ligne: --output: 'f%d-%d.svg' has two places for the number of a frame\n");
-  EXPECT_EQ(refusal({"--frames", "1", "-o", "f%d.svg"}), "ligne: --frames: \"1\" is not a whole number from 2 to 100000\n");
-  EXPECT_EQ(refusal({"--turn", "30", "-o", "f.svg"}), "ligne: --turn requires --frames\n");
-  EXPECT_EQ(refusal({"--frames", "3", "--report", "-o", "f%d.svg"}), "ligne: --report: is of one view\n");
+  EXPECT_EQ(refusal("--frames 3 -o f%d-%d.svg"), "ligne: --output: 'f%d-%d.svg' has two places for the number of a frame\n");
+  EXPECT_EQ(refusal("--frames 1 -o f%d.svg"), "ligne: --frames: \"1\" is not a whole number from 2 to 100000\n");
+  EXPECT_EQ(refusal("--turn 30 -o f.svg"), "ligne: --turn requires --frames\n");
+  EXPECT_EQ(refusal("--frames 3 --report -o f%d.svg"), "ligne: --report: is of one view\n");
 }
 
 TEST_F(FramesTest, ArePagesOfOnePdf) {
-  ASSERT_EQ(run({"draw", "cube.obj", "--frames", "5", "-o", "f.pdf"}).status, 0);
+  ASSERT_EQ(run("draw cube.obj --frames 5 -o f.pdf").status, 0);
   const std::string pdf = contents(file("f.pdf"));
   EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
   if (!pdf_info_is_there()) GTEST_SKIP() << "pdfinfo (poppler-utils) is not here";
@@ -156,13 +148,13 @@ TEST_F(FramesTest, TellWhatWasSaved) {
   EXPECT_EQ(bsp["of them with the tree of the first"], 3);
   EXPECT_FALSE(appel.contains("of them with the tree of the first"));
   EXPECT_EQ(newell["of them with the list of the one before"], 3);
-  ASSERT_EQ(run({"draw", "cube.obj", "--method", "bsp", "--stats-json", "s.json", "-o", "f.svg"}).status, 0);
+  ASSERT_EQ(run("draw cube.obj --method bsp --stats-json s.json -o f.svg").status, 0);
   EXPECT_EQ(bsp["depth of the tree"], json::parse(contents(file("s.json")))["counts"]["depth of the tree"]);
 }
 
 /// The cube has the same sides after a quarter of a turn; in between it is wider, and has the same scale.
 TEST_F(FramesTest, TurnTheModelAtOneScale) {
-  ASSERT_EQ(run({"draw", "cube.obj", "--view", "front", "--frames", "8", "--edges", "all", "-o", "f%d.json"}).status, 0);
+  ASSERT_EQ(run("draw cube.obj --view front --frames 8 --edges all -o f%d.json").status, 0);
   const json first = frame("f1.json");
   for (int i = 2; i <= 8; ++i) {
     const json other = frame("f" + std::to_string(i) + ".json");
@@ -181,7 +173,7 @@ TEST_F(FramesTest, TurnTheModelAtOneScale) {
 
 /// Counter-clockwise as seen from above: what is in front goes to the right.
 TEST_F(FramesTest, TurnToTheRight) {
-  ASSERT_EQ(run({"draw", "cube.obj", "--view", "front", "--frames", "2", "--turn", "60", "-o", "f%d.json"}).status, 0);
+  ASSERT_EQ(run("draw cube.obj --view front --frames 2 --turn 60 -o f%d.json").status, 0);
   const json drawing = frame("f2.json");
   // The y axis is up, and the viewer stands at +z.
   const double right = matrix(drawing, 0, 2), scale = matrix(drawing, 0, 0);
@@ -229,10 +221,8 @@ class MixedSceneTest : public SurfaceProgramTest {
     }
     write(name, obj + "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
   }
-  json mixed(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), "draw");
-    arguments.insert(arguments.end(), {"-o", "-", "--format", "json"});
-    const Outcome outcome = run(arguments);
+  json mixed(const Words& arguments) const {
+    const Outcome outcome = run("draw" + arguments + "-o - --format json");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome.status == 0 ? json::parse(outcome.out) : json();
   }
@@ -242,17 +232,13 @@ TEST_F(MixedSceneTest, CurvesAndModelsHideEachOtherAndMeetInAFootLine) {
   // A box that stands half in a plane of 6 x 6, seen from above: its top hides 2 x 2 of the plane's curves.
   for (const bool y_up : {false, true}) {
     write_box("box.obj", y_up);
-    const std::vector<std::string> scene{"box.obj",   "--surface",     "0", "-x", "-3:3:7", "-y", "-3:3:7",
-                                         "--up-axis", y_up ? "y" : "z"};
-    std::vector<std::string> top = scene, front = scene;
-    top.insert(top.end(), {"--view", "top", "--quality", "exact"});
-    const json above = mixed(top);
+    const Words scene{"box.obj", "--surface", "0", "-x", "-3:3:7", "-y", "-3:3:7", "--up-axis", y_up ? "y" : "z"};
+    const json above = mixed(scene + "--view top --quality exact");
     EXPECT_NEAR(length(above, "horizon"), 14 * 6 - 2 * 2 - 8, 1e-3)
         << "the curves below the box and its outline are not seen";
     EXPECT_NEAR(length(above, "outline") + length(above, "crease"), 8, 1e-3);
     // From the front and above the foot line is seen on two sides of four.
-    front.insert(front.end(), {"--view", "iso"});
-    const json iso = mixed(front);
+    const json iso = mixed(scene + "--view iso");
     EXPECT_GT(length(iso, "intersection"), 1);
     EXPECT_GT(length(iso, "horizon"), 30);
   }
@@ -260,7 +246,7 @@ TEST_F(MixedSceneTest, CurvesAndModelsHideEachOtherAndMeetInAFootLine) {
 
 TEST_F(MixedSceneTest, FormulasTakeTheGroundOfTheModels) {
   write_box("box.obj", false);
-  const json above = mixed({"box.obj", "--up-axis", "z", "--surface", "5", "--view", "top"});
+  const json above = mixed("box.obj --up-axis z --surface 5 --view top");
   // The box's outline lies under the rim of the surface, and stands for it.
   EXPECT_NEAR(length(above, "horizon") + length(above, "outline"), 80 * 2, 1e-3);
   EXPECT_EQ(length(above, "crease"), 0);
@@ -268,16 +254,14 @@ TEST_F(MixedSceneTest, FormulasTakeTheGroundOfTheModels) {
 
 TEST_F(MixedSceneTest, Mistakes) {
   write_box("box.obj", false);
-  const auto refused = [&](std::vector<std::string> arguments, int status, const std::string& message) {
-    arguments.insert(arguments.begin(), {"draw", "box.obj"});
-    arguments.insert(arguments.end(), {"-o", "a.svg"});
-    const Outcome outcome = run(arguments);
+  const auto refused = [&](const Words& arguments, int status, const std::string& message) {
+    const Outcome outcome = run("draw box.obj" + arguments + "-o a.svg");
     EXPECT_EQ(outcome.status, status) << outcome.err;
     EXPECT_EQ(outcome.err.rfind("ligne: " + message, 0), 0u) << outcome.err;
   };
-  refused({"-x", "0:1"}, 2, "-x, -y, --samples, --every, --z-scale, --z-range: go with --surface or --grid");
-  refused({"--surface", "foo(x)"}, 1, "formula:1: unknown function 'foo'");
-  refused({"--grid", "absent.csv"}, 1, "absent.csv: ");
+  refused("-x 0:1", 2, "-x, -y, --samples, --every, --z-scale, --z-range: go with --surface or --grid");
+  refused("--surface foo(x)", 1, "formula:1: unknown function 'foo'");
+  refused("--grid absent.csv", 1, "absent.csv: ");
 }
 
 }  // namespace

@@ -12,16 +12,13 @@ namespace {
 /// scene.
 TEST_F(DrawTest, ShadowLines) {
   const std::string scene = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/shadow_frame.json";
-  const auto shadows = [&](std::vector<std::string> options) {
-    options.insert(options.begin(), scene);
-    return strokes_by_class(drawn(options))["shadow"];
-  };
-  EXPECT_EQ(shadows({"--view", "top"}), 0);
-  EXPECT_EQ(shadows({"--view", "top", "--light=2,2,-1"}), 8);
-  EXPECT_EQ(shadows({"--view", "top", "--light=2,2,-1", "--edges", "feature"}), 0);
-  EXPECT_GT(shadows({"--view", "top", "--edges", "feature,shadow"}), 8) << "two lights in the scene";
-  EXPECT_GT(shadows({"--view", "top", "--edges", "shadow", "--method", "warnock"}), 8);
-  expect_error({"draw", "cube.obj", "--edges", "shadow", "-o", "x.svg"}, 2,
+  const auto shadows = [&](const Words& options) { return strokes_by_class(drawn(Words{scene} + options))["shadow"]; };
+  EXPECT_EQ(shadows("--view top"), 0);
+  EXPECT_EQ(shadows("--view top --light=2,2,-1"), 8);
+  EXPECT_EQ(shadows("--view top --light=2,2,-1 --edges feature"), 0);
+  EXPECT_GT(shadows("--view top --edges feature,shadow"), 8) << "two lights in the scene";
+  EXPECT_GT(shadows("--view top --edges shadow --method warnock"), 8);
+  expect_error("draw cube.obj --edges shadow -o x.svg", 2,
                "ligne: --edges: there is no light that casts a shadow: give --light, or lights in the scene\n");
   expect_error({"draw", scene, "--edges", "shadow", "--method", "appel", "-o", "x.svg"}, 2,
                "ligne: --edges: needs a method that gives regions: atherton-weiler, warnock, newell, bsp, convex-tree\n");
@@ -32,17 +29,15 @@ TEST_F(DrawTest, GlassAndLightGiveTheSameBytesForAnyNumberOfThreads) {
                     models = LIGNE_SOURCE_DIR "/examples/models/";
   for (const std::string& model :
        {scenes + "shadow_glass.json", scenes + "transparent_three.json", models + "stair-tower.obj"}) {
+    std::size_t turn = 0;
     for (const char* study : {"faces", "polygons", "silhouettes"}) {
-      std::size_t form = 0;
-      for (const std::vector<std::string>& more : {std::vector<std::string>{"--format", "json"},
-                                                   {"--format", "svg", "--fill", "shade"},
-                                                   {"--format", "svg", "--fill", "material", "--hatch", "shade"}}) {
-        if (!is_chosen("threads, " + model + study, form++, 3)) continue;
+      for (const Words more : {"--format json", "--format svg --fill shade", "--format svg --fill material --hatch shade"}) {
+        if (!is_chosen("threads, " + model, turn++, 9)) continue;
         const auto bytes = [&](const char* threads) {
-          std::vector<std::string> arguments{
-              "draw", model, "-q", "-o", "-", "--study", study, "--light=1,1,-2", "--light=-1,2,-2", "--threads", threads};
-          arguments.insert(arguments.end(), more.begin(), more.end());
-          return run(arguments).out;
+          return run(Words{"draw", model, "-q", "-o", "-", "--study", study, "--light=1,1,-2", "--light=-1,2,-2",
+                           "--threads", threads} +
+                     more)
+              .out;
         };
         const std::string one = bytes("1");
         EXPECT_GT(one.size(), 1000u);
@@ -58,47 +53,42 @@ TEST_F(DrawTest, WhatIsSeenThroughGlassIsALayer) {
   int behind = 0;
   for (const json& stroke : drawing["strokes"]) behind += stroke.value("level", 0) > 0;
   EXPECT_GT(behind, 6);
-  const auto svg = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.end(), {"-o", "-", "--format", "svg"});
-    return run(arguments).out;
-  };
+  const auto svg = [&](const Words& arguments) { return run(arguments + "-o - --format svg").out; };
   const std::string text = svg({"draw", scene, "--view", "front", "--method", "atherton-weiler"});
   expect_parts(text, {"id=\"behind-glass\""});
   EXPECT_EQ(svg({"draw", scene, "--view", "front", "--method", "appel"}).find("behind-glass"), std::string::npos)
       << "it knows no transparency";
   ASSERT_EQ(run({"draw", scene, "--view", "front", "--method", "atherton-weiler", "-o", "glass.json"}).status, 0);
-  EXPECT_NE(svg({"plot", "glass.json"}).find("behind-glass"), std::string::npos);
+  EXPECT_NE(svg("plot glass.json").find("behind-glass"), std::string::npos);
 }
 
 /// The options of scan lines: the drawing is the same with every span method, the bytes with any number of threads, in every
 /// form.
 TEST_F(DrawTest, ScanLines) {
   const std::string model = LIGNE_SOURCE_DIR "/examples/models/stair-tower.obj";
-  const auto bytes = [&](std::vector<std::string> more, const char* format) {
-    std::vector<std::string> arguments{"draw", model,      "-q",      "-o",    "-", "--format",
-                                       format, "--method", "watkins", "--dpi", "40"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run(arguments);
+  const auto bytes = [&](const Words& more, const char* format) {
+    const Outcome outcome =
+        run(Words{"draw", model, "-q", "-o", "-", "--format", format, "--method", "watkins", "--dpi", "40"} + more);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome.out;
   };
   const std::string exact = bytes({}, "svg");
   EXPECT_GT(exact.size(), 10000u);
-  for (const char* kind : {"merge", "stack", "box", "point"})
+  for (const char* kind : chosen("span methods", 2, {"merge", "stack", "box", "point"}))
     EXPECT_EQ(bytes({"--span-method", kind}, "svg"), exact) << kind;
-  EXPECT_EQ(bytes({"--lines", "exact"}, "svg"), exact);
-  std::size_t number = 0;
-  for (const char* threads : {"1", "2", "7"}) {
-    if (!is_chosen("scan lines", number++, 3)) continue;
+  EXPECT_EQ(bytes("--lines exact", "svg"), exact);
+  for (const char* threads : chosen("scan lines", 3, {"1", "2", "7"})) {
     EXPECT_EQ(bytes({"--threads", threads}, "svg"), exact);
-    EXPECT_EQ(bytes({"--threads", threads, "--lines", "600"}, "json"), bytes({"--lines", "600"}, "json"));
-    EXPECT_EQ(bytes({"--threads", threads, "--shade"}, "png"), bytes({"--shade"}, "png"));
-    EXPECT_EQ(bytes({"--threads", threads, "--hatch", "shade"}, "svg"), bytes({"--hatch", "shade"}, "svg"));
+    using Form = std::pair<Words, const char*>;
+    for (const auto& [form, format] :
+         chosen("forms", 3, {Form{"--lines 600", "json"}, Form{"--shade", "png"}, Form{"--hatch shade", "svg"}})) {
+      EXPECT_EQ(bytes(Words{"--threads", threads} + form, format), bytes(form, format));
+    }
   }
 }
 
 TEST_F(DrawTest, SpansInJson) {
-  const json cube = drawn({"cube.obj", "--method", "watkins", "--lines", "100", "--landscape"});
+  const json cube = drawn("cube.obj --method watkins --lines 100 --landscape");
   const json& spans = cube["spans"];
   ASSERT_GT(spans.size(), 80u);
   double area = 0;
@@ -114,27 +104,23 @@ TEST_F(DrawTest, SpansInJson) {
   }
   // A cube seen along its diagonal is a regular hexagon, here 190 mm high between two corners.
   EXPECT_NEAR(area, 95 * 95 * 3 * std::sqrt(3) / 2, 150);
-  EXPECT_FALSE(drawn({"cube.obj", "--method", "watkins"}).contains("spans"));
+  EXPECT_FALSE(drawn("cube.obj --method watkins").contains("spans"));
 }
 
 TEST_F(DrawTest, FacesInGray) {
-  const auto png = [&](std::vector<std::string> more) {
-    std::vector<std::string> arguments{"draw", "cube.obj", "-o",      "-",     "--format",
-                                       "png",  "--method", "watkins", "--dpi", "30"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments).out;
+  const auto png = [&](const Words& more) {
+    return run("draw cube.obj -o - --format png --method watkins --dpi 30" + more).out;
   };
-  EXPECT_TRUE(png({"--shade", "--view", "trimetric"}) !=
-              png({"--view", "trimetric"}));  // seen along its diagonal a cube is as bright as paper
+  EXPECT_TRUE(png("--shade --view trimetric") !=
+              png("--view trimetric"));  // seen along its diagonal a cube is as bright as paper
 }
 
 class HatchTest : public DrawTest {
  protected:
   /// What is drawn without lines, mm on the page.
-  double hatched_mm(const std::string& model, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"draw", model, "-o", "hatched.svg", "--report", "--edges", "border", "-q", "--hatch"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run(arguments);
+  double hatched_mm(const std::string& model, const Words& more) {
+    const Outcome outcome =
+        run(Words{"draw", model, "-o", "hatched.svg", "--report", "--edges", "border", "-q", "--hatch"} + more);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(contents(file("hatched.svg")).find("id=\"hatch\""), std::string::npos);
     double down = 0;
@@ -147,30 +133,27 @@ class HatchTest : public DrawTest {
 /// The same interface whatever is hatched: regions of two methods, spans of a third. What they draw is the same up to the
 /// roundings of the methods.
 TEST_F(HatchTest, IsTheSameByEveryMethod) {
-  const auto length_of = [&](const std::vector<std::string>& more) { return hatched_mm("cube.obj", more); };
-  const std::vector<std::vector<std::string>> ways{
-      {"shade", "--view", "trimetric"},
-      {"plain", "--hatch-spacing", "3mm", "--hatch-cross", "--view", "trimetric"},
-      {"material", "--hatch-angle", "10", "--view", "dimetric"},
-      {"shade", "--hatch-levels", "continuous", "--hatch-angle", "face", "--view", "trimetric"},
-      {"shade", "--hatch-levels", "2", "--eye", "60,-80,50"}};
+  const auto length_of = [&](const Words& more) { return hatched_mm("cube.obj", more); };
+  const std::vector<Words> ways{{"shade", "--view", "trimetric"},
+                                {"plain", "--hatch-spacing", "3mm", "--hatch-cross", "--view", "trimetric"},
+                                {"material", "--hatch-angle", "10", "--view", "dimetric"},
+                                {"shade", "--hatch-levels", "continuous", "--hatch-angle", "face", "--view", "trimetric"},
+                                {"shade", "--hatch-levels", "2", "--eye", "60,-80,50"}};
   std::vector<double> lengths;
-  for (const std::vector<std::string>& way : ways) {
+  for (const Words& way : ways) {
     lengths.push_back(length_of(way));
     for (const char* method : {"atherton-weiler", "warnock", "watkins"}) {
-      std::vector<std::string> arguments = way;
-      arguments.insert(arguments.end(), {"--method", method});
+      Words arguments = way + Words{"--method", method};
       EXPECT_NEAR(length_of(arguments), lengths.back(), 0.002 * lengths.back()) << method << " " << way[0];
     }
   }
-  EXPECT_NEAR(length_of({"plain", "--hatch-spacing", "3mm", "--view", "trimetric"}), lengths[1] / 2, 0.1 * lengths[1]);
-  EXPECT_GT(length_of({"shade", "--hatch-levels", "1", "--view", "trimetric"}), lengths[0]);
+  EXPECT_NEAR(length_of("plain --hatch-spacing 3mm --view trimetric"), lengths[1] / 2, 0.1 * lengths[1]);
+  EXPECT_GT(length_of("shade --hatch-levels 1 --view trimetric"), lengths[0]);
 }
 
 TEST_F(HatchTest, IsTheSameByEveryMethodBesideWallsSeenEdgeOn) {
   const std::string cells = LIGNE_SOURCE_DIR "/tests/cli/scenes/voronoi_cells.json";
-  const double wanted =
-      hatched_mm(cells, {"shade", "--view", "top", "--hatch-angle", "face", "--method", "atherton-weiler"});
+  const double wanted = hatched_mm(cells, "shade --view top --hatch-angle face --method atherton-weiler");
   for (const char* spans : {"stack", "merge", "box", "point"}) {
     EXPECT_NEAR(hatched_mm(cells, {"shade", "--view", "top", "--hatch-angle", "face", "--method", "watkins", "--span-method",
                                    spans}),
@@ -196,20 +179,17 @@ TEST_F(DrawTest, PensByShade) {
   write(
       "pens.toml",
       "[[pen]]\nnumber = 1\nrest = true\n[[pen]]\nnumber = 2\nwidth = 0.5\nshades = [1, 2]\n[[pen]]\nnumber = 3\nwidth = 0.2\nshades = [3, 4]\n");
-  const auto plotted = [&](std::vector<std::string> more) {
-    std::vector<std::string> arguments{"draw",    "cube.obj", "-o",     "-",         "--format", "hpgl",
-                                       "--hatch", "shade",    "--view", "trimetric", "-q"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run(arguments);
+  const auto plotted = [&](const Words& more) {
+    const Outcome outcome = run("draw cube.obj -o - --format hpgl --hatch shade --view trimetric -q" + more);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome.out;
   };
   for (const std::string& hpgl :
-       {plotted({"--pens", "pens.toml"}), plotted({"--pen", "rest=1", "--pen", "shade:1=2,black,0.5", "--pen", "shade:2=2",
-                                                   "--pen", "shade:3=3,black,0.2", "--pen", "shade:4=3"})}) {
+       {plotted("--pens pens.toml"),
+        plotted("--pen rest=1 --pen shade:1=2,black,0.5 --pen shade:2=2 --pen shade:3=3,black,0.2 --pen shade:4=3")}) {
     for (const char* pen : {"SP1;", "SP2;", "SP3;"}) EXPECT_NE(hpgl.find(pen), std::string::npos) << pen;
   }
-  EXPECT_EQ(plotted({"--pens", "pens.toml"}), plotted({"--pens", "pens.toml", "--threads", "1"}));
+  EXPECT_EQ(plotted("--pens pens.toml"), plotted("--pens pens.toml --threads 1"));
 }
 
 }  // namespace

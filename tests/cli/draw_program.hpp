@@ -13,10 +13,8 @@ using nlohmann::json;
 class DrawTest : public ProgramTest {
  protected:
   /// The JSON drawing of the arguments.
-  json drawn(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), "draw");
-    arguments.insert(arguments.end(), {"-o", "-", "--format", "json"});
-    const Outcome outcome = run(arguments);
+  json drawn(const Words& arguments) const {
+    const Outcome outcome = run("draw" + arguments + "-o - --format json");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     return outcome.status == 0 ? json::parse(outcome.out) : json();

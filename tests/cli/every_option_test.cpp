@@ -14,12 +14,9 @@ namespace {
 using Json = nlohmann::json;
 
 /// The first tier takes one row in so many.
-constexpr std::size_t kRowsByChosen = 4;
+constexpr std::size_t kRowsByChosen = 8;
 
-std::vector<std::string> words(std::string_view text) {
-  std::istringstream in{std::string(text)};
-  return {std::istream_iterator<std::string>(in), {}};
-}
+Words words(std::string_view text) { return std::string(text).c_str(); }
 
 /// A prism over a regular polygon, with its axis upright.
 Json prism(const std::string& name, int sides, double radius, double x, double bottom, double top) {
@@ -87,12 +84,12 @@ class EveryOption : public ProgramTest {
     write("grid.asc", grid);
     write("scattered.csv", scattered);
     write("own.toml", contents(std::filesystem::path(LIGNE_SOURCE_DIR) / "plotting/devices/hp7470a.toml"));
-    run({"draw", "scene.json", "--lines", "32", "--page", "60x60", "--zbuffer-save", "kept.zb", "-o", "kept.svg"});
+    run("draw scene.json --lines 32 --page 60x60 --zbuffer-save kept.zb -o kept.svg");
     std::filesystem::remove(file("kept.svg"));
   }
 
   /// All that a command line writes; nothing where it is refused. The files are taken away.
-  std::optional<std::string> result_of(const std::vector<std::string>& arguments) const {
+  std::optional<std::string> result_of(const Words& arguments) const {
     const std::vector<std::string> before = new_files();
     const Outcome outcome = run(arguments);
     std::string result = outcome.out + outcome.err;
@@ -106,21 +103,20 @@ class EveryOption : public ProgramTest {
   }
 
   /// The formats in which the option does nothing and is not warned of, beside others or alone.
-  std::string silent_formats(const std::vector<std::string>& command, std::string_view formats, const OptionRow& row) {
+  std::string silent_formats(const Words& command, std::string_view formats, const OptionRow& row) {
     std::string silent;
     for (const std::string& format : words(formats)) {
       bool is_silent = false;
       for (const std::string_view beside : {row.beside, std::string_view()}) {
-        std::vector<std::string> line = command;
-        const std::vector<std::string> others = words(beside), value = words(row.value);
-        line.insert(line.end(), others.begin(), others.end());
+        Words line = command;
+        line += words(beside);
         add_small_page(line, row.option, format);
         const std::string whole_line = std::string(row.option) + ' ' + std::string(beside);
         const bool in_parts = whole_line.find("--tile") != whole_line.npos || whole_line.find("--frames") != whole_line.npos;
-        line.insert(line.end(), {"-o", (in_parts ? "out%d." : "out.") + format});
+        line += {"-o", (in_parts ? "out%d." : "out.") + format};
         const std::optional<std::string> without = result_of(line);
         line.emplace_back(row.option);
-        line.insert(line.end(), value.begin(), value.end());
+        line += words(row.value);
         const std::optional<std::string> with = result_of(line);
         is_silent = is_silent || (with && with == without);
         if (row.beside.empty()) break;
@@ -130,8 +126,7 @@ class EveryOption : public ProgramTest {
     return silent;
   }
 
-  void expect_words_or_deeds(const std::vector<std::string>& command, std::string_view formats,
-                             std::span<const OptionRow> rows) {
+  void expect_words_or_deeds(const Words& command, std::string_view formats, std::span<const OptionRow> rows) {
     const std::vector<std::string> listed = options_of(command.front());
     EXPECT_GT(listed.size(), 20u);
     for (const std::string& option : listed) {
@@ -161,14 +156,14 @@ class EveryOption : public ProgramTest {
   }
 
   /// Small pages and few curves, as far as the line does not choose them, and the option does not.
-  static void add_small_page(std::vector<std::string>& line, std::string_view option, std::string_view format) {
+  static void add_small_page(Words& line, std::string_view option, std::string_view format) {
     if (line.front() == "plot") return;
     std::vector<std::pair<std::string, std::string>> small = {{"--page", "60x60"}, {"--dpi", "40"}};
     if (line.front() == "surface") small.insert(small.end(), {{"-x", "-5:5:9"}, {"-y", "-5:5:9"}});
     for (const auto& [name, value] : small) {
       if (name == option || std::ranges::find(line, name) != line.end()) continue;
       if (name == "--dpi" && format != "png") continue;
-      line.insert(line.end(), {name, value});
+      line += {name, value};
     }
   }
 };

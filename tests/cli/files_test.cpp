@@ -45,7 +45,7 @@ class Files : public ProgramTest {
     names_ = names();
   }
   std::vector<std::string> names() const {
-    std::vector<std::string> all;
+    Words all;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) all.push_back(entry.path().string());
     std::sort(all.begin(), all.end());
     return all;
@@ -56,34 +56,24 @@ class Files : public ProgramTest {
 
 TEST_F(Files, WhatWasReadIsNotWrittenOver) {
   const struct {
-    std::vector<std::string> arguments;
+    Words arguments;
     const char* option;
     const char* output;
   } cases[] = {
-      {{"draw", "model.gltf", "--format", "svg", "-o", "model part.bin"}, "--output", "model part.bin"},
-      {{"draw", "model.gltf", "--format", "svg", "-o", "folder/../picture.bin"}, "--output", "picture.bin"},
-      {{"draw", "cube.obj", "model.gltf", "-o", "x.svg", "--stats-json", "model part.bin"},
-       "--stats-json",
-       "model part.bin"},
-      {{"info", "model.gltf", "-o", "model part.bin"}, "--output", "model part.bin"},
-      {{"draw", "cube.obj", "--pens", "pens.toml", "--format", "svg", "-o", "pens.toml"}, "--output", "pens.toml"},
-      {{"draw", "cube.obj", "--pens", "pens.toml", "--format", "svg", "-o", "link.toml"}, "--output", "pens.toml"},
-      {{"draw", "cube.obj", "--pens", "link.toml", "-o", "x.svg", "--stats-json", "pens.toml"}, "--stats-json", "pens.toml"},
-      {{"draw", "cube.obj", "--device-file", "device.toml", "-o", "x.hpgl", "--preview", "hard.toml"},
-       "--preview",
-       "hard.toml"},
-      {{"plot", "lines.svg", "--device-file", "device.toml", "-o", "x.hpgl", "--stats-json", "device.toml"},
-       "--stats-json",
-       "device.toml"},
-      {{"plot", "lines.svg", "-o", "x.svg", "--stats-json", "lines.svg"}, "--stats-json", "lines.svg"},
-      {{"plot", "lines.svg", "-o", "./lines.svg"}, "--output", "lines.svg"},
-      {{"surface", "--grid", "grid.txt", "-o", "x.svg", "--preview", "./grid.txt"}, "--preview", "grid.txt"},
-      {{"surface", "--grid", "grid.txt", "-o", "x.svg", "--pens", "pens.toml", "--stats-json", "pens.toml"},
-       "--stats-json",
-       "pens.toml"},
-      {{"surface", "--grid", "grid.txt", "--as-mesh", "-o", "x.obj", "--stats-json", "grid.txt"},
-       "--stats-json",
-       "grid.txt"},
+      {"draw model.gltf --format svg -o 'model part.bin'", "--output", "model part.bin"},
+      {"draw model.gltf --format svg -o folder/../picture.bin", "--output", "picture.bin"},
+      {"draw cube.obj model.gltf -o x.svg --stats-json 'model part.bin'", "--stats-json", "model part.bin"},
+      {"info model.gltf -o 'model part.bin'", "--output", "model part.bin"},
+      {"draw cube.obj --pens pens.toml --format svg -o pens.toml", "--output", "pens.toml"},
+      {"draw cube.obj --pens pens.toml --format svg -o link.toml", "--output", "pens.toml"},
+      {"draw cube.obj --pens link.toml -o x.svg --stats-json pens.toml", "--stats-json", "pens.toml"},
+      {"draw cube.obj --device-file device.toml -o x.hpgl --preview hard.toml", "--preview", "hard.toml"},
+      {"plot lines.svg --device-file device.toml -o x.hpgl --stats-json device.toml", "--stats-json", "device.toml"},
+      {"plot lines.svg -o x.svg --stats-json lines.svg", "--stats-json", "lines.svg"},
+      {"plot lines.svg -o ./lines.svg", "--output", "lines.svg"},
+      {"surface --grid grid.txt -o x.svg --preview ./grid.txt", "--preview", "grid.txt"},
+      {"surface --grid grid.txt -o x.svg --pens pens.toml --stats-json pens.toml", "--stats-json", "pens.toml"},
+      {"surface --grid grid.txt --as-mesh -o x.obj --stats-json grid.txt", "--stats-json", "grid.txt"},
   };
   for (const auto& c : cases) {
     const std::string before = contents(file(c.output));
@@ -104,7 +94,7 @@ TEST_F(Files, OneFileHasOneOutput) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.err, std::string("ligne: --stats-json: ") + other + " is the output file too\n");
   }
-  const Outcome outcome = run({"plot", "lines.svg", "-o", "x.svg", "--preview", "a", "--stats-json", "./a"});
+  const Outcome outcome = run("plot lines.svg -o x.svg --preview a --stats-json ./a");
   EXPECT_EQ(outcome.err, "ligne: --stats-json: ./a is the file of --preview too\n");
   EXPECT_EQ(names(), names_);
 }
@@ -112,25 +102,23 @@ TEST_F(Files, OneFileHasOneOutput) {
 TEST_F(Files, AllOutputsOrNone) {
   write("old.svg", "old");
   names_ = names();
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"draw", "cube.obj", "-o", "old.svg", "--stats-json", "none/stats.json"},
-        {"draw", "cube.obj", "-o", "none/new.svg", "--stats-json", "stats.json", "--preview", "preview.svg"},
-        {"draw", "cube.obj", "-o", "new.svg", "--preview", "none/preview.svg"},
-        {"draw", "cube.obj", "-o", "new.svg", "--stats-json", "/dev/full"},
-        {"plot", "lines.svg", "-o", "old.svg", "--stats-json", "none/stats.json"},
-        {"surface", "x*y", "-o", "old.svg", "--stats-json", "none/stats.json"},
-        {"surface", "x*y", "--as-mesh", "-o", "new.obj", "--stats-json", "none/stats.json"},
-        {"info", "cube.obj", "-o", "info.txt", "--stats-json", "none/stats.json"}}) {
+  for (const Words arguments :
+       {"draw cube.obj -o old.svg --stats-json none/stats.json",
+        "draw cube.obj -o none/new.svg --stats-json stats.json --preview preview.svg",
+        "draw cube.obj -o new.svg --preview none/preview.svg", "draw cube.obj -o new.svg --stats-json /dev/full",
+        "plot lines.svg -o old.svg --stats-json none/stats.json", "surface x*y -o old.svg --stats-json none/stats.json",
+        "surface x*y --as-mesh -o new.obj --stats-json none/stats.json",
+        "info cube.obj -o info.txt --stats-json none/stats.json"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 1) << outcome.err;
     EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
     EXPECT_EQ(names(), names_) << outcome.err;
     EXPECT_EQ(contents(file("old.svg")), "old");
   }
-  const Outcome outcome = run({"draw", "cube.obj", "-o", "-", "--format", "svg", "--stats-json", "none/stats.json"});
+  const Outcome outcome = run("draw cube.obj -o - --format svg --stats-json none/stats.json");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.out, "") << "nothing goes to standard output either";
-  EXPECT_EQ(run({"draw", "cube.obj", "-o", "old.svg", "--stats-json", "s.json", "--preview", "p.svg"}).status, 0);
+  EXPECT_EQ(run("draw cube.obj -o old.svg --stats-json s.json --preview p.svg").status, 0);
   EXPECT_TRUE(exists("s.json") && exists("p.svg") && contents(file("old.svg")) != "old");
 }
 
@@ -162,11 +150,11 @@ TEST_F(Files, SignalsLeaveNothing) {
 TEST_F(Files, DevicesAndPipesAreToldQuickly) {
   ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
   for (const std::string input : {"/dev/zero", "/dev/urandom", "pipe"}) {
-    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"draw", input, "-o", "x.svg"},
-                                                      {"surface", "--grid", input, "-o", "x.svg"},
-                                                      {"plot", input, "-o", "x.svg"},
-                                                      {"draw", "cube.obj", "--pens", input, "-o", "x.svg"},
-                                                      {"draw", "cube.obj", "--device-file", input, "-o", "x.hpgl"}}) {
+    for (const Words& arguments : {Words{"draw", input, "-o", "x.svg"},
+                                   {"surface", "--grid", input, "-o", "x.svg"},
+                                   {"plot", input, "-o", "x.svg"},
+                                   {"draw", "cube.obj", "--pens", input, "-o", "x.svg"},
+                                   {"draw", "cube.obj", "--device-file", input, "-o", "x.hpgl"}}) {
       const Outcome outcome = run(arguments);
       EXPECT_EQ(outcome.status, 1) << outcome.err;
       EXPECT_EQ(outcome.err,
@@ -189,7 +177,7 @@ std::vector<std::string> oddities() {
 
 class Messages : public ProgramTest {
  protected:
-  void is_one_line(const std::vector<std::string>& arguments, const std::string& what) const {
+  void is_one_line(const Words& arguments, const std::string& what) const {
     const Outcome outcome = run(arguments);
     EXPECT_TRUE(outcome.status == 1 || outcome.status == 2 || outcome.status == 0) << what;
     EXPECT_TRUE(outcome.status == 0 || outcome.error_lines() == 1) << what << ": " << outcome.err.substr(0, 2000);
@@ -323,7 +311,7 @@ TEST_F(Messages, MutatedFiles) {
         }
       }
       write("mutated.json", mutated);
-      is_one_line({"draw", "mutated.json", "-o", "x.svg"}, mutated.substr(0, 2000));
+      is_one_line("draw mutated.json -o x.svg", mutated.substr(0, 2000));
     }
   }
 }

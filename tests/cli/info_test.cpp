@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 TEST_F(ProgramTest, InfoCountsACube) {
-  const Outcome outcome = run({"info", "cube.obj", "--json"});
+  const Outcome outcome = run("info cube.obj --json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   const json info = json::parse(outcome.out);
@@ -40,8 +40,7 @@ TEST_F(ProgramTest, InfoCountsACube) {
 }
 
 TEST_F(ProgramTest, InfoFollowsTheView) {
-  const Outcome front =
-      run({"info", "square.obj", "--json", "--view", "front", "--scale", "1:2", "--unit", "cm", "--page", "A3"});
+  const Outcome front = run("info square.obj --json --view front --scale 1:2 --unit cm --page A3");
   ASSERT_EQ(front.status, 0) << front.err;
   const json view = json::parse(front.out)["view"];
   EXPECT_EQ(view["edges"]["border"], 4);
@@ -52,24 +51,24 @@ TEST_F(ProgramTest, InfoFollowsTheView) {
 }
 
 TEST_F(ProgramTest, InfoTellsWhatCullLeavesOut) {
-  const Outcome culled = run({"info", "cube.obj", "square.obj", "--cull", "--json"});
+  const Outcome culled = run("info cube.obj square.obj --cull --json");
   ASSERT_EQ(culled.status, 0) << culled.err;
   const json view = json::parse(culled.out)["view"];
   EXPECT_EQ(view["culled"], json::parse(R"({"faces":3,"objects":1,"kept_objects":1})"));
   EXPECT_EQ(view["edges"]["crease"], 3) << "those behind the cube are gone";
   expect_parts(culled.err, {"warning: 1 of 2 objects"});
-  EXPECT_NE(run({"info", "cube.obj", "--cull"}).out.find("3 left out, of 1 of 1 objects"), std::string::npos);
-  EXPECT_FALSE(json::parse(run({"info", "cube.obj", "--json"}).out)["view"].contains("culled"));
+  EXPECT_NE(run("info cube.obj --cull").out.find("3 left out, of 1 of 1 objects"), std::string::npos);
+  EXPECT_FALSE(json::parse(run("info cube.obj --json").out)["view"].contains("culled"));
 }
 
 TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
-  const json methods = json::parse(run({"methods", "--json"}).out);
+  const json methods = json::parse(run("methods --json").out);
   EXPECT_EQ(methods["format"], "ligne-methods");
   ASSERT_FALSE(methods["methods"].empty());
-  const Outcome info = run({"info", "square.obj", "--stats"});
+  const Outcome info = run("info square.obj --stats");
   ASSERT_EQ(info.status, 0) << info.err;
   expect_parts(info.err, {"topology"});
-  const std::string list = run({"methods"}).out;
+  const std::string list = run("methods").out;
   int defaults = 0;
   for (const json& method : methods["methods"]) {
     const std::string name = method["name"];
@@ -82,7 +81,7 @@ TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
 }
 
 TEST_F(ProgramTest, InfoWritesFilesAndTakesSeveralModels) {
-  const Outcome outcome = run({"info", "cube.obj", "square.obj", "--format", "json", "-o", "info.txt", "--up-axis", "z"});
+  const Outcome outcome = run("info cube.obj square.obj --format json -o info.txt --up-axis z");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   const json info = json::parse(contents(file("info.txt")));
@@ -92,10 +91,10 @@ TEST_F(ProgramTest, InfoWritesFilesAndTakesSeveralModels) {
 }
 
 TEST_F(ProgramTest, HelpAndVersion) {
-  const Outcome version = run({"--version"});
+  const Outcome version = run("--version");
   EXPECT_EQ(version.status, 0);
   EXPECT_EQ(version.out.rfind("ligne ", 0), 0u);
-  const Outcome help = run({"--help"});
+  const Outcome help = run("--help");
   EXPECT_EQ(help.status, 0);
   for (const char* command : {"draw", "info", "methods"}) {
     expect_parts(help.out, {command});
@@ -104,7 +103,7 @@ TEST_F(ProgramTest, HelpAndVersion) {
     EXPECT_EQ(of_command.err, "");
     expect_parts(of_command.out, {"Example"});
   }
-  const std::string draw = run({"draw", "--help"}).out;
+  const std::string draw = run("draw --help").out;
   for (const char* option : {"--view",      "--direction",      "--eye",       "--target",     "--fov",
                              "--up",        "--up-axis",        "--method",    "--edges",      "--crease",
                              "--hidden",    "--page",           "--landscape", "--portrait",   "--margin",
@@ -114,11 +113,11 @@ TEST_F(ProgramTest, HelpAndVersion) {
     EXPECT_NE(draw.find(option), std::string::npos) << option;
   }
   expect_parts(draw, {"svg pdf png json"});
-  EXPECT_EQ(run({"info", "--help"}).out.find("svg"), std::string::npos) << "info is no drawing";
+  EXPECT_EQ(run("info --help").out.find("svg"), std::string::npos) << "info is no drawing";
 }
 
 TEST_F(ProgramTest, CompareAsJsonHasOneSchemaForAllMethods) {
-  const Outcome outcome = run({"compare", "cube.obj", "--json"});
+  const Outcome outcome = run("compare cube.obj --json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   const json found = json::parse(outcome.out);
@@ -142,7 +141,7 @@ TEST_F(ProgramTest, CompareAsJsonHasOneSchemaForAllMethods) {
 }
 
 TEST_F(ProgramTest, CompareOfSomeMethodsAsCsv) {
-  const Outcome outcome = run({"compare", "cube.obj", "--methods", "newell,warnock", "--resolution", "64", "--csv"});
+  const Outcome outcome = run("compare cube.obj --methods newell,warnock --resolution 64 --csv");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   std::vector<std::string> lines;
   std::istringstream text(outcome.out);
@@ -155,7 +154,7 @@ TEST_F(ProgramTest, CompareOfSomeMethodsAsCsv) {
 }
 
 TEST_F(ProgramTest, ComparePageNeedsNothingElse) {
-  const Outcome outcome = run({"compare", "cube.obj", "--html", "cube.html", "-o", "table.txt"});
+  const Outcome outcome = run("compare cube.obj --html cube.html -o table.txt");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   const std::string page = contents(file("cube.html"));
@@ -168,20 +167,19 @@ TEST_F(ProgramTest, ComparePageNeedsNothingElse) {
 }
 
 TEST_F(ProgramTest, CompareRefusesWhatMakesNoSense) {
-  const auto refused = [&](std::vector<std::string> arguments, const std::string& why) {
-    arguments.insert(arguments.begin(), {"compare", "cube.obj"});
-    expect_outcome(arguments, 2, {why});
+  const auto refused = [&](const Words& arguments, const std::string& why) {
+    expect_outcome("compare cube.obj" + arguments, 2, {why});
   };
-  refused({"--methods", "magic"}, "--methods: \"magic\" is not one of auto");
-  refused({"--methods", "appel,appel"}, "--methods: \"appel\" is there twice");
-  refused({"--methods", "auto"}, "--methods: auto is one of the others");
-  refused({"--methods", "appel", "--resolution", "64"}, "--resolution: none of the methods has such an option");
-  refused({"--json", "--csv"}, "--");
-  EXPECT_EQ(new_files(), std::vector<std::string>{});
+  refused("--methods magic", "--methods: \"magic\" is not one of auto");
+  refused("--methods appel,appel", "--methods: \"appel\" is there twice");
+  refused("--methods auto", "--methods: auto is one of the others");
+  refused("--methods appel --resolution 64", "--resolution: none of the methods has such an option");
+  refused("--json --csv", "--");
+  EXPECT_EQ(new_files(), Words{});
 }
 
 TEST_F(ProgramTest, StatsSayWhichRuleChose) {
-  const Outcome outcome = run({"draw", "cube.obj", "-o", "x.svg", "--stats"});
+  const Outcome outcome = run("draw cube.obj -o x.svg --stats");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   expect_parts(outcome.err, {"rule 4: any other scene"});
 }
@@ -191,14 +189,13 @@ TEST_F(ProgramTest, StatsSayWhichRuleChose) {
 using StudyCommandTest = ProgramTest;
 
 TEST_F(StudyCommandTest, ListsTheExperiments) {
-  const Outcome outcome = run({"study", "--list"});
+  const Outcome outcome = run("study --list");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   expect_parts(outcome.out, {"squares", "Boulle 2.3.3.4"});
 }
 
 TEST_F(StudyCommandTest, WritesTablesAndPlots) {
-  const Outcome outcome =
-      run({"study", "translation", "--size", "small", "--json", "t.json", "--csv", "t.csv", "--svg", "t.svg"});
+  const Outcome outcome = run("study translation --size small --json t.json --csv t.csv --svg t.svg");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   expect_parts(outcome.out, {"Figure 2.56"});
   const auto json = nlohmann::json::parse(contents(file("t.json")));
@@ -212,27 +209,26 @@ TEST_F(StudyCommandTest, WritesTablesAndPlots) {
 }
 
 TEST_F(StudyCommandTest, StandardOutputHasWhatWasAskedFor) {
-  const Outcome outcome = run({"study", "windows", "--size", "small", "--json", "-"});
+  const Outcome outcome = run("study windows --size small --json -");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(nlohmann::json::parse(outcome.out)["experiments"][0]["name"], "windows");
 }
 
 TEST_F(StudyCommandTest, StudiesModelsBesideItsOwnScenes) {
-  const Outcome outcome = run({"study", "coherence", "cube.obj", "--size", "small"});
+  const Outcome outcome = run("study coherence cube.obj --size small");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   expect_parts(outcome.out, {"| cube | 256 |"});
 }
 
 TEST_F(StudyCommandTest, RefusesInOneLine) {
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"study"}, {"study", "nothing"}, {"study", "squares", "--size", "huge"}}) {
+  for (const Words arguments : {"study", "study nothing", "study squares --size huge"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments.back();
     EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
   }
-  EXPECT_EQ(run({"study", "windows", "--size", "small", "--svg", "w.svg"}).status, 1) << "it has no plot";
+  EXPECT_EQ(run("study windows --size small --svg w.svg").status, 1) << "it has no plot";
   EXPECT_FALSE(exists("w.svg"));
-  EXPECT_EQ(run({"study", "coherence", "none.obj"}).status, 1);
+  EXPECT_EQ(run("study coherence none.obj").status, 1);
 }
 
 /// ligne compile, and ligne draw of what it writes.
@@ -241,20 +237,17 @@ const std::filesystem::path kScenes = std::filesystem::path(LIGNE_SOURCE_DIR) / 
 
 class CompileTest : public DrawTest {
  protected:
-  std::string compiled(const std::string& model, const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> arguments{"compile", model, "-o", "model.tree", "-q"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = run(arguments);
+  std::string compiled(const std::string& model, const Words& options = {}) const {
+    const Outcome outcome = run(Words{"compile", model, "-o", "model.tree", "-q"} + options);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return contents(file("model.tree"));
   }
-  std::string svg(const std::string& model, std::vector<std::string> options) const {
-    options.insert(options.begin(), {"draw", model, "-q", "-o", "-", "--format", "svg"});
-    const Outcome outcome = run(options);
+  std::string svg(const std::string& model, const Words& options) const {
+    const Outcome outcome = run(Words{"draw", model, "-q", "-o", "-", "--format", "svg"} + options);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome.out;
   }
-  std::string refusal(std::vector<std::string> arguments) const {
+  std::string refusal(const Words& arguments) const {
     const Outcome outcome = run(arguments);
     EXPECT_NE(outcome.status, 0);
     EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
@@ -268,51 +261,47 @@ TEST_F(CompileTest, TheTreeDrawsWhatTheModelDraws) {
     const std::string model = (kScenes / name).string();
     for (const std::string method : {"bsp", "convex-tree"}) {
       compiled(model, {"--method", method});
-      for (const std::vector<std::string>& view : {std::vector<std::string>{"--view", "iso"},
-                                                   {"--eye", "5,7,4", "--fov", "60"},
-                                                   {"--view", "top", "--fill", "shade"}}) {
-        std::vector<std::string> direct = view;
-        direct.insert(direct.end(), {"--method", method});
+      for (const Words view : {"--view iso", "--eye 5,7,4 --fov 60", "--view top --fill shade"}) {
+        Words direct = view + Words{"--method", method};
         const std::string drawing = svg("model.tree", view);
         EXPECT_EQ(drawing, svg(model, direct)) << name << " " << method << " " << view[1];
         EXPECT_EQ(drawing, svg("model.tree", direct)) << name << " " << method << " " << view[1];
       }
-      EXPECT_EQ(svg("model.tree", {"--method", "appel"}), svg(model, {"--method", "appel"})) << name;
+      EXPECT_EQ(svg("model.tree", "--method appel"), svg(model, "--method appel")) << name;
     }
   }
 }
 
 TEST_F(CompileTest, IsDoneOnce) {
   compiled("cube.obj");
-  EXPECT_NE(run({"draw", "cube.obj", "--method", "bsp", "--stats", "-o", "a.svg"}).err.find("\n  tree "), std::string::npos);
-  EXPECT_EQ(run({"draw", "model.tree", "--stats", "-o", "a.svg"}).err.find("\n  tree "), std::string::npos);
+  EXPECT_NE(run("draw cube.obj --method bsp --stats -o a.svg").err.find("\n  tree "), std::string::npos);
+  EXPECT_EQ(run("draw model.tree --stats -o a.svg").err.find("\n  tree "), std::string::npos);
 }
 
 TEST_F(CompileTest, TheSameModelGivesTheSameBytes) {
   const std::string model = (kScenes / "house.json").string();
-  EXPECT_EQ(compiled(model, {"--threads", "1"}), compiled(model, {"--threads", "3"}));
-  EXPECT_NE(compiled(model), compiled(model, {"--partition", "faces", "--candidates", "9"}));
+  EXPECT_EQ(compiled(model, "--threads 1"), compiled(model, "--threads 3"));
+  EXPECT_NE(compiled(model), compiled(model, "--partition faces --candidates 9"));
 }
 
 TEST_F(CompileTest, WhatItWasCompiledWithStays) {
   compiled("cube.obj");
   const std::string again = "model.tree is compiled: give it to ligne compile\n";
-  EXPECT_EQ(refusal({"draw", "model.tree", "--weld", "1", "-o", "a.svg"}), "ligne: --weld: " + again);
-  EXPECT_EQ(refusal({"draw", "model.tree", "--only", "x", "-o", "a.svg"}), "ligne: --only: " + again);
-  EXPECT_EQ(refusal({"draw", "model.tree", "--candidates", "3", "-o", "a.svg"}), "ligne: --candidates: " + again);
-  EXPECT_EQ(refusal({"draw", "model.tree", "cube.obj", "-o", "a.svg"}),
-            "ligne: model.tree is compiled: it is drawn alone\n");
-  EXPECT_EQ(refusal({"compile", "model.tree", "-o", "b.tree"}), "ligne: model.tree is compiled already\n");
-  EXPECT_EQ(refusal({"compile", "cube.obj", "--method", "appel", "-o", "b.tree"}),
+  EXPECT_EQ(refusal("draw model.tree --weld 1 -o a.svg"), "ligne: --weld: " + again);
+  EXPECT_EQ(refusal("draw model.tree --only x -o a.svg"), "ligne: --only: " + again);
+  EXPECT_EQ(refusal("draw model.tree --candidates 3 -o a.svg"), "ligne: --candidates: " + again);
+  EXPECT_EQ(refusal("draw model.tree cube.obj -o a.svg"), "ligne: model.tree is compiled: it is drawn alone\n");
+  EXPECT_EQ(refusal("compile model.tree -o b.tree"), "ligne: model.tree is compiled already\n");
+  EXPECT_EQ(refusal("compile cube.obj --method appel -o b.tree"),
             "ligne: --method: \"appel\" is not one of bsp or convex-tree\n");
-  EXPECT_EQ(refusal({"compile", "cube.obj"}), "ligne: --output: there is no output file: -o FILE\n");
+  EXPECT_EQ(refusal("compile cube.obj"), "ligne: --output: there is no output file: -o FILE\n");
 }
 
 TEST_F(CompileTest, DamagedFilesAreRefused) {
   const std::string bytes = compiled("cube.obj");
   const auto error_of = [&](const std::string& changed) {
     write("changed.tree", changed);
-    return refusal({"draw", "changed.tree", "-o", "a.svg"});
+    return refusal("draw changed.tree -o a.svg");
   };
   const std::string damaged = "ligne: changed.tree: byte 12: the file was changed or cut off since it was written\n";
   EXPECT_EQ(error_of(bytes.substr(0, bytes.size() / 2)), damaged);

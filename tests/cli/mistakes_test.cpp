@@ -12,14 +12,14 @@ namespace {
 
 class MistakesOfNewcomers : public DrawTest {
  protected:
-  void says(const std::vector<std::string>& arguments, const std::string& line) const {
+  void says(const Words& arguments, const std::string& line) const {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, kUsage) << line;
     EXPECT_EQ(outcome.err, "ligne: " + line + "\n");
   }
 
   /// Standard input is what stands in a file, through a pipe.
-  Outcome run_with_input(const std::string& bytes, const std::vector<std::string>& arguments) const {
+  Outcome run_with_input(const std::string& bytes, const Words& arguments) const {
     int ends[2];
     EXPECT_EQ(pipe2(ends, O_CLOEXEC), 0);
     EXPECT_EQ(write_all(ends[1], bytes), bytes.size());
@@ -40,92 +40,89 @@ class MistakesOfNewcomers : public DrawTest {
 };
 
 TEST_F(MistakesOfNewcomers, HelpIsACommandToo) {
-  const Outcome all = run({"--help"});
-  EXPECT_EQ(run({"help"}).out, all.out);
+  const Outcome all = run("--help");
+  EXPECT_EQ(run("help").out, all.out);
   for (const char* command : {"draw", "surface", "plot", "compile", "info", "compare", "methods", "devices", "study"}) {
     const Outcome help = run({"help", command});
     EXPECT_EQ(help.status, kDone) << help.err;
     EXPECT_EQ(help.out, run({command, "--help"}).out);
     EXPECT_NE(help.out.find(command), std::string::npos);
   }
-  EXPECT_EQ(run({"help", "drwa"}).err.rfind("ligne: help: there is no command \"drwa\" (draw?); there are draw, ", 0), 0u);
-  says({"help", "draw", "plot"}, "help: one command at a time: ligne help COMMAND");
+  EXPECT_EQ(run("help drwa").err.rfind("ligne: help: there is no command \"drwa\" (draw?); there are draw, ", 0), 0u);
+  says("help draw plot", "help: one command at a time: ligne help COMMAND");
 }
 
 TEST_F(MistakesOfNewcomers, OptionsThatAreNearlyRight) {
-  says({"draw", "--hlep"}, "not known: --hlep (--help?); see ligne draw --help");
-  says({"info", "--jsno"}, "not known: --jsno (--json?); see ligne info --help");
+  says("draw --hlep", "not known: --hlep (--help?); see ligne draw --help");
+  says("info --jsno", "not known: --jsno (--json?); see ligne info --help");
   says(
-      {"draw", "cube.obj", "--view", "isometric", "-o", "a.svg"},
+      "draw cube.obj --view isometric -o a.svg",
       "--view: \"isometric\" is not one of front, back, left, right, top, bottom, iso, dimetric, trimetric or camera (iso?)");
-  says({"draw", "cube.obj", "--edges", "outlines", "-o", "a.svg"},
+  says("draw cube.obj --edges outlines -o a.svg",
        "--edges: \"outlines\" is not one of outline, border, intersection, crease, tangent, mesh, profile, shadow, "
        "suggestive, ridge, valley, detail, feature or all (outline?)");
 }
 
 TEST_F(MistakesOfNewcomers, DevicesThatAreNearlyRight) {
-  const Outcome many = run({"draw", "cube.obj", "--device", "axidraw", "-o", "a.svg"});
+  const Outcome many = run("draw cube.obj --device axidraw -o a.svg");
   EXPECT_EQ(many.status, kUsage);
   EXPECT_EQ(many.err.rfind("ligne: --device: \"axidraw\" is not known (axidraw-", 0), 0u) << many.err;
   EXPECT_NE(many.err.find("axidraw-v3"), std::string::npos) << many.err;
-  says({"draw", "cube.obj", "--device", "hp7475", "-o", "a.plt"},
-       "--device: \"hp7475\" is not known (hp7475a?); ligne devices lists them");
+  says("draw cube.obj --device hp7475 -o a.plt", "--device: \"hp7475\" is not known (hp7475a?); ligne devices lists them");
 }
 
 TEST_F(MistakesOfNewcomers, AFileInPlaceOfACommand) {
-  says({"gear.json"}, "there is no command gear.json; for a file: ligne draw gear.json -o FILE");
-  says({"a b.SVG"}, "there is no command a b.SVG; for a file: ligne plot a b.SVG -o FILE");
-  says({"terrain.asc", "-o", "a.svg"},
-       "there is no command terrain.asc; for a file: ligne surface --grid terrain.asc -o FILE");
+  says("gear.json", "there is no command gear.json; for a file: ligne draw gear.json -o FILE");
+  says("'a b.SVG'", "there is no command a b.SVG; for a file: ligne plot a b.SVG -o FILE");
+  says("terrain.asc -o a.svg", "there is no command terrain.asc; for a file: ligne surface --grid terrain.asc -o FILE");
 }
 
 TEST_F(MistakesOfNewcomers, UnitsOfMovesAreAllNamed) {
-  says({"draw", "cube.obj", "--move", "cube=0,0,1px", "-o", "a.svg"},
+  says("draw cube.obj --move cube=0,0,1px -o a.svg",
        "--move: \"1px\" is neither a number of model units nor a length in mm, cm, m, in or pt");
 }
 
 TEST_F(MistakesOfNewcomers, FormatsAgainstTheirSuffix) {
-  const Outcome png = run({"draw", "cube.obj", "--format", "png", "-o", "a.svg"});
+  const Outcome png = run("draw cube.obj --format png -o a.svg");
   EXPECT_EQ(png.status, kDone);
   EXPECT_EQ(png.err, "ligne: a.svg: warning: is written as png (--format), though its name is that of svg\n");
   EXPECT_EQ(contents(file("a.svg")).substr(1, 3), "PNG");
-  EXPECT_EQ(run({"surface", "x*y", "--format", "pdf", "-o", "a.svg"}).error_lines(), 1u);
-  EXPECT_EQ(run({"draw", "cube.obj", "--format", "svg", "-o", "drawing"}).err, "");
-  EXPECT_EQ(run({"draw", "cube.obj", "--format", "hpgl", "-o", "a.plt"}).err, "");
+  EXPECT_EQ(run("surface x*y --format pdf -o a.svg").error_lines(), 1u);
+  EXPECT_EQ(run("draw cube.obj --format svg -o drawing").err, "");
+  EXPECT_EQ(run("draw cube.obj --format hpgl -o a.plt").err, "");
 }
 
 TEST_F(MistakesOfNewcomers, StandardInputIsAModel) {
   const std::string expected = contents(file("cube.obj"));
-  const Outcome named = run({"draw", "cube.obj", "-o", "-", "--format", "json"});
-  const Outcome piped = run_with_input(expected, {"draw", "-", "-o", "-", "--format", "json"});
+  const Outcome named = run("draw cube.obj -o - --format json");
+  const Outcome piped = run_with_input(expected, "draw - -o - --format json");
   EXPECT_EQ(piped.status, kDone) << piped.err;
   EXPECT_EQ(json::parse(piped.out)["strokes"].size(), json::parse(named.out)["strokes"].size());
-  const Outcome info = run_with_input(expected, {"info", "-"});
+  const Outcome info = run_with_input(expected, "info -");
   EXPECT_EQ(info.out.substr(0, 15), "standard input\n") << info.err;
-  EXPECT_EQ(run_with_input("", {"draw", "-", "-o", "a.svg"}).err, "ligne: standard input: is empty\n");
-  EXPECT_EQ(run_with_input("v 0 0 0\nf 1 2 9\n", {"draw", "-", "-o", "a.svg"}).err.rfind("ligne: standard input:2: ", 0),
-            0u);
+  EXPECT_EQ(run_with_input("", "draw - -o a.svg").err, "ligne: standard input: is empty\n");
+  EXPECT_EQ(run_with_input("v 0 0 0\nf 1 2 9\n", "draw - -o a.svg").err.rfind("ligne: standard input:2: ", 0), 0u);
 }
 
 TEST_F(MistakesOfNewcomers, NamesAreEscapedWhereverTheyArePrinted) {
   const std::string bad = "x\x1b]0;pwn\a\x9b.obj";
   std::filesystem::copy_file(file("cube.obj"), file(bad));
-  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"info", bad},
-                                                    {"draw", bad, "-o", "a.svg", "--stats", "--report"},
-                                                    {"draw", bad, "--dpi", "99", "-o", bad + ".svg"},
-                                                    {"draw", bad, "--format", "png", "-o", bad + ".svg"},
-                                                    {"draw", bad + ".stl", "-o", "a.svg"},
-                                                    {"compare", bad, "--methods", "appel"},
-                                                    {"help", bad},
-                                                    {bad},
-                                                    {"plot", bad, "-o", "a.svg"},
-                                                    {"surface", "--grid", bad, "-o", "a.svg"},
-                                                    {"study", bad},
-                                                    {"draw", "cube.obj", bad},
-                                                    {"draw", "cube.obj", "--device", bad, "-o", "a.svg"},
-                                                    {"draw", "cube.obj", "--view", bad, "-o", "a.svg"},
-                                                    {"draw", "cube.obj", "-o", bad},
-                                                    {"compile", bad, "-o", "a.tree", "--stats"}}) {
+  for (const Words& arguments : {Words{"info", bad},
+                                 {"draw", bad, "-o", "a.svg", "--stats", "--report"},
+                                 {"draw", bad, "--dpi", "99", "-o", bad + ".svg"},
+                                 {"draw", bad, "--format", "png", "-o", bad + ".svg"},
+                                 {"draw", bad + ".stl", "-o", "a.svg"},
+                                 {"compare", bad, "--methods", "appel"},
+                                 {"help", bad},
+                                 {bad},
+                                 {"plot", bad, "-o", "a.svg"},
+                                 {"surface", "--grid", bad, "-o", "a.svg"},
+                                 {"study", bad},
+                                 {"draw", "cube.obj", bad},
+                                 {"draw", "cube.obj", "--device", bad, "-o", "a.svg"},
+                                 {"draw", "cube.obj", "--view", bad, "-o", "a.svg"},
+                                 {"draw", "cube.obj", "-o", bad},
+                                 {"compile", bad, "-o", "a.tree", "--stats"}}) {
     const Outcome outcome = run(arguments);
     for (const std::string& text : {outcome.out, outcome.err}) {
       EXPECT_EQ(text.find('\x1b'), std::string::npos) << arguments[0];
@@ -137,14 +134,14 @@ TEST_F(MistakesOfNewcomers, NamesAreEscapedWhereverTheyArePrinted) {
 }
 
 TEST_F(MistakesOfNewcomers, PagesThatReadersOfPdfDoNotShow) {
-  const Outcome large = run({"draw", "cube.obj", "--page", "10000x10000", "-o", "p.pdf"});
+  const Outcome large = run("draw cube.obj --page 10000x10000 -o p.pdf");
   EXPECT_EQ(large.status, kDone);
   EXPECT_EQ(
       large.err,
       "ligne: cube.obj: warning: a page of 10000 x 10000 mm is larger than the 14400 points (5080 mm) that readers of PDF "
       "show\n");
-  EXPECT_EQ(run({"draw", "cube.obj", "--page", "5080x5080", "-o", "p.pdf"}).err, "");
-  EXPECT_EQ(run({"draw", "cube.obj", "--page", "10000x10000", "-o", "p.svg"}).err, "");
+  EXPECT_EQ(run("draw cube.obj --page 5080x5080 -o p.pdf").err, "");
+  EXPECT_EQ(run("draw cube.obj --page 10000x10000 -o p.svg").err, "");
 }
 
 }  // namespace

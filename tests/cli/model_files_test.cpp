@@ -27,27 +27,27 @@ class ModelFilesTest : public DrawTest {
 };
 
 TEST_F(ModelFilesTest, OneWarningNamesWhatIsLeftOut) {
-  const Outcome outcome = run({"draw", "pane.obj", "-o", "x.svg"});
+  const Outcome outcome = run("draw pane.obj -o x.svg");
   EXPECT_EQ(outcome.status, kDone);
   EXPECT_EQ(outcome.err, "ligne: pane.obj: warning: left out: 1 lines (l), 1 textures (map_Kd)\n");
-  EXPECT_NE(run({"info", "pane.obj"}).out.find("left out       1 lines (l), 1 textures (map_Kd)"), std::string::npos);
-  const json info = json::parse(run({"info", "pane.obj", "--json"}).out);
+  EXPECT_NE(run("info pane.obj").out.find("left out       1 lines (l), 1 textures (map_Kd)"), std::string::npos);
+  const json info = json::parse(run("info pane.obj --json").out);
   EXPECT_EQ(info["files"][0]["left_out"]["lines (l)"], 1);
 }
 
 TEST_F(ModelFilesTest, LibrariesOfMaterialsAreDrawn) {
-  ASSERT_EQ(run({"draw", "pane.obj", "-q", "--view", "front", "--fill", "material", "-o", "x.svg"}).status, kDone);
+  ASSERT_EQ(run("draw pane.obj -q --view front --fill material -o x.svg").status, kDone);
   const std::string svg = contents(file("x.svg"));
   EXPECT_NE(svg.find("fill-opacity=\"0.5\""), std::string::npos) << svg;
   EXPECT_TRUE(svg.find("fill=\"#f00\"") != std::string::npos || svg.find("fill=\"#ff0000\"") != std::string::npos) << svg;
   // Nothing may be written over a file that was read.
-  EXPECT_EQ(run({"draw", "pane.obj", "-q", "--format", "svg", "-o", "red_glass.mtl"}).status, kUsage);
+  EXPECT_EQ(run("draw pane.obj -q --format svg -o red_glass.mtl").status, kUsage);
 }
 
 TEST_F(ModelFilesTest, GlassIsSeenThroughByItself) {
-  ASSERT_EQ(run({"draw", "pane.obj", "-q", "--view", "front", "-o", "x.svg"}).status, kDone);
+  ASSERT_EQ(run("draw pane.obj -q --view front -o x.svg").status, kDone);
   EXPECT_NE(contents(file("x.svg")).find("id=\"behind-glass\""), std::string::npos);
-  const Outcome opaque = run({"draw", "pane.obj", "--view", "front", "--method", "appel", "-o", "x.svg"});
+  const Outcome opaque = run("draw pane.obj --view front --method appel -o x.svg");
   EXPECT_NE(
       opaque.err.find("warning: 1 transparent faces are taken as opaque; --method atherton-weiler sees through them\n"),
       std::string::npos)
@@ -55,15 +55,13 @@ TEST_F(ModelFilesTest, GlassIsSeenThroughByItself) {
 }
 
 TEST_F(ModelFilesTest, PosesMoveTheModel) {
-  const auto middle = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> arguments{"info", "moves.gltf", "--json"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return json::parse(run(arguments).out)["scene"]["bounds"];
+  const auto middle = [&](const Words& options) {
+    return json::parse(run("info moves.gltf --json" + options).out)["scene"]["bounds"];
   };
-  EXPECT_EQ(middle({}), middle({"--pose", "slide@0"}));
-  EXPECT_NE(middle({}), middle({"--pose", "slide@0.5"}));
-  EXPECT_EQ(middle({"--pose", "0@0.5"}), middle({"--pose", "slide@0.5"}));
-  const Outcome none = run({"draw", "moves.gltf", "--pose", "jump@1", "-o", "x.svg"});
+  EXPECT_EQ(middle({}), middle("--pose slide@0"));
+  EXPECT_NE(middle({}), middle("--pose slide@0.5"));
+  EXPECT_EQ(middle("--pose 0@0.5"), middle("--pose slide@0.5"));
+  const Outcome none = run("draw moves.gltf --pose jump@1 -o x.svg");
   EXPECT_EQ(none.status, kFailed);
   EXPECT_EQ(none.err, "ligne: moves.gltf: has no animation \"jump\"; there are 0 slide\n");
   for (const char* wrong : {"slide", "@1", "slide@", "slide@soon"}) {
@@ -72,12 +70,12 @@ TEST_F(ModelFilesTest, PosesMoveTheModel) {
 }
 
 TEST_F(ModelFilesTest, APageThatNoPaperOfTheDeviceHolds) {
-  const Outcome fitted = run({"draw", "cube.obj", "--device", "hp7475a", "--page", "A2", "-o", "x.hpgl"});
+  const Outcome fitted = run("draw cube.obj --device hp7475a --page A2 -o x.hpgl");
   EXPECT_EQ(fitted.status, kDone);
   EXPECT_NE(fitted.err.find("warning: no paper of hp7475a holds a page of 420 x 594 mm: the drawing is made for A3\n"),
             std::string::npos)
       << fitted.err;
-  const Outcome refused = run({"draw", "cube.obj", "--device", "hp7475a", "--page", "A2", "--scale", "1:1", "-o", "y.hpgl"});
+  const Outcome refused = run("draw cube.obj --device hp7475a --page A2 --scale 1:1 -o y.hpgl");
   EXPECT_EQ(refused.status, kFailed);
   EXPECT_NE(refused.err.find("no paper holds a page of 420 mm x 594 mm"), std::string::npos) << refused.err;
 }

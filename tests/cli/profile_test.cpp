@@ -223,21 +223,20 @@ TEST_F(ProfileTest, IsALayerInEveryFormat) {
 }
 
 TEST_F(ProfileTest, WidthsByClass) {
-  const auto svg = [&](std::vector<std::string> more) {
-    std::vector<std::string> arguments{"draw", kCorpus + "cube.json", "--profile", "sheet", "-o", "-", "--format", "svg"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run(arguments);
+  const auto svg = [&](const Words& more) {
+    const Outcome outcome =
+        run(Words{"draw", kCorpus + "cube.json", "--profile", "sheet", "-o", "-", "--format", "svg"} + more);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome.out;
   };
   const auto has = [](const std::string& text, const std::string& id, const std::string& width) {
     return text.find("id=\"" + id + "\" fill=\"none\" stroke=\"#000\" stroke-width=\"" + width + "\"") != std::string::npos;
   };
-  const std::string usual = svg({"--pen-width", "0.5"});
+  const std::string usual = svg("--pen-width 0.5");
   EXPECT_TRUE(has(usual, "profile", "0.7") && has(usual, "crease", "0.35")) << "two to one, of the series of ISO 128";
-  const std::string chosen = svg({"--width", "profile=1,crease=0.05cm"});
+  const std::string chosen = svg("--width profile=1,crease=0.05cm");
   EXPECT_TRUE(has(chosen, "profile", "1") && has(chosen, "crease", "0.5"));
-  const std::string dashed = svg({"--hidden", "dashed", "--width", "hidden=0.1", "--width", "profile=2pt"});
+  const std::string dashed = svg("--hidden dashed --width hidden=0.1 --width profile=2pt");
   expect_parts(dashed,
                {"stroke-width=\"0.1\" stroke-linecap=\"butt\" stroke-linejoin=\"round\" stroke-dasharray=\"1.2 0.3\""});
   EXPECT_TRUE(has(dashed, "profile", "0.705556"));
@@ -247,8 +246,7 @@ TEST_F(ProfileTest, WidthsByClass) {
     EXPECT_EQ(outcome.error_lines(), 1u);
   }
   ASSERT_EQ(run({"draw", kCorpus + "cube.json", "-o", "cube.svg"}).status, 0);
-  EXPECT_TRUE(has(run({"plot", "cube.svg", "--width", "crease=0.1", "--optimize", "off", "-o", "-", "--format", "svg"}).out,
-                  "crease", "0.1"));
+  EXPECT_TRUE(has(run("plot cube.svg --width crease=0.1 --optimize off -o - --format svg").out, "crease", "0.1"));
 }
 
 }  // namespace

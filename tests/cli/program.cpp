@@ -84,7 +84,7 @@ class NamelessFile {
 };
 
 /// The arguments as main() gets them.
-std::vector<char*> argument_list(const std::vector<std::string>& arguments) {
+std::vector<char*> argument_list(const Words& arguments) {
   std::vector<char*> argv{const_cast<char*>("ligne")};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
@@ -114,7 +114,24 @@ void flush_all() {
 
 }  // namespace
 
-Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+Words::Words(const char* line) {
+  bool quoted = false, in_word = false;
+  for (; *line; ++line) {
+    const bool is_quote = *line == '\'';
+    if (is_quote) quoted = !quoted;
+    const bool is_gap = *line == ' ' && !quoted;
+    if (!is_gap && !in_word) emplace_back();
+    in_word = !is_gap;
+    if (!is_gap && !is_quote) back() += *line;
+  }
+}
+
+Words& Words::operator+=(const Words& more) {
+  insert(end(), more.begin(), more.end());
+  return *this;
+}
+
+Outcome run_ligne(const std::filesystem::path& folder, const Words& arguments) {
   const NamelessFile out("out"), err("err");
   std::vector<char*> argv = argument_list(arguments);
   Outcome outcome;
@@ -132,7 +149,7 @@ Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::st
   return outcome;
 }
 
-Outcome run_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments, int out_fd) {
+Outcome run_program(const std::filesystem::path& folder, const Words& arguments, int out_fd) {
   const NamelessFile out("out"), err("err");
   std::vector<char*> argv = argument_list(arguments);
   const int output = out_fd < 0 ? out.descriptor() : out_fd;
@@ -170,15 +187,14 @@ void ProgramTest::SetUp() {
 
 void ProgramTest::TearDown() { std::filesystem::remove_all(folder_); }
 
-void ProgramTest::expect_outcome(const std::vector<std::string>& arguments, int status,
-                                 std::initializer_list<std::string_view> parts) const {
+void ProgramTest::expect_outcome(const Words& arguments, int status, std::initializer_list<std::string_view> parts) const {
   SCOPED_TRACE(testing::PrintToString(arguments));
   const Outcome outcome = run(arguments);
   EXPECT_EQ(outcome.status, status) << outcome.err;
   expect_parts(outcome.err, parts);
 }
 
-void ProgramTest::expect_error(const std::vector<std::string>& arguments, int status, const std::string& error) const {
+void ProgramTest::expect_error(const Words& arguments, int status, const std::string& error) const {
   SCOPED_TRACE(testing::PrintToString(arguments));
   const Outcome outcome = run(arguments);
   EXPECT_EQ(outcome.status, status) << outcome.err;

@@ -12,6 +12,17 @@ struct Outcome {
   std::size_t error_lines() const;
 };
 
+/// The words of a command line. A text is taken apart at its spaces, but for what stands in '...'.
+class Words : public std::vector<std::string> {
+ public:
+  Words() = default;
+  Words(const char* line);
+  Words(std::initializer_list<std::string> words) : vector(words) {}
+
+  Words& operator+=(const Words& more);
+  friend Words operator+(Words words, const Words& more) { return words += more; }
+};
+
 inline constexpr int kDone = 0, kFailed = 1, kUsage = 2;  ///< exit statuses
 inline constexpr double kMicrometre = 1e-3;               ///< in mm
 
@@ -19,10 +30,10 @@ inline constexpr double kMicrometre = 1e-3;               ///< in mm
 std::size_t count_of(const std::string& text, const std::string& part);
 
 /// Runs the command with these arguments in this process; the folder is its current one.
-Outcome run_ligne(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+Outcome run_ligne(const std::filesystem::path& folder, const Words& arguments);
 
 /// Runs the built program. Standard output goes to the descriptor `out_fd`, which is closed, or else into the outcome.
-Outcome run_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments, int out_fd = -1);
+Outcome run_program(const std::filesystem::path& folder, const Words& arguments, int out_fd = -1);
 
 /// The bytes of a file.
 std::string contents(const std::filesystem::path& file);
@@ -34,11 +45,10 @@ class ProgramTest : public testing::Test {
   void SetUp() override;
   void TearDown() override;
 
-  Outcome run(const std::vector<std::string>& arguments) const { return run_ligne(folder_, arguments); }
+  Outcome run(const Words& arguments) const { return run_ligne(folder_, arguments); }
   /// Runs, and looks at the status and at parts of what stands on standard error; or at all of that.
-  void expect_outcome(const std::vector<std::string>& arguments, int status,
-                      std::initializer_list<std::string_view> parts) const;
-  void expect_error(const std::vector<std::string>& arguments, int status, const std::string& error) const;
+  void expect_outcome(const Words& arguments, int status, std::initializer_list<std::string_view> parts) const;
+  void expect_error(const Words& arguments, int status, const std::string& error) const;
   void write(const std::string& name, std::string_view text) const;
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   bool exists(const std::string& name) const { return std::filesystem::exists(file(name)); }

@@ -51,14 +51,14 @@ class ShapeLinesTest : public DrawTest {
 
 TEST_F(ShapeLinesTest, AreDrawnWhereTheyAreAskedFor) {
   write_torus(false);
-  EXPECT_EQ(strokes_by_class(drawn({"ring.obj"})).count("suggestive"), 0u);
-  EXPECT_EQ(strokes_by_class(drawn({"ring.obj", "--edges", "all"})).count("suggestive"), 0u);
+  EXPECT_EQ(strokes_by_class(drawn("ring.obj")).count("suggestive"), 0u);
+  EXPECT_EQ(strokes_by_class(drawn("ring.obj --edges all")).count("suggestive"), 0u);
   for (const char* quality : {"clear", "exact"}) {
     auto seen = strokes_by_class(drawn({"ring.obj", "--edges", "outline,suggestive", "--quality", quality}));
     EXPECT_GT(seen["suggestive"], 0) << quality;
     EXPECT_GT(seen["outline"], 0) << quality;
   }
-  expect_outcome({"draw", "ring.obj", "--edges", "ridges", "-o", "x.svg"}, 2, {"suggestive, ridge, valley"});
+  expect_outcome("draw ring.obj --edges ridges -o x.svg", 2, {"suggestive, ridge, valley"});
   const Outcome flat = run({"draw", LIGNE_SOURCE_DIR "/tests/corpus/cube.json", "--edges", "outline,suggestive,ridge,valley",
                             "--stats", "-o", "cube.svg"});
   EXPECT_EQ(flat.status, 0);
@@ -68,13 +68,13 @@ TEST_F(ShapeLinesTest, AreDrawnWhereTheyAreAskedFor) {
 
 TEST_F(ShapeLinesTest, HaveALayerAWidthAndAFaceOfTheirOwn) {
   write_torus(false);
-  ASSERT_EQ(run({"draw", "ring.obj", "--edges", "outline,suggestive", "-o", "a.svg"}).status, 0);
+  ASSERT_EQ(run("draw ring.obj --edges outline,suggestive -o a.svg").status, 0);
   EXPECT_NE(contents(file("a.svg")).find("id=\"suggestive\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.245\""),
             std::string::npos);
-  ASSERT_EQ(run({"draw", "ring.obj", "--edges", "suggestive", "--width", "suggestive=0.6", "-o", "b.svg"}).status, 0);
+  ASSERT_EQ(run("draw ring.obj --edges suggestive --width suggestive=0.6 -o b.svg").status, 0);
   EXPECT_NE(contents(file("b.svg")).find("id=\"suggestive\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.6\""),
             std::string::npos);
-  for (const json& s : drawn({"ring.obj", "--edges", "suggestive"})["strokes"]) {
+  for (const json& s : drawn("ring.obj --edges suggestive")["strokes"]) {
     EXPECT_TRUE(s["source"]["edge"].is_null());
     EXPECT_LT(s["source"]["faces"][0].get<int>(), 90 * 45);
     EXPECT_TRUE(s["source"]["faces"][1].is_null());
@@ -84,13 +84,8 @@ TEST_F(ShapeLinesTest, HaveALayerAWidthAndAFaceOfTheirOwn) {
 TEST_F(ShapeLinesTest, AreHiddenByWhatIsInFront) {
   write_torus(false);
   write_torus(true);
-  const std::vector<std::string> view{"--edges", "suggestive,border", "--direction", "-1,-0.8,-1", "--hidden",
-                                      "dashed",  "--scale",           "1:1"};
-  const auto of = [&](const char* file) {
-    std::vector<std::string> arguments{file};
-    arguments.insert(arguments.end(), view.begin(), view.end());
-    return drawn(arguments);
-  };
+  const Words view = "--edges suggestive,border --direction -1,-0.8,-1 --hidden dashed --scale 1:1";
+  const auto of = [&](const char* file) { return drawn(Words{file} + view); };
   const json free = of("ring.obj"), covered = of("covered.obj");
   EXPECT_GT(suggestive(free, true), 40);
   EXPECT_LT(suggestive(covered, true), 0.8 * suggestive(free, true));
@@ -100,18 +95,14 @@ TEST_F(ShapeLinesTest, AreHiddenByWhatIsInFront) {
 
 TEST_F(ShapeLinesTest, AreTheSameByAllMethodsAndForAnyNumberOfThreads) {
   write_torus(true);
-  const std::vector<std::string> view{"draw",        "covered.obj", "--edges", "outline,suggestive,ridge,valley",
-                                      "--direction", "-1,-0.8,-1",  "-q"};
-  const auto file_of = [&](const std::string& name, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = view;
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    arguments.insert(arguments.end(), {"-o", name});
-    EXPECT_EQ(run(arguments).status, 0);
+  const Words view = "draw covered.obj --edges outline,suggestive,ridge,valley --direction -1,-0.8,-1 -q";
+  const auto file_of = [&](const std::string& name, const Words& more) {
+    EXPECT_EQ(run(view + more + Words{"-o", name}).status, 0);
     return contents(file(name));
   };
-  const std::string one = file_of("one.svg", {"--threads", "1"});
+  const std::string one = file_of("one.svg", "--threads 1");
   for (const char* threads : {"2", "8"}) EXPECT_EQ(file_of("more.svg", {"--threads", threads}), one) << threads;
-  const double length = suggestive(json::parse(file_of("a.json", {"--method", "appel"})), true);
+  const double length = suggestive(json::parse(file_of("a.json", "--method appel")), true);
   EXPECT_GT(length, 10);
   for (const char* method : {"warnock", "watkins", "atherton-weiler"}) {
     EXPECT_NEAR(suggestive(json::parse(file_of("m.json", {"--method", method})), true), length, 1e-2) << method;
@@ -168,8 +159,8 @@ double length_of(const json& drawing, const std::string& line_class) {
 /// Where an outline passes from face to face, lines of the mesh end at every corner: it is no bundle of spurs for that.
 TEST_F(DrawTest, OutlinesOfScansStayWhereTheMeshIsDrawn) {
   write("ball.obj", scanned_ball(24, 0.005));
-  const double alone = length_of(drawn({"ball.obj"}), "outline");
-  const json with_mesh = drawn({"ball.obj", "--edges", "all"});
+  const double alone = length_of(drawn("ball.obj"), "outline");
+  const json with_mesh = drawn("ball.obj --edges all");
   EXPECT_GT(alone, 2 * std::numbers::pi * 90) << "at least the round of the ball, which fills the sheet's width";
   EXPECT_GT(length_of(with_mesh, "outline"), alone);
   EXPECT_GT(length_of(with_mesh, "mesh"), 10 * alone);

@@ -125,18 +125,15 @@ class StreamTest : public DrawTest {
  protected:
   /// The drawing of what is in memory as a whole and that of what is streamed are one; returns what part of the facets the
   /// latter's study had.
-  double same_drawing(const std::string& model, std::vector<std::string> options) const {
-    options.insert(options.begin(), {"draw", model, "--quality", "exact", "--method", "appel"});
-    const auto drawing = [&](const std::string& name, const std::vector<std::string>& more) {
-      std::vector<std::string> arguments = options;
-      arguments.insert(arguments.end(), more.begin(), more.end());
-      arguments.insert(arguments.end(), {"-o", name + ".svg", "--stats-json", name + ".json"});
-      const Outcome outcome = run(arguments);
+  double same_drawing(const std::string& model, const Words& options) const {
+    const auto drawing = [&](const std::string& name, const Words& more) {
+      const Outcome outcome = run(Words{"draw", model, "--quality", "exact", "--method", "appel"} + options + more +
+                                  Words{"-o", name + ".svg", "--stats-json", name + ".json"});
       EXPECT_EQ(outcome.status, kDone) << outcome.err;
       return outcome.err;
     };
-    const std::string whole = drawing("whole", {"--stream", "off"});
-    for (const char* threads : {"1", "2"}) {
+    const std::string whole = drawing("whole", "--stream off");
+    for (const char* threads : chosen("threads, " + model + std::to_string(options.size()), 2, {"1", "2"})) {
       EXPECT_EQ(drawing("part", {"--stream", "on", "--threads", threads}), whole);
       EXPECT_TRUE(contents(file("part.svg")) == contents(file("whole.svg"))) << model << " with " << threads << " threads";
     }
@@ -145,6 +142,16 @@ class StreamTest : public DrawTest {
     };
     return facets("part") / facets("whole");
   }
+
+  struct Drawing {
+    Words options;
+    double most = 1;  ///< part of the facets that the streamed study may have
+  };
+  /// In the first tier one of two drawings.
+  void same_drawings(const std::string& model, const std::vector<Drawing>& drawings) const {
+    for (const Drawing& drawing : chosen("streams, " + model, 2, drawings))
+      EXPECT_LE(same_drawing(model, drawing.options), drawing.most) << model;
+  }
 };
 
 TEST_F(StreamTest, ATorusIsDrawnByThePartsWhereThereAreLines) {
@@ -152,20 +159,12 @@ TEST_F(StreamTest, ATorusIsDrawnByThePartsWhereThereAreLines) {
   write("torus.stl", stl(torus));
   write("torus.ply", ply(torus));
   write("double.ply", ply(torus, "double"));
-  struct Drawing {
-    const char* model;
-    std::vector<std::string> options;
-    double most;  ///< part of the facets
-  };
-  std::size_t number = 0;
-  for (const Drawing& drawing : {Drawing{"torus.stl", {}, 0.25},
-                                 {"torus.ply", {}, 0.25},
-                                 {"double.ply", {}, 0.25},
-                                 {"torus.ply", {"--view", "front"}, 0.2},
-                                 {"torus.ply", {"--eye", "20,-15,12"}, 0.2},
-                                 {"torus.ply", {"--edges", "all"}, 0.65}}) {  // what is behind
-    if (!is_chosen("torus", number++, 3)) continue;
-    EXPECT_LT(same_drawing(drawing.model, drawing.options), drawing.most) << drawing.model;
+  for (const char* model : chosen("torus", 3, {"torus.stl", "torus.ply", "double.ply"}))
+    EXPECT_LT(same_drawing(model, {}), 0.25) << model;
+  for (const Drawing& drawing :
+       chosen("views of the torus", 3,
+              {Drawing{"--view front", 0.2}, {"--eye 20,-15,12", 0.2}, {"--edges all", 0.65}})) {  // what is behind
+    EXPECT_LT(same_drawing("torus.ply", drawing.options), drawing.most);
   }
 }
 
@@ -177,10 +176,9 @@ TEST_F(StreamTest, BallsBeforeAndBehindAWall) {
   }
   add_board(scene);
   write("scene.ply", ply(scene));
-  EXPECT_LT(same_drawing("scene.ply", {"--view", "front"}), 0.15);
-  same_drawing("scene.ply", {"--view", "back", "--crease", "5"});
-  same_drawing("scene.ply", {"--edges", "border,crease"});
-  same_drawing("scene.ply", {"--eye", "4,-80,9", "--min-length", "1mm"});
+  same_drawings(
+      "scene.ply",
+      {{"--view front", 0.15}, {"--view back --crease 5"}, {"--edges border,crease"}, {"--eye 4,-80,9 --min-length 1mm"}});
 }
 
 TEST_F(StreamTest, SurfacesThatPenetrate) {
@@ -189,15 +187,13 @@ TEST_F(StreamTest, SurfacesThatPenetrate) {
   add(scene, wall(30, 16, 1));
   add_board(scene);
   write("scene.stl", stl(scene));
-  EXPECT_LT(same_drawing("scene.stl", {}), 0.15);
-  same_drawing("scene.stl", {"--edges", "intersection"});
+  same_drawings("scene.stl", {{{}, 0.15}, {"--edges intersection"}});
   for (unsigned seed = 1; seed <= 3; ++seed) {
     if (!is_chosen("stream", seed, 3)) continue;
     Mesh triangles = soup(3000, 1.5, seed);
     add_board(triangles);
     write("soup.stl", stl(triangles));
-    same_drawing("soup.stl", {});
-    same_drawing("soup.stl", {"--edges", "all", "--view", "top"});
+    same_drawings("soup.stl", {{}, {"--edges all --view top"}});
   }
 }
 
@@ -213,8 +209,7 @@ TEST_F(StreamTest, FacesWithoutAreaAndFacesStoredTwice) {
   }
   add_board(scene);
   write("scene.ply", ply(scene));
-  same_drawing("scene.ply", {});
-  same_drawing("scene.ply", {"--edges", "all"});
+  same_drawings("scene.ply", {{}, {"--edges all"}});
 }
 
 TEST_F(StreamTest, CrowdsStayWhole) {
@@ -234,7 +229,7 @@ TEST_F(StreamTest, CrowdsStayWhole) {
   }
   add_board(scene);
   write("scene.ply", ply(scene, "double"));
-  same_drawing("scene.ply", {"--view", "front"});
+  same_drawing("scene.ply", "--view front");
 }
 
 TEST_F(StreamTest, TakenWhereTheModelWouldFillHalfOfTheMemory) {
@@ -253,32 +248,30 @@ TEST_F(StreamTest, TakenWhereTheModelWouldFillHalfOfTheMemory) {
 TEST_F(StreamTest, RefusesWhatItCanNotDraw) {
   const Mesh torus = bumpy_torus(20, 10);
   write("torus.stl", stl(torus));
-  const auto refused = [&](std::vector<std::string> options, const std::string& why, int status = kUsage) {
-    options.insert(options.begin(), "draw");
-    options.insert(options.end(), {"--stream", "on", "-o", "a.svg"});
-    const Outcome outcome = run(options);
+  const auto refused = [&](const Words& options, const std::string& why, int status = kUsage) {
+    const Outcome outcome = run("draw" + options + "--stream on -o a.svg");
     EXPECT_EQ(outcome.status, status);
     expect_parts(outcome.err, {why});
     EXPECT_EQ(outcome.error_lines(), 1u);
     EXPECT_FALSE(exists("a.svg"));
   };
-  refused({"torus.stl"}, "clear lines");
-  refused({"torus.stl", "--quality", "exact", "--hidden", "dashed"}, "hidden lines");
-  refused({"torus.stl", "--quality", "exact", "--method", "watkins"}, "only method appel");
-  refused({"torus.stl", "torus.stl", "--quality", "exact"}, "several models");
-  refused({"torus.stl", "--quality", "exact"}, "it has fewer than " + std::to_string(kFewest) + " faces");
+  refused("torus.stl", "clear lines");
+  refused("torus.stl --quality exact --hidden dashed", "hidden lines");
+  refused("torus.stl --quality exact --method watkins", "only method appel");
+  refused("torus.stl torus.stl --quality exact", "several models");
+  refused("torus.stl --quality exact", "it has fewer than " + std::to_string(kFewest) + " faces");
   write("large.stl", stl(wall(256, 24, 0)));
-  refused({"large.stl", "--quality", "exact", "--scale", "100:1"}, "out of view");
-  refused({"cube.obj", "--quality", "exact"}, "neither binary STL nor binary PLY");
+  refused("large.stl --quality exact --scale 100:1", "out of view");
+  refused("cube.obj --quality exact", "neither binary STL nor binary PLY");
   std::string bytes = stl(torus);
   const float nan = std::nanf("");
   std::memcpy(&bytes[84 + 50 * 3 + 12], &nan, sizeof nan);
   write("nan.stl", bytes);
-  refused({"nan.stl", "--quality", "exact"}, "nan.stl: triangle 3 of 400: a coordinate is not finite", kFailed);
+  refused("nan.stl --quality exact", "nan.stl: triangle 3 of 400: a coordinate is not finite", kFailed);
   Mesh wrong = torus;
   wrong.triangles[5][1] = 200;
   write("wrong.ply", ply(wrong));
-  refused({"wrong.ply", "--quality", "exact"}, "wrong.ply: face 5 names vertex 200 of 200", kFailed);
+  refused("wrong.ply --quality exact", "wrong.ply: face 5 names vertex 200 of 200", kFailed);
 }
 
 }  // namespace

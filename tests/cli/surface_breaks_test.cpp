@@ -16,10 +16,9 @@ struct Place {
 class SurfaceBreaksTest : public SurfaceProgramTest {
  protected:
   /// Segments of the visible curves and borders, in the numbers of the axes.
-  std::vector<std::array<Place, 2>> segments(const std::vector<std::string>& arguments, const std::string& view = "top") {
-    std::vector<std::string> all = arguments;
-    all.insert(all.end(), {"--z-scale", "1", "--aspect", "equal", "--view", view, "--method", "appel"});
-    const Outcome outcome = surface(all, {"-o", "-", "--format", "json"});
+  std::vector<std::array<Place, 2>> segments(const Words& arguments, const std::string& view = "top") {
+    const Outcome outcome = surface(
+        arguments + Words{"--z-scale", "1", "--aspect", "equal", "--view", view, "--method", "appel"}, "-o - --format json");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     const json drawing = json::parse(outcome.out);
     const auto& m = drawing["view"]["matrix"];
@@ -39,7 +38,7 @@ class SurfaceBreaksTest : public SurfaceProgramTest {
 
 /// A formula with its domain: the distance of a place of the ground from the border, known by hand.
 struct KnownBorder {
-  std::vector<std::string> plot;
+  Words plot;
   std::function<double(double, double)> distance;
   double length;  ///< of the border within the plot
 };
@@ -48,11 +47,9 @@ double from_circle(double x, double y, double radius) { return std::abs(std::hyp
 
 TEST_F(SurfaceBreaksTest, StrokesEndOnTheTrueBorder) {
   constexpr double kPi = 3.14159265358979323846;
-  const std::vector<std::string> ground{"-x", "-4:4", "-y", "-4:4"};
-  const auto plot = [&](const std::string& formula, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> all{formula};
-    all.insert(all.end(), ground.begin(), ground.end());
-    all.insert(all.end(), more.begin(), more.end());
+  const Words ground = "-x -4:4 -y -4:4";
+  const auto plot = [&](const std::string& formula, const Words& more = {}) {
+    Words all = Words{formula} + ground + more;
     return all;
   };
   const double root = std::sqrt(2);
@@ -66,15 +63,15 @@ TEST_F(SurfaceBreaksTest, StrokesEndOnTheTrueBorder) {
       {plot("sqrt(2.01-abs(x))"), [](double x, double) { return std::abs(std::abs(x) - 2.01); }, 16},
       {plot("if(x+2*y > 0.1, sin(x), 0/0)"), [](double x, double y) { return std::abs(x + 2 * y - 0.1) / std::sqrt(5); },
        4 * std::sqrt(5)},
-      {plot("x^2+y^2", {"--z-range", "-1:7"}), [](double x, double y) { return from_circle(x, y, std::sqrt(7)); },
+      {plot("x^2+y^2", "--z-range -1:7"), [](double x, double y) { return from_circle(x, y, std::sqrt(7)); },
        2 * kPi * std::sqrt(7)},
-      {plot("x+y/3", {"--z-range", "-2:1"}),
+      {plot("x+y/3", "--z-range -2:1"),
        [](double x, double y) { return std::min(std::abs(x + y / 3 - 1), std::abs(x + y / 3 + 2)) / std::hypot(1, 1. / 3); },
        2 * 8 * std::hypot(1, 1. / 3)},
-      {plot("1/(x-0.1)", {"--z-range", "-2:2"}),
-       [](double x, double) { return std::min(std::abs(x - 0.6), std::abs(x + 0.4)); }, 16},
+      {plot("1/(x-0.1)", "--z-range -2:2"), [](double x, double) { return std::min(std::abs(x - 0.6), std::abs(x + 0.4)); },
+       16},
   };
-  for (const KnownBorder& known : borders) {
+  for (const KnownBorder& known : chosen("borders", 2, borders)) {
     border_.clear();
     const auto drawn = segments(known.plot);
     ASSERT_GT(drawn.size(), 100u) << known.plot[0];
@@ -124,7 +121,7 @@ TEST_F(SurfaceBreaksTest, NoStrokeGoesOverAJump) {
       {"x*x/4-3*(x > sin(y))", [&](double x, double y) { return double(x > std::sin(y)); }},
   };
   constexpr double kBeside = 1e-6;  // of a unit: what is nearer to a jump has no side
-  for (const KnownJump& known : jumps) {
+  for (const KnownJump& known : chosen("jumps", 3, jumps)) {
     border_.clear();
     const auto drawn = segments({known.formula, "-x", "-3.5:3.5", "-y", "-3.5:3.5"});
     ASSERT_GT(drawn.size(), 100u) << known.formula;
@@ -165,27 +162,29 @@ TEST_F(SurfaceBreaksTest, SteepIsNoJump) {
 }
 
 TEST_F(SurfaceBreaksTest, PolesAreCut) {
-  for (const char* formula : {"1/x", "1/(x^2+y^2)", "1/(x-0.7)^2", "tan(x)", "1/sin(x*y)", "log(x)", "x/(x^2-y)"}) {
-    const Outcome outcome = surface({formula}, {"-o", "a.svg"});
+  for (const char* formula :
+       chosen("poles", 3, {"1/x", "1/(x^2+y^2)", "1/(x-0.7)^2", "tan(x)", "1/sin(x*y)", "log(x)", "x/(x^2-y)"})) {
+    const Outcome outcome = surface({formula}, "-o a.svg");
     EXPECT_EQ(outcome.status, 0);
     expect_parts(outcome.err, {std::string(formula) + " has poles: cut to"});
   }
-  for (const char* formula : {"exp(3*x)", "x^5", "sqrt(x)", "floor(3*x)", "sin(r)/r", "100*exp(-99*r)", "cosh(x*y)"}) {
-    EXPECT_EQ(surface({formula}, {"-o", "a.svg"}).err, "") << formula;
+  for (const char* formula :
+       chosen("no poles", 3, {"exp(3*x)", "x^5", "sqrt(x)", "floor(3*x)", "sin(r)/r", "100*exp(-99*r)", "cosh(x*y)"})) {
+    EXPECT_EQ(surface({formula}, "-o a.svg").err, "") << formula;
   }
   // What is asked for stays as it is asked for.
-  EXPECT_EQ(surface({"1/x", "--z-range", "-9:9"}, {"-o", "a.svg"}).err, "");
+  EXPECT_EQ(surface("1/x --z-range -9:9", "-o a.svg").err, "");
 }
 
 /// Beside a surface without poles; what stands between the samples is chance, and costs no more than a few of them.
 TEST_F(SurfaceBreaksTest, PolesBetweenAllSamplesCostAFewFacetsEach) {
   const auto facets = [&](const std::string& formula) {
-    const Outcome outcome = surface({formula, "--samples", "41", "-q"}, {"-o", "-", "--format", "json"});
+    const Outcome outcome = surface({formula, "--samples", "41", "-q"}, "-o - --format json");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return json::parse(outcome.out)["stats"]["counts"]["facets"].get<int>();
   };
   const int plain = facets("x+y");
-  for (const char* formula : {"tan(x*100)", "tan(x*1e6)", "1/sin(x*1e6)*cos(y*1e5)"}) {
+  for (const char* formula : chosen("many poles", 3, {"tan(x*100)", "tan(x*1e6)", "1/sin(x*1e6)*cos(y*1e5)"})) {
     EXPECT_LT(facets(formula), 8 * plain) << formula;
   }
 }
@@ -203,17 +202,15 @@ TEST_F(SurfaceBreaksTest, TheHorizonLeavesOutCellsOfAJump) {
 
 TEST_F(SurfaceBreaksTest, GridsHaveASteepestSlope) {
   write("cliff.csv", "0,0,0,9,9\n0,0,0,9,9\n0,0,0,9,9\n");
-  const auto length = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all{"--grid", "cliff.csv", "--view", "top", "--scale", "10:1", "--lines", "y"};
-    all.insert(all.end(), more.begin(), more.end());
-    return layers(all).at("horizon");
+  const auto length = [&](const Words& more) {
+    return layers("--grid cliff.csv --view top --scale 10:1 --lines y" + more).at("horizon");
   };
   EXPECT_NEAR(length({}), 3 * 4 * 10, 0.01);
-  EXPECT_NEAR(length({"--max-slope", "9"}), 3 * 4 * 10, 0.01);
+  EXPECT_NEAR(length("--max-slope 9"), 3 * 4 * 10, 0.01);
   for (const char* method : {"horizon", "appel"}) {
     EXPECT_NEAR(length({"--max-slope", "5", "--method", method}), 3 * 3 * 10, 0.01) << method;
   }
-  fails({"x", "--max-slope", "5", "-o", "a.svg"}, 2, "--max-slope: goes with --grid");
+  fails("x --max-slope 5 -o a.svg", 2, "--max-slope: goes with --grid");
 }
 
 TEST_F(SurfaceBreaksTest, FineGridsAreThinned) {
@@ -222,16 +219,14 @@ TEST_F(SurfaceBreaksTest, FineGridsAreThinned) {
     for (int i = 0; i < 450; ++i) text += std::to_string(i * j % 7) + (i == 449 ? "\n" : " ");
   }
   write("fine.txt", text);
-  const auto curves = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all{"--grid", "fine.txt", "--z-scale", "0.001", "--view",      "top",
-                                 "--page", "200x150",  "--margin",  "10",    "--pen-width", "0.3"};
-    all.insert(all.end(), more.begin(), more.end());
-    return layers(all).at("horizon");
+  const auto curves = [&](const Words& more) {
+    return layers("--grid fine.txt --z-scale 0.001 --view top --page 200x150 --margin 10 --pen-width 0.3" + more)
+        .at("horizon");
   };
   // Of 450 columns in 180 mm there is room for one in 0.45 mm: every second one, and the last.
-  EXPECT_NEAR(curves({}), curves({"--every", "2"}), 0.1);
-  EXPECT_NEAR(curves({"--every", "auto", "--method", "appel"}), curves({"--every", "2"}), 0.1);
-  EXPECT_GT(curves({"--every", "1"}), 1.9 * curves({}));
+  EXPECT_NEAR(curves({}), curves("--every 2"), 0.1);
+  EXPECT_NEAR(curves("--every auto --method appel"), curves("--every 2"), 0.1);
+  EXPECT_GT(curves("--every 1"), 1.9 * curves({}));
 }
 
 TEST_F(SurfaceBreaksTest, ScatteredPointsComeFromStandardInputToo) {
@@ -241,11 +236,11 @@ TEST_F(SurfaceBreaksTest, ScatteredPointsComeFromStandardInputToo) {
     rows += std::to_string(k) + "," + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(x * y / 50) + "\n";
   }
   write("points.csv", rows);
-  const Outcome outcome = surface({"--grid", "points.csv", "--axes"}, {"-o", "a.svg"});
+  const Outcome outcome = surface("--grid points.csv --axes", "-o a.svg");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err,
             "ligne: points.csv: warning: 400 scattered points: heights are linear in their Delaunay triangles\n");
-  EXPECT_EQ(surface({"--grid", "-", "--axes"}, {"-o", "a.svg"}).status, 1) << "there is nothing on it";
+  EXPECT_EQ(surface("--grid - --axes", "-o a.svg").status, 1) << "there is nothing on it";
 }
 
 }  // namespace

@@ -9,30 +9,25 @@
 namespace ligne::test {
 namespace {
 
-const std::vector<std::string> kFromAbove{"-x",      "-5:5:11",  "-y", "-5:5:11", "--view", "top",     "--page",
-                                          "100x100", "--margin", "10", "--scale", "8:1",    "--lines", "none"};
+const Words kFromAbove = "-x -5:5:11 -y -5:5:11 --view top --page 100x100 --margin 10 --scale 8:1 --lines none";
 
 class CurvesTest : public SurfaceProgramTest {
  protected:
-  Outcome map(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.end(), kFromAbove.begin(), kFromAbove.end());
-    return surface(arguments, {"-o", "-", "--format", "svg"});
-  }
-  std::map<std::string, double> lengths(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.end(), kFromAbove.begin(), kFromAbove.end());
+  Outcome map(const Words& arguments) const { return surface(arguments + kFromAbove, "-o - --format svg"); }
+  std::map<std::string, double> lengths(const Words& arguments) const {
     // Each curve is a part of its own in the layer.
     std::map<std::string, double> whole;
-    for (const auto& [name, length] : layers(arguments)) whole[name.substr(0, name.find('-'))] += length;
+    for (const auto& [name, length] : layers(arguments + kFromAbove)) whole[name.substr(0, name.find('-'))] += length;
     return whole;
   }
 };
 
 TEST_F(CurvesTest, ACurveIsSeenAboveTheSurfaceAndNotBelow) {
   const double round = 2 * std::numbers::pi * 3 * 8;
-  EXPECT_NEAR(lengths({"x/10", "--curve", "3*cos(t)", "3*sin(t)", "1"})["curve"], round, 0.01);
-  EXPECT_EQ(lengths({"x/10", "--curve", "3*cos(t)", "3*sin(t)", "-1"}).count("curve"), 0u);
-  EXPECT_NEAR(lengths({"x/10", "--curve", "3*cos(t)", "3*sin(t)", "0"})["curve"], round / 2, 0.5) << "x < 0 lies below 0";
-  EXPECT_NEAR(lengths({"x/10", "--curve", "-3*cos(t)", "3*sin(t)", "-1", "--hidden", "dashed"})["hidden"], round, 0.01);
+  EXPECT_NEAR(lengths("x/10 --curve 3*cos(t) 3*sin(t) 1")["curve"], round, 0.01);
+  EXPECT_EQ(lengths("x/10 --curve 3*cos(t) 3*sin(t) -1").count("curve"), 0u);
+  EXPECT_NEAR(lengths("x/10 --curve 3*cos(t) 3*sin(t) 0")["curve"], round / 2, 0.5) << "x < 0 lies below 0";
+  EXPECT_NEAR(lengths("x/10 --curve -3*cos(t) 3*sin(t) -1 --hidden dashed")["hidden"], round, 0.01);
 }
 
 TEST_F(CurvesTest, ACurveOnTheSurfaceIsSeenWhereItIs) {
@@ -40,7 +35,7 @@ TEST_F(CurvesTest, ACurveOnTheSurfaceIsSeenWhereItIs) {
   for (const char* formula : {"x/10", "sin(x)*cos(2*y)", "r<4.5 ? r : 0/0"}) {
     EXPECT_NEAR(lengths({formula, "--curve", "3*cos(t)", "3*sin(t)", "surface"})["curve"], round, 0.02) << formula;
   }
-  EXPECT_NEAR(lengths({"x", "--curve", "t", "0", "surface", "-t", "-20:20"})["curve"], 80, 0.02) << "not beside it";
+  EXPECT_NEAR(lengths("x --curve t 0 surface -t -20:20")["curve"], 80, 0.02) << "not beside it";
 }
 
 TEST_F(CurvesTest, PointsThatAreHiddenHaveNoMark) {
@@ -57,8 +52,7 @@ TEST_F(CurvesTest, PointsThatAreHiddenHaveNoMark) {
 }
 
 TEST_F(CurvesTest, SurfacesHaveTheirColoursAndTheirNames) {
-  const Outcome outcome =
-      surface({"x", "0-x", "--colors", "black,red", "--legend", "--name", "rising"}, {"-o", "-", "--format", "svg"});
+  const Outcome outcome = surface("x 0-x --colors black,red --legend --name rising", "-o - --format svg");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   expect_parts(outcome.out, {"\"#f00\"", ">rising</text>"});
   EXPECT_NE(outcome.out.find(">0-x</text>"), std::string::npos) << "the formula, where there is no name";
@@ -67,7 +61,7 @@ TEST_F(CurvesTest, SurfacesHaveTheirColoursAndTheirNames) {
 TEST_F(CurvesTest, BandsDivideTheLinesByTheirHeights) {
   const Outcome outcome = surface(
       {"x", "-x", "0:10:11", "-y", "0:10:2", "--lines", "y", "--bands", "0,2,5", "--colors", "red,lime,blue", "--legend"},
-      {"-o", "-", "--format", "svg"});
+      "-o - --format svg");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   for (const char* text :
        {"\"#f00\"", "\"#0f0\"", "\"#00f\"", ">0 \u2013 2</text>", ">2 \u2013 5</text>", ">5 \u2013 10</text>"}) {
@@ -76,10 +70,8 @@ TEST_F(CurvesTest, BandsDivideTheLinesByTheirHeights) {
 }
 
 TEST_F(CurvesTest, FillsShowTheBandsInTheirColours) {
-  const std::vector<std::string> bands{"x",       "-x",     "0:10:11",  "-y",       "0:10:3",        "--bands",
-                                       "0,2,5",   "--fill", "material", "--colors", "red,lime,blue", "--legend",
-                                       "--lines", "y"};
-  const Outcome outcome = surface(bands, {"-o", "-", "--format", "svg"});
+  const Words bands = "x -x 0:10:11 -y 0:10:3 --bands 0,2,5 --fill material --colors red,lime,blue --legend --lines y";
+  const Outcome outcome = surface(bands, "-o - --format svg");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   const std::size_t fill = outcome.out.find("inkscape:label=\"fill\""),
                     lines = outcome.out.find("inkscape:label=\"horizon\"");
@@ -96,17 +88,15 @@ TEST_F(CurvesTest, FillsShowTheBandsInTheirColours) {
 }
 
 TEST_F(CurvesTest, WaterIsNoBand) {
-  const Outcome outcome = surface({"x", "-x", "0:10:11", "-y", "0:10:3", "--water", "4", "--bands", "2", "--fill",
-                                   "material", "--legend", "--colors", "red,lime"},
-                                  {"-o", "-", "--format", "svg"});
+  const Outcome outcome =
+      surface("x -x 0:10:11 -y 0:10:3 --water 4 --bands 2 --fill material --legend --colors red,lime", "-o - --format svg");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("\"#cce3f2\""), std::string::npos) << "the colour of water";
   EXPECT_NE(outcome.out.find(">4 \u2013 7</text>"), std::string::npos) << "bands begin at the shore";
 }
 
 TEST_F(CurvesTest, NumbersOfBandsHaveNoMoreDigitsThanTheyAreRoundedTo) {
-  const Outcome outcome =
-      surface({"x", "-x", "-1.2345678:1:5", "-y", "0:1:2", "--bands", "7", "--legend"}, {"-o", "-", "--format", "svg"});
+  const Outcome outcome = surface("x -x -1.2345678:1:5 -y 0:1:2 --bands 7 --legend", "-o - --format svg");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   expect_parts(outcome.out, {"\u2212"
                              "0.9153 \u2013 \u2212"
@@ -114,78 +104,54 @@ TEST_F(CurvesTest, NumbersOfBandsHaveNoMoreDigitsThanTheyAreRoundedTo) {
 }
 
 TEST_F(CurvesTest, NamesOnAnAxis) {
-  const Outcome outcome = surface({"x+y", "-x", "0:2:3", "-y", "0:2:3", "--axes", "--x-names", "north,south,west"},
-                                  {"-o", "-", "--format", "svg"});
+  const Outcome outcome = surface("x+y -x 0:2:3 -y 0:2:3 --axes --x-names north,south,west", "-o - --format svg");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   for (const char* text : {">north</text>", ">south</text>", ">west</text>"}) expect_parts(outcome.out, {text});
 }
 
 TEST_F(CurvesTest, TheSameBytesForAnyNumberOfThreads) {
-  const std::vector<std::string> arguments{"sin(x)*cos(y)",
-                                           "--contour-step",
-                                           "0.2",
-                                           "--contour-labels",
-                                           "--hachures",
-                                           "slope",
-                                           "--curve",
-                                           "t",
-                                           "t",
-                                           "surface",
-                                           "-t",
-                                           "-3:3",
-                                           "--bands",
-                                           "4"};
-  std::vector<std::string> one = arguments, two = arguments;
-  one.insert(one.end(), {"--threads", "1"});
-  two.insert(two.end(), {"--threads", "2"});
-  EXPECT_EQ(map(one).out, map(two).out);
+  const Words arguments =
+      "sin(x)*cos(y) --contour-step 0.2 --contour-labels --hachures slope --curve t t surface -t -3:3 "
+      "--bands 4";
+  EXPECT_EQ(map(arguments + "--threads 1").out, map(arguments + "--threads 2").out);
 }
 
 // What maps of terrain have: water, hachures, index contours, labels, scale bar and north arrow.
 
 /// Seen from above, ten units of the ground are 80 mm.
-const std::vector<std::string> kMap{"-x",   "0:10:11", "-y",      "0:10:11",  "--view", "top",     "--lines",
-                                    "none", "--page",  "100x100", "--margin", "10",     "--scale", "8:1"};
+const Words kMap = "-x 0:10:11 -y 0:10:11 --view top --lines none --page 100x100 --margin 10 --scale 8:1";
 
 class TerrainTest : public SurfaceProgramTest {
  protected:
-  std::map<std::string, double> map(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.end(), kMap.begin(), kMap.end());
-    return layers(arguments);
-  }
-  std::string svg(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.end(), kMap.begin(), kMap.end());
-    return surface(arguments, {"-o", "-", "--format", "svg"}).out;
-  }
+  std::map<std::string, double> map(const Words& arguments) const { return layers(arguments + kMap); }
+  std::string svg(const Words& arguments) const { return surface(arguments + kMap, "-o - --format svg").out; }
 };
 
 TEST_F(TerrainTest, WaterEndsAtItsShore) {
-  auto blank = map({"x", "--water", "4.3"});
+  auto blank = map("x --water 4.3");
   EXPECT_NEAR(blank["shore"], 80, 1e-3) << "x = 4.3 from side to side";
   EXPECT_EQ(blank.count("water"), 0u);
-  auto hatched = map({"x", "--water", "4.3", "--water-fill", "hatch", "--pen-width", "0.4"});
+  auto hatched = map("x --water 4.3 --water-fill hatch --pen-width 0.4");
   // A stroke every five widths of the pen.
   EXPECT_NEAR(hatched["water"], 0.43 * 80 * (80 / (5 * 0.4)), 0.43 * 80 * 1.01);
 }
 
 TEST_F(TerrainTest, FlatLandAtTheLevelIsNoWater) {
-  auto drawn = map({"max(x, 5)", "--water", "5", "--water-fill", "hatch"});
+  auto drawn = map("'max(x, 5)' --water 5 --water-fill hatch");
   EXPECT_EQ(drawn.count("water"), 0u) << "nothing is lower";
 }
 
 TEST_F(TerrainTest, WaterHasNoCurvesAndNoContours) {
-  const std::vector<std::string> block{"-x",      "0:10:11", "-y",      "0:10:11", "--view",     "top",
-                                       "--lines", "y",       "--page",  "100x100", "--margin",   "10",
-                                       "--scale", "8:1",     "--water", "5",       "--contours", "20"};
-  std::vector<std::string> arguments{"x"};
-  arguments.insert(arguments.end(), block.begin(), block.end());
-  auto drawn = layers(arguments);
+  const Words block =
+      "-x 0:10:11 -y 0:10:11 --view top --lines y --page 100x100 --margin 10 --scale 8:1 --water 5 "
+      "--contours 20";
+  auto drawn = layers("x" + block);
   EXPECT_NEAR(drawn["horizon"], 11 * 40, 0.1) << "half of eleven rows";
   EXPECT_NEAR(drawn["contour"], 20 * 80, 0.1);
 }
 
 TEST_F(TerrainTest, HachuresLieInTheShade) {
-  EXPECT_EQ(map({"3", "--hachures", "slope"}).count("hatch"), 0u) << "a plain";
+  EXPECT_EQ(map("3 --hachures slope").count("hatch"), 0u) << "a plain";
   // A slope down to the east is dark when the sun stands in the west, and lit when it stands in the east.
   for (const std::string kind : {"contour", "slope"}) {
     EXPECT_GT(map({"10-x", "--hachures", kind, "--sun", "270"})["hatch"], 100) << kind;
@@ -194,7 +160,7 @@ TEST_F(TerrainTest, HachuresLieInTheShade) {
 }
 
 TEST_F(TerrainTest, HachuresDownASlopeStayOnTheGround) {
-  const std::string out = svg({"sin(x)*cos(y)+0.1*sin(7*x)*sin(5*y)", "--hachures", "slope", "--outline", "off"});
+  const std::string out = svg("sin(x)*cos(y)+0.1*sin(7*x)*sin(5*y) --hachures slope --outline off");
   double low = 1e9, high = -1e9;
   for (std::size_t at = out.find("<path d=\"M"); at != std::string::npos; at = out.find("<path d=\"M", at + 1)) {
     std::string path = out.substr(at + 9, out.find('"', at + 9) - at - 9);
@@ -210,47 +176,42 @@ TEST_F(TerrainTest, HachuresDownASlopeStayOnTheGround) {
 }
 
 TEST_F(TerrainTest, IndexContours) {
-  auto drawn = map({"x", "--contour-step", "0.5"});
+  auto drawn = map("x --contour-step 0.5");
   EXPECT_NEAR(drawn["contour-index"], 4 * 80, 1) << "2.5, 5, 7.5, 10; nothing is below 0";
-  auto none = map({"x", "--contour-step", "0.5", "--index-contours", "0"});
+  auto none = map("x --contour-step 0.5 --index-contours 0");
   EXPECT_EQ(none.count("contour-index"), 0u);
   EXPECT_NEAR(none["contour"], drawn["contour"] + drawn["contour-index"], 0.01);
 }
 
 TEST_F(TerrainTest, LabelsStandInGaps) {
-  auto plain = map({"x", "--contour-step", "2", "--index-contours", "0"});
-  auto labelled = map({"x", "--contour-step", "2", "--index-contours", "0", "--contour-labels", "all"});
+  auto plain = map("x --contour-step 2 --index-contours 0");
+  auto labelled = map("x --contour-step 2 --index-contours 0 --contour-labels all");
   EXPECT_LT(labelled["contour"], plain["contour"] - 4 * 2);
-  const std::string out = svg({"x", "--contour-step", "2", "--index-contours", "0", "--contour-labels", "all"});
+  const std::string out = svg("x --contour-step 2 --index-contours 0 --contour-labels all");
   for (const char* text : {">2</text>", ">4</text>", ">6</text>", ">8</text>"}) EXPECT_NE(out.find(text), out.npos) << text;
-  const auto strokes = map({"x", "--contour-step", "2", "--contour-labels", "all", "--text", "stroke"});
+  const auto strokes = map("x --contour-step 2 --contour-labels all --text stroke");
   EXPECT_GT(strokes.at("text"), 4) << "as single strokes too";
 }
 
 TEST_F(TerrainTest, BothMethodsLabelTheSameLines) {
-  const std::vector<std::string> hill{"exp(-(x-5)^2/9-(y-5)^2/6)", "--contours", "5", "--contour-labels", "all"};
+  const Words hill = "exp(-(x-5)^2/9-(y-5)^2/6) --contours 5 --contour-labels all";
   auto horizon = map(hill);
-  std::vector<std::string> mesh = hill;
-  mesh.insert(mesh.end(), {"--z-range", "-1:2"});
-  EXPECT_NEAR(map(mesh)["contour"], horizon["contour"], 0.02 * horizon["contour"]);
+  EXPECT_NEAR(map(hill + "--z-range -1:2")["contour"], horizon["contour"], 0.02 * horizon["contour"]);
 }
 
 TEST_F(TerrainTest, ScaleBarAndNorth) {
-  const std::string out = svg({"x", "--scale-bar", "km", "--north-arrow", "--text-height", "2"});
+  const std::string out = svg("x --scale-bar km --north-arrow --text-height 2");
   EXPECT_NE(out.find(">2 km</text>"), out.npos);
   EXPECT_NE(out.find(">N</text>"), out.npos);
-  EXPECT_NE(surface({"x", "--eye", "9,9,9", "--scale-bar", "m"}, {"-o", "-", "--format", "svg"}).err.find("no scale"),
-            std::string::npos);
+  EXPECT_NE(surface("x --eye 9,9,9 --scale-bar m", "-o - --format svg").err.find("no scale"), std::string::npos);
 }
 
 TEST_F(TerrainTest, Errors) {
-  const auto error = [&](std::vector<std::string> arguments) {
-    return surface(arguments, {"-o", "-", "--format", "svg"}).err;
-  };
-  EXPECT_NE(error({"x", "--contour-labels"}).find("goes with --contours"), std::string::npos);
-  EXPECT_NE(error({"x", "--water", "nodata"}).find("goes with --grid"), std::string::npos);
-  EXPECT_NE(error({"x", "--water-fill", "hatch"}).find("goes with --water"), std::string::npos);
-  EXPECT_NE(error({"x", "--hachure-spacing", "1"}).find("goes with --hachures"), std::string::npos);
+  const auto error = [&](const Words& arguments) { return surface(arguments, "-o - --format svg").err; };
+  EXPECT_NE(error("x --contour-labels").find("goes with --contours"), std::string::npos);
+  EXPECT_NE(error("x --water nodata").find("goes with --grid"), std::string::npos);
+  EXPECT_NE(error("x --water-fill hatch").find("goes with --water"), std::string::npos);
+  EXPECT_NE(error("x --hachure-spacing 1").find("goes with --hachures"), std::string::npos);
 }
 
 TEST_F(TerrainTest, HolesOfAGridAsWater) {
@@ -262,15 +223,14 @@ TEST_F(TerrainTest, HolesOfAGridAsWater) {
 }
 
 TEST_F(TerrainTest, RidgelinesStopAtTheShore) {
-  const auto strokes = [&](const std::vector<std::string>& more) {
-    const std::string out =
-        surface({"abs(x-5)", "-x", "0:10", "-y", "0:10:11", "--ridgeline", "--samples", "101"}, more).out;
+  const auto strokes = [&](const Words& more) {
+    const std::string out = surface("abs(x-5) -x 0:10 -y 0:10:11 --ridgeline --samples 101", more).out;
     std::size_t count = 0;
     for (std::size_t at = out.find("<path"); at != std::string::npos; at = out.find("<path", at + 1)) ++count;
     return count;
   };
-  EXPECT_EQ(strokes({"-o", "-", "--format", "svg"}), 11u);
-  EXPECT_EQ(strokes({"--water", "2", "-o", "-", "--format", "svg"}), 22u) << "a shore on either side";
+  EXPECT_EQ(strokes("-o - --format svg"), 11u);
+  EXPECT_EQ(strokes("--water 2 -o - --format svg"), 22u) << "a shore on either side";
 }
 
 /// How long the axes of `ligne surface` are, and how they count.
@@ -280,9 +240,8 @@ using nlohmann::json;
 class SurfaceScaleTest : public SurfaceProgramTest {
  protected:
   /// Width and height on the page, mm, of all that a view shows.
-  std::array<double, 2> size(std::vector<std::string> arguments, const std::string& view) const {
-    arguments.insert(arguments.end(), {"--view", view, "--method", "appel"});
-    const json drawing = drawn(arguments);
+  std::array<double, 2> size(const Words& arguments, const std::string& view) const {
+    const json drawing = drawn(arguments + Words{"--view", view, "--method", "appel"});
     Rect box;
     for (const json& stroke : drawing["strokes"]) {
       for (const json& p : stroke["points"]) box.extend(p[0], p[1]);
@@ -290,11 +249,11 @@ class SurfaceScaleTest : public SurfaceProgramTest {
     return {box.x1 - box.x0, box.y1 - box.y0};
   }
   /// y to x, and z to x.
-  std::array<double, 2> sides(const std::vector<std::string>& arguments) const {
+  std::array<double, 2> sides(const Words& arguments) const {
     const auto top = size(arguments, "top"), front = size(arguments, "front");
     return {top[1] / top[0], front[1] / front[0]};
   }
-  std::string stats(std::vector<std::string> arguments) const { return surface(arguments, {"--stats", "-o", "s.svg"}).err; }
+  std::string stats(const Words& arguments) const { return surface(arguments, "--stats -o s.svg").err; }
 
  private:
   struct Rect {
@@ -313,50 +272,48 @@ void expect_sides(const std::array<double, 2>& found, double y, double z) {
 }
 
 TEST_F(SurfaceScaleTest, GroundOfUnlikeRangesIsABox) {
-  const std::vector<std::string> sliver{"x+y/1000", "-x", "0:10:9", "-y", "0:10000:9"};
+  const Words sliver = "x+y/1000 -x 0:10:9 -y 0:10000:9";
   expect_sides(sides(sliver), 1, 0.5);
   expect_parts(stats(sliver), {"box: the ranges of x and y differ by a factor of 1000"});
-  expect_sides(sides({"x+y", "-x", "0:10:9", "-y", "0:40:9"}), 4, 2);
-  expect_sides(sides({"x+y", "-x", "0:10:9", "-y", "0:40.1:9"}), 1, 0.5);
+  expect_sides(sides("x+y -x 0:10:9 -y 0:40:9"), 4, 2);
+  expect_sides(sides("x+y -x 0:10:9 -y 0:40.1:9"), 1, 0.5);
 }
 
 TEST_F(SurfaceScaleTest, AspectAsAskedFor) {
-  const std::vector<std::string> wide{"x+y", "-x", "0:20:9", "-y", "0:10:9"};
-  const auto with = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all = wide;
-    all.insert(all.end(), more.begin(), more.end());
+  const Words wide = "x+y -x 0:20:9 -y 0:10:9";
+  const auto with = [&](const Words& more) {
+    Words all = wide + more;
     return sides(all);
   };
   expect_sides(with({}), 0.5, 0.5);
-  expect_sides(with({"--aspect", "box"}), 1, 0.5);
-  expect_sides(with({"--aspect", "4:3:1"}), 0.75, 0.25);
-  expect_sides(with({"--z-scale", "0.2"}), 0.5, 0.3);
-  expect_sides(with({"--aspect", "box", "--z-scale", "0.2"}), 1, 0.3);
-  expect_sides(with({"--exaggeration", "2"}), 0.5, 3);
+  expect_sides(with("--aspect box"), 1, 0.5);
+  expect_sides(with("--aspect 4:3:1"), 0.75, 0.25);
+  expect_sides(with("--z-scale 0.2"), 0.5, 0.3);
+  expect_sides(with("--aspect box --z-scale 0.2"), 1, 0.3);
+  expect_sides(with("--exaggeration 2"), 0.5, 3);
 }
 
 TEST_F(SurfaceScaleTest, WhatDoesNotGoTogether) {
-  fails({"x", "--aspect", "3:2", "-o", "a.svg"}, 2, "--aspect: \"3:2\" is not equal, box or X:Y:Z");
-  fails({"x", "--aspect", "3:2:0", "-o", "a.svg"}, 2, "--aspect: ");
-  fails({"x", "--aspect", "1:1:1", "--z-scale", "2", "-o", "a.svg"}, 2, "--aspect: X:Y:Z says how high");
-  fails({"x", "--aspect", "box", "--exaggeration", "2", "-o", "a.svg"}, 2, "--exaggeration: needs --aspect equal");
-  fails({"x", "--log-x", "-o", "a.svg"}, 2, "--log-x: needs a range -x A:B above zero");
-  fails({"x", "--log-x", "-x", "-1:5", "-o", "a.svg"}, 2, "--log-x: the range -x reaches down to zero");
+  fails("x --aspect 3:2 -o a.svg", 2, "--aspect: \"3:2\" is not equal, box or X:Y:Z");
+  fails("x --aspect 3:2:0 -o a.svg", 2, "--aspect: ");
+  fails("x --aspect 1:1:1 --z-scale 2 -o a.svg", 2, "--aspect: X:Y:Z says how high");
+  fails("x --aspect box --exaggeration 2 -o a.svg", 2, "--exaggeration: needs --aspect equal");
+  fails("x --log-x -o a.svg", 2, "--log-x: needs a range -x A:B above zero");
+  fails("x --log-x -x -1:5 -o a.svg", 2, "--log-x: the range -x reaches down to zero");
 }
 
 TEST_F(SurfaceScaleTest, LogarithmicAxes) {
   // In decades x^2 y is a plane: 3 decades by 1.5, and 7.5 high.
-  const std::vector<std::string> plane{"x^2*y", "-x", "1:1000:9", "-y", "1:31.6227766:9", "--log-x", "--log-y", "--log-z"};
-  std::vector<std::string> true_heights = plane;
-  true_heights.insert(true_heights.end(), {"--z-scale", "1"});
+  const Words plane = "x^2*y -x 1:1000:9 -y 1:31.6227766:9 --log-x --log-y --log-z";
+  Words true_heights = plane + "--z-scale 1";
   expect_sides(sides(true_heights), 0.5, 2.5);
-  const Outcome outcome = surface(plane, {"--axes", "--text", "font", "-o", "-", "--format", "svg"});
+  const Outcome outcome = surface(plane, "--axes --text font -o - --format svg");
   for (const char* label : {">10²<", ">10³<", ">10⁶<"}) EXPECT_NE(outcome.out.find(label), std::string::npos) << label;
 }
 
 TEST_F(SurfaceScaleTest, LogarithmicAxesOfGrids) {
   std::ofstream(file("h.txt")) << "0 1 9\n0 100 9\n\n1 1 1\n1 100 3\n\n100 1 2\n100 100 4\n";
-  const auto found = sides({"--grid", "h.txt", "--log-x", "--log-y", "--z-scale", "1"});
+  const auto found = sides("--grid h.txt --log-x --log-y --z-scale 1");
   expect_sides(found, 1, 1.5);
 }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "main/tier.hpp"
 #include "program.hpp"
 #include "support/standard.hpp"
 
@@ -10,20 +11,16 @@ namespace ligne::test {
 
 class SurfaceProgramTest : public ProgramTest {
  protected:
-  Outcome surface(std::vector<std::string> arguments, const std::vector<std::string>& more) const {
-    arguments.insert(arguments.begin(), "surface");
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments);
-  }
-  nlohmann::json drawn(const std::vector<std::string>& arguments) const {
-    const Outcome outcome = surface(arguments, {"-o", "-", "--format", "json"});
+  Outcome surface(const Words& arguments, const Words& more) const { return run("surface" + arguments + more); }
+  nlohmann::json drawn(const Words& arguments) const {
+    const Outcome outcome = surface(arguments, "-o - --format json");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     return outcome.status == 0 ? nlohmann::json::parse(outcome.out) : nlohmann::json();
   }
   /// Length of the lines of each layer in mm.
-  std::map<std::string, double> layers(const std::vector<std::string>& arguments) const {
-    const Outcome outcome = surface(arguments, {"-o", "-", "--format", "svg"});
+  std::map<std::string, double> layers(const Words& arguments) const {
+    const Outcome outcome = surface(arguments, "-o - --format svg");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     std::map<std::string, double> lengths;
@@ -38,7 +35,7 @@ class SurfaceProgramTest : public ProgramTest {
     }
     return lengths;
   }
-  void fails(const std::vector<std::string>& arguments, int status, const std::string& message) const {
+  void fails(const Words& arguments, int status, const std::string& message) const {
     const Outcome outcome = surface(arguments, {});
     EXPECT_EQ(outcome.status, status) << outcome.err;
     EXPECT_EQ(outcome.err.rfind("ligne: " + message, 0), 0u) << outcome.err;

@@ -15,17 +15,15 @@ class SurfacesTest : public DrawTest {
     write("ball.obj", obj_of(ball()));
   }
 
-  json info_of(const std::vector<std::string>& models) const {
-    std::vector<std::string> arguments{"info", "--json"};
-    arguments.insert(arguments.end(), models.begin(), models.end());
-    const Outcome outcome = run(arguments);
+  json info_of(const Words& models) const {
+    const Outcome outcome = run("info --json" + models);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return json::parse(outcome.out)["scene"];
   }
 };
 
 TEST_F(SurfacesTest, TheDrawingHasTheBoresOfAPlate) {
-  const json drawing = drawn({"plate.obj", "--up-axis", "z"});
+  const json drawing = drawn("plate.obj --up-axis z");
   EXPECT_EQ(drawing["version"], 2);
   const json& surfaces = drawing["surfaces"];
   ASSERT_EQ(surfaces.size(), 2u);
@@ -61,7 +59,7 @@ TEST_F(SurfacesTest, TheDrawingHasTheBoresOfAPlate) {
 
 TEST_F(SurfacesTest, TheDrawingHasOtherKinds) {
   std::map<std::string, json> by_kind;
-  const json drawing = drawn({"turned.obj", "ball.obj"});
+  const json drawing = drawn("turned.obj ball.obj");
   for (const json& s : drawing["surfaces"]) by_kind[s["kind"].get<std::string>()] = s;
   ASSERT_EQ(by_kind.size(), 4u);
   EXPECT_NEAR(by_kind["cone"]["slope"].get<double>(), -0.5, 1e-4);
@@ -76,8 +74,8 @@ TEST_F(SurfacesTest, TheDrawingHasOtherKinds) {
 }
 
 TEST_F(SurfacesTest, DrawingsWithoutThemSayNothing) {
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"cube.obj"}, {"plate.obj", "--quality", "exact"}, {"plate.obj", "--edges", "outline"}}) {
+  for (const Words& arguments :
+       std::vector<Words>{{"cube.obj"}, {"plate.obj", "--quality", "exact"}, {"plate.obj", "--edges", "outline"}}) {
     const json drawing = drawn(arguments);
     EXPECT_FALSE(drawing.contains("surfaces")) << arguments[0];
     for (const json& stroke : drawing["strokes"]) EXPECT_FALSE(stroke["source"].contains("surfaces"));
@@ -85,7 +83,7 @@ TEST_F(SurfacesTest, DrawingsWithoutThemSayNothing) {
 }
 
 TEST_F(SurfacesTest, PlotReadsThem) {
-  json drawing = drawn({"plate.obj", "ball.obj", "--hidden", "dashed"});
+  json drawing = drawn("plate.obj ball.obj --hidden dashed");
   write("with.json", drawing.dump());
   drawing.erase("surfaces");
   for (json& stroke : drawing["strokes"]) stroke["source"].erase("surfaces");
@@ -100,7 +98,7 @@ TEST_F(SurfacesTest, PlotReadsThem) {
 }
 
 TEST_F(SurfacesTest, InfoCountsThem) {
-  const json surfaces = info_of({"plate.obj", "turned.obj", "ball.obj"})["surfaces"];
+  const json surfaces = info_of("plate.obj turned.obj ball.obj")["surfaces"];
   EXPECT_EQ(surfaces["cylinders"], 3);
   EXPECT_EQ(surfaces["bores"], 2);
   EXPECT_EQ(surfaces["bosses"], 1);
@@ -109,15 +107,15 @@ TEST_F(SurfacesTest, InfoCountsThem) {
   EXPECT_EQ(surfaces["spheres"], 1);
   EXPECT_EQ(surfaces["tori"], 1);
   EXPECT_EQ(surfaces["groups"][0], json::parse(R"({"kind":"cylinder","outward":false,"arc":false,"radius":2.5,"count":1})"));
-  EXPECT_FALSE(info_of({"cube.obj"}).contains("surfaces"));
-  const Outcome exact = run({"info", "plate.obj", "--quality", "exact"});
+  EXPECT_FALSE(info_of("cube.obj").contains("surfaces"));
+  const Outcome exact = run("info plate.obj --quality exact");
   EXPECT_EQ(exact.status, 0) << exact.err;
   EXPECT_EQ(exact.out.find("surfaces"), std::string::npos);
 }
 
 TEST_F(SurfacesTest, InfoPutsEqualRadiiTogether) {
   write("same.obj", obj_of(bored_plate(2.5, 2.5)));
-  const std::string text = run({"info", "same.obj", "turned.obj"}).out;
+  const std::string text = run("info same.obj turned.obj").out;
   expect_parts(text, {"\n  surfaces       2 bores, 1 boss, 1 cone, 1 torus\n                 2 bores, radius 2.5\n",
                       " 1 boss, radius 6\n", " 1 convex cone, 26.565", " degrees from the axis\n",
                       " 1 hollow torus, radius of the tube 2\n"});
@@ -128,7 +126,7 @@ TEST_F(SurfacesTest, InfoPutsEqualRadiiTogether) {
 }
 
 TEST_F(SurfacesTest, InfoEndsAListThatIsLong) {
-  std::vector<std::string> arguments{"info"};
+  Words arguments = "info";
   for (int i = 0; i < 12; ++i) {
     const std::string name = "plate" + std::to_string(i) + ".obj";
     write(name, obj_of(bored_plate(2 + 0.25 * i, 2 + 0.25 * (i % 11))));

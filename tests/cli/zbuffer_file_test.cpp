@@ -50,16 +50,13 @@ class ZBufferFileTest : public DrawTest {
     write("stone.obj", kStone);
     write("board.obj", kBoard);
   }
-  std::string bytes_of(std::vector<std::string> arguments, const std::string& output) const {
-    arguments.insert(arguments.begin(), {"draw", "-q"});
-    arguments.insert(arguments.end(), {"-o", output});
-    const Outcome outcome = run(arguments);
+  std::string bytes_of(const Words& arguments, const std::string& output) const {
+    const Outcome outcome = run("draw -q" + arguments + Words{"-o", output});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return contents(file(output));
   }
-  std::string refusal(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), "draw");
-    const Outcome outcome = run(arguments);
+  std::string refusal(const Words& arguments) const {
+    const Outcome outcome = run("draw" + arguments);
     EXPECT_NE(outcome.status, 0);
     EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
     return outcome.err;
@@ -67,21 +64,15 @@ class ZBufferFileTest : public DrawTest {
 };
 
 TEST_F(ZBufferFileTest, AddedObjectsGiveThePictureOfAll) {
-  for (const std::vector<std::string>& view : {std::vector<std::string>{"--view", "iso"},
-                                               {"--eye", "20,14,25", "--target", "5,3,5", "--fov", "30"},
-                                               {"--view", "top", "--filling", "fixed", "--edges", "all"}}) {
+  for (const Words view :
+       {"--view iso", "--eye 20,14,25 --target 5,3,5 --fov 30", "--view top --filling fixed --edges all"}) {
     for (const std::string output : {"a.svg", "a.json", "a.pdf"}) {
-      std::vector<std::string> first = view, all = view;
-      first.insert(first.end(), {"plate.obj", "--lines", "300", "--zbuffer-save", "plate.zbuf"});
-      all.insert(all.end(), {"plate.obj", "stone.obj", "board.obj", "--lines", "300", "--method", "zbuffer"});
-      bytes_of(first, output);
-      std::vector<std::string> more(view.begin() + (view[0] == "--eye" ? 6 : 2), view.end());
-      std::vector<std::string> stone = more, board = more, both = more;
-      stone.insert(stone.end(), {"stone.obj", "--zbuffer-add", "plate.zbuf", "--zbuffer-save", "stone.zbuf"});
-      board.insert(board.end(), {"board.obj", "--zbuffer-add", "stone.zbuf"});
-      both.insert(both.end(), {"stone.obj", "board.obj", "--zbuffer-add", "plate.zbuf"});
-      bytes_of(stone, output);
-      const std::string one_by_one = bytes_of(board, output), in_two = bytes_of(both, output);
+      bytes_of(view + "plate.obj --lines 300 --zbuffer-save plate.zbuf", output);
+      Words more;
+      more.assign(view.begin() + (view[0] == "--eye" ? 6 : 2), view.end());
+      bytes_of(more + "stone.obj --zbuffer-add plate.zbuf --zbuffer-save stone.zbuf", output);
+      const std::string one_by_one = bytes_of(more + "board.obj --zbuffer-add stone.zbuf", output),
+                        in_two = bytes_of(more + "stone.obj board.obj --zbuffer-add plate.zbuf", output);
       // The statistics of a JSON drawing tell how much was painted.
       const auto drawn = [&](const std::string& bytes) {
         if (output != "a.json") return bytes;
@@ -89,7 +80,8 @@ TEST_F(ZBufferFileTest, AddedObjectsGiveThePictureOfAll) {
         drawing.erase("stats");
         return drawing.dump();
       };
-      const std::string at_once = drawn(bytes_of(all, output));
+      const std::string at_once =
+          drawn(bytes_of(view + "plate.obj stone.obj board.obj --lines 300 --method zbuffer", output));
       EXPECT_EQ(drawn(one_by_one), at_once) << view[1] << " " << output;
       EXPECT_EQ(drawn(in_two), at_once) << view[1] << " " << output;
     }
@@ -97,42 +89,41 @@ TEST_F(ZBufferFileTest, AddedObjectsGiveThePictureOfAll) {
 }
 
 TEST_F(ZBufferFileTest, GrayFacesOfAll) {
-  bytes_of({"plate.obj", "--zbuffer-save", "plate.zbuf", "--shade", "--dpi", "50"}, "a.png");
-  const std::string added = bytes_of({"stone.obj", "--zbuffer-add", "plate.zbuf", "--shade", "--dpi", "50"}, "a.png");
-  EXPECT_TRUE(added == bytes_of({"plate.obj", "stone.obj", "--method", "zbuffer", "--shade", "--dpi", "50"}, "a.png"));
+  bytes_of("plate.obj --zbuffer-save plate.zbuf --shade --dpi 50", "a.png");
+  const std::string added = bytes_of("stone.obj --zbuffer-add plate.zbuf --shade --dpi 50", "a.png");
+  EXPECT_TRUE(added == bytes_of("plate.obj stone.obj --method zbuffer --shade --dpi 50", "a.png"));
 }
 
 TEST_F(ZBufferFileTest, OnlyWhatIsNewIsPainted) {
-  bytes_of({"plate.obj", "--zbuffer-save", "plate.zbuf"}, "a.svg");
-  const Outcome outcome = run({"draw", "stone.obj", "--zbuffer-add", "plate.zbuf", "--stats", "-o", "a.svg"});
+  bytes_of("plate.obj --zbuffer-save plate.zbuf", "a.svg");
+  const Outcome outcome = run("draw stone.obj --zbuffer-add plate.zbuf --stats -o a.svg");
   expect_parts(outcome.err, {"that were in the buffer  3\n", "faces painted                               4\n"});
 }
 
 TEST_F(ZBufferFileTest, WhatItWasDrawnWithStays) {
-  bytes_of({"plate.obj", "--zbuffer-save", "plate.zbuf", "--lines", "50"}, "a.svg");
-  const auto added = [&](std::vector<std::string> options) {
-    options.insert(options.begin(), {"stone.obj", "--zbuffer-add", "plate.zbuf", "-o", "b.svg"});
-    return refusal(options);
+  bytes_of("plate.obj --zbuffer-save plate.zbuf --lines 50", "a.svg");
+  const auto added = [&](const Words& options) {
+    return refusal(Words{"stone.obj", "--zbuffer-add", "plate.zbuf", "-o", "b.svg"} + options);
   };
   const std::string stays = ": stays as it was when plate.zbuf was drawn\n";
-  EXPECT_EQ(added({"--view", "top"}), "ligne: --view" + stays);
-  EXPECT_EQ(added({"--eye", "9,9,9"}), "ligne: --eye" + stays);
-  EXPECT_EQ(added({"--page", "A3"}), "ligne: --page" + stays);
-  EXPECT_EQ(added({"--scale", "1:2"}), "ligne: --scale" + stays);
-  EXPECT_EQ(added({"--lines", "60"}), "ligne: --lines" + stays);
-  EXPECT_EQ(added({"--frames", "3"}), "ligne: --zbuffer-add: is of one view\n");
-  EXPECT_EQ(added({"--method", "appel"}), "ligne: --zbuffer-add: is of --method zbuffer\n");
-  EXPECT_NE(added({"--zbuffer-save", "plate.zbuf"}).find("plate.zbuf is an input too"), std::string::npos);
-  EXPECT_EQ(refusal({"stone.obj", "--zbuffer-add", "plate.obj", "-o", "b.svg"}), "ligne: plate.obj: not a depth buffer\n");
+  EXPECT_EQ(added("--view top"), "ligne: --view" + stays);
+  EXPECT_EQ(added("--eye 9,9,9"), "ligne: --eye" + stays);
+  EXPECT_EQ(added("--page A3"), "ligne: --page" + stays);
+  EXPECT_EQ(added("--scale 1:2"), "ligne: --scale" + stays);
+  EXPECT_EQ(added("--lines 60"), "ligne: --lines" + stays);
+  EXPECT_EQ(added("--frames 3"), "ligne: --zbuffer-add: is of one view\n");
+  EXPECT_EQ(added("--method appel"), "ligne: --zbuffer-add: is of --method zbuffer\n");
+  EXPECT_NE(added("--zbuffer-save plate.zbuf").find("plate.zbuf is an input too"), std::string::npos);
+  EXPECT_EQ(refusal("stone.obj --zbuffer-add plate.obj -o b.svg"), "ligne: plate.obj: not a depth buffer\n");
   EXPECT_FALSE(exists("b.svg"));
 }
 
 TEST_F(ZBufferFileTest, DamagedAndForgedFilesAreReadOrRefused) {
-  bytes_of({"plate.obj", "--zbuffer-save", "plate.zbuf", "--lines", "5"}, "a.svg");
+  bytes_of("plate.obj --zbuffer-save plate.zbuf --lines 5", "a.svg");
   const std::string bytes = contents(file("plate.zbuf"));
   const auto error_of = [&](const std::string& changed) {
     write("changed.zbuf", changed);
-    return refusal({"stone.obj", "--zbuffer-add", "changed.zbuf", "-o", "b.svg"});
+    return refusal("stone.obj --zbuffer-add changed.zbuf -o b.svg");
   };
   const std::string damaged = "ligne: changed.zbuf: byte 12: the file was changed or cut off since it was written\n";
   EXPECT_EQ(error_of(bytes.substr(0, bytes.size() / 2)), damaged);
@@ -159,10 +150,9 @@ f 5 8 6 7
 )");
   for (const char* lines : {"90", "128", "200", "331"}) {
     SCOPED_TRACE(lines);
-    const auto length_of_lines = [&](const char* method, std::vector<std::string> options) {
-      options.insert(options.begin(), {"behind.obj", "--view", "front", "--method", method, "--quality", "exact"});
+    const auto length_of_lines = [&](const char* method, const Words& options) {
       double length = 0;
-      const json drawing = drawn(options);
+      const json drawing = drawn(Words{"behind.obj", "--view", "front", "--method", method, "--quality", "exact"} + options);
       for (const json& stroke : drawing["strokes"]) {
         const json& a = stroke["points"].front();
         const json& b = stroke["points"].back();

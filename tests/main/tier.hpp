@@ -4,7 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <iterator>
 #include <string_view>
+#include <vector>
 
 namespace ligne::test {
 
@@ -20,5 +23,20 @@ std::uint64_t rotation_of(std::string_view key);
 /// Whether the first tier takes item `number` of `key`: every `one_in`-th one, beginning at a place that the seed and the
 /// key choose. The second tier takes every item.
 bool is_chosen(std::string_view key, std::size_t number, std::size_t one_in);
+
+/// The items of a list that the first tier takes, by their places in it.
+template <class List>
+auto chosen(std::string_view key, std::size_t one_in, const List& list) {
+  std::vector<std::decay_t<decltype(*std::begin(list))>> taken;
+  std::size_t number = 0;
+  for (const auto& item : list) {
+    if (is_chosen(key, number++, one_in)) taken.push_back(item);
+  }
+  return taken;
+}
+template <class Item>
+std::vector<Item> chosen(std::string_view key, std::size_t one_in, std::initializer_list<Item> list) {
+  return chosen<std::initializer_list<Item>>(key, one_in, list);
+}
 
 }  // namespace ligne::test

@@ -178,15 +178,20 @@ TEST(Show, ChangesNothingElse) {
       // Seen from the front some scenes have zones beside each other, which newell shows.
       if (view.name != "front" && view.name != "near" && !(view.name == "odd" && runs_all())) continue;
       const Picture picture = draw(scene, {view.camera, "all", false, 0, "appel"});
+      std::map<const Method*, std::string> plain_bytes;
       for (const Variant& variant : variants()) {
         if (!variant.is_show) continue;
         StudyOptions options;
         options.hidden_strokes = true;
-        const VisibilityResult plain = variant.method->study(picture.projected, options);
+        std::string& plain = plain_bytes[variant.method];
+        if (plain.empty()) {
+          const VisibilityResult result = variant.method->study(picture.projected, options);
+          EXPECT_TRUE(result.debug.empty() && result.debug_numbers.empty()) << variant.name;
+          plain = bytes_of(result);
+        }
         options.settings = variant.settings;
         const VisibilityResult with_layer = variant.method->study(picture.projected, options);
-        EXPECT_TRUE(bytes_of(plain) == bytes_of(with_layer)) << variant.name << ", " << name << ", view " << view.name;
-        EXPECT_TRUE(plain.debug.empty() && plain.debug_numbers.empty()) << variant.name;
+        EXPECT_TRUE(plain == bytes_of(with_layer)) << variant.name << ", " << name << ", view " << view.name;
         shown[variant.name] += !with_layer.debug.empty() || !with_layer.debug_numbers.empty();
       }
     }

@@ -49,7 +49,7 @@ std::string text(const Point3& p) {
 /// A view, with the same on the command line.
 struct NamedView {
   ViewPoint view;
-  std::vector<std::string> options;
+  Words options;
 };
 
 NamedView parallel(const Point3& direction) { return {{direction}, {"--direction=" + text(direction)}}; }
@@ -75,14 +75,14 @@ class PictureTest : public testing::Test {
   }
 
   /// The ink of the program's drawing; `command` tells how to get it.
-  Ink drawn(const std::string& file, std::vector<std::string> options, std::string* command = nullptr) const {
+  Ink drawn(const std::string& file, Words options, std::string* command = nullptr) const {
     const std::filesystem::path png =
         std::filesystem::temp_directory_path() / ("ligne-picture-" + std::to_string(getpid()) + ".png");
     const std::string dpi = std::to_string(kPixelsPerMm * 25.4);
-    options.insert(options.begin(), {"draw", file});
+    options = Words{"draw", file} + options;
     // Creases have 0.7 of the pen's width: 1.4 pixels, so that half of a pixel is covered wherever the line runs.
-    options.insert(options.end(), {"--up=0,0,1", "--landscape", "--pen-width", "0.5mm", "--dpi", dpi, "--threads", "1", "-q",
-                                   "--quality", "exact", "-o", png.string()});
+    options += {"--up=0,0,1", "--landscape", "--pen-width", "0.5mm", "--dpi", dpi,         "--threads",
+                "1",          "-q",          "--quality",   "exact", "-o",    png.string()};
     if (command) {
       *command = "ligne";
       for (const std::string& option : options) *command += " " + option;
@@ -161,17 +161,11 @@ TEST_F(SpoiltPicture, IsFoundAHundredthTooLarge) {
 
 TEST_F(SpoiltPicture, IsFoundWithoutALayer) {
   for (const char* rest : {"outline", "crease"}) {
-    std::vector<std::string> options = view_.options;
-    options.insert(options.end(), {"--edges", rest});
-    EXPECT_GT(of(drawn(file_, options)).missing, 0u) << rest;
+    EXPECT_GT(of(drawn(file_, view_.options + Words{"--edges", rest})).missing, 0u) << rest;
   }
 }
 
-TEST_F(SpoiltPicture, IsFoundWithHiddenLines) {
-  std::vector<std::string> options = view_.options;
-  options.insert(options.end(), {"--hidden", "solid"});
-  EXPECT_GT(of(drawn(file_, options)).stray, 0u);
-}
+TEST_F(SpoiltPicture, IsFoundWithHiddenLines) { EXPECT_GT(of(drawn(file_, view_.options + "--hidden solid")).stray, 0u); }
 
 TEST_F(SpoiltPicture, IsFoundInAnotherView) {
   EXPECT_GT(of(drawn(file_, parallel({-0.42, 0.77, -0.49}).options)).missing, 0u);

@@ -1,24 +1,16 @@
 // The SVG and the PDF are one picture: each is made into pixels by a reader that knows nothing of us, librsvg and Poppler.
 
-#include <cairo.h>
 #include <unistd.h>
 
 #include "cli/program.hpp"
 #include "main/tier.hpp"
+#include "picture/raster.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
 
 const std::filesystem::path kSource = LIGNE_SOURCE_DIR;
-
-struct Raster {
-  int width = 0, height = 0;
-  std::vector<std::array<int, 3>> pixels;
-  const std::array<int, 3>& at(int x, int y) const {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-  }
-};
 
 class Rasters : public testing::Test {
  protected:
@@ -28,10 +20,9 @@ class Rasters : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string written(std::vector<std::string> arguments, const std::string& name) const {
+  std::string written(const Words& arguments, const std::string& name) const {
     const std::string file = (folder_ / name).string();
-    arguments.insert(arguments.end(), {"-q", "-o", file});
-    const Outcome outcome = run_ligne(kSource, arguments);
+    const Outcome outcome = run_ligne(kSource, arguments + Words{"-q", "-o", file});
     if (outcome.status != 0) throw std::runtime_error(outcome.err);
     return file;
   }
@@ -42,22 +33,7 @@ class Rasters : public testing::Test {
     const std::string command = pdf ? std::string(PDFTOPPM) + " -r 150 -png -singlefile " + file + " " + file
                                     : std::string(RSVG_CONVERT) + " -d 150 -p 150 -b white -o " + png + " " + file;
     if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
-    return picture(png);
-  }
-
-  static Raster picture(const std::string& png) {
-    cairo_surface_t* const surface = cairo_image_surface_create_from_png(png.c_str());
-    if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) throw std::runtime_error("no picture: " + png);
-    Raster result{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-    const unsigned char* const data = cairo_image_surface_get_data(surface);
-    for (int y = 0; y < result.height; ++y) {
-      for (int x = 0; x < result.width; ++x) {
-        const unsigned char* const p = data + y * cairo_image_surface_get_stride(surface) + 4 * x;
-        result.pixels.push_back({p[2], p[1], p[0]});
-      }
-    }
-    cairo_surface_destroy(surface);
-    return result;
+    return read_raster(png);
   }
 
   std::filesystem::path folder_;
@@ -102,17 +78,14 @@ std::size_t gray(const Raster& a) {
 }
 
 TEST_F(Rasters, TheSvgAndThePdfAreOnePicture) {
-  const std::vector<std::vector<std::string>> drawings{
-      {"draw", "tests/corpus/house.json", "--hidden", "dashed", "--title", "a house"},
-      {"draw", "tests/corpus/holes_behind_holes.json", "--fill", "shade"},
-      {"draw", "tests/atherton_weiler/scenes/transparent_three.json", "--view", "front", "--fill", "material"},
-      {"draw", "examples/models/gear-pair.json", "--fill", "material", "--method", "bsp"},
-      {"draw", "examples/models/pipe-tee.json", "--view", "trimetric", "--shade", "--method", "watkins"},
-      {"draw", "examples/models/pipe-tee.json", "--view", "trimetric", "--shade", "--method", "zbuffer"},
-      {"surface", "sin(x)*cos(y)", "-x", "-3:3", "-y", "-3:3", "--axes"}};
-  std::size_t number = 0;
-  for (const std::vector<std::string>& drawing : drawings) {
-    if (!is_chosen("rasters", number++, 2)) continue;
+  const std::vector<Words> drawings{"draw tests/corpus/house.json --hidden dashed --title 'a house'",
+                                    "draw tests/corpus/holes_behind_holes.json --fill shade",
+                                    "draw tests/atherton_weiler/scenes/transparent_three.json --view front --fill material",
+                                    "draw examples/models/gear-pair.json --fill material --method bsp",
+                                    "draw examples/models/pipe-tee.json --view trimetric --shade --method watkins",
+                                    "draw examples/models/pipe-tee.json --view trimetric --shade --method zbuffer",
+                                    "surface sin(x)*cos(y) -x -3:3 -y -3:3 --axes"};
+  for (const Words& drawing : chosen("rasters", 3, drawings)) {
     SCOPED_TRACE(drawing[1]);
     const Raster svg = raster(written(drawing, "page.svg")), pdf = raster(written(drawing, "page.pdf"));
     EXPECT_GT(dark(svg), 1000u);
@@ -129,12 +102,12 @@ TEST_F(Rasters, TheSvgAndThePdfAreOnePicture) {
 TEST_F(Rasters, GrayFacesLookTheSameInSvgAndPng) {
   for (const std::string method : {"watkins", "zbuffer", "painter"}) {
     SCOPED_TRACE(method);
-    std::vector<std::string> drawing{
-        "draw", "examples/models/five-cubes.obj", "--view", "trimetric", "--shade", "--landscape", "--method", method};
+    Words drawing{"draw", "examples/models/five-cubes.obj", "--view", "trimetric", "--shade", "--landscape", "--method",
+                  method};
     const std::string svg = written(drawing, method + ".svg");
     const Raster vector = raster(svg);
-    drawing.insert(drawing.end(), {"--dpi", "150"});
-    const Raster pixels = picture(written(drawing, method + ".png"));
+    drawing += "--dpi 150";
+    const Raster pixels = read_raster(written(drawing, method + ".png"));
     ASSERT_EQ(vector.width, pixels.width);
     EXPECT_GT(gray(pixels), 100'000u);
     EXPECT_LE(missing(vector, pixels), gray(pixels) / 1000);

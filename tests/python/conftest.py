@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import subprocess
+import zlib
 
 import numpy as np
 import pytest
@@ -12,6 +13,16 @@ SOURCE = pathlib.Path(os.environ["LIGNE_SOURCE_DIR"])
 MODELS = SOURCE.parent / "shared" / "models"
 CUBE_VERTICES = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
 CUBE_FACES = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
+
+
+WHOLE_TIER = os.environ.get("LIGNE_TEST_TIER") == "all"
+
+
+def chosen(items, key, one_in):
+    """All items, or in the first tier every `one_in`-th one, beginning where the seed and the key say."""
+    if WHOLE_TIER:
+        return items
+    return items[zlib.crc32((os.environ.get("LIGNE_TEST_SEED", "0") + key).encode()) % one_in :: one_in]
 
 
 def grid_mesh(n):

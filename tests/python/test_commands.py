@@ -9,7 +9,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from conftest import SOURCE, grid_mesh
+from conftest import SOURCE, chosen, grid_mesh
 
 import ligne
 
@@ -128,7 +128,7 @@ def test_wrong_plots(drawing, options, error, text):
 def test_every_device(command, tmp_path):
     """With the default page, whatever the limits: a drawing that fits does so by itself."""
     drawing = ligne.draw(CUBES)
-    for device in ligne.devices():
+    for device in chosen(ligne.devices(), "devices", 4):
         suffix = "." + device["language"]
         if suffix != ".svg":
             expected = command("draw", CUBES, "--device", device["name"], suffix=suffix)
@@ -218,7 +218,7 @@ def test_wrong_comparisons(options, option, cube):
 
 def test_comparisons_that_end(cube):
     """By their own limit, which is told; and from outside, which ends them as a whole, before any limit."""
-    ended = ligne.compare(ligne.Mesh(*grid_mesh(300)), methods="newell", time_limit=0)["methods"][0]
+    ended = ligne.compare(ligne.Mesh(*grid_mesh(100)), methods="newell", time_limit=0)["methods"][0]
     assert not ended["drawn"] and ended["failure"] == "ended after 0 s"
 
     class Enough(Exception):
@@ -228,8 +228,8 @@ def test_comparisons_that_end(cube):
         raise Enough
 
     with pytest.raises(Enough):
-        ligne.compare(ligne.Mesh(*grid_mesh(400)), progress=enough)
-    scene = ligne.Mesh(*grid_mesh(500))
+        ligne.compare(ligne.Mesh(*grid_mesh(100)), progress=enough)
+    scene = ligne.Mesh(*grid_mesh(200))
     signal.setitimer(signal.ITIMER_REAL, 0.3)
     before = signal.signal(signal.SIGALRM, lambda *_: enough(0))
     try:

@@ -1,13 +1,14 @@
 """Made-up arrays: they are drawn, or refused by an error of ours."""
 
 import numpy as np
+from conftest import WHOLE_TIER
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 import ligne
 
-settings.register_profile("ligne", max_examples=400, deadline=None, derandomize=True, database=None)
+settings.register_profile("ligne", max_examples=400 if WHOLE_TIER else 100, deadline=None, derandomize=True, database=None)
 settings.load_profile("ligne")
 
 NUMBERS = st.one_of(

@@ -247,6 +247,7 @@ def test_large_pictures_are_thinned(tmp_path):
     assert [line for line in drawing.warnings if "4200 x 4200 samples thinned: 1 of 2 rows" in line]
     kept = np.append(at[::2], n - 1)
     expected = ligne.surface(picture[::-1][np.ix_(kept, kept)], kept, kept)
-    assert [layer.tolist() for layer in drawing.polylines()] == [layer.tolist() for layer in expected.polylines()]
+    assert all(map(np.array_equal, drawing.polylines(), expected.polylines()))
+    assert len(drawing.polylines()) == len(expected.polylines()) > 0
     part = ligne.surface(tmp_path / "a.png", x=(0, 50), y=(0, 50))
     assert not [line for line in part.warnings if "thinned" in line]

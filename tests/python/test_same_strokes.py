@@ -2,12 +2,10 @@
 
 import base64
 import json
-import os
-import zlib
 
 import numpy as np
 import pytest
-from conftest import CUBE_FACES, CUBE_VERTICES, MODELS, SOURCE
+from conftest import CUBE_FACES, CUBE_VERTICES, MODELS, SOURCE, chosen
 
 import ligne
 
@@ -20,19 +18,13 @@ FILES = (
     + [MODELS / name for name in OTHERS if (MODELS / name).exists()]
 )
 METHODS = ["auto"] + [method["name"] for method in ligne.methods()]
-
-
-def chosen(methods, key):
-    """All methods, or in the first tier every fourth one, beginning where the seed and the key say."""
-    if os.environ.get("LIGNE_TEST_TIER") == "all":
-        return methods
-    return methods[zlib.crc32((os.environ.get("LIGNE_TEST_SEED", "0") + key).encode()) % 4 :: 4]
+WAYS = [({}, []), ({"quality": "exact", "hidden": "dashed"}, ["--quality", "exact", "--hidden", "dashed"])]
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.name)
 def test_strokes_of_all_methods(file, command, tmp_path, strokes_of):
-    for method in chosen(METHODS, file.name):
-        for options, given in [({}, []), ({"quality": "exact", "hidden": "dashed"}, ["--quality", "exact", "--hidden", "dashed"])]:
+    for method in chosen(METHODS, file.name, 4):
+        for options, given in chosen(WAYS, file.name + method, 2):
             expected = command("draw", file, "--method", method, *given)
             drawing = ligne.draw(file, method=method, **options)
             assert drawing.to_bytes("json") == expected, (file.name, method)

@@ -1,6 +1,7 @@
 // The method against a plain search: every line against every triangle, with no grid, no covers and no early outs, in long
 // double arithmetic on the projected scene. What is compared is the visible length of every edge.
 
+#include "main/tier.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 #include "visibility/common/nearest_along.hpp"
@@ -157,6 +158,7 @@ TEST(BruteForce, TrianglesOnASmallIntegerGrid) {
 
 TEST(BruteForce, PenetratingBoxes) {
   for (unsigned seed = 0; seed < 12; ++seed) {
+    if (!is_chosen("boxes that penetrate", seed, 3)) continue;
     const Scene scene = random_boxes(9, seed, 4, {3, 2, 2.5});
     compare(scene, {along({-1, 2, -1})}, "boxes, seed " + std::to_string(seed));
     compare(scene, {from_eye({3, -14, 9}, {0, 0, 0}, 50)}, "boxes in perspective, seed " + std::to_string(seed));

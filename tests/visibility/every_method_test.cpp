@@ -21,7 +21,7 @@ class Determinism : public testing::TestWithParam<const Method*> {};
 
 TEST_P(Determinism, OneThreadAndManyGiveTheSameStrokes) {
   // Hidden lines and intersections cost a method the more, the more boxes hide each other.
-  const int part = runs_all() ? 1 : 2;
+  const int part = runs_all() ? 1 : 3;
   for (const auto& [boxes, hidden] : {std::pair(1500 / part, false), std::pair(500 / part, true)}) {
     const Scene scene = random_boxes(boxes, 7, 10, {2, 2, 2});
     const auto with_threads = [&, hidden = hidden](int n) {

@@ -3,6 +3,7 @@
 // drawn twice.
 
 #include "height_functions.hpp"
+#include "main/tier.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 #include "support/page_segments.hpp"
@@ -201,7 +202,7 @@ void for_surfaces(unsigned seed, Test test) {
 
 // The cosine of 90 degrees is 6e-17 in doubles: these views are along an axis but for a rounding.
 TEST(HorizonAlongAxes, AgreesWithTheMesh) {
-  for (unsigned seed = 1; seed <= 4; ++seed) {
+  for (const unsigned seed : chosen("along axes", 2, {1u, 2u, 3u, 4u})) {
     for_surfaces(seed, [](const HeightSource& heights, const HorizonOptions& options, const std::string& what) {
       for (const double azimuth : {-180.0, -90.0, 0.0, 90.0, 180.0, 270.0}) {
         for (const double elevation : {0.0, 10.0, 30.0, 90.0, -30.0}) {

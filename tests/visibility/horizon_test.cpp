@@ -4,6 +4,7 @@
 #include "visibility/horizon/horizon.hpp"
 #include "geometry/parallel.hpp"
 #include "height_functions.hpp"
+#include "main/tier.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -115,11 +116,12 @@ double ridges(double x, double y) { return 0.4 * std::abs(std::fmod(7 * x + 3 * 
 TEST(Horizon, IsWhatAllPairsSay) {
   for (const Function& f : {Function(waves), Function(sombrero), Function(ridges)}) {
     const FunctionHeights source = heights(f, 21);
-    for (const Point3& direction : {Point3{1, 0.7, -0.5}, Point3{0.3, 1, -0.2}, Point3{1, 0.2, 0.4}, Point3{0.6, 0.8, -3}}) {
+    for (const Point3& direction :
+         chosen("all pairs", 2, {Point3{1, 0.7, -0.5}, Point3{0.3, 1, -0.2}, Point3{1, 0.2, 0.4}, Point3{0.6, 0.8, -3}})) {
       const Drawn picture = drawn(source, along(direction), by_curves());
       EXPECT_NEAR(picture.length(), brute_force(source, picture), 0.01) << direction.x;
     }
-    for (const Point3& eye : {Point3{-3, -2.5, 2}, Point3{-1.2, -1.4, 0.6}}) {
+    for (const Point3& eye : chosen("all pairs", 2, {Point3{-3, -2.5, 2}, Point3{-1.2, -1.4, 0.6}})) {
       const Drawn picture = drawn(source, from(eye), by_curves());
       EXPECT_NEAR(picture.length(), brute_force(source, picture), 0.01) << "eye " << eye.x;
     }
