@@ -173,7 +173,9 @@ TEST_F(SurfaceMeshTest, Mistakes) {
 }
 
 TEST_F(SurfaceMeshTest, HatchedSurfaces) {
-  const auto hatched = [&](const Words& more) { return run("surface x*y/5 -o - --format svg --hatch shade" + more); };
+  const auto hatched = [&](const Words& more) {
+    return run("surface x*y/5 -x -5:5:9 -y -5:5:9 -o - --format svg --hatch shade" + more);
+  };
   const Outcome plain = hatched({});
   EXPECT_EQ(plain.status, 0) << plain.err;
   expect_parts(plain.out, {"id=\"hatch\"", "id=\"horizon\""});

@@ -85,7 +85,7 @@ TEST_F(Rasters, TheSvgAndThePdfAreOnePicture) {
                                     "draw examples/models/pipe-tee.json --view trimetric --shade --method watkins",
                                     "draw examples/models/pipe-tee.json --view trimetric --shade --method zbuffer",
                                     "surface sin(x)*cos(y) -x -3:3 -y -3:3 --axes"};
-  for (const Words& drawing : chosen("rasters", 3, drawings)) {
+  for (const Words& drawing : chosen("rasters", 4, drawings)) {
     SCOPED_TRACE(drawing[1]);
     const Raster svg = raster(written(drawing, "page.svg")), pdf = raster(written(drawing, "page.pdf"));
     EXPECT_GT(dark(svg), 1000u);
@@ -100,7 +100,7 @@ TEST_F(Rasters, TheSvgAndThePdfAreOnePicture) {
 
 /// Gray faces are areas in SVG where the method gives spans, and pixels where it gives pixels: both look as the PNG does.
 TEST_F(Rasters, GrayFacesLookTheSameInSvgAndPng) {
-  for (const std::string method : {"watkins", "zbuffer", "painter"}) {
+  for (const std::string method : chosen("gray faces", 3, {"watkins", "zbuffer", "painter"})) {
     SCOPED_TRACE(method);
     Words drawing{"draw", "examples/models/five-cubes.obj", "--view", "trimetric", "--shade", "--landscape", "--method",
                   method};
