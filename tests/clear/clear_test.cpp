@@ -168,14 +168,8 @@ namespace fs = std::filesystem;
 
 const std::string kViews[] = {"iso", "front", "right", "top"};
 
-/// The views in which a model is drawn: in the first tier one of `one_in`, which the seed chooses.
-std::vector<std::string> views_of(const std::string& model, std::size_t one_in) {
-  std::vector<std::string> views;
-  for (std::size_t i = 0; i < std::size(kViews); ++i) {
-    if (is_chosen("clear, " + model, i, one_in)) views.push_back(kViews[i]);
-  }
-  return views;
-}
+/// The views in which a model is drawn: in the first tier one of them, which the seed chooses.
+std::vector<std::string> views_of(const std::string& model) { return chosen("clear, " + model, std::size(kViews), kViews); }
 
 /// Cleanup closes gaps of up to twelve pens between lines that continue each other, and leads ends on by up to three
 /// (docs/clear-lines.md, "Short bits").
@@ -211,7 +205,7 @@ void expect_close(const fs::path& file, const std::string& view, Kind kind) {
 TEST(ClearAgainstExact, Corpus) {
   for (const fs::directory_entry& entry : fs::directory_iterator(LIGNE_SOURCE_DIR "/tests/corpus")) {
     if (entry.path().extension() != ".json") continue;
-    for (const std::string& view : views_of(entry.path().stem(), 4)) expect_close(entry.path(), view, Kind::exact_shape);
+    for (const std::string& view : views_of(entry.path().stem())) expect_close(entry.path(), view, Kind::exact_shape);
   }
 }
 
@@ -222,7 +216,7 @@ TEST_P(MadePart, IsClose) {
   const TemporaryFolder folder;
   const fs::path file = folder / (std::string(name) + "-" + std::to_string(steps) + ".stl");
   write_stl(rounded_part(name, steps), file);
-  for (const std::string& view : views_of(std::string(name) + "-" + std::to_string(steps), 2))
+  for (const std::string& view : views_of(std::string(name) + "-" + std::to_string(steps)))
     expect_close(file, view, Kind::exact_shape);
 }
 
@@ -239,7 +233,7 @@ TEST_P(SharedModel, IsClose) {
   if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
   const std::string name = GetParam();
   const Kind kind = name == "stanford-bunny.obj" || name == "rocker-arm.obj" ? Kind::scan : Kind::exact_shape;
-  for (const std::string& view : views_of(name, 2)) expect_close(file, view, kind);
+  for (const std::string& view : views_of(name)) expect_close(file, view, kind);
 }
 
 INSTANTIATE_TEST_SUITE_P(ClearAgainstExact, SharedModel,

@@ -187,7 +187,7 @@ TEST_P(RandomRelations, GiveTheSameDrawing) {
   const auto& [family, share] = GetParam();
   const unsigned count = scene_count() / (kShares * static_cast<unsigned>(std::size(kFamilies))) + 1;
   for (unsigned seed = share * count; seed < (share + 1) * count; ++seed) {
-    if (!wanted_scenes() && !is_chosen(std::string("relations, ") + std::string(family.name), seed, 3)) continue;
+    if (!wanted_scenes() && !is_chosen(std::string("relations, ") + std::string(family.name), seed, 5)) continue;
     Numbers numbers(seed);
     Scene scene;
     family.build(numbers, scene);

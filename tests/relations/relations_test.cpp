@@ -4,6 +4,7 @@
 
 #include "relations/relations.hpp"
 #include "geometry/parallel.hpp"
+#include "main/tier.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
@@ -65,7 +66,7 @@ TEST_P(Relations, GiveTheSameDrawing) {
   const Relation& relation = std::get<0>(GetParam());
   const Subject& subject = std::get<1>(GetParam());
   const Scene scene = corpus_scene(subject.name);
-  for (const char* const view : kViewNames) {
+  for (const char* const view : chosen("relations, " + relation.name + subject.name, 3, kViewNames)) {
     const Sight sight = sight_of(scene, view);
     const Related related = relation.change(sight, subject.closed_solid);
     const Sight base{related.base ? *related.base : sight.scene, sight.camera};
@@ -99,7 +100,7 @@ class Threads : public testing::TestWithParam<Subject> {};
 
 TEST_P(Threads, GiveEqualStrokes) {
   const Scene scene = corpus_scene(GetParam().name);
-  for (const char* const view : kViewNames) {
+  for (const char* const view : chosen(std::string("threads, ") + GetParam().name, 3, kViewNames)) {
     const Sight sight = sight_of(scene, view);
     for (const Method* method : exact_methods()) {
       const auto with_threads = [&](int n) {
