@@ -4,6 +4,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "geometry/clip_contour_by_contour.hpp"
+#include "main/tier.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
 #include "support/test.hpp"
@@ -196,7 +197,8 @@ TEST_P(Regions, AreWhatIsInFrontByAnOrder) {
   for (const StandardView& standard : rotated_views(scene, "regions by an order, " + GetParam().stem().string(), 1)) {
     const JudgedView judged(scene, GetParam().stem().string(), standard);
     const ProjectedScene projected = project(scene, topology, judged.view(), {});
-    for (const char* method : {"newell", "bsp", "convex-tree"}) {
+    for (const std::string method : {"newell", "bsp", "convex-tree"}) {
+      if (!is_chosen("regions, " + family_of(GetParam()) + method, place_in_family(GetParam()), 2)) continue;
       SCOPED_TRACE(standard.name + " " + method);
       const VisibilityResult result = find_method(method)->study(projected, {});
       ASSERT_TRUE(result.regions.has_value());

@@ -1,5 +1,6 @@
 /// Clear drawings of meshes with defects against those of the shapes that they stand for.
 
+#include "main/tier.hpp"
 #include "picture/models.hpp"
 #include "picture/scene_study.hpp"
 #include "scene/heal/border_edges.hpp"
@@ -73,7 +74,7 @@ TEST(ClearDrawing, KeepsTheLinesOfTheCorpus) {
     const fs::path& file = entry.path();
     const std::string name = file.stem().string();
     if (file.extension() != ".json" || kHealed.contains(name) || kSmooth.contains(name)) continue;
-    for (const char* view : {"iso", "front", "dimetric"}) {
+    for (const char* view : test::chosen("clear, " + name, 3, {"iso", "front", "dimetric"})) {
       const Lengths exact = drawn(file.string(), Quality::exact, view), clear = drawn(file.string(), Quality::clear, view);
       // Planes that meet at less than 30 degrees have a crease from 10 degrees on.
       const Lengths more = drawn(file.string(), Quality::exact, view, kSurfaceCreaseDegrees);

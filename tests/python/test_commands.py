@@ -9,7 +9,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from conftest import SOURCE, chosen, grid_mesh
+from conftest import SOURCE, WHOLE_TIER, chosen, grid_mesh
 
 import ligne
 
@@ -249,7 +249,10 @@ def counted(study):
     return study
 
 
-@pytest.mark.parametrize("words", [["squares"], ["coherence", CUBES], ["all"]], ids=["one", "model", "all"])
+ALL = [["all"]] if WHOLE_TIER else [[name] for name in chosen([one["name"] for one in ligne.experiments()], "study", 8)]
+
+
+@pytest.mark.parametrize("words", [["squares"], ["coherence", CUBES], *ALL], ids=lambda words: "-".join(map(str, words[:1])))
 def test_study(words, tmp_path):
     line = [os.environ["LIGNE_PROGRAM"], "study", *words, "--size", "small", "-q", "--json", "-"]
     expected = json.loads(subprocess.run(line, capture_output=True, check=True).stdout)

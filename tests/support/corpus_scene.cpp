@@ -29,6 +29,15 @@ std::string family_of(const std::filesystem::path& file) {
   return families.at(file.stem().string());
 }
 
+std::size_t place_in_family(const std::filesystem::path& file) {
+  static const std::map<std::string, std::size_t> places = [] {
+    std::map<std::string, std::size_t> by_name, counts;
+    for (const std::filesystem::path& each : corpus_files()) by_name[each.stem().string()] = counts[family_of(each)]++;
+    return by_name;
+  }();
+  return places.at(file.stem().string());
+}
+
 Scene scene_of_file(const std::filesystem::path& file) {
   Warnings warnings;
   return read_scene(file, {}, warnings);

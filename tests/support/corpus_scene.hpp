@@ -15,6 +15,9 @@ std::vector<std::filesystem::path> corpus_files(std::uintmax_t most_bytes = std:
 /// The module of tests/corpus/maker that makes the scene: "solids", "touching" and so on.
 std::string family_of(const std::filesystem::path& file);
 
+/// A number of the scene that counts on within its family.
+std::size_t place_in_family(const std::filesystem::path& file);
+
 Scene scene_of_file(const std::filesystem::path& file);
 
 /// By the name of its file without ".json".
