@@ -4,6 +4,7 @@
 #include "drawing/stroke_difference.hpp"
 #include "drawing/stroke_directions.hpp"
 #include "drawing/stroke_overlap.hpp"
+#include "main/tier.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"
 
@@ -74,17 +75,20 @@ std::vector<Stroke> clustered(std::uint32_t seed, int count, int page, int short
   return strokes;
 }
 
+const std::uint32_t kSeeds = test::runs_all() ? 10 : 4;
+
 TEST(StrokePartners, OfAllLengths) {
-  for (std::uint32_t seed = 1; seed <= 10; ++seed)
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed)
     expect_found(clustered(seed, seed % 2 == 0 ? 700 : 3000, 5'000, 50, 60'000), seed);
 }
 
 TEST(StrokePartners, OfLongStrokes) {
-  for (std::uint32_t seed = 1; seed <= 10; ++seed) expect_found(clustered(seed, 2000, 1'000'000, 20'000, 1'000'000), seed);
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed)
+    expect_found(clustered(seed, 2000, 1'000'000, 20'000, 1'000'000), seed);
 }
 
 TEST(StrokePartners, OfStrokesAboutAsLongAsTheShortOnes) {
-  for (std::uint32_t seed = 1; seed <= 10; ++seed) expect_found(clustered(seed, 2000, 1000, 150, 250), seed);
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) expect_found(clustered(seed, 2000, 1000, 150, 250), seed);
 }
 
 TEST(StrokePartners, InACrowd) {
@@ -103,7 +107,7 @@ std::vector<Stroke> crowded_on_a_large_page(std::uint32_t seed) {
 }
 
 TEST(StrokePartners, InACrowdOnALargePage) {
-  for (std::uint32_t seed = 1; seed <= 5; ++seed) expect_found(crowded_on_a_large_page(seed), seed);
+  for (std::uint32_t seed = 1; seed <= kSeeds / 2; ++seed) expect_found(crowded_on_a_large_page(seed), seed);
 }
 
 TEST(StrokePartners, ACrowdOnALargePageIsCrossing) {
@@ -126,7 +130,7 @@ TEST(StrokePartners, ACrowdOnALargePageIsCrossing) {
 }
 
 TEST(StrokePartners, AmongFarStrokesOfWhichFewMayCoincide) {
-  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     std::vector<Stroke> strokes = clustered(seed, 700, 20'000'000, 1000, 10'000'000);
     for (std::size_t i = 0; i < strokes.size(); ++i) strokes[i].may_coincide = i % 50 == 0;
     expect_found(strokes, seed);

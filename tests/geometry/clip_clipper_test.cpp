@@ -4,6 +4,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "clip_support.hpp"
+#include "main/tier.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -42,7 +43,7 @@ void expect_agreement(const ContourFace& a, const ContourFace& b) {
 TEST(ClipAgainstClipper, Stars) {
   std::mt19937 random(1);
   std::uniform_int_distribution<std::int32_t> place(-kLatticeLimit / 4, kLatticeLimit / 4);
-  for (int i = 0; i < 20'000 && !testing::Test::HasFailure(); ++i) {
+  for (int i = 0; i < (runs_all() ? 20'000 : 5'000) && !testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE(i);
     expect_agreement(random_star(random, {place(random), place(random)}, kLatticeLimit * 0.6, i % 2 == 0),
                      random_star(random, {place(random), place(random)}, kLatticeLimit * 0.6, i % 3 == 0));
@@ -56,7 +57,7 @@ TEST(ClipAgainstClipper, StarsOnASmallLattice) {
     ContourFace f = random_star(random, {place(random), place(random)}, 5, holes);
     return f;
   };
-  for (int i = 0; i < 50'000 && !testing::Test::HasFailure(); ++i) {
+  for (int i = 0; i < (runs_all() ? 50'000 : 12'500) && !testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE(i);
     expect_agreement(star(false), star(false));
   }

@@ -105,8 +105,8 @@ void expect_cells(const Faces& faces, const Cells& cells, const Placing& place) 
 
 class ClipRandom : public testing::TestWithParam<unsigned> {};
 
-/// In the first tier the first quarter of them.
-const int kScenesByTest = runs_all() ? 10'000 : 2'500;
+/// In the first tier the first tenth of them.
+const int kScenesByTest = runs_all() ? 10'000 : 1'000;
 
 /// All corners of the results are corners of cells, so areas are compared exactly.
 TEST_P(ClipRandom, CellsOfOneGrid) {

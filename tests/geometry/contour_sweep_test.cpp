@@ -5,6 +5,7 @@
 #include "geometry/flip_edges.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/triangulate.hpp"
+#include "main/tier.hpp"
 #include "polygon_shapes.hpp"
 #include "support/test.hpp"
 
@@ -185,7 +186,7 @@ TEST(ContourSweep, RandomCells) {
 TEST(ContourSweep, Shapes) {
   for (const shapes::Shape& shape : shapes::all_shapes()) {
     SCOPED_TRACE(shape.name);
-    for (const int corners : {100, 3000, shape.simple ? 100000 : 3000}) {
+    for (const int corners : {100, 3000, !shape.simple ? 3000 : test::runs_all() ? 100000 : 30000}) {
       const ContourEdges contours = number_edges(shape.make(corners));
       SweptContours swept = sweep_contours(contours.positions, contours.edges);
       if (shape.simple || corners > 100) {  // few corners may happen not to cross

@@ -1,6 +1,7 @@
 /// Regions filled with strokes.
 
 #include "plotting/hatch.hpp"
+#include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "support/test.hpp"
 
@@ -330,7 +331,7 @@ TEST(Hatch, FillsLeaveNothingWhite) {
                             {{{2, 2}, {9, 2}, {9, 3.1}, {3.4, 3.1}, {3.4, 5}, {7, 5}, {7, 6}, {3.4, 6}, {3.4, 9}, {2, 9}}},
                             {{{0, 0}, {8, 8}, {8.3, 7.7}, {0.3, -0.3}}}};
   for (const Contours& area : areas) {
-    for (const double pen : {0.3, 0.5}) {
+    for (const double pen : test::chosen("pens of fills", 2, {0.3, 0.5})) {
       HatchOptions options;
       options.pen_width_mm = pen;
       options.spacing_mm = 0.8 * pen;

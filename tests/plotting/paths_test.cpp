@@ -153,7 +153,7 @@ TEST(OrderStrokes, CuttersCutHolesFirst) {
 
 TEST(OptimizePaths, ADrawingIsTheSameSetOfPoints) {
   for (unsigned seed = 0; seed < 60; ++seed) {
-    if (!is_chosen("paths", seed, 2)) continue;
+    if (!is_chosen("paths", seed, 5)) continue;
     const Polylines lines = random_drawing(seed);
     PathOptions options;
     const Polylines better = optimize_paths(lines, options);
@@ -255,7 +255,7 @@ TEST(OptimizePaths, TheSameWithAnyNumberOfThreads) {
 }
 
 TEST(OptimizePaths, AHundredThousandStrokesAreWellOrdered) {
-  const Polylines lines = many_strokes(100'000);
+  const Polylines lines = many_strokes(runs_all() ? 100'000 : 40'000);
   const Polylines better = optimize_paths(lines, {});
   const double before = measure(lines, {0, 0}, false).up_mm, after = measure(better, {0, 0}, false).up_mm;
   EXPECT_LT(after, before / 100);

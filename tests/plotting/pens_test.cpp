@@ -1,5 +1,6 @@
 /// Pens, their labels and looks, and dashes.
 
+#include "main/tier.hpp"
 #include "plotted.hpp"
 #include "plotting/dashes.hpp"
 #include "plotting/device.hpp"
@@ -104,6 +105,7 @@ TEST(Pens, WhatLayersSayOfPensIsDone) {
 /// The time that a device takes never grows, whatever is drawn.
 TEST(Plots, TakeNoLongerThanInTheOrderOfTheDrawing) {
   for (unsigned seed = 0; seed < 300; ++seed) {
+    if (!test::is_chosen("plots", seed, 4)) continue;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(5, 95), jitter(-0.03, 0.03);
     std::uniform_int_distribution<int> count(1, 30), kind(0, 4), node(1, 12);

@@ -14,7 +14,7 @@ import zlib
 import ligne
 import numpy as np
 import pytest
-from conftest import CUBE_FACES, CUBE_VERTICES
+from conftest import CUBE_FACES, CUBE_VERTICES, WHOLE_TIER
 
 X, Y = np.meshgrid(np.linspace(-5, 5, 30), np.linspace(-4, 4, 20))
 Z = np.sin(np.hypot(X, Y))
@@ -238,6 +238,7 @@ def png_of(picture):
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(lines, 1)) + chunk(b"IEND", b"")
 
 
+@pytest.mark.skipif(not WHOLE_TIER, reason="ten seconds; the first tier has ThinnedHeights.PicturesAreThinnedWhileTheyAreRead")
 def test_large_pictures_are_thinned(tmp_path):
     n = 4200
     at = np.arange(n)
