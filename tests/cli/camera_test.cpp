@@ -112,7 +112,7 @@ class FramesTest : public DrawTest {
 };
 
 TEST_F(FramesTest, HaveNumberedNames) {
-  EXPECT_EQ(run("draw cube.obj --frames 3 -o f%02d.svg").status, 0);
+  run_well("draw cube.obj --frames 3 -o f%02d.svg");
   EXPECT_EQ(run("draw cube.obj --frames 2 -o 100%-g%d.pdf").status, 0);
   EXPECT_EQ(new_files(), std::vector<std::string>({"100%-g1.pdf", "100%-g2.pdf", "f01.svg", "f02.svg", "f03.svg"}));
 }
@@ -127,7 +127,7 @@ TEST_F(FramesTest, NeedAPlaceForTheNumber) {
 }
 
 TEST_F(FramesTest, ArePagesOfOnePdf) {
-  ASSERT_EQ(run("draw cube.obj --frames 5 -o f.pdf").status, 0);
+  run_well("draw cube.obj --frames 5 -o f.pdf");
   const std::string pdf = contents(file("f.pdf"));
   EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
   if (!pdf_info_is_there()) GTEST_SKIP() << "pdfinfo (poppler-utils) is not here";
@@ -137,10 +137,8 @@ TEST_F(FramesTest, ArePagesOfOnePdf) {
 /// The statistics say what was made once.
 TEST_F(FramesTest, TellWhatWasSaved) {
   const auto counts = [&](const std::string& method) {
-    EXPECT_EQ(run({"draw", "cube.obj", "--frames", "4", "--turn", "12", "--method", method, "--stats-json", "s.json", "-o",
-                   "f%d.svg"})
-                  .status,
-              0);
+    run_well({"draw", "cube.obj", "--frames", "4", "--turn", "12", "--method", method, "--stats-json", "s.json", "-o",
+              "f%d.svg"});
     return json::parse(contents(file("s.json")))["counts"];
   };
   const json appel = counts("appel"), bsp = counts("bsp"), newell = counts("newell");
@@ -148,13 +146,13 @@ TEST_F(FramesTest, TellWhatWasSaved) {
   EXPECT_EQ(bsp["of them with the tree of the first"], 3);
   EXPECT_FALSE(appel.contains("of them with the tree of the first"));
   EXPECT_EQ(newell["of them with the list of the one before"], 3);
-  ASSERT_EQ(run("draw cube.obj --method bsp --stats-json s.json -o f.svg").status, 0);
+  run_well("draw cube.obj --method bsp --stats-json s.json -o f.svg");
   EXPECT_EQ(bsp["depth of the tree"], json::parse(contents(file("s.json")))["counts"]["depth of the tree"]);
 }
 
 /// The cube has the same sides after a quarter of a turn; in between it is wider, and has the same scale.
 TEST_F(FramesTest, TurnTheModelAtOneScale) {
-  ASSERT_EQ(run("draw cube.obj --view front --frames 8 --edges all -o f%d.json").status, 0);
+  run_well("draw cube.obj --view front --frames 8 --edges all -o f%d.json");
   const json first = frame("f1.json");
   for (int i = 2; i <= 8; ++i) {
     const json other = frame("f" + std::to_string(i) + ".json");
@@ -173,7 +171,7 @@ TEST_F(FramesTest, TurnTheModelAtOneScale) {
 
 /// Counter-clockwise as seen from above: what is in front goes to the right.
 TEST_F(FramesTest, TurnToTheRight) {
-  ASSERT_EQ(run("draw cube.obj --view front --frames 2 --turn 60 -o f%d.json").status, 0);
+  run_well("draw cube.obj --view front --frames 2 --turn 60 -o f%d.json");
   const json drawing = frame("f2.json");
   // The y axis is up, and the viewer stands at +z.
   const double right = matrix(drawing, 0, 2), scale = matrix(drawing, 0, 0);
@@ -194,8 +192,7 @@ TEST_F(FramesTest, AreTheViewsOneByOne) {
   };
   const std::string model = (std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus/letter_e.json").string();
   for (const std::string method : {"appel", "bsp", "convex-tree", "newell", "atherton-weiler"}) {
-    ASSERT_EQ(run({"draw", model, "--direction", "2,3,-1", "--frames", "4", "--method", method, "-o", "f%d.json"}).status,
-              0);
+    run_well({"draw", model, "--direction", "2,3,-1", "--frames", "4", "--method", method, "-o", "f%d.json"});
     const char* const directions[] = {"2,3,-1", "3,-2,-1", "-2,-3,-1", "-3,2,-1"};
     for (int i = 0; i < 4; ++i) {
       EXPECT_EQ(pieces(frame("f" + std::to_string(i + 1) + ".json")),
@@ -222,8 +219,7 @@ class MixedSceneTest : public SurfaceProgramTest {
     write(name, obj + "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
   }
   json mixed(const Words& arguments) const {
-    const Outcome outcome = run("draw" + arguments + "-o - --format json");
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well("draw" + arguments + "-o - --format json");
     return outcome.status == 0 ? json::parse(outcome.out) : json();
   }
 };

@@ -58,7 +58,7 @@ TEST_F(DrawTest, WhatIsSeenThroughGlassIsALayer) {
   expect_parts(text, {"id=\"behind-glass\""});
   EXPECT_EQ(svg({"draw", scene, "--view", "front", "--method", "appel"}).find("behind-glass"), std::string::npos)
       << "it knows no transparency";
-  ASSERT_EQ(run({"draw", scene, "--view", "front", "--method", "atherton-weiler", "-o", "glass.json"}).status, 0);
+  run_well({"draw", scene, "--view", "front", "--method", "atherton-weiler", "-o", "glass.json"});
   EXPECT_NE(svg("plot glass.json").find("behind-glass"), std::string::npos);
 }
 
@@ -180,9 +180,7 @@ TEST_F(DrawTest, PensByShade) {
       "pens.toml",
       "[[pen]]\nnumber = 1\nrest = true\n[[pen]]\nnumber = 2\nwidth = 0.5\nshades = [1, 2]\n[[pen]]\nnumber = 3\nwidth = 0.2\nshades = [3, 4]\n");
   const auto plotted = [&](const Words& more) {
-    const Outcome outcome = run("draw cube.obj -o - --format hpgl --hatch shade --view trimetric -q" + more);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return outcome.out;
+    return output_of("draw cube.obj -o - --format hpgl --hatch shade --view trimetric -q" + more);
   };
   for (const std::string& hpgl :
        {plotted("--pens pens.toml"),

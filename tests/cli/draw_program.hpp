@@ -14,8 +14,7 @@ class DrawTest : public ProgramTest {
  protected:
   /// The JSON drawing of the arguments.
   json drawn(const Words& arguments) const {
-    const Outcome outcome = run("draw" + arguments + "-o - --format json");
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well("draw" + arguments + "-o - --format json");
     EXPECT_EQ(outcome.err, "");
     return outcome.status == 0 ? json::parse(outcome.out) : json();
   }

@@ -101,15 +101,14 @@ TEST_F(DrawTest, CullLeavesTheVisibleLinesAsTheyAre) {
   const json all = drawn("cube.obj --view dimetric"), culled = drawn("cube.obj --view dimetric --cull");
   EXPECT_EQ(all["strokes"], culled["strokes"]);
   EXPECT_EQ(strokes_by_class(drawn("cube.obj --cull --hidden solid")).count("hidden"), 0u);
-  const Outcome open = run("draw cube.obj square.obj --cull -o both.svg");
-  EXPECT_EQ(open.status, 0);
+  const Outcome open = run_well("draw cube.obj square.obj --cull -o both.svg");
   EXPECT_EQ(open.error_lines(), 1u);
   expect_parts(open.err, {"warning: 1 of 2 objects keep their back faces"});
   EXPECT_EQ(run("draw cube.obj square.obj --cull -q -o both.svg").err, "");
 }
 
 TEST_F(DrawTest, HiddenLinesAreDashedOrSolid) {
-  ASSERT_EQ(run("draw cube.obj --view dimetric --hidden dashed -o d.svg").status, 0);
+  run_well("draw cube.obj --view dimetric --hidden dashed -o d.svg");
   ASSERT_EQ(run("draw cube.obj --view dimetric --hidden solid -o s.svg").status, 0);
   const std::string dashed = contents(file("d.svg")), solid = contents(file("s.svg"));
   expect_parts(dashed, {"stroke-dasharray"});
@@ -152,7 +151,7 @@ TEST_F(DrawTest, FormatsBySuffixAndByName) {
     EXPECT_EQ(contents(file(name)).rfind(mark, 0), 0u) << name;
     const Outcome to_pipe = run({"draw", "cube.obj", "-o", "-", "--format", format});
     EXPECT_EQ(to_pipe.out, contents(file(name))) << name;
-    ASSERT_EQ(run({"draw", "cube.obj", "-o", "other", "--format", format}).status, 0);
+    run_well({"draw", "cube.obj", "-o", "other", "--format", format});
     EXPECT_EQ(contents(file("other")), contents(file(name))) << name;
   }
 }
@@ -172,8 +171,7 @@ TEST_F(DrawTest, PenTitleAndResolution) {
 }
 
 TEST_F(DrawTest, StatsToErrorAndFile) {
-  const Outcome outcome = run("draw cube.obj -o out.svg --stats --stats-json stats.json");
-  ASSERT_EQ(outcome.status, 0);
+  const Outcome outcome = run_well("draw cube.obj -o out.svg --stats --stats-json stats.json");
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err.rfind("method ", 0), 0u) << outcome.err;
   const json stats = json::parse(contents(file("stats.json")));
@@ -213,27 +211,23 @@ TEST_F(DrawTest, ProgressIsForTerminalsUnlessAskedFor) {
 
 TEST_F(DrawTest, WarningsAreOneLineEachAndQuietIsQuiet) {
   write("doubtful.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\nf 1 1 2\nf 2 2 3\n");
-  const Outcome loud = run("draw doubtful.obj -o out.svg");
-  EXPECT_EQ(loud.status, 0);
+  const Outcome loud = run_well("draw doubtful.obj -o out.svg");
   EXPECT_EQ(loud.error_lines(), 1u) << loud.err;
   EXPECT_EQ(loud.err.rfind("ligne: doubtful.obj: warning: 2 ", 0), 0u) << loud.err;
   EXPECT_EQ(run("draw doubtful.obj -o out.svg -q").err, "");
 }
 
 TEST_F(DrawTest, EmptyDrawingIsAWarningAndAFile) {
-  const Outcome outcome = run("draw square.obj --edges crease -o out.svg");
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("draw square.obj --edges crease -o out.svg");
   EXPECT_EQ(outcome.err.rfind("ligne: square.obj: warning: ", 0), 0u) << outcome.err;
   EXPECT_NE(contents(file("out.svg")).find("</svg>"), std::string::npos);
-  const Outcome behind = run("draw cube.obj --eye 0,0,100 --target 0,0,200 -o behind.pdf");
-  EXPECT_EQ(behind.status, 0) << behind.err;
+  const Outcome behind = run_well("draw cube.obj --eye 0,0,100 --target 0,0,200 -o behind.pdf");
   EXPECT_EQ(behind.error_lines(), 1u) << behind.err;
   EXPECT_EQ(contents(file("behind.pdf")).rfind("%PDF-", 0), 0u);
 }
 
 TEST_F(DrawTest, PictureLargerThanThePageIsAWarning) {
-  const Outcome outcome = run("draw cube.obj --scale 100:1 -o out.svg");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = run_well("draw cube.obj --scale 100:1 -o out.svg");
   EXPECT_EQ(outcome.err.rfind("ligne: cube.obj: warning: the picture is larger than the page", 0), 0u) << outcome.err;
 }
 
@@ -310,8 +304,7 @@ TEST_F(DrawTest, CurvesWhereLinesAreClear) {
   }
   write("disc.obj", disc + face + "\n");
   const auto curves = [&](const Words& options) {
-    const Outcome outcome = run("draw disc.obj --view iso -o - --format svg" + options);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well("draw disc.obj --view iso -o - --format svg" + options);
     const std::string path = outcome.out.substr(outcome.out.find("<path d=\"M") + 9);
     return path.substr(0, path.find('"')).find_first_of("Cc") != std::string::npos;
   };
@@ -326,14 +319,14 @@ TEST_F(DrawTest, CurvesWhereLinesAreClear) {
 
 TEST_F(DrawTest, NamesWithSpacesAndUtf8) {
   std::filesystem::copy_file(file("cube.obj"), file("le cube \xc3\xa9t\xc3\xa9.obj"));
-  EXPECT_EQ(run({"draw", "le cube \xc3\xa9t\xc3\xa9.obj", "-o", "une \xc3\xa9toile 'x'.svg"}).status, 0);
+  run_well({"draw", "le cube \xc3\xa9t\xc3\xa9.obj", "-o", "une \xc3\xa9toile 'x'.svg"});
   EXPECT_TRUE(exists("une \xc3\xa9toile 'x'.svg"));
   std::filesystem::copy_file(file("cube.obj"), file("-dash.obj"));
-  EXPECT_EQ(run("draw -o dash.svg -- -dash.obj").status, 0);
+  run_well("draw -o dash.svg -- -dash.obj");
 }
 
 TEST_F(DrawTest, NothingButTheOutputIsWritten) {
-  ASSERT_EQ(run("draw cube.obj -o out.svg").status, 0);
+  run_well("draw cube.obj -o out.svg");
   EXPECT_EQ(new_files(), Words{"out.svg"});
 }
 

@@ -12,8 +12,7 @@ namespace {
 using nlohmann::json;
 
 TEST_F(ProgramTest, InfoCountsACube) {
-  const Outcome outcome = run("info cube.obj --json");
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("info cube.obj --json");
   EXPECT_EQ(outcome.err, "");
   const json info = json::parse(outcome.out);
   EXPECT_EQ(info["format"], "ligne-info");
@@ -40,8 +39,7 @@ TEST_F(ProgramTest, InfoCountsACube) {
 }
 
 TEST_F(ProgramTest, InfoFollowsTheView) {
-  const Outcome front = run("info square.obj --json --view front --scale 1:2 --unit cm --page A3");
-  ASSERT_EQ(front.status, 0) << front.err;
+  const Outcome front = run_well("info square.obj --json --view front --scale 1:2 --unit cm --page A3");
   const json view = json::parse(front.out)["view"];
   EXPECT_EQ(view["edges"]["border"], 4);
   EXPECT_NEAR(view["picture_mm"][0].get<double>(), 200, 1e-6);
@@ -51,8 +49,7 @@ TEST_F(ProgramTest, InfoFollowsTheView) {
 }
 
 TEST_F(ProgramTest, InfoTellsWhatCullLeavesOut) {
-  const Outcome culled = run("info cube.obj square.obj --cull --json");
-  ASSERT_EQ(culled.status, 0) << culled.err;
+  const Outcome culled = run_well("info cube.obj square.obj --cull --json");
   const json view = json::parse(culled.out)["view"];
   EXPECT_EQ(view["culled"], json::parse(R"({"faces":3,"objects":1,"kept_objects":1})"));
   EXPECT_EQ(view["edges"]["crease"], 3) << "those behind the cube are gone";
@@ -65,8 +62,7 @@ TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
   const json methods = json::parse(run("methods --json").out);
   EXPECT_EQ(methods["format"], "ligne-methods");
   ASSERT_FALSE(methods["methods"].empty());
-  const Outcome info = run("info square.obj --stats");
-  ASSERT_EQ(info.status, 0) << info.err;
+  const Outcome info = run_well("info square.obj --stats");
   expect_parts(info.err, {"topology"});
   const std::string list = run("methods").out;
   int defaults = 0;
@@ -81,8 +77,7 @@ TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
 }
 
 TEST_F(ProgramTest, InfoWritesFilesAndTakesSeveralModels) {
-  const Outcome outcome = run("info cube.obj square.obj --format json -o info.txt --up-axis z");
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("info cube.obj square.obj --format json -o info.txt --up-axis z");
   EXPECT_EQ(outcome.out, "");
   const json info = json::parse(contents(file("info.txt")));
   EXPECT_EQ(info["files"].size(), 2u);
@@ -91,15 +86,12 @@ TEST_F(ProgramTest, InfoWritesFilesAndTakesSeveralModels) {
 }
 
 TEST_F(ProgramTest, HelpAndVersion) {
-  const Outcome version = run("--version");
-  EXPECT_EQ(version.status, 0);
+  const Outcome version = run_well("--version");
   EXPECT_EQ(version.out.rfind("ligne ", 0), 0u);
-  const Outcome help = run("--help");
-  EXPECT_EQ(help.status, 0);
+  const Outcome help = run_well("--help");
   for (const char* command : {"draw", "info", "methods"}) {
     expect_parts(help.out, {command});
-    const Outcome of_command = run({command, "--help"});
-    EXPECT_EQ(of_command.status, 0);
+    const Outcome of_command = run_well({command, "--help"});
     EXPECT_EQ(of_command.err, "");
     expect_parts(of_command.out, {"Example"});
   }
@@ -117,8 +109,7 @@ TEST_F(ProgramTest, HelpAndVersion) {
 }
 
 TEST_F(ProgramTest, CompareAsJsonHasOneSchemaForAllMethods) {
-  const Outcome outcome = run("compare cube.obj --json");
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("compare cube.obj --json");
   EXPECT_EQ(outcome.err, "");
   const json found = json::parse(outcome.out);
   EXPECT_EQ(found["format"], "ligne-compare");
@@ -141,8 +132,7 @@ TEST_F(ProgramTest, CompareAsJsonHasOneSchemaForAllMethods) {
 }
 
 TEST_F(ProgramTest, CompareOfSomeMethodsAsCsv) {
-  const Outcome outcome = run("compare cube.obj --methods newell,warnock --resolution 64 --csv");
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("compare cube.obj --methods newell,warnock --resolution 64 --csv");
   std::vector<std::string> lines;
   std::istringstream text(outcome.out);
   for (std::string line; std::getline(text, line);) lines.push_back(line);
@@ -154,8 +144,7 @@ TEST_F(ProgramTest, CompareOfSomeMethodsAsCsv) {
 }
 
 TEST_F(ProgramTest, ComparePageNeedsNothingElse) {
-  const Outcome outcome = run("compare cube.obj --html cube.html -o table.txt");
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("compare cube.obj --html cube.html -o table.txt");
   EXPECT_EQ(outcome.out, "");
   const std::string page = contents(file("cube.html"));
   EXPECT_EQ(page.rfind("<!doctype html>", 0), 0u);
@@ -179,8 +168,7 @@ TEST_F(ProgramTest, CompareRefusesWhatMakesNoSense) {
 }
 
 TEST_F(ProgramTest, StatsSayWhichRuleChose) {
-  const Outcome outcome = run("draw cube.obj -o x.svg --stats");
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("draw cube.obj -o x.svg --stats");
   expect_parts(outcome.err, {"rule 4: any other scene"});
 }
 
@@ -189,14 +177,12 @@ TEST_F(ProgramTest, StatsSayWhichRuleChose) {
 using StudyCommandTest = ProgramTest;
 
 TEST_F(StudyCommandTest, ListsTheExperiments) {
-  const Outcome outcome = run("study --list");
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("study --list");
   expect_parts(outcome.out, {"squares", "Boulle 2.3.3.4"});
 }
 
 TEST_F(StudyCommandTest, WritesTablesAndPlots) {
-  const Outcome outcome = run("study translation --size small --json t.json --csv t.csv --svg t.svg");
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("study translation --size small --json t.json --csv t.csv --svg t.svg");
   expect_parts(outcome.out, {"Figure 2.56"});
   const auto json = nlohmann::json::parse(contents(file("t.json")));
   EXPECT_EQ(json["format"], "ligne-study");
@@ -209,14 +195,12 @@ TEST_F(StudyCommandTest, WritesTablesAndPlots) {
 }
 
 TEST_F(StudyCommandTest, StandardOutputHasWhatWasAskedFor) {
-  const Outcome outcome = run("study windows --size small --json -");
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("study windows --size small --json -");
   EXPECT_EQ(nlohmann::json::parse(outcome.out)["experiments"][0]["name"], "windows");
 }
 
 TEST_F(StudyCommandTest, StudiesModelsBesideItsOwnScenes) {
-  const Outcome outcome = run("study coherence cube.obj --size small");
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("study coherence cube.obj --size small");
   expect_parts(outcome.out, {"| cube | 256 |"});
 }
 
@@ -238,14 +222,11 @@ const std::filesystem::path kScenes = std::filesystem::path(LIGNE_SOURCE_DIR) / 
 class CompileTest : public DrawTest {
  protected:
   std::string compiled(const std::string& model, const Words& options = {}) const {
-    const Outcome outcome = run(Words{"compile", model, "-o", "model.tree", "-q"} + options);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well(Words{"compile", model, "-o", "model.tree", "-q"} + options);
     return contents(file("model.tree"));
   }
   std::string svg(const std::string& model, const Words& options) const {
-    const Outcome outcome = run(Words{"draw", model, "-q", "-o", "-", "--format", "svg"} + options);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return outcome.out;
+    return output_of(Words{"draw", model, "-q", "-o", "-", "--format", "svg"} + options);
   }
   std::string refusal(const Words& arguments) const {
     const Outcome outcome = run(arguments);

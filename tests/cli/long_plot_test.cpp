@@ -18,10 +18,7 @@ class LongPlotTest : public ProgramTest {
     write("a.svg", kFourLinesSvg);
   }
 
-  void made(const Words& arguments) const {
-    const Outcome outcome = run("plot" + arguments);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-  }
+  void made(const Words& arguments) const { run_well("plot" + arguments); }
   void refused(const Words& arguments, const std::string& message) const {
     const Outcome outcome = run("plot" + arguments);
     EXPECT_EQ(outcome.status, 2) << message;

@@ -43,8 +43,7 @@ TEST_F(MistakesOfNewcomers, HelpIsACommandToo) {
   const Outcome all = run("--help");
   EXPECT_EQ(run("help").out, all.out);
   for (const char* command : {"draw", "surface", "plot", "compile", "info", "compare", "methods", "devices", "study"}) {
-    const Outcome help = run({"help", command});
-    EXPECT_EQ(help.status, kDone) << help.err;
+    const Outcome help = run_well({"help", command});
     EXPECT_EQ(help.out, run({command, "--help"}).out);
     EXPECT_NE(help.out.find(command), std::string::npos);
   }
@@ -83,8 +82,7 @@ TEST_F(MistakesOfNewcomers, UnitsOfMovesAreAllNamed) {
 }
 
 TEST_F(MistakesOfNewcomers, FormatsAgainstTheirSuffix) {
-  const Outcome png = run("draw cube.obj --format png -o a.svg");
-  EXPECT_EQ(png.status, kDone);
+  const Outcome png = run_well("draw cube.obj --format png -o a.svg");
   EXPECT_EQ(png.err, "ligne: a.svg: warning: is written as png (--format), though its name is that of svg\n");
   EXPECT_EQ(contents(file("a.svg")).substr(1, 3), "PNG");
   EXPECT_EQ(run("surface x*y --format pdf -o a.svg").error_lines(), 1u);
@@ -134,8 +132,7 @@ TEST_F(MistakesOfNewcomers, NamesAreEscapedWhereverTheyArePrinted) {
 }
 
 TEST_F(MistakesOfNewcomers, PagesThatReadersOfPdfDoNotShow) {
-  const Outcome large = run("draw cube.obj --page 10000x10000 -o p.pdf");
-  EXPECT_EQ(large.status, kDone);
+  const Outcome large = run_well("draw cube.obj --page 10000x10000 -o p.pdf");
   EXPECT_EQ(
       large.err,
       "ligne: cube.obj: warning: a page of 10000 x 10000 mm is larger than the 14400 points (5080 mm) that readers of PDF "

@@ -27,8 +27,7 @@ class ModelFilesTest : public DrawTest {
 };
 
 TEST_F(ModelFilesTest, OneWarningNamesWhatIsLeftOut) {
-  const Outcome outcome = run("draw pane.obj -o x.svg");
-  EXPECT_EQ(outcome.status, kDone);
+  const Outcome outcome = run_well("draw pane.obj -o x.svg");
   EXPECT_EQ(outcome.err, "ligne: pane.obj: warning: left out: 1 lines (l), 1 textures (map_Kd)\n");
   EXPECT_NE(run("info pane.obj").out.find("left out       1 lines (l), 1 textures (map_Kd)"), std::string::npos);
   const json info = json::parse(run("info pane.obj --json").out);
@@ -36,7 +35,7 @@ TEST_F(ModelFilesTest, OneWarningNamesWhatIsLeftOut) {
 }
 
 TEST_F(ModelFilesTest, LibrariesOfMaterialsAreDrawn) {
-  ASSERT_EQ(run("draw pane.obj -q --view front --fill material -o x.svg").status, kDone);
+  run_well("draw pane.obj -q --view front --fill material -o x.svg");
   const std::string svg = contents(file("x.svg"));
   EXPECT_NE(svg.find("fill-opacity=\"0.5\""), std::string::npos) << svg;
   EXPECT_TRUE(svg.find("fill=\"#f00\"") != std::string::npos || svg.find("fill=\"#ff0000\"") != std::string::npos) << svg;
@@ -45,7 +44,7 @@ TEST_F(ModelFilesTest, LibrariesOfMaterialsAreDrawn) {
 }
 
 TEST_F(ModelFilesTest, GlassIsSeenThroughByItself) {
-  ASSERT_EQ(run("draw pane.obj -q --view front -o x.svg").status, kDone);
+  run_well("draw pane.obj -q --view front -o x.svg");
   EXPECT_NE(contents(file("x.svg")).find("id=\"behind-glass\""), std::string::npos);
   const Outcome opaque = run("draw pane.obj --view front --method appel -o x.svg");
   EXPECT_NE(
@@ -70,8 +69,7 @@ TEST_F(ModelFilesTest, PosesMoveTheModel) {
 }
 
 TEST_F(ModelFilesTest, APageThatNoPaperOfTheDeviceHolds) {
-  const Outcome fitted = run("draw cube.obj --device hp7475a --page A2 -o x.hpgl");
-  EXPECT_EQ(fitted.status, kDone);
+  const Outcome fitted = run_well("draw cube.obj --device hp7475a --page A2 -o x.hpgl");
   EXPECT_NE(fitted.err.find("warning: no paper of hp7475a holds a page of 420 x 594 mm: the drawing is made for A3\n"),
             std::string::npos)
       << fitted.err;

@@ -88,8 +88,7 @@ TEST_F(PartsTest, AreLeftOutBeforeAnythingIsMended) {
 }
 
 TEST_F(PartsTest, AreGroupsWithUniqueIds) {
-  const Outcome svg = run("draw squares.json --view front --group object --color mid*=#00f -o - --format svg");
-  ASSERT_EQ(svg.status, 0) << svg.err;
+  const Outcome svg = run_well("draw squares.json --view front --group object --color mid*=#00f -o - --format svg");
   const std::regex group("<g [^>]*id=\"([^\"]*)\"[^>]*>");
   std::vector<std::string> ids;
   for (auto m = std::sregex_iterator(svg.out.begin(), svg.out.end(), group); m != std::sregex_iterator(); ++m) {
@@ -108,11 +107,7 @@ TEST_F(PartsTest, AreGroupsWithUniqueIds) {
 }
 
 TEST_F(PartsTest, HaveColoursAndPens) {
-  const auto bytes = [&](const Words& more) {
-    const Outcome outcome = run("draw squares.json --view front -o -" + more);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return outcome.out;
-  };
+  const auto bytes = [&](const Words& more) { return output_of("draw squares.json --view front -o -" + more); };
   const std::string svg = bytes("--format svg --color *=red --color left*=#0f0");
   expect_parts(svg, {"<g stroke=\"#f00\">", "<g stroke=\"#0f0\">"});
   EXPECT_NE(bytes("--format png --color *=red"), bytes("--format png"));
@@ -150,8 +145,7 @@ TEST_F(PartsTest, AGltfIsInMetres) {
     "bufferViews": [{"buffer": 0, "byteLength": 36}],
     "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAzczMPQAAAAAAAAAAAAAAAM3MTD0AAAAA"}]})");
   const auto width = [&](const Words& more) {
-    const Outcome outcome = run("info m.gltf --json --view front --scale 1:1" + more);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well("info m.gltf --json --view front --scale 1:1" + more);
     return json::parse(outcome.out)["view"]["picture_mm"][0].get<double>();
   };
   EXPECT_NEAR(width({}), 100, 1e-3);

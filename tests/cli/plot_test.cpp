@@ -20,8 +20,7 @@ constexpr const char* kThreeLinesSvg =
 class PlotTest : public ProgramTest {
  protected:
   std::string written(const std::string& name, const Words& arguments) const {
-    const Outcome outcome = run(arguments + Words{"-o", name});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well(arguments + Words{"-o", name});
     return outcome.status == 0 ? contents(file(name)) : "";
   }
 };
@@ -98,8 +97,7 @@ TEST_F(PlotTest, FillsAreOutlinedWithOneWarning) {
         "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60'>\n"
         "<rect x='10' y='10' width='9' height='9'/><rect x='30' y='10' width='9' height='9' fill='url(#g)'/><plotdata/>"
         "<pattern id='g'/></svg>");
-  const Outcome plain = run("plot a.svg -o a.hpgl");
-  EXPECT_EQ(plain.status, 0);
+  const Outcome plain = run_well("plot a.svg -o a.hpgl");
   EXPECT_EQ(count_of(plain.err, "2 filled areas are drawn by the outline"), 1u) << plain.err;
   EXPECT_EQ(count_of(plain.err, "left out: 1 <plotdata> elements"), 1u) << plain.err;
   EXPECT_EQ(count_of(run("plot a.svg --fill outline -o a.hpgl").err, "filled"), 0u);
@@ -116,7 +114,7 @@ TEST_F(PlotTest, OrderingCutsAndJoinsNothing) {
 }
 
 TEST_F(PlotTest, DrawingsOfOursComeAsJsonAndAsSvg) {
-  ASSERT_EQ(run("draw cube.obj --margin 20 -o cube.json").status, 0);
+  run_well("draw cube.obj --margin 20 -o cube.json");
   ASSERT_EQ(run("draw cube.obj --margin 20 -o cube.svg").status, 0);
   const std::string direct = written("direct.hpgl", "draw cube.obj --margin 20 --device hp7475a");
   const std::string json_way = written("json.hpgl", "plot cube.json --device hp7475a");
@@ -153,8 +151,7 @@ TEST_F(PlotTest, StrictReadingRefusesByNameAndLeavesNothingBehind) {
 TEST_F(PlotTest, WhatCanNotBeDrawnIsOneWarning) {
   write("part.svg",
         "<svg width='10mm' height='10mm' viewBox='0 0 10 10'>\n<image/><image/><path d='M1 1H9LNaN' stroke='red'/></svg>");
-  const Outcome part = run("plot part.svg -o part.hpgl");
-  EXPECT_EQ(part.status, 0);
+  const Outcome part = run_well("plot part.svg -o part.hpgl");
   EXPECT_EQ(
       part.err,
       "ligne: part.svg: warning: left out: 2 images, 1 ends of <path> elements behind an error; the first in line 2\n");
@@ -237,8 +234,7 @@ TEST_F(PlotTest, ADeviceOfOnesOwn) {
 }
 
 TEST_F(PlotTest, DevicesAreListedWhereverTheProgramIs) {
-  const Outcome text = run("devices");
-  EXPECT_EQ(text.status, 0);
+  const Outcome text = run_well("devices");
   expect_parts(text.out, {"hp7475a: HP 7475A"});
   const Outcome list = run("devices --json");
   const json parsed = json::parse(list.out);
@@ -254,19 +250,17 @@ TEST_F(PlotTest, WhatLeavesTheLimitsIsToldInMillimetres) {
   const Outcome outcome = run("plot wide.svg --device hp7475a -o a.hpgl");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(outcome.err.starts_with("ligne: device hp7475a, paper A4: the drawing leaves the limits: ")) << outcome.err;
-  const Outcome fitted = run("plot wide.svg --device hp7475a --fit-device --report -o a.hpgl");
-  EXPECT_EQ(fitted.status, 0);
+  const Outcome fitted = run_well("plot wide.svg --device hp7475a --fit-device --report -o a.hpgl");
   EXPECT_EQ(count_of(fitted.err, "the drawing is made smaller, to 0.9"), 1u) << fitted.err;
   EXPECT_EQ(count_of(fitted.err, "of its size, which fits hp7475a\n"), 1u) << "in the title of the report";
 }
 
 TEST_F(PlotTest, ADrawingWithoutAScaleFitsTheDevice) {
   for (const char* device : {"hp7475a", "hp7550a", "designjet", "cutter"}) {
-    const Outcome outcome = run({"draw", "cube.obj", "--margin", "0", "--device", device, "-o", "a.hpgl"});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well({"draw", "cube.obj", "--margin", "0", "--device", device, "-o", "a.hpgl"});
     EXPECT_EQ(outcome.err, "") << "no scale was asked for";
   }
-  EXPECT_EQ(run("surface x*y --margin 0 --device hp7475a -o a.hpgl").status, 0);
+  run_well("surface x*y --margin 0 --device hp7475a -o a.hpgl");
 }
 
 TEST_F(PlotTest, PensForWhatIsNotThereAreMistakes) {
@@ -301,7 +295,7 @@ double hatch_length(const std::string& svg) {
 }
 
 TEST_F(PlotTest, AStoredStudyIsHatched) {
-  ASSERT_EQ(run("draw cube.obj --method atherton-weiler --direction 1,2,-1.5 --scale 20:1 -o cube.json").status, 0);
+  run_well("draw cube.obj --method atherton-weiler --direction 1,2,-1.5 --scale 20:1 -o cube.json");
   const double plain = hatch_length(written("a.svg", "plot cube.json --fill hatch")),
                shaded = hatch_length(written("b.svg", "plot cube.json --hatch shade")),
                wide = hatch_length(written("c.svg", "plot cube.json --hatch plain --hatch-spacing 2")),
@@ -313,7 +307,7 @@ TEST_F(PlotTest, AStoredStudyIsHatched) {
   const std::string drawn =
       written("e.svg", "draw cube.obj --direction 1,2,-1.5 --scale 20:1 --hatch shade --hatch-levels continuous");
   EXPECT_NEAR(shaded, hatch_length(drawn), 0.1 * shaded) << "as draw does it";
-  ASSERT_EQ(run("draw cube.obj -o lines.json").status, 0);
+  run_well("draw cube.obj -o lines.json");
   const Outcome none = run("plot lines.json --fill hatch -o f.svg");
   EXPECT_TRUE(none.status == 0 || none.err.find("has no regions to be hatched") != std::string::npos) << none.err;
 }
@@ -368,8 +362,7 @@ TEST_F(PlotTest, MaterialsHavePens) {
   write("two.json", R"({"format":"ligne-scene","version":1,"materials":[{"name":"steel"},{"name":"glass"}],"objects":[
 {"vertices":[[0,0,0],[10,0,0],[10,10,0],[0,10,0]],"faces":[{"outer":[0,1,2,3],"material":0}]},
 {"vertices":[[20,0,0],[30,0,0],[30,10,0],[20,10,0]],"faces":[{"outer":[0,1,2,3],"material":1}]}]})");
-  const Outcome outcome = run("draw two.json --view top --pen material:glass=2,blue --pen rest=1 -o two.svg");
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = run_well("draw two.json --view top --pen material:glass=2,blue --pen rest=1 -o two.svg");
   const std::string svg = contents(file("two.svg"));
   EXPECT_EQ(count_of(svg, "inkscape:groupmode=\"layer\""), 2u);
   EXPECT_EQ(count_of(svg, "<path"), 2u);
@@ -385,7 +378,7 @@ TEST_F(PlotTest, RestIsOnePenForNumberedLayers) {
   const Outcome both = run("plot two.svg --device grbl-servo --report -o x.gcode");
   EXPECT_EQ(count_of(contents(file("x.gcode")), "M0 "), 1u);
   EXPECT_EQ(count_of(both.err, "0.292 m"), 2u) << both.err;
-  ASSERT_EQ(run("plot two.svg --device grbl-servo --pen rest=1 -o x.gcode").status, kDone);
+  run_well("plot two.svg --device grbl-servo --pen rest=1 -o x.gcode");
   EXPECT_EQ(count_of(contents(file("x.gcode")), "M0 "), 0u);
 }
 

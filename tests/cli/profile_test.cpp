@@ -205,7 +205,7 @@ TEST_F(ProfileTest, GlassIsInTheWayOfTheSheet) {
 
 TEST_F(ProfileTest, IsALayerInEveryFormat) {
   const std::string gears = LIGNE_SOURCE_DIR "/examples/models/gear-pair.json";
-  ASSERT_EQ(run({"draw", gears, "--profile", "sheet", "-o", "gears.json"}).status, 0);
+  run_well({"draw", gears, "--profile", "sheet", "-o", "gears.json"});
   ASSERT_EQ(run({"draw", gears, "--profile", "sheet", "-o", "gears.svg"}).status, 0);
   const std::string svg = contents(file("gears.svg"));
   const std::size_t profile = svg.find("id=\"profile\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.49\"");
@@ -245,7 +245,7 @@ TEST_F(ProfileTest, WidthsByClass) {
     EXPECT_EQ(outcome.status, 2) << wrong;
     EXPECT_EQ(outcome.error_lines(), 1u);
   }
-  ASSERT_EQ(run({"draw", kCorpus + "cube.json", "-o", "cube.svg"}).status, 0);
+  run_well({"draw", kCorpus + "cube.json", "-o", "cube.svg"});
   EXPECT_TRUE(has(run("plot cube.svg --width crease=0.1 --optimize off -o - --format svg").out, "crease", "0.1"));
 }
 

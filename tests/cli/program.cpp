@@ -187,6 +187,12 @@ void ProgramTest::SetUp() {
 
 void ProgramTest::TearDown() { std::filesystem::remove_all(folder_); }
 
+Outcome ProgramTest::run_well(const Words& arguments) const {
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.status, kDone) << testing::PrintToString(arguments) << ": " << outcome.err;
+  return outcome;
+}
+
 void ProgramTest::expect_outcome(const Words& arguments, int status, std::initializer_list<std::string_view> parts) const {
   SCOPED_TRACE(testing::PrintToString(arguments));
   const Outcome outcome = run(arguments);

@@ -59,19 +59,18 @@ TEST_F(ShapeLinesTest, AreDrawnWhereTheyAreAskedFor) {
     EXPECT_GT(seen["outline"], 0) << quality;
   }
   expect_outcome("draw ring.obj --edges ridges -o x.svg", 2, {"suggestive, ridge, valley"});
-  const Outcome flat = run({"draw", LIGNE_SOURCE_DIR "/tests/corpus/cube.json", "--edges", "outline,suggestive,ridge,valley",
-                            "--stats", "-o", "cube.svg"});
-  EXPECT_EQ(flat.status, 0);
+  const Outcome flat = run_well({"draw", LIGNE_SOURCE_DIR "/tests/corpus/cube.json", "--edges",
+                                 "outline,suggestive,ridge,valley", "--stats", "-o", "cube.svg"});
   EXPECT_EQ(contents(file("cube.svg")).find("suggestive"), std::string::npos);
   expect_parts(flat.err, {"lines of class ridge"});
 }
 
 TEST_F(ShapeLinesTest, HaveALayerAWidthAndAFaceOfTheirOwn) {
   write_torus(false);
-  ASSERT_EQ(run("draw ring.obj --edges outline,suggestive -o a.svg").status, 0);
+  run_well("draw ring.obj --edges outline,suggestive -o a.svg");
   EXPECT_NE(contents(file("a.svg")).find("id=\"suggestive\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.245\""),
             std::string::npos);
-  ASSERT_EQ(run("draw ring.obj --edges suggestive --width suggestive=0.6 -o b.svg").status, 0);
+  run_well("draw ring.obj --edges suggestive --width suggestive=0.6 -o b.svg");
   EXPECT_NE(contents(file("b.svg")).find("id=\"suggestive\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.6\""),
             std::string::npos);
   for (const json& s : drawn("ring.obj --edges suggestive")["strokes"]) {
@@ -97,7 +96,7 @@ TEST_F(ShapeLinesTest, AreTheSameByAllMethodsAndForAnyNumberOfThreads) {
   write_torus(true);
   const Words view = "draw covered.obj --edges outline,suggestive,ridge,valley --direction -1,-0.8,-1 -q";
   const auto file_of = [&](const std::string& name, const Words& more) {
-    EXPECT_EQ(run(view + more + Words{"-o", name}).status, 0);
+    run_well(view + more + Words{"-o", name});
     return contents(file(name));
   };
   const std::string one = file_of("one.svg", "--threads 1");

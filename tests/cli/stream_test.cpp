@@ -127,9 +127,8 @@ class StreamTest : public DrawTest {
   /// latter's study had.
   double same_drawing(const std::string& model, const Words& options) const {
     const auto drawing = [&](const std::string& name, const Words& more) {
-      const Outcome outcome = run(Words{"draw", model, "--quality", "exact", "--method", "appel"} + options + more +
-                                  Words{"-o", name + ".svg", "--stats-json", name + ".json"});
-      EXPECT_EQ(outcome.status, kDone) << outcome.err;
+      const Outcome outcome = run_well(Words{"draw", model, "--quality", "exact", "--method", "appel"} + options + more +
+                                       Words{"-o", name + ".svg", "--stats-json", name + ".json"});
       return outcome.err;
     };
     const std::string whole = drawing("whole", "--stream off");

@@ -124,10 +124,9 @@ TEST_F(SurfaceMeshTest, MeshFiles) {
   for (const std::string name : {"hill.json", "hill.obj"}) {
     const Outcome outcome = surface("x*y -x 0:1:3 -y 0:1:3 --samples 5 --z-scale 2 --as-mesh", {"-o", name});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    const Outcome info = run({"info", name, "--json"});
-    ASSERT_EQ(info.status, 0) << info.err;
+    const Outcome info = run_well({"info", name, "--json"});
     EXPECT_EQ(json::parse(info.out)["scene"]["faces"], 32) << info.out;
-    EXPECT_EQ(run({"draw", name, "--edges", "all", "-o", "hill.svg"}).status, 0);
+    run_well({"draw", name, "--edges", "all", "-o", "hill.svg"});
   }
   fails("x --as-mesh -o a.svg", 2, "--output: a.svg does not end in .json or .obj");
   fails("x --as-mesh -o - --format svg", 2, "--format: ");

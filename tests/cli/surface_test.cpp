@@ -11,8 +11,7 @@ namespace {
 class SurfaceTest : public ProgramTest {
  protected:
   std::string svg(const Words& arguments) const {
-    const Outcome outcome = run("surface" + arguments + "-o - --format svg");
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well("surface" + arguments + "-o - --format svg");
     EXPECT_EQ(outcome.err, "");
     return outcome.out;
   }

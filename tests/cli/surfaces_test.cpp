@@ -16,8 +16,7 @@ class SurfacesTest : public DrawTest {
   }
 
   json info_of(const Words& models) const {
-    const Outcome outcome = run("info --json" + models);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well("info --json" + models);
     return json::parse(outcome.out)["scene"];
   }
 };
@@ -89,8 +88,7 @@ TEST_F(SurfacesTest, PlotReadsThem) {
   for (json& stroke : drawing["strokes"]) stroke["source"].erase("surfaces");
   write("without.json", drawing.dump());
   for (const char* name : {"with", "without"}) {
-    const Outcome outcome = run({"plot", std::string(name) + ".json", "-o", std::string(name) + ".svg"});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well({"plot", std::string(name) + ".json", "-o", std::string(name) + ".svg"});
     EXPECT_EQ(outcome.err, "");
   }
   EXPECT_EQ(contents(file("with.svg")), contents(file("without.svg")));
@@ -108,8 +106,7 @@ TEST_F(SurfacesTest, InfoCountsThem) {
   EXPECT_EQ(surfaces["tori"], 1);
   EXPECT_EQ(surfaces["groups"][0], json::parse(R"({"kind":"cylinder","outward":false,"arc":false,"radius":2.5,"count":1})"));
   EXPECT_FALSE(info_of("cube.obj").contains("surfaces"));
-  const Outcome exact = run("info plate.obj --quality exact");
-  EXPECT_EQ(exact.status, 0) << exact.err;
+  const Outcome exact = run_well("info plate.obj --quality exact");
   EXPECT_EQ(exact.out.find("surfaces"), std::string::npos);
 }
 

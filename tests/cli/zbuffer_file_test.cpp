@@ -51,8 +51,7 @@ class ZBufferFileTest : public DrawTest {
     write("board.obj", kBoard);
   }
   std::string bytes_of(const Words& arguments, const std::string& output) const {
-    const Outcome outcome = run("draw -q" + arguments + Words{"-o", output});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = run_well("draw -q" + arguments + Words{"-o", output});
     return contents(file(output));
   }
   std::string refusal(const Words& arguments) const {

@@ -31,7 +31,8 @@ if("${files}" MATCHES "Debian")
   message(FATAL_ERROR "files of Debian are installed: ${files}")
 endif()
 
-set(options -G ${GENERATOR} -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=-Wall\ -Wextra\ -Werror)
+set(options -G ${GENERATOR} -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=-Wall\ -Wextra\ -Werror
+            -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/outside_project -B ${FOLDER}/build ${options})
 run(${CMAKE_COMMAND} --build ${FOLDER}/build)
 run(${FOLDER}/build/draw ${MODEL} ${FOLDER}/find_package.svg)
@@ -46,7 +47,8 @@ set(ENV{PKG_CONFIG_PATH} ${prefix}/${LIBDIR}/pkgconfig)
 execute_process(COMMAND pkg-config --cflags --libs ligne OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY
                 OUTPUT_STRIP_TRAILING_WHITESPACE)
 separate_arguments(flags UNIX_COMMAND "${flags}")
-run(${COMPILER} -std=c++20 ${CMAKE_CURRENT_LIST_DIR}/outside_project/draw.cpp -o ${FOLDER}/draw ${flags} -Wl,-rpath,${prefix}/${LIBDIR})
+run(${LAUNCHER} ${COMPILER} -std=c++20 -c ${CMAKE_CURRENT_LIST_DIR}/outside_project/draw.cpp -o ${FOLDER}/draw.o ${flags})
+run(${COMPILER} ${FOLDER}/draw.o -o ${FOLDER}/draw ${flags} -Wl,-rpath,${prefix}/${LIBDIR})
 run(${FOLDER}/draw ${MODEL} ${FOLDER}/pkg_config.svg)
 compare(pkg_config.svg)
 
