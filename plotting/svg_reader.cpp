@@ -9,7 +9,7 @@
 
 #include "files/input_error.hpp"
 #include "plotting/pens.hpp"
-#include "plotting/svg/endless_work.hpp"
+#include "areas/endless_work.hpp"
 #include "plotting/svg/entities.hpp"
 #include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/reader.hpp"

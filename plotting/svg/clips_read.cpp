@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "plotting/svg/endless_work.hpp"
+#include "areas/endless_work.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne::svg {

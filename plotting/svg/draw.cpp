@@ -10,7 +10,7 @@
 #include "plotting/hatch.hpp"
 #include "plotting/paths/path_length.hpp"
 #include "plotting/pens.hpp"
-#include "plotting/svg/endless_work.hpp"
+#include "areas/endless_work.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne::svg {
@@ -134,13 +134,17 @@ void SvgReader::add_lines(const Polylines& given, const Context& context, const 
   target.painted.resize(target.layer.lines.size(), painted_);
 }
 
+FillRule SvgReader::fill_rule(const Context& context) {
+  return context.style.fill_even_odd ? FillRule::even_odd : FillRule::nonzero;
+}
+
 /// What was painted before the area is not seen under it. Layers that are not plotted hide nothing.
-void SvgReader::hide(const Polylines& contours, const Context& context) {
-  if (!drawn_ || parse_layer_label(context.layer).skip) return;
+void SvgReader::hide(const Polylines& contours, const Context& context, std::optional<double> rim_width) {
+  if ((!drawn_ && !fills_.occlude) || parse_layer_label(context.layer).skip) return;
   clip_points_ += contours.points.size();
   if (clip_points_ > kMostPoints) throw EndlessWork("has areas of more than fifty million points");
-  const FillRule rule = context.style.fill_even_odd ? FillRule::even_odd : FillRule::nonzero;
-  occluders_.push_back({Area(contours, rule, clip_work_), context.clip, painted_, context.layer});
+  occluders_.push_back(
+      {Area(contours, fill_rule(context), clip_work_), context.clip, painted_, context.layer, rim_width});
 }
 
 void SvgReader::remove_hidden() {
@@ -148,10 +152,10 @@ void SvgReader::remove_hidden() {
   std::map<std::string, std::vector<Occluder>> by_layer;  // all in one where they hide across layers
   for (Occluder& occluder : occluders_) by_layer[fills_.own_layer ? occluder.layer : ""].push_back(std::move(occluder));
   for (const auto& [layer, areas] : by_layer) {
-    Occluders occluders(areas);
+    Occluders occluders(areas, filled_, clip_work_);
     for (std::vector<PaintedLines>& parts : layers_) {
       for (PaintedLines& part : parts) {
-        if (!fills_.own_layer || part.in_layer == layer) occluders.remove_hidden(part.layer.lines, part.painted);
+        if (!fills_.own_layer || part.in_layer == layer) occluders.remove_hidden(part.layer.lines, part.painted, part.layer.width_mm.value_or(0));
       }
     }
   }
@@ -159,9 +163,8 @@ void SvgReader::remove_hidden() {
 
 /// Where clip paths cut an area: the parts of their contours that lie inside it and inside all others. They are borders of
 /// what is seen of the fill, as much as its own contours are.
-Polylines SvgReader::clip_borders(const Polylines& contours, const Context& context) const {
+Polylines SvgReader::clip_borders(const Area& area, const Context& context) const {
   Polylines borders;
-  const Area area(contours, context.style.fill_even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
   Clip inside;
   inside.any_of = {area};
   inside.open = true;
@@ -177,11 +180,22 @@ Polylines SvgReader::clip_borders(const Polylines& contours, const Context& cont
       std::vector<Occluder> parts;
       for (const Area& part : clip->any_of) parts.push_back({part, nullptr, 1});
       std::vector<std::uint32_t> painted(lines.size(), 0);
-      Occluders(parts).remove_hidden(lines, painted);
+      Occluders(parts, {}, clip_work_).remove_hidden(lines, painted, 0);
     }
     append(borders, lines);
   }
   return borders;
+}
+
+/// The lines that stand for an area without a stroke: its contours, and where clip paths cut it.
+void SvgReader::draw_rim(const Polylines& contours, const Context& context, const std::string& color) {
+  filled_.try_emplace(painted_, FilledArea{contours, fill_rule(context), context.clip});
+  if (!context.clip) return add_lines(contours, context, color, 0);
+  Context cut = context;
+  cut.clip = nullptr;
+  const Area area(contours, fill_rule(context), clip_work_);
+  add_lines(clipped(contours, *context.clip, &area), cut, color, 0);
+  add_lines(clip_borders(area, context), cut, color, 0);
 }
 
 void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked) {
@@ -190,7 +204,10 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   const bool white = is_white(color);
   if (skip_.contains("fill")) return refuse("fill", node);
   const bool opaque = style.fill_opacity == 1 && context.opacity == 1;
-  if (opaque && (white || fills_.occlude)) hide(lines, context);
+  if (opaque && (white || fills_.occlude)) {
+    const std::optional<double> as_stroked = style.dashes.empty() ? std::optional(stroke_width_mm(context)) : std::nullopt;
+    hide(lines, context, stroked ? as_stroked : white ? std::nullopt : std::optional(0.0));
+  }
   if (white) return;
   if (fills_.how == FillReading::How::refuse) return refuse("fill", node);
   Polylines contours = lines;
@@ -201,14 +218,7 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
     contours.points.insert(contours.points.begin() + contours.begin[i + 1], line.front());
     for (std::size_t k = i + 1; k < contours.begin.size(); ++k) ++contours.begin[k];
   }
-  if (!stroked) {
-    add_lines(contours, context, color, 0);
-    if (context.clip) {
-      Context cut = context;
-      cut.clip = nullptr;
-      add_lines(clip_borders(contours, context), cut, color, 0);
-    }
-  }
+  if (!stroked) draw_rim(contours, context, color);
   if (fills_.how == FillReading::How::outline) ++result_.outlined;
   if (fills_.how != FillReading::How::hatch) return;
   std::vector<std::vector<Point2>> area;
@@ -259,14 +269,18 @@ bool SvgReader::draw_shape(std::string_view name, const pugi::xml_node& node, co
   return true;
 }
 
+double SvgReader::stroke_width_mm(const Context& context) const {
+  return context.style.stroke_width * (context.style.non_scaling ? mm_per_px() : context.to_mm.mean_stretch());
+}
+
 void SvgReader::draw_stroke(const pugi::xml_node& node, Polylines lines, const Context& context) {
   const Style& style = context.style;
   const Matrix& to_mm = context.to_mm;
   if (!style.dashes.empty()) {
     lines = dashed(lines, style, to_mm, mm_per_px());
   }
-  const double width_mm = style.stroke_width * (style.non_scaling ? mm_per_px() : to_mm.mean_stretch());
-  add_lines(style.round_caps ? lines : without_dots(lines), context, color_of(*style.stroke, node), width_mm);
+  add_lines(style.round_caps ? lines : without_dots(lines), context, color_of(*style.stroke, node),
+            stroke_width_mm(context));
 }
 
 }  // namespace ligne::svg

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "plotting/drawing_reader.hpp"
-#include "plotting/svg/endless_work.hpp"
+#include "areas/endless_work.hpp"
 
 namespace ligne::svg {
 namespace {

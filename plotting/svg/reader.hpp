@@ -16,8 +16,8 @@
 #include <pugixml.hpp>
 
 #include "plotting/drawing_reader.hpp"
-#include "plotting/svg/clip.hpp"
-#include "plotting/svg/occluder.hpp"
+#include "areas/clip.hpp"
+#include "areas/occluder.hpp"
 #include "plotting/svg/shapes.hpp"
 #include "plotting/svg/style/style.hpp"
 
@@ -110,14 +110,18 @@ class SvgReader {
   void draw_markers(const pugi::xml_node& node, const std::vector<PathVertex>& vertices, const Context& context);
   void draw_marker(const pugi::xml_node& marker, const pugi::xml_node& node, const PathVertex& vertex, bool start,
                    const Context& context);
-  Polylines clip_borders(const Polylines& contours, const Context& context) const;
+  double stroke_width_mm(const Context& context) const;
+  static FillRule fill_rule(const Context& context);
+  Polylines clip_borders(const Area& area, const Context& context) const;
+  void draw_rim(const Polylines& contours, const Context& context, const std::string& color);
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);
   void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);
   void draw_text(const pugi::xml_node& node, const Context& context);
   bool has_paint(const std::optional<Paint>& paint, const pugi::xml_node& node);
   bool is_server(const std::string& id) const;
   std::string color_of(const Paint& paint, const pugi::xml_node& node);
-  void hide(const Polylines& contours, const Context& context);
+  /// `rim_width`: of the line that is drawn along the contours, mm, 0 the pen's; nothing: none.
+  void hide(const Polylines& contours, const Context& context, std::optional<double> rim_width);
   void remove_hidden();
   PaintedLines& layer_of(const std::string& name, const std::string& color, double width_mm);
   Style styled(const pugi::xml_node& node, const Style& inherited, const Viewport& port, bool& displayed) const {
@@ -143,6 +147,7 @@ class SvgReader {
   std::size_t linked_ = 0, clip_points_ = 0, boxed_ = 0;
   ClipWork clip_work_ = std::make_shared<std::size_t>(0);
   std::vector<Occluder> occluders_;
+  FilledAreas filled_;
   std::uint32_t painted_ = 0;  ///< shapes and texts so far
   double fill_work_ = 0;
   std::string last_clip_;  ///< the clip path that was made last, as its id and where it lies

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "plotting/svg/endless_work.hpp"
+#include "areas/endless_work.hpp"
 
 namespace ligne::svg {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "files/message_text.hpp"
-#include "plotting/svg/endless_work.hpp"
+#include "areas/endless_work.hpp"
 #include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/style/css_text.hpp"
 #include "plotting/svg/values.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "files/message_text.hpp"
-#include "plotting/svg/endless_work.hpp"
+#include "areas/endless_work.hpp"
 #include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/values.hpp"
 

@@ -1,0 +1,35 @@
+#include "areas/clip.hpp"
+
+#include "areas/coverage.hpp"
+#include "areas/seen_parts.hpp"
+#include "areas/side_counts.hpp"
+
+namespace ligne::svg {
+
+Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled) {
+  Polylines out;
+  Coverage coverage;
+  LineCutter cutter;
+  SideTally tally;
+  const auto find_parts = [&](const StepSegment& stroke, std::vector<SeenPart>& parts) {
+    bool at_border = false;
+    for (const CoveredPart& part : coverage.find(stroke, nullptr, &clip)) {
+      parts.push_back({part.end.value, part.plus || part.minus});
+      at_border |= part.plus != part.minus;
+    }
+    if (!filled || !at_border) return;
+    parts.clear();
+    tally.clear();
+    tally.add(coverage.find(stroke, nullptr, &clip), SideKind::covered);
+    tally.add(coverage.find(stroke, filled, nullptr), SideKind::own);
+    tally.for_each_part([&](const SideCounts& counts, const Along& end) {
+      const SideCount shown = counts[0], own = counts[1];
+      const bool has_own = own.plus > 0 || own.minus > 0;
+      parts.push_back({end.value, (shown.plus > 0 && (own.plus > 0 || !has_own)) || (shown.minus > 0 && (own.minus > 0 || !has_own))});
+    });
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) cutter.cut(lines[i], out, find_parts);
+  return out;
+}
+
+}  // namespace ligne::svg

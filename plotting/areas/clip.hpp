@@ -1,0 +1,26 @@
+#pragma once
+/// Clip paths and masks of an SVG, and lines cut down to them. Private to plotting.
+
+#include <memory>
+#include <vector>
+
+#include "areas/area.hpp"
+
+namespace ligne::svg {
+
+/// Links that lead on to links.
+inline constexpr int kMostLinks = 16;
+
+/// What shows through one or several clip paths or masks, one inside the other.
+struct Clip {
+  std::vector<Area> any_of;  ///< inside one of these
+  std::vector<char> opens;   ///< of a mask: whether an area shows or hides, the last painted decides; empty: all show
+  bool open = false;         ///< lines on the rims of the areas do not show
+  std::shared_ptr<const Clip> outer;  ///< and of this; nullptr: nothing more
+};
+
+/// The parts of the lines that show. Half of the ink of a line along a rim shows, so the line does. `filled`: the lines are
+/// contours of this area and stand for its ink: they show where the area itself shows beside them.
+Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled = nullptr);
+
+}  // namespace ligne::svg

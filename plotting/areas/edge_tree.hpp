@@ -1,0 +1,71 @@
+#pragma once
+/// Boxes of edges that follow each other, for finding those that a line may meet. Private to plotting.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "areas/steps.hpp"
+
+namespace ligne::svg {
+
+/// A box in steps, as doubles: they are exact below 2^53.
+struct StepBox {
+  double low_x = 1e300, low_y = 1e300, high_x = -1e300, high_y = -1e300;
+
+  void extend(StepPoint p);
+  void extend(const StepBox& other);
+  bool empty() const { return low_x > high_x; }
+  bool meets(const StepBox& o) const {
+    return low_x <= o.high_x && high_x >= o.low_x && low_y <= o.high_y && high_y >= o.low_y;
+  }
+  /// Larger by the steps on each side.
+  StepBox grown(double steps) const { return {low_x - steps, low_y - steps, high_x + steps, high_y + steps}; }
+};
+
+StepBox box_of(const StepSegment& s);
+
+/// Edges that follow each other along contours lie near each other: a balanced tree over their order is a tree of boxes.
+class EdgeTree {
+ public:
+  EdgeTree() = default;
+  explicit EdgeTree(std::span<const StepSegment> edges);
+
+  const StepBox& box() const { return box_; }
+
+  /// Calls visit(i) for all edges, in order, but for those that lie in boxes for which `may_meet` is false. Gives how many
+  /// boxes and edges were looked at.
+  template <class MayMeet, class Visit>
+  std::size_t search(MayMeet may_meet, Visit visit) const {
+    std::size_t looked_at = 0;
+    if (count_ > 0) search_node(levels_.size() - 1, 0, may_meet, visit, looked_at);
+    return looked_at;
+  }
+
+ private:
+  /// Edges to a leaf, and children of a node. Adjustable.
+  static constexpr std::size_t kLeaf = 4, kChildren = 4;
+
+  template <class MayMeet, class Visit>
+  void search_node(std::size_t level, std::size_t node, MayMeet& may_meet, Visit& visit, std::size_t& looked_at) const {
+    ++looked_at;
+    if (!may_meet(levels_[level][node])) return;
+    const std::size_t below = level == 0 ? count_ : levels_[level - 1].size(), many = level == 0 ? kLeaf : kChildren;
+    const std::size_t end = node * many + many < below ? node * many + many : below;
+    for (std::size_t i = node * many; i < end; ++i) {
+      if (level > 0) {
+        search_node(level - 1, i, may_meet, visit, looked_at);
+      } else {
+        ++looked_at;
+        visit(i);
+      }
+    }
+  }
+
+  std::size_t count_ = 0;
+  StepBox box_;
+  std::vector<std::vector<StepBox>> levels_;  ///< from the leaves to the root
+};
+
+}  // namespace ligne::svg

@@ -1,0 +1,89 @@
+#pragma once
+/// How many of several things lie on the two sides of a stroke, part by part. Private to plotting.
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "areas/coverage.hpp"
+
+namespace ligne::svg {
+
+/// Things of one kind are counted together, on each side.
+enum class SideKind : unsigned char { covered, own, rim };
+inline constexpr std::size_t kSideKinds = 3;
+
+struct SideCount {
+  int plus = 0, minus = 0;
+};
+using SideCounts = std::array<SideCount, kSideKinds>;
+
+/// Merges lists of parts.
+class SideTally {
+ public:
+  void clear() {
+    at_begin_ = {};
+    changes_.clear();
+  }
+
+  /// Adds one thing by its parts; `on_rim` likewise as one of the kind rim, which lies on both sides.
+  void add(std::span<const CoveredPart> parts, SideKind kind, bool counts_rim = false) {
+    Along at = kBegin;
+    CoveredPart last{};
+    for (const CoveredPart& part : parts) {
+      change(at, kind, part.plus - last.plus, part.minus - last.minus);
+      if (counts_rim) {
+        const int by = is_on_rim(part) - is_on_rim(last);
+        change(at, SideKind::rim, by, by);
+      }
+      last = part;
+      at = part.end;
+    }
+  }
+
+  /// Calls visit(counts, end) for all parts, in order.
+  template <class Visit>
+  void for_each_part(Visit visit) {
+    std::sort(changes_.begin(), changes_.end(), [](const Change& p, const Change& q) { return compare(p.at, q.at) < 0; });
+    SideCounts counts = at_begin_;
+    for (std::size_t k = 0; k < changes_.size();) {
+      const Along at = changes_[k].at;
+      visit(counts, at);
+      do apply(counts, changes_[k]);
+      while (++k < changes_.size() && compare(changes_[k].at, at) == 0);
+    }
+    visit(counts, kEnd);
+  }
+
+ private:
+  struct Change {
+    Along at;
+    SideKind kind;
+    int plus, minus;
+  };
+  static int is_on_rim(const CoveredPart& part) { return part.on_rim && (part.plus || part.minus); }
+  static void apply(SideCounts& counts, const Change& change) {
+    SideCount& count = counts[static_cast<std::size_t>(change.kind)];
+    count.plus += change.plus;
+    count.minus += change.minus;
+  }
+  void change(const Along& at, SideKind kind, int plus, int minus) {
+    if (plus == 0 && minus == 0) return;
+    const Change one{at, kind, plus, minus};
+    is_behind_begin(at) ? changes_.push_back(one) : apply(at_begin_, one);
+  }
+
+  SideCounts at_begin_{};
+  std::vector<Change> changes_;
+};
+
+/// Whether something of the ink of a line shows where `covering` hides it: half of the ink lies on each side, or, of lines
+/// that stand for the ink of an area, all of it on the sides where the area lies.
+inline bool is_hidden(SideCount covering, SideCount own) {
+  const bool has_own = own.plus > 0 || own.minus > 0;
+  const bool plus = !has_own || own.plus > 0, minus = !has_own || own.minus > 0;
+  return (!plus || covering.plus > 0) && (!minus || covering.minus > 0);
+}
+
+}  // namespace ligne::svg
