@@ -36,7 +36,8 @@ class LineFilter {
   bool operator()(const StepBox& box) const {
     if (!reach_.meets(box)) return false;
     const double x = (box.low_x + box.high_x) / 2 - a_x_, y = (box.low_y + box.high_y) / 2 - a_y_;
-    const double half_x = (box.high_x - box.low_x) / 2 + kRoundingSteps, half_y = (box.high_y - box.low_y) / 2 + kRoundingSteps;
+    const double half_x = (box.high_x - box.low_x) / 2 + kRoundingSteps,
+                 half_y = (box.high_y - box.low_y) / 2 + kRoundingSteps;
     // The last term exceeds the rounding of the determinant.
     const double p = dx_ * y, q = dy_ * x;
     return std::abs(p - q) <= std::abs(dx_) * half_y + std::abs(dy_) * half_x + 0x1p-48 * (std::abs(p) + std::abs(q));
@@ -116,15 +117,15 @@ Windings Area::wind_along(const StepSegment& stroke, std::uint32_t number, std::
   // Round a point outside the box no contour winds.
   const bool may_begin_inside = box.meets(begin);
   const std::size_t before = changes.size();
-  const std::size_t looked_at = tree_.search(
-      LineFilter(stroke, may_begin_inside), [&](std::size_t i) { add_changes(i, stroke, number, at_begin, changes); });
+  const std::size_t looked_at = tree_.search(LineFilter(stroke, may_begin_inside),
+                                             [&](std::size_t i) { add_changes(i, stroke, number, at_begin, changes); });
   count(looked_at + kChangeWork * (changes.size() - before));
   return may_begin_inside ? at_begin : Windings{};
 }
 
 /// The side of an edge's end decides what the edge changes: whoever walks along the stroke passes the edge on the plus side
-/// where one end alone lies there, and on the minus side likewise. Where an end of the stroke lies on the edge, the passage is
-/// moved to that end; where both do, it is moved to the end near which the edge lies on that side.
+/// where one end alone lies there, and on the minus side likewise. Where an end of the stroke lies on the edge, the passage
+/// is moved to that end; where both do, it is moved to the end near which the edge lies on that side.
 void Area::add_changes(std::size_t i, const StepSegment& stroke, std::uint32_t number, Windings& at_begin,
                        std::vector<WindingChange>& changes) const {
   const StepSegment& edge = steps_[i];
@@ -136,9 +137,7 @@ void Area::add_changes(std::size_t i, const StepSegment& stroke, std::uint32_t n
   if (begins_on || ends_on) {
     at = begins_on ? kBegin : kEnd;
   } else {
-    at = a == 0   ? nearest_to(stroke, edge.a)
-         : b == 0 ? nearest_to(stroke, edge.b)
-                  : crossing(stroke, edge, at_a, at_b);
+    at = a == 0 ? nearest_to(stroke, edge.a) : b == 0 ? nearest_to(stroke, edge.b) : crossing(stroke, edge, at_a, at_b);
   }
   const bool runs_along = Int128{stroke.dx()} * edge.dx() + Int128{stroke.dy()} * edge.dy() > 0;
   const std::int32_t winding = edges_[i].winding;
@@ -187,7 +186,8 @@ bool Area::is_same(const Area& other) const {
 std::size_t Area::hash() const {
   constexpr std::size_t kFactor = 0x9e3779b97f4a7c15;
   return std::accumulate(steps_.begin(), steps_.end(), steps_.size(), [](std::size_t sum, const StepSegment& s) {
-    for (const std::int64_t v : {s.a.x, s.a.y, s.b.x, s.b.y}) sum = (sum ^ static_cast<std::size_t>(v)) * kFactor + (sum >> 29);
+    for (const std::int64_t v : {s.a.x, s.a.y, s.b.x, s.b.y})
+      sum = (sum ^ static_cast<std::size_t>(v)) * kFactor + (sum >> 29);
     return sum;
   });
 }

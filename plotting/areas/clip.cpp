@@ -25,10 +25,28 @@ Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled) 
     tally.for_each_part([&](const SideCounts& counts, const Along& end) {
       const SideCount shown = counts[0], own = counts[1];
       const bool has_own = own.plus > 0 || own.minus > 0;
-      parts.push_back({end.value, (shown.plus > 0 && (own.plus > 0 || !has_own)) || (shown.minus > 0 && (own.minus > 0 || !has_own))});
+      parts.push_back(
+          {end.value, (shown.plus > 0 && (own.plus > 0 || !has_own)) || (shown.minus > 0 && (own.minus > 0 || !has_own))});
     });
   };
   for (std::size_t i = 0; i < lines.size(); ++i) cutter.cut(lines[i], out, find_parts);
+  return out;
+}
+
+Polylines clip_borders(const Area& area, const Clip& clip) {
+  Polylines out;
+  Coverage coverage;
+  LineCutter cutter;
+  const auto find_parts = [&](const StepSegment& stroke, std::vector<SeenPart>& parts) {
+    for (const CoveredPart& part : coverage.find(stroke, &area, &clip))
+      parts.push_back({part.end.value, part.plus != part.minus && !part.on_rim});
+  };
+  for (const Clip* one = &clip; one; one = one->outer.get()) {
+    for (const Area& cutting : one->any_of) {
+      const Polylines lines = cutting.contours_near(area.box());
+      for (std::size_t i = 0; i < lines.size(); ++i) cutter.cut(lines[i], out, find_parts);
+    }
+  }
   return out;
 }
 

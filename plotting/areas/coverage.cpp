@@ -52,10 +52,8 @@ CoveredPart Coverage::state() const {
     state.on_rim = state.plus != state.minus;
   }
   for (const OneClip& one : clips_) {
-    bool plus = shows(*one.clip, one.plus), minus = shows(*one.clip, one.minus);
-    if (one.clip->open) plus = minus = plus && minus;
-    state.plus = state.plus && plus;
-    state.minus = state.minus && minus;
+    state.plus = state.plus && shows(*one.clip, one.plus);
+    state.minus = state.minus && shows(*one.clip, one.minus);
   }
   return state;
 }

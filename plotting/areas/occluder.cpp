@@ -18,6 +18,12 @@ bool hides_as_much(const Occluder& first, const Occluder& second) {
          (!first.rim_width || (second.rim_width && *second.rim_width >= *first.rim_width));
 }
 
+/// The line of an occluder that stands for lines of the width along it.
+RimLine line_of(const Occluder& occluder, double width_mm) {
+  if (!occluder.rim_width || *occluder.rim_width < width_mm) return RimLine::none;
+  return *occluder.rim_width > 0 ? RimLine::contours : RimLine::borders;
+}
+
 Rect with_margin(Point2 a, Point2 b) {
   return {{std::min(a.x, b.x) - kBoxMargin, std::min(a.y, b.y) - kBoxMargin},
           {std::max(a.x, b.x) + kBoxMargin, std::max(a.y, b.y) + kBoxMargin}};
@@ -79,8 +85,7 @@ void Occluders::find_over(const Rect& box, std::uint32_t painted) {
       }
     }
   }
-  if (!std::is_sorted(over_.begin(), over_.end(), std::greater<>()))
-    std::sort(over_.begin(), over_.end(), std::greater<>());
+  if (!std::is_sorted(over_.begin(), over_.end(), std::greater<>())) std::sort(over_.begin(), over_.end(), std::greater<>());
 }
 
 const FilledArea* Occluders::filled_at(std::uint32_t painted) const {
@@ -89,15 +94,14 @@ const FilledArea* Occluders::filled_at(std::uint32_t painted) const {
 }
 
 /// The parts of a segment that are seen; find_over() has found what lies over it.
-void Occluders::find_parts(const StepSegment& stroke, std::uint32_t painted, double width_mm,
-                           std::vector<SeenPart>& parts) {
+void Occluders::find_parts(const StepSegment& stroke, std::uint32_t painted, double width_mm, std::vector<SeenPart>& parts) {
   tally_.clear();
   bool at_rim = false;
   for (const std::uint32_t i : over_) {
     const Occluder& occluder = occluders_[i];
     const std::vector<CoveredPart>& covered = coverage_.find(stroke, &occluder.area, occluder.clip.get());
     if (covered.size() == 1 && covered[0].plus && covered[0].minus) return parts.push_back({1, false});
-    tally_.add(covered, SideKind::covered, occluder.rim_width && *occluder.rim_width >= width_mm);
+    tally_.add(covered, SideKind::covered, line_of(occluder, width_mm));
     at_rim |= std::ranges::any_of(covered, [](const CoveredPart& part) { return part.plus != part.minus; });
   }
   if (const FilledArea* filled = at_rim ? filled_at(painted) : nullptr) {

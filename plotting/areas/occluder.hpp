@@ -20,10 +20,11 @@ namespace ligne::svg {
 /// An opaque area, as far as it shows.
 struct Occluder {
   Area area;
-  std::shared_ptr<const Clip> clip;   ///< nullptr: all of it
-  std::uint32_t painted = 0;          ///< it hides what was painted before that
-  std::string layer{};                ///< the document's that it is in, or empty
-  std::optional<double> rim_width{};  ///< mm, of the line that is drawn along its contours, 0 the pen's; nothing: none
+  std::shared_ptr<const Clip> clip;  ///< nullptr: all of it
+  std::uint32_t painted = 0;         ///< it hides what was painted before that
+  std::string layer{};               ///< the document's that it is in, or empty
+  /// Of the line that is drawn along its contours, mm; 0: of the pen that draws all borders of a fill; nothing: no line.
+  std::optional<double> rim_width{};
 };
 
 /// An area whose ink the lines that were painted with it stand for.
@@ -37,8 +38,8 @@ using FilledAreas = std::unordered_map<std::uint32_t, FilledArea>;  ///< by when
 /// Which occluders lie where.
 ///
 /// A line is hidden where occluders painted later lie on both its sides: along the rim of one of them half of its ink is
-/// seen, between two that abut none. Lines that stand for the ink of an area are hidden where occluders lie on those sides on
-/// which the area lies. Along the rim of an occluder that draws a line there at least as wide, no other line is drawn.
+/// seen, between two that abut none. Lines that stand for the ink of an area are hidden where occluders lie on those sides
+/// on which the area lies. Along the rim of an occluder that draws a line there at least as wide, no other line is drawn.
 class Occluders {
  public:
   /// `occluders` from the first painted to the last, and `filled`, must outlive it.
@@ -60,10 +61,10 @@ class Occluders {
   std::unordered_set<std::uint32_t> covered_;  ///< when areas were painted that a later one covers exactly
   std::vector<char> is_repeated_;              ///< of occluders: a later one hides all that they hide
   Rect box_;
-  std::size_t side_ = 1;                            ///< cells along each axis
-  std::vector<std::vector<std::uint32_t>> cells_;   ///< occluders that meet each, ascending
-  std::vector<std::uint32_t> over_;                 ///< those over the segment at hand, the last painted first
-  std::unordered_map<std::uint32_t, Area> own_{};   ///< areas of filled_ that were needed
+  std::size_t side_ = 1;                           ///< cells along each axis
+  std::vector<std::vector<std::uint32_t>> cells_;  ///< occluders that meet each, ascending
+  std::vector<std::uint32_t> over_;                ///< those over the segment at hand, the last painted first
+  std::unordered_map<std::uint32_t, Area> own_{};  ///< areas of filled_ that were needed
   Coverage coverage_;
   SideTally tally_;
 };

@@ -52,7 +52,8 @@ void LineCutter::drop_short_parts(double length_steps) {
 
 void LineCutter::add_parts(std::size_t k, Polylines& out) {
   const Point2 a = points_[k - 1], b = points_[k];
-  drop_short_parts(std::hypot(static_cast<double>(steps_[k].x - steps_[k - 1].x), static_cast<double>(steps_[k].y - steps_[k - 1].y)));
+  drop_short_parts(
+      std::hypot(static_cast<double>(steps_[k].x - steps_[k - 1].x), static_cast<double>(steps_[k].y - steps_[k - 1].y)));
   double from = 0;
   for (const SeenPart& part : parts_) {
     if (part.seen) {

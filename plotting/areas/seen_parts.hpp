@@ -18,9 +18,9 @@ struct SeenPart {
 /// Cuts one line after the other.
 class LineCutter {
  public:
-  /// Adds the parts of the line that are seen. `find_parts(segment, parts)` appends the parts of a segment, the last one to 1.
-  /// Points that follow each other in one place of the lattice are one; a line of such alone is asked for as a segment of one
-  /// step, and is seen as a whole or not at all.
+  /// Adds the parts of the line that are seen. `find_parts(segment, parts)` appends the parts of a segment, the last one
+  /// to 1. Points that follow each other in one place of the lattice are one; a line of such alone is asked for as a segment
+  /// of one step, and is seen as a whole or not at all.
   template <class FindParts>
   void cut(std::span<const Point2> line, Polylines& out, FindParts find_parts) {
     take_points(line);

@@ -19,6 +19,9 @@ struct SideCount {
 };
 using SideCounts = std::array<SideCount, kSideKinds>;
 
+/// Where an area draws a line of its own: nowhere, along its contours, or along all borders of what shows of it.
+enum class RimLine : unsigned char { none, contours, borders };
+
 /// Merges lists of parts.
 class SideTally {
  public:
@@ -27,16 +30,14 @@ class SideTally {
     changes_.clear();
   }
 
-  /// Adds one thing by its parts; `on_rim` likewise as one of the kind rim, which lies on both sides.
-  void add(std::span<const CoveredPart> parts, SideKind kind, bool counts_rim = false) {
+  /// Adds one thing by its parts; its line as one of the kind rim, which lies on both sides.
+  void add(std::span<const CoveredPart> parts, SideKind kind, RimLine line = RimLine::none) {
     Along at = kBegin;
     CoveredPart last{};
     for (const CoveredPart& part : parts) {
       change(at, kind, part.plus - last.plus, part.minus - last.minus);
-      if (counts_rim) {
-        const int by = is_on_rim(part) - is_on_rim(last);
-        change(at, SideKind::rim, by, by);
-      }
+      const int by = has_line(part, line) - has_line(last, line);
+      change(at, SideKind::rim, by, by);
       last = part;
       at = part.end;
     }
@@ -62,7 +63,10 @@ class SideTally {
     SideKind kind;
     int plus, minus;
   };
-  static int is_on_rim(const CoveredPart& part) { return part.on_rim && (part.plus || part.minus); }
+  static int has_line(const CoveredPart& part, RimLine line) {
+    if (line == RimLine::borders) return part.plus != part.minus;
+    return line == RimLine::contours && part.on_rim && (part.plus || part.minus);
+  }
   static void apply(SideCounts& counts, const Change& change) {
     SideCount& count = counts[static_cast<std::size_t>(change.kind)];
     count.plus += change.plus;

@@ -6,11 +6,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "areas/endless_work.hpp"
 #include "plotting/dashes.hpp"
 #include "plotting/hatch.hpp"
 #include "plotting/paths/path_length.hpp"
 #include "plotting/pens.hpp"
-#include "areas/endless_work.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne::svg {
@@ -143,8 +143,7 @@ void SvgReader::hide(const Polylines& contours, const Context& context, std::opt
   if ((!drawn_ && !fills_.occlude) || parse_layer_label(context.layer).skip) return;
   clip_points_ += contours.points.size();
   if (clip_points_ > kMostPoints) throw EndlessWork("has areas of more than fifty million points");
-  occluders_.push_back(
-      {Area(contours, fill_rule(context), clip_work_), context.clip, painted_, context.layer, rim_width});
+  occluders_.push_back({Area(contours, fill_rule(context), clip_work_), context.clip, painted_, context.layer, rim_width});
 }
 
 void SvgReader::remove_hidden() {
@@ -155,36 +154,11 @@ void SvgReader::remove_hidden() {
     Occluders occluders(areas, filled_, clip_work_);
     for (std::vector<PaintedLines>& parts : layers_) {
       for (PaintedLines& part : parts) {
-        if (!fills_.own_layer || part.in_layer == layer) occluders.remove_hidden(part.layer.lines, part.painted, part.layer.width_mm.value_or(0));
+        if (!fills_.own_layer || part.in_layer == layer)
+          occluders.remove_hidden(part.layer.lines, part.painted, part.layer.width_mm.value_or(0));
       }
     }
   }
-}
-
-/// Where clip paths cut an area: the parts of their contours that lie inside it and inside all others. They are borders of
-/// what is seen of the fill, as much as its own contours are.
-Polylines SvgReader::clip_borders(const Area& area, const Context& context) const {
-  Polylines borders;
-  Clip inside;
-  inside.any_of = {area};
-  inside.open = true;
-  for (const Clip* clip = context.clip.get(); clip; clip = clip->outer.get()) {
-    if (!std::ranges::all_of(clip->opens, [](char opens) { return opens != 0; })) continue;
-    Polylines lines;
-    for (const Area& part : clip->any_of) append(lines, part.contours_near(area.box()));
-    lines = clipped(lines, inside);
-    for (const Clip* other = context.clip.get(); other; other = other->outer.get()) {
-      if (other != clip) lines = clipped(lines, Clip{other->any_of, other->opens, other->open, nullptr});
-    }
-    if (clip->any_of.size() > 1 && lines.size() > 0) {  // inside a union there is no border
-      std::vector<Occluder> parts;
-      for (const Area& part : clip->any_of) parts.push_back({part, nullptr, 1});
-      std::vector<std::uint32_t> painted(lines.size(), 0);
-      Occluders(parts, {}, clip_work_).remove_hidden(lines, painted, 0);
-    }
-    append(borders, lines);
-  }
-  return borders;
 }
 
 /// The lines that stand for an area without a stroke: its contours, and where clip paths cut it.
@@ -195,7 +169,7 @@ void SvgReader::draw_rim(const Polylines& contours, const Context& context, cons
   cut.clip = nullptr;
   const Area area(contours, fill_rule(context), clip_work_);
   add_lines(clipped(contours, *context.clip, &area), cut, color, 0);
-  add_lines(clip_borders(area, context), cut, color, 0);
+  add_lines(clip_borders(area, *context.clip), cut, color, 0);
 }
 
 void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked) {

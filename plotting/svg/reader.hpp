@@ -15,9 +15,9 @@
 
 #include <pugixml.hpp>
 
-#include "plotting/drawing_reader.hpp"
 #include "areas/clip.hpp"
 #include "areas/occluder.hpp"
+#include "plotting/drawing_reader.hpp"
 #include "plotting/svg/shapes.hpp"
 #include "plotting/svg/style/style.hpp"
 
@@ -112,7 +112,6 @@ class SvgReader {
                    const Context& context);
   double stroke_width_mm(const Context& context) const;
   static FillRule fill_rule(const Context& context);
-  Polylines clip_borders(const Area& area, const Context& context) const;
   void draw_rim(const Polylines& contours, const Context& context, const std::string& color);
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);
   void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);
