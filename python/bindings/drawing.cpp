@@ -267,7 +267,7 @@ void DrawingHolder::draw(const PictureRequest& request, const Progress& progress
     drawn_.reset();
     horizon_.reset();
     std::vector<Surface> surfaces = surfaces_of(surface, report);
-    if (drawn_by_horizon(surface)) horizon_ = draw_horizon(surface, surfaces, report);
+    if (drawn_by_horizon(surface, surfaces)) horizon_ = draw_horizon(surface, surfaces, report);
     if (horizon_) {
       horizon_->picture.progress = {};
     } else {

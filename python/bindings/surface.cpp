@@ -102,6 +102,9 @@ const std::map<std::string, Setter, std::less<>>& setters() {
       {"samples", text([](const std::string& t) { return parse_count(t, 2, kMost); }, LIGNE_FIELD(samples))},
       {"every", text(parse_every, LIGNE_FIELD(every))},
       {"gridded", text([](const std::string& t) { return parse_count(t, 2, kMostCurves); }, LIGNE_FIELD(gridded))},
+      {"using", text(parse_columns, LIGNE_FIELD(using_columns), ':')},
+      {"index", text([](const std::string& t) { return parse_count(t, 0, kMostDataSets); }, LIGNE_FIELD(data_set))},
+      {"layout", text(parse_layout, LIGNE_FIELD(layout))},
       {"ground", text(parse_ground, LIGNE_FIELD(ground))},
       {"max-slope", text(parse_positive, LIGNE_FIELD(max_slope))},
       {"aspect", text(parse_aspect, LIGNE_FIELD(aspect), ':')},
@@ -169,6 +172,10 @@ const std::map<std::string, Setter, std::less<>>& setters() {
       {"points",
        [](SurfaceRequest& s, const std::string&, py::handle value) {
          for (const py::handle one : value) s.point_files.push_back(py::str(one));
+       }},
+      {"path",
+       [](SurfaceRequest& s, const std::string&, py::handle value) {
+         for (const py::handle one : value) s.line_files.push_back(py::str(one));
        }},
       {"colors", text(parse_colors, LIGNE_FIELD(colors))},
       {"bands", text(parse_bands, LIGNE_FIELD(bands))},

@@ -20,6 +20,9 @@ def surface(
     samples: Optional[int] = None,
     every: Union[int, str] = "auto",
     gridded: Optional[int] = None,
+    using: Optional[str] = None,
+    index: Optional[int] = None,
+    layout: Optional[str] = None,
     ground: Optional[str] = None,
     max_slope: Optional[float] = None,
     lines: str = "xy",
@@ -54,6 +57,7 @@ def surface(
     curve: Sequence[Tuple[str, str, str]] = (),
     t: Union[Range, List[Range], None] = None,
     points: Sequence[Any] = (),
+    path: Sequence[Any] = (),
     colors: Union[str, Sequence[str], None] = None,
     bands: Union[int, Sequence[float], None] = None,
     legend: bool = False,
@@ -87,7 +91,8 @@ def surface(
     x, y: for formulas and functions (from, to) or (from, to, curves), by default (-5, 5, 40); for an array the positions of
         its columns and rows, or both of numpy.meshgrid(), or (from, to), by default 0, 1, 2, ...
     parametric: surfaces as three formulas in u and v.
-    curve: curves as three formulas in t, that of z may be "surface"; points: paths of files; name: names of the legend.
+    curve: curves as three formulas in t, that of z may be "surface"; points, path: paths of tables; name: names of the
+        legend.
 
     All others are the options of `ligne surface` and, for the page, hatching and pens, of draw(). Raises RequestError,
     InputError, DtypeError.

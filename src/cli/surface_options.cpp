@@ -64,8 +64,8 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
   OptionGroup group(surface, "Surface");
   group.add_repeatable(
       "--grid", "FILE", [&request](const std::string& file) { request.grids.push_back(file); },
-      "heights from a file, - for standard input: CSV or TSV matrix, lines of x y z, ESRI ASCII grid, PGM, PNG, GeoTIFF "
-      "(repeatable)");
+      "heights from a file, - for standard input: CSV or TSV matrix, table, lines of x y z, ESRI ASCII grid, PGM, PNG, "
+      "GeoTIFF (repeatable)");
   group.add_repeatable_tuple(
       "--parametric", "X Y Z", 3,
       [&request](const std::vector<std::string>& xyz) {
@@ -96,6 +96,15 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
   group.add(
       "--gridded", "N", request.gridded, [](const std::string& t) { return parse_count(t, 2, kMostCurves); },
       "scattered points: sampled in N columns (default: the root of their number, 100 to 500)");
+  group.add_text(
+      "--using", "X:Y:Z|Z", [&request](const std::string& text) { request.using_columns = parse_columns(text); },
+      "grid, table: columns of the positions and heights, or of the heights alone: names, or numbers from 1");
+  group.add(
+      "--index", "N", request.data_set, [](const std::string& t) { return parse_count(t, 0, kMostDataSets); },
+      "grid: the data set that is drawn, from 0, of a text with two blank lines between them (default: all)");
+  group.add("--layout", "matrix|frame|columns", request.layout, parse_layout,
+            "grid, table: all numbers are heights; or the first row and column are positions; or columns are x, y and z "
+            "(default: as names, blank lines and numbers let see)");
   group.add(
       "--ground", "metres|degrees", request.ground, parse_ground,
       "what the positions of a grid are: one unit with the heights, or degrees (default: as the file says or lets see)");

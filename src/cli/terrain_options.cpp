@@ -64,7 +64,11 @@ void add_annotation_options(CLI::App& surface, SurfaceRequest& request) {
       .standard("0:2*pi:600");
   group.add_repeatable(
       "--points", "FILE", [&request](const std::string& file) { request.point_files.push_back(file); },
-      "marks at rows of x, y, perhaps z, and a label, where they are seen; without z on the surface (repeatable)");
+      "marks at the rows of a table with x, y, perhaps z, and a label, where they are seen; without z on the surface "
+      "(repeatable)");
+  group.add_repeatable(
+      "--path", "FILE", [&request](const std::string& file) { request.line_files.push_back(file); },
+      "lines through such rows, which end at blank lines, as curves (repeatable)");
   group.add_text(
       "--colors", "COLOUR,...", [&request](const std::string& text) { request.colors = parse_colors(text); },
       "colours of the surfaces in their order, or of bands");

@@ -295,6 +295,8 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
   remove_hidden_axes(*found.result.strokes);
   if (request.groups) {
     found.points_seen = take_probes(*found.result.strokes, prepared.first_probe, request.groups->points.size());
+    const std::string unseen = unseen_points(request.groups->points, found.points_seen, prepared.view());
+    if (!unseen.empty()) run.warn(unseen);
   }
   clear_intersections(*found.result.strokes, prepared.scene, projected, request.lines, run);
   const ContourSources contours = draw_contours(*found.result.strokes, prepared.scene, prepared.view(), prepared.contours,

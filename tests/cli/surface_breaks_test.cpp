@@ -239,7 +239,8 @@ TEST_F(SurfaceBreaksTest, ScatteredPointsComeFromStandardInputToo) {
   const Outcome outcome = surface("--grid points.csv --axes", "-o a.svg");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err,
-            "ligne: points.csv: warning: 400 scattered points: heights are linear in their Delaunay triangles\n");
+            "ligne: points.csv: warning: 400 scattered points: heights are linear in their Delaunay triangles\n"
+            "ligne: points.csv: warning: left out: 1 column (id)\n");
   EXPECT_EQ(surface("--grid - --axes", "-o a.svg").status, 1) << "there is nothing on it";
 }
 

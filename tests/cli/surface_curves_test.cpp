@@ -51,6 +51,33 @@ TEST_F(CurvesTest, PointsThatAreHiddenHaveNoMark) {
   EXPECT_NE(map({"x", "--points", bad}).err.find("bad.txt:2: does not begin with two numbers"), std::string::npos);
 }
 
+TEST_F(CurvesTest, PointsComeFromTablesAndThoseNotMarkedAreCounted) {
+  write("named.csv", "id,lon,lat,height,label\n1,-1,1,1,Left\n2,0,0.5,-1,Below\n3,300,0,1,Far\n");
+  const std::string file = "named.csv";
+  const Outcome outcome = map({"0*x", "--points", file});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  expect_parts(outcome.out, {">Left</text>"});
+  expect_parts(outcome.err, {"named.csv: warning: left out: 1 column (id)",
+                             "2 of 3 points are not marked: 1 outside the page, 1 hidden"});
+  write("semicolons.csv", "-1;1;First\n0,5;0,5;Second\n");
+  const std::string semicolons = "semicolons.csv";
+  const Outcome second = map({"0*x", "--points", semicolons});
+  EXPECT_EQ(second.err, "");
+  expect_parts(second.out, {">First</text>", ">Second</text>"});
+}
+
+TEST_F(CurvesTest, LinesOfAFileAreCurves) {
+  write("way.dat", "# a way\n-3 0\n3 0\n\n0 -2\n0 2\n");
+  const std::string file = "way.dat";
+  EXPECT_NEAR(lengths({"0*x", "--path", file})["curve"], 10 * 8, 0.02);
+  write("raised.csv", "x,y,z\n-3,0,-1\n3,0,1\n");
+  const std::string raised = "raised.csv";
+  EXPECT_NEAR(lengths({"0*x", "--path", raised})["curve"], 3 * 8, 0.1) << "half of it lies below";
+  write("one.dat", "1 1\n\n2 2\n");
+  const std::string one = "one.dat";
+  EXPECT_NE(map({"x", "--path", one}).err.find("has no line"), std::string::npos);
+}
+
 TEST_F(CurvesTest, SurfacesHaveTheirColoursAndTheirNames) {
   const Outcome outcome = surface("x 0-x --colors black,red --legend --name rising", "-o - --format svg");
   EXPECT_EQ(outcome.status, 0) << outcome.err;

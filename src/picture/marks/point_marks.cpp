@@ -48,6 +48,22 @@ std::vector<std::uint8_t> take_probes(StrokeModel& model, std::uint32_t first, s
   return seen;
 }
 
+std::string unseen_points(const std::vector<MarkedPoint>& points, const std::vector<std::uint8_t>& seen, const View& view) {
+  std::size_t hidden = 0, outside = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (seen[i]) continue;
+    const Point2 p = page_point(view, points[i].at);
+    const Rect& area = view.window;
+    const bool is_inside = p.x >= area.min.x && p.x <= area.max.x && p.y >= area.min.y && p.y <= area.max.y;
+    ++(is_inside ? hidden : outside);
+  }
+  if (hidden + outside == 0) return {};
+  std::string text = std::to_string(hidden + outside) + " of " + std::to_string(points.size()) + " points are not marked: ";
+  if (outside > 0) text += std::to_string(outside) + " outside the page";
+  if (hidden > 0) text += (outside > 0 ? ", " : "") + std::to_string(hidden) + " hidden";
+  return text;
+}
+
 std::vector<TextItem> mark_points(Drawing& drawing, const std::vector<MarkedPoint>& points,
                                   const std::vector<std::uint8_t>& seen, const View& view, double h, TextStyle style,
                                   std::span<const TextItem> taken) {

@@ -2,6 +2,7 @@
 /// Points on a picture: whether each is seen, its mark and its label.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "drawing/drawing.hpp"
@@ -16,6 +17,9 @@ std::vector<std::array<Point3, 2>> probes_of(const std::vector<MarkedPoint>& poi
 
 /// Takes the strokes of the probes, whose sources begin at `first`, out of the model; 1 for each point that is seen.
 std::vector<std::uint8_t> take_probes(StrokeModel& model, std::uint32_t first, std::size_t count);
+
+/// "5 of 7 points are not marked: 2 outside the page, 3 hidden"; empty when all are seen.
+std::string unseen_points(const std::vector<MarkedPoint>& points, const std::vector<std::uint8_t>& seen, const View& view);
 
 /// Marks the points that are seen, in the layer "points", and writes their labels beside them where there is room; lines
 /// make a gap for these. Labels that do not fit are left out; `taken` are the texts that are there already.

@@ -230,6 +230,25 @@ GroundChoice parse_ground(const std::string& text) {
   return parse_choice(text, kNames) == 0 ? GroundChoice::metres : GroundChoice::degrees;
 }
 
+TableLayout parse_layout(const std::string& text) {
+  constexpr std::string_view kNames[] = {"matrix", "frame", "columns"};
+  constexpr TableLayout kLayouts[] = {TableLayout::matrix, TableLayout::frame, TableLayout::columns};
+  return kLayouts[parse_choice(text, kNames)];
+}
+
+std::vector<std::string> parse_columns(const std::string& text) {
+  std::vector<std::string> columns;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(':', begin), text.size());
+    columns.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  const bool any_empty = std::any_of(columns.begin(), columns.end(), [](const std::string& c) { return c.empty(); });
+  if (any_empty || (columns.size() != 1 && columns.size() != 3))
+    throw std::invalid_argument(shown(text, '"') + " is not X:Y:Z, three columns, nor one of heights");
+  return columns;
+}
+
 std::optional<unsigned> parse_every(const std::string& text) {
   constexpr unsigned kMostSteps = 1'000'000;
   return text == "auto" ? std::nullopt : std::optional(parse_count(text, 1, kMostSteps));

@@ -63,6 +63,8 @@ ParameterValue parse_parameter(const std::string& text, const MethodParameter& p
 void set_parameter(MethodSettings& settings, const Method& method, const std::string& name, const std::string& text);
 
 inline constexpr unsigned kMostCurves = 20'000;
+/// Data sets of a text that can be chosen by their number.
+inline constexpr unsigned kMostDataSets = 1'000'000;
 
 /// "A:B" or "A:B:N"; A and B may be formulas of numbers.
 CurveRange parse_range(const std::string& text);
@@ -73,6 +75,10 @@ std::array<double, 2> parse_heights(const std::string& text);
 AspectRequest parse_aspect(const std::string& text);
 /// "metres" or "degrees".
 GroundChoice parse_ground(const std::string& text);
+/// "matrix", "frame" or "columns".
+TableLayout parse_layout(const std::string& text);
+/// Three columns "X:Y:Z", or one: names, or numbers from 1.
+std::vector<std::string> parse_columns(const std::string& text);
 /// A number of samples, or "auto" (nothing).
 std::optional<unsigned> parse_every(const std::string& text);
 

@@ -7,6 +7,7 @@
 
 #include "picture/errors.hpp"
 #include "picture/marks/contour_labels.hpp"
+#include "scene/surfaces/point_table.hpp"
 #include "scene/surfaces/surface_curve.hpp"
 
 namespace ligne {
@@ -38,6 +39,29 @@ Point3 on_axes(const SurfaceRequest& request, Point3 p) {
     if (request.log_axes[static_cast<std::size_t>(k)]) p[k] = std::log10(p[k]);
   }
   return p;
+}
+
+/// Adds the lines of files, each as a curve.
+void add_line_files(const SurfaceRequest& request, const SurfacePoints* ground, DrawnCurves& drawn, RunReport& run) {
+  for (const std::string& file : request.line_files) {
+    Warnings warnings;
+    const std::vector<std::vector<Point3>> lines = read_lines(file, run.files, warnings);
+    for (std::string& line : warnings.lines()) run.warnings.push_back({file, std::move(line)});
+    std::vector<std::array<Point3, 2>>& segments = drawn.curves.emplace_back();
+    for (const std::vector<Point3>& line : lines) {
+      for (std::size_t k = 1; k < line.size(); ++k) {
+        const Point3 a = on_axes(request, line[k - 1]), b = on_axes(request, line[k]);
+        if (!std::isfinite(a.x + a.y + b.x + b.y)) continue;
+        if (std::isfinite(a.z + b.z)) {
+          segments.push_back({a, b});
+          continue;
+        }
+        if (!ground) throw RequestError("path", "on the surface needs a surface z = f(x, y)");
+        drape(*ground, a, b, segments);
+      }
+    }
+    if (segments.empty()) run.warnings.push_back({file, "no line lies on the surface: nothing of it is drawn"});
+  }
 }
 
 std::string band_text(double low, double high) {
@@ -81,9 +105,13 @@ DrawnCurves curves_of(const SurfaceRequest& request, const std::vector<SurfacePo
       }
     }
   }
+  add_line_files(request, ground, drawn, run);
   std::size_t beside = 0;
   for (const std::string& file : request.point_files) {
-    for (const LabelledPoint& point : read_points(file, run.files)) {
+    Warnings warnings;
+    const std::vector<LabelledPoint> points = read_points(file, run.files, warnings);
+    for (std::string& line : warnings.lines()) run.warnings.push_back({file, std::move(line)});
+    for (const LabelledPoint& point : points) {
       Point3 p = on_axes(request, point.at);
       if (std::isnan(point.at.z)) {
         needs_ground("points");
@@ -228,6 +256,10 @@ std::vector<LegendEntry> legend_of(const SurfaceRequest& request, const std::vec
   for (std::size_t i = 0; i < request.space_curves.size(); ++i) {
     const SpaceCurve& c = request.space_curves[i];
     legend.push_back({named(number++, c[0] + ", " + c[1] + ", " + c[2]), {}, "curve", "curve " + std::to_string(i + 1)});
+  }
+  for (std::size_t i = 0; i < request.line_files.size(); ++i) {
+    const std::string object = "curve " + std::to_string(request.space_curves.size() + i + 1);
+    legend.push_back({named(number++, request.line_files[i]), {}, "curve", object});
   }
   return legend;
 }

@@ -50,8 +50,21 @@ std::optional<double> base_of(const SurfaceRequest& request, const std::optional
   return request.skirt_base;
 }
 
+/// A mesh of a file whose sides differ by no more than this factor is a thing in space, which keeps its shape. Others are
+/// plots of quantities of different kinds.
+constexpr double kMostUnlikeMesh = 16;
+
 /// One surface z = f(x, y) can not penetrate itself.
-bool may_cross(const SurfaceRequest& request) { return height_count(request) > 1 || !request.parametric.empty(); }
+bool may_cross(const SurfaceRequest& request, const std::vector<Surface>& given) {
+  return given.size() > 1 || !request.parametric.empty() || (!given.empty() && given.front().mesh);
+}
+
+bool keeps_shape(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces, const AxesBox& box) {
+  if (!request.parametric.empty()) return true;
+  if (std::none_of(surfaces.begin(), surfaces.end(), [](const SurfacePoints& s) { return s.parametric; })) return false;
+  const Point3 size = box.high - box.low;
+  return std::max({size.x, size.y, size.z}) <= kMostUnlikeMesh * std::min({size.x, size.y, size.z});
+}
 
 /// The ground of all surfaces is that of the first one that is known.
 GroundUnit unit_of(const std::vector<SurfacePoints>& surfaces) {
@@ -162,7 +175,8 @@ void thin_curves(const SurfaceRequest& request, const std::vector<Surface>& give
   if (!samples) return;
   RunReport choices;  // are told when the meshes are known
   const GroundUnit unit = unit_of(surfaces);
-  const PlotBox box{*samples, plot_factor(request, *samples, unit, choices), tick_scales(request), unit};
+  const PlotBox box{*samples, plot_factor(request, *samples, unit, keeps_shape(request, surfaces, *samples), choices),
+                    tick_scales(request), unit};
   const AxesBox drawn{box.box.low * box.factor, box.box.high * box.factor};
   const Surroundings around = place_box(request, box);
   for (std::size_t k = 0; k < given.size(); ++k) {
@@ -250,7 +264,7 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
   const std::optional<double> base = base_of(request, height_range(meshes));
   if (auto box = box_of(surfaces, meshes)) {
     const GroundUnit unit = unit_of(surfaces);
-    factor = plot_factor(request, *box, unit, run);
+    factor = plot_factor(request, *box, unit, keeps_shape(request, surfaces, *box), run);
     if (base) box->low.z = std::min(box->low.z, *base);
     plot.box = PlotBox{*box, factor, tick_scales(request), unit};
   }
@@ -273,7 +287,7 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
   if (plot.groups) add_surface_groups(request, limits, factor.z, ends, *plot.groups);
   plot.legend = legend_of(request, names, limits);
   Scene& scene = plot.scene;
-  if (may_cross(request) && with_lines) {
+  if (may_cross(request, given) && with_lines) {
     double precision = 0;
     for (const Object& object : scene.objects) precision = std::max(precision, object.precision);
     mark_crossing_edges(scene, precision);
@@ -281,13 +295,13 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
   return plot;
 }
 
-LineClasses classes_of(const SurfaceRequest& request) {
+LineClasses classes_of(const SurfaceRequest& request, const std::vector<Surface>& surfaces) {
   LineClasses classes;
   for (const LineClass c : {LineClass::horizon, LineClass::contour}) classes.add(c);
   if (request.curves.outline.value_or(true)) {
     for (const LineClass c : {LineClass::outline, LineClass::border}) classes.add(c);
   }
-  if (may_cross(request)) classes.add(LineClass::intersection);
+  if (may_cross(request, surfaces)) classes.add(LineClass::intersection);
   return classes;
 }
 
@@ -297,7 +311,7 @@ SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector
   MeshPlot plot = timed(run.stages, "mesh", [&] { return make_meshes(request, surfaces, true, run); });
   PictureRequest picture = request.picture;
   picture.view = view_of(request);
-  picture.lines.classes = classes_of(request);
+  picture.lines.classes = classes_of(request, surfaces);
   picture.lines.crease_degrees = kCrease;
   picture.lines.quality = Quality::exact;  // samples of ours: there is nothing to heal
   if (picture.output.format != OutputFormat::json) picture.heading = picture.output.title;

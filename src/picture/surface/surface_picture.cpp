@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "picture/errors.hpp"
 #include "picture/marks/axes.hpp"
 #include "picture/surface/curve_distance.hpp"
 #include "picture/surface/surface_mesh_picture.hpp"
@@ -76,7 +77,7 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface,
     horizon.underside = Underside::none;
     horizon.outline = false;
   } else if (!found.empty()) {
-    factor = plot_factor(surfaces, box_of(*surface.heights, found), surface.unit, run);
+    factor = plot_factor(surfaces, box_of(*surface.heights, found), surface.unit, false, run);
     horizon.z_scale = factor.z;
   }
   if (!found.empty()) request.box = PlotBox{box_of(*surface.heights, found), factor, tick_scales(surfaces), surface.unit};
@@ -215,9 +216,20 @@ Picture write_horizon(const HorizonDrawing& drawn, RunReport& run) {
   });
 }
 
+bool drawn_by_horizon(const SurfaceRequest& request, const std::vector<Surface>& surfaces) {
+  if (!drawn_by_horizon(request)) return false;
+  if (surfaces.size() == 1 && !surfaces.front().mesh) return true;
+  const std::string option = needs_horizon(request);
+  if (!option.empty()) {
+    throw RequestError("", option + ": draws one surface z = f(x, y), and not " +
+                               (surfaces.front().mesh ? "a mesh" : "several; --index N takes one of a file"));
+  }
+  return false;
+}
+
 Picture draw_surface(const SurfaceRequest& request, RunReport& run) {
   std::vector<Surface> surfaces = timed(run.stages, "read", [&] { return surfaces_of(request, run); });
-  if (drawn_by_horizon(request)) {
+  if (drawn_by_horizon(request, surfaces)) {
     if (const std::optional<HorizonDrawing> drawn = draw_horizon(request, surfaces, run)) return write_horizon(*drawn, run);
   }
   return draw_surface_mesh(request, surfaces, run);

@@ -25,6 +25,10 @@ struct HorizonDrawing {
 std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, std::vector<Surface>& surfaces, RunReport& run);
 Picture write_horizon(const HorizonDrawing& drawn, RunReport& run);
 
+/// Whether the floating horizon draws these: one surface z = f(x, y). Throws RequestError for options that it alone knows
+/// when a file turns out to hold others.
+bool drawn_by_horizon(const SurfaceRequest& request, const std::vector<Surface>& surfaces);
+
 /// Draws the surfaces by the floating horizon where it can, else as meshes. Warnings go to `run`, as do the grids that were
 /// read. Throws RequestError, InputError, std::runtime_error.
 Picture draw_surface(const SurfaceRequest& request, RunReport& run);

@@ -43,6 +43,11 @@ void check_sources(const SurfaceRequest& request) {
     throw RequestError("every", "goes with --grid; a formula has its number of curves in -x A:B:N");
   }
   if (!grids && request.gridded) throw RequestError("gridded", "goes with --grid");
+  if (request.grids.empty()) {
+    if (request.layout != TableLayout::automatic) throw RequestError("layout", "goes with --grid");
+    if (request.data_set) throw RequestError("index", "goes with --grid");
+    if (!request.using_columns.empty()) throw RequestError("using", "goes with --grid");
+  }
   if (!grids && request.ground != GroundChoice::as_read) throw RequestError("ground", "goes with --grid");
   if (!grids && request.max_slope) {
     throw RequestError("max-slope", "goes with --grid; a formula is looked at for its jumps");
@@ -133,6 +138,7 @@ std::string needs_mesh(const SurfaceRequest& request) {
   if (request.terrain.hachures != HachureKind::none) return "--hachures";
   if (!request.space_curves.empty()) return "--curve";
   if (!request.point_files.empty()) return "--points";
+  if (!request.line_files.empty()) return "--path";
   if (request.bands) return "--bands";
   if (!request.colors.empty()) return "--colors";
   if (request.legend) return "--legend";

@@ -89,6 +89,9 @@ struct SurfaceRequest {
   std::optional<unsigned> every;    ///< grid: a curve at every so many samples; nothing: so that the curves keep apart
   std::optional<double> max_slope;  ///< grid: steeper cells are left out
   std::optional<unsigned> gridded;  ///< scattered points: a grid of so many columns in place of triangles
+  TableLayout layout = TableLayout::automatic;  ///< grid: how a table is understood
+  std::optional<unsigned> data_set;             ///< grid: the one that is drawn, from 0
+  std::vector<std::string> using_columns{};     ///< grid: columns of x, y and z, or of z alone
   GroundChoice ground = GroundChoice::as_read;
   CurveFamilies lines = CurveFamilies::xy;
   /// Where the viewer stands, in degrees, when `picture.view` names no view; defaults -60 and 30.
@@ -107,6 +110,7 @@ struct SurfaceRequest {
   std::vector<SpaceCurve> space_curves{};
   std::vector<CurveRange> t{};                  ///< of the space curves in their order; the last serves for all that follow
   std::vector<std::string> point_files{};       ///< points with labels
+  std::vector<std::string> line_files{};        ///< lines through the rows of a file
   std::vector<std::array<double, 3>> colors{};  ///< of surfaces in turn, or of bands
   std::optional<BandRequest> bands{};
   bool legend = false;

@@ -9,6 +9,7 @@
 #include "picture/errors.hpp"
 #include "picture/surface/defined_ground.hpp"
 #include "picture/surface/surface_scale.hpp"
+#include "scene/surfaces/grid_surfaces.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/held_heights.hpp"
 
@@ -79,15 +80,34 @@ AxisWindow window_of(const std::optional<CurveRange>& range) {
   return range ? AxisWindow{range->from, range->to} : AxisWindow{};
 }
 
-Surface grid_surface(const SurfaceRequest& request, const std::string& file, RunReport& run) {
-  Warnings warnings;
+/// Throws InputError where an option needs one height over every place.
+void check_mesh(const SurfaceRequest& request, const std::string& file) {
+  const auto refuse = [&](bool asked, const char* option) {
+    if (asked)
+      throw InputError(printable(file),
+                       std::string("holds a mesh whose x and y both vary: ") + option + " goes with z = f(x, y)");
+  };
+  refuse(request.x || request.y, "a window -x or -y");
+  refuse(request.max_slope.has_value(), "--max-slope");
+  refuse(request.skirt, "--skirt");
+  refuse(request.terrain.has_water(), "--water");
+  refuse(request.terrain.hachures != HachureKind::none, "--hachures");
+  refuse(request.log_axes[0] || request.log_axes[1] || request.log_axes[2], "an axis of decades");
+}
+
+/// Takes a surface as its file has it; `name` is that of the surface.
+Surface grid_surface(const SurfaceRequest& request, GridSurface read, const std::string& file, std::string name) {
   Surface surface;
-  surface.name = file;
-  const bool whole = request.x || request.y;  // a part of a large grid keeps its samples
-  surface.heights = read_grid(file, warnings, &run.files, {request.gridded, request.every, !whole});
+  surface.name = std::move(name);
+  if (read.mesh) {
+    check_mesh(request, file);
+    surface.mesh = std::move(read.mesh);
+    surface.x_stride = surface.y_stride = request.every.value_or(1);
+    return surface;
+  }
+  surface.heights = std::move(read.heights);
   const std::size_t thinned_by = request.every ? surface.heights->thinned_by() : 1;
   if (!request.log_axes[0] && !request.log_axes[1] && !request.log_axes[2]) surface.function = surface.heights->function();
-  for (std::string& line : warnings.lines()) run.warnings.push_back({file, std::move(line)});
   const GroundUnit unit = request.ground == GroundChoice::as_read  ? surface.heights->unit()
                           : request.ground == GroundChoice::metres ? GroundUnit::same
                                                                    : GroundUnit::degrees;
@@ -101,6 +121,22 @@ Surface grid_surface(const SurfaceRequest& request, const std::string& file, Run
   surface.thinned = !request.every && !request.curves.ridgeline;
   surface.unit = unit;
   return surface;
+}
+
+/// Adds the surfaces of a file: its data sets are numbered where there are several.
+void add_grids(const SurfaceRequest& request, const std::string& file, std::vector<Surface>& grids, RunReport& run) {
+  Warnings warnings;
+  const bool whole = request.x || request.y;  // a part of a large grid keeps its samples
+  GridChoice choice{request.gridded, request.every, !whole};
+  choice.layout = request.layout;
+  choice.data_set = request.data_set;
+  choice.using_columns = request.using_columns;
+  std::vector<GridSurface> surfaces = read_surfaces(file, warnings, &run.files, choice);
+  for (std::string& line : warnings.lines()) run.warnings.push_back({file, std::move(line)});
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    std::string name = surfaces.size() == 1 ? file : file + ", data set " + std::to_string(k);
+    grids.push_back(grid_surface(request, std::move(surfaces[k]), file, std::move(name)));
+  }
 }
 
 Surface given_surface(const SurfaceRequest& request, const GivenHeights& given) {
@@ -121,9 +157,11 @@ CurveRange range_of(const std::optional<CurveRange>& given, const std::vector<Su
                     const std::vector<double>& (HeightSource::*axis)() const) {
   CurveRange range = given.value_or(CurveRange{});
   if (given || grids.empty()) return range;
-  range.from = ((*grids.front().heights).*axis)().front();
-  range.to = ((*grids.front().heights).*axis)().back();
+  bool is_first = true;
   for (const Surface& grid : grids) {
+    if (!grid.heights) continue;
+    if (is_first) range.from = ((*grid.heights).*axis)().front(), range.to = ((*grid.heights).*axis)().back();
+    is_first = false;
     range.from = std::min(range.from, ((*grid.heights).*axis)().front());
     range.to = std::max(range.to, ((*grid.heights).*axis)().back());
   }
@@ -169,7 +207,7 @@ void choose_curves(AnySurface& surface, const SurfaceRequest& request) {
 
 std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) {
   std::vector<Surface> grids;
-  for (const std::string& file : request.grids) grids.push_back(grid_surface(request, file, run));
+  for (const std::string& file : request.grids) add_grids(request, file, grids, run);
   for (const GivenHeights& given : request.heights) grids.push_back(given_surface(request, given));
   // What hides is fine in both directions, unless it is the curves alone.
   const bool by_curves = request.curves.hidden_by == HiddenBy::curves || request.curves.ridgeline;
@@ -189,9 +227,10 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
     surface.heights = heights_of(surface.function, std::move(x.at), std::move(y.at));
     if (surface.heights->x().size() * surface.heights->y().size() <= kHeldSamples) surface.heights = held(*surface.heights);
   }
+  std::stable_partition(grids.begin(), grids.end(), [](const Surface& grid) { return !grid.mesh; });
   for (Surface& grid : grids) {
-    grid.heights = log_ground(std::move(grid.heights), request.log_axes[0], request.log_axes[1], grid.name);
-    if (request.log_axes[2]) grid.heights = log_heights(std::move(grid.heights));
+    if (!grid.mesh) grid.heights = log_ground(std::move(grid.heights), request.log_axes[0], request.log_axes[1], grid.name);
+    if (request.log_axes[2] && !grid.mesh) grid.heights = log_heights(std::move(grid.heights));
     surfaces.push_back(std::move(grid));
   }
   for (Surface& surface : surfaces) choose_curves(surface, request);
@@ -210,9 +249,11 @@ std::vector<SurfacePoints> points_of(const SurfaceRequest& request, const std::v
   std::vector<SurfacePoints> all;
   std::size_t samples = 0;
   for (const Surface& surface : surfaces) {
-    take_samples(samples, surface.heights->x().size(), surface.heights->y().size(), surface.name);
-    check_mesh_memory(request, surface.heights->x().size(), surface.heights->y().size(), samples);
-    SurfacePoints& points = all.emplace_back(points_of(*surface.heights));
+    const std::size_t columns = surface.mesh ? surface.mesh->columns : surface.heights->x().size();
+    const std::size_t rows = surface.mesh ? surface.mesh->rows : surface.heights->y().size();
+    take_samples(samples, columns, rows, surface.name);
+    check_mesh_memory(request, columns, rows, samples);
+    SurfacePoints& points = all.emplace_back(surface.mesh ? *surface.mesh : points_of(*surface.heights));
     points.name = surface.name;
     points.x_stride = surface.x_stride;
     points.y_stride = surface.y_stride;

@@ -16,13 +16,14 @@ constexpr double kHighestLatitude = 89;
 double or_one(double factor) { return std::isfinite(factor) && factor > 0 ? factor : 1; }
 
 /// What the request leaves open of x and y is decided by how alike their ranges are.
-AspectRequest aspect_of(const SurfaceRequest& request, const Point3& range, GroundUnit unit, RunReport& run) {
+AspectRequest aspect_of(const SurfaceRequest& request, const Point3& range, GroundUnit unit, bool parametric,
+                        RunReport& run) {
   const auto choose = [&](AspectRequest::Kind kind, const std::string& why) {
     run.choices.emplace_back("aspect", std::string(kind == AspectRequest::box ? "box" : "equal") + ": " + why);
     return AspectRequest{kind};
   };
   if (request.aspect) return *request.aspect;
-  if (!request.parametric.empty()) return choose(AspectRequest::equal, "the surface is parametric");
+  if (parametric) return choose(AspectRequest::equal, "the surface is parametric");
   if (request.exaggeration) return choose(AspectRequest::equal, "--exaggeration is true to scale");
   if (unit == GroundUnit::degrees) return choose(AspectRequest::equal, "degrees by the cosine of the latitude");
   if (unit == GroundUnit::same) return choose(AspectRequest::equal, "the ground has one unit");
@@ -33,9 +34,9 @@ AspectRequest aspect_of(const SurfaceRequest& request, const Point3& range, Grou
 
 }  // namespace
 
-Point3 plot_factor(const SurfaceRequest& request, const AxesBox& box, GroundUnit unit, RunReport& run) {
+Point3 plot_factor(const SurfaceRequest& request, const AxesBox& box, GroundUnit unit, bool parametric, RunReport& run) {
   const Point3 range = box.high - box.low;
-  const AspectRequest aspect = aspect_of(request, range, unit, run);
+  const AspectRequest aspect = aspect_of(request, range, unit, parametric, run);
   Point3 factor{1, 1, 1};
   if (aspect.kind == AspectRequest::ratio) {
     factor.y = or_one(aspect.sides.y / aspect.sides.x * (range.x / range.y));
@@ -54,7 +55,7 @@ Point3 plot_factor(const SurfaceRequest& request, const AxesBox& box, GroundUnit
     factor.z = *request.z_scale;
   } else if (request.exaggeration) {
     factor.z = *request.exaggeration / (unit == GroundUnit::degrees ? kMetresOfDegree : 1);
-  } else if (request.parametric.empty()) {
+  } else if (!parametric) {
     factor.z = range.z > 0 ? or_one(side / (2 * range.z)) : 1;
   } else if (aspect.kind == AspectRequest::box) {
     factor.z = range.z > 0 ? or_one(side / range.z) : 1;

@@ -18,8 +18,9 @@ namespace ligne {
 inline constexpr double kMostUnlike = 4;
 
 /// What coordinates within `box` are multiplied by on each axis, so that the picture has the sides that the request asks
-/// for; 1 where that is no finite number above zero. What was chosen is added to the report.
-Point3 plot_factor(const SurfaceRequest& request, const AxesBox& box, GroundUnit unit, RunReport& run);
+/// for; 1 where that is no finite number above zero. What was chosen is added to the report. `parametric`: the surface has a
+/// shape in space, which stays true.
+Point3 plot_factor(const SurfaceRequest& request, const AxesBox& box, GroundUnit unit, bool parametric, RunReport& run);
 
 /// A number as a message tells it, with four digits.
 std::string short_number(double value);

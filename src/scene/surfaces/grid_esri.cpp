@@ -13,6 +13,17 @@ namespace {
 /// What stands for no height in files that do not say.
 constexpr double kNoDataByDefault = -9999;
 
+/// No height is as large: writers print the largest number of single precision, which stands for none, with more or with
+/// fewer digits than NODATA_value has.
+constexpr double kBeyondEsriHeights = 1e30;
+
+/// Equal as doubles, or as the single precision that most writers hold heights in.
+bool is_no_data(double value, double no_data) {
+  if (value == no_data) return true;
+  if (std::abs(no_data) >= kBeyondEsriHeights) return std::abs(value) >= kBeyondEsriHeights && (value > 0) == (no_data > 0);
+  return std::abs(value) < kBeyondEsriHeights && static_cast<float>(value) == static_cast<float>(no_data);
+}
+
 struct Header {
   std::optional<std::int64_t> columns, rows;
   std::optional<double> x_corner, y_corner, x_center, y_center, dx, dy, no_data;
@@ -145,7 +156,7 @@ class EsriReader {
       if (!value) throw error(shown(word) + " is not a number");
       if (heights_.size() == wanted_)
         throw error("more heights than the " + std::to_string(wanted_) + " of the header" + uneven_row_);
-      heights_.push_back(*value == no_data ? kNoHeight : *value);
+      heights_.push_back(is_no_data(*value, no_data) ? kNoHeight : *value);
     }
     const std::size_t count = heights_.size() - before;
     if (count != 0 && count != columns_ && uneven_row_.empty()) {

@@ -13,22 +13,54 @@
 
 #include "files/input_file.hpp"
 #include "scene/model/diagnostics.hpp"
+#include "scene/surfaces/grid_surfaces.hpp"
 #include "scene/surfaces/height_source.hpp"
+#include "scene/tables/table.hpp"
 
 namespace ligne {
 
 /// What stands where a grid has no height.
 inline constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
 
+/// Lines of x, y and z as they stand in the file.
+struct PointRows {
+  std::vector<double> values;             ///< x, y, z of every line
+  std::vector<std::size_t> lines;         ///< their numbers
+  std::vector<std::size_t> block_begins;  ///< the first row of every block of lines; blank lines stand between the blocks
+};
+
 /// Tells the format by content and reads. `name` stands in error messages. What only GDAL reads needs the file itself and is
 /// refused when `file` is empty; files beside it that were read too are added to `opened`.
+std::vector<GridSurface> read_surfaces(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                       const std::filesystem::path& file = {}, InputFiles* opened = nullptr,
+                                       const GridChoice& choice = {});
+/// The same of a file that holds one surface z = f(x, y); throws InputError for others.
 std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                         const std::filesystem::path& file = {}, InputFiles* opened = nullptr,
                                         const GridChoice& choice = {});
 
-/// A matrix of heights: a row a line, columns separated by commas, semicolons, tabs or blanks; or lines of x, y and z.
-std::unique_ptr<HeightSource> read_text_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
-                                             const GridChoice& choice = {});
+/// The surfaces of a table: matrices, frames of positions, columns of x, y and z (docs/data-formats.md).
+std::vector<GridSurface> read_text_surfaces(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                            const GridChoice& choice = {});
+
+/// Rows of a table as heights, by number from 0; `columns` are used, all in order where it is empty.
+std::unique_ptr<HeightSource> matrix_of_rows(const Table& table, RowRange rows, const std::vector<std::size_t>& columns,
+                                             const std::string& name, Warnings& warnings);
+
+/// Rows of a table whose first row and first column, or the names of whose columns, are positions; null where these neither
+/// ascend nor descend.
+std::unique_ptr<HeightSource> frame_of_rows(const Table& table, RowRange rows, const std::string& name, Warnings& warnings);
+std::unique_ptr<HeightSource> frame_of_names(const Table& table, RowRange rows, const std::vector<double>& positions,
+                                             const std::string& name, Warnings& warnings);
+/// gnuplot's "nonuniform matrix": the corner holds the number of the other columns.
+bool is_counted_frame(const Table& table, RowRange rows);
+
+/// The scan lines of a mesh: blocks of equally many points.
+SurfacePoints mesh_of_blocks(const PointRows& rows, const std::string& name);
+/// Blocks are the corners of polygons of a solid, whose corners stand in several of them.
+bool are_polygons(const PointRows& rows);
+/// Blocks of equally many points, two or more.
+bool are_even_blocks(const PointRows& rows);
 
 /// A text that begins with a key of the header of an ESRI ASCII grid.
 bool is_esri_grid(std::string_view text);
@@ -54,14 +86,10 @@ bool reads_tiff();
 /// Adds what GDAL reads beside the file to `opened`.
 std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name, InputFiles& opened);
 
-/// Lines of x, y and z as they stand in the file.
-struct PointRows {
-  std::vector<double> values;             ///< x, y, z of every line
-  std::vector<std::size_t> lines;         ///< their numbers
-  std::vector<std::size_t> block_begins;  ///< the first row of every block of lines; blank lines stand between the blocks
-};
 /// Heights over the positions of the file. Blocks are of one x or of one y each.
 std::unique_ptr<HeightSource> grid_of_points(PointRows rows, const std::string& name);
+/// Whether it takes the blocks, or throws InputError.
+bool is_grid_of_blocks(const PointRows& rows, const std::string& name);
 /// Makes blocks where no blank line does: true, and `rows` has them, when each x or y comes with the same positions of the
 /// other.
 bool find_blocks(PointRows& rows);
@@ -76,13 +104,8 @@ std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridC
 /// Whether most of the places of x and y are different, as those of points are and heights in three columns need not be.
 bool are_places(const PointRows& rows);
 
-/// What the names of columns say.
-struct NamedColumns {
-  std::optional<std::size_t> x, y, z;
-};
-NamedColumns named_columns(const std::vector<std::string>& names);
-
-/// The height that a word of a text stands for: a number, or NaN for "nan", "na", "inf" and "?"; nothing for other words.
+/// The height that a word of a text stands for: a number, or NaN for a sign of no value (is_missing); nothing for other
+/// words.
 std::optional<double> height_in(std::string_view word);
 
 }  // namespace ligne

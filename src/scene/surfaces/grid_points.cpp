@@ -25,9 +25,17 @@ class PointGrid {
   PointGrid(PointRows rows, const std::string& name) : rows_(std::move(rows)), name_(name), count_(rows_.lines.size()) {}
 
   std::unique_ptr<HeightSource> make() {
+    check();
+    return finish();
+  }
+
+  /// Throws InputError where the points form no grid.
+  void check() {
     check_blocks();
     find_axes();
-    std::vector<double> inner(block_size_), outer(rows_.block_begins.size());
+    std::vector<double>&inner = inner_, &outer = outer_;
+    inner.resize(block_size_);
+    outer.resize(rows_.block_begins.size());
     for (std::size_t i = 0; i < inner.size(); ++i) inner[i] = position(rows_, i, 1 - outer_axis_);
     for (std::size_t b = 0; b < outer.size(); ++b) outer[b] = position(rows_, b * block_size_, outer_axis_);
     const double inner_step = narrowest_step(inner, 1, 1 - outer_axis_);
@@ -36,7 +44,6 @@ class PointGrid {
       check_point(row, outer_axis_, outer[row / block_size_], outer_step);
       check_point(row, 1 - outer_axis_, inner[row % block_size_], inner_step);
     }
-    return finish(std::move(inner), std::move(outer));
   }
 
  private:
@@ -94,7 +101,7 @@ class PointGrid {
     return text;
   }
 
-  std::unique_ptr<HeightSource> finish(std::vector<double> inner, std::vector<double> outer) {
+  std::unique_ptr<HeightSource> finish() {
     std::vector<double>& z = rows_.values;
     for (std::size_t row = 0; row < count_; ++row) z[row] = z[3 * row + 2];
     z.resize(count_);
@@ -102,8 +109,8 @@ class PointGrid {
 
     SampleOrder order{0, static_cast<std::ptrdiff_t>(block_size_), 1};
     if (outer_axis_ == 1) std::swap(order.step_x, order.step_y);
-    std::vector<double> x = outer_axis_ == 0 ? std::move(outer) : std::move(inner);
-    std::vector<double> y = outer_axis_ == 0 ? std::move(inner) : std::move(outer);
+    std::vector<double> x = outer_axis_ == 0 ? std::move(outer_) : std::move(inner_);
+    std::vector<double> y = outer_axis_ == 0 ? std::move(inner_) : std::move(outer_);
     turn_to_ascend(x, order.begin, order.step_x);
     turn_to_ascend(y, order.begin, order.step_y);
     return held_heights(std::move(x), std::move(y), std::move(z), order, name_);
@@ -120,13 +127,23 @@ class PointGrid {
   const std::string& name_;
   std::size_t count_;
   std::size_t block_size_ = 0;
-  std::size_t outer_axis_ = 0;  ///< 0 when a block is of one x, 1 when it is of one y
+  std::vector<double> inner_, outer_;  ///< positions within blocks, and of the blocks
+  std::size_t outer_axis_ = 0;         ///< 0 when a block is of one x, 1 when it is of one y
 };
 
 }  // namespace
 
 std::unique_ptr<HeightSource> grid_of_points(PointRows rows, const std::string& name) {
   return PointGrid(std::move(rows), name).make();
+}
+
+bool is_grid_of_blocks(const PointRows& rows, const std::string& name) {
+  try {
+    PointGrid(rows, name).check();
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
 }
 
 bool find_blocks(PointRows& rows) {

@@ -12,6 +12,7 @@
 #include "scene/surfaces/grid_formats.hpp"
 #include "scene/surfaces/held_heights.hpp"
 #include "scene/surfaces/thinned_heights.hpp"
+#include "scene/tables/cell_value.hpp"
 
 namespace ligne {
 namespace {
@@ -65,52 +66,72 @@ void refuse_models(std::span<const std::byte> bytes, const std::string& name) {
   throw InputError(name, "is a model (" + format + "), not a grid of heights; draw it with: ligne draw");
 }
 
+/// The one surface of most formats.
+std::vector<GridSurface> alone(std::unique_ptr<HeightSource> heights) {
+  std::vector<GridSurface> surfaces;
+  surfaces.push_back({std::move(heights), {}});
+  return surfaces;
+}
+
+std::unique_ptr<HeightSource> heights_alone(std::vector<GridSurface> surfaces, const std::string& name) {
+  if (surfaces.size() > 1) throw InputError(name, "holds " + std::to_string(surfaces.size()) + " surfaces, not one");
+  if (surfaces.front().mesh) throw InputError(name, "holds a mesh whose x and y both vary, not heights over a grid");
+  return std::move(surfaces.front().heights);
+}
+
 }  // namespace
+
+std::vector<GridSurface> read_surfaces(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened,
+                                       const GridChoice& choice) {
+  InputFiles unasked;
+  InputFiles& files = opened ? *opened : unasked;
+  std::vector<GridSurface> surfaces =
+      read_surfaces(read_named_input(file, files), shown_input(file), warnings, file == "-" ? "" : file, &files, choice);
+  for (GridSurface& surface : surfaces) {
+    if (surface.heights) surface.heights = thinned_heights(std::move(surface.heights), choice, warnings);
+  }
+  return surfaces;
+}
 
 std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened,
                                         const GridChoice& choice) {
-  InputFiles unasked;
-  InputFiles& files = opened ? *opened : unasked;
-  return thinned_heights(
-      read_grid(read_named_input(file, files), shown_input(file), warnings, file == "-" ? "" : file, &files, choice), choice,
-      warnings);
+  return heights_alone(read_surfaces(file, warnings, opened, choice), shown_input(file));
 }
 
 std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                         const std::filesystem::path& file, InputFiles* opened, const GridChoice& choice) {
+  return heights_alone(read_surfaces(bytes, name, warnings, file, opened, choice), name);
+}
+
+std::vector<GridSurface> read_surfaces(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                       const std::filesystem::path& file, InputFiles* opened, const GridChoice& choice) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (chars.empty()) throw InputError(name, "is empty");
-  if (chars.starts_with("\x89PNG")) return with_unit(read_png_grid(bytes, name, warnings, choice), GroundUnit::same);
+  if (chars.starts_with("\x89PNG")) return alone(with_unit(read_png_grid(bytes, name, warnings, choice), GroundUnit::same));
   if (const char kind = netpbm_kind(chars)) {
-    if (kind == '2' || kind == '5') return with_unit(read_pgm_grid(bytes, name, warnings, choice), GroundUnit::same);
+    if (kind == '2' || kind == '5') return alone(with_unit(read_pgm_grid(bytes, name, warnings, choice), GroundUnit::same));
     throw InputError(name, std::string("is a Netpbm picture P") + kind + "; heights need a grey one, P2 or P5");
   }
-  if (is_hgt_name(name)) return read_hgt_grid(bytes, name, warnings);
+  if (is_hgt_name(name)) return alone(read_hgt_grid(bytes, name, warnings));
   InputFiles unasked;
   if (reads_tiff() && (chars.starts_with("II") || chars.starts_with("MM")) && is_for_gdal(chars))
-    return read_tiff_grid(bytes, name, warnings);
-  if (is_for_gdal(chars)) return read_gdal_grid(file, name, opened ? *opened : unasked);
+    return alone(read_tiff_grid(bytes, name, warnings));
+  if (is_for_gdal(chars)) return alone(read_gdal_grid(file, name, opened ? *opened : unasked));
 
   refuse_models(bytes, name);
   const bool is_utf16 = chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF");
   if (!is_utf16 && chars.substr(0, kLookedAt).find('\0') != std::string_view::npos) {
     throw InputError(name, "not a grid file that is known (matrix as text, gnuplot, ESRI ASCII grid, PGM, PNG, GeoTIFF)");
   }
-  if (!is_esri_grid(as_text(bytes, name))) return read_text_grid(bytes, name, warnings, choice);
+  if (!is_esri_grid(as_text(bytes, name))) return read_text_surfaces(bytes, name, warnings, choice);
   std::unique_ptr<HeightSource> heights = read_esri_grid(bytes, name, warnings);
   heights->set_unit(likely_unit(*heights));
-  return heights;
+  return alone(std::move(heights));
 }
 
 std::optional<double> height_in(std::string_view word) {
-  if (const std::optional<double> value = number_in(word)) return value;
-  std::string_view bare = word;
-  if (bare.starts_with('-') || bare.starts_with('+')) bare.remove_prefix(1);
-  for (const std::string_view hole : {"nan", "inf", "infinity"}) {
-    if (equal_ignoring_case(bare, hole)) return kNoHeight;
-  }
-  if (equal_ignoring_case(word, "na") || word == "?") return kNoHeight;
-  return {};
+  const CellValue cell = cell_value(word, {});
+  return cell.kind == CellKind::word ? std::nullopt : std::optional(cell.value);
 }
 
 std::vector<double> counted_positions(std::size_t n) {

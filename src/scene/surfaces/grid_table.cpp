@@ -1,4 +1,4 @@
-// Points in any order, and what the names of their columns say.
+// Points in any order.
 
 #include <algorithm>
 #include <array>
@@ -25,6 +25,9 @@ constexpr double kPlacesPerPoint = 2, kPointsPerCell = 2;
 constexpr std::size_t kRowsLookedAt = 65536;
 /// Columns and rows that a grid with holes may have, for each of its points.
 constexpr double kMostPlaces = 8;
+
+/// No height is as large. Surfer writes 1.70141e38 for none, others the largest number of single precision.
+constexpr double kBeyondHeights = 1e30;
 
 /// A number such as -9999 stands for no height where no other height is lower than this part of it.
 constexpr double kFarFromSign = 0.1;
@@ -97,6 +100,13 @@ std::unique_ptr<HeightSource> grid_with_holes(const std::vector<Point3>& points,
 }  // namespace
 
 void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, Warnings& warnings) {
+  std::size_t beyond = 0;
+  for (std::size_t k = step - 1; k < values.size(); k += step) {
+    if (!(std::abs(values[k]) >= kBeyondHeights)) continue;
+    values[k] = kNoHeight;
+    ++beyond;
+  }
+  warnings.add("heights beyond 1e30 taken for places without one", beyond);
   for (const double sign : {-9999., -32768., -99999.}) {
     std::size_t found = 0;
     bool are_others_far = true;
@@ -121,11 +131,9 @@ std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridC
   points.reserve(rows.lines.size());
   for (std::size_t row = 0; row < rows.lines.size(); ++row) {
     const Point3 p{rows.values[3 * row], rows.values[3 * row + 1], rows.values[3 * row + 2]};
-    for (int k = 0; k < 2; ++k) {
-      if (!std::isfinite(p[k])) throw error_at_line(name, rows.lines[row], std::string(1, "xy"[k]) + " is not a number");
-    }
-    points.push_back(p);
+    if (std::isfinite(p.x) && std::isfinite(p.y)) points.push_back(p);
   }
+  warnings.leave_out("rows without x or y", rows.lines.size() - points.size());
   if (points.empty()) throw InputError(name, "holds no row of numbers");
   if (!choice.columns) {
     if (std::unique_ptr<HeightSource> grid = grid_with_holes(points, name, warnings)) return grid;
@@ -146,30 +154,6 @@ bool are_places(const PointRows& rows) {
   std::sort(places.begin(), places.end());
   const auto different = std::unique(places.begin(), places.end()) - places.begin();
   return 2 * static_cast<std::size_t>(different) > places.size();
-}
-
-NamedColumns named_columns(const std::vector<std::string>& names) {
-  constexpr std::array<std::string_view, 7> kX{"x", "lon", "long", "longitude", "lng", "east", "easting"};
-  constexpr std::array<std::string_view, 5> kY{"y", "lat", "latitude", "north", "northing"};
-  constexpr std::array<std::string_view, 9> kZ{"z",   "height", "elevation", "elev",    "value",
-                                               "alt", "depth",  "dem",       "altitude"};
-  NamedColumns found;
-  std::vector<std::size_t> others;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const std::string name = lower_case(names[k]);
-    const auto is_one_of = [&](const auto& list) { return std::find(list.begin(), list.end(), name) != list.end(); };
-    if (is_one_of(kX) && !found.x) {
-      found.x = k;
-    } else if (is_one_of(kY) && !found.y) {
-      found.y = k;
-    } else if (is_one_of(kZ) && !found.z) {
-      found.z = k;
-    } else if (!name.empty() && name != "index" && !name.starts_with("unnamed")) {
-      others.push_back(k);
-    }
-  }
-  if (!found.z && others.size() == 1) found.z = others.front();
-  return found;
 }
 
 }  // namespace ligne

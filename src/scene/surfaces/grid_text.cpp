@@ -1,281 +1,340 @@
-// A line is a row. The first row decides the separator and the number of columns. Lines of three numbers can also be x, y
-// and z (grid_points.cpp): they are when blank lines stand between blocks of them, and when they form a grid without.
+// How a table becomes surfaces. The names of its columns decide first, then blank lines, then the numbers themselves; each
+// step is told in docs/data-formats.md.
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <cmath>
 
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grid_formats.hpp"
-#include "scene/surfaces/held_heights.hpp"
+#include "scene/tables/column_names.hpp"
 
 namespace ligne {
 namespace {
 
-/// The line up to a '#' that is not within quotes.
-std::string_view without_comment(std::string_view line) {
-  bool in_quotes = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"') in_quotes = !in_quotes;
-    if (line[i] == '#' && !in_quotes) return line.substr(0, i);
-  }
-  return line;
-}
+using PointColumns = std::array<std::size_t, 3>;
 
-/// Takes the next field and the separator behind it; a blank as separator stands for any run of white space. `ended` becomes
-/// true when no separator follows. Separators within quotes are none.
-std::string_view take_field(std::string_view& line, char separator, bool& ended) {
-  const bool by_blanks = separator == ' ';
-  if (by_blanks) line = trimmed(line);
-  bool in_quotes = false;
-  std::size_t end = 0;
-  for (; end < line.size(); ++end) {
-    if (line[end] == '"') in_quotes = !in_quotes;
-    if (!in_quotes && (by_blanks ? is_blank(line[end]) : line[end] == separator)) break;
-  }
-  const std::string_view field = trimmed(line.substr(0, end));
-  ended = end == line.size();
-  line.remove_prefix(ended ? end : end + 1);
-  return field;
-}
+constexpr char kColumnHint[] =
+    "; --using X:Y:Z says which columns are the positions and the height, --layout matrix that all are heights";
 
-std::vector<std::string_view> fields_of(std::string_view line, char separator) {
-  std::vector<std::string_view> fields;
-  for (bool ended = false; !ended;) fields.push_back(take_field(line, separator, ended));
-  return fields;
-}
-
-bool is_quoted(std::string_view field) { return field.size() >= 2 && field.front() == '"' && field.back() == '"'; }
-
-/// What separates the columns of a row, by precedence: a comma can be a decimal comma where semicolons separate, and tabs
-/// can be among the blanks of a table that is set by hand.
-char separator_of(std::string_view row) {
-  const std::vector<std::string_view> by_semicolons = fields_of(row, ';');
-  if (by_semicolons.size() > 1) return ';';
-  if (fields_of(row, ',').size() > 1) return ',';
-  const std::vector<std::string_view> by_tabs = fields_of(row, '\t');
-  const auto is_one_word = [](std::string_view field) {
-    return is_quoted(field) || field.find(' ') == std::string_view::npos;
-  };
-  return by_tabs.size() > 1 && std::all_of(by_tabs.begin(), by_tabs.end(), is_one_word) ? '\t' : ' ';
-}
-
-class TextGridReader {
+/// One data set of a table.
+class RowSurface {
  public:
-  TextGridReader(std::string_view text, const std::string& name, Warnings& warnings, const GridChoice& choice)
-      : text_size_(text.size()), lines_(text), name_(name), warnings_(warnings), choice_(choice) {}
+  RowSurface(const Table& table, RowRange rows, const std::string& name, const GridChoice& choice, Warnings& warnings)
+      : table_(table), rows_(rows), name_(name), choice_(choice), warnings_(warnings) {}
 
-  std::unique_ptr<HeightSource> read() {
-    bool after_blank = false;
-    for (std::string_view line; lines_.next(line);) {
-      const std::string_view row = trimmed_row(line);
-      if (row.empty()) {
-        after_blank = after_blank || trimmed(line).empty();  // a comment separates nothing
-        continue;
-      }
-      if (rows_ == 0 && separator_ == '\0') {
-        separator_ = separator_of(row);
-        if (skip_header(row)) continue;
-      }
-      if (after_blank && rows_ > 0) begin_block();
-      after_blank = false;
-      read_row(row);
-    }
-    return finish();
+  GridSurface read() {
+    check_even(table_, rows_, name_);
+    columns_ = table_.row(rows_.begin).size();
+    const std::vector<RowRange>& blocks = table_.blocks();
+    auto block = std::lower_bound(blocks.begin(), blocks.end(), rows_.begin,
+                                  [](const RowRange& range, std::size_t row) { return range.begin < row; });
+    for (; block != blocks.end() && block->begin < rows_.end; ++block) block_begins_.push_back(block->begin - rows_.begin);
+    if (choice_.layout == TableLayout::matrix) return {matrix(all_numbers()), {}};
+    if (choice_.layout == TableLayout::frame) return {whole_frame(), {}};
+    if (const auto columns = chosen_columns()) return points(*columns);
+    return unnamed();
   }
 
  private:
-  InputError error(const std::string& cause) const { return error_at_line(name_, lines_.number(), cause); }
+  InputError error(const std::string& cause) const { return error_at_line(name_, table_.line(rows_.begin), cause); }
+  bool is_named() const { return !table_.names().empty() && !table_.names_from_comment(); }
+  std::string column_name(std::size_t k) const { return k < table_.names().size() ? table_.names()[k] : std::string(); }
+  bool has_numbers(std::size_t k) const { return table_.column(k).numbers > 0; }
 
-  /// Without comment and blanks around; tabs that separate columns stay.
-  std::string_view trimmed_row(std::string_view line) const {
-    std::string_view row = without_comment(line);
-    if (trimmed(row).empty()) return {};
-    if (row.find('\t') == std::string_view::npos || separator_ == ' ') return trimmed(row);
-    while (row.back() == ' ') row.remove_suffix(1);
-    while (row.front() == ' ') row.remove_prefix(1);
-    return row;
+  /// The columns of x, y and z that an option, or their names say.
+  std::optional<PointColumns> chosen_columns() const {
+    std::vector<std::size_t> chosen;
+    for (const std::string& word : choice_.using_columns) chosen.push_back(column_of(table_, word, name_));
+    if (chosen.size() == 3) return PointColumns{chosen[0], chosen[1], chosen[2]};
+    NamedColumns named = named_columns(table_.names());
+    if (!chosen.empty()) named.z = chosen[0];
+    std::vector<std::size_t> others;
+    for (std::size_t k = 0; k < table_.names().size(); ++k) {
+      if (k != named.x && k != named.y && k != named.z && has_numbers(k) && !is_index_name(column_name(k)))
+        others.push_back(k);
+    }
+    if (named.x && named.y && !named.z && others.size() == 1) named.z = others.front();
+    if (named.x && named.y && named.z) return PointColumns{*named.x, *named.y, *named.z};
+    if (named.x && named.y && is_named() && others.size() > 1) {
+      throw InputError(name_, "has positions in columns " + shown_column(table_, *named.x) + " and " +
+                                  shown_column(table_, *named.y) + ", and no height: --using NAME says which of " +
+                                  list_of_columns(others) + " it is");
+    }
+    if (choice_.layout != TableLayout::columns && chosen.empty()) return {};
+    std::vector<std::size_t> numbers = all_numbers();
+    if (!chosen.empty()) std::erase(numbers, chosen[0]);
+    if (numbers.size() < (chosen.empty() ? 3 : 2)) throw error("columns of x, y and z are three, of numbers");
+    return PointColumns{numbers[0], numbers[1], chosen.empty() ? numbers[2] : chosen[0]};
   }
 
-  /// A first row of nothing but names: in quotes, as R and spreadsheets write them, or those of the columns of a table.
-  bool skip_header(std::string_view row) {
-    const std::vector<std::string_view> fields = fields_of(row, separator_);
-    if (std::any_of(fields.begin(), fields.end(), [](std::string_view f) { return !f.empty() && height_in(f); }))
-      return false;
-    const auto is_name = [](std::string_view f) { return f.empty() || is_quoted(f); };
-    const bool all_quoted = std::all_of(fields.begin(), fields.end(), is_name);
+  std::string list_of_columns(const std::vector<std::size_t>& columns) const {
+    constexpr std::size_t kMost = 8;
+    std::string list;
+    for (std::size_t k = 0; k < std::min(columns.size(), kMost); ++k)
+      list += (k == 0 ? "" : ", ") + shown_column(table_, columns[k]);
+    return columns.size() > kMost ? list + " ..." : list;
+  }
+
+  /// Names the columns that are not used.
+  void leave_out(const std::vector<std::size_t>& columns) {
+    if (columns.empty()) return;
+    warnings_.leave_out((columns.size() == 1 ? "column (" : "columns (") + list_of_columns(columns) + ")", columns.size());
+  }
+
+  /// Columns of numbers, in their order; throws InputError where one has words among them. Others are left out.
+  std::vector<std::size_t> all_numbers() const {
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < columns_; ++k) {
+      const TableColumn& column = table_.column(k);
+      if (column.numbers > 0 && column.words > 0) throw word_error(table_, k, name_);
+      if (column.words == 0) numbers.push_back(k);
+    }
+    // A separator at the end of every row makes a column of nothing.
+    const TableColumn& last = table_.column(columns_ - 1);
+    const bool empty = last.numbers == 0 && last.words == 0 && ends_empty();
+    if (numbers.size() > 1 && empty) numbers.pop_back();
+    return numbers;
+  }
+
+  /// Whether the first row has nothing behind its last separator, rather than a sign for no value.
+  bool ends_empty() const { return table_.cells(rows_.begin).back().empty(); }
+
+  std::unique_ptr<HeightSource> whole_frame() {
+    if (const auto at = names_behind_first()) {
+      if (auto frame = frame_of_names(table_, rows_, *at, name_, warnings_)) return frame;
+    }
+    if (auto frame = frame_of_rows(table_, rows_, name_, warnings_)) return frame;
+    throw InputError(name_,
+                     "has no positions in its first row and first column: they neither ascend nor descend throughout");
+  }
+
+  std::optional<std::vector<double>> names_behind_first() const {
+    if (table_.names().size() < 3) return {};
+    const std::vector<std::string> names(table_.names().begin() + 1, table_.names().end());
+    std::optional<std::vector<double>> at = positions_in_names(names);
+    // X1, X2 ... are the names that R gives to columns without any.
+    if (at && are_numbered(names) && !number_in(names.front()) && at->front() == 1 &&
+        at->back() == static_cast<double>(at->size()))
+      return {};
+    return at;
+  }
+
+  /// Neither an option nor the names say what the columns are.
+  GridSurface unnamed() {
+    if (block_begins_.size() > 1) return blocks();
+    if (has_corner()) {
+      if (auto frame = frame_of_rows(table_, rows_, name_, warnings_)) return {std::move(frame), {}};
+    }
+    if (table_.names().empty() && is_counted_frame(table_, rows_)) {
+      if (auto frame = frame_of_rows(table_, rows_, name_, warnings_)) return {std::move(frame), {}};
+    }
+    if (is_named() && (is_position_name(column_name(0)) || (is_index_name(column_name(0)) && has_numbers(0)))) {
+      if (const auto at = names_behind_first()) {
+        if (auto frame = frame_of_names(table_, rows_, *at, name_, warnings_)) return {std::move(frame), {}};
+      }
+    }
+    std::vector<std::size_t> numbers = numbers_without_index();
+    if (numbers.size() >= 3) {
+      if (std::optional<GridSurface> found = points_in_order(numbers)) return std::move(*found);
+    }
+    if (is_named()) check_names(numbers);
+    return {matrix(numbers), {}};
+  }
+
+  /// The first cell of all is no number, and those behind it are: the corner of a frame.
+  bool has_corner() const {
+    const std::span<const double> head = table_.row(rows_.begin);
+    if (head.size() < 3 || rows_.begin != 0 || std::isfinite(head[0])) return false;
+    return std::all_of(head.begin() + 1, head.end(), [](double v) { return std::isfinite(v); });
+  }
+
+  /// Columns of numbers but for those that number or name the rows, and for texts.
+  std::vector<std::size_t> numbers_without_index() {
+    std::vector<std::size_t> numbers = all_numbers(), left_out;
+    const bool has_index =
+        is_named() && !numbers.empty() && numbers.front() == 0 && columns_ > 2 && is_index_name(table_.names().front());
+    for (std::size_t k = 0; k < columns_; ++k) {
+      if (table_.column(k).is_text() || (k == 0 && has_index)) left_out.push_back(k);
+    }
+    if (has_index) numbers.erase(numbers.begin());
+    if (!table_.names().empty()) {
+      leave_out(left_out);
+    } else if (!left_out.empty()) {
+      warnings_.leave_out(left_out == std::vector<std::size_t>{0} ? "column of row names" : "columns of words",
+                          left_out.size());
+    }
+    return numbers;
+  }
+
+  /// Three columns of which the first two are places; of more only those whose first two form a grid.
+  std::optional<GridSurface> points_in_order(const std::vector<std::size_t>& numbers) {
+    if (names_are_a_series(numbers)) return {};
+    const PointColumns columns{numbers[0], numbers[1], numbers[2]};
+    PointRows rows = point_rows(columns);
+    rows.block_begins = {0};
+    const bool is_grid = find_blocks(rows);
+    if (!is_grid && (numbers.size() > 3 || rows_.size() <= 3 || !are_places(rows))) return {};
+    if (numbers.size() > 3) leave_out({numbers.begin() + 3, numbers.end()});
+    if (is_named()) {
+      warnings_.add("columns taken for x, y and z: " + list_of_columns({numbers.begin(), numbers.begin() + 3}), 3);
+    }
+    return surface_of(std::move(rows));
+  }
+
+  bool names_are_a_series(const std::vector<std::size_t>& numbers) const {
+    if (table_.names().empty()) return false;
     std::vector<std::string> names;
-    names.reserve(fields.size());
-    for (const std::string_view field : fields)
-      names.emplace_back(is_quoted(field) ? field.substr(1, field.size() - 2) : field);
-    named_ = named_columns(names);
-    is_table_ = named_.x && named_.y && named_.z;
-    if (is_table_) {
-      columns_ = fields.size();
-      return true;
-    }
-    // A frame of named columns begins with a column of its rows' names, which has none itself.
-    has_index_ = !all_quoted && names.front().empty() && names.size() > 2;
-    if (has_index_) columns_ = fields.size();
-    if (!all_quoted && !has_index_) return false;
-    warnings_.add("header rows left out");
-    if (has_index_) warnings_.add("columns of row names left out");
-    return true;
+    for (const std::size_t k : numbers) names.push_back(table_.names()[k]);
+    return are_numbered(names) || positions_in_names(names);
   }
 
-  void begin_block() {
-    if (columns_ != 3) {
-      throw error("blank lines before this row of a matrix of " + std::to_string(columns_) +
-                  " columns; blocks of x y z have three");
+  /// Columns of a matrix are numbered, or named in quotes, or their rows are: other names are those of different things.
+  void check_names(const std::vector<std::size_t>& numbers) {
+    const bool has_row_names = is_index_name(table_.names().front());
+    if (table_.has_quoted_names() || has_row_names || names_are_a_series(numbers)) {
+      warnings_.leave_out("head row");
+      return;
     }
-    points_.block_begins.push_back(rows_);
+    throw error("the columns " + list_of_columns(numbers) + " have names that do not say what they are" + kColumnHint);
   }
 
-  void read_row(std::string_view row) {
-    if (is_table_) return read_table_row(row);
-    std::size_t column = 0;
-    bool ended = false;
-    std::string_view rest = row, field;
-    if (has_index_) {
-      take_field(rest, separator_, ended);
-      ++column;
-    } else if (row.front() == '"') {
-      take_field(rest, separator_, ended);
-      warnings_.add("row names left out");
-    }
-    const bool has_corner = rows_ == 0 && is_corner(row);
-    while (!ended) {
-      field = take_field(rest, separator_, ended);
-      const bool corner = has_corner && column == 0;
-      ++column;
-      values_.push_back(corner ? kNoHeight : height(field, column));
-    }
-    corner_empty_ = corner_empty_ || (rows_ == 0 && (has_corner || fields_of(row, separator_).front().empty()));
-    all_end_empty_ = all_end_empty_ && field.empty();
-    if (rows_ == 0 && !has_index_) {
-      columns_ = column;
-      // A row of this kind takes as many bytes as the others, more or less.
-      values_.reserve(columns_ * (text_size_ / (row.size() + 1) + 1));
-    } else if (column != columns_) {
-      throw error("row of " + std::to_string(column) + " columns; those above have " + std::to_string(columns_));
-    }
-    if (columns_ == 3 && !has_index_) points_.lines.push_back(lines_.number());
-    ++rows_;
+  std::unique_ptr<HeightSource> matrix(const std::vector<std::size_t>& columns) {
+    return matrix_of_rows(table_, rows_, columns, name_, warnings_);
   }
 
-  /// A first row of numbers behind a single name: the positions of the columns of a frame whose index has a name.
-  bool is_corner(std::string_view row) const {
-    const std::vector<std::string_view> fields = fields_of(row, separator_);
-    if (fields.size() < 3 || fields[0].empty() || is_quoted(fields[0]) || height_in(fields[0])) return false;
-    return std::all_of(fields.begin() + 1, fields.end(), [](std::string_view f) { return number_in(f).has_value(); });
+  PointRows point_rows(const PointColumns& columns) const {
+    PointRows rows;
+    rows.values.reserve(3 * rows_.size());
+    for (std::size_t row = rows_.begin; row < rows_.end; ++row) {
+      const std::span<const double> values = table_.row(row);
+      for (const std::size_t column : columns) rows.values.push_back(values[column]);
+      rows.lines.push_back(table_.line(row));
+    }
+    rows.block_begins = block_begins_;
+    leave_out_signs_of_nothing(rows.values, 3, warnings_);
+    return rows;
   }
 
-  /// Of a row of a table the columns that are named.
-  void read_table_row(std::string_view row) {
-    const std::vector<std::string_view> fields = fields_of(row, separator_);
-    if (fields.size() != columns_) {
-      throw error("row of " + std::to_string(fields.size()) + " columns; the header names " + std::to_string(columns_));
+  /// Blocks between blank lines: x, y and z, and what else stands behind them.
+  GridSurface blocks() {
+    const std::vector<std::size_t> numbers = all_numbers();
+    if (numbers.size() < 3) {
+      throw error("blank lines divide rows of " + std::to_string(columns_) + " columns; blocks of x y z have three");
     }
-    for (const std::size_t column : {*named_.x, *named_.y, *named_.z}) {
-      values_.push_back(height(fields[column], column + 1));
+    PointRows rows = point_rows({numbers[0], numbers[1], numbers[2]});
+    // A matrix may have blank lines among its rows. Blocks of four columns are a mesh with a colour, as gnuplot has them.
+    const bool are_blocks =
+        numbers.size() == 3 || (are_even_blocks(rows) && (numbers.size() == 4 || is_grid_of_blocks(rows, name_)));
+    if (!are_blocks) {
+      throw error_at_line(name_, rows.lines[rows.block_begins[1]],
+                          "blank lines before this row of a matrix of " + std::to_string(columns_) +
+                              " columns; blocks of x y z have three" + kColumnHint);
     }
-    points_.lines.push_back(lines_.number());
-    ++rows_;
+    if (numbers.size() > 3) leave_out({numbers.begin() + 3, numbers.end()});
+    return surface_of(std::move(rows));
   }
 
-  double height(std::string_view field, std::size_t column) const {
-    if (field.empty()) return kNoHeight;
-    if (const std::optional<double> value = height_in(field)) return *value;
-    if (separator_ == ';') {
-      std::string with_point(field);
-      std::replace(with_point.begin(), with_point.end(), ',', '.');
-      if (const std::optional<double> value = number_in(with_point)) return *value;
+  GridSurface points(const PointColumns& columns) {
+    for (const std::size_t column : columns) {
+      if (column >= columns_ || table_.column(column).words > 0) {
+        if (column < columns_) throw word_error(table_, column, name_);
+        throw error("has no column " + std::to_string(column + 1));
+      }
     }
-    const std::string hint =
-        rows_ == 0 ? "; names of columns are passed over when they are in quotes, or tell x, y and z" : "";
-    throw error("column " + std::to_string(column) + ": " + shown(field) + " is not a number" + hint);
+    std::vector<std::size_t> others;
+    for (std::size_t k = 0; k < columns_; ++k) {
+      if (std::find(columns.begin(), columns.end(), k) == columns.end()) others.push_back(k);
+    }
+    leave_out(others);
+    PointRows rows = point_rows(columns);
+    if (rows.block_begins.size() > 1 && are_even_blocks(rows)) return surface_of(std::move(rows));
+    rows.block_begins = {0};
+    find_blocks(rows);
+    return surface_of(std::move(rows));
   }
 
-  std::unique_ptr<HeightSource> finish() {
-    if (rows_ == 0) throw InputError(name_, "holds no row of numbers");
-    const bool has_places = is_table_ || (columns_ == 3 && !has_index_ && !all_end_empty_);
-    leave_out_signs_of_nothing(values_, has_places ? 3 : 1, warnings_);
-    if (is_table_) {
-      points_.values = std::move(values_);
-      points_.block_begins = {0};
-      if (find_blocks(points_)) return grid_of_points(std::move(points_), name_);
-      return surface_of_rows(points_, choice_, name_, warnings_);
+  /// By rising doubt: a grid by blocks, a mesh, a grid with holes, scattered points.
+  GridSurface surface_of(PointRows rows) {
+    const std::vector<std::size_t>& begins = rows.block_begins;
+    if (begins.size() < 2) return {surface_of_rows(rows, choice_, name_, warnings_), {}};
+    if (begins.size() == rows.lines.size()) {
+      throw error("block of a single point; the points of a grid come in blocks of one x or one y each");
     }
-    if (columns_ == 3 && !has_index_ && !all_end_empty_) {
-      const bool has_blocks = !points_.block_begins.empty();
-      points_.block_begins.insert(points_.block_begins.begin(), 0);
-      points_.values = std::move(values_);
-      if (has_blocks || find_blocks(points_)) return grid_of_points(std::move(points_), name_);
-      if (rows_ > 3 && are_places(points_)) return surface_of_rows(points_, choice_, name_, warnings_);
-      values_ = std::move(points_.values);
+    if (are_polygons(rows)) {
+      throw InputError(name_,
+                       "has blocks that are the polygons of a solid, not scan lines of a surface: write them as OFF "
+                       "or OBJ, and draw them with: ligne draw");
     }
-    if (has_index_) --columns_;
-    if (corner_empty_ && !has_index_) {
-      if (std::unique_ptr<HeightSource> frame = read_frame()) return frame;
+    if (are_even_blocks(rows)) {
+      if (is_grid_of_blocks(rows, name_)) return {grid_of_points(std::move(rows), name_), {}};
+      warnings_.add("rows of a mesh whose x and y both vary", begins.size());
+      return {nullptr, mesh_of_blocks(rows, name_)};
     }
-    drop_empty_last_column();
-    return held_heights(counted_positions(columns_), counted_positions(rows_), std::move(values_),
-                        SampleOrder::first_row_lowest(columns_), name_);
+    warnings_.add("blocks of different lengths: places without a point are holes", begins.size());
+    return {surface_of_rows(rows, choice_, name_, warnings_), {}};
   }
 
-  /// A matrix whose first row and first column are the positions, with nothing in the corner between them.
-  std::unique_ptr<HeightSource> read_frame() {
-    if (columns_ < 3 || rows_ < 3) return nullptr;
-    std::vector<double> x, y, z;
-    for (std::size_t i = 1; i < columns_; ++i) x.push_back(values_[i]);
-    for (std::size_t j = 1; j < rows_; ++j) y.push_back(values_[j * columns_]);
-    const auto ascends = [](const std::vector<double>& at) {
-      return std::adjacent_find(at.begin(), at.end(), [](double a, double b) { return !(a < b); }) == at.end();
-    };
-    const bool downwards = std::is_sorted(y.rbegin(), y.rend());
-    if (downwards) std::reverse(y.begin(), y.end());
-    if (!ascends(x) || !ascends(y)) return nullptr;
-    for (std::size_t j = 1; j < rows_; ++j) {
-      const auto row = values_.begin() + static_cast<std::ptrdiff_t>(j * columns_);
-      z.insert(z.end(), row + 1, row + static_cast<std::ptrdiff_t>(columns_));
-    }
-    warnings_.add("rows and columns of numbers taken for positions", 2);
-    const SampleOrder order =
-        downwards ? SampleOrder::first_row_highest(x.size(), y.size()) : SampleOrder::first_row_lowest(x.size());
-    return held_heights(std::move(x), std::move(y), std::move(z), order, name_);
-  }
-
-  /// A separator at the end of every row makes a last column of empty fields.
-  void drop_empty_last_column() {
-    if (!all_end_empty_ || columns_ < 2) return;
-    for (std::size_t j = 0; j < rows_; ++j) {
-      const auto begin = values_.begin() + static_cast<std::ptrdiff_t>(j * columns_);
-      std::copy_n(begin, columns_ - 1, values_.begin() + static_cast<std::ptrdiff_t>(j * (columns_ - 1)));
-    }
-    --columns_;
-    values_.resize(rows_ * columns_);
-  }
-
-  std::size_t text_size_;
-  LineReader lines_;
+  const Table& table_;
+  RowRange rows_;
   const std::string& name_;
-  Warnings& warnings_;
-  char separator_ = '\0';  ///< zero before the first row
-  std::size_t columns_ = 0, rows_ = 0;
-  bool all_end_empty_ = true;  ///< no row so far has something behind its last separator
   const GridChoice& choice_;
-  NamedColumns named_;
-  bool is_table_ = false;       ///< x, y and z are named
-  bool has_index_ = false;      ///< the first column holds names of rows
-  bool corner_empty_ = false;   ///< the first row begins with no number
-  std::vector<double> values_;  ///< row by row
-  PointRows points_;            ///< lines and blocks, for rows of three
+  Warnings& warnings_;
+  std::size_t columns_ = 0;
+  std::vector<std::size_t> block_begins_;  ///< from the first row of the data set
 };
+
+std::string numbered_sets(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " data set, number 0" : " data sets, numbered from 0");
+}
+
+/// The number of a data set's blocks.
+std::size_t block_count(const Table& table, RowRange set) {
+  const auto begins_before = [](const RowRange& range, std::size_t row) { return range.begin < row; };
+  const std::vector<RowRange>& blocks = table.blocks();
+  return static_cast<std::size_t>(std::lower_bound(blocks.begin(), blocks.end(), set.end, begins_before) -
+                                  std::lower_bound(blocks.begin(), blocks.end(), set.begin, begins_before));
+}
+
+/// Data sets that are surfaces by themselves; empty when one is none. All are of several blocks, or all of one: some writers
+/// leave two lines between blocks too.
+std::vector<GridSurface> separate_surfaces(const Table& table, const std::string& name, const GridChoice& choice,
+                                           Warnings& warnings) {
+  Warnings unasked;
+  const bool has_blocks = block_count(table, table.data_sets().front()) > 1;
+  for (const RowRange& set : table.data_sets()) {
+    if ((block_count(table, set) > 1) != has_blocks) return {};
+  }
+  for (const RowRange& set : table.data_sets()) {
+    try {
+      RowSurface(table, set, name, choice, unasked).read();
+    } catch (const InputError&) {
+      return {};
+    }
+  }
+  std::vector<GridSurface> surfaces;
+  for (const RowRange& set : table.data_sets()) surfaces.push_back(RowSurface(table, set, name, choice, warnings).read());
+  return surfaces;
+}
 
 }  // namespace
 
-std::unique_ptr<HeightSource> read_text_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
-                                             const GridChoice& choice) {
-  return TextGridReader(as_text(bytes, name), name, warnings, choice).read();
+std::vector<GridSurface> read_text_surfaces(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                            const GridChoice& choice) {
+  const Table table = read_table(as_text(bytes, name), name, warnings);
+  const std::vector<RowRange>& sets = table.data_sets();
+  std::vector<GridSurface> surfaces;
+  if (choice.data_set) {
+    if (*choice.data_set >= sets.size()) {
+      throw InputError(name,
+                       "has " + numbered_sets(sets.size()) + ", and none of number " + std::to_string(*choice.data_set));
+    }
+    surfaces.push_back(RowSurface(table, sets[*choice.data_set], name, choice, warnings).read());
+    return surfaces;
+  }
+  if (sets.size() > 1) surfaces = separate_surfaces(table, name, choice, warnings);
+  if (surfaces.empty()) surfaces.push_back(RowSurface(table, {0, table.rows()}, name, choice, warnings).read());
+  return surfaces;
 }
 
 }  // namespace ligne

@@ -63,11 +63,22 @@ std::unique_ptr<HeightSource> formula_heights(const std::string& formula, std::v
 /// Grids of more samples are thinned: a page has fewer places than this (4096 x 4096).
 inline constexpr std::size_t kMostGridSamples = std::size_t{1} << 24;
 
+/// How the numbers of a table are understood.
+enum class TableLayout : std::uint8_t {
+  automatic,
+  matrix,   ///< all numbers are heights
+  frame,    ///< the first row and the first column are positions: gnuplot's "nonuniform matrix"
+  columns,  ///< columns of x, y and z
+};
+
 /// How files of grids and points are read.
 struct GridChoice {
   std::optional<unsigned> columns;  ///< of the grid on which scattered points are sampled (scattered_points.hpp)
   std::optional<unsigned> every{};  ///< rows and columns that have to stay: one of so many
   bool may_thin = false;            ///< of more than kMostGridSamples samples some rows and columns are left out
+  TableLayout layout = TableLayout::automatic;
+  std::optional<unsigned> data_set{};        ///< of a text with several, from 0; or of the arrays of a file
+  std::vector<std::string> using_columns{};  ///< names, or numbers from 1, of the columns of x, y and z; or of z alone
 };
 
 /// Heights of a grid file: a CSV or TSV matrix, lines of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16 bits. Told apart by

@@ -5,8 +5,6 @@
 #include <limits>
 #include <memory>
 
-#include "files/message_text.hpp"
-#include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/formula_evaluator.hpp"
 
 namespace ligne {
@@ -14,7 +12,6 @@ namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 1> kCurveVariables{"t"};
-constexpr std::uintmax_t kMostBytes = 1u << 26;
 
 double column_at(const SurfacePoints& surface, std::size_t i) { return surface.points[i].x; }
 double row_at(const SurfacePoints& surface, std::size_t j) { return surface.points[j * surface.columns].y; }
@@ -78,19 +75,6 @@ void add_crossings(std::size_t count, At at, double from, double to, std::vector
   for (std::size_t k = begin; k < count && at(k) < high; ++k) parts.push_back((at(k) - from) / (to - from));
 }
 
-/// The next field of a row; quotes round it are taken off.
-std::string take_field(std::string_view& line) {
-  const auto divides = [](char c) { return c == ',' || c == ';' || is_blank(c); };
-  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
-  std::size_t end = 0;
-  while (end < line.size() && !divides(line[end])) ++end;
-  std::string field(line.substr(0, end));
-  line.remove_prefix(end);
-  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
-  if (!line.empty() && (line.front() == ',' || line.front() == ';')) line.remove_prefix(1);
-  return field;
-}
-
 }  // namespace
 
 std::vector<Point3> curve_points(const std::array<std::string, 3>& formulas, double from, double to, std::size_t count) {
@@ -110,37 +94,6 @@ std::vector<Point3> curve_points(const std::array<std::string, 3>& formulas, dou
     const bool whole = std::isfinite(p.x) && std::isfinite(p.y) && (!evaluators[2] || std::isfinite(p.z));
     points.push_back(whole ? p : Point3{kNoNumber, kNoNumber, kNoNumber});
   }
-  return points;
-}
-
-std::vector<LabelledPoint> read_points(const std::string& file, InputFiles& opened) {
-  const std::string name = printable(file);
-  const std::vector<std::byte> bytes = read_input(file, name, opened, kMostBytes);
-  LineReader lines(as_text(bytes, name));
-  std::vector<LabelledPoint> points;
-  bool may_be_header = true;
-  for (std::string_view line; lines.next(line);) {
-    line = trimmed(line);
-    if (line.empty() || line.front() == '#') continue;
-    std::string_view rest = line;
-    const auto x = number_in(take_field(rest)), y = number_in(take_field(rest));
-    const bool header = may_be_header && !x;
-    may_be_header = false;
-    if (header) continue;
-    if (!x || !y) throw error_at_line(name, lines.number(), "does not begin with two numbers, x and y");
-    LabelledPoint point{{*x, *y, kNoNumber}, {}};
-    std::string_view behind = rest;
-    if (const auto z = number_in(take_field(behind))) {
-      point.at.z = *z;
-      rest = behind;
-    }
-    point.label = trimmed(rest);
-    if (point.label.size() > 1 && point.label.front() == '"' && point.label.back() == '"') {
-      point.label = point.label.substr(1, point.label.size() - 2);
-    }
-    points.push_back(std::move(point));
-  }
-  if (points.empty()) throw InputError(name, "has no points: rows of x, y, and, if not on the surface, z");
   return points;
 }
 

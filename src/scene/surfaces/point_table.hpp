@@ -1,0 +1,27 @@
+#pragma once
+/// Files of points and of lines in the space of a surface, read as tables (docs/data-formats.md).
+
+#include <string>
+#include <vector>
+
+#include "files/input_file.hpp"
+#include "geometry/point.hpp"
+#include "scene/model/diagnostics.hpp"
+
+namespace ligne {
+
+/// A point of a file. NaN for z: on the surface.
+struct LabelledPoint {
+  Point3 at{0, 0, 0};
+  std::string label;
+};
+
+/// The columns are found by their names: x, y and z, or lon, lat and height, and a label. Where these say nothing, rows are
+/// "x y", "x y z", "x y label" or "x y z label", perhaps with a label before. What is not used is counted in `warnings`.
+/// Throws InputError("FILE:LINE: cause").
+std::vector<LabelledPoint> read_points(const std::string& file, InputFiles& opened, Warnings& warnings);
+
+/// The same rows as lines, which end at blank lines and at rows without a position. Labels are left out.
+std::vector<std::vector<Point3>> read_lines(const std::string& file, InputFiles& opened, Warnings& warnings);
+
+}  // namespace ligne

@@ -1,0 +1,237 @@
+// Lines are split by the style of the text (text_style.hpp). Rows before the first number are the head: the last of them
+// that has a cell for every column names the columns.
+
+#include "scene/tables/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "scene/readers/text_lines.hpp"
+
+namespace ligne {
+namespace {
+
+/// Rows whose numbers of cells decide how many a row has.
+constexpr std::size_t kRowsCounted = 500;
+
+bool is_in_quotes(std::string_view cell) { return cell.size() >= 2 && cell.front() == '"' && cell.back() == '"'; }
+
+}  // namespace
+
+class TableReader {
+ public:
+  TableReader(std::string_view text, const std::string& name, Warnings& warnings)
+      : text_(text), name_(name), warnings_(warnings) {}
+
+  Table read() {
+    table_.style_ = text_style(text_);
+    read_lines();
+    const std::size_t first = find_body();
+    table_.values_.reserve(text_.size() / 8);
+    for (std::size_t k = first; k < lines_.size(); ++k) add_row(lines_[k], k == first);
+    if (table_.lines_.empty()) throw no_row();
+    close_blocks();
+    name_columns();
+    warn_of_doubts();
+    return std::move(table_);
+  }
+
+ private:
+  struct Line {
+    std::string_view text;
+    std::size_t number = 0;
+    std::size_t blanks_before = 0;  ///< blank lines since the row before
+  };
+
+  InputError no_row() const {
+    if (lines_.empty()) return {name_, "holds no row of numbers"};
+    std::string_view rest = lines_.front().text;
+    bool ended = false;
+    const std::string_view cell = take_cell(rest, separator(), ended);
+    return error_at_line(name_, lines_.front().number,
+                         "column 1: " + shown(cell) + " is not a number, and no line holds one");
+  }
+
+  char separator() const { return table_.style_.separator; }
+
+  void read_lines() {
+    LineReader reader(text_);
+    std::size_t blanks = 0;
+    for (std::string_view line; reader.next(line);) {
+      const std::string_view row = without_comment(line, separator());
+      if (row.empty()) {
+        // GMT separates its segments by lines with ">".
+        if (trimmed(line).empty()) ++blanks;
+        if (lines_.empty() && is_comment_line(line)) comment_ = trimmed(line).substr(1);
+        continue;
+      }
+      if (row.front() == '>') {
+        ++blanks;
+        continue;
+      }
+      lines_.push_back({row, reader.number(), blanks});
+      blanks = 0;
+    }
+  }
+
+  CellValue value_of(std::string_view cell) const { return cell_value(cell, table_.style_.numbers); }
+
+  bool has_number(std::string_view row) const {
+    for (bool ended = false; !ended;) {
+      if (value_of(take_cell(row, separator(), ended)).kind == CellKind::number) return true;
+    }
+    return false;
+  }
+  bool has_word(std::string_view row) const {
+    for (bool ended = false; !ended;) {
+      if (value_of(take_cell(row, separator(), ended)).kind == CellKind::word) return true;
+    }
+    return false;
+  }
+
+  bool begins_with_word(std::string_view row) const {
+    bool ended = false;
+    return value_of(take_cell(row, separator(), ended)).kind == CellKind::word;
+  }
+
+  /// The number of cells that most rows have.
+  std::size_t usual_count() const {
+    std::vector<std::size_t> counts;
+    for (std::size_t k = 0; k < std::min(lines_.size(), kRowsCounted); ++k)
+      counts.push_back(cells_of(lines_[k].text, separator()).size());
+    std::sort(counts.begin(), counts.end());
+    std::size_t best = 0, most = 0;
+    for (std::size_t i = 0, end = 0; i < counts.size(); i = end) {
+      while (end < counts.size() && counts[end] == counts[i]) ++end;
+      if (end - i >= most) best = counts[i], most = end - i;
+    }
+    return best;
+  }
+
+  /// The first row of numbers; those before it become the head.
+  std::size_t find_body() {
+    const std::size_t usual = usual_count();
+    std::size_t k = 0, heads = 0;
+    for (; k < lines_.size(); ++k) {
+      const std::string_view row = lines_[k].text;
+      const std::size_t count = cells_of(row, separator()).size();
+      // A line of prose begins with a word, and has another number of cells than the rows.
+      const bool is_prose = count != usual && count + 1 != usual && begins_with_word(row);
+      if (!is_prose && (has_number(row) || !has_word(row))) break;
+      if (!is_prose && count + 1 >= usual) head_ = row;
+      ++heads;
+    }
+    const bool names = !head_.empty();
+    if (heads > (names ? 1 : 0)) warnings_.leave_out("lines above the first row", heads - (names ? 1 : 0));
+    return k;
+  }
+
+  void add_row(const Line& line, bool is_first) {
+    if (!is_first && line.text == head_) {
+      warnings_.leave_out("repeated head rows");
+      return;
+    }
+    if (!is_first && line.blanks_before > 0 && !has_number(line.text) && has_word(line.text)) {
+      warnings_.leave_out("head rows of data sets");
+      pending_blanks_ += line.blanks_before;
+      return;
+    }
+    const std::size_t row = table_.lines_.size(), blanks = line.blanks_before + pending_blanks_;
+    pending_blanks_ = 0;
+    if (row == 0 || blanks > 0) table_.blocks_.push_back({row, row});
+    if (row == 0 || blanks > 1) table_.data_sets_.push_back({row, row});
+    std::string_view rest = line.text;
+    std::size_t column = 0;
+    for (bool ended = false; !ended; ++column) {
+      const CellValue cell = value_of(take_cell(rest, separator(), ended));
+      if (column == table_.columns_.size()) table_.columns_.emplace_back();
+      TableColumn& counts = table_.columns_[column];
+      if (cell.kind == CellKind::word && counts.words == 0) counts.first_word_row = row;
+      ++(cell.kind == CellKind::number ? counts.numbers : cell.kind == CellKind::word ? counts.words : counts.missing);
+      table_.values_.push_back(cell.kind == CellKind::number ? cell.value : std::numeric_limits<double>::quiet_NaN());
+    }
+    table_.row_begins_.push_back(table_.values_.size());
+    table_.lines_.push_back(line.number);
+    table_.texts_.push_back(line.text);
+  }
+
+  void close_blocks() {
+    for (std::vector<RowRange>* ranges : {&table_.blocks_, &table_.data_sets_}) {
+      for (std::size_t k = 0; k < ranges->size(); ++k)
+        (*ranges)[k].end = k + 1 < ranges->size() ? (*ranges)[k + 1].begin : table_.rows();
+    }
+  }
+
+  void name_columns() {
+    const std::size_t columns = table_.row(0).size();
+    const bool from_comment = head_.empty() && !comment_.empty();
+    if (head_.empty() && !from_comment) return;
+    std::vector<std::string> names;
+    bool all_quoted = true;
+    const std::string_view head = from_comment ? comment_ : head_;
+    for (const std::string_view cell : cells_of(trimmed_head(head), separator())) {
+      names.push_back(cell_text(cell));
+      all_quoted = all_quoted && (cell.empty() || is_in_quotes(cell));
+    }
+    // A separator at the end of the rows, or of the head.
+    if (names.size() == columns + 1 && names.back().empty()) names.pop_back();
+    table_.has_unnamed_first_ = !from_comment && names.size() + 1 == columns && names.size() > 1;
+    if (table_.has_unnamed_first_) names.insert(names.begin(), "");
+    if (names.size() != columns) {
+      if (!from_comment) warnings_.leave_out("lines above the first row");
+      return;
+    }
+    table_.names_ = std::move(names);
+    table_.has_quoted_names_ = all_quoted;
+    table_.names_from_comment_ = from_comment;
+  }
+
+  std::string_view trimmed_head(std::string_view head) const { return separator() == '\t' ? head : trimmed(head); }
+
+  void warn_of_doubts() {
+    const NumberStyle& numbers = table_.style_.numbers;
+    if (table_.style_.doubtful_comma) {
+      warnings_.add(numbers.decimal_comma ? "way to write numbers is in doubt: 1,234 taken for 1.234"
+                                          : "way to write numbers is in doubt: 1,234 taken for 1234");
+    }
+    if (table_.style_.doubtful_point) warnings_.add("way to write numbers is in doubt: 1.234 taken for 1234");
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  Warnings& warnings_;
+  Table table_;
+  std::vector<Line> lines_;
+  std::string_view head_, comment_;  ///< the row that names the columns; the comment above the first row
+  std::size_t pending_blanks_ = 0;
+};
+
+std::vector<std::string> Table::cells(std::size_t row) const {
+  std::vector<std::string> cells;
+  for (const std::string_view cell : cells_of(texts_[row], style_.separator)) cells.push_back(cell_text(cell));
+  return cells;
+}
+
+Table read_table(std::string_view text, const std::string& name, Warnings& warnings) {
+  return TableReader(text, name, warnings).read();
+}
+
+void check_even(const Table& table, RowRange rows, const std::string& name) {
+  for (std::size_t row = rows.begin; row < rows.end; ++row) {
+    const std::size_t columns = table.row(rows.begin).size(), here = table.row(row).size();
+    if (here == columns) continue;
+    throw error_at_line(name, table.line(row),
+                        "row of " + std::to_string(here) + (here == 1 ? " column" : " columns") +
+                            (table.names().empty() ? "; those above have " : "; the header names ") +
+                            std::to_string(columns));
+  }
+}
+
+InputError word_error(const Table& table, std::size_t column, const std::string& name) {
+  const std::size_t row = table.column(column).first_word_row;
+  return error_at_line(name, table.line(row),
+                       "column " + std::to_string(column + 1) + ": " + shown(table.cells(row)[column]) + " is not a number");
+}
+
+}  // namespace ligne

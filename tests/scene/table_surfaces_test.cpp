@@ -1,0 +1,163 @@
+// Tables of the kinds that people have, as surfaces.
+
+#include "height_tools.hpp"
+
+namespace ligne {
+namespace {
+
+using namespace height_test;
+
+const std::vector<std::vector<double>> kMatrix{{1, 2, 3.5}, {4, 5, 6}};
+
+std::vector<GridSurface> surfaces(const std::string& text, Warnings& warnings, const GridChoice& choice = {}) {
+  return read_surfaces(reader_test::bytes_of(text), "M", warnings, {}, nullptr, choice);
+}
+
+std::string left_out_of(const std::string& text, const GridChoice& choice = {}) {
+  Warnings warnings;
+  surfaces(text, warnings, choice);
+  return warnings.left_out().text();
+}
+
+TEST(TableSurface, WritersHabits) {
+  for (const char* text : {"\"1\",\"2\",\"3.5\"\n\"4\",\"5\",\"6\"\n", "1.0D0 2.0D0 3.5D+00\n4 5 6\n",
+                           "1\t2\t3,5\n4\t5\t6\n", "1|2|3.5\n4|5|6\n", "% MATLAB\n1 2 3.5\n4 5 6\n"}) {
+    SCOPED_TRACE(text);
+    expect_grid(*grid(text), {0, 1, 2}, {0, 1}, kMatrix);
+  }
+  for (const char* hole : {"null", "None", "NULL", "N/A", "#N/A", "NaN", "-", "*", "NA", ""}) {
+    SCOPED_TRACE(hole);
+    expect_grid(*grid("1,2,3\n4," + std::string(hole) + ",6\n"), {0, 1, 2}, {0, 1}, {{1, 2, 3}, {4, kNaN, 6}});
+  }
+}
+
+TEST(TableSurface, NamesOfR) {
+  Warnings warnings;
+  expect_grid(*grid("V1,V2,V3\n1,2,3.5\n4,5,6\n", warnings), {0, 1, 2}, {0, 1}, kMatrix);
+  EXPECT_EQ(warnings.left_out().text(), "left out: 1 head row");
+  Warnings more;
+  expect_grid(*grid("rownames,V1,V2,V3\n1,1,2,3.5\n2,4,5,6\n", more), {0, 1, 2}, {0, 1}, kMatrix);
+  EXPECT_EQ(more.left_out().text(), "left out: 1 column (rownames), 1 head row");
+}
+
+TEST(TableSurface, HeadsThatArePositions) {
+  Warnings warnings;
+  const std::vector<std::vector<double>> z{{1, 2, 3}, {4, 5, 6}};
+  expect_grid(*grid("year,Jan,Feb,Mar\n1950,1,2,3\n1951,4,5,6\n", warnings), {1, 2, 3}, {1950, 1951}, z);
+  expect_grid(*grid("depth,X10,X20,X30\n5,4,5,6\n2,1,2,3\n", warnings), {10, 20, 30}, {2, 5}, z);
+  expect_grid(*grid("month,1950,1951,1952\nJan,1,2,3\nFeb,4,5,6\n", warnings), {1950, 1951, 1952}, {1, 2}, z);
+}
+
+TEST(TableSurface, AFirstRowBehindAWordHoldsNoHeights) {
+  Warnings warnings;
+  expect_grid(*grid("station,2000,2010,2020\nHof,1,2,3\nUlm,4,5,6\n", warnings), {2000, 2010, 2020}, {0, 1},
+              {{1, 2, 3}, {4, 5, 6}});
+  EXPECT_EQ(warnings.left_out().text(), "left out: 1 column of row names");
+}
+
+TEST(TableSurface, LongTablesOfAnyNames) {
+  Warnings warnings;
+  expect_grid(*grid("time,freq,power\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n", warnings), {0, 1}, {0, 1}, {{1, 2}, {3, 4}});
+  EXPECT_EQ(warnings.counts().begin()->first, "columns taken for x, y and z: time, freq, power");
+  EXPECT_EQ(left_out_of("id,lon,lat,value,station\n0,0,0,1,a\n1,1,0,2,b\n2,0,1,3,c\n3,1,1,4,d\n"),
+            "left out: 2 columns (id, station)");
+  EXPECT_EQ(grid_error("lon,lat,a,b\n0,0,1,2\n"),
+            "M: has positions in columns lon and lat, and no height: --using NAME says which of a, b it is");
+  EXPECT_EQ(
+      grid_error("mpg,cyl,hp\n21,6,110\n22,6,110\n21,6,112\n22,6,112\n"),
+      "M:2: the columns mpg, cyl, hp have names that do not say what they are; --using X:Y:Z says which columns are the "
+      "positions and the height, --layout matrix that all are heights");
+}
+
+TEST(TableSurface, NonuniformMatrix) {
+  Warnings warnings;
+  expect_grid(*grid("3 0 0.5 2\n10 1 2 3\n20 4 5 6\n", warnings), {0, 0.5, 2}, {10, 20}, {{1, 2, 3}, {4, 5, 6}});
+  EXPECT_EQ(warnings.counts().size(), 1u);
+  GridChoice matrix;
+  matrix.layout = TableLayout::matrix;
+  Warnings none;
+  EXPECT_EQ(surfaces("3 0 0.5 2\n10 1 2 3\n20 4 5 6\n", none, matrix)[0].heights->x().size(), 4u);
+  GridChoice frame;
+  frame.layout = TableLayout::frame;
+  expect_grid(*surfaces("7 0 0.5 2\n10 1 2 3\n20 4 5 6\n", none, frame)[0].heights, {0, 0.5, 2}, {10, 20},
+              {{1, 2, 3}, {4, 5, 6}});
+}
+
+TEST(TableSurface, BlocksOfFourColumns) {
+  const std::string text = "0 0 1 7\n1 0 2 7\n\n0 1 3 7\n1 1 4 7\n";
+  EXPECT_EQ(left_out_of(text), "left out: 1 column (4)");
+  Warnings warnings;
+  expect_grid(*grid(text, warnings), {0, 1}, {0, 1}, {{1, 2}, {3, 4}});
+  GridChoice choice;
+  choice.using_columns = {"1", "2", "4"};
+  const auto chosen = surfaces("0 0 1 7\n1 0 2 8\n\n0 1 3 9\n1 1 4 10\n", warnings, choice);
+  expect_grid(*chosen[0].heights, {0, 1}, {0, 1}, {{7, 8}, {9, 10}});
+}
+
+TEST(TableSurface, MeshesOfBlocks) {
+  Warnings warnings;
+  const auto found = surfaces("0 0 0\n1 0.1 1\n2 0.2 4\n\n0 1 0\n1 1.1 nan\n2 1.2 4\n", warnings);
+  ASSERT_EQ(found.size(), 1u);
+  ASSERT_TRUE(found[0].mesh);
+  const SurfacePoints& mesh = *found[0].mesh;
+  EXPECT_EQ(mesh.columns, 3u);
+  EXPECT_EQ(mesh.rows, 2u);
+  EXPECT_TRUE(mesh.parametric);
+  EXPECT_EQ(mesh.points[5], (Point3{2, 1.2, 4}));
+  EXPECT_TRUE(std::isnan(mesh.points[4].x)) << "a hole in all coordinates";
+  EXPECT_EQ(warnings.lines(), (std::vector<std::string>{"2 rows of a mesh whose x and y both vary"}));
+}
+
+TEST(TableSurface, PolygonsOfASolidAreNoMesh) {
+  // A tetrahedron.
+  const char* corners[] = {"0 0 0\n", "1 0 0\n", "0 1 0\n", "0 0 1\n"};
+  std::string text;
+  for (int left_out = 0; left_out < 4; ++left_out) {
+    for (int k = 0; k < 4; ++k) text += k == left_out ? "" : corners[k];
+    text += "\n";
+  }
+  EXPECT_EQ(
+      grid_error(text),
+      "M: has blocks that are the polygons of a solid, not scan lines of a surface: write them as OFF or OBJ, and draw "
+      "them with: ligne draw");
+}
+
+TEST(TableSurface, DataSetsAndTheirNumbers) {
+  const std::string text = "0 0 1\n1 0 2\n\n0 1 3\n1 1 4\n\n\n5 5 1\n6 5 2\n\n5 6 3\n6 6 4\n";
+  Warnings warnings;
+  const auto all = surfaces(text, warnings);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[1].heights->x(), (std::vector<double>{5, 6}));
+  GridChoice second;
+  second.data_set = 1;
+  EXPECT_EQ(surfaces(text, warnings, second)[0].heights->y(), (std::vector<double>{5, 6}));
+  second.data_set = 2;
+  EXPECT_EQ(error_line([&] { surfaces(text, warnings, second); }),
+            "M: has 2 data sets, numbered from 0, and none of number 2");
+}
+
+TEST(TableSurface, UnevenBlocksAreAGridWithHoles) {
+  Warnings warnings;
+  expect_grid(*grid("0 0 1\n1 0 2\n2 0 3\n\n0 1 4\n1 1 5\n", warnings), {0, 1, 2}, {0, 1}, {{1, 2, 3}, {4, 5, kNaN}});
+  EXPECT_EQ(warnings.lines(), (std::vector<std::string>{"2 blocks of different lengths: places without a point are holes"}));
+}
+
+TEST(TableSurface, SegmentsOfGmtAreBlocks) {
+  expect_grid(*grid("> a\n0 0 1\n1 0 2\n> b\n0 1 3\n1 1 4\n"), {0, 1}, {0, 1}, {{1, 2}, {3, 4}});
+}
+
+TEST(TableSurface, HeightsThatNoGroundHas) {
+  Warnings warnings;
+  expect_grid(*grid("1,2,3\n4,1.70141e+38,6\n", warnings), {0, 1, 2}, {0, 1}, {{1, 2, 3}, {4, kNaN, 6}});
+  EXPECT_EQ(warnings.counts().begin()->first, "heights beyond 1e30 taken for places without one");
+}
+
+TEST(TableSurface, EsriNoDataOfFewerDigits) {
+  const std::string head = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value ";
+  for (const char* data : {"-3.40282e+38\n1 2\n-3.4028234663852886e38 4\n", "-9999.9\n1 2\n-9999.900390625 4\n"}) {
+    EXPECT_TRUE(std::isnan(heights_of(*grid(head + data))[0][0])) << data;
+  }
+}
+
+}  // namespace
+}  // namespace ligne
