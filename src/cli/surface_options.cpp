@@ -59,6 +59,27 @@ void check_engines(const SurfaceOptions& options, const SurfaceRequest& request)
   }
 }
 
+/// How files of grids and tables are understood.
+void add_grid_options(OptionGroup& group, SurfaceRequest& request) {
+  group.add(
+      "--gridded", "N", request.gridded, [](const std::string& t) { return parse_count(t, 2, kMostCurves); },
+      "scattered points: sampled in N columns (default: the root of their number, 100 to 500)");
+  group.add_text(
+      "--using", "X:Y:Z|Z", [&request](const std::string& text) { request.using_columns = parse_columns(text); },
+      "grid, table: columns of the positions and heights, or of the heights alone: names, or numbers from 1");
+  group.add(
+      "--index", "N", request.data_set, [](const std::string& t) { return parse_count(t, 0, kMostDataSets); },
+      "grid: the data set that is drawn, from 0, of a text with two blank lines between them (default: all)");
+  group.add("--layout", "matrix|frame|columns", request.layout, parse_layout,
+            "grid, table: all numbers are heights; or the first row and column are positions; or columns are x, y and z "
+            "(default: as names, blank lines and numbers let see)");
+  group.add(
+      "--ground", "metres|degrees", request.ground, parse_ground,
+      "what the positions of a grid are: one unit with the heights, or degrees (default: as the file says or lets see)");
+  group.add("--max-slope", "S", request.max_slope, parse_positive,
+            "grid: cells are left out in which heights change by more than S for a unit of the ground");
+}
+
 void add_source_options(CLI::App& surface, SurfaceRequest& request) {
   add_arguments(surface, "EXPR", request.formulas, false, "formulas in x and y; also r and theta (polar), pi, e");
   OptionGroup group(surface, "Surface");
@@ -93,23 +114,7 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
       .add("--every", "N|auto", request.every, parse_every,
            "grid: a curve at every Nth row and column; auto: so that curves lie 1.5 widths of the pen apart")
       .standard("auto");
-  group.add(
-      "--gridded", "N", request.gridded, [](const std::string& t) { return parse_count(t, 2, kMostCurves); },
-      "scattered points: sampled in N columns (default: the root of their number, 100 to 500)");
-  group.add_text(
-      "--using", "X:Y:Z|Z", [&request](const std::string& text) { request.using_columns = parse_columns(text); },
-      "grid, table: columns of the positions and heights, or of the heights alone: names, or numbers from 1");
-  group.add(
-      "--index", "N", request.data_set, [](const std::string& t) { return parse_count(t, 0, kMostDataSets); },
-      "grid: the data set that is drawn, from 0, of a text with two blank lines between them (default: all)");
-  group.add("--layout", "matrix|frame|columns", request.layout, parse_layout,
-            "grid, table: all numbers are heights; or the first row and column are positions; or columns are x, y and z "
-            "(default: as names, blank lines and numbers let see)");
-  group.add(
-      "--ground", "metres|degrees", request.ground, parse_ground,
-      "what the positions of a grid are: one unit with the heights, or degrees (default: as the file says or lets see)");
-  group.add("--max-slope", "S", request.max_slope, parse_positive,
-            "grid: cells are left out in which heights change by more than S for a unit of the ground");
+  add_grid_options(group, request);
   group
       .add(
           "--lines", "x|y|xy|none", request.lines,

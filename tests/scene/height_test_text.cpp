@@ -68,7 +68,8 @@ TEST(TextGrid, Errors) {
   EXPECT_EQ(grid_error("nan,nan\nnan,nan\n"), "M: holds no height, only places without one (NODATA)");
   EXPECT_EQ(grid_error("1,2\n3,1e999\n"), "M:2: column 2: '1e999' is not a number");
   EXPECT_EQ(grid_error(std::string("1,2\n3,\0\n", 8)),
-            "M: not a grid file that is known (matrix as text, gnuplot, ESRI ASCII grid, PGM, PNG, GeoTIFF)");
+            "M: not a grid file that is known (tables as text, ESRI ASCII grid, PGM, PNG, GeoTIFF, Surfer, npy, netCDF, "
+            "MATLAB, JSON)");
   EXPECT_EQ(grid_error("1,2\n3,\x01\x80\n"), "M:2: column 2: '\\x01\\x80' is not a number");
   EXPECT_EQ(grid_error("\xFF\xFE"
                        "1"),

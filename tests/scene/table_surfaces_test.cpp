@@ -69,6 +69,13 @@ TEST(TableSurface, LongTablesOfAnyNames) {
       "positions and the height, --layout matrix that all are heights");
 }
 
+TEST(TableSurface, FieldsOfRowsAndColumns) {
+  Warnings warnings;
+  expect_grid(*grid("rownames,row,col,yield\n1,1,1,1\n2,1,2,2\n3,2,1,3\n4,2,2,4\n", warnings), {1, 2}, {1, 2},
+              {{1, 2}, {3, 4}});
+  EXPECT_EQ(warnings.left_out().text(), "left out: 1 column (rownames)");
+}
+
 TEST(TableSurface, NonuniformMatrix) {
   Warnings warnings;
   expect_grid(*grid("3 0 0.5 2\n10 1 2 3\n20 4 5 6\n", warnings), {0, 0.5, 2}, {10, 20}, {{1, 2, 3}, {4, 5, 6}});

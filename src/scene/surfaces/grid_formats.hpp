@@ -15,6 +15,7 @@
 #include "scene/model/diagnostics.hpp"
 #include "scene/surfaces/grid_surfaces.hpp"
 #include "scene/surfaces/height_source.hpp"
+#include "scene/tables/data_array.hpp"
 #include "scene/tables/table.hpp"
 
 namespace ligne {
@@ -54,6 +55,19 @@ std::unique_ptr<HeightSource> frame_of_names(const Table& table, RowRange rows, 
                                              const std::string& name, Warnings& warnings);
 /// gnuplot's "nonuniform matrix": the corner holds the number of the other columns.
 bool is_counted_frame(const Table& table, RowRange rows);
+
+/// Heights row by row over positions that ascend or descend. Throws InputError for others.
+std::unique_ptr<HeightSource> heights_over(std::vector<double> x, std::vector<double> y, std::vector<double> z,
+                                           const std::string& name);
+
+/// Named arrays: one of two dimensions with its positions, or three of one. See docs/data-formats.md.
+GridSurface surface_of_arrays(std::vector<DataArray> arrays, const std::string& name, const GridChoice& choice,
+                              Warnings& warnings);
+
+/// Grids of Surfer, as text and in two binary forms.
+bool is_surfer_grid(std::string_view bytes);
+std::unique_ptr<HeightSource> read_surfer_grid(std::span<const std::byte> bytes, const std::string& name,
+                                               Warnings& warnings);
 
 /// The scan lines of a mesh: blocks of equally many points.
 SurfacePoints mesh_of_blocks(const PointRows& rows, const std::string& name);

@@ -21,24 +21,6 @@ int direction_of(const std::vector<double>& at) {
   return up ? 1 : -1;
 }
 
-/// Heights over positions that ascend or descend, both of which are turned to ascend.
-std::unique_ptr<HeightSource> turned_heights(std::vector<double> x, std::vector<double> y, std::vector<double> z,
-                                             const std::string& name) {
-  SampleOrder order = SampleOrder::first_row_lowest(x.size());
-  const auto columns = static_cast<std::ptrdiff_t>(x.size()), rows = static_cast<std::ptrdiff_t>(y.size());
-  if (direction_of(x) < 0) {
-    std::reverse(x.begin(), x.end());
-    order.begin += columns - 1;
-    order.step_x = -1;
-  }
-  if (direction_of(y) < 0) {
-    std::reverse(y.begin(), y.end());
-    order.begin += (rows - 1) * order.step_y;
-    order.step_y = -order.step_y;
-  }
-  return held_heights(std::move(x), std::move(y), std::move(z), order, name);
-}
-
 /// Numbers, or those of months.
 std::vector<double> first_column(const Table& table, RowRange rows) {
   std::vector<double> at;
@@ -62,6 +44,23 @@ std::vector<double> heights_behind(const Table& table, RowRange rows, Warnings& 
 }
 
 }  // namespace
+
+std::unique_ptr<HeightSource> heights_over(std::vector<double> x, std::vector<double> y, std::vector<double> z,
+                                           const std::string& name) {
+  SampleOrder order = SampleOrder::first_row_lowest(x.size());
+  const auto columns = static_cast<std::ptrdiff_t>(x.size()), rows = static_cast<std::ptrdiff_t>(y.size());
+  if (direction_of(x) < 0) {
+    std::reverse(x.begin(), x.end());
+    order.begin += columns - 1;
+    order.step_x = -1;
+  }
+  if (direction_of(y) < 0) {
+    std::reverse(y.begin(), y.end());
+    order.begin += (rows - 1) * order.step_y;
+    order.step_y = -order.step_y;
+  }
+  return held_heights(std::move(x), std::move(y), std::move(z), order, name);
+}
 
 std::unique_ptr<HeightSource> matrix_of_rows(const Table& table, RowRange rows, const std::vector<std::size_t>& columns,
                                              const std::string& name, Warnings& warnings) {
@@ -91,7 +90,7 @@ std::unique_ptr<HeightSource> frame_of_rows(const Table& table, RowRange rows, c
   warnings.leave_out("head row", names_columns);
   warnings.leave_out("column of row names", names_rows);
   warnings.add("rows and columns of numbers taken for positions", !names_columns + !names_rows);
-  return turned_heights(std::move(x), std::move(y), std::move(z), name);
+  return heights_over(std::move(x), std::move(y), std::move(z), name);
 }
 
 std::unique_ptr<HeightSource> frame_of_names(const Table& table, RowRange rows, const std::vector<double>& positions,
@@ -100,7 +99,7 @@ std::unique_ptr<HeightSource> frame_of_names(const Table& table, RowRange rows, 
   if (rows.size() < 2 || direction_of(y) == 0) return nullptr;
   std::vector<double> z = heights_behind(table, rows, warnings);
   warnings.add("rows and columns of numbers taken for positions", 2);
-  return turned_heights(positions, std::move(y), std::move(z), name);
+  return heights_over(positions, std::move(y), std::move(z), name);
 }
 
 bool is_counted_frame(const Table& table, RowRange rows) {

@@ -13,6 +13,7 @@
 #include "scene/surfaces/held_heights.hpp"
 #include "scene/surfaces/thinned_heights.hpp"
 #include "scene/tables/cell_value.hpp"
+#include "scene/tables/unpack.hpp"
 
 namespace ligne {
 namespace {
@@ -27,16 +28,19 @@ char netpbm_kind(std::string_view chars) {
   return is_netpbm ? chars[1] : '\0';
 }
 
-/// TIFF in both byte orders and sizes, HDF5 and netCDF.
+#ifdef LIGNE_HAVE_GDAL
+constexpr bool kHasGdal = true;
+#else
+constexpr bool kHasGdal = false;
+#endif
+
+/// TIFF in both byte orders and sizes; HDF5, which is told by its name where GDAL is not in the build.
 bool is_for_gdal(std::string_view chars) {
-  static constexpr std::array<std::string_view, 7> kMarks{std::string_view("II*\0", 4),
-                                                          std::string_view("MM\0*", 4),
-                                                          std::string_view("II+\0", 4),
-                                                          std::string_view("MM\0+", 4),
-                                                          "\x89HDF",
-                                                          "CDF\x01",
-                                                          "CDF\x02"};
-  return std::any_of(kMarks.begin(), kMarks.end(), [&](std::string_view mark) { return chars.starts_with(mark); });
+  static constexpr std::array<std::string_view, 4> kMarks{std::string_view("II*\0", 4), std::string_view("MM\0*", 4),
+                                                          std::string_view("II+\0", 4), std::string_view("MM\0+", 4)};
+  const bool is_tiff =
+      std::any_of(kMarks.begin(), kMarks.end(), [&](std::string_view mark) { return chars.starts_with(mark); });
+  return is_tiff || (kHasGdal && chars.starts_with("\x89HDF"));
 }
 
 /// Positions as far apart as degrees of a grid of the earth are, and no more of them than there are on it.
@@ -64,6 +68,46 @@ void refuse_models(std::span<const std::byte> bytes, const std::string& name) {
     return;  // not a model
   }
   throw InputError(name, "is a model (" + format + "), not a grid of heights; draw it with: ligne draw");
+}
+
+/// A model as ZIP archive is no archive of a grid.
+std::optional<UnpackedFile> unpacked_grid(std::span<const std::byte> bytes, const std::string& name) {
+  const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (chars.starts_with("PK\x03\x04")) refuse_models(bytes, name);
+  return unpacked(bytes, name);
+}
+
+/// Pictures and grids with a mark of their own; null for other bytes.
+std::unique_ptr<HeightSource> read_picture(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                           const std::filesystem::path& file, InputFiles* opened, const GridChoice& choice) {
+  const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (chars.starts_with("\x89PNG")) return with_unit(read_png_grid(bytes, name, warnings, choice), GroundUnit::same);
+  if (const char kind = netpbm_kind(chars)) {
+    if (kind == '2' || kind == '5') return with_unit(read_pgm_grid(bytes, name, warnings, choice), GroundUnit::same);
+    throw InputError(name, std::string("is a Netpbm picture P") + kind + "; heights need a grey one, P2 or P5");
+  }
+  if (is_hgt_name(name)) return read_hgt_grid(bytes, name, warnings);
+  if (is_surfer_grid(chars)) return read_surfer_grid(bytes, name, warnings);
+  InputFiles unasked;
+  if (reads_tiff() && (chars.starts_with("II") || chars.starts_with("MM")) && is_for_gdal(chars))
+    return read_tiff_grid(bytes, name, warnings);
+  if (is_for_gdal(chars)) return read_gdal_grid(file, name, opened ? *opened : unasked);
+  return nullptr;
+}
+
+/// Files of named arrays; nothing for other bytes.
+std::optional<std::vector<DataArray>> read_arrays(std::span<const std::byte> bytes, const std::string& name,
+                                                  const GridChoice& choice, Warnings& warnings) {
+  const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (is_npy(chars)) return std::vector<DataArray>{read_npy(bytes, name)};
+  if (is_classic_netcdf(chars)) return read_netcdf(bytes, name, choice.data_set.value_or(0));
+  if (is_matlab(chars)) return read_matlab(bytes, name, warnings);
+  if (!may_be_json(chars)) return {};
+  // Models in JSON have a key of their own.
+  const bool is_model = chars.substr(0, kLookedAt).find("\"asset\"") != std::string_view::npos ||
+                        chars.substr(0, kLookedAt).find("\"format\"") != std::string_view::npos;
+  if (is_model) refuse_models(bytes, name);
+  return read_json_arrays(bytes, name, warnings);
 }
 
 /// The one surface of most formats.
@@ -105,23 +149,27 @@ std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const 
 
 std::vector<GridSurface> read_surfaces(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                        const std::filesystem::path& file, InputFiles* opened, const GridChoice& choice) {
-  const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (chars.empty()) throw InputError(name, "is empty");
-  if (chars.starts_with("\x89PNG")) return alone(with_unit(read_png_grid(bytes, name, warnings, choice), GroundUnit::same));
-  if (const char kind = netpbm_kind(chars)) {
-    if (kind == '2' || kind == '5') return alone(with_unit(read_pgm_grid(bytes, name, warnings, choice), GroundUnit::same));
-    throw InputError(name, std::string("is a Netpbm picture P") + kind + "; heights need a grey one, P2 or P5");
+  if (bytes.empty()) throw InputError(name, "is empty");
+  if (const std::optional<UnpackedFile> inner = unpacked_grid(bytes, name)) {
+    if (inner->bytes.empty()) throw InputError(name, "holds an empty file");
+    if (is_hgt_name(inner->name)) return alone(read_hgt_grid(inner->bytes, inner->name, warnings));
+    if (unpacked(inner->bytes, name)) throw InputError(name, "is an archive within an archive: unpack it");
+    return read_surfaces(inner->bytes, name, warnings, {}, nullptr, choice);
   }
-  if (is_hgt_name(name)) return alone(read_hgt_grid(bytes, name, warnings));
-  InputFiles unasked;
-  if (reads_tiff() && (chars.starts_with("II") || chars.starts_with("MM")) && is_for_gdal(chars))
-    return alone(read_tiff_grid(bytes, name, warnings));
-  if (is_for_gdal(chars)) return alone(read_gdal_grid(file, name, opened ? *opened : unasked));
-
+  if (auto heights = read_picture(bytes, name, warnings, file, opened, choice)) return alone(std::move(heights));
+  const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (auto arrays = read_arrays(bytes, name, choice, warnings)) {
+    std::vector<GridSurface> surfaces;
+    surfaces.push_back(surface_of_arrays(std::move(*arrays), name, choice, warnings));
+    return surfaces;
+  }
+  if (const auto stranger = data_stranger(chars)) throw InputError(name, *stranger);
   refuse_models(bytes, name);
   const bool is_utf16 = chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF");
   if (!is_utf16 && chars.substr(0, kLookedAt).find('\0') != std::string_view::npos) {
-    throw InputError(name, "not a grid file that is known (matrix as text, gnuplot, ESRI ASCII grid, PGM, PNG, GeoTIFF)");
+    throw InputError(name,
+                     "not a grid file that is known (tables as text, ESRI ASCII grid, PGM, PNG, GeoTIFF, Surfer, npy, "
+                     "netCDF, MATLAB, JSON)");
   }
   if (!is_esri_grid(as_text(bytes, name))) return read_text_surfaces(bytes, name, warnings, choice);
   std::unique_ptr<HeightSource> heights = read_esri_grid(bytes, name, warnings);

@@ -67,6 +67,7 @@ std::string plain_name(std::string_view name) {
 
 NamedColumns named_columns(const std::vector<std::string>& names) {
   NamedColumns found;
+  std::optional<std::size_t> row, column;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const std::string name = plain_name(names[k]);
     if (is_one_of(kX, name) && !found.x)
@@ -77,6 +78,15 @@ NamedColumns named_columns(const std::vector<std::string>& names) {
       found.z = k;
     else if (is_one_of(kLabels, name) && !found.label)
       found.label = k;
+    else if (name == "row" && !row)
+      row = k;
+    else if ((name == "col" || name == "column") && !column)
+      column = k;
+  }
+  // Plots of a field are numbered by row and column.
+  if (row && column && !found.x && !found.y) {
+    found.x = column;
+    found.y = row;
   }
   return found;
 }

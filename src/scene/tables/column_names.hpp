@@ -19,7 +19,8 @@ struct NamedColumns {
 /// "Elevation (m)", "elevation_m", "elevation [m]" become "elevation": small letters, without a unit.
 std::string plain_name(std::string_view name);
 
-/// Finds x, lon, easting ...; y, lat, northing ...; z, height, elevation ...; label, name, station ...: the first of each.
+/// Finds x, lon, easting ...; y, lat, northing ...; z, height, elevation ...; label, name, station ...: the
+/// first of each. Where nothing else says x and y, columns named col and row do.
 NamedColumns named_columns(const std::vector<std::string>& names);
 
 /// A name for the numbers of rows or for their names: nothing, "index", "id", "rownames", "Unnamed: 0".

@@ -1,0 +1,227 @@
+// What is found in a JSON document: rows of numbers; an object whose members are arrays, as a trace of plotly; columns; or
+// records. An object with "data" is a figure, or a table of pandas.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "files/message_text.hpp"
+#include "scene/readers/text_lines.hpp"
+#include "scene/tables/column_names.hpp"
+#include "scene/tables/data_array.hpp"
+
+namespace ligne {
+namespace {
+
+using Json = nlohmann::json;
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// Python writes NaN and Infinity, which JSON does not know.
+std::string with_nulls(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string && c == '\\' && i + 1 < text.size()) {
+      out += {c, text[++i]};
+      continue;
+    }
+    if (c == '"') in_string = !in_string;
+    bool is_word = false;
+    for (const std::string_view word : {"NaN", "-Infinity", "Infinity", "-NaN"}) {
+      if (in_string || is_word || (c != word[0]) || !text.substr(i).starts_with(word)) continue;
+      out += "null";
+      i += word.size() - 1;
+      is_word = true;
+    }
+    if (!is_word) out += c;
+  }
+  return out;
+}
+
+/// A number, a missing one, or nothing for words.
+std::optional<double> number_of(const Json& value) {
+  if (value.is_number()) {
+    const auto number = value.get<double>();
+    return std::isfinite(number) ? number : kMissing;
+  }
+  if (value.is_null()) return kMissing;
+  if (!value.is_string()) return {};
+  const CellValue cell = cell_value(value.get_ref<const std::string&>(), {});
+  return cell.kind == CellKind::word ? std::nullopt : std::optional(cell.value);
+}
+
+class JsonArrays {
+ public:
+  JsonArrays(const std::string& name, Warnings& warnings) : name_(name), warnings_(warnings) {}
+
+  std::vector<DataArray> read(const Json& document) {
+    const Json* root = &document;
+    if (is_geojson(document)) {
+      throw InputError(name_, "is GeoJSON, which is not read: ogr2ogr -f CSV OUT.csv IN -lco GEOMETRY=AS_XYZ");
+    }
+    if (root->is_object() && root->contains("data")) root = data_of(*root);
+    if (root->is_object()) take_object(*root);
+    if (root->is_array()) take_list(*root);
+    if (arrays_.empty())
+      throw InputError(name_,
+                       "is JSON without an array of numbers: [[...], [...]], or {\"x\": [...], \"y\": [...], \"z\": [...]}");
+    return std::move(arrays_);
+  }
+
+ private:
+  static bool is_geojson(const Json& document) {
+    return document.is_object() && document.contains("features") && document.contains("type");
+  }
+
+  /// A trace of a figure, or the object itself; tables of pandas are taken at once.
+  const Json* data_of(const Json& root) {
+    const Json& data = root["data"];
+    if (root.contains("columns") && root["columns"].is_array() && data.is_array()) {
+      take_rows(data, root["columns"]);
+      static const Json nothing;
+      return &nothing;
+    }
+    if (!data.is_array() || data.empty() || !data[0].is_object()) return data.is_structured() ? &data : &root;
+    const auto has_heights = [](const Json& trace) { return trace.is_object() && trace.contains("z"); };
+    const auto first = std::find_if(data.begin(), data.end(), has_heights);
+    if (first == data.end()) return &data;
+    const auto others = data.size() - 1;
+    warnings_.leave_out(others == 1 ? "trace" : "traces", others);
+    return &*first;
+  }
+
+  void take_object(const Json& object) {
+    for (const auto& [key, value] : object.items()) {
+      if (value.is_array()) {
+        if (!add_array(key, value)) left_out(key);
+      } else if (value.is_object()) {
+        add_column_of_object(key, value);
+      }
+    }
+  }
+
+  void left_out(const std::string& key) { warnings_.leave_out("member (" + printable(key) + ")"); }
+
+  void take_list(const Json& list) {
+    if (list.empty()) return;
+    if (!list[0].is_object()) {
+      if (!add_array("", list))
+        throw InputError(name_, "is a JSON list of something else than rows of numbers of one length");
+      return;
+    }
+    take_records(list);
+  }
+
+  /// [{"x": 1, "y": 2, "z": 3}, ...]
+  void take_records(const Json& list) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : list[0].items()) keys.push_back(key);
+    for (const std::string& key : keys) {
+      DataArray column{key, {list.size()}, {}};
+      bool is_numbers = true;
+      for (const Json& record : list) {
+        if (!record.is_object()) throw InputError(name_, "is a JSON list of records and of something else");
+        const auto found = record.find(key);
+        const std::optional<double> value = found == record.end() ? kMissing : number_of(*found);
+        is_numbers = is_numbers && value;
+        column.values.push_back(value.value_or(kMissing));
+      }
+      if (is_numbers)
+        arrays_.push_back(std::move(column));
+      else
+        left_out(key);
+    }
+  }
+
+  /// Rows of cells beneath names.
+  void take_rows(const Json& rows, const Json& names) {
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      DataArray column{names[k].is_string() ? names[k].get<std::string>() : names[k].dump(), {rows.size()}, {}};
+      bool is_numbers = true;
+      for (const Json& row : rows) {
+        if (!row.is_array() || row.size() != names.size())
+          throw InputError(name_, "is a JSON table whose rows are not as long as its columns");
+        const std::optional<double> value = number_of(row[k]);
+        is_numbers = is_numbers && value;
+        column.values.push_back(value.value_or(kMissing));
+      }
+      if (is_numbers)
+        arrays_.push_back(std::move(column));
+      else
+        left_out(column.name);
+    }
+  }
+
+  /// {"0": 1.5, "1": 2.5}, as pandas writes columns.
+  void add_column_of_object(const std::string& key, const Json& object) {
+    DataArray column{key, {object.size()}, {}};
+    // The members are ordered by their text: "10" comes before "2".
+    std::vector<std::pair<double, double>> values;
+    for (const auto& [row, cell] : object.items()) {
+      const std::optional<double> number = number_in(row), value = number_of(cell);
+      if (!number || !value) return left_out(key);
+      values.emplace_back(*number, *value);
+    }
+    std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [row, value] : values) column.values.push_back(value);
+    if (!column.values.empty()) arrays_.push_back(std::move(column));
+  }
+
+  /// False for what is no list of numbers and no list of lists of equally many.
+  bool add_array(const std::string& key, const Json& list) {
+    DataArray array{key, {list.size()}, {}};
+    if (list.empty()) return false;
+    if (list[0].is_array()) array.shape.push_back(list[0].size());
+    for (const Json& row : list) {
+      if (row.is_array() != (array.shape.size() == 2)) return false;
+      if (row.is_array() && row.size() != array.shape[1]) {
+        throw InputError(
+            name_, "has rows of " + std::to_string(array.shape[1]) + " and of " + std::to_string(row.size()) + " numbers");
+      }
+      if (!row.is_array() && !add_value(row, array)) return false;
+      if (!row.is_array()) continue;
+      for (const Json& value : row) {
+        if (!add_value(value, array)) return false;
+      }
+    }
+    arrays_.push_back(std::move(array));
+    return true;
+  }
+
+  static bool add_value(const Json& value, DataArray& array) {
+    const std::optional<double> number = number_of(value);
+    if (number) array.values.push_back(*number);
+    return number.has_value();
+  }
+
+  const std::string& name_;
+  Warnings& warnings_;
+  std::vector<DataArray> arrays_;
+};
+
+}  // namespace
+
+bool may_be_json(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && (text[begin] == '{' || text[begin] == '[');
+}
+
+std::vector<DataArray> read_json_arrays(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+  Json document;
+  try {
+    document = Json::parse(with_nulls(as_text(bytes, name)));
+  } catch (const Json::parse_error& error) {
+    throw InputError(name, "JSON: byte " + std::to_string(error.byte) + " is not what can stand there");
+  } catch (const Json::exception& error) {
+    throw InputError(name, std::string("JSON: ") + error.what());
+  }
+  return JsonArrays(name, warnings).read(document);
+}
+
+}  // namespace ligne

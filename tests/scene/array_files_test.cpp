@@ -1,0 +1,235 @@
+// Binary files of arrays, JSON, grids of Surfer and archives, made here byte by byte.
+
+#include <bit>
+#include <cstring>
+
+#include <zlib.h>
+
+#include "height_tools.hpp"
+
+namespace ligne {
+namespace {
+
+using namespace height_test;
+using namespace std::string_literals;
+
+const std::vector<std::vector<double>> kHeights{{1, 2, 3}, {4, 5, 6}};
+
+template <typename Number>
+std::string raw(Number value, std::endian order = std::endian::little) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+std::string big(std::uint32_t value) { return raw(value, std::endian::big); }
+
+GridSurface read(const std::string& text, Warnings& warnings, const GridChoice& choice = {}) {
+  auto surfaces = read_surfaces(reader_test::bytes_of(text), "M", warnings, {}, nullptr, choice);
+  EXPECT_EQ(surfaces.size(), 1u);
+  return std::move(surfaces[0]);
+}
+std::unique_ptr<HeightSource> heights(const std::string& text, const GridChoice& choice = {}) {
+  Warnings warnings;
+  return read(text, warnings, choice).heights;
+}
+std::string error_of(const std::string& text, const GridChoice& choice = {}) {
+  return error_line([&] { heights(text, choice); });
+}
+
+std::string npy(const std::string& descr, const std::string& shape, const std::string& data, char version = 1,
+                const std::string& order = "False") {
+  const std::string header = "{'descr': '" + descr + "', 'fortran_order': " + order + ", 'shape': (" + shape + "), }\n";
+  const std::string length =
+      version == 1 ? raw(static_cast<std::uint16_t>(header.size())) : raw(static_cast<std::uint32_t>(header.size()));
+  return std::string("\x93NUMPY") + version + '\0' + length + header + data;
+}
+
+template <typename Number>
+std::string numbers(std::initializer_list<double> values, std::endian order = std::endian::little) {
+  std::string bytes;
+  for (const double value : values) bytes += raw(static_cast<Number>(value), order);
+  return bytes;
+}
+
+TEST(Npy, TypesOrdersAndVersions) {
+  const auto expect = [](const std::string& text) { expect_grid(*heights(text), {0, 1, 2}, {0, 1}, kHeights); };
+  expect(npy("<f8", "2, 3", numbers<double>({1, 2, 3, 4, 5, 6})));
+  expect(npy(">f4", "2, 3", numbers<float>({1, 2, 3, 4, 5, 6}, std::endian::big), 2));
+  expect(npy("<i2", "2, 3,", numbers<std::int16_t>({1, 2, 3, 4, 5, 6}), 3));
+  expect(npy("|u1", "2, 3", numbers<std::uint8_t>({1, 2, 3, 4, 5, 6})));
+  expect(npy("<f2", "2, 3", numbers<std::uint16_t>({0x3c00, 0x4000, 0x4200, 0x4400, 0x4500, 0x4600})));
+  expect(npy("<i8", "2, 3", numbers<std::int64_t>({1, 4, 2, 5, 3, 6}), 1, "True"));
+  expect(npy("<i4", "1, 2, 3", numbers<std::int32_t>({1, 2, 3, 4, 5, 6})));
+}
+
+TEST(Npy, LayersPointsAndErrors) {
+  const std::string layers = npy("|u1", "2, 2, 3", numbers<std::uint8_t>({0, 0, 0, 0, 0, 9, 1, 2, 3, 4, 5, 6}));
+  Warnings warnings;
+  read(layers, warnings);
+  EXPECT_EQ(warnings.left_out().text(), "left out: 1 layers of its array");
+  GridChoice second;
+  second.data_set = 1;
+  expect_grid(*heights(layers, second), {0, 1, 2}, {0, 1}, kHeights);
+  second.data_set = 2;
+  EXPECT_NE(error_of(layers, second).find("has 2 layers"), std::string::npos);
+  const auto points = numbers<double>({0, 0, 1, 1, 0, 2, 0, 1, 3, 1, 1, 4});
+  expect_grid(*heights(npy("<f8", "4, 3", points)), {0, 1}, {0, 1}, {{1, 2}, {3, 4}});
+  EXPECT_EQ(error_of(npy("<f8", "2, 3", numbers<double>({1, 2}))),
+            "M: is truncated: it speaks of more than the 16 bytes that are left");
+  EXPECT_EQ(error_of(npy("<c16", "2, 3", "")),
+            "M: holds numpy's type 'c16'; heights are integers or floats of up to 64 bits");
+  EXPECT_EQ(error_of(npy("<f8", "9223372036854775807, 9223372036854775807", "")),
+            "M: is truncated: it speaks of more than the 0 bytes that are left");
+  EXPECT_EQ(error_of("\x93NUMPY"), "M: is truncated: the numpy header ends early");
+}
+
+/// A classic file with the coordinates lon and lat (descending), and z of two bytes with a scale and a fill value.
+std::string netcdf(char version) {
+  const auto name = [](const std::string& text) {
+    return big(static_cast<std::uint32_t>(text.size())) + text + std::string((4 - text.size() % 4) % 4, '\0');
+  };
+  const auto text_attribute = [&](const std::string& key, const std::string& value) {
+    return name(key) + big(2) + name(value);
+  };
+  const std::string dims = big(10) + big(2) + name("lat") + big(2) + name("lon") + big(3);
+  const auto offset = [&](std::uint32_t at) { return version == 1 ? big(at) : big(0) + big(at); };
+  const auto build = [&](std::uint32_t begin) {
+    std::string vars = big(11) + big(3);
+    vars += name("lat") + big(1) + big(0) + big(12) + big(1) + text_attribute("units", "degrees_north") + big(6) + big(16) +
+            offset(begin);
+    vars += name("lon") + big(1) + big(1) + big(12) + big(1) + text_attribute("units", "degrees_east") + big(5) + big(12) +
+            offset(begin + 16);
+    vars += name("z") + big(2) + big(0) + big(1) + big(12) + big(2) + name("scale_factor") + big(6) + big(1) +
+            raw(0.5, std::endian::big) + name("_FillValue") + big(3) + big(1) + raw(std::int16_t{-1}, std::endian::big) +
+            "\0\0"s + big(3) + big(12) + offset(begin + 28);
+    return "CDF"s + version + big(0) + dims + big(0) + big(0) + vars;
+  };
+  const std::string head = build(static_cast<std::uint32_t>(build(0).size()));
+  return head + numbers<double>({50, 40}, std::endian::big) + numbers<float>({5, 6, 7}, std::endian::big) +
+         numbers<std::int16_t>({8, 10, -1, 2, 4, 6}, std::endian::big);
+}
+
+TEST(Netcdf, CoordinatesScalesAndFillValues) {
+  for (const char version : {'\1', '\2'}) {
+    const auto source = heights(netcdf(version));
+    expect_grid(*source, {5, 6, 7}, {40, 50}, {{1, 2, 3}, {4, 5, kNaN}});
+    EXPECT_EQ(source->unit(), GroundUnit::degrees);
+  }
+  const std::string whole = netcdf('\1');
+  EXPECT_EQ(error_of(whole.substr(0, whole.size() - 4)), "M: is truncated: variable 'z' ends behind the end of the file");
+  for (std::size_t size = 4; size < whole.size(); size += 7) error_of(whole.substr(0, size));
+  GridChoice choice;
+  choice.using_columns = {"height"};
+  EXPECT_EQ(error_of(whole, choice), "M: has no array 'height': there are lat, lon, z");
+}
+
+std::string mat_element(std::uint32_t type, const std::string& data) {
+  return raw(type) + raw(static_cast<std::uint32_t>(data.size())) + data + std::string((8 - data.size() % 8) % 8, '\0');
+}
+std::string mat_matrix(const std::string& name, std::int32_t rows, std::int32_t columns, const std::string& data,
+                       std::uint32_t array_class = 6) {
+  return mat_element(14, mat_element(6, raw(array_class) + raw(std::uint32_t{0})) +
+                             mat_element(5, raw(rows) + raw(columns)) + mat_element(1, name) + mat_element(9, data));
+}
+std::string mat_head() {
+  std::string head = "MATLAB 5.0 MAT-file, by hand";
+  head.resize(124, ' ');
+  return head + raw(std::uint16_t{0x0100}) + "IM";
+}
+std::string deflated(const std::string& text, int window) {
+  z_stream stream{};
+  deflateInit2(&stream, 6, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY);
+  std::string out(text.size() + 1000, '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+TEST(Matlab, MatricesPlainAndCompressed) {
+  const std::string z = mat_matrix("dem", 2, 3, numbers<double>({1, 4, 2, 5, 3, 6}));
+  const std::string x = mat_matrix("X", 2, 3, numbers<double>({5, 5, 6, 6, 7, 7}));
+  const std::string y = mat_matrix("Y", 2, 3, numbers<double>({9, 8, 9, 8, 9, 8}));
+  expect_grid(*heights(mat_head() + z), {0, 1, 2}, {0, 1}, kHeights);
+  expect_grid(*heights(mat_head() + x + y + z), {5, 6, 7}, {8, 9}, {{4, 5, 6}, {1, 2, 3}});
+  const std::string packed = deflated(z, 15);
+  expect_grid(*heights(mat_head() + raw(std::uint32_t{15}) + raw(static_cast<std::uint32_t>(packed.size())) + packed),
+              {0, 1, 2}, {0, 1}, kHeights);
+  EXPECT_EQ(error_of(mat_head() + mat_matrix("s", 1, 1, "", 2)),
+            "M: is a MATLAB file without an array of numbers; left out: 1 struct (s): save them as plain matrices: "
+            "save('OUT.mat', 'z', 'x', 'y', '-v7')");
+  EXPECT_EQ(error_of(mat_head() + z.substr(0, 40)), "M: MATLAB file: is truncated");
+}
+
+TEST(JsonGrid, RowsTracesColumnsAndRecords) {
+  expect_grid(*heights("[[1, 2, 3], [4, 5, 6]]"), {0, 1, 2}, {0, 1}, kHeights);
+  expect_grid(*heights("[[1, NaN, null], [4, 5, \"6\"]]"), {0, 1, 2}, {0, 1}, {{1, kNaN, kNaN}, {4, 5, 6}});
+  expect_grid(*heights("{\"x\": [5, 6, 7], \"y\": [9, 8], \"z\": [[4, 5, 6], [1, 2, 3]], \"type\": \"surface\"}"), {5, 6, 7},
+              {8, 9}, kHeights);
+  expect_grid(*heights("{\"data\": [{\"z\": [[1, 2, 3], [4, 5, 6]]}], \"layout\": {}}"), {0, 1, 2}, {0, 1}, kHeights);
+  const std::vector<std::vector<double>> square{{1, 2}, {3, 4}};
+  expect_grid(*heights("{\"x\": [0, 1, 0, 1], \"y\": [0, 0, 1, 1], \"z\": [1, 2, 3, 4]}"), {0, 1}, {0, 1}, square);
+  expect_grid(
+      *heights("[{\"x\":0,\"y\":0,\"z\":1},{\"x\":1,\"y\":0,\"z\":2},{\"x\":0,\"y\":1,\"z\":3},{\"x\":1,\"y\":1,\"z\":4}]"),
+      {0, 1}, {0, 1}, square);
+  expect_grid(*heights("{\"columns\":[\"x\",\"y\",\"z\"],\"data\":[[0,0,1],[1,0,2],[0,1,3],[1,1,4]]}"), {0, 1}, {0, 1},
+              square);
+  EXPECT_EQ(error_of("[[1, 2], [3]]"), "M: has rows of 2 and of 1 numbers");
+  EXPECT_EQ(error_of("[[1, 2], [3"), "M: JSON: byte 12 is not what can stand there");
+  EXPECT_EQ(error_of("{\"a\": 1}"),
+            "M: is JSON without an array of numbers: [[...], [...]], or {\"x\": [...], \"y\": [...], \"z\": [...]}");
+  EXPECT_EQ(error_of("{\"type\": \"FeatureCollection\", \"features\": []}"),
+            "M: is GeoJSON, which is not read: ogr2ogr -f CSV OUT.csv IN -lco GEOMETRY=AS_XYZ");
+  EXPECT_NE(error_of(std::string(100'000, '[')).find("M: JSON"), std::string::npos);
+}
+
+TEST(JsonGrid, MeshesOfPositionsThatVary) {
+  Warnings warnings;
+  const GridSurface found =
+      read("{\"x\": [[0, 1], [0, 2]], \"y\": [[0, 0.1], [1, 1.5]], \"z\": [[1, 2], [3, 4]]}", warnings);
+  ASSERT_TRUE(found.mesh);
+  EXPECT_EQ(found.mesh->points[3], (Point3{2, 1.5, 4}));
+}
+
+TEST(Surfer, ThreeForms) {
+  const std::string text = "DSAA\n3 2\n5 7\n8 9\n1 6\n1 2 3\n4 5 1.70141e+38\n";
+  const std::vector<std::vector<double>> z{{1, 2, 3}, {4, 5, kNaN}};
+  expect_grid(*heights(text), {5, 6, 7}, {8, 9}, z);
+  const std::string dsbb = "DSBB" + numbers<std::int16_t>({3, 2}) + numbers<double>({5, 7, 8, 9, 1, 6}) +
+                           numbers<float>({1, 2, 3, 4, 5, 1.70141e38});
+  expect_grid(*heights(dsbb), {5, 6, 7}, {8, 9}, z);
+  const std::string dsrb = "DSRB" + numbers<std::uint32_t>({4, 1}) + "GRID" + numbers<std::uint32_t>({72, 2, 3}) +
+                           numbers<double>({5, 8, 1, 1, 1, 6, 0, 1.70141e38}) + "DATA" + numbers<std::uint32_t>({48}) +
+                           numbers<double>({1, 2, 3, 4, 5, 1.70141e38});
+  expect_grid(*heights(dsrb), {5, 6, 7}, {8, 9}, z);
+  EXPECT_EQ(error_of("DSAA\n3 2\n5 7\n8 9\n1 6\n1 2 3\n"), "M: ends after 3 of 6 heights");
+  EXPECT_EQ(error_of("DSAA\n30000 20000\n5 7\n"), "M:2: '20000' is not a number of cells, or more than the file can hold");
+  EXPECT_EQ(error_of(dsbb.substr(0, 70)), "M: is truncated: 3 x 2 heights do not fit into 14 bytes");
+}
+
+TEST(Archives, GzipOfAnyGridAndOthersByName) {
+  expect_grid(*heights(deflated("1,2,3\n4,5,6\n", 31)), {0, 1, 2}, {0, 1}, kHeights);
+  const std::string packed = deflated("1,2,3\n4,5,6\n", 31);
+  EXPECT_EQ(error_of(packed.substr(0, packed.size() - 9)), "M: is a truncated archive");
+  EXPECT_EQ(error_of(deflated(packed, 31)), "M: is an archive within an archive: unpack it");
+  for (const auto& [bytes, what] : std::map<std::string, std::string>{{"\x89HDF\r\n\x1a\n", "HDF5"},
+                                                                      {"PAR1", "Parquet"},
+                                                                      {"\xD0\xCF\x11\xE0", "Microsoft Office"},
+                                                                      {"RDX3\n", "file of R"},
+                                                                      {std::string("\xFD"
+                                                                                   "7zXZ\0",
+                                                                                   6),
+                                                                       "xz -d"},
+                                                                      {"BZh91AY", "bzip2 -d"},
+                                                                      {"GRIB", "GRIB"}}) {
+    EXPECT_NE(error_of(bytes + std::string(100, '\0')).find(what), std::string::npos) << what;
+  }
+}
+
+}  // namespace
+}  // namespace ligne
