@@ -26,10 +26,10 @@ struct Found {
   std::size_t count() const { return std::accumulate(creases.lines.begin(), creases.lines.end(), std::size_t{0}); }
 };
 
-inline Found find(Scene scene, double degrees = 30) {
+inline Found find(Scene scene, double degrees = 30, double surface_degrees = kSurfaceCreaseDegrees) {
   Found found{std::move(scene), {}, {}};
   found.topology = build_topology(found.scene);
-  found.creases = find_creases(found.scene, found.topology, {degrees});
+  found.creases = find_creases(found.scene, found.topology, {degrees, surface_degrees});
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
 #include "scene/patches/patch_finder.hpp"
+#include "scene/patches/patch_outlines.hpp"
 
 namespace ligne {
 namespace {
@@ -15,6 +16,7 @@ struct ObjectPatches {
   std::vector<Patch> patches;
   std::vector<std::uint32_t> patch_of;    ///< per face of the object
   std::vector<std::uint8_t> is_freeform;  ///< per face of the object
+  std::vector<FreeformBorder> borders;
 };
 
 ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Object& object,
@@ -23,11 +25,18 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
     const auto at = std::ranges::lower_bound(topology.edges, vertex, {}, &Edge::v0);
     return static_cast<std::uint32_t>(at - topology.edges.begin());
   };
-  const FacetGraph graph =
-      facet_graph(scene, topology, object, edge_at(object.vertex_begin), edge_at(object.vertex_end), normals);
+  const std::uint32_t edge_begin = edge_at(object.vertex_begin), edge_end = edge_at(object.vertex_end);
+  const FacetGraph graph = facet_graph(scene, topology, object, edge_begin, edge_end, normals);
+  const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
   ObjectPatches found;
   const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
-  const std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet);
+  std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet);
+  const std::vector<PatchOutline> outlines =
+      patch_outlines(scene, edges, object, graph, of_facet, found.patches.size(), freeform);
+  for (std::uint32_t f = 0; f < graph.size(); ++f) {
+    if (of_facet[f] != kNone && outlines[of_facet[f]].is_speck()) freeform[f] = 1;
+  }
+  found.borders = freeform_borders(scene, topology, graph, of_facet, found.patches, outlines, freeform);
   for (const std::uint32_t facet : graph.facet_of) {
     found.patch_of.push_back(of_facet[facet]);
     found.is_freeform.push_back(freeform[facet]);
@@ -52,6 +61,10 @@ Patches find_patches(const Scene& scene, const Topology& topology, std::span<con
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto first = static_cast<std::uint32_t>(found.list.size());
     const std::uint32_t begin = scene.objects[i].face_begin;
+    // Edges are in the order of their objects.
+    const auto first_chain = static_cast<std::uint32_t>(found.borders.size());
+    for (FreeformBorder& border : parts[i].borders) border.chain += first_chain;
+    found.borders.insert(found.borders.end(), parts[i].borders.begin(), parts[i].borders.end());
     found.list.insert(found.list.end(), parts[i].patches.begin(), parts[i].patches.end());
     for (std::uint32_t f = 0; f < parts[i].patch_of.size(); ++f) {
       if (parts[i].patch_of[f] != kNone) found.patch_of[begin + f] = first + parts[i].patch_of[f];

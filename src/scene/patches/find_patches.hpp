@@ -8,6 +8,7 @@
 
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
+#include "scene/patches/freeform_borders.hpp"
 #include "scene/patches/patch_surface.hpp"
 
 namespace ligne {
@@ -25,6 +26,7 @@ struct Patches {
   std::vector<std::uint32_t> patch_of;  ///< per face; kNone where no surface was found
   /// Per face 1 where it has no surface but bends against others as those of a smooth surface do (freeform.hpp).
   std::vector<std::uint8_t> is_freeform;
+  std::vector<FreeformBorder> borders;  ///< in ascending order of edges; chains are less than their number
 
   /// Unit normal of the surface of a face at p, or that of the face, `face_normal`, where none was found.
   Point3 normal(std::uint32_t face, const Point3& p, const Point3& face_normal) const;

@@ -16,6 +16,8 @@ constexpr double kParallelSine = 0.01, kEqualPart = 0.02;
 constexpr double kLeastRowSine = 0.01;
 /// Arcs of a facet that are compared with each other, at the most.
 constexpr std::size_t kMostRowArcs = 16;
+/// Facets of fewer corners are never planes by their depth: free forms have triangles of any shape.
+constexpr std::size_t kPlaneCorners = 4;
 
 /// A facet between two parallel edges that bend alike.
 struct RowFacet {
@@ -79,23 +81,48 @@ class RowFinder {
   const std::vector<std::uint32_t>& patch_of_;
 };
 
+/// How far a facet reaches away from the line of an edge.
+double depth_behind(const Scene& scene, const FacetGraph& graph, std::uint32_t f, const Edge& edge) {
+  const Point3& from = scene.vertices[edge.v0];
+  const Point3 along = glm::normalize(scene.vertices[edge.v1] - from);
+  double depth = 0;
+  for (const std::uint32_t v : graph.vertices[f])
+    depth = std::max(depth, glm::length(glm::cross(along, scene.vertices[v] - from)));
+  return depth;
+}
+
+/// Whether a facet of four corners or more is a plane beside narrow facets of fillets and free forms: it is much deeper than
+/// each of them.
+bool is_wide(const Scene& scene, const Topology& topology, const FacetGraph& graph, std::uint32_t f) {
+  if (graph.vertices[f].size() < kPlaneCorners) return false;
+  const auto arcs = graph.arcs_of(f);
+  return std::ranges::all_of(arcs, [&](const FacetGraph::Arc& arc) {
+    if (graph.is_plane[arc.facet] || graph.is_sliver[arc.facet]) return true;
+    const Edge& edge = topology.edges[arc.edge];
+    return depth_behind(scene, graph, f, edge) >= kPlaneDepths * depth_behind(scene, graph, arc.facet, edge);
+  });
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
                                           const std::vector<std::uint32_t>& patch_of) {
-  const auto is_free = [&](std::uint32_t f) { return patch_of[f] == kNone && !graph.is_plane[f] && !graph.is_sliver[f]; };
+  std::vector<std::uint8_t> is_free(graph.size());
+  for (std::uint32_t f = 0; f < graph.size(); ++f) {
+    is_free[f] = patch_of[f] == kNone && !graph.is_plane[f] && !graph.is_sliver[f] && !is_wide(scene, topology, graph, f);
+  }
   DisjointSets sets(graph.size());
   for (std::uint32_t f = 0; f < graph.size(); ++f) {
-    if (!is_free(f)) continue;
+    if (!is_free[f]) continue;
     for (const FacetGraph::Arc& arc : graph.arcs_of(f)) {
-      if (is_free(arc.facet)) sets.join(f, arc.facet);
+      if (is_free[arc.facet]) sets.join(f, arc.facet);
     }
   }
   std::vector<std::uint32_t> sizes(graph.size(), 0);
   for (std::uint32_t f = 0; f < graph.size(); ++f) ++sizes[sets.find(f)];
   std::vector<std::uint8_t> freeform = RowFinder(scene, topology, graph, patch_of).run();
   for (std::uint32_t f = 0; f < graph.size(); ++f) {
-    const bool is_region = is_free(f) && sizes[sets.find(f)] >= kFewestFreeform;
+    const bool is_region = is_free[f] && sizes[sets.find(f)] >= kFewestFreeform;
     const bool is_triangle = graph.vertices[f].size() == 3 && graph.faces[f].size() == 1;
     freeform[f] = patch_of[f] == kNone && (graph.is_sliver[f] || freeform[f] || is_region || is_triangle);
   }

@@ -14,6 +14,11 @@ namespace {
 
 /// Adjustable: surfaces that meet at the very angle make no edge, whatever the rounding.
 constexpr double kSlackDegrees = 0.01;
+/// Adjustable, radians: a free form that turns by less over its first facet is as flat as what it runs into. One runs into a
+/// surface when their normals differ by no more than the slack (1 degree) and this part of that turn.
+constexpr double kLeastTurn = 0.01, kTangentSlack = 0.0175, kTangentPart = 0.4;
+/// Adjustable: parts of a chain that say so for all of it to be of one kind, and that may speak against it.
+constexpr double kMostOfChain = 0.6, kLittleOfChain = 0.1;
 
 class EdgeClassifier {
  public:
@@ -25,7 +30,16 @@ class EdgeClassifier {
         patches_(patches),
         sharp_(sine_cosine_degrees(std::min(180.0, sharp_degrees + kSlackDegrees)).cosine),
         flat_(sine_cosine_degrees(kFlatBend).cosine),
-        bent_(sine_cosine_degrees(kLargestBend).cosine) {}
+        bent_(sine_cosine_degrees(kLargestBend).cosine),
+        chains_(patches.borders.size()) {
+    for (const FreeformBorder& border : patches.borders) {
+      Chain& chain = chains_[border.chain];
+      chain.length += border.length;
+      const PatchEdge kind = kind_of(border);
+      if (kind == PatchEdge::sharp) chain.sharp += border.length;
+      if (kind == PatchEdge::tangent) chain.tangent += border.length;
+    }
+  }
 
   PatchEdge operator()(std::size_t e) const {
     constexpr std::uint16_t kSpoken =
@@ -34,7 +48,9 @@ class EdgeClassifier {
     if (edge.face1 == kNone || (topology_.edge_flags[e] & kSpoken)) return PatchEdge::unknown;
     const std::uint32_t p = patches_.patch_of[edge.face0], q = patches_.patch_of[edge.face1];
     if (p != kNone && p == q) return PatchEdge::inside;
-    if (patches_.is_freeform[edge.face0] || patches_.is_freeform[edge.face1]) return PatchEdge::unknown;
+    const bool has_surfaces = p != kNone && q != kNone;
+    if (!has_surfaces && (patches_.is_freeform[edge.face0] || patches_.is_freeform[edge.face1]))
+      return border_of_freeform(e);
     const Point3 n0(normals_[edge.face0]), n1(normals_[edge.face1]);
     const double bend = glm::dot(n0, n1);
     if (bend < bent_ || bend > flat_) return PatchEdge::unknown;
@@ -45,7 +61,7 @@ class EdgeClassifier {
     }
     if (cosine <= sharp_) {
       // Strips of a free form, as those between meridians of a dish, lie on cylinders that meet at such angles.
-      const bool is_doubtful = (p != kNone && q != kNone) || (topology_.edge_flags[e] & kEdgeSmooth);
+      const bool is_doubtful = has_surfaces || (topology_.edge_flags[e] & kEdgeSmooth);
       return is_doubtful ? PatchEdge::unknown : PatchEdge::sharp;
     }
     if (p == kNone && q == kNone) return PatchEdge::unknown;
@@ -53,6 +69,29 @@ class EdgeClassifier {
   }
 
  private:
+  /// Lengths of a chain of borders of a free form.
+  struct Chain {
+    double length = 0, sharp = 0, tangent = 0;
+  };
+
+  PatchEdge kind_of(const FreeformBorder& border) const {
+    if (border.is_beside_band || border.is_fleck) return PatchEdge::unknown;
+    if (border.angle > kTangentSlack + kTangentPart * border.turn) {
+      return border.angle >= std::acos(sharp_) ? PatchEdge::sharp : PatchEdge::unknown;
+    }
+    return border.turn >= kLeastTurn && border.is_beside_plane ? PatchEdge::tangent : PatchEdge::unknown;
+  }
+
+  PatchEdge border_of_freeform(std::size_t e) const {
+    const auto border = std::ranges::lower_bound(patches_.borders, e, {}, &FreeformBorder::edge);
+    if (border == patches_.borders.end() || border->edge != e) return PatchEdge::unknown;
+    const Chain& chain = chains_[border->chain];
+    const double most = kMostOfChain * chain.length, little = kLittleOfChain * chain.length;
+    if (chain.tangent >= most && chain.sharp <= little) return PatchEdge::tangent;
+    const bool is_sharp = chain.sharp >= most && chain.tangent <= little && !(topology_.edge_flags[e] & kEdgeSmooth);
+    return is_sharp ? PatchEdge::sharp : PatchEdge::unknown;
+  }
+
   struct Bent {
     double across = 0, largest = 0;  ///< curvatures
   };
@@ -79,6 +118,7 @@ class EdgeClassifier {
   std::span<const glm::vec3> normals_;
   const Patches& patches_;
   double sharp_, flat_, bent_;  ///< cosines
+  std::vector<Chain> chains_;
 };
 
 }  // namespace

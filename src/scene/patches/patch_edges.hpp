@@ -11,10 +11,11 @@
 namespace ligne {
 
 enum class PatchEdge : std::uint8_t {
-  unknown,  ///< beside a free-form region, between faces that bend by more than one surface does, or of other than two faces
+  unknown,  ///< between free forms, beside one that tells nothing, of a bend larger than one surface makes, or of other
+            ///< than two faces
   inside,   ///< of one surface, or of two that run into each other and bend alike
   tangent,  ///< two surfaces, one of them curved, run into each other
-  sharp,    ///< two surfaces, one of them a plane, meet at an angle
+  sharp,    ///< two surfaces, one of them a plane or a free form, meet at an angle
 };
 
 /// Angle from which on surfaces that meet make an edge, in degrees. Taste: drawings of parts leave out flatter bends.
@@ -24,8 +25,9 @@ inline constexpr double kSurfaceCreaseDegrees = 10;
 /// part of the largest curvature of either: a fillet along a curve is made of several tori, and has no lines across. Taste.
 inline constexpr double kLikeCurvature = 0.1;
 
-/// Classifies the edges of the topology by the normals of the surfaces at both of their ends. Faces of no patch and no
-/// free-form region are planes. `normals` are those of face_normals().
+/// Classifies the edges of the topology by the normals of the surfaces at both of their ends, those of free forms continued
+/// to their borders (freeform_borders.hpp). Faces of no patch and no free-form region are planes. `normals` are those of
+/// face_normals().
 std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
                                             const Patches& patches, double sharp_degrees);
 

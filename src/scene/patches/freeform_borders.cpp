@@ -1,0 +1,244 @@
+#include "scene/patches/freeform_borders.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "geometry/degrees.hpp"
+#include "geometry/disjoint_sets.hpp"
+#include "scene/patches/find_patches.hpp"
+#include "scene/patches/freeform.hpp"
+#include "scene/patches/patch_edges.hpp"
+#include "scene/patches/patch_outlines.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable.
+/// Facets are looked at over so many arcs, and no more than so many; those beyond the first one's neighbours up to so many
+/// of its depths behind the edge.
+constexpr double kLookInDepths = 2.2;
+constexpr int kMostRings = 3;
+constexpr std::size_t kMostFacets = 24;
+/// Middles of facets that differ by less than this part of the depth of the first one say nothing of how the form turns.
+constexpr double kLeastSpread = 0.25;
+/// Corners of a plane that are looked at for its depth, at the most, evenly spread: thousands of edges may lie beside it.
+constexpr std::size_t kMostPlaneCorners = 64;
+/// Edges of a chain that may be a flaw of a smooth mesh, at the most.
+constexpr std::uint32_t kFleckEdges = 2;
+/// Least cosine between the edges of a chain: 45 degrees.
+constexpr double kChainCosine = 0.7;
+
+constexpr double kUnknownTurn = 2 * std::numbers::pi;
+
+double angle_between(const Point3& a, const Point3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
+class BorderFinder {
+ public:
+  BorderFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph,
+               std::span<const std::uint32_t> patch_of, std::span<const Patch> patches,
+               std::span<const PatchOutline> outlines, std::span<const std::uint8_t> is_freeform)
+      : scene_(scene),
+        topology_(topology),
+        graph_(graph),
+        patch_of_(patch_of),
+        patches_(patches),
+        outlines_(outlines),
+        is_freeform_(is_freeform),
+        reached_by_(graph.size(), kNone) {}
+
+  std::vector<FreeformBorder> run() {
+    for (std::uint32_t f = 0; f < graph_.size(); ++f) {
+      if (!is_freeform_[f] || graph_.is_sliver[f]) continue;
+      for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
+        if (!is_freeform_[arc.facet]) add(f, arc);
+      }
+    }
+    std::ranges::sort(found_, {}, &Found::edge);
+    number_chains();
+    return {found_.begin(), found_.end()};
+  }
+
+ private:
+  struct Found : FreeformBorder {
+    std::uint32_t facet = 0;   ///< of the free form
+    std::uint32_t beyond = 0;  ///< the facet, or the number of facets and the patch
+  };
+
+  /// How far the corners of a facet lie behind an edge.
+  struct Depths {
+    double low, high;
+    double middle() const { return (low + high) / 2; }
+  };
+
+  Depths depths(std::uint32_t f, const Point3& from, const Point3& inwards) const {
+    Depths d{1e300, -1e300};
+    for (const std::uint32_t v : graph_.vertices[f]) {
+      const double depth = glm::dot(scene_.vertices[v] - from, inwards);
+      d.low = std::min(d.low, depth);
+      d.high = std::max(d.high, depth);
+    }
+    return d;
+  }
+
+  /// Whether a plane beyond an edge is much deeper than the first facet of the free form.
+  bool is_deep(std::uint32_t plane, const Point3& from, const Point3& inwards, double first) const {
+    const auto corners = graph_.vertices[plane];
+    const std::size_t step = corners.size() / kMostPlaneCorners + 1;
+    for (std::size_t i = 0; i < corners.size(); i += step) {
+      if (glm::dot(scene_.vertices[corners[i]] - from, inwards) <= -kPlaneDepths * first) return true;
+    }
+    return false;
+  }
+
+  /// The free-form facets near f: f first, then its neighbours.
+  void reach(std::uint32_t f, std::uint32_t edge) {
+    facets_.assign(1, f);
+    reached_by_[f] = edge;
+    std::size_t next = 0;
+    for (int ring = 0; ring < kMostRings; ++ring) {
+      for (const std::size_t last = facets_.size(); next < last; ++next) {
+        for (const FacetGraph::Arc& arc : graph_.arcs_of(facets_[next])) {
+          if (!is_freeform_[arc.facet] || graph_.is_sliver[arc.facet] || reached_by_[arc.facet] == edge) continue;
+          if (facets_.size() >= kMostFacets) break;
+          reached_by_[arc.facet] = edge;
+          facets_.push_back(arc.facet);
+        }
+      }
+      if (ring == 0) near_ = facets_.size();
+    }
+  }
+
+  /// Unit normal at an edge, and how it changes per unit of the way behind it.
+  struct Continued {
+    Point3 normal, slope{0, 0, 0};
+  };
+
+  /// Least squares of the normals of the facets near f, each of which is that of the surface at the middle of its depths. A
+  /// facet alone is flat; where neighbours do not tell how the form turns, it may turn by
+  /// anything.
+  Continued continued(std::uint32_t f, std::uint32_t edge, const Point3& from, const Point3& inwards, double first) {
+    reach(f, edge);
+    double count = 0, sum = 0, squares = 0;
+    Point3 normals(0.0), products(0.0);
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+      const std::uint32_t g = facets_[i];
+      const double s = depths(g, from, inwards).middle();
+      if (s < 0 || (i >= near_ && s > kLookInDepths * first)) continue;
+      count += 1;
+      sum += s;
+      squares += s * s;
+      normals += graph_.frames[g].normal;
+      products += s * graph_.frames[g].normal;
+    }
+    const Continued none{graph_.frames[f].normal, facets_.size() > 1 ? kUnknownTurn / first * inwards : Point3(0, 0, 0)};
+    if (count == 0) return none;
+    const double spread = squares - sum * sum / count, least = kLeastSpread * first;
+    if (!(spread > least * least)) return none;
+    const Point3 slope = (products - sum / count * normals) / spread, begins = (normals - sum * slope) / count;
+    const double size = glm::length(begins);
+    return size > 0 ? Continued{begins / size, slope} : none;
+  }
+
+  /// Whether a facet meets all others at an angle.
+  bool stands_alone(std::uint32_t f) const {
+    return std::ranges::all_of(graph_.arcs_of(f), [&](const FacetGraph::Arc& arc) {
+      return glm::dot(graph_.frames[f].normal, graph_.frames[arc.facet].normal) <= edge_cosine_;
+    });
+  }
+
+  Point3 other_normal(std::uint32_t facet, const Point3& at) const {
+    const std::uint32_t p = patch_of_[facet];
+    if (p == kNone) return graph_.frames[facet].normal;
+    const Point3 normal = patches_[p].surface.normal(at);
+    return patches_[p].outward ? normal : -normal;
+  }
+
+  void add(std::uint32_t f, const FacetGraph::Arc& arc) {
+    const Point3 &from = scene_.vertices[topology_.edges[arc.edge].v0], &to = scene_.vertices[topology_.edges[arc.edge].v1];
+    const Point3& normal = graph_.frames[f].normal;
+    Point3 inwards = glm::cross(normal, to - from);
+    if (glm::dot(inwards, graph_.frames[f].middle - from) < 0) inwards = -inwards;
+    const double size = glm::length(inwards);
+    if (!(size > 0)) return;
+    inwards /= size;
+    const double first = depths(f, from, inwards).high;
+    const Continued free = continued(f, arc.edge, from, inwards, first);
+    const Point3 other = other_normal(arc.facet, 0.5 * (from + to));
+    Found border;
+    border.edge = arc.edge;
+    border.facet = f;
+    border.length = glm::distance(from, to);
+    border.turn = glm::length(free.slope) * first;
+    border.angle = angle_between(free.normal, other);
+    if (border.turn > 0) {
+      const Point3 way = free.slope / glm::length(free.slope);
+      const double gone = std::clamp(glm::dot(other - free.normal, way), 0.0, border.turn / 2);
+      border.angle = angle_between(glm::normalize(free.normal + gone * way), other);
+    }
+    const std::uint32_t patch = patch_of_[arc.facet];
+    border.is_beside_band = patch != kNone && outlines_[patch].is_band();
+    border.is_beside_plane = patch == kNone && is_deep(arc.facet, from, inwards, first);
+    border.beyond = patch == kNone ? arc.facet : static_cast<std::uint32_t>(graph_.size()) + patch;
+    found_.push_back(border);
+  }
+
+  void number_chains() {
+    struct End {
+      std::uint32_t vertex, beyond, border;
+      auto operator<=>(const End&) const = default;
+    };
+    std::vector<End> ends;
+    for (std::uint32_t i = 0; i < found_.size(); ++i) {
+      const Edge& edge = topology_.edges[found_[i].edge];
+      for (const std::uint32_t v : {edge.v0, edge.v1}) ends.push_back({v, found_[i].beyond, i});
+    }
+    std::ranges::sort(ends);
+    DisjointSets sets(found_.size());
+    for (std::size_t i = 0, last = 0; i < ends.size(); i = last) {
+      while (last < ends.size() && ends[last].vertex == ends[i].vertex && ends[last].beyond == ends[i].beyond) ++last;
+      if (last - i == 2 && goes_straight_on(ends[i].vertex, ends[i].border, ends[i + 1].border)) {
+        sets.join(ends[i].border, ends[i + 1].border);
+      }
+    }
+    std::vector<std::uint32_t> sizes(found_.size(), 0);
+    for (std::uint32_t i = 0; i < found_.size(); ++i) ++sizes[found_[i].chain = sets.find(i)];
+    for (Found& border : found_) {
+      border.is_fleck = border.turn == 0 && sizes[border.chain] <= kFleckEdges && !stands_alone(border.facet);
+    }
+  }
+
+  bool goes_straight_on(std::uint32_t vertex, std::uint32_t a, std::uint32_t b) const {
+    const auto away = [&](std::uint32_t border) {
+      const Edge& edge = topology_.edges[found_[border].edge];
+      return glm::normalize(scene_.vertices[edge.v0 == vertex ? edge.v1 : edge.v0] - scene_.vertices[vertex]);
+    };
+    return glm::dot(away(a), away(b)) <= -kChainCosine;
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const FacetGraph& graph_;
+  std::span<const std::uint32_t> patch_of_;
+  std::span<const Patch> patches_;
+  std::span<const PatchOutline> outlines_;
+  std::span<const std::uint8_t> is_freeform_;
+  std::vector<std::uint32_t> reached_by_;  ///< per facet: the edge from which it was reached last
+  std::vector<std::uint32_t> facets_;      ///< of reach()
+  std::size_t near_ = 0;                   ///< so many of them are f and its neighbours
+  std::vector<Found> found_;
+  const double edge_cosine_ = sine_cosine_degrees(kSurfaceCreaseDegrees).cosine;
+};
+
+}  // namespace
+
+std::vector<FreeformBorder> freeform_borders(const Scene& scene, const Topology& topology, const FacetGraph& graph,
+                                             std::span<const std::uint32_t> patch_of, std::span<const Patch> patches,
+                                             std::span<const PatchOutline> outlines,
+                                             std::span<const std::uint8_t> is_freeform) {
+  return BorderFinder(scene, topology, graph, patch_of, patches, outlines, is_freeform).run();
+}
+
+}  // namespace ligne

@@ -1,0 +1,36 @@
+#include "scene/patches/patch_outlines.hpp"
+
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "geometry/degrees.hpp"
+
+namespace ligne {
+
+std::vector<PatchOutline> patch_outlines(const Scene& scene, std::span<const Edge> edges, const Object& object,
+                                         const FacetGraph& graph, std::span<const std::uint32_t> patch_of,
+                                         std::size_t patch_count, std::span<const std::uint8_t> is_freeform) {
+  std::vector<PatchOutline> outlines(patch_count);
+  for (const std::uint32_t p : patch_of) {
+    if (p != kNone) ++outlines[p].facets;
+  }
+  const double smooth = sine_cosine_degrees(kLargestBend).cosine;
+  for (const Edge& edge : edges) {
+    if (edge.face1 == kNone) continue;
+    const std::uint32_t a = graph.facet_of[edge.face0 - object.face_begin],
+                        b = graph.facet_of[edge.face1 - object.face_begin];
+    if (patch_of[a] == patch_of[b]) continue;
+    const double length = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+    const bool is_smooth = glm::dot(graph.frames[a].normal, graph.frames[b].normal) >= smooth;
+    for (const auto& [here, there] : {std::pair{a, b}, std::pair{b, a}}) {
+      if (patch_of[here] == kNone) continue;
+      PatchOutline& outline = outlines[patch_of[here]];
+      outline.length += length;
+      if (is_smooth && is_freeform[there]) outline.into_freeform += length;
+      if (is_smooth && (is_freeform[there] || patch_of[there] != kNone)) outline.into_curved += length;
+    }
+  }
+  return outlines;
+}
+
+}  // namespace ligne

@@ -1,0 +1,69 @@
+/// Free forms between planes.
+
+#include "scene/patches/freeform_borders.hpp"
+
+#include <gtest/gtest.h>
+
+#include "patches/patch_scenes.hpp"
+
+namespace ligne {
+namespace {
+
+using namespace test;
+
+/// A quarter of an ellipse of two semi-axes, drawn along y in rows of triangles, with a plane of length 20 on both sides.
+/// The first one goes on from the ellipse at an angle, degrees; the other one is tangent.
+std::vector<Corners> rounded_edge(int facets, double wide, double high, double angle) {
+  std::vector<Corners> polygons;
+  const auto at = [&](int u, int v) {
+    const double t = kPi / 2 * u / facets;
+    return Point3(wide * std::sin(t), 3 * v, -high * (1 - std::cos(t)));
+  };
+  add_grid(polygons, facets, 4, true, at);
+  const double radians = angle * kPi / 180;
+  const Point3 back = 20.0 * Point3(-std::cos(radians), 0, -std::sin(radians)), down(0, 0, -20);
+  Corners first{at(0, 0) + back}, second{at(facets, 0) + down, at(facets, 4) + down};
+  for (int v = 0; v <= 4; ++v) {
+    first.push_back(at(0, v));
+    second.push_back(at(facets, 4 - v));
+  }
+  first.push_back(at(0, 4) + back);
+  polygons.push_back(first);
+  polygons.push_back(second);
+  return polygons;
+}
+
+/// Edges of a kind along y at a place of the profile.
+std::size_t count_at(const FoundPatches& found, PatchEdge kind, double x) {
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < found.edges.size(); ++e) {
+    const Point3 &a = found.scene.vertices[found.topology.edges[e].v0],
+                 &b = found.scene.vertices[found.topology.edges[e].v1];
+    count += found.edges[e] == kind && std::abs(a.x - x) < 1e-4 && std::abs(b.x - x) < 1e-4;
+  }
+  return count;
+}
+
+class EllipticFillets : public testing::TestWithParam<int> {};
+
+TEST_P(EllipticFillets, RunIntoThePlanesOnBothSides) {
+  const FoundPatches found(rounded_edge(GetParam(), 4, 2, 0));
+  EXPECT_EQ(count_at(found, PatchEdge::tangent, 0), 4u);
+  EXPECT_EQ(count_at(found, PatchEdge::tangent, 4), 4u);
+  EXPECT_EQ(found.count(PatchEdge::tangent), 8u);
+  EXPECT_EQ(found.count(PatchEdge::sharp), 0u);
+}
+
+TEST_P(EllipticFillets, MeetAPlaneAtAnAngle) {
+  // The plane rises from the ellipse by 20 degrees, less than facets of one surface may bend.
+  const FoundPatches found(rounded_edge(GetParam(), 4, 2, 20));
+  EXPECT_EQ(count_at(found, PatchEdge::sharp, 0), 4u);
+  EXPECT_EQ(count_at(found, PatchEdge::tangent, 4), 4u);
+  EXPECT_EQ(found.count(PatchEdge::sharp), 4u);
+  EXPECT_EQ(found.count(PatchEdge::tangent), 4u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Facets, EllipticFillets, testing::Values(8, 12, 24));
+
+}  // namespace
+}  // namespace ligne
