@@ -64,14 +64,14 @@ TEST(Style, SeparatorsAndDecimalMarks) {
                         Case{"1|2\n3|4\n", '|', false, '\0'}, Case{"1;2\n3;4\n", ';', false, '\0'},
                         Case{"1, 2\n3 ,4\n", ',', false, '\0'}, Case{"  1  2 \n\t3\t 4\n", ' ', false, '\0'}}) {
     SCOPED_TRACE(c.text);
-    const TextStyle style = text_style(c.text);
+    const CellStyle style = cell_style(c.text);
     EXPECT_EQ(style.separator, c.separator);
     EXPECT_EQ(style.numbers.decimal_comma, c.decimal_comma);
     EXPECT_EQ(style.numbers.thousands, c.thousands);
     EXPECT_FALSE(style.doubtful_comma);
   }
-  EXPECT_TRUE(text_style("1,234;2\n5,678;3\n").doubtful_comma);
-  EXPECT_FALSE(text_style("1,234;2.5\n5,678;3\n").doubtful_comma) << "the point is the decimal mark";
+  EXPECT_TRUE(cell_style("1,234;2\n5,678;3\n").doubtful_comma);
+  EXPECT_FALSE(cell_style("1,234;2.5\n5,678;3\n").doubtful_comma) << "the point is the decimal mark";
 }
 
 TEST(Style, CommentsAndQuotes) {

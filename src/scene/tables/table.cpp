@@ -25,7 +25,7 @@ class TableReader {
       : text_(text), name_(name), warnings_(warnings) {}
 
   Table read() {
-    table_.style_ = text_style(text_);
+    table_.style_ = cell_style(text_);
     read_lines();
     const std::size_t first = find_body();
     table_.values_.reserve(text_.size() / 8);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "scene/model/diagnostics.hpp"
-#include "scene/tables/text_style.hpp"
+#include "scene/tables/cell_style.hpp"
 
 namespace ligne {
 
@@ -53,11 +53,11 @@ class Table {
 
   /// The cells of a row as text.
   std::vector<std::string> cells(std::size_t row) const;
-  const TextStyle& style() const { return style_; }
+  const CellStyle& style() const { return style_; }
 
  private:
   friend class TableReader;
-  TextStyle style_;
+  CellStyle style_;
   std::vector<std::string> names_;
   bool has_quoted_names_ = false, names_from_comment_ = false, has_unnamed_first_ = false;
   std::vector<TableColumn> columns_;

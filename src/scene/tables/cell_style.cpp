@@ -2,7 +2,7 @@
 // equal ones the order of kSeparators, since a comma can be a decimal comma where semicolons separate, and tabs can stand
 // among the blanks of a table that is set by hand.
 
-#include "scene/tables/text_style.hpp"
+#include "scene/tables/cell_style.hpp"
 
 #include <algorithm>
 #include <array>
@@ -122,7 +122,7 @@ Evidence evidence_of(std::string_view text, char separator) {
   return found;
 }
 
-void decide_numbers(const Evidence& found, TextStyle& style) {
+void decide_numbers(const Evidence& found, CellStyle& style) {
   const CommaEvidence& commas = found.commas;
   NumberStyle& numbers = style.numbers;
   if (commas.decimal != commas.thousands) {
@@ -207,8 +207,8 @@ std::string_view without_comment(std::string_view line, char separator) {
   return row;
 }
 
-TextStyle text_style(std::string_view text) {
-  TextStyle style;
+CellStyle cell_style(std::string_view text) {
+  CellStyle style;
   Evidence best;
   double score = -1;
   for (const char separator : kSeparators) {

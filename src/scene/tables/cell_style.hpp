@@ -8,7 +8,7 @@
 
 namespace ligne {
 
-struct TextStyle {
+struct CellStyle {
   char separator = ' ';  ///< ';', ',', tab, '|', or a blank for any run of white space
   NumberStyle numbers;
   /// "1,234" can be read in two ways, and no number of the text says in which: `numbers` has the likelier.
@@ -29,6 +29,6 @@ std::string_view without_comment(std::string_view line, char separator);
 bool is_comment_line(std::string_view line);
 
 /// Decides by the first lines, for which separator most cells are numbers, and most lines have as many cells.
-TextStyle text_style(std::string_view text);
+CellStyle cell_style(std::string_view text);
 
 }  // namespace ligne
