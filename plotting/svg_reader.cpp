@@ -7,9 +7,9 @@
 #include <new>
 #include <stdexcept>
 
+#include "areas/endless_work.hpp"
 #include "files/input_error.hpp"
 #include "plotting/pens.hpp"
-#include "areas/endless_work.hpp"
 #include "plotting/svg/entities.hpp"
 #include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/reader.hpp"
@@ -60,12 +60,10 @@ void SvgReader::read_sheet(const pugi::xml_node& node) {
   }
 }
 
-/// Finds ids and style sheets.
-void SvgReader::survey(const pugi::xml_node& root) {
+void SvgReader::for_each_element(const pugi::xml_node& root, const std::function<void(const pugi::xml_node&)>& visit) {
   // Without recursion: the file may be nested as deep as it likes.
   for (pugi::xml_node node = root; node;) {
-    if (const pugi::xml_attribute id = node.attribute("id")) ids_.emplace(id.value(), node);
-    if (local_name(node) == "style") read_sheet(node);
+    if (node.type() == pugi::node_element) visit(node);
     if (node.first_child()) {
       node = node.first_child();
       continue;
@@ -73,6 +71,14 @@ void SvgReader::survey(const pugi::xml_node& root) {
     while (node && node != root && !node.next_sibling()) node = node.parent();
     node = node == root ? pugi::xml_node() : node.next_sibling();
   }
+}
+
+/// Finds ids and style sheets.
+void SvgReader::survey(const pugi::xml_node& root) {
+  for_each_element(root, [&](const pugi::xml_node& node) {
+    if (const pugi::xml_attribute id = node.attribute("id")) ids_.emplace(id.value(), node);
+    if (local_name(node) == "style") read_sheet(node);
+  });
 }
 
 /// The root of the document, with its entities and its namespaces resolved.
@@ -102,6 +108,7 @@ pugi::xml_node SvgReader::parse(pugi::xml_document& document) {
   if (root) use_plain_names(root);
   if (local_name(root) != "svg") throw InputError(file_, "is not an SVG");
   if (external > 0) leave_out("entities of other files", root);
+  if (text_.find("<?xml-stylesheet") != std::string_view::npos) leave_out("style sheets of other files", root);
   return root;
 }
 
@@ -110,6 +117,7 @@ ReadDrawing SvgReader::read() {
   const pugi::xml_node root = parse(document);
   survey(root);
   try {
+    apply_geometry_properties(root);
     Context context = place_page(root);
     if (enter(root, context)) walk_children(root, context);
   } catch (const std::invalid_argument& e) {

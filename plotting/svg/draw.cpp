@@ -243,6 +243,17 @@ bool SvgReader::draw_shape(std::string_view name, const pugi::xml_node& node, co
   return true;
 }
 
+/// Units of the element to one of its own measure of length, `pathLength` (SVG 2, 9.6.1).
+double SvgReader::units_of_path_length(const pugi::xml_node& node, Polylines lines, const Context& context) {
+  const double told = Attributes::has(node, "pathLength") ? attributes(context).along(node, "pathLength") : 0;
+  const std::optional<Matrix> back = context.to_mm.inverse();
+  if (!(told > 0) || !back) return 1;
+  for (Point2& p : lines.points) p = (*back)(p);
+  double length = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) length += path_length(lines[i]);
+  return length > 0 ? length / told : 1;
+}
+
 double SvgReader::stroke_width_mm(const Context& context) const {
   return context.style.stroke_width * (context.style.non_scaling ? mm_per_px() : context.to_mm.mean_stretch());
 }
@@ -251,7 +262,11 @@ void SvgReader::draw_stroke(const pugi::xml_node& node, Polylines lines, const C
   const Style& style = context.style;
   const Matrix& to_mm = context.to_mm;
   if (!style.dashes.empty()) {
-    lines = dashed(lines, style, to_mm, mm_per_px());
+    Style cut = style;
+    const double per_unit = units_of_path_length(node, lines, context);
+    for (double& dash : cut.dashes) dash *= per_unit;
+    cut.dash_offset *= per_unit;
+    lines = dashed(lines, cut, to_mm, mm_per_px());
   }
   add_lines(style.round_caps ? lines : without_dots(lines), context, color_of(*style.stroke, node),
             stroke_width_mm(context));

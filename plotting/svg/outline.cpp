@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "plotting/drawing_reader.hpp"
 #include "areas/endless_work.hpp"
+#include "plotting/drawing_reader.hpp"
 
 namespace ligne::svg {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 /// The walk over the tree of an SVG. Private to plotting: plotting/drawing_reader.hpp is for others.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -78,7 +79,10 @@ class SvgReader {
   /// Leaves an element out likewise, or fails with this cause where reading is strict.
   void omit(const std::string& kind, const pugi::xml_node& node, const std::string& cause);
   pugi::xml_node parse(pugi::xml_document& document);
+  static void for_each_element(const pugi::xml_node& root, const std::function<void(const pugi::xml_node&)>& visit);
   void survey(const pugi::xml_node& root);
+  void apply_geometry(pugi::xml_node node, const Declaration& declaration);
+  void apply_geometry_properties(const pugi::xml_node& root);
   void read_sheet(const pugi::xml_node& node);
   void note_paper(double width, double height);
   Attributes attributes(const Context& context) const { return {context.port, complaints_}; }
@@ -111,6 +115,7 @@ class SvgReader {
   void draw_marker(const pugi::xml_node& marker, const pugi::xml_node& node, const PathVertex& vertex, bool start,
                    const Context& context);
   double stroke_width_mm(const Context& context) const;
+  double units_of_path_length(const pugi::xml_node& node, Polylines lines, const Context& context);
   static FillRule fill_rule(const Context& context);
   void draw_rim(const Polylines& contours, const Context& context, const std::string& color);
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <optional>
 
-#include "files/message_text.hpp"
 #include "areas/endless_work.hpp"
+#include "files/message_text.hpp"
 #include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/style/css_text.hpp"
 #include "plotting/svg/values.hpp"

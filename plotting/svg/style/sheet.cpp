@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "files/message_text.hpp"
 #include "areas/endless_work.hpp"
+#include "files/message_text.hpp"
 #include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/values.hpp"
 
@@ -85,6 +85,12 @@ void StyleSheet::add_rules(std::string_view selectors, std::string_view body, co
     by_key_[key].push_back(static_cast<std::uint32_t>(rules_.size()));
     rules_.push_back(std::move(rule));
   }
+}
+
+bool StyleSheet::sets(std::string_view property) const {
+  return std::ranges::any_of(said_, [&](const std::vector<Declaration>& rule) {
+    return std::ranges::any_of(rule, [&](const Declaration& declaration) { return declaration.name == property; });
+  });
 }
 
 std::vector<const Declaration*> StyleSheet::of(const pugi::xml_node& node) const {

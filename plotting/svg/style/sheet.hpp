@@ -31,6 +31,8 @@ class StyleSheet {
   std::vector<const Declaration*> of(const pugi::xml_node& node) const;
 
   bool empty() const { return rules_.empty(); }
+  /// Whether any rule says something of the property.
+  bool sets(std::string_view property) const;
 
  private:
   struct Rule {

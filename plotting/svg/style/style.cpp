@@ -1,4 +1,5 @@
 #include "plotting/svg/style/style.hpp"
+#include "plotting/svg/style/placing.hpp"
 
 #include <algorithm>
 #include <map>
@@ -41,6 +42,8 @@ class StyleReader {
       complaints_.bad_value(name, node_, e.what());
     }
   }
+  /// Puts together what only all properties together say.
+  void finish() { style_.placing = together(placing_); }
 
  private:
   void set_known(std::string_view name, std::string_view value, bool is_attribute) {
@@ -67,11 +70,15 @@ class StyleReader {
       complaints_.refuse(name, node_);
     else if (name == "writing-mode")
       need_rows(value);
+    else if (changes_what_is_drawn(name, value, is_attribute))
+      fail_value(value, "can not be drawn");
   }
 
   bool set_of_place(std::string_view name, std::string_view value, bool is_attribute) {
     if (name == "transform")
-      style_.placing = transform(value, is_attribute ? nullptr : &port_);
+      placing_.transform = transform(value, is_attribute ? nullptr : &port_);
+    else if (!is_attribute && (name == "translate" || name == "rotate" || name == "scale"))
+      set_placing(placing_, name, value, port_);
     else if (name == "transform-origin")
       style_.origin = value;
     else if (name == "transform-box")
@@ -109,7 +116,7 @@ class StyleReader {
     else if (name == "stroke-linecap")
       style_.round_caps = value != "butt";
     else if (name == "vector-effect")
-      style_.non_scaling = value == "non-scaling-stroke";
+      set_vector_effect(value);
     else
       return false;
     return true;
@@ -168,6 +175,10 @@ class StyleReader {
     if (color == "currentColor") color = style_.color;
     target.reset();
     if (color || !server.empty()) target = Paint{color.value_or(""), server};
+  }
+  void set_vector_effect(std::string_view value) {
+    style_.non_scaling = value == "non-scaling-stroke";
+    if (!style_.non_scaling && value != "none") fail_value(value, "can not be drawn");
   }
   void set_stroke_width(double width) {
     if (width < 0) throw std::invalid_argument("a stroke is narrower than nothing");
@@ -272,6 +283,7 @@ class StyleReader {
   }
 
   bool none_ = false, clear_ = false;
+  Placing placing_;
   const pugi::xml_node& node_;
   Style& style_;
   const Viewport& port_;
@@ -308,7 +320,6 @@ std::vector<Said> all_said(const pugi::xml_node& node, const std::vector<const D
 Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, const Viewport& port,
                bool& displayed, const Complaints& complaints) {
   Style style = inherited;
-  style.placing.reset();
   style.origin.clear();
   style.origin_of_box = false;
   style.clip.clear();
@@ -336,6 +347,7 @@ Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSh
   for (const Said& said : all) {
     if (!is_first(said)) reader.set(said.name, said.value, said.is_attribute);
   }
+  reader.finish();
   return style;
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+/// Properties that place an element, and those that change it in ways that are not drawn. Private to plotting.
+
+#include <optional>
+#include <string_view>
+
+#include "plotting/svg/values.hpp"
+
+namespace ligne::svg {
+
+/// The transform of an element, and those that CSS tells one by one (CSS Transforms 2, 5).
+struct Placing {
+  std::optional<Matrix> translate{}, rotate{}, scale{}, transform{};
+};
+
+/// "translate: 3px 4px", "rotate: 30deg", "scale: 2"; throws std::invalid_argument for others, and where they leave the
+/// plane.
+void set_placing(Placing& placing, std::string_view name, std::string_view value, const Viewport& port);
+
+/// All of them, the transform first; nothing where there is none.
+std::optional<Matrix> together(const Placing& placing);
+
+/// Whether the property has a value that changes lines or letters in a way that is not drawn.
+bool changes_what_is_drawn(std::string_view name, std::string_view value, bool is_attribute);
+
+}  // namespace ligne::svg
