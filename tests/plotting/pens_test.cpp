@@ -80,6 +80,34 @@ TEST(Pens, LayersKeepTheirNames) {
   EXPECT_EQ(names_of(drawing_of(make_plot(once, request))), names_of(once)) << "and keep it";
 }
 
+/// Layers that are numbered for other pens do not change the pen that draws the rest.
+TEST(Pens, TheRestIsOnePenWhateverTheLayersAreNumbered) {
+  const Drawing drawing = layers_of({"1-Black", "2-Red"});
+  PlotRequest request;
+  add_pen(request.pens, "rest=1");
+  const Device& device = *find_device("grbl-servo");
+  const DeviceFrame frame = place_on_device(device, {}, ink_of(drawing), false);
+  request.paths.order.home = frame.to_page({0, 0});
+  request.paths.order.returns = device.returns;
+  const Plot plot = make_plot(drawing, request);
+  ASSERT_EQ(plot.pens.size(), 1u);
+  EXPECT_EQ(pen_changes(plot), 0u);
+  const std::string gcode = write_plot(plot, device, frame);
+  expect_no_parts(gcode, {"M0"});
+  const Replay machine = replay(device, gcode);
+  ASSERT_EQ(machine.strokes.size(), 2u);
+  EXPECT_TRUE(machine.pens.empty());
+  Point2 at{0, 0};
+  double raised = 0;
+  for (const std::vector<Point2>& stroke : machine.strokes) {
+    raised += glm::distance(at, stroke.front());
+    at = stroke.back();
+  }
+  raised += device.returns ? glm::distance(at, Point2{0, 0}) : 0;
+  EXPECT_NEAR(measure_in_turn(plot, frame.to_page({0, 0}), device.returns).up_mm, raised, 0.01)
+      << "the report is of the file";
+}
+
 TEST(Pens, WhatLayersSayOfPensIsDone) {
   const Drawing drawing = layers_of({"2+D250+S50 slow", "%3 note", "!2 again", "1"});
   const Plot plot = make_plot(drawing, {});
@@ -100,6 +128,40 @@ TEST(Pens, WhatLayersSayOfPensIsDone) {
   PlotRequest named;
   add_pen(named.pens, "%3 note=4");
   EXPECT_FALSE(make_plot(drawing, named).pens.back().pen.skip) << "who names it wants it";
+}
+
+/// A cutter cuts holes before what is round them, also where the order of the drawing would take less time.
+TEST(Plots, OfCuttersHaveHolesFirst) {
+  const Device& cutter = *find_device("cutter");
+  Drawing drawing;
+  drawing.layers.push_back({"1 red", {}});
+  const auto add_square = [&](Point2 at, double side) {
+    drawing.layers[0].lines.add(
+        std::vector<Point2>{at, at + Point2{side, 0}, at + Point2{side, side}, at + Point2{0, side}, at});
+  };
+  for (const double x : {5.0, 105.0}) {
+    add_square({x, 5}, 90);
+    add_square({x + 70, 20}, 10);
+    add_square({x + 70, 60}, 10);
+  }
+  for (const bool cuts : {true, false}) {
+    PlotRequest request;
+    request.paths.order.inside_first = cuts && cutter.inside_first;
+    const Plot plot = make_plot(drawing, request);
+    ASSERT_EQ(plot.pens.size(), 1u);
+    const Polylines& lines = plot.pens[0].lines;
+    ASSERT_EQ(lines.size(), 6u);
+    int outside_first = 0;
+    std::array<bool, 2> is_cut{};
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      Rect box;
+      for (const Point2 p : lines[i]) box.extend(p);
+      bool& outer = is_cut[box.min.x < 100 ? 0 : 1];
+      outside_first += outer;
+      outer |= box.width() > 50;
+    }
+    EXPECT_EQ(outside_first == 0, cuts) << "without a cutter the order comes about otherwise";
+  }
 }
 
 /// The time that a device takes never grows, whatever is drawn.
