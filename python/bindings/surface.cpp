@@ -22,7 +22,7 @@ namespace {
 constexpr std::string_view kUndersideNames[] = {"same", "apart", "none"}, kHiddenByNames[] = {"surface", "curves"},
                            kHorizonNames[] = {"exact", "pixels"}, kAxesStyleNames[] = {"back", "grid", "box", "base"},
                            kTextStyleNames[] = {"font", "stroke"};
-constexpr unsigned kMost = 1'000'000, kMostContours = 10'000, kResolution = 2000;
+constexpr unsigned kMost = 1'000'000, kResolution = 2000, kMostBands = 65'535;
 constexpr double kHighestTextMm = 1000;
 
 using Setter = std::function<void(SurfaceRequest&, const std::string& name, py::handle value)>;
@@ -105,6 +105,7 @@ const std::map<std::string, Setter, std::less<>>& setters() {
       {"using", text(parse_columns, LIGNE_FIELD(using_columns), ':')},
       {"index", text([](const std::string& t) { return parse_count(t, 0, kMostDataSets); }, LIGNE_FIELD(data_set))},
       {"layout", text(parse_layout, LIGNE_FIELD(layout))},
+      {"band", text([](const std::string& t) { return parse_count(t, 1, kMostBands); }, LIGNE_FIELD(band))},
       {"ground", text(parse_ground, LIGNE_FIELD(ground))},
       {"max-slope", text(parse_positive, LIGNE_FIELD(max_slope))},
       {"aspect", text(parse_aspect, LIGNE_FIELD(aspect), ':')},
@@ -125,8 +126,8 @@ const std::map<std::string, Setter, std::less<>>& setters() {
          if (parse_choice(text_of(name, value), kHorizonNames) == 1) s.pixel_columns = s.pixel_columns.value_or(kResolution);
        }},
       {"resolution", text(count, LIGNE_FIELD(pixel_columns))},
-      {"contours",
-       text([](const std::string& t) { return parse_count(t, 1, kMostContours); }, LIGNE_FIELD(curves.contours))},
+      {"contours", [](SurfaceRequest& s, const std::string& name,
+                      py::handle value) { parse_contours(text_of(name, value) + (is_sequence(value) ? "," : ""), s.curves); }},
       {"contour-step", text(parse_positive, LIGNE_FIELD(curves.contour_step))},
       {"contours-base", flag_or_value(LIGNE_FIELD(curves.contours_base), LIGNE_FIELD(curves.contour_base))},
       {"outline",

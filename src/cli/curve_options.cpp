@@ -2,11 +2,10 @@
 
 #include "cli/options.hpp"
 #include "picture/parse/parse.hpp"
+#include "picture/parse/parse_terrain.hpp"
 
 namespace ligne {
 namespace {
-
-constexpr unsigned kMostContours = 10'000;
 
 /// One of the words, in their order.
 template <class Enum, std::size_t N>
@@ -21,9 +20,10 @@ constexpr std::string_view kOutlineNames[] = {"off", "on"}, kUndersideNames[] = 
 
 void add_curve_options(CLI::App& app, CurveRequest& request) {
   OptionGroup group(app, "Curves");
-  group.add(
-      "--contours", "N", request.contours, [](const std::string& t) { return parse_count(t, 1, kMostContours); },
-      "N contour lines on the surface, at equal distances in height");
+  group.add_text(
+      "--contours", "N|N:even|Z,...", [&request](const std::string& text) { parse_contours(text, request); },
+      "about N contour lines on the surface, at round heights; N:even: exactly N, at equal distances; or at the heights Z "
+      "(one: Z,)");
   group.add("--contour-step", "DZ", request.contour_step, parse_positive, "or contour lines at all multiples of DZ");
   group.add_flag_or_value(
       "--contours-base", "[Z]",

@@ -23,7 +23,8 @@
 namespace ligne {
 namespace {
 
-constexpr unsigned kMostSamples = 1'000'000, kHighestResolution = 1'000'000, kResolution = 2000;
+constexpr unsigned kMostSamples = 1'000'000, kHighestResolution = 1'000'000, kResolution = 2000,
+                   kMostBands = 65535;  // a TIFF has no more
 
 constexpr const char* kSurfaceExamples = R"help(Examples:
   ligne surface "sin(r)/r" -x -12:12:60 -y -12:12:60 -o sombrero.svg
@@ -73,6 +74,11 @@ void add_grid_options(OptionGroup& group, SurfaceRequest& request) {
   group.add("--layout", "matrix|frame|columns", request.layout, parse_layout,
             "grid, table: all numbers are heights; or the first row and column are positions; or columns are x, y and z "
             "(default: as names, blank lines and numbers let see)");
+  group
+      .add(
+          "--band", "N", request.band, [](const std::string& t) { return parse_count(t, 1, kMostBands); },
+          "grid: the band of a GeoTIFF, or of another raster, that has the heights")
+      .standard("1");
   group.add(
       "--ground", "metres|degrees", request.ground, parse_ground,
       "what the positions of a grid are: one unit with the heights, or degrees (default: as the file says or lets see)");

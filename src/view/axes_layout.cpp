@@ -116,7 +116,7 @@ class Layout {
     const AxisRequest& axis = request_.axes[edge.axis];
     std::vector<PlacedTick> placed;
     for (const Tick& tick : ticks) {
-      const Point3 at = model_point(edge, tick.at * axis.factor);
+      const Point3 at = model_point(edge, axis.model_coordinate(tick.at));
       PlacedTick p;
       p.at = page_point(view_, at);
       if (!holds(view_.window, p.at)) continue;
@@ -157,7 +157,8 @@ class Layout {
       }
       if (apart) {
         for (const Tick& tick : ticks) {
-          if (is_off_edges(edge, tick.at * axis.factor)) grid_[edge.axis].push_back(tick.at * axis.factor);
+          const double at = axis.model_coordinate(tick.at);
+          if (is_off_edges(edge, at)) grid_[edge.axis].push_back(at);
         }
         return placed;
       }
@@ -283,8 +284,8 @@ class Layout {
 AxesBox AxesRequest::box() const {
   AxesBox box;
   for (int k = 0; k < 3; ++k) {
-    box.low[k] = axes[k].from * axes[k].factor;
-    box.high[k] = axes[k].to * axes[k].factor;
+    box.low[k] = axes[k].model_coordinate(axes[k].from);
+    box.high[k] = axes[k].model_coordinate(axes[k].to);
   }
   return box;
 }

@@ -22,10 +22,13 @@ enum class AxesStyle {
 
 struct AxisRequest {
   double from = 0, to = 1;  ///< as the ticks say it
-  double factor = 1;        ///< model coordinate of 1, > 0
+  double factor = 1;        ///< model units for one unit of the ticks, > 0
+  double origin = 0;        ///< the tick at the model coordinate 0
   std::string name;
   TickScale scale = TickScale::linear;
   std::vector<std::string> categories{};  ///< names of 0, 1, 2 ...; empty: numbers
+
+  double model_coordinate(double tick) const { return (tick - origin) * factor; }
 };
 
 struct AxesRequest {

@@ -120,6 +120,7 @@ inline constexpr OptionRow kSurfaceRows[] = {
     {"--samples", "3"},
     {"--every", "4", "--grid grid.asc"},
     {"--gridded", "9", "--grid scattered.csv"},
+    {"--band", "2", "--grid bands.tif"},
     {"--ground", "degrees", "--grid grid.asc", kEveryFormat, kOfTheScene},
     {"--using", "2:1:3", "--grid table.csv"},
     {"--index", "1", "--grid sets.dat"},

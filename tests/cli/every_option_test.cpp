@@ -7,6 +7,7 @@
 #include "every_option_rows.hpp"
 #include "main/tier.hpp"
 #include "program.hpp"
+#include "scene/tiff_builder.hpp"
 
 namespace ligne::test {
 namespace {
@@ -85,6 +86,8 @@ class EveryOption : public ProgramTest {
     write("scattered.csv", scattered);
     write("table.csv", "x,y,z\n0,0,1\n1,0,2\n2,0,2\n0,1,3\n1,1,4\n2,1,9\n");
     write("sets.dat", "0 0 1\n1 0 2\n\n0 1 3\n1 1 4\n\n\n5 5 1\n6 5 2\n\n5 6 3\n6 6 9\n");
+    const std::vector<float> bands{1, 4, 2, 1, 3, 5, 4, 2, 5, 9, 1, 3, 2, 2, 8, 1, 1, 7};
+    write("bands.tif", height_test::TiffBuilder(3, 3, bands, 3, 2).bytes());
     write("own.toml", contents(std::filesystem::path(LIGNE_SOURCE_DIR) / "plotting/devices/hp7470a.toml"));
     run("draw scene.json --lines 32 --page 60x60 --zbuffer-save kept.zb -o kept.svg");
     std::filesystem::remove(file("kept.svg"));

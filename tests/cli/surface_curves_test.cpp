@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <numbers>
+#include <regex>
 
 #include "surface_program.hpp"
 
@@ -36,6 +37,25 @@ TEST_F(CurvesTest, ACurveOnTheSurfaceIsSeenWhereItIs) {
     EXPECT_NEAR(lengths({formula, "--curve", "3*cos(t)", "3*sin(t)", "surface"})["curve"], round, 0.02) << formula;
   }
   EXPECT_NEAR(lengths("x --curve t 0 surface -t -20:20")["curve"], 80, 0.02) << "not beside it";
+}
+
+TEST_F(CurvesTest, WhatLeavesTheRangesEndsAtTheBox) {
+  const std::vector<std::string> line{"x/10", "--curve", "t", "0", "9", "-t", "-20:20"};
+  const Outcome ended = map(line);
+  expect_parts(ended.err, {"1 curves leave the ranges of -x, -y or --z-range: they end at the box"});
+  write("far.txt", "1,1,2,Near\n70,1,2,Far\n");
+  const Outcome points = map({"0*x", "--points", "far.txt"});
+  expect_parts(points.err, {"1 points lie outside the ranges of -x, -y or --z-range: they are left out"});
+  expect_parts(points.out, {">Near</text>"});
+  expect_no_parts(points.out, {">Far</text>"});
+  // Without ranges the axes become wider, and the page holds the curve.
+  const auto free = [&](const std::vector<std::string>& more) {
+    return surface({"x/10", "--curve", "9*cos(t)", "9*sin(t)", "3", "-o", "-", "--format", "svg"}, more);
+  };
+  const Outcome axes = free({"--axes"});
+  EXPECT_EQ(axes.err, "");
+  expect_parts(axes.out, {">8</text>", ">\u22128</text>", ">3</text>"});
+  EXPECT_EQ(free({}).err, "");
 }
 
 TEST_F(CurvesTest, PointsThatAreHiddenHaveNoMark) {
@@ -258,6 +278,37 @@ TEST_F(TerrainTest, RidgelinesStopAtTheShore) {
   };
   EXPECT_EQ(strokes("-o - --format svg"), 11u);
   EXPECT_EQ(strokes("--water 2 -o - --format svg"), 22u) << "a shore on either side";
+}
+
+TEST_F(TerrainTest, AxesOfRidgelinesSayTruePositions) {
+  const auto drawn = [&](const std::vector<std::string>& more) {
+    return surface({"sin(x)+0.1*y", "-x", "-6:6", "-y", "0:10:20", "--ridgeline", "-o", "-", "--format", "svg"}, more).out;
+  };
+  for (const char* style : {"--axes", "--axes=box", "--axes=base", "--axes=grid"}) {
+    const std::string out = drawn({style});
+    expect_parts(out, {">−6</text>", ">−2</text>", ">6</text>", ">10</text>", ">7</text>", ">1.5</text>"});
+    expect_no_parts(out, {">0.35</text>", ">1.2</text>", ">0.9</text>"});
+    // Lines of the axes that no longer path holds: ticks, and lines of the grid over the last row.
+    const std::string axes = out.substr(out.find("id=\"axes\""));
+    const std::regex straight("<path d=\"M(\\S+) (\\S+)l(\\S+) (\\S+)\"/>");
+    for (std::sregex_iterator line(axes.begin(), axes.end(), straight), end; line != end; ++line) {
+      const double dx = std::stod((*line)[3]), y = std::stod((*line)[2]);
+      if (std::abs(dx) < 100) continue;
+      EXPECT_TRUE(y > 230 || y < 90 || style == std::string("--axes=grid")) << style << ": crosses the rows at " << y;
+    }
+  }
+  EXPECT_EQ(layers({"x*0", "-x", "0:9", "-y", "0:1:4", "--ridgeline", "--axes"}).count("axes"), 1u) << "flat rows";
+}
+
+TEST_F(TerrainTest, UnevenRowsOfRidgelinesStandAtTheirPositions) {
+  write("rows.csv", ",0,1,2\n0,5,5,5\n1,5,5,5\n10,5,5,6\n");
+  const std::string out = surface({"--grid", "rows.csv", "--ridgeline", "1"}, {"-o", "-", "--format", "svg"}).out;
+  std::vector<double> y;
+  const std::regex path("<path d=\"M\\S+ (\\S+)l");
+  for (std::sregex_iterator line(out.begin(), out.end(), path), end; line != end; ++line) y.push_back(std::stod((*line)[1]));
+  ASSERT_EQ(y.size(), 3u);
+  std::sort(y.begin(), y.end());
+  EXPECT_NEAR((y[1] - y[0]) / (y[2] - y[1]), 9, 0.01);
 }
 
 /// How long the axes of `ligne surface` are, and how they count.

@@ -56,6 +56,7 @@ std::optional<AxesRequest> request_of(const AxesChoice& choice, const std::optio
     request.axes[k].from = box.low[k];
     request.axes[k].to = box.high[k];
     request.axes[k].factor = plot->factor[k];
+    request.axes[k].origin = plot->origin[k];
     request.axes[k].scale = plot->scales[k];
     request.axes[k].categories = choice.categories[k];
   }

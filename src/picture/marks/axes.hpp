@@ -23,12 +23,15 @@ struct Surroundings {
   std::vector<TextItem> texts;  ///< of the axes, of the map's signs, and the title
 };
 
-/// What the axes measure: the box before scaling, what its coordinates are multiplied by, and how the axes count.
+/// What the axes measure: the box before scaling, how the model's coordinates follow from its own, and how the axes count.
 struct PlotBox {
   AxesBox box;
   Point3 factor{1, 1, 1};
   std::array<TickScale, 3> scales{};
   GroundUnit unit = GroundUnit::unknown;
+  Point3 origin{0, 0, 0};  ///< subtracted from coordinates before they are scaled
+
+  AxesBox in_model() const { return {(box.low - origin) * factor, (box.high - origin) * factor}; }
 };
 
 /// Height of capitals of the numbers and names. Throws RequestError.

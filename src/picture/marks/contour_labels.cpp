@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -22,11 +23,21 @@ namespace {
 
 // Adjustable, in heights of capitals.
 constexpr double kGapBeside = 0.5, kGapAbove = 0.3;  ///< white round a label
+constexpr double kHalo = 0.15;                       ///< round a label on coloured areas
 constexpr double kMostBend = 0.3;                    ///< how far the line leaves the middle of its label
 constexpr double kTrials = 0.5;                      ///< distance of the places that are tried
 constexpr double kLeastLine = 3;                     ///< in lengths of the label: shorter lines have none
+/// A label may differ from its height by this part of the step between heights: a fiftieth of what the eye tells apart.
+constexpr double kLabelError = 0.005;
+/// Heights with more digits behind the point, or larger ones, are written with a power of ten.
+constexpr int kMostLabelDigits = 9;
+constexpr double kLongestPlainHeight = 1e10;
+/// Labels no farther apart than this, in heights of capitals, that lie along each other up to so many degrees are read in
+/// one direction, as long as none stands on its head: steep ones may lean beyond upright by this much.
+constexpr double kNeighbourReach = 20, kAlongDegrees = 40, kBeyondUpright = 25;
 // Costs, in bends.
 constexpr double kSteepCost = 0.15, kOffMiddleCost = 0.1, kCrossedCost = 1;
+constexpr double kFrameCost = 10;  ///< for a line that stays, such as the box's, in place of kCrossedCost
 
 Rect bounds(const TextBox& box) {
   Rect rect;
@@ -51,12 +62,19 @@ std::optional<std::array<double, 2>> inside(const TextBox& box, Point2 a, Point2
   return std::array<double, 2>{from, to};
 }
 
-/// A contour line with its length up to each point.
+/// Layers through which labels make no gap: the shape itself, and what stands round the picture.
+bool gives_way(const Layer& layer) {
+  constexpr std::string_view kStay[] = {"outline", "border", "intersection", "axes", "text"};
+  return std::find(std::begin(kStay), std::end(kStay), layer.name) == std::end(kStay);
+}
+
+/// A contour line, or one that stays, with its length up to each point.
 struct Line {
   std::span<const Point2> points;
   std::vector<double> at;
   double height = 0;
   bool labelled = false;
+  bool stays = false;  ///< it makes no gap for labels
 
   double length() const { return at.back(); }
   Point2 point(double s) const {
@@ -91,6 +109,7 @@ class Labelling {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return lines_[a].length() > lines_[b].length(); });
     for (const std::uint32_t i : order) label(i);
+    agree_directions();
     return std::move(labels_);
   }
 
@@ -98,7 +117,9 @@ class Labelling {
   static constexpr double kCellHeights = 4;
 
   void collect(const Drawing& drawing);
+  void collect_line(std::span<const Point2> points, Line line);
   void label(std::uint32_t number);
+  void agree_directions();
   std::optional<Place> place(std::uint32_t number, double s, const std::string& text, double width) const;
   std::optional<double> cost_of_crossing(std::uint32_t number, double s, const Place& place) const;
   void add_box(const TextBox& box) {
@@ -126,26 +147,58 @@ void Labelling::collect(const Drawing& drawing) {
   const bool index_only = options_.index_only && has("contour-index"), on_surface = has("contour") || has("contour-index");
   std::vector<double> heights;
   for (const Layer& layer : drawing.layers) {
-    if (!layer.height || on_surface == (layer.name == "contour-base")) continue;
-    heights.push_back(*layer.height);
-    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
-      Line line{layer.lines[i], {0}, *layer.height, !index_only || layer.name == "contour-index"};
-      if (line.points.size() < 2) continue;
-      for (std::size_t k = 1; k < line.points.size(); ++k) {
-        line.at.push_back(line.at.back() + glm::distance(line.points[k - 1], line.points[k]));
-        Rect box;
-        box.extend(line.points[k - 1]);
-        box.extend(line.points[k]);
-        segments_.add(box, static_cast<std::uint32_t>(all_segments_.size()));
-        all_segments_.push_back({static_cast<std::uint32_t>(lines_.size()), static_cast<std::uint32_t>(k - 1)});
-      }
-      lines_.push_back(std::move(line));
-    }
+    const bool stays = !gives_way(layer);
+    if (!stays && (!layer.height || on_surface == (layer.name == "contour-base"))) continue;
+    if (!stays) heights.push_back(*layer.height);
+    const bool labelled = !stays && (!index_only || layer.name == "contour-index");
+    for (std::size_t i = 0; i < layer.lines.size(); ++i)
+      collect_line(layer.lines[i], {layer.lines[i], {0}, layer.height.value_or(0), labelled, stays});
   }
   std::sort(heights.begin(), heights.end());
   for (std::size_t i = 1; i < heights.size(); ++i) {
     const double step = heights[i] - heights[i - 1];
     if (step > 0 && (step_ == 0 || step < step_)) step_ = step;
+  }
+}
+
+void Labelling::collect_line(std::span<const Point2> points, Line line) {
+  if (points.size() < 2) return;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    line.at.push_back(line.at.back() + glm::distance(points[k - 1], points[k]));
+    Rect box;
+    box.extend(points[k - 1]);
+    box.extend(points[k]);
+    segments_.add(box, static_cast<std::uint32_t>(all_segments_.size()));
+    all_segments_.push_back({static_cast<std::uint32_t>(lines_.size()), static_cast<std::uint32_t>(k - 1)});
+  }
+  lines_.push_back(std::move(line));
+}
+
+/// Begins with the labels that are nearest to level, which are upright as they are; each steeper one follows its nearest
+/// neighbour.
+void Labelling::agree_directions() {
+  std::vector<std::size_t> order(labels_.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto steepness = [&](std::size_t i) { return std::abs(labels_[i].rotation_degrees); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return steepness(a) < steepness(b); });
+  const double reach = kNeighbourReach * options_.height_mm;
+  BoxGrid done(reach);
+  for (const std::size_t k : order) {
+    const Point2 at = labels_[k].at;
+    double& degrees = labels_[k].rotation_degrees;
+    if (std::abs(degrees) >= 90 - kBeyondUpright) {
+      double nearest = reach, followed = 90;  // the first of its neighbours is read upwards
+      done.any_near({at - Point2{reach, reach}, at + Point2{reach, reach}}, [&](std::uint32_t n) {
+        const double apart = glm::distance(labels_[n].at, at), other = labels_[n].rotation_degrees;
+        if (apart < nearest && std::abs(std::remainder(other - degrees, 180)) <= kAlongDegrees) {
+          nearest = apart;
+          followed = other;
+        }
+        return false;
+      });
+      if (std::abs(std::remainder(degrees - followed, 360)) > 90) degrees += degrees > 0 ? -180 : 180;
+    }
+    done.add({at, at}, static_cast<std::uint32_t>(k));
   }
 }
 
@@ -213,17 +266,20 @@ std::optional<double> Labelling::cost_of_crossing(std::uint32_t number, double s
     if (other == number && o.at[index] < s + reach && o.at[index + 1] > s - reach) return false;
     const auto part = inside(place.box, o.points[index], o.points[index + 1]);
     if (!part) return false;
-    crossed += ((*part)[1] - (*part)[0]) * (o.at[index + 1] - o.at[index]);
+    crossed += (o.stays ? kFrameCost : 1) * ((*part)[1] - (*part)[0]) * (o.at[index + 1] - o.at[index]);
     return o.labelled || other == number;
   });
   if (refused) return std::nullopt;
   return kCrossedCost * crossed / options_.height_mm;
 }
 
-/// Layers through which labels make no gap: the shape itself, and what stands round the picture.
-bool gives_way(const Layer& layer) {
-  constexpr std::string_view kStay[] = {"outline", "border", "intersection", "axes", "text"};
-  return std::find(std::begin(kStay), std::end(kStay), layer.name) == std::end(kStay);
+/// A white area behind a label, for drawings with coloured areas.
+Fill halo(const TextItem& label, TextStyle style) {
+  constexpr std::array<double, 3> kWhite{1, 1, 1};
+  TextBox box = text_box(label, text_extent(label.text, label.height_mm, style));
+  box.half += Point2{kHalo, kHalo} * label.height_mm;
+  const auto corners = box.corners();
+  return {{std::vector<Point2>(corners.begin(), corners.end())}, kWhite};
 }
 
 }  // namespace
@@ -236,17 +292,18 @@ std::string height_text(double height, double step, bool decades) {
     step = 0;
   }
   char text[64];
-  std::snprintf(text, sizeof text, "%.10g", height == 0 ? 0 : height);  // without the sign of a zero
-  constexpr std::size_t kShort = 6;
-  if (std::string_view(text).size() > kShort) {
-    constexpr double kMostDigits = 12;
-    const double digits = step > 0 ? std::max(0.0, 1 - std::floor(std::log10(step))) : kMostDigits;
-    if (digits < kMostDigits) {
-      std::snprintf(text, sizeof text, "%.*f", static_cast<int>(digits), height);
-    } else {
-      std::snprintf(text, sizeof text, "%.5g", height);
-    }
+  int digits = 0;
+  const auto is_told = [&] {
+    std::snprintf(text, sizeof text, "%.*f", digits, height);
+    return std::abs(std::strtod(text, nullptr) - height) <= kLabelError * step;
+  };
+  while (digits <= kMostLabelDigits && !is_told()) ++digits;
+  if (step <= 0 || digits > kMostLabelDigits || std::abs(height) >= kLongestPlainHeight) {
+    std::snprintf(text, sizeof text, "%.10g", height == 0 ? 0 : height);
+    constexpr std::size_t kShort = 6;
+    if (std::string_view(text).size() > kShort) std::snprintf(text, sizeof text, "%.5g", height);
   }
+  if (std::strtod(text, nullptr) == 0) return "0";
   std::string result(text);
   if (result.front() == '-') result.replace(0, 1, "\u2212");
   return result;
@@ -329,6 +386,9 @@ std::vector<TextItem> label_contours(Drawing& drawing, const ContourLabelOptions
   std::vector<TextBox> boxes;
   for (const TextItem& label : labels) boxes.push_back(label_box(label, options.style));
   make_gaps(drawing, boxes);
+  if (!drawing.fills.empty()) {
+    for (const TextItem& label : labels) drawing.fills.push_back(halo(label, options.style));
+  }
   return labels;
 }
 

@@ -1,6 +1,7 @@
 #include "picture/parse/parse_terrain.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string_view>
 
 #include "picture/parse/parse.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::string_view kLabelNames[] = {"none", "index", "all"}, kWaterFillNames[] = {"blank", "hatch"},
                            kHachureNames[] = {"none", "contour", "slope"};
-constexpr unsigned kMostIndex = 1000, kMostBands = 1000;
+constexpr unsigned kMostIndex = 1000, kMostBands = 1000, kMostContours = 10'000;
 constexpr double kLowestSun = 1;  ///< degrees; light along the ground shades nothing
 
 }  // namespace
@@ -56,6 +57,25 @@ std::vector<std::array<double, 3>> parse_colors(const std::string& text) {
   std::vector<std::array<double, 3>> colors;
   for (const std::string& color : parse_words(text)) colors.push_back(parse_color(color));
   return colors;
+}
+
+void parse_contours(const std::string& text, CurveRequest& curves) {
+  constexpr std::string_view kEven = ":even";
+  curves.contour_heights.clear();
+  curves.even_contours = text.ends_with(kEven);
+  if (text.find(',') == std::string::npos) {
+    curves.contours =
+        parse_count(curves.even_contours ? text.substr(0, text.size() - kEven.size()) : text, 1, kMostContours);
+    return;
+  }
+  for (const std::string& word : parse_words(text)) {
+    if (!word.empty()) curves.contour_heights.push_back(parse_number(word));
+  }
+  std::vector<double>& heights = curves.contour_heights;
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  if (heights.empty() || heights.size() > kMostContours) throw std::invalid_argument("1 to 10000 heights, Z,Z,...");
+  curves.contours = static_cast<unsigned>(heights.size());
 }
 
 BandRequest parse_bands(const std::string& text) {

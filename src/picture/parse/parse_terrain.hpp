@@ -23,6 +23,9 @@ void parse_sun(const std::string& text, TerrainRequest& terrain);
 /// Words with commas between them.
 std::vector<std::string> parse_words(const std::string& text);
 std::vector<std::array<double, 3>> parse_colors(const std::string& text);
+/// "N", "N:even", or heights "Z,Z,...". Throws std::invalid_argument.
+void parse_contours(const std::string& text, CurveRequest& curves);
+
 /// A number of bands, or two limits or more.
 BandRequest parse_bands(const std::string& text);
 

@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "picture/errors.hpp"
 #include "picture/marks/contour_labels.hpp"
 #include "scene/surfaces/point_table.hpp"
@@ -73,6 +75,22 @@ std::string band_text(double low, double high) {
   return rounded(low) + " \u2013 " + rounded(high);
 }
 
+/// The part of a segment between two limits of an axis; false where there is none.
+bool clip_to(double low, double high, int axis, std::array<Point3, 2>& segment) {
+  for (int k = 0; k < 2; ++k) {
+    for (const bool upper : {false, true}) {
+      Point3 &here = segment[static_cast<std::size_t>(k)], &there = segment[static_cast<std::size_t>(1 - k)];
+      const double limit = upper ? high : low, side = upper ? 1 : -1;
+      const double out = side * (here[axis] - limit), other = side * (there[axis] - limit);
+      if (out <= 0) continue;
+      if (other >= 0) return false;
+      here += (there - here) * (out / (out - other));
+      here[axis] = limit;
+    }
+  }
+  return true;
+}
+
 /// The band in which a height lies.
 std::size_t band_of(const std::vector<double>& limits, double z) {
   return static_cast<std::size_t>(std::upper_bound(limits.begin() + 1, limits.end() - 1, z) - limits.begin()) - 1;
@@ -126,6 +144,47 @@ DrawnCurves curves_of(const SurfaceRequest& request, const std::vector<SurfacePo
   }
   if (beside > 0) run.warn(std::to_string(beside) + " points lie beside the surface: they are left out");
   return drawn;
+}
+
+bool fit_to_box(const SurfaceRequest& request, DrawnCurves& drawn, AxesBox& box, RunReport& run) {
+  const std::array<bool, 3> is_set{request.x.has_value(), request.y.has_value(), request.z_range.has_value()};
+  const auto clip = [&](std::array<Point3, 2>& segment) {
+    for (int k = 0; k < 3; ++k) {
+      if (is_set[static_cast<std::size_t>(k)] && !clip_to(box.low[k], box.high[k], k, segment)) return false;
+    }
+    return true;
+  };
+  std::size_t cut = 0;
+  for (auto& curve : drawn.curves) {
+    bool whole = true;
+    std::erase_if(curve, [&](std::array<Point3, 2>& segment) {
+      const std::array<Point3, 2> before = segment;
+      const bool inside = clip(segment);
+      whole = whole && inside && segment == before;
+      return !inside;
+    });
+    if (!whole) ++cut;
+  }
+  const std::size_t points = drawn.points.size();
+  std::erase_if(drawn.points, [&](const MarkedPoint& point) {
+    std::array<Point3, 2> segment{point.at, point.at};
+    return !clip(segment);
+  });
+  if (cut > 0) run.warn(std::to_string(cut) + " curves leave the ranges of -x, -y or --z-range: they end at the box");
+  if (points > drawn.points.size()) {
+    run.warn(std::to_string(points - drawn.points.size()) +
+             " points lie outside the ranges of -x, -y or --z-range: they are left out");
+  }
+  const AxesBox before = box;
+  const auto extend = [&](const Point3& p) {
+    box.low = glm::min(box.low, p);
+    box.high = glm::max(box.high, p);
+  };
+  for (const auto& curve : drawn.curves) {
+    for (const auto& [a, b] : curve) extend(a), extend(b);
+  }
+  for (const MarkedPoint& point : drawn.points) extend(point.at);
+  return box.low != before.low || box.high != before.high;
 }
 
 void add_curves(const DrawnCurves& drawn, const Point3& factor, LineGroups& groups) {

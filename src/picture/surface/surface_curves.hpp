@@ -11,6 +11,7 @@
 #include "picture/surface/surface_request.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 #include "scene/surfaces/surface_points.hpp"
+#include "view/axes_box.hpp"
 #include "view/view.hpp"
 
 namespace ligne {
@@ -23,6 +24,10 @@ struct DrawnCurves {
 
 /// `surfaces`: curves lie on the first one of z = f(x, y). Throws RequestError, InputError.
 DrawnCurves curves_of(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces, RunReport& run);
+
+/// Ends curves at the sides of the box along the axes whose ranges the request says (-x, -y, --z-range), leaves out points
+/// beyond them, with a warning of each, and widens the box along the other axes. Returns whether the box became wider.
+bool fit_to_box(const SurfaceRequest& request, DrawnCurves& drawn, AxesBox& box, RunReport& run);
 
 /// Adds them, in coordinates times `factor`.
 void add_curves(const DrawnCurves& drawn, const Point3& factor, LineGroups& groups);

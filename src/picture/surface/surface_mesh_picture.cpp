@@ -121,6 +121,7 @@ SurfaceMesh mesh_of_formula(const SurfaceRequest& request, const SurfacePoints& 
 struct MeshPlot {
   Scene scene;
   std::optional<PlotBox> box;
+  bool reaches_out = false;  ///< curves or points lie outside the surfaces' box
   std::shared_ptr<LineGroups> groups;
   std::vector<LegendEntry> legend;
   std::shared_ptr<const SurfaceCurves> iso;  ///< where hatching follows it
@@ -143,7 +144,7 @@ std::vector<SurfaceMesh> meshes_of(const SurfaceRequest& request, const std::vec
 /// The picture's place on the page before there is a scene.
 Surroundings place_box(const SurfaceRequest& request, const PlotBox& box) {
   const PictureRequest& picture = request.picture;
-  const Scene extent = box_scene({box.box.low * box.factor, box.box.high * box.factor});
+  const Scene extent = box_scene(box.in_model());
   return place_with_axes(box, extent, camera_of(view_of(request), extent), picture.page, picture.axes, picture.output.title);
 }
 
@@ -177,7 +178,7 @@ void thin_curves(const SurfaceRequest& request, const std::vector<Surface>& give
   const GroundUnit unit = unit_of(surfaces);
   const PlotBox box{*samples, plot_factor(request, *samples, unit, keeps_shape(request, surfaces, *samples), choices),
                     tick_scales(request), unit};
-  const AxesBox drawn{box.box.low * box.factor, box.box.high * box.factor};
+  const AxesBox drawn = box.in_model();
   const Surroundings around = place_box(request, box);
   for (std::size_t k = 0; k < given.size(); ++k) {
     SurfacePoints& points = surfaces[k];
@@ -256,7 +257,7 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
   const std::vector<std::optional<double>> levels_of_water = water_levels(request, surfaces);
   if (with_lines) thin_curves(request, given, levels_of_water, surfaces, run);
   std::vector<SurfaceMesh> meshes = meshes_of(request, surfaces, run);
-  const DrawnCurves curves = with_lines ? curves_of(request, surfaces, run) : DrawnCurves{};
+  DrawnCurves curves = with_lines ? curves_of(request, surfaces, run) : DrawnCurves{};
   const std::vector<double> limits = with_lines ? cut_bands(request, levels_of_water, meshes) : std::vector<double>{};
   const std::vector<WaterTriangles> water = flood_all(meshes, levels_of_water);
   MeshPlot plot;
@@ -266,10 +267,11 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
     const GroundUnit unit = unit_of(surfaces);
     factor = plot_factor(request, *box, unit, keeps_shape(request, surfaces, *box), run);
     if (base) box->low.z = std::min(box->low.z, *base);
+    plot.reaches_out = fit_to_box(request, curves, *box, run);
     plot.box = PlotBox{*box, factor, tick_scales(request), unit};
   }
   if (const auto range = height_range(meshes); range && with_lines) {
-    const std::vector<double> levels = contour_levels(request.curves, (*range)[0], (*range)[1]);
+    const std::vector<double> levels = contour_levels(request.curves, (*range)[0], (*range)[1], request.log_axes[2]);
     if (plot.box) plot.groups = groups_of(request, meshes, water, levels_of_water, levels, curves, *plot.box);
     for (SurfaceMesh& mesh : meshes) cut_contours(mesh, levels);
   }
@@ -320,6 +322,9 @@ SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector
   picture.axes.legend = plot.legend;
   picture.contour_labels = request.curves.labels;
   picture.label_decades = request.log_axes[2];
+  if (plot.reaches_out && !picture.axes.style) {
+    picture.page.extent = projected_extent(box_scene(plot.box->in_model()), camera_of(picture.view, plot.scene));
+  }
   return {std::move(plot.scene), plot.box, std::move(picture)};
 }
 

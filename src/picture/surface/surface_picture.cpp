@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "picture/errors.hpp"
@@ -70,7 +71,11 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface,
   }
   if (surfaces.curves.ridgeline) {
     const double rows = surfaces.curves.ridgeline_overlap * static_cast<double>(std::max<std::size_t>(surface.y_stride, 1));
-    surface.heights = ridgeline_heights(std::move(surface.heights), found.low, found.high, rows, kRidgelineHeight);
+    const AxesScaling scaling = ridgeline_scaling(*surface.heights, found.low, found.high, rows, kRidgelineHeight);
+    if (!found.empty())
+      request.box =
+          PlotBox{box_of(*surface.heights, found), scaling.factor, tick_scales(surfaces), surface.unit, scaling.origin};
+    surface.heights = scaled_heights(std::move(surface.heights), scaling);
     found = survey(*surface.heights);
     view.direction = kRidgelineSight;
     horizon.hidden_by = HiddenBy::curves;
@@ -80,14 +85,15 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface,
     factor = plot_factor(surfaces, box_of(*surface.heights, found), surface.unit, false, run);
     horizon.z_scale = factor.z;
   }
-  if (!found.empty()) request.box = PlotBox{box_of(*surface.heights, found), factor, tick_scales(surfaces), surface.unit};
+  if (!found.empty() && !request.box)
+    request.box = PlotBox{box_of(*surface.heights, found), factor, tick_scales(surfaces), surface.unit};
   surface.heights = scaled_ground(std::move(surface.heights), factor.x, factor.y);
 
   const HeightSource& heights = *surface.heights;
   request.camera = camera_of(view, box_of(heights, found, horizon.z_scale));
   request.extent = extent_scene(heights, horizon.z_scale, request.camera);
   if (found.empty()) return request;
-  horizon.contours = contour_levels(surfaces.curves, found.low, found.high);
+  horizon.contours = contour_levels(surfaces.curves, found.low, found.high, surfaces.log_axes[2]);
   horizon.contours_on_surface = surfaces.curves.contours || surfaces.curves.contour_step;
   if (surfaces.curves.contours_base) {
     horizon.contour_base = contour_base_of(surfaces.curves, found.low, found.high);
@@ -96,6 +102,18 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface,
     request.box->box.high.z = std::max(found.high, *horizon.contour_base);
   }
   return request;
+}
+
+/// Rows of a ridgeline plot hide the lines of its axes, but for the frame: the sides of the box and its front edge on the
+/// ground, which no row crosses. Lines before the rows would cross them and are left out.
+void frame_ridgelines(const AxesBox& box, AxesPicture& axes) {
+  const auto is_frame = [&](const AxisLine& line) {
+    const auto both = [&](int k, double at) { return line.a[k] == at && line.b[k] == at; };
+    return both(0, box.low.x) || both(0, box.high.x) || (both(1, box.low.y) && both(2, box.low.z));
+  };
+  std::erase_if(axes.front_lines, [&](const AxisLine& line) { return !is_frame(line); });
+  std::copy_if(axes.lines.begin(), axes.lines.end(), std::back_inserter(axes.front_lines), is_frame);
+  std::erase_if(axes.lines, is_frame);
 }
 
 /// What the study saw of the axes' lines.
@@ -153,12 +171,9 @@ void warn_of_empty_or_cut(const Drawing& drawing, const Placement& placement, Ru
 /// Leaves out curves of a fine grid.
 void thin_curves(const Surface& surface, HorizonRequest& horizon, const View& view, double pen_width_mm, RunReport& run) {
   HorizonOptions& options = horizon.options;
-  AxesBox box = horizon.box->box;
-  box.low *= horizon.box->factor;
-  box.high *= horizon.box->factor;
-  const std::size_t stride = stride_apart(
-      {box, surface.heights->x().size(), surface.heights->y().size(), options.x_stride > 0, options.y_stride > 0}, view,
-      pen_width_mm);
+  const std::size_t stride = stride_apart({horizon.box->in_model(), surface.heights->x().size(), surface.heights->y().size(),
+                                           options.x_stride > 0, options.y_stride > 0},
+                                          view, pen_width_mm);
   if (stride > 1) run.choices.emplace_back("every", std::to_string(stride) + ": curves keep apart");
   if (options.x_stride > 0) options.x_stride = stride;
   if (options.y_stride > 0) options.y_stride = stride;
@@ -193,6 +208,7 @@ std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, std::v
     horizon = horizon_request(request, surface, run);
     around = place_with_axes(horizon.box, horizon.extent, horizon.camera, picture.page, picture.axes, picture.output.title);
     if (surface.thinned && horizon.box) thin_curves(surface, horizon, around.placement.view, picture.page.pen_width_mm, run);
+    if (request.curves.ridgeline && horizon.box) frame_ridgelines(horizon.box->in_model(), around.axes);
     horizon.options.back_lines = back_lines(around);
     horizon.options.progress = picture.progress;
   });

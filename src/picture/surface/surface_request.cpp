@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/ticks.hpp"
 #include "geometry/degrees.hpp"
 #include "picture/errors.hpp"
 
@@ -48,6 +49,7 @@ void check_sources(const SurfaceRequest& request) {
     if (request.data_set) throw RequestError("index", "goes with --grid");
     if (!request.using_columns.empty()) throw RequestError("using", "goes with --grid");
   }
+  if (request.grids.empty() && request.band) throw RequestError("band", "goes with --grid");
   if (!grids && request.ground != GroundChoice::as_read) throw RequestError("ground", "goes with --grid");
   if (!grids && request.max_slope) {
     throw RequestError("max-slope", "goes with --grid; a formula is looked at for its jumps");
@@ -110,6 +112,57 @@ void check_scale(const SurfaceRequest& request) {
     if (!*ranges[k]) throw RequestError("log-" + name, "needs a range -" + name + " A:B above zero");
     if (!((*ranges[k])->from > 0)) throw RequestError("log-" + name, "the range -" + name + " reaches down to zero");
   }
+}
+
+std::vector<double> even_levels(double low, double high, unsigned n) {
+  std::vector<double> levels;
+  for (unsigned k = 1; k <= n; ++k) levels.push_back(low + (high - low) * k / (n + 1));
+  return levels;
+}
+
+/// Multiples of a step, mantissa * 10^exponent, that lie between two heights.
+struct RoundStep {
+  double mantissa, low, high;
+  int exponent;
+
+  double size() const { return mantissa * std::pow(10.0, exponent); }
+  double first() const { return std::floor(low / size() + kAtEnd) + 1; }
+  double last() const { return std::ceil(high / size() - kAtEnd) - 1; }
+  double count() const { return std::max(0.0, last() - first() + 1); }
+  /// Divides by a power of ten, which is exact, where the step is a fraction, which is not.
+  double multiple(double k) const {
+    if (k == 0) return 0;
+    return exponent < 0 ? k * mantissa / std::pow(10.0, -exponent) : k * size();
+  }
+
+  /// Part of a step: nearer to the lowest or the highest height a level would be a point or a speck.
+  static constexpr double kAtEnd = 1e-9;
+};
+
+/// Nothing where the heights are too near to each other for round numbers between them.
+std::vector<double> round_levels(double low, double high, unsigned n, bool decades) {
+  std::vector<double> levels;
+  if (!(high > low) || !std::isfinite(high - low)) return levels;
+  if (decades) {
+    for (const Tick& tick : round_ticks(TickScale::decades, low, high, n)) {
+      if (low < tick.at && tick.at < high) levels.push_back(tick.at);
+    }
+    return levels;
+  }
+  constexpr double kMostSteps = 0x1p40;  // whole numbers of steps, with digits to spare
+  const int exponent = static_cast<int>(std::floor(std::log10((high - low) / n)));
+  std::optional<RoundStep> best;
+  const auto misses = [n](const RoundStep& step) { return std::abs(std::log(step.count() / n)); };
+  for (int e = exponent + 1; e >= exponent - 1; --e) {
+    for (const double mantissa : {5., 2., 1.}) {
+      const RoundStep step{mantissa, low, high, e};
+      if (step.count() < 1 || std::max(std::abs(low), std::abs(high)) / step.size() > kMostSteps) continue;
+      if (!best || misses(step) < misses(*best)) best = step;
+    }
+  }
+  if (!best) return levels;
+  for (double k = best->first(); k <= best->last(); ++k) levels.push_back(best->multiple(k));
+  return levels;
 }
 
 }  // namespace
@@ -177,17 +230,23 @@ std::string place_of_warnings(const SurfaceRequest& request) {
   return one_grid ? request.grids.front() : "surface";
 }
 
-std::vector<double> contour_levels(const CurveRequest& request, double low, double high) {
+std::vector<double> contour_levels(const CurveRequest& request, double low, double high, bool decades) {
   std::vector<double> levels;
   if (request.contour_step) {
     const double step = *request.contour_step, first = std::ceil(low / step);
     if (!((high - low) / step < kMostContours)) {
       throw RequestError("contour-step", "gives more than " + std::to_string(kMostContours) + " contour lines");
     }
-    for (double k = first; k * step <= high; ++k) levels.push_back(k * step);
+    for (double k = first; k * step <= high; ++k) levels.push_back(k == 0 ? 0 : k * step);
+  } else if (!request.contour_heights.empty()) {
+    for (const double height : request.contour_heights) {
+      const double level = decades ? std::log10(height) : height;
+      if (low <= level && level <= high) levels.push_back(level);
+    }
   } else if (request.contours || request.contours_base) {
     const unsigned n = request.contours.value_or(kContours);
-    for (unsigned k = 1; k <= n; ++k) levels.push_back(low + (high - low) * k / (n + 1));
+    if (!request.even_contours) levels = round_levels(low, high, n, decades);
+    if (levels.empty() && high > low) levels = even_levels(low, high, n);
   }
   return levels;
 }

@@ -24,7 +24,9 @@ inline constexpr std::string_view kCurveFamilyNames[] = {"x", "y", "xy", "none"}
 
 /// Lines beside plain curves, and what hides.
 struct CurveRequest {
-  std::optional<unsigned> contours;        ///< number of contour lines
+  std::optional<unsigned> contours;        ///< number of contour lines: about so many, at round heights
+  bool even_contours = false;              ///< exactly so many, at equal distances
+  std::vector<double> contour_heights{};   ///< or these, ascending; `contours` is their number
   std::optional<double> contour_step;      ///< or their distance in height
   std::optional<unsigned> index_contours;  ///< one of so many is drawn heavier, 0: none; nothing: every fifth of a step
   ContourLabels labels = ContourLabels::none;
@@ -92,6 +94,7 @@ struct SurfaceRequest {
   TableLayout layout = TableLayout::automatic;  ///< grid: how a table is understood
   std::optional<unsigned> data_set;             ///< grid: the one that is drawn, from 0
   std::vector<std::string> using_columns{};     ///< grid: columns of x, y and z, or of z alone
+  std::optional<unsigned> band{};   ///< of rasters, counted from 1; nothing: the first
   GroundChoice ground = GroundChoice::as_read;
   CurveFamilies lines = CurveFamilies::xy;
   /// Where the viewer stands, in degrees, when `picture.view` names no view; defaults -60 and 30.
@@ -142,8 +145,10 @@ ViewRequest view_of(const SurfaceRequest& request);
 /// What warnings are about: the only grid, or "surface".
 std::string place_of_warnings(const SurfaceRequest& request);
 
-/// Heights of the contour lines between `low` and `high`, ascending. Throws RequestError when they are too many.
-std::vector<double> contour_levels(const CurveRequest& request, double low, double high);
+/// Heights of the contour lines between `low` and `high`, ascending. About N lines are at the multiples of 1, 2 or 5 times a
+/// power of ten whose number is nearest to N; of heights that are `decades`, at powers of ten and round numbers between
+/// them. Throws RequestError when they are too many.
+std::vector<double> contour_levels(const CurveRequest& request, double low, double high, bool decades);
 
 /// Whether a contour line is an index contour: `number` counts from 0 in the levels.
 bool is_index_contour(const CurveRequest& request, double level, std::size_t number);

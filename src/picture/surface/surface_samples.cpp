@@ -128,9 +128,11 @@ void add_grids(const SurfaceRequest& request, const std::string& file, std::vect
   Warnings warnings;
   const bool whole = request.x || request.y;  // a part of a large grid keeps its samples
   GridChoice choice{request.gridded, request.every, !whole};
+  choice.band = request.band;
   choice.layout = request.layout;
   choice.data_set = request.data_set;
   choice.using_columns = request.using_columns;
+  choice.band = request.band;
   std::vector<GridSurface> surfaces = read_surfaces(file, warnings, &run.files, choice);
   for (std::string& line : warnings.lines()) run.warnings.push_back({file, std::move(line)});
   for (std::size_t k = 0; k < surfaces.size(); ++k) {

@@ -92,13 +92,28 @@ std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, co
 bool is_hgt_name(std::string_view name);
 std::unique_ptr<HeightSource> read_hgt_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
 
-/// TIFF and GeoTIFF of one band, by libtiff; whether it is in the build.
-std::unique_ptr<HeightSource> read_tiff_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
-bool reads_tiff();
+/// A TIFF whose numbers or packing libtiff does not read.
+class UnreadTiff : public InputError {
+ public:
+  using InputError::InputError;
+};
 
-/// What GDAL reads (GeoTIFF and many more): the first band. Without GDAL in the build an InputError says that it is needed.
-/// Adds what GDAL reads beside the file to `opened`.
-std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name, InputFiles& opened);
+/// One band of a TIFF or GeoTIFF, by libtiff. A world file beside `file` is read where the TIFF says no positions, and is
+/// added to `opened`. Throws UnreadTiff for what GDAL may read.
+std::unique_ptr<HeightSource> read_tiff_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                             const GridChoice& choice = {}, const std::filesystem::path& file = {},
+                                             InputFiles* opened = nullptr);
+/// Whether libtiff, and GDAL, are in the build.
+bool reads_tiff();
+bool reads_by_gdal();
+
+/// One band of what GDAL reads (GeoTIFF and many more). Without GDAL in the build an InputError says that it is needed. Adds
+/// what GDAL reads beside the file to `opened`.
+std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name, Warnings& warnings,
+                                             const GridChoice& choice, InputFiles& opened);
+
+/// What the positions of a grid of terrain measure, whose file does not say it.
+GroundUnit likely_unit(const HeightSource& heights);
 
 /// Heights over the positions of the file. Blocks are of one x or of one y each.
 std::unique_ptr<HeightSource> grid_of_points(PointRows rows, const std::string& name);

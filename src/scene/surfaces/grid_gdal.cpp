@@ -14,6 +14,7 @@
 
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/held_heights.hpp"
+#include "scene/surfaces/raster_placement.hpp"
 
 namespace ligne {
 namespace {
@@ -47,37 +48,48 @@ class QuietErrors {
 /// How the values of a band become heights.
 struct Meaning {
   std::optional<double> no_data;
+  bool is_float32 = false;  ///< NODATA may have more digits, or fewer, than the values
+  GDALRasterBandH mask = nullptr;
   double scale = 1, offset = 0;
 
   double height(double value) const {
     const double scaled = value * scale + offset;
-    return (no_data && value == *no_data) || !std::isfinite(scaled) ? std::numeric_limits<double>::quiet_NaN() : scaled;
+    const bool none =
+        no_data && (value == *no_data || (is_float32 && static_cast<float>(value) == static_cast<float>(*no_data)));
+    return none || !std::isfinite(scaled) ? std::numeric_limits<double>::quiet_NaN() : scaled;
   }
 };
 
 /// Reads row by row from the file; a data set is for one thread at a time.
 class GdalHeights : public HeightSource {
  public:
-  GdalHeights(std::vector<double> x, std::vector<double> y, Dataset dataset, GDALRasterBandH band, Meaning meaning,
-              bool north_up, std::string name)
-      : HeightSource(std::move(x), std::move(y)),
+  GdalHeights(RasterPlacement placement, Dataset dataset, GDALRasterBandH band, Meaning meaning, std::string name)
+      : HeightSource(std::move(placement.x), std::move(placement.y)),
         dataset_(std::move(dataset)),
         band_(band),
         meaning_(meaning),
-        north_up_(north_up),
+        north_up_(placement.order.step_y < 0),
+        west_first_(placement.order.step_x > 0),
         name_(std::move(name)) {}
 
   void read_row(std::size_t j, std::span<double> z) const override {
     const auto line = static_cast<int>(north_up_ ? y().size() - 1 - j : j);
     const auto columns = static_cast<int>(z.size());
+    std::vector<std::uint8_t> valid;
     {
       const std::lock_guard lock(mutex_);
       const QuietErrors quiet;
-      if (GDALRasterIO(band_, GF_Read, 0, line, columns, 1, z.data(), columns, 1, GDT_Float64, 0, 0) != CE_None) {
-        throw InputError(name_, "row " + std::to_string(line + 1) + " can not be read: " + QuietErrors::last());
+      read_line(band_, line, z.data(), columns, GDT_Float64);
+      if (meaning_.mask) {
+        valid.resize(z.size());
+        read_line(meaning_.mask, line, valid.data(), columns, GDT_Byte);
       }
     }
     for (double& height : z) height = meaning_.height(height);
+    for (std::size_t i = 0; i < valid.size(); ++i) {
+      if (valid[i] == 0) z[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+    if (!west_first_) std::reverse(z.begin(), z.end());
   }
 
   bool has_height() const {
@@ -90,10 +102,15 @@ class GdalHeights : public HeightSource {
   }
 
  private:
+  void read_line(GDALRasterBandH band, int line, void* to, int columns, GDALDataType type) const {
+    if (GDALRasterIO(band, GF_Read, 0, line, columns, 1, to, columns, 1, type, 0, 0) == CE_None) return;
+    throw InputError(name_, "row " + std::to_string(line + 1) + " can not be read: " + QuietErrors::last());
+  }
+
   Dataset dataset_;
   GDALRasterBandH band_;
   Meaning meaning_;
-  bool north_up_;
+  bool north_up_, west_first_;
   std::string name_;
   mutable std::mutex mutex_;
 };
@@ -107,21 +124,50 @@ Meaning meaning_of(GDALRasterBandH band) {
   if (is_given != 0 && scale != 0) meaning.scale = scale;
   const double offset = GDALGetRasterOffset(band, &is_given);
   if (is_given != 0) meaning.offset = offset;
+  meaning.is_float32 = GDALGetRasterDataType(band) == GDT_Float32;
+  if (GDALGetMaskFlags(band) == GMF_PER_DATASET) meaning.mask = GDALGetMaskBand(band);
   return meaning;
 }
 
-/// Of the middles of n cells along an axis, ascending.
-std::vector<double> middles(double origin, double step, int n) {
-  std::vector<double> out(static_cast<std::size_t>(n));
-  for (int i = 0; i < n; ++i) out[static_cast<std::size_t>(i)] = origin + (i + 0.5) * step;
-  if (step < 0) std::reverse(out.begin(), out.end());
-  return out;
+GDALRasterBandH chosen_band(GDALDatasetH dataset, const GridChoice& choice, const std::string& name, Warnings& warnings) {
+  const int count = GDALGetRasterCount(dataset);
+  if (count < 1) throw InputError(name, "has no raster band");
+  const unsigned number = choice.band.value_or(1);
+  if (number > static_cast<unsigned>(count)) {
+    throw InputError(name, "has " + std::to_string(count) + (count == 1 ? " band" : " bands") + ", and none is --band " +
+                               std::to_string(number));
+  }
+  const GDALRasterBandH band = GDALGetRasterBand(dataset, static_cast<int>(number));
+  if (!choice.band && count >= 3 && GDALGetRasterColorInterpretation(band) == GCI_RedBand) {
+    throw InputError(name, "is a picture in colours; heights need one band, which --band N chooses");
+  }
+  if (!choice.band && count > 1) {
+    warnings.leave_out("bands after the first, which --band N chooses", static_cast<std::size_t>(count - 1));
+  }
+  return band;
+}
+
+/// GDAL reads rows as they stand, so the ground may be mirrored but not turned by a right angle.
+RasterPlacement placed_rows(GDALDatasetH dataset, std::size_t columns, std::size_t rows, const std::string& name,
+                            Warnings& warnings) {
+  std::array<double, 6> t{};
+  if (GDALGetGeoTransform(dataset, t.data()) != CE_None) return count_raster(columns, rows);
+  RasterTransform transform;
+  transform.at = {t[0], t[3]};
+  transform.per_column = {t[1], t[4]};
+  transform.per_row = {t[2], t[5]};
+  std::optional<RasterPlacement> placement = place_raster(transform, columns, rows);
+  if (!placement || std::abs(placement->order.step_x) != 1) {
+    throw InputError(name, "its rows do not run east; put it upright with gdalwarp first");
+  }
+  warn_of_turned_raster(*placement, warnings);
+  return std::move(*placement);
 }
 
 }  // namespace
 
-std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name,
-                                             InputFiles& opened) {
+std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name, Warnings& warnings,
+                                             const GridChoice& choice, InputFiles& opened) {
   if (file.empty()) throw InputError(name, "is a file for GDAL, which reads files only");
   const QuietErrors quiet;
   GDALAllRegister();
@@ -130,32 +176,23 @@ std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, 
   char** const files = GDALGetFileList(dataset.get());
   for (char** at = files; at && *at; ++at) opened.emplace_back(*at);
   CSLDestroy(files);
-  if (GDALGetRasterCount(dataset.get()) < 1) throw InputError(name, "has no raster band");
-  const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
-  if (GDALGetRasterCount(dataset.get()) >= 3 && GDALGetRasterColorInterpretation(band) == GCI_RedBand) {
-    throw InputError(name, "is a picture in colours; heights need one band");
-  }
+  const GDALRasterBandH band = chosen_band(dataset.get(), choice, name, warnings);
   const int columns = GDALGetRasterBandXSize(band), rows = GDALGetRasterBandYSize(band);
-  check_counts(static_cast<std::size_t>(std::max(columns, 0)), static_cast<std::size_t>(std::max(rows, 0)), name);
+  const auto width = static_cast<std::size_t>(std::max(columns, 0)), height = static_cast<std::size_t>(std::max(rows, 0));
+  check_counts(width, height, name);
   if (columns > kMostPerSide || rows > kMostPerSide) {
     throw InputError(name,
                      "has " + std::to_string(columns) + " x " + std::to_string(rows) + " heights, more than can be drawn");
   }
-
-  std::array<double, 6> transform{};
-  // Without a georeference positions are counted, as those of pictures.
-  if (GDALGetGeoTransform(dataset.get(), transform.data()) != CE_None) transform = {-0.5, 1, 0, rows - 0.5, 0, -1};
-  if (transform[2] != 0 || transform[4] != 0 || !(transform[1] > 0) || transform[5] == 0) {
-    throw InputError(name, "its rows do not run east; put it upright with gdalwarp first");
-  }
-  std::vector<double> x = middles(transform[0], transform[1], columns), y = middles(transform[3], transform[5], rows);
-  check_positions(x, "x", name);
-  check_positions(y, "y", name);
-  auto heights = std::make_unique<GdalHeights>(std::move(x), std::move(y), std::move(dataset), band, meaning_of(band),
-                                               transform[5] < 0, name);
+  RasterPlacement placement = placed_rows(dataset.get(), width, height, name, warnings);
+  check_positions(placement.x, "x", name);
+  check_positions(placement.y, "y", name);
+  auto heights = std::make_unique<GdalHeights>(std::move(placement), std::move(dataset), band, meaning_of(band), name);
   if (!heights->has_height()) throw InputError(name, "holds no height, only places without one (NODATA)");
   return heights;
 }
+
+bool reads_by_gdal() { return true; }
 
 }  // namespace ligne
 
@@ -163,9 +200,12 @@ std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, 
 
 namespace ligne {
 
-std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path&, const std::string& name, InputFiles&) {
+std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path&, const std::string& name, Warnings&,
+                                             const GridChoice&, InputFiles&) {
   throw InputError(name, "needs GDAL (a GeoTIFF, HDF5 or netCDF file), and this ligne is built without it");
 }
+
+bool reads_by_gdal() { return false; }
 
 }  // namespace ligne
 

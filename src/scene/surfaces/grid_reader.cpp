@@ -34,7 +34,8 @@ constexpr bool kHasGdal = true;
 constexpr bool kHasGdal = false;
 #endif
 
-/// TIFF in both byte orders and sizes; HDF5, which is told by its name where GDAL is not in the build.
+/// Whether the bytes are a TIFF in either byte order and size, or HDF5, which is told by its name where GDAL is not in the
+/// build: what has bands.
 bool is_for_gdal(std::string_view chars) {
   static constexpr std::array<std::string_view, 4> kMarks{std::string_view("II*\0", 4), std::string_view("MM\0*", 4),
                                                           std::string_view("II+\0", 4), std::string_view("MM\0+", 4)};
@@ -45,14 +46,6 @@ bool is_for_gdal(std::string_view chars) {
 
 /// Positions as far apart as degrees of a grid of the earth are, and no more of them than there are on it.
 constexpr double kWidestStepOfDegrees = 0.25, kMostLongitude = 360, kMostLatitude = 90;
-
-/// What the positions of a grid of terrain measure, whose file does not say it.
-GroundUnit likely_unit(const HeightSource& heights) {
-  const std::vector<double>&x = heights.x(), &y = heights.y();
-  const auto within = [](const std::vector<double>& at, double most) { return at.front() >= -most && at.back() <= most; };
-  const bool fine = x[1] - x[0] <= kWidestStepOfDegrees && y[1] - y[0] <= kWidestStepOfDegrees;
-  return fine && within(x, kMostLongitude) && within(y, kMostLatitude) ? GroundUnit::degrees : GroundUnit::same;
-}
 
 std::unique_ptr<HeightSource> with_unit(std::unique_ptr<HeightSource> heights, GroundUnit unit) {
   heights->set_unit(unit);
@@ -70,6 +63,18 @@ void refuse_models(std::span<const std::byte> bytes, const std::string& name) {
   throw InputError(name, "is a model (" + format + "), not a grid of heights; draw it with: ligne draw");
 }
 
+std::unique_ptr<HeightSource> read_raster(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                          const std::filesystem::path& file, InputFiles& opened, const GridChoice& choice) {
+  const bool is_tiff = as_characters(bytes).starts_with("II") || as_characters(bytes).starts_with("MM");
+  if (!is_tiff || !reads_tiff()) return read_gdal_grid(file, name, warnings, choice, opened);
+  try {
+    return read_tiff_grid(bytes, name, warnings, choice, file, &opened);
+  } catch (const UnreadTiff&) {
+    if (!reads_by_gdal() || file.empty()) throw;
+    return read_gdal_grid(file, name, warnings, choice, opened);
+  }
+}
+
 /// A model as ZIP archive is no archive of a grid.
 std::optional<UnpackedFile> unpacked_grid(std::span<const std::byte> bytes, const std::string& name) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -81,6 +86,9 @@ std::optional<UnpackedFile> unpacked_grid(std::span<const std::byte> bytes, cons
 std::unique_ptr<HeightSource> read_picture(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                            const std::filesystem::path& file, InputFiles* opened, const GridChoice& choice) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (choice.band.value_or(1) != 1 && !is_for_gdal(chars)) {
+    throw InputError(name, "has one band; --band chooses from those of GeoTIFF and of what GDAL reads");
+  }
   if (chars.starts_with("\x89PNG")) return with_unit(read_png_grid(bytes, name, warnings, choice), GroundUnit::same);
   if (const char kind = netpbm_kind(chars)) {
     if (kind == '2' || kind == '5') return with_unit(read_pgm_grid(bytes, name, warnings, choice), GroundUnit::same);
@@ -89,9 +97,7 @@ std::unique_ptr<HeightSource> read_picture(std::span<const std::byte> bytes, con
   if (is_hgt_name(name)) return read_hgt_grid(bytes, name, warnings);
   if (is_surfer_grid(chars)) return read_surfer_grid(bytes, name, warnings);
   InputFiles unasked;
-  if (reads_tiff() && (chars.starts_with("II") || chars.starts_with("MM")) && is_for_gdal(chars))
-    return read_tiff_grid(bytes, name, warnings);
-  if (is_for_gdal(chars)) return read_gdal_grid(file, name, opened ? *opened : unasked);
+  if (is_for_gdal(chars)) return read_raster(bytes, name, warnings, file, opened ? *opened : unasked, choice);
   return nullptr;
 }
 

@@ -70,35 +70,27 @@ std::vector<double> changed(std::vector<double> positions, bool is_changed, Chan
   return positions;
 }
 
-/// Positions at equal distances from 0 to `end`.
-std::vector<double> spaced(std::size_t n, double end) {
-  std::vector<double> at(n);
-  for (std::size_t i = 0; i < n; ++i) at[i] = end * static_cast<double>(i) / static_cast<double>(n - 1);
-  return at;
-}
-
-std::vector<double> from_zero_to_one(std::vector<double> at) {
-  const double first = at.front(), extent = at.back() - first;
-  for (double& x : at) x = (x - first) / extent;
-  return at;
-}
-
-class RidgelineHeights : public HeightSource {
+class ScaledHeights : public HeightSource {
  public:
-  RidgelineHeights(std::unique_ptr<HeightSource> heights, double low, double factor, double rows_height)
-      : HeightSource(from_zero_to_one(heights->x()), spaced(heights->y().size(), rows_height)),
+  ScaledHeights(std::unique_ptr<HeightSource> heights, const AxesScaling& scaling)
+      : HeightSource(scaled(heights->x(), scaling, 0), scaled(heights->y(), scaling, 1)),
         heights_(std::move(heights)),
-        low_(low),
-        factor_(factor) {}
+        origin_(scaling.origin.z),
+        factor_(scaling.factor.z) {}
 
   void read_row(std::size_t j, std::span<double> z) const override {
     heights_->read_row(j, z);
-    for (double& height : z) height = (height - low_) * factor_;
+    for (double& height : z) height = (height - origin_) * factor_;
   }
 
  private:
+  static std::vector<double> scaled(std::vector<double> at, const AxesScaling& scaling, int axis) {
+    for (double& place : at) place = (place - scaling.origin[axis]) * scaling.factor[axis];
+    return at;
+  }
+
   std::unique_ptr<HeightSource> heights_;
-  double low_, factor_;
+  double origin_, factor_;
 };
 
 /// Samples [begin, end) of an axis.
@@ -189,11 +181,18 @@ std::unique_ptr<HeightSource> transposed(const HeightSource& heights) {
   return std::make_unique<HeldHeights<double>>(heights.y(), heights.x(), all_heights(heights), order);
 }
 
-std::unique_ptr<HeightSource> ridgeline_heights(std::unique_ptr<HeightSource> heights, double low, double high, double rows,
-                                                double rows_height) {
-  const double distance = rows_height / static_cast<double>(heights->y().size() - 1);
-  const double factor = high > low ? rows * distance / (high - low) : 0;
-  return std::make_unique<RidgelineHeights>(std::move(heights), low, factor, rows_height);
+AxesScaling ridgeline_scaling(const HeightSource& heights, double low, double high, double rows, double rows_height) {
+  const std::vector<double>&x = heights.x(), &y = heights.y();
+  AxesScaling scaling;
+  scaling.factor.x = 1 / (x.back() - x.front());
+  scaling.factor.y = rows_height / (y.back() - y.front());
+  if (high > low) scaling.factor.z = rows * rows_height / static_cast<double>(y.size() - 1) / (high - low);
+  scaling.origin = {x.front(), y.front(), low};
+  return scaling;
+}
+
+std::unique_ptr<HeightSource> scaled_heights(std::unique_ptr<HeightSource> heights, const AxesScaling& scaling) {
+  return std::make_unique<ScaledHeights>(std::move(heights), scaling);
 }
 
 std::unique_ptr<HeightSource> window_heights(std::unique_ptr<HeightSource> heights, AxisWindow x, AxisWindow y,

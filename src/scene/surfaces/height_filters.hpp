@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/point.hpp"
 #include "scene/surfaces/height_source.hpp"
 
 namespace ligne {
@@ -35,10 +36,17 @@ std::unique_ptr<HeightSource> scaled_ground(std::unique_ptr<HeightSource> height
 /// shrink with the cosine of y.
 std::vector<char> steep_cells(const HeightSource& heights, double most, double units);
 
-/// For a ridgeline plot, seen from (0, -1, 1): x from 0 to 1, `rows_height` in y; heights from 0, so that the range from
-/// `low` to `high` is as large as the distance of `rows` neighbouring rows.
-std::unique_ptr<HeightSource> ridgeline_heights(std::unique_ptr<HeightSource> heights, double low, double high, double rows,
-                                                double rows_height);
+/// A point is moved along each axis on its own: to (point - origin) * factor.
+struct AxesScaling {
+  Point3 origin{0, 0, 0}, factor{1, 1, 1};
+};
+
+/// The scaling of a ridgeline plot, seen from (0, -1, 1): x from 0 to 1, y from 0 to `rows_height`; heights from 0, so that
+/// the range from `low` to `high` is as large as the mean distance of neighbouring rows times `rows`.
+AxesScaling ridgeline_scaling(const HeightSource& heights, double low, double high, double rows, double rows_height);
+
+/// The same surface, scaled.
+std::unique_ptr<HeightSource> scaled_heights(std::unique_ptr<HeightSource> heights, const AxesScaling& scaling);
 
 /// A part of an axis, both ends included.
 struct AxisWindow {

@@ -24,7 +24,7 @@ class TwoHorizons {
   /// apart. Whether a side of an upright line is open: there is no horizon, or nobody has looked.
   bool find_seen(const SightEdge& edge, std::vector<Span>& above, std::vector<Span>& below) {
     const SightLine& sight = edge.line;
-    if (sight.upright()) return find_seen_upright(sight.line(), sight.height_of_start(), edge.sides, above);
+    if (sight.upright()) return find_seen_upright(edge, above);
     if (edge.against != Against::lower) upper_.find_above(sight.line(), above);
     if (edge.against == Against::lower) lower_.find_above(sight.upside_down(), above);
     if (edge.against == Against::both) lower_.find_above(sight.upside_down(), below);
@@ -43,9 +43,11 @@ class TwoHorizons {
   double least() const { return upper_.least(); }
 
  private:
-  /// `nearest`: the height of the line's nearer end, through which the surface passes on both sides.
-  bool find_seen_upright(const Line& line, double nearest, LineSides sides, std::vector<Span>& seen) {
-    const double u = line.u0;
+  bool find_seen_upright(const SightEdge& edge, std::vector<Span>& seen) {
+    const Line& line = edge.line.line();
+    const LineSides sides = edge.sides;
+    // The surface passes through the line's nearer end on both sides.
+    const double u = line.u0, nearest = edge.line.height_of_start();
     double high = upper_.height(u), low = -lower_.height(u);
     bool open = true;
     if (sides == LineSides::both) {
@@ -62,6 +64,7 @@ class TwoHorizons {
       low = std::min(low, nearest);
     }
     if (!(line.v0 < line.v1)) return open;
+    if (sides == LineSides::none && edge.against == Against::upper) low = kNothing;
     if (!(high >= low)) {  // there is no horizon here yet
       seen.push_back({line.v0, line.v1});
       return open;

@@ -342,6 +342,7 @@ void PartEdges::add_back_lines(EdgeList& list) const {
     edge.b = placed(list, b);
     edge.number = static_cast<std::uint32_t>(i);
     edge.goal = Goal::back_line;
+    if (options_.hidden_by == HiddenBy::curves && options_.underside == Underside::none) edge.against = Against::upper;
     edge.sides = LineSides::none;
   }
 }
