@@ -184,7 +184,7 @@ TEST(Labels, EqualTheirLevelsOnRandomSurfaces) {
         }
       }
       EXPECT_NEAR(says, height, 1e-9 * std::abs(height) + 1e-9 * step) << label.text << " of " << request.formulas.front();
-      EXPECT_NE(label.text.rfind("\u22120.000", 0), 0u);
+      EXPECT_TRUE(says != 0 || label.text == "0") << label.text << ": a zero without a sign";
       for (const TextItem& other : contour_labels) {
         const double turn = std::remainder(label.rotation_degrees - other.rotation_degrees, 360);
         if (&other == &label || glm::distance(other.at, label.at) > 5 * label.height_mm) continue;
