@@ -45,6 +45,7 @@ TEST(TableSurface, HeadsThatArePositions) {
   const std::vector<std::vector<double>> z{{1, 2, 3}, {4, 5, 6}};
   expect_grid(*grid("year,Jan,Feb,Mar\n1950,1,2,3\n1951,4,5,6\n", warnings), {1, 2, 3}, {1950, 1951}, z);
   expect_grid(*grid("depth,X10,X20,X30\n5,4,5,6\n2,1,2,3\n", warnings), {10, 20, 30}, {2, 5}, z);
+  expect_grid(*grid("rownames,X1856,X1860,X1870\nOhio,1,2,3\nIowa,4,5,6\n", warnings), {1856, 1860, 1870}, {0, 1}, z);
   expect_grid(*grid("month,1950,1951,1952\nJan,1,2,3\nFeb,4,5,6\n", warnings), {1950, 1951, 1952}, {1, 2}, z);
 }
 
@@ -74,6 +75,19 @@ TEST(TableSurface, FieldsOfRowsAndColumns) {
   expect_grid(*grid("rownames,row,col,yield\n1,1,1,1\n2,1,2,2\n3,2,1,3\n4,2,2,4\n", warnings), {1, 2}, {1, 2},
               {{1, 2}, {3, 4}});
   EXPECT_EQ(warnings.left_out().text(), "left out: 1 column (rownames)");
+}
+
+TEST(TableSurface, RepeatedFieldsAreAveragedAndNoMesh) {
+  Warnings warnings;
+  const std::string once = "1,1,%\n1,2,%\n2,1,%\n2,2,%\n";
+  std::string text = "row,col,yield\n";
+  for (const char* yield : {"1", "3"}) {
+    for (const char c : once) text += c == '%' ? yield : std::string(1, c);
+  }
+  expect_grid(*grid(text, warnings), {1, 2}, {1, 2}, {{2, 2}, {2, 2}});
+  EXPECT_EQ(warnings.counts().at("points at the place of another one: heights averaged"), 4u);
+  EXPECT_EQ(grid_error("row,col,state\n1,1,Y\n1,2,N\n"),
+            "M: has positions in columns col and row, and no column of heights; --points FILE marks them on a surface");
 }
 
 TEST(TableSurface, NonuniformMatrix) {

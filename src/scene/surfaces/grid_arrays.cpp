@@ -192,7 +192,8 @@ class ArraySurface {
     }
     leave_out_signs_of_nothing(rows.values, 3, warnings_);
     rows.block_begins = {0};
-    if (find_blocks(rows)) return {grid_of_points(std::move(rows), name_), {}};
+    if (find_blocks(rows) && is_grid_of_blocks(rows, name_)) return {grid_of_points(std::move(rows), name_), {}};
+    rows.block_begins = {0};
     return {surface_of_rows(rows, choice_, name_, warnings_), {}};
   }
 

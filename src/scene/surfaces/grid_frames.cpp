@@ -96,9 +96,12 @@ std::unique_ptr<HeightSource> frame_of_rows(const Table& table, RowRange rows, c
 std::unique_ptr<HeightSource> frame_of_names(const Table& table, RowRange rows, const std::vector<double>& positions,
                                              const std::string& name, Warnings& warnings) {
   std::vector<double> y = first_column(table, rows);
+  const bool names_rows = table.column(0).is_text() && direction_of(y) == 0;
+  if (names_rows) y = counted_positions(y.size());
   if (rows.size() < 2 || direction_of(y) == 0) return nullptr;
   std::vector<double> z = heights_behind(table, rows, warnings);
-  warnings.add("rows and columns of numbers taken for positions", 2);
+  warnings.leave_out("column of row names", names_rows);
+  warnings.add("rows and columns of numbers taken for positions", names_rows ? 1 : 2);
   return heights_over(positions, std::move(y), std::move(z), name);
 }
 

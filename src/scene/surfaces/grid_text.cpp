@@ -47,7 +47,11 @@ class RowSurface {
     std::vector<std::size_t> chosen;
     for (const std::string& word : choice_.using_columns) chosen.push_back(column_of(table_, word, name_));
     if (chosen.size() == 3) return PointColumns{chosen[0], chosen[1], chosen[2]};
-    NamedColumns named = named_columns(table_.names());
+    std::vector<std::string> names = table_.names();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (table_.column(k).is_text()) names[k].clear();  // a column of words is no position and no height
+    }
+    NamedColumns named = named_columns(names);
     if (!chosen.empty()) named.z = chosen[0];
     std::vector<std::size_t> others;
     for (std::size_t k = 0; k < table_.names().size(); ++k) {
@@ -56,16 +60,18 @@ class RowSurface {
     }
     if (named.x && named.y && !named.z && others.size() == 1) named.z = others.front();
     if (named.x && named.y && named.z) return PointColumns{*named.x, *named.y, *named.z};
-    if (named.x && named.y && is_named() && others.size() > 1) {
-      throw InputError(name_, "has positions in columns " + shown_column(table_, *named.x) + " and " +
-                                  shown_column(table_, *named.y) + ", and no height: --using NAME says which of " +
-                                  list_of_columns(others) + " it is");
-    }
+    if (named.x && named.y && is_named()) throw no_heights(*named.x, *named.y, others);
     if (choice_.layout != TableLayout::columns && chosen.empty()) return {};
     std::vector<std::size_t> numbers = all_numbers();
     if (!chosen.empty()) std::erase(numbers, chosen[0]);
     if (numbers.size() < (chosen.empty() ? 3 : 2)) throw error("columns of x, y and z are three, of numbers");
     return PointColumns{numbers[0], numbers[1], chosen.empty() ? numbers[2] : chosen[0]};
+  }
+
+  InputError no_heights(std::size_t x, std::size_t y, const std::vector<std::size_t>& others) const {
+    const std::string places = "has positions in columns " + shown_column(table_, x) + " and " + shown_column(table_, y);
+    if (others.empty()) return {name_, places + ", and no column of heights; --points FILE marks them on a surface"};
+    return {name_, places + ", and no height: --using NAME says which of " + list_of_columns(others) + " it is"};
   }
 
   std::string list_of_columns(const std::vector<std::size_t>& columns) const {
@@ -129,7 +135,7 @@ class RowSurface {
     if (table_.names().empty() && is_counted_frame(table_, rows_)) {
       if (auto frame = frame_of_rows(table_, rows_, name_, warnings_)) return {std::move(frame), {}};
     }
-    if (is_named() && (is_position_name(column_name(0)) || (is_index_name(column_name(0)) && has_numbers(0)))) {
+    if (is_named() && (is_position_name(column_name(0)) || is_index_name(column_name(0)))) {
       if (const auto at = names_behind_first()) {
         if (auto frame = frame_of_names(table_, rows_, *at, name_, warnings_)) return {std::move(frame), {}};
       }
@@ -179,7 +185,7 @@ class RowSurface {
     if (is_named()) {
       warnings_.add("columns taken for x, y and z: " + list_of_columns({numbers.begin(), numbers.begin() + 3}), 3);
     }
-    return surface_of(std::move(rows));
+    return surface_without_blocks(std::move(rows));
   }
 
   bool names_are_a_series(const std::vector<std::size_t>& numbers) const {
@@ -249,9 +255,15 @@ class RowSurface {
     leave_out(others);
     PointRows rows = point_rows(columns);
     if (rows.block_begins.size() > 1 && are_even_blocks(rows)) return surface_of(std::move(rows));
+    return surface_without_blocks(std::move(rows));
+  }
+
+  /// Rows without blank lines are no mesh: where places repeat, their heights are averaged.
+  GridSurface surface_without_blocks(PointRows rows) {
     rows.block_begins = {0};
-    find_blocks(rows);
-    return surface_of(std::move(rows));
+    if (find_blocks(rows) && is_grid_of_blocks(rows, name_)) return {grid_of_points(std::move(rows), name_), {}};
+    rows.block_begins = {0};
+    return {surface_of_rows(rows, choice_, name_, warnings_), {}};
   }
 
   /// By rising doubt: a grid by blocks, a mesh, a grid with holes, scattered points.
