@@ -88,7 +88,13 @@ void check_heights(const HeightSource& heights) {
 void read_grid_as_fuzzer(std::span<const std::byte> bytes) {
   try {
     Warnings warnings;
-    check_heights(*read_grid(bytes, "fuzz", warnings));
+    for (const GridSurface& surface : read_surfaces(bytes, "fuzz", warnings)) {
+      if (surface.heights) check_heights(*surface.heights);
+      if (surface.mesh) {
+        need(surface.mesh->points.size() == surface.mesh->columns * surface.mesh->rows, "meshes have all their points");
+      }
+    }
+    for (const std::string& line : warnings.lines()) need(line.find('\n') == std::string::npos, "a warning is one line");
   } catch (const InputError& error) {
     need_one_line(error);
   }

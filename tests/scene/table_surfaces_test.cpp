@@ -173,6 +173,30 @@ TEST(TableSurface, HeightsThatNoGroundHas) {
   EXPECT_EQ(warnings.counts().begin()->first, "heights beyond 1e30 taken for places without one");
 }
 
+TEST(TableSurface, OneTerrainInThirteenHabits) {
+  // The same 16 x 12 heights, with two missing in some.
+  const auto plain = heights_of(*grid(corpus_file("csv_quoted.csv")));
+  ASSERT_EQ(plain.size(), 12u);
+  for (const char* file :
+       {"fortran_d.txt", "gp_blocks4.dat", "gp_nonuniform.dat", "json_nested.json", "miss_null.csv", "r_unquoted_header.csv",
+        "surfer_dsaa.grd", "tsv_comma.tsv", "xyz_xtz.csv", "z.npy", "csv_quoted.csv.gz"}) {
+    SCOPED_TRACE(file);
+    Warnings warnings;
+    const auto found = heights_of(*grid(corpus_file(file), warnings));
+    ASSERT_EQ(found.size(), plain.size());
+    std::size_t holes = 0;
+    for (std::size_t j = 0; j < plain.size(); ++j) {
+      ASSERT_EQ(found[j].size(), plain[j].size());
+      for (std::size_t i = 0; i < plain[j].size(); ++i) {
+        holes += std::isnan(found[j][i]);
+        const double height = std::isnan(found[j][i]) ? plain[j][i] : found[j][i];
+        EXPECT_NEAR(height, plain[j][i], 1e-6);
+      }
+    }
+    EXPECT_LE(holes, 12u);
+  }
+}
+
 TEST(TableSurface, EsriNoDataOfFewerDigits) {
   const std::string head = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value ";
   for (const char* data : {"-3.40282e+38\n1 2\n-3.4028234663852886e38 4\n", "-9999.9\n1 2\n-9999.900390625 4\n"}) {
