@@ -8,6 +8,7 @@
 #include "files/message_text.hpp"
 #include "files/named_input.hpp"
 #include "picture/errors.hpp"
+#include "picture/named_layers.hpp"
 #include "picture/placement.hpp"
 #include "plotting/plot.hpp"
 #include "plotting/svg/outline.hpp"
@@ -118,6 +119,15 @@ void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name
   }
   if (read.boxes > 0) warn(times(read.boxes, "character is", "characters are") + " not in the font: drawn as boxes");
   if (read.drawing.layers.empty()) warn("there is no stroke in the drawing");
+}
+
+/// A pen that no line takes is an error where the name can not be that of a layer of ours (check_pens), and is warned of
+/// otherwise. A file of pens may name all layers there are; names on the command line mean this drawing.
+void warn_of_absent_layers(const PlotDrawingRequest& request, const Drawing& drawing, RunReport& run) {
+  for (const std::string& text :
+       {absent_pen_layers(request.plotter.asked_pens, drawing), absent_width_layers(request.widths_mm, drawing)}) {
+    if (!text.empty()) run.warn(text);
+  }
 }
 
 /// The drawing in its place. Strokes that fill an area lie as far apart as the pen is wide on the drawing as it comes out,
@@ -314,6 +324,9 @@ Picture plot_drawings(std::span<const DrawingText> drawings, const PlotDrawingRe
     return request.grid ? drawings_in_grid(drawings, request, pen_mm, run)
                         : placed_drawing(request, drawings.front(), pen_mm, run);
   });
+  check_pens(plotter.asked_pens, read.drawing);
+  warn_of_absent_layers(request, read.drawing, run);
+  plotter.asked_pens = {};  // a single sheet need not have them all
   if (request.tile) return write_tiles(read, request, plotter, tile_files, run);
   return write_sheet(read.drawing, read.page, read.dashes_cut, request, plotter, nullptr, run);
 }

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <iterator>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
+#include "picture/named_layers.hpp"
 #include "plotting/plot_writers.hpp"
 
 namespace ligne {
@@ -47,16 +46,6 @@ std::string scale_text(double scale) {
   return text;
 }
 
-/// Layers that a drawing of ours may have: a pen for one that is empty this time is no mistake.
-bool is_layer_of_ours(const std::string& name) {
-  for (std::size_t l = 0; l < kStrokeLayerCount; ++l) {
-    if (stroke_layer_name(l) == name) return true;
-  }
-  constexpr std::string_view others[] = {"underside", "contour-base", "contour-index", "shore",  "water", "text",
-                                         "debug",     "hatch",        "frame",         "legend", "points"};
-  return std::find(std::begin(others), std::end(others), name) != std::end(others);
-}
-
 /// The speeds and times of a device are bounded so that these seconds fit (plotting/device_reader.cpp).
 std::string minutes(double seconds) {
   const auto whole = std::llround(seconds);
@@ -70,39 +59,6 @@ struct ReportRow {
   PathLengths lengths;
   std::size_t pen_changes;
 };
-
-/// What was asked for by name must be there: a pen that draws nothing is a slip of the pen.
-void check_pens(const PenTable& asked, const Drawing& drawing) {
-  if (drawing.layers.empty()) return;
-  std::set<std::string> layers, materials, objects;
-  for (const Layer& layer : drawing.layers) {
-    layers.insert(layer.name);
-    if (!layer.material.empty()) materials.insert(layer.material);
-    if (!layer.object.empty()) objects.insert(layer.object);
-  }
-  const auto list = [](const std::set<std::string>& names) {
-    constexpr std::size_t kMostListed = 20;
-    std::string text;
-    std::size_t n = 0;
-    for (const std::string& name : names) {
-      if (n++ == kMostListed) return text + " and " + std::to_string(names.size() - kMostListed) + " more";
-      text += (text.empty() ? "" : ", ") + printable(name);
-    }
-    return text;
-  };
-  for (const auto& [layer, number] : asked.pen_of_layer) {
-    if (layers.contains(layer) || is_layer_of_ours(layer)) continue;
-    throw RequestError("pen", "there is no layer " + shown(layer, '"') + "; there are " + list(layers) +
-                                  "; and object:NAME, material:NAME, shade:N, rest");
-  }
-  // Where a scene was drawn, its materials and objects were looked at before; what of them is not seen is no mistake.
-  for (const auto& [material, number] : asked.pen_of_material) {
-    if (materials.empty()) throw RequestError("pen", "the drawing tells no materials, so none is " + shown(material, '"'));
-  }
-  for (const auto& [object, number] : asked.pen_of_object) {
-    if (objects.empty()) throw RequestError("pen", "the drawing tells no objects, so none is " + shown(object, '"'));
-  }
-}
 
 std::string report_of(const ReportRow& before, const ReportRow& after, const Device* device, double scale = 1) {
   constexpr std::size_t kColumn = 12;
@@ -298,11 +254,13 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
 }
 
 /// PDF leaves it to readers whether they show larger pages (PDF 1.7, annex C.2: 200 inches), and many do not.
+/// A larger unit (/UserUnit) would need an interface that Cairo does not have.
 void warn_of_size(const Page& page, RunReport& run) {
   constexpr double kLargestPdfMm = 200 * kMmPerInch;
   if (std::max(page.width_mm, page.height_mm) <= kLargestPdfMm) return;
   const std::string text = "a page of " + shortest(page.width_mm) + " x " + shortest(page.height_mm) +
-                           " mm is larger than the 14400 points (5080 mm) that readers of PDF show";
+                           " mm is larger than the 14400 points (5080 mm) that readers of PDF show; write an SVG, which "
+                           "ligne plot --tile A0 cuts into pages";
   if (std::ranges::find(run.warnings, text, &RunWarning::text) == run.warnings.end()) run.warn(text);
 }
 

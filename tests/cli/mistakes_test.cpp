@@ -136,9 +136,10 @@ TEST_F(MistakesOfNewcomers, PagesThatReadersOfPdfDoNotShow) {
   EXPECT_EQ(
       large.err,
       "ligne: cube.obj: warning: a page of 10000 x 10000 mm is larger than the 14400 points (5080 mm) that readers of PDF "
-      "show\n");
+      "show; write an SVG, which ligne plot --tile A0 cuts into pages\n");
   EXPECT_EQ(run("draw cube.obj --page 5080x5080 -o p.pdf").err, "");
   EXPECT_EQ(run("draw cube.obj --page 10000x10000 -o p.svg").err, "");
+  EXPECT_EQ(run("plot p.svg --tile A0 -o p.pdf").err, "");
 }
 
 }  // namespace

@@ -167,6 +167,35 @@ TEST_F(PlotTest, ADrawingOfWhichNothingIsLeftFails) {
   expect_outcome("plot empty.svg -o empty.svg.hpgl", 0, {"there is no stroke in the drawing"});
 }
 
+TEST_F(PlotTest, PensAndWidthsOfLayersThatAreNotThere) {
+  write("a.svg", kThreeLinesSvg);
+  const std::string layers = "there are #000000, #ff0000\n";
+  for (const std::string option : {"--pen", "--width"}) {
+    const Outcome named = run({"plot", "a.svg", option, "#ff0000=2", "-o", "a.out.svg"});
+    EXPECT_EQ(named.status, 0);
+    EXPECT_EQ(named.err, "");
+    const Outcome absent = run({"plot", "a.svg", option, "crease=3", option, "#ff0000=2", "-o", "b.svg"});
+    EXPECT_EQ(absent.status, 0);
+    EXPECT_EQ(absent.err, "ligne: a.svg: warning: has no layer crease for " + option + "; " + layers);
+    EXPECT_EQ(contents(file("b.svg")), contents(file("a.out.svg")));
+    EXPECT_EQ(run({"plot", "a.svg", option, "crease=2", "--quiet", "-o", "b.svg"}).err, "");
+  }
+  // A file of pens may name every layer there is.
+  write("pens.toml", "[[pen]]\nnumber = 2\nclasses = [\"crease\"]\n[[pen]]\nnumber = 1\nrest = true\n");
+  EXPECT_EQ(run({"plot", "a.svg", "--pens", "pens.toml", "-o", "c.svg"}).err, "");
+}
+
+TEST_F(PlotTest, APenOfALayerThatIsOnOneSheetAlone) {
+  write("long.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='60mm' viewBox='0 0 200 60' fill='none'>\n"
+        "<path d='M10 20H45' stroke='black'/><path d='M150 20H190' stroke='red'/>\n</svg>\n");
+  const Outcome outcome =
+      run({"plot", "long.svg", "--tile", "120x80", "--pen", "#ff0000=2", "--pen", "rest=1", "-o", "sheet%d.hpgl"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(contents(file("sheet2.hpgl")).find("SP2;"), std::string::npos);
+}
+
 TEST_F(PlotTest, ResolutionOfTheInput) {
   write("old.svg", "<svg viewBox='0 0 595 842'>\n<path d='M0 72H72' stroke='red'/></svg>");
   expect_outcome(

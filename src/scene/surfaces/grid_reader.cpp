@@ -131,6 +131,13 @@ std::unique_ptr<HeightSource> heights_alone(std::vector<GridSurface> surfaces, c
 
 }  // namespace
 
+GroundUnit likely_unit(const HeightSource& heights) {
+  const std::vector<double>&x = heights.x(), &y = heights.y();
+  const auto within = [](const std::vector<double>& at, double most) { return at.front() >= -most && at.back() <= most; };
+  const bool fine = x[1] - x[0] <= kWidestStepOfDegrees && y[1] - y[0] <= kWidestStepOfDegrees;
+  return fine && within(x, kMostLongitude) && within(y, kMostLatitude) ? GroundUnit::degrees : GroundUnit::same;
+}
+
 std::vector<GridSurface> read_surfaces(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened,
                                        const GridChoice& choice) {
   InputFiles unasked;
