@@ -23,6 +23,7 @@ TEST(SvgGeometryProperties, StylesPlaceShapes) {
   EXPECT_NEAR(ellipse.height(), 20, 0.02);
   expect_lines("<line x1='1' x2='5' style='x1:3px'/>", {"100,0 500,0 "}, "which is no property of CSS");
   EXPECT_EQ(read("<circle r='5' style='r:calc(1px + 1px)'/>").omitted.list(), "1 values of r that are not known");
+  EXPECT_EQ(read("<circle r='5' style='r:9'/>").omitted.list(), "1 values of r that are not known") << "without a unit";
 }
 
 TEST(SvgGeometryProperties, TransformsThatAreToldOneByOne) {
