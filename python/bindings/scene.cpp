@@ -62,21 +62,20 @@ MatrixView<T> matrix(const py::array& array) {
 }
 
 /// What the conversion reads, with the interpreter's lock given up: no reference is taken there, so that what asks numpy for
-/// an object (the kind of values) is asked before.
+/// an object (the kind and size of values, which are the array's dtype) is asked before.
 struct MeshArrays {
   py::array vertices, corners;
-  bool corners_are_signed = true;
+  bool vertices_are_single = false, corners_are_signed = true, corners_are_wide = true;
   FaceLists lists;
   FaceLabels labels;
   std::optional<double> precision;
 };
 
 Scene scene_of(MeshArrays& arrays) {
-  const bool single = arrays.vertices.itemsize() == sizeof(float);
+  const bool single = arrays.vertices_are_single, wide = arrays.corners_are_wide;
   std::vector<Point3> points =
       single ? read_vertices(matrix<float>(arrays.vertices)) : read_vertices(matrix<double>(arrays.vertices));
   PolygonFaces faces;
-  const bool wide = arrays.corners.itemsize() == 8;
   if (arrays.corners_are_signed && wide) {
     read_faces(matrix<std::int64_t>(arrays.corners), arrays.lists, points.size(), faces);
   } else if (arrays.corners_are_signed) {
@@ -102,10 +101,13 @@ std::shared_ptr<SceneHolder> make_mesh(py::array vertices, py::array corners, st
                                        std::optional<double> precision, const std::string& up_axis, const py::dict& options,
                                        py::handle threads) {
   ModelRequest request = model_request(options);
-  const bool corners_are_signed = corners.dtype().kind() == 'i';
+  const bool vertices_are_single = vertices.itemsize() == sizeof(float);
+  const bool corners_are_signed = corners.dtype().kind() == 'i', corners_are_wide = corners.itemsize() == 8;
   MeshArrays arrays{std::move(vertices),
                     std::move(corners),
+                    vertices_are_single,
                     corners_are_signed,
+                    corners_are_wide,
                     {std::move(contour_end), std::move(face_end)},
                     {},
                     precision};
