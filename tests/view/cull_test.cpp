@@ -255,7 +255,7 @@ std::multiset<Line> lines_of(const Scene& scene, const Method& method) {
   if (!result.strokes) return lines;
   remove_coincident_strokes(*result.strokes, coincidence_mm(p));
   for (const Stroke& s : result.strokes->strokes) {
-    const auto [a, b] = std::minmax(std::pair(s.from.x, s.from.y), std::pair(s.to.x, s.to.y));
+    const auto [a, b] = std::minmax({std::pair(s.from.x, s.from.y), std::pair(s.to.x, s.to.y)});
     lines.insert({a.first, a.second, b.first, b.second, s.line_class, s.visible});
   }
   return lines;

@@ -119,7 +119,7 @@ void clear_intersections(StrokeModel& model, const Scene& scene, const Projected
     } else if (!contact[i]) {
       pieces = rims.pieces(model, s, projected.view, request.studied());
       on_rim[i] = on_rim[i] || !pieces.empty();
-      if (pieces.empty()) pieces = {s};
+      if (pieces.empty()) pieces.push_back(s);
       model.strokes.insert(model.strokes.end(), pieces.begin(), pieces.end());
     }
   }
