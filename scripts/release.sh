@@ -20,7 +20,10 @@ fail() {
 }
 
 [[ -z $(git status --porcelain) ]] || fail "there are changes that are not committed"
-python3 scripts/check_version.py || fail "the version differs from page to page"
+# The system's Python is the one for which setup.sh installs the package that makes the pages.
+python=/usr/bin/python3
+$python -c 'import markdown, setuptools' || fail "python3-markdown or python3-setuptools is missing"
+$python scripts/check_version.py || fail "the version differs from page to page"
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
 
@@ -77,8 +80,8 @@ else
   bash "$work/build_packages.sh" "$work/here" "$out/debian-local"
 fi
 
-(cd "$work/ligne-$version" && python3 setup.py -q sdist --formats=gztar -d "$out/python")
+(cd "$work/ligne-$version" && $python setup.py -q sdist --formats=gztar -d "$out/python")
 rm -rf "$out/site"
-python3 scripts/build_site.py "$out/site"
+$python scripts/build_site.py "$out/site"
 (cd "$out" && find . -type f -not -path './site/*' -not -name SHA256SUMS -printf '%P\n' | sort | xargs sha256sum >SHA256SUMS)
 cat "$out/SHA256SUMS"
