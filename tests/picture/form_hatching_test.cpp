@@ -9,6 +9,7 @@
 #include "picture/surface/surface_request.hpp"
 #include "picture/surface/surface_samples.hpp"
 #include "scene/model/topology.hpp"
+#include "support/page_lines.hpp"
 #include "support/test.hpp"
 #include "visibility/registry.hpp"
 
@@ -61,16 +62,11 @@ Hatched hatched(const DrawnScene& drawn) {
   return result;
 }
 
-double distance(Point2 p, Point2 a, Point2 b) {
-  const Point2 along = b - a;
-  const double square = glm::dot(along, along);
-  return glm::distance(p, a + along * (square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0));
-}
-
 double distance(Point2 p, const Polylines& lines) {
   double least = 1e300;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t k = 1; k < lines[i].size(); ++k) least = std::min(least, distance(p, lines[i][k - 1], lines[i][k]));
+    for (std::size_t k = 1; k < lines[i].size(); ++k)
+      least = std::min(least, test::distance_to_segment(p, lines[i][k - 1], lines[i][k]));
   }
   return least;
 }
@@ -144,7 +140,7 @@ TEST(FormHatchingSpacing, IsWithinBounds) {
       double least = 1e300;
       for (std::size_t j = 0; j < strokes.size(); ++j) {
         for (std::size_t m = 1; j != i && m < strokes[j].size(); ++m)
-          least = std::min(least, distance(stroke[k], strokes[j][m - 1], strokes[j][m]));
+          least = std::min(least, test::distance_to_segment(stroke[k], strokes[j][m - 1], strokes[j][m]));
       }
       ++points;
       crowded += least < 0.6 * kSpacingMm;

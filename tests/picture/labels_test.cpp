@@ -6,6 +6,7 @@
 #include "picture/marks/contour_labels.hpp"
 #include "picture/parse/parse_terrain.hpp"
 #include "picture/surface/surface_picture.hpp"
+#include "support/page_lines.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
@@ -43,13 +44,6 @@ Drawing contours_of(const char* formula, const char* page, RunReport& run) {
   return drawn ? drawn->drawing : Drawing{};
 }
 
-double distance(Point2 p, Point2 a, Point2 b) {
-  const Point2 along = b - a;
-  const double length = glm::dot(along, along);
-  const double t = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0;
-  return glm::distance(p, a + along * t);
-}
-
 /// Of a label to the nearest contour line that has its height.
 double off_its_line(const Drawing& drawing, const TextItem& label, double step) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -57,7 +51,8 @@ double off_its_line(const Drawing& drawing, const TextItem& label, double step) 
     if (!layer.height || height_text(*layer.height, step, false) != label.text) continue;
     for (std::size_t i = 0; i < layer.lines.size(); ++i) {
       const auto line = layer.lines[i];
-      for (std::size_t k = 1; k < line.size(); ++k) nearest = std::min(nearest, distance(label.at, line[k - 1], line[k]));
+      for (std::size_t k = 1; k < line.size(); ++k)
+        nearest = std::min(nearest, test::distance_to_segment(label.at, line[k - 1], line[k]));
     }
   }
   return nearest;

@@ -3,6 +3,7 @@
 #include "plotting/hatch.hpp"
 #include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
+#include "support/page_lines.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
@@ -22,9 +23,7 @@ double border_distance(Point2 p, const Contours& contours) {
   double least = 1e300;
   for (const auto& contour : contours) {
     for (std::size_t i = 0; i < contour.size(); ++i) {
-      const Point2 a = contour[i], b = contour[(i + 1) % contour.size()], along = b - a;
-      const double t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
-      least = std::min(least, glm::distance(p, a + along * t));
+      least = std::min(least, test::distance_to_segment(p, contour[i], contour[(i + 1) % contour.size()]));
     }
   }
   return least;
@@ -279,10 +278,7 @@ Cover cover_of(const Polylines& strokes, const Contours& area, double pen) {
     for (std::size_t i = 0; i < strokes.size(); ++i) {
       const auto line = strokes[i];
       for (std::size_t k = 1; k < line.size(); ++k) {
-        const Point2 along = line[k] - line[k - 1];
-        const double squared = glm::dot(along, along),
-                     t = squared > 0 ? std::clamp(glm::dot(p - line[k - 1], along) / squared, 0.0, 1.0) : 0;
-        least = std::min(least, glm::distance(p, line[k - 1] + along * t));
+        least = std::min(least, test::distance_to_segment(p, line[k - 1], line[k]));
       }
     }
     return least - pen / 2;

@@ -7,6 +7,7 @@
 #include "plotting/paths/optimize.hpp"
 #include "plotting/writers.hpp"
 #include "sample_drawing.hpp"
+#include "support/page_lines.hpp"
 #include "support/test.hpp"
 #include "svg_text.hpp"
 
@@ -302,10 +303,7 @@ TEST(JsonDrawingReader, RefusesWhatIsWrong) {
 bool lies_on(const Polylines& lines, Point2 p, double near) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t k = 1; k < lines[i].size(); ++k) {
-      const Point2 a = lines[i][k - 1], along = lines[i][k] - a;
-      const double squared = glm::dot(along, along);
-      const double t = squared > 0 ? std::clamp(glm::dot(p - a, along) / squared, 0.0, 1.0) : 0;
-      if (glm::distance(p, a + along * t) <= near) return true;
+      if (test::distance_to_segment(p, lines[i][k - 1], lines[i][k]) <= near) return true;
     }
   }
   return false;

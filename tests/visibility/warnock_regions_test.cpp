@@ -2,6 +2,7 @@
 
 #include "geometry/point.hpp"
 #include "support/corpus_scene.hpp"
+#include "support/page_lines.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 #include "support/test.hpp"
@@ -43,10 +44,8 @@ bool holds(const Region& r, Point2 p, double distance, bool& near) {
   for (const auto& c : r.contours) {
     for (std::size_t i = 0; i < c.size(); ++i) {
       const Point2 a = c[i], b = c[(i + 1) % c.size()];
-      const Point2 d = b - a;
-      const double t = std::clamp(glm::dot(p - a, d) / std::max(glm::dot(d, d), 1e-300), 0.0, 1.0);
-      near = near || glm::length(a + d * t - p) < distance;
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * d.x) inside = !inside;
+      near = near || distance_to_segment(p, a, b) < distance;
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
     }
   }
   return inside;
