@@ -14,8 +14,6 @@ bool is_number(py::handle value) {
 
 bool is_text(py::handle value) { return py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__"); }
 
-bool is_sequence(py::handle value) { return !is_text(value) && PySequence_Check(value.ptr()) != 0; }
-
 std::string plain_text(const std::string& option, py::handle value) {
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
   if (py::hasattr(value, "__fspath__")) return py::module_::import("os").attr("fspath")(value).cast<std::string>();
@@ -30,6 +28,8 @@ std::string plain_text(const std::string& option, py::handle value) {
 }
 
 }  // namespace
+
+bool is_sequence(py::handle value) { return !is_text(value) && PySequence_Check(value.ptr()) != 0; }
 
 std::string text_of(const std::string& option, py::handle value, char separator) {
   if (!is_sequence(value)) return plain_text(option, value);

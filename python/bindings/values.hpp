@@ -8,6 +8,9 @@
 
 namespace ligne::python {
 
+/// Whether the value is a sequence other than a text.
+bool is_sequence(pybind11::handle value);
+
 /// A text or a path as it is, a number in its shortest form, a sequence as its values with `separator` between them. Throws
 /// RequestError of the option for anything else.
 std::string text_of(const std::string& option, pybind11::handle value, char separator = ',');

@@ -18,6 +18,7 @@ class Words : public std::vector<std::string> {
   Words() = default;
   Words(const char* line);
   Words(std::initializer_list<std::string> words) : vector(words) {}
+  Words(const std::vector<std::string>& words) : vector(words) {}
 
   Words& operator+=(const Words& more);
   friend Words operator+(Words words, const Words& more) { return words += more; }

@@ -268,9 +268,9 @@ std::string sample_json() {
 Drawing axes_drawing() {
   AxesRequest request;
   request.style = AxesStyle::grid;
-  request.axes[0] = {-12, 12, 1, "x", TickScale::linear};
-  request.axes[1] = {0, 20, 1, "Distance (km)", TickScale::linear};
-  request.axes[2] = {-0.2, 1, 10, "z", TickScale::linear};
+  request.axes[0] = {-12, 12, 1, 0, "x", TickScale::linear};
+  request.axes[1] = {0, 20, 1, 0, "Distance (km)", TickScale::linear};
+  request.axes[2] = {-0.2, 1, 10, 0, "z", TickScale::linear};
   CameraRequest camera;
   camera.direction = Point3{-0.43, 0.75, -0.5};
   const Scene scene = box_scene(request.box());

@@ -19,9 +19,9 @@ TextExtent measure(std::string_view text, double height) { return text_extent(te
 
 AxesRequest request(AxesStyle style = AxesStyle::back) {
   AxesRequest r;
-  r.axes[0] = {-12, 12, 1, "x", TickScale::linear};
-  r.axes[1] = {-7, 20, 1, "Distance from the coast (km)", TickScale::linear};
-  r.axes[2] = {-0.217, 1, 10, "Height", TickScale::linear};
+  r.axes[0] = {-12, 12, 1, 0, "x", TickScale::linear};
+  r.axes[1] = {-7, 20, 1, 0, "Distance from the coast (km)", TickScale::linear};
+  r.axes[2] = {-0.217, 1, 10, 0, "Height", TickScale::linear};
   r.style = style;
   r.text_height_mm = kHeight;
   return r;
