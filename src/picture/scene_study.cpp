@@ -241,6 +241,7 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
     if (!creases.patches.list.empty()) {
       prepared.patches = std::move(creases.patches);
       prepared.patches.is_freeform = {};
+      prepared.patches.borders = {};
     }
     prepared.object_edge_ends = edge_ends_of_objects(scene, prepared.topology);
     if (request.groups) {

@@ -36,7 +36,7 @@ struct PreparedScene {
   SmoothContours contours{};       ///< in place of outlines of meshes
   ShapeLines shape_lines{};
   std::vector<ScanObject> scans{};
-  Patches patches{};                              ///< the surfaces that clear creases found, without is_freeform
+  Patches patches{};                              ///< the surfaces that clear creases found, without free forms
   std::vector<std::uint32_t> object_edge_ends{};  ///< by object: the end of its edges, which follow those before it
   std::uint32_t first_probe = 0;                  ///< source of the first probe of a point (LineGroups)
   std::vector<DetailLine> details{};

@@ -42,10 +42,10 @@ TEST_F(CurvesTest, ACurveOnTheSurfaceIsSeenWhereItIs) {
 TEST_F(CurvesTest, WhatLeavesTheRangesEndsAtTheBox) {
   const std::vector<std::string> line{"x/10", "--curve", "t", "0", "9", "-t", "-20:20"};
   const Outcome ended = map(line);
-  expect_parts(ended.err, {"1 curves leave the ranges of -x, -y or --z-range: they end at the box"});
+  expect_parts(ended.err, {"1 curve leaves the ranges of -x, -y or --z-range: it ends at the box"});
   write("far.txt", "1,1,2,Near\n70,1,2,Far\n");
   const Outcome points = map({"0*x", "--points", "far.txt"});
-  expect_parts(points.err, {"1 points lie outside the ranges of -x, -y or --z-range: they are left out"});
+  expect_parts(points.err, {"1 point lies outside the ranges of -x, -y or --z-range: it is left out"});
   expect_parts(points.out, {">Near</text>"});
   expect_no_parts(points.out, {">Far</text>"});
   // Without ranges the axes become wider, and the page holds the curve.
@@ -78,7 +78,8 @@ TEST_F(CurvesTest, PointsComeFromTablesAndThoseNotMarkedAreCounted) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   expect_parts(outcome.out, {">Left</text>"});
   expect_parts(outcome.err, {"named.csv: warning: left out: 1 column (id)",
-                             "2 of 3 points are not marked: 1 outside the page, 1 hidden"});
+                             "1 point lies outside the ranges of -x, -y or --z-range: it is left out",
+                             "1 of 2 points are not marked: 1 hidden"});
   write("semicolons.csv", "-1;1;First\n0,5;0,5;Second\n");
   const std::string semicolons = "semicolons.csv";
   const Outcome second = map({"0*x", "--points", semicolons});
@@ -191,7 +192,7 @@ TEST_F(TerrainTest, FlatLandAtTheLevelIsNoWater) {
 TEST_F(TerrainTest, WaterHasNoCurvesAndNoContours) {
   const Words block =
       "-x 0:10:11 -y 0:10:11 --view top --lines y --page 100x100 --margin 10 --scale 8:1 --water 5 "
-      "--contours 20";
+      "--contours 20:even";
   auto drawn = layers("x" + block);
   EXPECT_NEAR(drawn["horizon"], 11 * 40, 0.1) << "half of eleven rows";
   EXPECT_NEAR(drawn["contour"], 20 * 80, 0.1);

@@ -47,6 +47,13 @@ TEST_F(PointTable, ColumnsByName) {
   expect_point(points("lat;lon;height (m)\n1,5;2,5;100\n")[0], 2.5, 1.5, 100, "");
 }
 
+TEST_F(PointTable, NamesAtTheEndOfARowHaveBlanks) {
+  const auto found = points("x y name\n2.5 1.5 Great Horn\n0.2 -3.4 Mill\n5 -3 Ferry\n");
+  ASSERT_EQ(found.size(), 3u);
+  expect_point(found[0], 2.5, 1.5, height_test::kNaN, "Great Horn");
+  expect_point(found[1], 0.2, -3.4, height_test::kNaN, "Mill");
+}
+
 TEST_F(PointTable, RowsWithoutNames) {
   const auto found = points("0,5;0,5;Bonn\n-1;1;KM-CM\n2;3;4;Hof\n2;3;;Ulm\n");
   ASSERT_EQ(found.size(), 4u);

@@ -170,11 +170,12 @@ bool fit_to_box(const SurfaceRequest& request, DrawnCurves& drawn, AxesBox& box,
     std::array<Point3, 2> segment{point.at, point.at};
     return !clip(segment);
   });
-  if (cut > 0) run.warn(std::to_string(cut) + " curves leave the ranges of -x, -y or --z-range: they end at the box");
-  if (points > drawn.points.size()) {
-    run.warn(std::to_string(points - drawn.points.size()) +
-             " points lie outside the ranges of -x, -y or --z-range: they are left out");
-  }
+  constexpr const char* kRanges = "the ranges of -x, -y or --z-range: ";
+  if (cut == 1) run.warn(std::string("1 curve leaves ") + kRanges + "it ends at the box");
+  if (cut > 1) run.warn(std::to_string(cut) + " curves leave " + kRanges + "they end at the box");
+  const std::size_t outside = points - drawn.points.size();
+  if (outside == 1) run.warn(std::string("1 point lies outside ") + kRanges + "it is left out");
+  if (outside > 1) run.warn(std::to_string(outside) + " points lie outside " + kRanges + "they are left out");
   const AxesBox before = box;
   const auto extend = [&](const Point3& p) {
     box.low = glm::min(box.low, p);

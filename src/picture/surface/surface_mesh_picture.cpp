@@ -307,6 +307,21 @@ LineClasses classes_of(const SurfaceRequest& request, const std::vector<Surface>
   return classes;
 }
 
+/// Extent of the surfaces with their curves and points on the drawing plane; in perspective that of the box.
+Rect extent_with_curves(const MeshPlot& plot, const Camera& camera) {
+  if (camera.perspective) return projected_extent(box_scene(plot.box->in_model()), camera);
+  Rect extent = projected_extent(plot.scene, camera);
+  const auto extend = [&](const Point3& p) {
+    const Point3 c = camera_coordinates(camera, p);
+    extent.extend({c.x, c.y});
+  };
+  for (const SpaceLine& line : plot.groups->lines) {
+    for (const Point3& p : line.ends) extend(p);
+  }
+  for (const MarkedPoint& point : plot.groups->points) extend(point.at);
+  return extent;
+}
+
 }  // namespace
 
 SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector<Surface>& surfaces, RunReport& run) {
@@ -323,7 +338,7 @@ SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector
   picture.contour_labels = request.curves.labels;
   picture.label_decades = request.log_axes[2];
   if (plot.reaches_out && !picture.axes.style) {
-    picture.page.extent = projected_extent(box_scene(plot.box->in_model()), camera_of(picture.view, plot.scene));
+    picture.page.extent = extent_with_curves(plot, camera_of(picture.view, plot.scene));
   }
   return {std::move(plot.scene), plot.box, std::move(picture)};
 }

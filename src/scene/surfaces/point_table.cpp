@@ -42,7 +42,7 @@ class PointColumnsReader {
     const std::vector<std::string> cells = table_.cells(row);
     if (by_names_) {
       if (z_) point.at.z = number(values, *z_);
-      if (label_ && *label_ < cells.size()) point.label = cells[*label_];
+      if (label_ && *label_ < cells.size()) point.label = label_at(cells);
       // Rows without z may be a cell shorter.
       const bool is_short = z_ && std::isnan(point.at.z) && *z_ < cells.size() && point.label.empty();
       if (is_short && cell_value(cells[*z_], table_.style().numbers).kind == CellKind::word) point.label = cells[*z_];
@@ -56,6 +56,16 @@ class PointColumnsReader {
  private:
   static double number(std::span<const double> values, std::size_t column) {
     return column < values.size() ? values[column] : kNoHeight;
+  }
+
+  /// Blanks that separate cells also stand within a label at the end of the row.
+  std::string label_at(const std::vector<std::string>& cells) const {
+    std::string label = cells[*label_];
+    const bool is_last = *label_ + 1 == table_.names().size();
+    for (std::size_t k = *label_ + 1; is_last && table_.style().separator == ' ' && k < cells.size(); ++k) {
+      label += " " + cells[k];
+    }
+    return label;
   }
 
   void take_names(const NamedColumns& named) {

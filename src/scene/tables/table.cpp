@@ -164,7 +164,8 @@ class TableReader {
   }
 
   void name_columns() {
-    const std::size_t columns = table_.row(0).size();
+    // As most rows have it: blanks within a name at the end of a row make more cells of it.
+    const std::size_t usual = usual_count(), columns = usual > 0 ? usual : table_.row(0).size();
     const bool from_comment = head_.empty() && !comment_.empty();
     if (head_.empty() && !from_comment) return;
     std::vector<std::string> names;
