@@ -13,8 +13,8 @@
 namespace ligne::test {
 namespace {
 
-/// The first tier takes one scene of so many, beginning where the seed says. A prime, so that it meets all views and variants,
-/// which the number of a scene chooses by their counts.
+/// The first tier takes one scene of so many, beginning where the seed says. A prime, so that it meets all views and
+/// variants, which the number of a scene chooses by their counts.
 constexpr std::size_t kOneSceneIn = 11;
 
 /// The view of a scene, which may lose faces.

@@ -94,7 +94,7 @@ struct SurfaceRequest {
   TableLayout layout = TableLayout::automatic;  ///< grid: how a table is understood
   std::optional<unsigned> data_set;             ///< grid: the one that is drawn, from 0
   std::vector<std::string> using_columns{};     ///< grid: columns of x, y and z, or of z alone
-  std::optional<unsigned> band{};   ///< of rasters, counted from 1; nothing: the first
+  std::optional<unsigned> band{};               ///< of rasters, counted from 1; nothing: the first
   GroundChoice ground = GroundChoice::as_read;
   CurveFamilies lines = CurveFamilies::xy;
   /// Where the viewer stands, in degrees, when `picture.view` names no view; defaults -60 and 30.

@@ -79,7 +79,7 @@ struct GridChoice {
   TableLayout layout = TableLayout::automatic;
   std::optional<unsigned> data_set{};        ///< of a text with several, from 0; or of the arrays of a file
   std::vector<std::string> using_columns{};  ///< names, or numbers from 1, of the columns of x, y and z; or of z alone
-  std::optional<unsigned> band{};   ///< of a raster, counted from 1; nothing: the first, with a warning where there are more
+  std::optional<unsigned> band{};  ///< of a raster, counted from 1; nothing: the first, with a warning where there are more
 };
 
 /// Heights of a grid file: a CSV or TSV matrix, lines of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16 bits. Told apart by
