@@ -2,6 +2,7 @@
 /// and what is left out is as short as cleanup promises.
 
 #include "clear/clear_against_exact.hpp"
+#include "clear/write_stl.hpp"
 #include "main/tier.hpp"
 #include "scene/model/topology.hpp"
 #include "support/test.hpp"
@@ -146,22 +147,6 @@ PartTriangles rounded_part(std::string_view name, int steps) {
   if (name == "arch") return loft(arch(steps), steps);
   if (name == "elbow") return loft(elbow(steps), steps);
   throw std::runtime_error("no such part: " + std::string(name));
-}
-
-/// A binary STL file. Throws std::runtime_error if it can't be written.
-void write_stl(const PartTriangles& triangles, const std::filesystem::path& file) {
-  std::ofstream out(file, std::ios::binary);
-  const auto write = [&](const auto& value) { out.write(reinterpret_cast<const char*>(&value), sizeof value); };
-  out.write(std::string(80, ' ').data(), 80);
-  write(static_cast<std::uint32_t>(triangles.size()));
-  for (const std::array<Point3, 3>& triangle : triangles) {
-    for (int k = 0; k < 3; ++k) write(0.0f);  // readers take the normal from the corners
-    for (const Point3& p : triangle) {
-      for (int axis = 0; axis < 3; ++axis) write(static_cast<float>(p[axis]));
-    }
-    write(std::uint16_t{0});
-  }
-  if (!out.flush()) throw std::runtime_error("can't write " + file.string());
 }
 
 namespace fs = std::filesystem;

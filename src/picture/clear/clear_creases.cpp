@@ -15,20 +15,6 @@ namespace {
 /// other look like one that is too thick. Taste.
 constexpr double kNarrowFilletInPens = 8;
 
-/// Adjustable: the borders of free forms that are narrower on the page, in widths of the pen, are no lines of their own.
-/// Taste.
-constexpr double kNarrowFreeformInPens = 2;
-
-/// Takes out the tangent edges of narrow free forms.
-void drop_narrow_freeforms(const PictureRequest& request, const View& view, const Patches& patches,
-                           std::vector<PatchEdge>& edges) {
-  if (request.lines.tangent == TangentLines::borders) return;
-  const double narrow = kNarrowFreeformInPens * request.page.pen_width_mm / view.scale;
-  for (const FreeformBorder& border : patches.borders) {
-    if (border.width < narrow && edges[border.edge] == PatchEdge::tangent) edges[border.edge] = PatchEdge::inside;
-  }
-}
-
 double widest_fillet(const PictureRequest& request, const View& view) {
   switch (request.lines.tangent) {
     case TangentLines::borders:
@@ -81,7 +67,6 @@ std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& 
                                             const View& view, Creases& creases) {
   const Patches& patches = creases.patches;
   if ((patches.list.empty() && patches.borders.empty()) || !request.lines.classes.has(LineClass::tangent)) return {};
-  drop_narrow_freeforms(request, view, patches, creases.patch_edges);
   FilletMiddles fillets = fillet_middles(scene, topology, patches, creases.patch_edges, widest_fillet(request, view));
   drop_loose_tangents(topology, creases.lines, creases.patch_edges);
   const auto is_fillet = [&](std::uint32_t face) {

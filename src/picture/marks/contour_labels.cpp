@@ -387,6 +387,7 @@ std::vector<TextItem> label_contours(Drawing& drawing, const ContourLabelOptions
   for (const TextItem& label : labels) boxes.push_back(label_box(label, options.style));
   make_gaps(drawing, boxes);
   if (!drawing.fills.empty()) {
+    drawing.fills.reserve(drawing.fills.size() + labels.size());
     for (const TextItem& label : labels) drawing.fills.push_back(halo(label, options.style));
   }
   return labels;

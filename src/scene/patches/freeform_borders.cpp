@@ -26,8 +26,6 @@ constexpr std::size_t kMostFacets = 24;
 constexpr double kLeastSpread = 0.25;
 /// Corners of a plane that are looked at for its depth, at the most, evenly spread: thousands of edges may lie beside it.
 constexpr std::size_t kMostPlaneCorners = 64;
-/// Facets behind an edge by which the width of a free form is measured, at the most.
-constexpr std::size_t kMostFacetsBehind = 64;
 /// Edges of a chain that may be a flaw of a smooth mesh, at the most.
 constexpr std::uint32_t kFleckEdges = 2;
 /// Least cosine between the edges of a chain: 45 degrees.
@@ -60,7 +58,6 @@ class BorderFinder {
     }
     std::ranges::sort(found_, {}, &Found::edge);
     number_chains();
-    level_widths();
     return {found_.begin(), found_.end()};
   }
 
@@ -174,7 +171,6 @@ class BorderFinder {
     border.edge = arc.edge;
     border.facet = f;
     border.length = glm::distance(from, to);
-    border.width = width_behind(f, from, inwards);
     border.turn = glm::length(free.slope) * first;
     border.angle = angle_between(free.normal, other);
     if (border.turn > 0) {
@@ -212,36 +208,6 @@ class BorderFinder {
     for (Found& border : found_) {
       border.is_fleck = border.turn == 0 && sizes[border.chain] <= kFleckEdges && !stands_alone(border.facet);
     }
-  }
-
-  /// How far one can go on behind an edge from facet to facet of the free form, up to one that is much deeper than the
-  /// first.
-  double width_behind(std::uint32_t f, const Point3& from, const Point3& inwards) const {
-    const double first = depths(f, from, inwards).high;
-    double width = first;
-    for (std::size_t step = 0; step < kMostFacetsBehind; ++step) {
-      std::uint32_t next = kNone;
-      double farthest = width;
-      for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
-        if (!is_freeform_[arc.facet]) continue;
-        const double depth = depths(arc.facet, from, inwards).high;
-        if (depth > farthest && depth - width < kPlaneDepths * first) next = arc.facet, farthest = depth;
-      }
-      if (next == kNone) break;
-      f = next;
-      width = farthest;
-    }
-    return width;
-  }
-
-  /// Sets the width of each border to the mean one of its chain.
-  void level_widths() {
-    std::vector<double> areas(found_.size(), 0), lengths(found_.size(), 0);
-    for (const Found& border : found_) {
-      areas[border.chain] += border.width * border.length;
-      lengths[border.chain] += border.length;
-    }
-    for (Found& border : found_) border.width = areas[border.chain] / lengths[border.chain];
   }
 
   bool goes_straight_on(std::uint32_t vertex, std::uint32_t a, std::uint32_t b) const {

@@ -19,7 +19,6 @@ struct FreeformBorder {
   std::uint32_t edge = 0;   ///< of the topology
   std::uint32_t chain = 0;  ///< edges of one chain follow each other between one free form and one other facet or surface
   double length = 0;
-  double width = 0;  ///< how far the free form reaches behind the edges of the chain, on average; it may bend away
   /// Angle in radians between both normals; 0 where that of the other side lies between the continued one and that of the
   /// first facet, as it does where a fillet begins without a step of its curvature.
   double angle = 0;

@@ -1,0 +1,61 @@
+#pragma once
+/// Parts whose true edges and outlines are known, with meshes of any accuracy.
+
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace ligne::test {
+
+/// A piece of a profile in a plane: a straight line to its end, or an arc about a centre with the body to the left of the
+/// way along it. It begins where the piece before it ends.
+struct ProfilePiece {
+  Point2 end{0, 0};
+  Point2 centre{0, 0};
+  double sweep = 0;  ///< radians, positive to the left; 0 for a line
+};
+
+/// A closed way round, counter-clockwise about the body, clockwise about a hole. It begins where the last piece ends.
+using Profile = std::vector<ProfilePiece>;
+
+/// A prism over profiles in x and y, the first outer and the others holes, from z = 0 to the height.
+struct Extrusion {
+  std::vector<Profile> profiles;
+  double height = 0;
+};
+
+/// A profile in r and z, r >= 0, turned about z. Lines on the axis are none of the body.
+struct Turning {
+  Profile profile;
+};
+
+struct TruePart {
+  std::string name;
+  std::variant<Extrusion, Turning> shape;
+};
+
+/// Twelve parts with fillets, bores, bends and cones.
+std::vector<TruePart> true_parts();
+
+/// Writes the part as binary STL with so many facets to a turn.
+void write_mesh(const TruePart& part, int facets, const std::filesystem::path& file);
+
+enum class TrueLine : std::uint8_t { sharp, tangent, outline };
+
+/// A sample of a true line.
+struct TruePoint {
+  TrueLine kind = TrueLine::sharp;
+  Point3 at{0, 0, 0};
+  Point3 along{0, 0, 0};  ///< the length of the line that it stands for, in its direction
+  double radius = 0;      ///< the largest radius of the curves there that meshes have chords of; 0 without any
+};
+
+/// The edges of the part and, for a direction towards the viewer, the outlines of its curved surfaces: all of them, whatever
+/// hides them. `step`: model units between samples.
+std::vector<TruePoint> true_lines(const TruePart& part, const Point3& to_viewer, double step);
+
+}  // namespace ligne::test
