@@ -384,10 +384,10 @@ std::vector<TextItem> label_contours(Drawing& drawing, const ContourLabelOptions
                                      std::span<const TextItem> others) {
   std::vector<TextItem> labels = Labelling(drawing, options, others).run();
   std::vector<TextBox> boxes;
+  boxes.reserve(labels.size());
   for (const TextItem& label : labels) boxes.push_back(label_box(label, options.style));
   make_gaps(drawing, boxes);
   if (!drawing.fills.empty()) {
-    drawing.fills.reserve(drawing.fills.size() + labels.size());
     for (const TextItem& label : labels) drawing.fills.push_back(halo(label, options.style));
   }
   return labels;
