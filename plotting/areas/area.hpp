@@ -29,7 +29,7 @@ struct WindingChange {
   Windings by{};
 };
 
-/// What lies inside contours; open ones are closed.
+/// The inside of contours; open ones are closed.
 ///
 /// The edges are whole segments of the lattice; those that lie on each other from end to end are one, with the sum of their
 /// windings. Where a stroke is asked for, vertices that lie on its line up to rounding are on neither side of it, so that an

@@ -11,7 +11,7 @@ namespace ligne::svg {
 /// Links that lead on to links.
 inline constexpr int kMostLinks = 16;
 
-/// What shows through one or several clip paths or masks, one inside the other.
+/// The part of the page that one or several clip paths or masks, one inside the other, leave open.
 struct Clip {
   std::vector<Area> any_of;  ///< inside one of these
   std::vector<char> opens;   ///< of a mask: whether an area shows or hides, the last painted decides; empty: all show

@@ -9,7 +9,7 @@
 
 namespace ligne::svg {
 
-/// What lies beside a part of a stroke, from where the part before it ends.
+/// A part of a stroke, from where the part before it ends, with the areas beside it.
 struct CoveredPart {
   Along end;
   bool plus = false, minus = false;  ///< covered there

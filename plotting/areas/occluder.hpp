@@ -23,7 +23,7 @@ struct Occluder {
   std::shared_ptr<const Clip> clip;  ///< nullptr: all of it
   std::uint32_t painted = 0;         ///< it hides what was painted before that
   std::string layer{};               ///< the document's that it is in, or empty
-  /// Of the line that is drawn along its contours, mm; 0: of the pen that draws all borders of a fill; nothing: no line.
+  /// Width in mm of the line along its contours; 0: that of the pen that draws the borders of fills; nothing: no line.
   std::optional<double> rim_width{};
 };
 

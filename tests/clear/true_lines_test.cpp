@@ -19,11 +19,11 @@ constexpr double kOffMm = 0.1;
 constexpr int kFineFacets = 240;
 /// A true point is surely seen when all points so far round it are, and may be seen when one of them is.
 constexpr double kBesideMm = 0.06;
-/// What hides a point lies nearer to the viewer by more than surfaces through it rise over kBesideMm: steep ones beside
+/// Faces that hide a point lie nearer to the viewer by more than surfaces through it rise over kBesideMm: steep ones beside
 /// edges, and round ones of up to 30 mm beside outlines.
 constexpr double kHiddenEdgeMm = 0.6, kHiddenOutlineMm = 2.5;
 
-/// What hides points of a part, by a fine mesh of it.
+/// Tells by a fine mesh of a part which points it hides.
 class Hiding {
  public:
   Hiding(const Scene& scene, const View& view) : view_(view), cells_(view.window, kHidingCellMm) {

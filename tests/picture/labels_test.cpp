@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(Terrains, Labels,
                          testing::Combine(testing::ValuesIn(kTerrains), testing::Values("A6", "A4", "A2"),
                                           testing::Values(TextStyle::font, TextStyle::stroke)));
 
-/// What a label says.
+/// The number that a label says.
 double number_of(std::string text) {
   if (text.rfind("\u2212", 0) == 0) text.replace(0, 3, "-");
   return std::stod(text);

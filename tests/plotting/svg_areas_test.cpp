@@ -95,7 +95,7 @@ bool passes(const Polylines& lines, Point2 p) {
   return false;
 }
 
-/// Of how many pens lines pass through the point, and whether this one's does.
+/// How many pens have lines through the point, and whether this one has.
 std::pair<int, bool> pens_at(const ReadDrawing& drawn, Point2 p, const std::string& own) {
   int all = 0;
   bool is_own = false;

@@ -174,7 +174,7 @@ TEST(TableSurface, HeightsThatNoGroundHas) {
 }
 
 TEST(TableSurface, OneTerrainInThirteenHabits) {
-  // The same 16 x 12 heights, with two missing in some.
+  // All files hold these 16 x 12 heights; two are missing in some.
   const auto plain = heights_of(*grid(corpus_file("csv_quoted.csv")));
   ASSERT_EQ(plain.size(), 12u);
   for (const char* file :

@@ -23,7 +23,7 @@ struct Surroundings {
   std::vector<TextItem> texts;  ///< of the axes, of the map's signs, and the title
 };
 
-/// What the axes measure: the box before scaling, how the model's coordinates follow from its own, and how the axes count.
+/// The measure of the axes: the box before scaling, how the model's coordinates follow from its own, and how the axes count.
 struct PlotBox {
   AxesBox box;
   Point3 factor{1, 1, 1};

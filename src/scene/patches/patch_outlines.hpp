@@ -1,5 +1,5 @@
 #pragma once
-/// What patches border on: a surface found in the midst of a free form is a part of it that lies on one by accident.
+/// The outlines of patches. A surface found in the midst of a free form is a part of it that lies on one by accident.
 
 #include <cstddef>
 #include <cstdint>

@@ -12,7 +12,7 @@ constexpr int kMostSteps = 12;    ///< of Newton's kind; fits that succeed take 
 constexpr int kMostAttempts = 3;  ///< at one step, each with more damping by kDampingStep
 constexpr double kDampingStep = 10;
 /// Adjustable: damping as a part of the diagonal, at first, at the least, and at the least after a failed attempt. Sums over
-/// a hundred corners are rounded by 1e-14 of the diagonal: less damping than that does nothing.
+/// a hundred corners are rounded by a hundredth of the least one: less damping does little.
 constexpr double kFirstDamping = 1e-6, kLeastDamping = 1e-12, kFailedDamping = 1e-9;
 constexpr double kSettled = 0.5;  ///< a step that leaves more of the sum of squares is the last one
 

@@ -7,9 +7,9 @@
 namespace ligne {
 namespace {
 
-/// Rotations that make the entry (p, q) zero are repeated so often at the most; they converge quadratically.
-/// A matrix is diagonal when the rest is less than half a unit in the last place of the diagonal (2^-53 is 1.1e-16).
+/// A matrix is diagonal when the rest is less than half a unit in the last place of the diagonal.
 constexpr double kDiagonal = 0x1p-53;
+/// Rotations that make an entry zero are repeated so often at the most; they converge quadratically.
 constexpr int kMostSweeps = 12;
 
 /// Applies the rotation by which the entry (p, q) of the symmetric matrix m becomes zero to m and to the columns of v.

@@ -47,7 +47,7 @@ class ArraySurface {
  private:
   static std::string shown_name(const DataArray& array) { return array.name.empty() ? "its array" : printable(array.name); }
 
-  /// Of more than two dimensions the last two, at one index of the others.
+  /// Leaves the last two of several dimensions, at one index of the others.
   void take_layer(DataArray& array) {
     if (array.values.empty()) return;
     while (array.shape.size() > 2 && (array.shape.back() == 1)) array.shape.pop_back();

@@ -35,7 +35,7 @@ struct PointRows {
 std::vector<GridSurface> read_surfaces(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                        const std::filesystem::path& file = {}, InputFiles* opened = nullptr,
                                        const GridChoice& choice = {});
-/// The same of a file that holds one surface z = f(x, y); throws InputError for others.
+/// Reads a file that holds one surface z = f(x, y); throws InputError for others.
 std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                         const std::filesystem::path& file = {}, InputFiles* opened = nullptr,
                                         const GridChoice& choice = {});
@@ -112,7 +112,7 @@ bool reads_by_gdal();
 std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name, Warnings& warnings,
                                              const GridChoice& choice, InputFiles& opened);
 
-/// What the positions of a grid of terrain measure, whose file does not say it.
+/// The likely unit of the positions of a grid of terrain whose file does not say it.
 GroundUnit likely_unit(const HeightSource& heights);
 
 /// Heights over the positions of the file. Blocks are of one x or of one y each.

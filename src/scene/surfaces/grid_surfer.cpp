@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// What stands for no height, 1.70141e38, is written with more or fewer digits.
+/// Surfer marks a missing height by 1.70141e38, written with more or fewer digits.
 constexpr double kSurferBlank = 1.7014e38;
 
 double surfer_height(double value) { return value >= kSurferBlank || !std::isfinite(value) ? kNoHeight : value; }

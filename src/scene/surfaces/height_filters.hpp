@@ -45,7 +45,7 @@ struct AxesScaling {
 /// the range from `low` to `high` is as large as the mean distance of neighbouring rows times `rows`.
 AxesScaling ridgeline_scaling(const HeightSource& heights, double low, double high, double rows, double rows_height);
 
-/// The same surface, scaled.
+/// A scaled surface.
 std::unique_ptr<HeightSource> scaled_heights(std::unique_ptr<HeightSource> heights, const AxesScaling& scaling);
 
 /// A part of an axis, both ends included.

@@ -21,7 +21,7 @@ struct LabelledPoint {
 /// Throws InputError("FILE:LINE: cause").
 std::vector<LabelledPoint> read_points(const std::string& file, InputFiles& opened, Warnings& warnings);
 
-/// The same rows as lines, which end at blank lines and at rows without a position. Labels are left out.
+/// Reads such rows as lines, which end at blank lines and at rows without a position. Labels are left out.
 std::vector<std::vector<Point3>> read_lines(const std::string& file, InputFiles& opened, Warnings& warnings);
 
 }  // namespace ligne

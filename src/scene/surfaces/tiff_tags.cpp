@@ -1,5 +1,5 @@
-// Of GeoTIFF (OGC 19-008r4) the matrix, or the scale and the tie point, and the kinds of coordinates and of pixels are read,
-// and what GDAL adds: NODATA, and scale and offset of bands. The projection is not needed.
+// The tags of GeoTIFF (OGC 19-008r4) that are read: the matrix, or the scale and the tie point, and the kinds of coordinates
+// and of pixels; and those of GDAL: NODATA, and scale and offset of bands. The projection is not needed.
 
 #include "scene/surfaces/tiff_tags.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What separates the cells of a text, and how its numbers are written.
+/// The separator of the cells of a text, and how its numbers are written.
 
 #include <string_view>
 #include <vector>

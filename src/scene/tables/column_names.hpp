@@ -1,5 +1,5 @@
 #pragma once
-/// What the names of columns say.
+/// The meaning of the names of columns.
 
 #include <cstddef>
 #include <optional>

@@ -18,7 +18,7 @@ struct DataArray {
   std::vector<double> values;             ///< NaN for missing ones
   std::vector<std::string> dimensions{};  ///< names of the axes, where the file has them
   std::string unit{};
-  /// Of an array of more than two dimensions `values` may hold one layer alone: shape and dimensions are then those of it.
+  /// `values` may hold one layer of an array of more than two dimensions: shape and dimensions are then those of the layer.
   std::size_t layers = 1;
 };
 

@@ -1,4 +1,4 @@
-// What is found in a JSON document: rows of numbers; an object whose members are arrays, as a trace of plotly; columns; or
+// The arrays of a JSON document: rows of numbers; an object whose members are arrays, as a trace of plotly; columns; or
 // records. An object with "data" is a figure, or a table of pandas.
 
 #include <algorithm>

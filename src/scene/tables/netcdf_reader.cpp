@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// What the library writes where nobody wrote a value, in floats and doubles, and no quantity is as large.
+/// The library writes this into floats and doubles where nobody wrote a value; no quantity is as large.
 constexpr double kDefaultFill = 9.96e36;
 
 double number_of(const NetcdfAttributes& attributes, const char* name, double otherwise) {

@@ -13,7 +13,7 @@
 
 namespace ligne {
 
-/// What the cells of a column are.
+/// Kinds of cells in a column.
 struct TableColumn {
   std::size_t numbers = 0, missing = 0, words = 0;
   std::size_t first_word_row = 0;

@@ -18,7 +18,7 @@ struct UnpackedFile {
   std::string name;  ///< that of the file within, as far as it is known
 };
 
-/// What a gzip archive, or a ZIP archive of a single file, holds; nothing for other bytes. Throws InputError for a damaged
+/// The file in a gzip archive, or in a ZIP archive of one file; nothing for other bytes. Throws InputError for a damaged
 /// archive, for one of several files, and for more than kMostUnpacked bytes.
 std::optional<UnpackedFile> unpacked(std::span<const std::byte> bytes, const std::string& name);
 
